@@ -1,0 +1,102 @@
+"""Operating conditions of one lubricated contact."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+
+from .lubricant import Lubricant
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactConditions:
+    """One lubricated elliptical point contact, SI; x and y are the principal directions of the gap.
+
+    Attributes
+    ----------
+    load : float
+        Normal load w [N].
+    radius_x, radius_y : float
+        Reduced radii of curvature in x and y [m].
+    reduced_modulus : float
+        E' [Pa], 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+    entrainment_speed : float
+        Mean surface speed u_m = (u_1 + u_2)/2 [m/s].
+    lubricant : Lubricant
+    entrainment_angle : float
+        Direction of the entrainment, from x towards y [rad].
+    slide_roll_ratio : float
+        (u_1 - u_2)/u_m [-], body 1 the ball.
+    spin : float
+        Relative angular speed about the contact normal [rad/s].
+
+    Raises
+    ------
+    ValueError
+        If a value is not finite, or not positive where it must be; the message names the field.
+    """
+
+    load: float
+    radius_x: float
+    radius_y: float
+    reduced_modulus: float
+    entrainment_speed: float
+    lubricant: Lubricant
+    entrainment_angle: float = 0.0
+    slide_roll_ratio: float = 0.0
+    spin: float = 0.0
+
+    def __post_init__(self) -> None:
+        for field in ("load", "radius_x", "radius_y", "reduced_modulus", "entrainment_speed"):
+            value = getattr(self, field)
+            if not (isfinite(value) and value > 0.0):
+                raise ValueError(f"{field} must be positive and finite, got {value!r}")
+        for field in ("entrainment_angle", "slide_roll_ratio", "spin"):
+            if not isfinite(getattr(self, field)):
+                raise ValueError(f"{field} must be finite, got {getattr(self, field)!r}")
+
+    @property
+    def speed_1(self) -> float:
+        """Surface speed of body 1 along the entrainment, u_1 [m/s]."""
+        return self.entrainment_speed * (1.0 + 0.5 * self.slide_roll_ratio)
+
+    @property
+    def speed_2(self) -> float:
+        """Surface speed of body 2 along the entrainment, u_2 [m/s]."""
+        return self.entrainment_speed * (1.0 - 0.5 * self.slide_roll_ratio)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MoesConditions:
+    """One contact by its dimensionless groups, Moes (1992).
+
+    Attributes
+    ----------
+    load_parameter : float
+        M = W (2U)^(-3/4) [-], W = F/(E' Rx^2), U = eta_0 u_m/(E' Rx).
+    lubricant_parameter : float
+        L = G (2U)^(1/4) [-], G = alpha E'.
+    radius_ratio : float
+        Rx/Ry [-].
+    lubricant : Lubricant
+        Its laws, pressure-viscosity coefficient and exponent set the scale of pressure; its viscosity is not used
+        unless the exponent follows from Roelands' identity.
+    entrainment_angle : float
+        Direction of the entrainment, from x towards y [rad].
+    """
+
+    load_parameter: float
+    lubricant_parameter: float
+    lubricant: Lubricant
+    radius_ratio: float = 1.0
+    entrainment_angle: float = 0.0
+
+    def __post_init__(self) -> None:
+        for field in ("load_parameter", "radius_ratio"):
+            value = getattr(self, field)
+            if not (isfinite(value) and value > 0.0):
+                raise ValueError(f"{field} must be positive and finite, got {value!r}")
+        if not (isfinite(self.lubricant_parameter) and self.lubricant_parameter >= 0.0):
+            raise ValueError(f"lubricant_parameter must be zero or positive, got {self.lubricant_parameter!r}")
+        if not isfinite(self.entrainment_angle):
+            raise ValueError(f"entrainment_angle must be finite, got {self.entrainment_angle!r}")

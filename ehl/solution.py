@@ -1,0 +1,113 @@
+"""Result of one contact solve."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .conditions import ContactConditions, MoesConditions
+from .options import SolverOptions
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmValue:
+    """A film thickness with its error bar: extrapolated from the grid levels, and as read off the finest grid."""
+
+    value: float  # extrapolated [-], in units of a^2/Rx
+    uncertainty: float  # [-], same units; encloses the distance to the grid-converged value
+    finest: float  # finest-grid value [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ConvergenceRecord:
+    """What the solver did: one entry of each tuple per cycle on the finest level."""
+
+    residual: tuple[float, ...]  # residual over its diagonal, maximum norm [-]
+    force_error: tuple[float, ...]  # relative error of the load balance [-]
+    film_change: tuple[float, ...]  # relative change of central and minimum film in the cycle [-]
+    cycles: int
+    fft_equivalents: float  # deflection FFTs, forward + inverse = 1, on the finest grid; a coarser level counts less
+    fallbacks: tuple[str, ...]  # measures of the fallback chain that were taken, in order
+    wall_time: float  # of the solve alone [s]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactSolution:
+    """Pressure and film of one lubricated contact.
+
+    Dimensionless fields carry capitals: X = x/a, P = p/p_h, H = h Rx/a^2, a the Hertz semi-axis along x; Y = y/a.
+    The grid's x runs along the entrainment. SI properties need dimensional conditions and are None otherwise.
+    """
+
+    conditions: ContactConditions | MoesConditions
+    options: SolverOptions
+    X: Array  # shape (nx,) [-]
+    Y: Array  # shape (ny,) [-]
+    P: Array  # shape (nx, ny) [-]
+    H: Array  # shape (nx, ny) [-]
+    film_central_dimensionless: FilmValue  # at (0, 0)
+    film_minimum_dimensionless: FilmValue  # over the whole contact, sub-grid fit
+    approach_dimensionless: float  # H0, the constant of the film equation [-]
+    moes_load: float  # M [-]
+    moes_lubricant: float  # L [-]
+    semi_axis_ratio: float  # b/a, semi-axis along y over that along x [-]
+    semi_axis_x: float | None  # a [m]
+    hertz_pressure: float  # p_h [Pa]
+    film_scale: float | None  # a^2/Rx [m]
+    domain: tuple[float, float, float]  # x_in, x_out, y_half in Hertz semi-axes [-]
+    resolved: bool
+    converged: bool
+    message: str
+    record: ConvergenceRecord
+
+    def _dimensional(self, value: float | None) -> float | None:
+        return None if self.film_scale is None or value is None else value * self.film_scale
+
+    @property
+    def film_central(self) -> float | None:
+        """Film thickness at the centre, extrapolated [m]."""
+        return self._dimensional(self.film_central_dimensionless.value)
+
+    @property
+    def film_central_uncertainty(self) -> float | None:
+        """Uncertainty of the central film [m]."""
+        return self._dimensional(self.film_central_dimensionless.uncertainty)
+
+    @property
+    def film_minimum(self) -> float | None:
+        """Smallest film thickness of the contact, extrapolated [m]."""
+        return self._dimensional(self.film_minimum_dimensionless.value)
+
+    @property
+    def film_minimum_uncertainty(self) -> float | None:
+        """Uncertainty of the minimum film [m]."""
+        return self._dimensional(self.film_minimum_dimensionless.uncertainty)
+
+    @property
+    def x(self) -> Array | None:
+        """Node positions along x, shape (nx,) [m]."""
+        return None if self.semi_axis_x is None else self.X * self.semi_axis_x
+
+    @property
+    def y(self) -> Array | None:
+        """Node positions along y, shape (ny,) [m]."""
+        return None if self.semi_axis_x is None else self.Y * self.semi_axis_x
+
+    @property
+    def pressure(self) -> Array:
+        """Pressure, shape (nx, ny) [Pa]."""
+        return self.P * self.hertz_pressure
+
+    @property
+    def film(self) -> Array | None:
+        """Film thickness, shape (nx, ny) [m]."""
+        return None if self.film_scale is None else self.H * self.film_scale
+
+    @property
+    def pressure_maximum(self) -> float:
+        """Largest nodal pressure [Pa]; at the spike it does not converge with the mesh."""
+        return float(self.P.max() * self.hertz_pressure)
