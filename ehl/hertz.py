@@ -1,0 +1,194 @@
+"""Dry elastic contact of two quadratic surfaces, Hertz (1882), in symmetric elliptic integrals.
+
+Pressure p = p_h sqrt(1 - x^2/a^2 - y^2/b^2) on the ellipse with semi-axes a (along x) and b (along y) fills the gap
+x^2/(2 Rx) + y^2/(2 Ry) - approach when (Johnson, Contact Mechanics, 1985, section 4.2, with his integrals over the
+confocal parameter s written by Carlson's R_F and R_D)::
+
+    1/(2 Rx) = p_h a b/(3 E*) R_D(0, b^2, a^2),   E* = E'/2
+    1/(2 Ry) = p_h a b/(3 E*) R_D(0, a^2, b^2)
+    approach = p_h a b/E* R_F(0, a^2, b^2)
+    load     = 2 pi/3 p_h a b
+
+R_D and R_F do not know which axis is the longer one: nothing is 0/0 at the circle and no branch is taken there.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cbrt, exp, isfinite, log, pi
+
+from scipy.special import elliprd, elliprf
+
+RADIUS_RATIO_LIMIT = 1.0e8  # Rx/Ry and its inverse, ellipticity about 1e5; beyond lies the line contact
+MAX_NEWTON_STEPS = 60
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HertzContact:
+    """One dry elliptical contact, SI.
+
+    Attributes
+    ----------
+    load : float
+        Normal load F [N].
+    radius_x, radius_y : float
+        Reduced radii of curvature in x and y [m].
+    reduced_modulus : float
+        E' [Pa], 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+    semi_axis_x, semi_axis_y : float
+        Semi-axes of the contact ellipse along x and y, a and b [m].
+    pressure : float
+        Largest pressure p_h [Pa].
+    approach : float
+        Approach of distant points [m].
+    """
+
+    load: float
+    radius_x: float
+    radius_y: float
+    reduced_modulus: float
+    semi_axis_x: float
+    semi_axis_y: float
+    pressure: float
+    approach: float
+
+
+def radius_ratio_of_ellipse(ratio: float) -> float:
+    """Rx/Ry [-] of the contact whose ellipse has b/a = `ratio` [-], R_D(0, 1, k^2)/R_D(0, k^2, 1).
+
+    Parameters
+    ----------
+    ratio : float
+        Semi-axis along y over semi-axis along x, k = b/a [-].
+
+    Returns
+    -------
+    float
+        Rx/Ry [-]; falls from infinity to zero as `ratio` grows.
+    """
+    return float(elliprd(0.0, 1.0, ratio**2) / elliprd(0.0, ratio**2, 1.0))
+
+
+def ellipse_ratio(radius_ratio: float) -> float:
+    """Ratio of the semi-axes of the contact ellipse, k = b/a [-], Hertz (1882).
+
+    Solves Rx/Ry = R_D(0, 1, k^2)/R_D(0, k^2, 1) by Newton's method in ln k, kept inside a bracket.
+
+    Parameters
+    ----------
+    radius_ratio : float
+        Rx/Ry [-].
+
+    Returns
+    -------
+    float
+        Semi-axis along y over semi-axis along x [-]: 1 at 1, above 1 where Rx < Ry.
+    """
+    _require_positive(radius_ratio=radius_ratio)
+    if not 1.0 / RADIUS_RATIO_LIMIT <= radius_ratio <= RADIUS_RATIO_LIMIT:
+        raise ValueError(f"radius_ratio must lie in [1e-8, 1e8], got {radius_ratio!r}")
+    if radius_ratio == 1.0:
+        return 1.0
+    target = log(radius_ratio)
+    low, high = sorted((-target, -0.25 * target))  # k lies between (Rx/Ry)^-1 and (Rx/Ry)^-1/4
+    t = -2.0 / 3.0 * target  # exact slope at the circle
+    for _ in range(MAX_NEWTON_STEPS):
+        residual, slope = _log_radius_ratio(t)
+        residual -= target
+        low, high = (t, high) if residual > 0.0 else (low, t)
+        step = -residual / slope
+        t_next = t + step if low < t + step < high else 0.5 * (low + high)
+        if abs(t_next - t) <= 4.0e-16 * max(1.0, abs(t)):
+            return exp(t_next)
+        t = t_next
+    return exp(t)
+
+
+def hertz_coefficients(radius_ratio: float) -> tuple[float, float, float]:
+    """Dimensionless size, pressure and approach of the contact, functions of Rx/Ry alone.
+
+    Parameters
+    ----------
+    radius_ratio : float
+        D = Rx/Ry [-].
+
+    Returns
+    -------
+    f, g, d : float
+        With W = F/(E' Rx^2) [-]: a/Rx = f W^(1/3), p_h/E' = g W^(1/3), approach/Rx = d W^(2/3) [-].
+        f^3 = (2/pi) R_D(0, k^2, 1), g = 3/(2 pi k f^2), d = (3/pi) R_F(0, 1, k^2)/f; 1.5, 3/(2 pi f^2), f^2 at D = 1.
+    """
+    k = ellipse_ratio(radius_ratio)
+    f = cbrt(2.0 / pi * float(elliprd(0.0, k**2, 1.0)))
+    g = 3.0 / (2.0 * pi * k * f**2)
+    d = 3.0 / pi * float(elliprf(0.0, 1.0, k**2)) / f
+    return f, g, d
+
+
+def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) -> float:
+    """K [N/m^1.5] in load = K approach^1.5, Hertz (1882).
+
+    Parameters
+    ----------
+    radius_x, radius_y : float
+        Reduced radii of curvature [m].
+    reduced_modulus : float
+        E' [Pa].
+
+    Returns
+    -------
+    float
+        K = E' sqrt(Rx) d^(-3/2) [N/m^1.5], d from `hertz_coefficients`.
+    """
+    _require_positive(radius_x=radius_x, radius_y=radius_y, reduced_modulus=reduced_modulus)
+    _, _, d = hertz_coefficients(radius_x / radius_y)
+    return float(reduced_modulus * (radius_x / d**3) ** 0.5)
+
+
+def hertz_contact(load: float, radius_x: float, radius_y: float, reduced_modulus: float) -> HertzContact:
+    """Ellipse, pressure and approach under a load, Hertz (1882).
+
+    Parameters
+    ----------
+    load : float
+        Normal load [N].
+    radius_x, radius_y : float
+        Reduced radii of curvature in x and y [m].
+    reduced_modulus : float
+        E' [Pa].
+
+    Returns
+    -------
+    HertzContact
+    """
+    _require_positive(load=load, radius_x=radius_x, radius_y=radius_y, reduced_modulus=reduced_modulus)
+    ratio = radius_x / radius_y
+    f, g, d = hertz_coefficients(ratio)
+    size = cbrt(load / (reduced_modulus * radius_x**2))
+    semi_axis_x = f * size * radius_x
+    return HertzContact(
+        load=load,
+        radius_x=radius_x,
+        radius_y=radius_y,
+        reduced_modulus=reduced_modulus,
+        semi_axis_x=semi_axis_x,
+        semi_axis_y=3.0 * semi_axis_x / (2.0 * pi * g * f**2),
+        pressure=g * size * reduced_modulus,
+        approach=d * size**2 * radius_x,
+    )
+
+
+def _log_radius_ratio(t: float) -> tuple[float, float]:
+    """ln(Rx/Ry) [-] at k = exp(t) and its slope [-]; d(R_D)/dk follows from the common integral of both."""
+    k2 = exp(2.0 * t)
+    along_x = float(elliprd(0.0, k2, 1.0))
+    along_y = float(elliprd(0.0, 1.0, k2))
+    mixed = (along_x - along_y) / (k2 - 1.0) if abs(k2 - 1.0) > 1.0e-4 else 9.0 * pi / 16.0 * k2**-1.25
+    slope = -3.0 + mixed / along_y + k2 * mixed / along_x
+    return log(along_y / along_x), slope
+
+
+def _require_positive(**values: float) -> None:
+    for field, value in values.items():
+        if not (isfinite(value) and value > 0.0):
+            raise ValueError(f"{field} must be positive and finite, got {value!r}")
