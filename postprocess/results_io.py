@@ -1,0 +1,316 @@
+"""Results on disk: summary.json, contacts.csv and one netCDF file; each appears under its name only when complete."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from .results import BearingResults, ContactResults, summary
+
+if TYPE_CHECKING:
+    import xarray
+
+    from bearing.contacts import BearingContact
+    from ehl import ContactSolution
+
+FORMAT = 1  # of the netCDF file; raised when an older reader would misread it
+SUMMARY_FILE, CONTACTS_FILE, FIELDS_FILE = "summary.json", "contacts.csv", "results.nc"
+COMPRESSION = {"zlib": True, "complevel": 4, "shuffle": True, "dtype": "float32"}
+CONTACT_COLUMNS = (
+    ("ball", "ball"),
+    ("azimuth_deg", "azimuth [deg]"),
+    ("race", "race"),
+    ("loaded", "loaded"),
+    ("load_N", "load [N]"),
+    ("contact_angle_deg", "contact angle [deg]"),
+    ("semi_axis_rolling_mm", "semi-axis rolling [mm]"),
+    ("semi_axis_transverse_mm", "semi-axis transverse [mm]"),
+    ("hertz_pressure_GPa", "Hertz pressure [GPa]"),
+    ("entrainment_speed_m_s", "entrainment speed [m/s]"),
+    ("slide_roll_ratio", "slide-roll ratio [-]"),
+    ("spin_roll_ratio", "spin-roll ratio [-]"),
+    ("hirano_ratio", "Hirano ratio [-]"),
+    ("film_central_um", "central film [um]"),
+    ("film_central_uncertainty_um", "central film uncertainty [um]"),
+    ("film_minimum_um", "minimum film [um]"),
+    ("film_minimum_uncertainty_um", "minimum film uncertainty [um]"),
+    ("pressure_maximum_GPa", "maximum pressure [GPa]"),
+    ("traction_coefficient", "traction coefficient [-]"),
+    ("lambda_ratio", "lambda ratio [-]"),
+    ("converged", "converged"),
+    ("resolved", "resolved"),
+    ("moes_M", "Moes M [-]"),
+    ("moes_L", "Moes L [-]"),
+    ("note", "note"),
+)
+
+
+@contextmanager
+def atomic_path(path: Path) -> Iterator[Path]:
+    """Give a temporary name beside `path`; on success it becomes `path`, on failure nothing is left.
+
+    Parameters
+    ----------
+    path : Path
+        Final name; missing folders are made.
+
+    Yields
+    ------
+    Path
+        Name to write to, same folder and suffix.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
+    os.close(handle)
+    temporary = Path(name)
+    try:
+        yield temporary
+        os.chmod(temporary, 0o666 & ~_umask())  # mkstemp gives 0600
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+def write_json(document: dict[str, Any], path: Path) -> None:
+    """Write a JSON document atomically; NaN and infinity are refused with ValueError."""
+    text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False)
+    with atomic_path(path) as temporary:
+        temporary.write_text(text + "\n", encoding="utf-8")
+
+
+def write_contacts_csv(document: dict[str, Any], path: Path) -> None:
+    """Write the contacts of a bearing summary as a table, one line per contact, units in the header, empty for null.
+
+    Parameters
+    ----------
+    document : dict
+        From `summary`, of a bearing.
+    path : Path
+    """
+    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow([title for _, title in CONTACT_COLUMNS])
+        for contact in document["contacts"]:
+            writer.writerow(["" if contact[key] is None else contact[key] for key, _ in CONTACT_COLUMNS])
+
+
+def write_netcdf(results: BearingResults | ContactResults, path: Path, document: dict[str, Any] | None = None) -> None:
+    """Write fields, input and numbers as one netCDF-4 file of groups, SI, float32 fields.
+
+    Groups: `/` (version, case, messages), `/ring`, `/balls`, and `/contacts/ball01/inner` ... with the fields P and h
+    of each solved contact; a single contact has its fields in `/contacts/contact`.
+
+    Parameters
+    ----------
+    results : BearingResults or ContactResults
+    path : Path
+    document : dict, optional
+        The summary, if it is at hand.
+    """
+    import xarray as xr
+
+    document = summary(results) if document is None else document
+    single = isinstance(results, ContactResults)
+    groups = {"/": xr.Dataset(attrs=_root_attributes(document, "contact" if single else "bearing"))}
+    if isinstance(results, ContactResults):
+        groups["/contacts/contact"] = _field_dataset(results.solution)
+    else:
+        groups |= _bearing_groups(results)
+    tree = xr.DataTree.from_dict(groups)
+    encoding = {
+        node.path: {name: COMPRESSION for name in ("P", "h") if name in node.data_vars} for node in tree.subtree
+    }
+    with atomic_path(path) as temporary:
+        tree.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
+        tree.close()
+
+
+def _root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
+    case = document["case"]
+    return {
+        "title": str(case.get("title", "")),
+        "source": str(case.get("source", "")),
+        "oilfilm": document["oilfilm"],
+        "oilfilm_format": FORMAT,
+        "kind": kind,
+        "converged": int(document["converged"]),
+        "case": json.dumps(case, ensure_ascii=False),
+        "messages": json.dumps(document["messages"], ensure_ascii=False),
+    }
+
+
+def _bearing_groups(results: BearingResults) -> dict[str, xarray.Dataset]:
+    groups = {"/ring": _ring_dataset(results), "/balls": _ball_dataset(results)}
+    for contact, solution in zip(results.contacts, results.solutions, strict=True):
+        if solution is not None:
+            dataset = _field_dataset(solution).assign_attrs(_placement(contact))
+            groups[f"/contacts/{contact_name(contact.ball, contact.race.value)}"] = dataset
+    return groups
+
+
+def contact_name(ball: int, race: str) -> str:
+    """Name of a contact in files: `ball01/inner`."""
+    return f"ball{ball:02d}/{race}"
+
+
+def _placement(contact: BearingContact) -> dict[str, Any]:
+    return {
+        "ball": contact.ball,
+        "race": contact.race.value,
+        "azimuth": float(contact.azimuth),
+        "contact_angle": float(contact.contact_angle),
+        "load": float(contact.load),
+        "origin": np.asarray(contact.origin, dtype=np.float64),
+        "axis_x": np.asarray(contact.axis_x, dtype=np.float64),
+        "axis_y": np.asarray(contact.axis_y, dtype=np.float64),
+        "normal": np.asarray(contact.normal, dtype=np.float64),
+        "placement_units": "origin [m] in the bearing's frame, azimuth and contact_angle [rad], load [N]",
+    }
+
+
+def _field_dataset(solution: ContactSolution) -> xarray.Dataset:
+    """P and h over the contact plane, SI; in Moes input lengths are in units of a, films of a^2/Rx."""
+    import xarray as xr
+
+    length, film, scale = solution.semi_axis_x, solution.film_scale, solution.hertz_pressure
+    central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
+    unit, film_unit = ("a", "a^2/Rx") if length is None or film is None else ("m", "m")
+    a, h = length or 1.0, film or 1.0
+    film_attrs = {"units": film_unit, "long_name": "film thickness"}
+    pressure_attrs = {"units": "Pa" if scale > 0.0 else "p_h", "long_name": "pressure"}
+    values = {"film_central": central, "film_minimum": minimum}
+    scalars = {n: ((), v.value * h, {"units": film_unit}) for n, v in values.items()}
+    errors = {f"{n}_uncertainty": ((), v.uncertainty * h, {"units": film_unit}) for n, v in values.items()}
+    attrs = {
+        "semi_axis_x": a,
+        "semi_axis_y": a * solution.semi_axis_ratio,
+        "semi_axis_units": unit,
+        "hertz_pressure": scale,
+        "hertz_pressure_units": "Pa",
+        "entrainment_angle": float(solution.conditions.entrainment_angle),
+        "moes_load": solution.moes_load,
+        "moes_lubricant": solution.moes_lubricant,
+        "converged": int(solution.converged),
+        "resolved": int(solution.resolved),
+    }
+    return xr.Dataset(
+        {
+            "P": (("x", "y"), (solution.P * (scale or 1.0)).astype(np.float32), pressure_attrs),
+            "h": (("x", "y"), (solution.H * h).astype(np.float32), film_attrs),
+            **scalars,
+            **errors,
+        },
+        coords={
+            "x": ("x", solution.X * a, {"units": unit, "long_name": "along the entrainment"}),
+            "y": ("y", solution.Y * a, {"units": unit, "long_name": "across the entrainment"}),
+        },
+        attrs=attrs,
+    )
+
+
+def _ring_dataset(results: BearingResults) -> xarray.Dataset:
+    import xarray as xr
+
+    state, units = results.quasistatic, "SI: N, m, rad, N m"
+    bearing = state.bearing
+    attrs = {
+        "ball_diameter": bearing.ball_diameter,
+        "pitch_diameter": bearing.pitch_diameter,
+        "inner_groove_radius": bearing.inner_groove_radius,
+        "outer_groove_radius": bearing.outer_groove_radius,
+        "diametral_clearance": bearing.diametral_clearance,
+        "geometry_units": "m",
+    }
+    optional = {n: getattr(bearing, n) for n in ("bore", "outside_diameter", "width")}
+    return xr.Dataset(
+        {
+            "displacement": ("freedom", np.r_[state.displacement, state.tilt], {"units": units}),
+            "force": ("freedom", np.r_[state.ring_force, state.ring_moment], {"units": units}),
+            "stiffness": (("freedom", "freedom_2"), np.asarray(state.stiffness), {"units": units}),
+            "cage_speed": ((), state.cage_speed, {"units": "rad/s"}),
+        },
+        coords={"freedom": list("xyz") + ["ty", "tz"], "freedom_2": list("xyz") + ["ty", "tz"]},
+        attrs=attrs | {n: float(v) for n, v in optional.items() if v is not None},
+    )
+
+
+def _ball_dataset(results: BearingResults) -> xarray.Dataset:
+    import xarray as xr
+
+    state = results.quasistatic
+    units = {
+        "azimuth": "rad",
+        "inner_load": "N",
+        "outer_load": "N",
+        "inner_contact_angle": "rad",
+        "outer_contact_angle": "rad",
+        "ball_axial": "m",
+        "ball_radial": "m",
+        "centrifugal_force": "N",
+        "gyroscopic_moment": "N m",
+        "orbit_speed": "rad/s",
+        "spin_speed": "rad/s",
+        "attitude": "rad",
+    }
+    data = {n: ("ball", np.asarray(getattr(state, n), dtype=np.float64), {"units": u}) for n, u in units.items()}
+    return xr.Dataset(data, coords={"ball": np.arange(1, len(state.azimuth) + 1)})
+
+
+def open_results(directory: str | Path) -> xarray.DataTree:
+    """Open the results of a run; fields are read from disk when they are first used.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Result directory, or its netCDF file.
+
+    Returns
+    -------
+    xarray.DataTree
+        Groups as `write_netcdf` describes; `tree.attrs["case"]` is the input as JSON. Close it when done.
+
+    Raises
+    ------
+    ValueError
+        If there are no results, or the file is damaged, not ours, or written by a newer program.
+    """
+    import xarray as xr
+
+    path = Path(directory)
+    path = path / FIELDS_FILE if path.is_dir() else path
+    if not path.is_file():
+        raise ValueError(f"{directory} holds no results: {path.name} is missing")
+    try:
+        tree = xr.open_datatree(path, engine="h5netcdf")
+    except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:
+        raise ValueError(f"{path} is damaged or not a netCDF-4 file: {error}") from error
+    problem = _foreign(tree)
+    if problem:
+        tree.close()
+        raise ValueError(f"{path} {problem}")
+    return tree
+
+
+def _foreign(tree: xarray.DataTree) -> str:
+    """Say why the file is not one that this version reads; empty if it is."""
+    written = tree.attrs.get("oilfilm_format")
+    if not isinstance(written, (int, np.integer)) or "contacts" not in tree.children and "ring" not in tree.children:
+        return "is a netCDF file, but not one of oilfilm's results"
+    if written > FORMAT:
+        version = tree.attrs.get("oilfilm", "newer")
+        return f"was written by oilfilm {version} in format {written}; this version reads formats up to {FORMAT}"
+    return ""
