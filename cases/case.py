@@ -1,0 +1,323 @@
+"""A case file, read, checked as a whole, and turned into the dataclasses the computation takes."""
+
+from __future__ import annotations
+
+import tomllib
+import warnings
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from math import radians
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pydantic import ValidationError
+
+from . import checks
+from .problems import CaseError, Problem, nearest_name, resolved, schema_problems, shown
+from .schema import BearingFile, BearingTable, ContactFile, MaterialTable, OilTable, Table
+from .shipped import find_case
+from .toml_lines import key_lines
+
+if TYPE_CHECKING:
+    from bearing.geometry import Bearing
+    from bearing.operation import Model, Operation
+    from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
+
+LARGEST_FILE = 1_000_000  # [bytes]
+NOT_SUPPORTED = "not supported by this version"
+LATER_TABLES = ("fit", "temperatures", "cage", "dynamics", "rows", "load_cases")
+LATER_KEYS = {("ehl", "tolerance"): 'give "points"'}
+LATER_VALUES = {
+    ("model", "ball_kinematics"): ("minimum dissipation", "traction equilibrium"),
+    ("lubricant", "viscosity_law"): ("tait-doolittle", "yasutomi"),
+    ("lubricant", "density_law"): ("tait",),
+}
+SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Case:
+    """A bearing case, SI."""
+
+    title: str
+    source: str
+    assumed: tuple[str, ...]  # keys of the case file whose values no source gives
+    bearing: Bearing
+    lubricant: Lubricant
+    operation: Operation
+    model: Model
+    solver: SolverOptions
+    film_maps: str | tuple[float, ...]  # "all", "loaded", "none", or azimuths of balls [rad]
+    document: dict[str, Any]  # the case file as run, defaults and library values filled in
+    warnings: tuple[str, ...] = ()  # what the libraries have to say about their values
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactCase:
+    """A single-contact case, SI."""
+
+    title: str
+    source: str
+    assumed: tuple[str, ...]
+    conditions: ContactConditions | MoesConditions
+    solver: SolverOptions
+    document: dict[str, Any]
+    warnings: tuple[str, ...] = ()
+
+
+def load_case(name_or_path: str | Path) -> Case | ContactCase:
+    """Read a case.
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+        A case file, or the name (stem) of a shipped case.
+
+    Returns
+    -------
+    Case or ContactCase
+        All quantities in SI.
+
+    Raises
+    ------
+    CaseError
+        With one line for every error of the file.
+    """
+    path = find_case(name_or_path)
+    file = validate_text(read_text(path), str(path if str(name_or_path) != path.stem else path.name))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        try:
+            case = _bearing_case(file) if isinstance(file, BearingFile) else _contact_case(file)
+        except ValueError as error:  # a bound of the physics that no table knows
+            raise CaseError([f"{path}: {error}"]) from error
+    return replace(case, warnings=tuple(str(warning.message) for warning in caught))
+
+
+def read_text(path: Path) -> str:
+    """Text of a case file; `CaseError` if it cannot be read."""
+    try:
+        data = path.read_bytes() if path.stat().st_size <= LARGEST_FILE else None
+    except OSError as error:
+        raise CaseError([f"{path}: cannot be read: {error.strerror or error}"]) from None
+    if data is None:
+        raise CaseError([f"{path}: larger than {LARGEST_FILE} bytes; allowed: a case file"])
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise CaseError([f"{path}: not a text file in UTF-8; allowed: a case file"]) from None
+
+
+def validate_text(text: str, name: str) -> BearingFile | ContactFile:
+    """Check a case file as a whole.
+
+    Parameters
+    ----------
+    text : str
+        The file.
+    name : str
+        Its name, for messages.
+
+    Returns
+    -------
+    BearingFile or ContactFile
+        In the units of the file, catalogue values filled in.
+    """
+    try:
+        document = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise CaseError([f"{name}:{_syntax_line(str(error), text)}: not valid TOML: {error}"]) from None
+    except (RecursionError, ValueError) as error:  # brackets too deep; an integer of too many digits
+        raise CaseError([f"{name}:1: not usable as TOML: {type(error).__name__}"]) from None
+    if not document:
+        raise CaseError([f"{name}:1: the file is empty; see 'oilfilm init'"])
+    file, problems = check_document(document)
+    if file is None or problems:
+        lines = key_lines(text)
+        ordered = sorted(problems, key=lambda problem: problem.line_in(lines))
+        raise CaseError(dict.fromkeys(problem.text(name, lines) for problem in ordered))
+    return file
+
+
+def _syntax_line(message: str, text: str) -> int:
+    """The line tomllib names in its message; the last one where it says 'end of document'."""
+    words = message.replace(",", " ").split()
+    numbers = [word for before, word in pairwise(words) if before == "line" and word.isdigit()]
+    return int(numbers[-1]) if numbers else text.count("\n") + 1
+
+
+def check_document(document: dict[str, Any]) -> tuple[BearingFile | ContactFile | None, list[Problem]]:
+    """The checked file, or None, and every problem of a case document (keys and units as in the file)."""
+    if any(key in document for key in SWEEP_TABLES):
+        return None, [Problem(path=(), line=1, found="a sweep", allowed=NOT_SUPPORTED)]
+    document, problems = _set_aside(document)
+    contact = "contact" in document and "bearing" not in document
+    if "contact" in document and "bearing" in document:
+        found = "found together with [bearing]"
+        problems.append(Problem(path=("contact",), found=found, allowed="allowed: a bearing, or a single contact"))
+        document = {key: value for key, value in document.items() if key != "contact"}
+    document, more = _with_catalogue(document)
+    problems += more
+    model: type[BearingFile | ContactFile] = ContactFile if contact else BearingFile
+    file, faults = _validate(model, document)
+    problems += faults
+    values = checks.Values(document, frozenset(problem.path for problem in problems))
+    check = checks.contact_problems if contact else checks.bearing_problems
+    problems += check(values, _names(values))
+    problems += _assumed(values)
+    return file, problems
+
+
+def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]:
+    """Take out, with a message, what the format knows and this version does not."""
+    problems = [Problem(path=(key,), found="found", allowed=NOT_SUPPORTED) for key in LATER_TABLES if key in document]
+    document = {
+        key: dict(value) if isinstance(value, dict) else value
+        for key, value in document.items()
+        if key not in LATER_TABLES
+    }
+    for (table, key), instead in LATER_KEYS.items():
+        if isinstance(document.get(table), dict) and key in document[table]:
+            del document[table][key]
+            problems.append(Problem(path=(table, key), found="found", allowed=f"{NOT_SUPPORTED}; {instead}"))
+    for (table, key), values in LATER_VALUES.items():
+        if isinstance(document.get(table), dict) and document[table].get(key) in values:
+            value = document[table].pop(key)
+            problems.append(Problem(path=(table, key), found=f"found {shown(value)}", allowed=NOT_SUPPORTED))
+    return document, problems
+
+
+def _with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]:
+    """The document with the catalogue's values where [bearing] names an entry and does not override them."""
+    table = document.get("bearing")
+    if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
+        return document, []
+    from bearing.catalogue import list_bearings, load_catalogue_entry
+
+    known = tuple(list_bearings())
+    if table["name"] not in known:
+        if all(key in table for key in checks.GEOMETRY):  # complete without the catalogue: a name of the user's own
+            return document, []
+        nearest = nearest_name(table["name"], known)
+        found = f"unknown bearing {shown(table['name'])}"
+        allowed = "" if nearest else f"allowed: {', '.join(known)}, or a complete geometry"
+        return document, [Problem(path=("bearing", "name"), found=found, allowed=allowed, nearest=nearest)]
+    entry = {
+        key: value for key, value in load_catalogue_entry(table["name"]).items() if key in BearingTable.model_fields
+    }
+    for alternatives in (
+        ("diametral_clearance_um", "free_contact_angle_deg"),
+        ("ring_material", "inner_ring_material", "outer_ring_material"),
+    ):
+        if any(key in table for key in alternatives):
+            entry = {key: value for key, value in entry.items() if key not in alternatives}
+    return {**document, "bearing": {**entry, **table}}, []
+
+
+def _validate(
+    model: type[BearingFile | ContactFile], document: dict[str, Any]
+) -> tuple[BearingFile | ContactFile | None, list[Problem]]:
+    if "schema_version" not in document:
+        document = {**document, "schema_version": 1}
+        missing = [Problem(path=("schema_version",), line=1, found="missing", allowed="needed: schema_version = 1")]
+    else:
+        missing = []
+    try:
+        return model.model_validate(document), missing
+    except ValidationError as error:
+        return None, missing + schema_problems(error.errors(include_url=False), model.model_json_schema())
+
+
+def _names(values: checks.Values) -> checks.Names:
+    from bearing.material import list_materials
+
+    def with_own(table: str, library: Iterable[str]) -> tuple[str, ...]:
+        own = values.document.get(table)
+        return (*(own if isinstance(own, dict) else ()), *library)
+
+    oils: Iterable[str] = ()
+    if values.given("lubricant", "name"):  # the library of oils needs NumPy, most cases do not
+        from bearing.lubricant_library import list_lubricants
+
+        oils = list_lubricants()
+    return checks.Names(with_own("materials", list_materials()), with_own("lubricants", oils))
+
+
+def _assumed(values: checks.Values) -> list[Problem]:
+    """Names under `assumed` that are no keys of a case file."""
+    schema = (ContactFile if "contact" in values.document else BearingFile).model_json_schema()
+    tables = {table: resolved(schema, node).get("properties", ()) for table, node in schema["properties"].items()}
+    known = {f"{table}.{key}" for table, keys in tables.items() for key in keys}
+    problems = []
+    for name in values.get("assumed") or ():
+        if not isinstance(name, str) or name in known:
+            continue
+        table, _, rest = name.partition(".")
+        keys = {"materials": MaterialTable, "lubricants": OilTable}.get(table, Table).model_fields
+        if rest.rpartition(".")[2] not in keys:
+            found = f"unknown key {shown(name)}"
+            problems.append(Problem(path=("assumed",), found=found, nearest=nearest_name(name, known)))
+    return problems
+
+
+def _bearing_case(file: BearingFile) -> Case:
+    from . import convert
+
+    oil = convert.lubricant(file)
+    document = _document(file)
+    names = convert.ring_materials(file.bearing)
+    document["materials"] = {name: convert.material_table(m) for name, m in convert.materials(file, names).items()}
+    document["lubricant"] = _lubricant_document(document, convert.lubricant_keys(oil, moes=False))
+    maps = file.ehl.film_maps
+    return Case(
+        title=file.title,
+        source=file.source,
+        assumed=file.assumed,
+        bearing=convert.bearing(file),
+        lubricant=oil,
+        operation=convert.operation(file.operation),
+        model=convert.model(file),
+        solver=convert.solver_options(file.ehl),
+        film_maps=maps if isinstance(maps, str) else tuple(radians(azimuth) for azimuth in maps),
+        document=document,
+    )
+
+
+def _contact_case(file: ContactFile) -> ContactCase:
+    from . import convert
+
+    oil = convert.lubricant(file)
+    document = _document(file)
+    moes = file.contact.moes_M is not None
+    document["contact"] = {**convert.contact_defaults(file), **document["contact"]}
+    document["lubricant"] = _lubricant_document(document, convert.lubricant_keys(oil, moes=moes))
+    return ContactCase(
+        title=file.title,
+        source=file.source,
+        assumed=file.assumed,
+        conditions=convert.contact(file, oil),
+        solver=convert.solver_options(file.ehl),
+        document=document,
+    )
+
+
+def _document(file: BearingFile | ContactFile) -> dict[str, Any]:
+    document = file.model_dump(mode="json", exclude_none=True)
+    return {key: value for key, value in document.items() if value != {}}
+
+
+def _lubricant_document(document: dict[str, Any], computed: dict[str, Any]) -> dict[str, Any]:
+    """The lubricant's keys as given, those of the oil named and the defaults filled in."""
+    given, _ = checks.oil_table(document)
+    if "kinematic_viscosity_mm2_s" in given:
+        computed.pop("viscosity_mPa_s", None)
+    return {**computed, **given}
+
+
+def json_schema() -> dict[str, Any]:
+    """JSON Schema of case files, for editors."""
+    from pydantic import TypeAdapter
+
+    adapter: TypeAdapter[Any] = TypeAdapter(BearingFile | ContactFile)
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "oilfilm case", **adapter.json_schema()}

@@ -1,0 +1,154 @@
+"""What is wrong with a case file, in words: line, key, what was found, what is allowed, nearest valid name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Any
+
+from .toml_lines import Path, find_line
+
+LONGEST_VALUE = 60  # characters of a found value that are shown
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Problem:
+    """One error: the key it belongs to, what was found there and what is allowed."""
+
+    path: Path
+    found: str
+    allowed: str = ""
+    nearest: str | None = None
+    line: int | None = None  # None: the line of `path`
+
+    def line_in(self, lines: Mapping[Path, int]) -> int:
+        """Line of the file [-] that the error belongs to."""
+        return find_line(dict(lines), self.path) if self.line is None else self.line
+
+    def text(self, file: str, lines: Mapping[Path, int]) -> str:
+        """`file:line: table.key: found; allowed; did you mean nearest?`"""
+        where = f"{dotted(self.path)}: " if self.path else ""
+        nearest = f"did you mean {self.nearest!r}?" if self.nearest else ""
+        parts = [part for part in (self.found, self.allowed, nearest) if part]
+        return f"{file}:{self.line_in(lines)}: {where}{'; '.join(parts)}"
+
+
+class CaseError(ValueError):
+    """A case that cannot be run; its text has one line for each error."""
+
+    def __init__(self, messages: Iterable[str]) -> None:
+        self.messages = tuple(messages)
+        super().__init__("\n".join(self.messages))
+
+
+def dotted(path: Path) -> str:
+    """The path as table.key; a name with a space or a dot in quotes."""
+    return ".".join(f'"{key}"' if isinstance(key, str) and (" " in key or "." in key) else str(key) for key in path)
+
+
+def shown(value: object) -> str:
+    """A value as found in the file, shortened."""
+    if isinstance(value, dict):
+        return "a table"
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    try:
+        text = f'"{value}"' if isinstance(value, str) else str(value)
+    except ValueError:  # an integer of more digits than Python prints
+        text = "a number of thousands of digits"
+    text = "".join(c if c.isprintable() else "?" for c in text)
+    return text if len(text) <= LONGEST_VALUE else text[: LONGEST_VALUE - 3] + "..."
+
+
+def nearest_name(name: str, names: Iterable[str]) -> str | None:
+    """The valid name that `name` most likely means: missing unit suffix, wrong case, or a slip of spelling."""
+    candidates = list(names)
+    plain = {candidate.lower(): candidate for candidate in reversed(candidates)}
+    if name.lower() in plain:
+        return plain[name.lower()]
+    suffixed = [candidate for candidate in candidates if candidate.lower().startswith(name.lower() + "_")]
+    if suffixed:
+        return min(suffixed, key=len)
+    close = get_close_matches(name.lower(), plain, n=1, cutoff=0.6)
+    return plain[close[0]] if close else None
+
+
+def schema_problems(errors: Iterable[Mapping[str, Any]], schema: dict[str, Any]) -> list[Problem]:
+    """The errors of pydantic as problems; `schema` is the JSON Schema of the file."""
+    return [_problem(error, schema) for error in errors]
+
+
+def _problem(error: Mapping[str, Any], schema: dict[str, Any]) -> Problem:
+    path: Path = tuple(error["loc"])
+    found = f"found {shown(error['input'])}"
+    if error["type"] == "extra_forbidden":
+        return _unknown(path, schema)
+    if error["type"] == "missing":
+        return Problem(path=path, found="missing", allowed=f"needed: {allowed_values(schema_node(schema, path))}")
+    if error["type"] == "choice":
+        return Problem(path=path, found=found, allowed=f"allowed: {error['msg']}")
+    node = schema_node(schema, path)
+    nearest = nearest_name(error["input"], node.get("enum", ())) if isinstance(error["input"], str) else None
+    return Problem(path=path, found=found, allowed=f"allowed: {allowed_values(node)}", nearest=nearest)
+
+
+def _unknown(path: Path, schema: dict[str, Any]) -> Problem:
+    """A key the table does not have: its nearest name, or the table it belongs to, or all names."""
+    key, parent = str(path[-1]), path[:-1]
+    names = list(schema_node(schema, parent).get("properties", ()))
+    kind = "key" if parent else "table"
+    for table, node in schema["properties"].items():
+        if table != (parent or ("",))[0] and key in resolved(schema, node).get("properties", ()):
+            return Problem(path=path, found=f"unknown {kind}", allowed=f"{key} belongs into [{table}]")
+    nearest = nearest_name(key, names)
+    if nearest and nearest.startswith(key + "_"):
+        return Problem(path=path, found=f"unknown {kind}", allowed="keys end in their unit", nearest=nearest)
+    listed = "" if nearest else "allowed: " + ", ".join(names)
+    return Problem(path=path, found=f"unknown {kind}", allowed=listed, nearest=nearest)
+
+
+def resolved(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
+    """A node of a JSON Schema with its reference followed and the null of optional keys left out."""
+    options = [option for option in node.get("anyOf", ()) if option.get("type") != "null"]
+    if len(options) == 1:
+        node = {**{key: value for key, value in node.items() if key != "anyOf"}, **options[0]}
+    if "$ref" in node:
+        return resolved(schema, schema["$defs"][node["$ref"].rsplit("/", 1)[-1]])
+    return node
+
+
+def schema_node(schema: dict[str, Any], path: Path) -> dict[str, Any]:
+    """The part of a JSON Schema that describes the key at `path`; empty if there is none."""
+    node = resolved(schema, schema)
+    for key in path:
+        if isinstance(key, int):
+            node = node.get("items", {})
+        else:
+            node = node.get("properties", {}).get(key) or node.get("additionalProperties") or {}
+        node = resolved(schema, node if isinstance(node, dict) else {})
+    return node
+
+
+def allowed_values(node: dict[str, Any]) -> str:
+    """What a node of a JSON Schema allows, in words."""
+    if "const" in node:
+        return shown(node["const"])
+    if "enum" in node:
+        return ", ".join(shown(value) for value in node["enum"])
+    kind = node.get("type")
+    if kind in ("number", "integer"):
+        word = "a number" if kind == "number" else "a whole number"
+        limits = [
+            f"{sign} {node[key]:g}"
+            for key, sign in (
+                ("exclusiveMinimum", ">"),
+                ("minimum", ">="),
+                ("exclusiveMaximum", "<"),
+                ("maximum", "<="),
+            )
+            if key in node
+        ]
+        return f"{word} {' and '.join(limits)}".strip()
+    words = {"string": "text in quotes", "object": "a table", "array": "a list", "boolean": "true or false"}
+    return words.get(str(kind), "another value")

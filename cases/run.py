@@ -1,0 +1,196 @@
+"""Run a case: equilibrium of the bearing, then the film of every distinct contact."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from dataclasses import fields
+from math import degrees, isclose
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from .case import Case, ContactCase
+from .checks import ball_at
+from .version import version
+
+if TYPE_CHECKING:
+    from bearing.contacts import BearingContact
+    from bearing.quasistatic import QuasistaticSolution
+    from ehl import ContactConditions, ContactSolution, SolverOptions
+    from postprocess.results import BearingResults, ContactResults
+
+Progress = Callable[[int, int, str], None]  # contacts done, contacts in all, what is being done
+EQUAL = 1e-9  # relative difference below which two contacts count as one [-]
+MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "spin")  # compared absolutely, too
+
+
+class Interrupted(Exception):  # noqa: N818
+    """The user stopped the run; `results` holds the finished parts, or is None."""
+
+    def __init__(self, results: BearingResults | None) -> None:
+        self.results = results
+        super().__init__("interrupted")
+
+
+def cores() -> int:
+    """Cores this process may use [-]."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def run_case(case: Case, workers: int | None = None, progress: Progress | None = None) -> BearingResults:
+    """Solve the bearing and the film of its contacts.
+
+    Parameters
+    ----------
+    case : Case
+    workers : int, optional
+        Contacts solved at a time [-]; as many as there are cores if left out.
+    progress : callable, optional
+        Called with the contacts done, the contacts in all, and a word on the state.
+
+    Returns
+    -------
+    BearingResults
+
+    Raises
+    ------
+    Interrupted
+        On Ctrl-C, with the results of the finished contacts.
+    """
+    from bearing.contacts import contact_conditions
+    from bearing.frequencies import bearing_frequencies
+    from bearing.quasistatic import solve_quasistatic
+    from postprocess.results import BearingResults
+
+    notify = progress or (lambda done, total, state: None)
+    notify(0, 1, "equilibrium of the bearing")
+    start = perf_counter()
+    state = solve_quasistatic(case.bearing, case.operation, case.model)
+    contacts = contact_conditions(state, case.lubricant)
+    timing = {"quasistatic": perf_counter() - start}
+    wanted, messages = wanted_contacts(case, state, contacts)
+    start = perf_counter()
+    solutions, interrupted = _solve_contacts(wanted, case.solver, workers, notify)
+    timing |= {"contacts": perf_counter() - start, "total": sum(timing.values()) + perf_counter() - start}
+    if interrupted:
+        messages = (*messages, "interrupted: the films that were not finished are null")
+    results = BearingResults(
+        version=version(),
+        case=case.document,
+        quasistatic=state,
+        lubricant=case.lubricant,
+        contacts=contacts,
+        solutions=solutions,
+        frequencies=bearing_frequencies(state),
+        messages=(*case.warnings, *messages),
+        timing=timing,
+    )
+    if interrupted:
+        raise Interrupted(results if any(solution is not None for solution in solutions) else None)
+    return results
+
+
+def run_contact(case: ContactCase) -> ContactResults:
+    """Solve a single contact; times in the result are in [s]."""
+    from ehl import solve_contact
+    from postprocess.results import ContactResults
+
+    start = perf_counter()
+    solution = solve_contact(case.conditions, case.solver)
+    timing = {"total": perf_counter() - start}
+    return ContactResults(
+        version=version(), case=case.document, solution=solution, messages=case.warnings, timing=timing
+    )
+
+
+def wanted_contacts(
+    case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> tuple[list[ContactConditions | None], tuple[str, ...]]:
+    """Conditions of the contacts to solve, None for the others, and a message if there is no equilibrium.
+
+    Parameters
+    ----------
+    case : Case
+    state : QuasistaticSolution
+    contacts : sequence of BearingContact
+        Inner race then outer, ball by ball.
+
+    Returns
+    -------
+    list of ContactConditions or None, tuple of str
+    """
+    conditions = [contact.conditions for contact in contacts]
+    if not state.converged:
+        return [None] * len(contacts), ("no film was computed, since there is no equilibrium",)
+    if case.film_maps == "all":
+        return conditions, ()
+    chosen = _chosen_balls(case, contacts)
+    return [conditions[i] if contact.ball in chosen else None for i, contact in enumerate(contacts)], ()
+
+
+def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
+    """Numbers of the balls whose contacts `film_maps` asks for; loaded means that the inner race carries load."""
+    if case.film_maps == "none":
+        return set()
+    if case.film_maps == "loaded":
+        return {c.ball for c in contacts if c.race.value == "inner" and c.load > 0.0}
+    azimuths = tuple(degrees(contact.azimuth) for contact in contacts)
+    found = [ball_at(degrees(azimuth), azimuths) for azimuth in case.film_maps if not isinstance(azimuth, str)]
+    return {contacts[index].ball for index in found if index is not None}
+
+
+def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
+    """Whether two contacts are one to `EQUAL` relative [-]; the oil must be the same."""
+    for field in fields(first):
+        a, b = getattr(first, field.name), getattr(second, field.name)
+        if isinstance(a, float) and isinstance(b, float):
+            if not isclose(a, b, rel_tol=EQUAL, abs_tol=EQUAL if field.name in MAY_BE_ZERO else 0.0):
+                return False
+        elif a != b:
+            return False
+    return True
+
+
+def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
+    """Indices of equal contacts, one list each."""
+    groups: list[tuple[ContactConditions, list[int]]] = []
+    for index, contact in enumerate(conditions):
+        if contact is None:
+            continue
+        for known, members in groups:
+            if equal_contacts(known, contact):
+                members.append(index)
+                break
+        else:
+            groups.append((contact, [index]))
+    return [members for _, members in groups]
+
+
+def _solve_contacts(
+    conditions: Sequence[ContactConditions | None], options: SolverOptions, workers: int | None, notify: Progress
+) -> tuple[tuple[ContactSolution | None, ...], bool]:
+    """Films of the distinct contacts, several at a time: the kernels release the interpreter's lock."""
+    solutions: list[ContactSolution | None] = [None] * len(conditions)
+    groups = _groups(conditions)
+    if not groups:
+        return tuple(solutions), False
+    from ehl import solve_contact
+
+    notify(0, len(groups), "films")
+    pool = ThreadPoolExecutor(max_workers=min(workers or cores(), len(groups)))
+    try:
+        jobs: dict[Future[ContactSolution], list[int]] = {}
+        for members in groups:
+            first = conditions[members[0]]
+            assert first is not None  # only contacts with conditions are grouped
+            jobs[pool.submit(solve_contact, first, options)] = members
+        for done, job in enumerate(as_completed(jobs), 1):
+            for index in jobs[job]:
+                solutions[index] = job.result()
+            notify(done, len(groups), "films")
+    except KeyboardInterrupt:
+        return tuple(solutions), True
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+    return tuple(solutions), False

@@ -1,0 +1,58 @@
+"""The case files that come with the program, and how a name finds its file."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+from .problems import CaseError, nearest_name
+
+HERE = Path(__file__).parent
+
+
+def shipped_cases() -> dict[str, Path]:
+    """Stem to file of every shipped case, in alphabetical order."""
+    return {path.stem: path for path in sorted(HERE.rglob("*.toml"), key=lambda path: path.stem)}
+
+
+def find_case(name_or_path: str | Path) -> Path:
+    """The file of a case: an existing file, or the stem of a shipped case.
+
+    Raises
+    ------
+    CaseError
+        If there is neither; the message names the nearest stem.
+    """
+    text, path = str(name_or_path), Path(name_or_path)
+    cases = shipped_cases()
+    try:
+        if path.is_file():
+            return path
+        if text in cases:
+            return cases[text]
+        if text.endswith(".toml") and "/" not in text and text[:-5] in cases:
+            return cases[text[:-5]]
+        directory = path.is_dir()
+        special = path.exists() and not directory
+    except (OSError, ValueError) as error:  # a name too long, or with a null character
+        raise CaseError([f"{text[:200]!r}: not a usable file name: {error}"]) from None
+    if directory:
+        raise CaseError([f"{text}: is a directory; allowed: a case file or the name of a shipped case"])
+    if special:
+        raise CaseError([f"{text}: is not a regular file; allowed: a case file or the name of a shipped case"])
+    nearest = nearest_name(path.stem, [*cases, *(local.stem for local in _local_cases(path))])
+    hint = f"did you mean {nearest!r}?" if nearest else "see 'oilfilm list cases'"
+    raise CaseError([f"{text}: no such file, and no shipped case has this name; {hint}"])
+
+
+def _local_cases(path: Path) -> list[Path]:
+    try:
+        return sorted(path.parent.glob("*.toml"))[:100]
+    except OSError:
+        return []
+
+
+def title(path: Path) -> str:
+    """Title of a case file; empty if it has none."""
+    with path.open("rb") as file:
+        return str(tomllib.load(file).get("title", ""))

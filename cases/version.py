@@ -1,0 +1,10 @@
+"""The version, written down in pyproject.toml only."""
+
+from __future__ import annotations
+
+from importlib import metadata
+
+
+def version() -> str:
+    """Version of the installed program."""
+    return metadata.version("oilfilm")
