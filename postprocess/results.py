@@ -261,10 +261,9 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     for group in distinct_contacts(results):
         yield from _solution_messages(group.label, group.solution)
     absent: dict[tuple[str, str], list[str]] = {}
-    for contact, solution in zip(results.contacts, results.solutions, strict=True):
-        if solution is None:
-            reason = contact.note if contact.conditions is None else "no film map was asked for"
-            absent.setdefault((contact.race.value, reason), []).append(str(contact.ball))
+    for contact in results.contacts:
+        if contact.conditions is None:
+            absent.setdefault((contact.race.value, contact.note), []).append(str(contact.ball))
     for (race, reason), balls in absent.items():
         yield f"{race} race, ball{'s' if len(balls) > 1 else ''} {', '.join(balls)}: film null, {reason}"
     if any(c.conditions is None for c in results.contacts):

@@ -1,0 +1,103 @@
+"""The VTK collection: read back with pyvista, checked against the geometry it stands for; no window is opened."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from postprocess.geometry import ContactFrame, Placement, place_patch, ring_surface
+from postprocess.vtk import FILM, PRESSURE, write_collection
+
+pv = pytest.importorskip("pyvista")
+
+
+@pytest.fixture(scope="module")
+def collection(bearing_results, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("run")
+    write_collection(bearing_results, folder)
+    moved = folder.with_name("moved")
+    shutil.move(folder, moved)
+    return pv.get_reader(moved / "fields.pvd").read()[0]
+
+
+def test_one_block_per_ball_and_race(collection, bearing_results):
+    names = {(g, b) for g in collection.keys() for b in collection[g].keys()}  # noqa: SIM118  a MultiBlock is a list
+    solved = {(f"ball{c.ball:02d}", c.race.value) for c in bearing_results.contacts if c.conditions is not None}
+    assert names == solved | {("bodies", n) for n in ("balls", "inner ring", "outer ring")}
+
+
+def test_fields_carry_units_and_values(collection, bearing_results):
+    solution = bearing_results.solutions[0]
+    block = collection["ball01"]["inner"]
+    assert_allclose(np.sort(block[FILM]), np.sort(solution.film.ravel() * 1e6), rtol=1e-6)  # float32
+    assert_allclose(block[PRESSURE].max(), solution.pressure_maximum * 1e-9, rtol=1e-6)
+    assert block.field_data["race"][0] == "inner"
+    assert block.field_data["film exaggeration [-]"][0] == 0.0
+
+
+def test_patches_lie_on_their_balls(collection, bearing_results):
+    for contact in bearing_results.contacts:
+        if contact.conditions is None:
+            continue
+        block = collection[f"ball{contact.ball:02d}"][contact.race.value]
+        centre = (contact.origin - 0.006 * contact.normal) * 1e3
+        assert_allclose(np.linalg.norm(block.points - centre, axis=1), 6.0, rtol=1e-5)  # float32 at 40 mm
+        nearest = block.points[block[PRESSURE].argmax()]
+        assert_allclose(nearest, contact.origin * 1e3, atol=0.05)  # the made-up pressure peaks at the nearest node
+
+
+def test_raceways_enclose_the_balls(bearing_results):
+    bearing = bearing_results.quasistatic.bearing
+    for inner in (True, False):
+        points = ring_surface(bearing, inner, 0.0, (0.0, 0.0)).points
+        centre = np.stack([np.zeros(len(points)), points[:, 1], points[:, 2]])
+        centre *= 0.03 / np.hypot(points[:, 1], points[:, 2])
+        assert np.linalg.norm(points - centre.T, axis=1).min() > 0.006
+
+
+def test_cut_ring_leaves_its_sector_open(bearing_results):
+    points = ring_surface(bearing_results.quasistatic.bearing, False, 0.0, (0.5, np.pi)).points
+    turn = np.angle(np.exp(1j * (np.arctan2(points[:, 2], points[:, 1]) - 0.5)))
+    assert np.abs(turn).min() >= 0.5 * np.pi - 1e-9
+
+
+def test_magnified_patch_keeps_distances_times_the_factor():
+    frame = ContactFrame(
+        origin=np.zeros(3), axis_x=np.eye(3)[0], axis_y=np.eye(3)[1], normal=np.eye(3)[2], ball_radius=0.006
+    )
+    x, y = np.array([[1e-4]]), np.array([[0.0]])
+    point = place_patch(x, y, frame, Placement(rolling=15.0))[0, 0]
+    angle = np.arctan2(point[0], point[2] + 0.006)
+    assert_allclose(angle * 0.006, 15.0 * 1e-4, rtol=1e-12)
+
+
+def test_film_exaggeration_lifts_the_patch(bearing_results, tmp_path):
+    write_collection(bearing_results, tmp_path, patch_magnification=(3.0, 1.0), film_exaggeration=100.0)
+    block = pv.read(tmp_path / "vtk" / "ball01_outer.vts")
+    contact = bearing_results.contacts[1]
+    height = np.linalg.norm(block.points - (contact.origin - 0.006 * contact.normal) * 1e3, axis=1) - 6.0
+    assert_allclose(height, 100.0 * block[FILM] * 1e-3, atol=1e-5)  # float32 at 40 mm
+    assert block.field_data["patch magnification rolling [-]"][0] == 3.0
+
+
+def test_single_contact_is_flat(contact_results, moes_results, tmp_path):
+    write_collection(contact_results, tmp_path / "si")
+    block = pv.get_reader(tmp_path / "si" / "fields.pvd").read()[0]["contact"]["contact"]
+    assert np.ptp(block.points[:, 2]) == 0.0
+    assert_allclose(block.points[:, 0].min(), contact_results.solution.x[0] * 1e3, rtol=1e-6)
+    write_collection(moes_results, tmp_path / "moes")
+    block = pv.get_reader(tmp_path / "moes" / "fields.pvd").read()[0]["contact"]["contact"]
+    assert "film thickness [a^2/Rx]" in block.point_data
+
+
+def test_writing_needs_no_rendering_library():
+    code = (
+        "import sys, postprocess.vtk, vtkmodules.vtkIOXML; print(any('Rendering' in m or 'pyvista' in m for m in sys.modules))"
+    )
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert answer.stdout.strip() == "False"
