@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from . import checks
-from .problems import CaseError, Problem, nearest_name, resolved, schema_problems, shown
+from .problems import MISSING, CaseError, Problem, nearest_name, resolved, schema_problems, shown
 from .schema import BearingFile, BearingTable, ContactFile, MaterialTable, OilTable, Table
 from .shipped import find_case
 from .toml_lines import key_lines
@@ -33,6 +33,7 @@ LATER_VALUES = {
     ("lubricant", "viscosity_law"): ("tait-doolittle", "yasutomi"),
     ("lubricant", "density_law"): ("tait",),
 }
+NAMED_TABLES: dict[str, type[Table]] = {"materials": MaterialTable, "lubricants": OilTable}
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
 
 
@@ -128,8 +129,10 @@ def validate_text(text: str, name: str) -> BearingFile | ContactFile:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         raise CaseError([f"{name}:{_syntax_line(str(error), text)}: not valid TOML: {error}"]) from None
-    except (RecursionError, ValueError) as error:  # brackets too deep; an integer of too many digits
-        raise CaseError([f"{name}:1: not usable as TOML: {type(error).__name__}"]) from None
+    except RecursionError:
+        raise CaseError([f"{name}:1: not usable: brackets are nested too deeply"]) from None
+    except ValueError:
+        raise CaseError([f"{name}:1: not usable: a whole number has thousands of digits"]) from None
     if not document:
         raise CaseError([f"{name}:1: the file is empty; see 'oilfilm init'"])
     file, problems = check_document(document)
@@ -166,7 +169,8 @@ def check_document(document: dict[str, Any]) -> tuple[BearingFile | ContactFile 
     check = checks.contact_problems if contact else checks.bearing_problems
     problems += check(values, _names(values))
     problems += _assumed(values)
-    return file, problems
+    meant = {(*problem.path[:-1], problem.nearest) for problem in problems if problem.nearest}
+    return file, [problem for problem in problems if problem.found != MISSING or problem.path not in meant]
 
 
 def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]:
@@ -220,7 +224,7 @@ def _validate(
 ) -> tuple[BearingFile | ContactFile | None, list[Problem]]:
     if "schema_version" not in document:
         document = {**document, "schema_version": 1}
-        missing = [Problem(path=("schema_version",), line=1, found="missing", allowed="needed: schema_version = 1")]
+        missing = [Problem(path=("schema_version",), line=1, found=MISSING, allowed="needed: schema_version = 1")]
     else:
         missing = []
     try:
@@ -254,8 +258,7 @@ def _assumed(values: checks.Values) -> list[Problem]:
         if not isinstance(name, str) or name in known:
             continue
         table, _, rest = name.partition(".")
-        keys = {"materials": MaterialTable, "lubricants": OilTable}.get(table, Table).model_fields
-        if rest.rpartition(".")[2] not in keys:
+        if rest.rpartition(".")[2] not in NAMED_TABLES.get(table, Table).model_fields:
             found = f"unknown key {shown(name)}"
             problems.append(Problem(path=("assumed",), found=found, nearest=nearest_name(name, known)))
     return problems

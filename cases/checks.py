@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from math import acos, asin, cos, degrees, floor, log, pi, radians
 from typing import Any
 
-from .problems import Problem, nearest_name, shown
+from .problems import MISSING, Problem, nearest_name, shown
 from .schema import FREE
 from .toml_lines import Path
 
@@ -80,14 +80,14 @@ def _required_geometry(values: Values) -> Iterator[Problem]:
         return
     for key in (*GEOMETRY, "ball_material"):
         if not values.given("bearing", key):
-            yield Problem(path=("bearing", key), found="missing", allowed="needed unless the catalogue entry has it")
+            yield Problem(path=("bearing", key), found=MISSING, allowed="needed unless the catalogue entry has it")
     for key in ("inner_ring_material", "outer_ring_material"):
         if not values.given("bearing", key) and not values.given("bearing", "ring_material"):
-            yield Problem(path=("bearing", "ring_material"), found="missing", allowed="needed: a material")
+            yield Problem(path=("bearing", "ring_material"), found=MISSING, allowed="needed: a material")
             break
     if not values.given("bearing", "diametral_clearance_um") and not values.given("bearing", "free_contact_angle_deg"):
         allowed = "needed: diametral_clearance_um or free_contact_angle_deg"
-        yield Problem(path=("bearing", "diametral_clearance_um"), found="missing", allowed=allowed)
+        yield Problem(path=("bearing", "diametral_clearance_um"), found=MISSING, allowed=allowed)
 
 
 def _grooves(values: Values) -> Iterator[Problem]:
@@ -122,8 +122,8 @@ def _clearance(values: Values) -> Iterator[Problem]:
     angle = values.get("bearing", "free_contact_angle_deg")
     if distance_um <= 0.0 or clearance is None:
         return
-    if clearance >= 2.0 * distance_um:
-        allowed = f"allowed: less than {2 * distance_um:.6g} um, where the free contact angle reaches 90 deg"
+    if not -distance_um < clearance < 2.0 * distance_um:
+        allowed = f"allowed: from {-distance_um:.6g} to {2 * distance_um:.6g} um with these grooves, ends excluded"
         yield Problem(path=("bearing", "diametral_clearance_um"), found=f"found {shown(clearance)}", allowed=allowed)
     elif angle is not None:
         expected = 2.0 * distance_um * (1.0 - cos(radians(angle)))
@@ -261,10 +261,10 @@ def _oil_is_complete(oil: dict[str, Any], *, moes: bool) -> Iterator[Problem]:
     if not viscosity and not (moes and (law != "roelands" or "roelands_z" in oil)):
         allowed = "needed: viscosity_mPa_s, kinematic_viscosity_mm2_s, or the name of a lubricant"
         allowed = "needed: roelands_z, or a viscosity that gives it" if moes else allowed
-        yield Problem(path=("lubricant", "viscosity_mPa_s"), found="missing", allowed=allowed)
+        yield Problem(path=("lubricant", "viscosity_mPa_s"), found=MISSING, allowed=allowed)
     if law != "isoviscous" and "pressure_viscosity_1_GPa" not in oil:
         allowed = 'needed, unless viscosity_law = "isoviscous"'
-        yield Problem(path=("lubricant", "pressure_viscosity_1_GPa"), found="missing", allowed=allowed)
+        yield Problem(path=("lubricant", "pressure_viscosity_1_GPa"), found=MISSING, allowed=allowed)
 
 
 def _roelands(oil: dict[str, Any], values: Values) -> Iterator[Problem]:
@@ -303,14 +303,14 @@ def _contact_groups(values: Values) -> Iterator[Problem]:
                 yield Problem(path=("contact", key), found="found together with Moes' groups", allowed=allowed)
         for key in ("moes_M", "moes_L"):
             if not has(key):
-                yield Problem(path=("contact", key), found="missing", allowed="needed: moes_M and moes_L")
+                yield Problem(path=("contact", key), found=MISSING, allowed="needed: moes_M and moes_L")
         return
     for key in dimensional:
         if not has(key):
-            yield Problem(path=("contact", key), found="missing", allowed="needed, or moes_M and moes_L")
+            yield Problem(path=("contact", key), found=MISSING, allowed="needed, or moes_M and moes_L")
     if has("reduced_modulus_GPa") and (has("material_1") or has("material_2")):
         found = "found together with the materials of the bodies"
         yield Problem(path=("contact", modulus[0]), found=found, allowed="allowed: one of them")
     elif not has(modulus[0]) and not (has(modulus[1]) and has(modulus[2])):
         allowed = "needed: reduced_modulus_GPa, or material_1 and material_2"
-        yield Problem(path=("contact", modulus[0]), found="missing", allowed=allowed)
+        yield Problem(path=("contact", modulus[0]), found=MISSING, allowed=allowed)

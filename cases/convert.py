@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, pi, radians
+from math import pi, radians
 from typing import TYPE_CHECKING, Any
 
 from .checks import oil_table
@@ -91,12 +91,14 @@ def _mm(value: float | None) -> float:
 
 
 def _clearance(table: BearingTable) -> float:
-    """P_d = 2 A (1 - cos alpha_0), A = r_i + r_o - D, unless it is given [m]."""
+    """The diametral clearance, or that of the free contact angle [m]."""
+    from bearing.geometry import contact_angle_to_clearance
+
     if table.diametral_clearance_um is not None:
         return table.diametral_clearance_um * UM
     assert table.free_contact_angle_deg is not None  # checked before
-    grooves = _mm(table.inner_groove_radius_mm) + _mm(table.outer_groove_radius_mm)
-    return 2.0 * (grooves - _mm(table.ball_diameter_mm)) * (1.0 - cos(radians(table.free_contact_angle_deg)))
+    lengths = (table.inner_groove_radius_mm, table.outer_groove_radius_mm, table.ball_diameter_mm)
+    return contact_angle_to_clearance(radians(table.free_contact_angle_deg), *(_mm(length) for length in lengths))
 
 
 def operation(table: OperationTable) -> Operation:
@@ -108,18 +110,20 @@ def operation(table: OperationTable) -> Operation:
     free = table.tilt == FREE or table.moment_N_mm is not None
     tilt = _split(table.tilt_mrad or ((FREE,) * 2 if free else (0.0,) * 2), MRAD)
     moment = table.moment_N_mm or (0.0, 0.0)
+    loads: Any = tuple(load if fixed is None else None for load, fixed in zip(force, displacement, strict=True))
+    moments: Any = tuple(load * N_MM if fixed is None else None for load, fixed in zip(moment, tilt, strict=True))
     return Operation(
         inner_speed=table.inner_speed_rpm * RPM,
         outer_speed=table.outer_speed_rpm * RPM,
         temperature=table.temperature_C + ZERO_CELSIUS,
-        force=tuple(load if fixed is None else None for load, fixed in zip(force, displacement, strict=True)),
-        moment=tuple(load * N_MM if fixed is None else None for load, fixed in zip(moment, tilt, strict=True)),
+        force=loads,
+        moment=moments,
         displacement=displacement,
         tilt=tilt,
     )
 
 
-def _split(entries: tuple[Any, ...], unit: float) -> tuple[Any, ...]:
+def _split(entries: tuple[Any, ...], unit: float) -> Any:
     return tuple(None if entry == FREE else entry * unit for entry in entries)
 
 

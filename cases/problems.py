@@ -9,6 +9,8 @@ from typing import Any
 
 from .toml_lines import Path, find_line
 
+MISSING = "missing"
+UNITS = frozenset("mm um deg mrad N kN N_mm rpm rad_s m_s C mPa_s mm2_s kg_m3 MPa GPa 1_GPa".split())
 LONGEST_VALUE = 60  # characters of a found value that are shown
 
 
@@ -67,9 +69,10 @@ def nearest_name(name: str, names: Iterable[str]) -> str | None:
     plain = {candidate.lower(): candidate for candidate in reversed(candidates)}
     if name.lower() in plain:
         return plain[name.lower()]
-    suffixed = [candidate for candidate in candidates if candidate.lower().startswith(name.lower() + "_")]
-    if suffixed:
-        return min(suffixed, key=len)
+    for candidate in candidates:
+        start, unit = candidate[: len(name)], candidate[len(name) + 1 :]
+        if start.lower() == name.lower() and unit in UNITS:
+            return candidate
     close = get_close_matches(name.lower(), plain, n=1, cutoff=0.6)
     return plain[close[0]] if close else None
 
@@ -85,7 +88,7 @@ def _problem(error: Mapping[str, Any], schema: dict[str, Any]) -> Problem:
     if error["type"] == "extra_forbidden":
         return _unknown(path, schema)
     if error["type"] == "missing":
-        return Problem(path=path, found="missing", allowed=f"needed: {allowed_values(schema_node(schema, path))}")
+        return Problem(path=path, found=MISSING, allowed=f"needed: {allowed_values(schema_node(schema, path))}")
     if error["type"] == "choice":
         return Problem(path=path, found=found, allowed=f"allowed: {error['msg']}")
     node = schema_node(schema, path)
@@ -100,7 +103,7 @@ def _unknown(path: Path, schema: dict[str, Any]) -> Problem:
     kind = "key" if parent else "table"
     for table, node in schema["properties"].items():
         if table != (parent or ("",))[0] and key in resolved(schema, node).get("properties", ()):
-            return Problem(path=path, found=f"unknown {kind}", allowed=f"{key} belongs into [{table}]")
+            return Problem(path=path, found=f"unknown {kind}", allowed=f"{key} belongs in [{table}]")
     nearest = nearest_name(key, names)
     if nearest and nearest.startswith(key + "_"):
         return Problem(path=path, found=f"unknown {kind}", allowed="keys end in their unit", nearest=nearest)
@@ -139,6 +142,8 @@ def allowed_values(node: dict[str, Any]) -> str:
     kind = node.get("type")
     if kind in ("number", "integer"):
         word = "a number" if kind == "number" else "a whole number"
+        if "minimum" in node and node["minimum"] == node.get("maximum"):
+            return str(node["minimum"])
         limits = [
             f"{sign} {node[key]:g}"
             for key, sign in (

@@ -250,7 +250,7 @@ class ContactTable(Table):
 class CaseFile(Table):
     """What every case file holds."""
 
-    schema_version: Literal[1] = Field(description="version of this format")
+    schema_version: int = Field(ge=1, le=1, description="version of this format")
     title: str = Field("", description="one line for tables and plots")
     source: str = Field("", description="paper, table or page the numbers come from")
     assumed: tuple[str, ...] = Field((), strict=False, description="keys (table.key) whose values no source gives")

@@ -53,7 +53,7 @@ def find_line(lines: dict[Path, int], path: Path) -> int:
 
 def _statements(text: str) -> list[tuple[int, str]]:
     """Headers and key-value pairs with the line each begins on; strings and brackets may run over several lines."""
-    plain = _OPAQUE.sub(lambda match: re.sub(r"[^\n]", "_", match[0]), text)  # nothing but structure is left
+    plain = _OPAQUE.sub(lambda match: "_" * len(match[0]), text)  # nothing but structure is left
     found, start, depth = [], 0, 0
     for position, character in enumerate(plain + "\n"):
         if character in "[{":
