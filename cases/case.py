@@ -86,13 +86,18 @@ def load_case(name_or_path: str | Path) -> Case | ContactCase:
         With one line for every error of the file.
     """
     path = find_case(name_or_path)
-    file = validate_text(read_text(path), str(path if str(name_or_path) != path.stem else path.name))
+    return case_from_text(read_text(path), str(path))
+
+
+def case_from_text(text: str, name: str) -> Case | ContactCase:
+    """The case that the text of a case file describes; `name` stands for the file in messages."""
+    file = validate_text(text, name)
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
             case = _bearing_case(file) if isinstance(file, BearingFile) else _contact_case(file)
         except ValueError as error:  # a bound of the physics that no table knows
-            raise CaseError([f"{path}: {error}"]) from error
+            raise CaseError([f"{name}: {error}"]) from error
     return replace(case, warnings=tuple(str(warning.message) for warning in caught))
 
 
