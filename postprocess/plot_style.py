@@ -1,0 +1,170 @@
+"""What all plots share: type sizes, colours, colour maps, the part of a contact that is shown, saving."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, floor, hypot, log10, pi, sin
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .geometry import principal_coordinates, within
+from .results import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from .results_io import atomic_path
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from ehl import ContactSolution
+
+Array = NDArray[np.float64]
+
+PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
+DPI = 200
+INNER_COLOUR, OUTER_COLOUR, REFERENCE = "#0b5394", "#c1440e", "#666666"
+COLOUR_MAPS = {"film": "viridis", "pressure": "magma_r"}  # perceptually uniform; zero pressure is paper white
+RC = {
+    "font.size": 8.0,
+    "font.family": "DejaVu Sans",
+    "axes.titlesize": 8.0,
+    "axes.labelsize": 8.0,
+    "xtick.labelsize": 7.0,
+    "ytick.labelsize": 7.0,
+    "legend.fontsize": 7.0,
+    "legend.frameon": False,
+    "axes.linewidth": 0.6,
+    "lines.linewidth": 1.2,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "contour.linewidth": 0.4,
+    "figure.constrained_layout.use": True,
+}
+SHOWN_INLET, SHOWN_OUTLET, SHOWN_SIDE = -2.5, 1.5, 1.35  # in Hertz semi-axes along and across the entrainment
+STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
+QUIET_PRESSURE = 0.02  # of the largest pressure: the shown part reaches to where the pressure has fallen to this
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactView:
+    """The shown part of one contact, in the units of the plots.
+
+    Attributes
+    ----------
+    x, y : ndarray, shape (nx,), (ny,)
+        Along and across the entrainment [mm], or in semi-axes a in Moes input.
+    film, pressure : ndarray, shape (nx, ny)
+        [um] and [GPa], or in units of a^2/Rx and of p_h.
+    hertz : ndarray, shape (nx, ny)
+        Hertz pressure in the unit of `pressure`.
+    ellipse : ndarray, shape (2, n)
+        Outline of the Hertz ellipse, in the unit of x and y.
+    half_x, half_y : float
+        Half extents of the Hertz ellipse, in the unit of x and y.
+    central, central_uncertainty, minimum, minimum_uncertainty : float
+        Extrapolated films, in the unit of `film`.
+    length_unit, film_unit, pressure_unit : str
+    whole : tuple of float
+        Ends of the computed box along the entrainment, in units of half_x [-].
+    """
+
+    x: Array
+    y: Array
+    film: Array
+    pressure: Array
+    hertz: Array
+    ellipse: Array
+    half_x: float
+    half_y: float
+    central: float
+    central_uncertainty: float
+    minimum: float
+    minimum_uncertainty: float
+    length_unit: str
+    film_unit: str
+    pressure_unit: str
+    whole: tuple[float, float]
+
+    @property
+    def stretched(self) -> bool:
+        """Whether the ellipse is too long for equal axes."""
+        return max(self.half_x / self.half_y, self.half_y / self.half_x) > STRETCHED
+
+    @property
+    def film_range(self) -> tuple[float, float]:
+        """Film thickness at the ends of the colour scale, in the unit of `film`: the inlet is left to saturate."""
+        spread = max(self.central - self.minimum, 0.04 * self.central)
+        return self.minimum, min(self.central + 2.5 * spread, 2.0 * self.central)
+
+
+def contact_view(solution: ContactSolution) -> ContactView:
+    """Shown part of a solution: about [-2.5, 1.5] semi-axes along the entrainment, more where pressure reaches further.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+
+    Returns
+    -------
+    ContactView
+        Lengths [mm], films [um], pressures [GPa], or dimensionless ones in Moes input.
+    """
+    angle, kappa = solution.conditions.entrainment_angle, solution.semi_axis_ratio
+    half_x, half_y = hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))
+    rows, columns = shown_part(solution, half_x, half_y)
+    X, Y = solution.X[rows], solution.Y[columns]
+    along, across = principal_coordinates(X, Y, angle)
+    a = 1.0 if solution.semi_axis_x is None else solution.semi_axis_x / MILLIMETRE
+    h = 1.0 if solution.film_scale is None else solution.film_scale / MICROMETRE
+    p = solution.hertz_pressure / GIGAPASCAL if solution.hertz_pressure > 0.0 else 1.0
+    central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
+    return ContactView(
+        x=a * X,
+        y=a * Y,
+        film=h * solution.H[rows, columns],
+        pressure=p * solution.P[rows, columns],
+        hertz=p * np.sqrt(np.clip(1.0 - along**2 - (across / kappa) ** 2, 0.0, None)),
+        ellipse=a * _ellipse(angle, kappa),
+        half_x=a * half_x,
+        half_y=a * half_y,
+        central=h * central.value,
+        central_uncertainty=h * central.uncertainty,
+        minimum=h * minimum.value,
+        minimum_uncertainty=h * minimum.uncertainty,
+        length_unit="a" if solution.semi_axis_x is None else "mm",
+        film_unit="$a^2/R_x$" if solution.film_scale is None else "µm",
+        pressure_unit="GPa" if solution.hertz_pressure > 0.0 else "$p_h$",
+        whole=(float(solution.X[0] / half_x), float(solution.X[-1] / half_x)),
+    )
+
+
+def _ellipse(angle: float, kappa: float) -> Array:
+    """Outline of the Hertz ellipse in the grid's axes, which are turned by the entrainment angle; units of a."""
+    t = np.linspace(0.0, 2.0 * pi, 241)
+    x, y = np.cos(t), kappa * np.sin(t)
+    return np.stack([cos(angle) * x + sin(angle) * y, -sin(angle) * x + cos(angle) * y])
+
+
+def shown_part(solution: ContactSolution, half_x: float, half_y: float) -> tuple[slice, slice]:
+    """Index ranges of the nodes shown; half extents of the Hertz ellipse in units of a [-]."""
+    loud = solution.P > QUIET_PRESSURE * solution.P.max()
+    rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
+    inlet = min(SHOWN_INLET * half_x, float(solution.X[rows[0]]) - 0.5 * half_x)
+    side = max(SHOWN_SIDE * half_y, 1.05 * float(solution.Y[columns[-1]]))
+    return within(solution.X, inlet, SHOWN_OUTLET * half_x), within(solution.Y, -side, side)
+
+
+def value_with_error(value: float, error: float) -> str:
+    """Text of a value and its uncertainty, to the error's first digit, or its second after a 1, in whatever unit [-]."""
+    digits = 3
+    if error > 0.0:
+        exponent = floor(log10(error))
+        digits = min(max(-exponent + (error < 1.95 * 10.0**exponent), 0), 5)
+    return f"{value:.{digits}f} ± {error:.{digits}f}"
+
+
+def save(figure: Figure, path: Path) -> None:
+    """Write a figure under its final name only when it is complete; the suffix names the format."""
+    with atomic_path(path) as temporary:
+        figure.savefig(temporary, dpi=DPI)

@@ -1,0 +1,155 @@
+"""Results as tables for a terminal of 80 columns."""
+
+from __future__ import annotations
+
+from math import degrees
+from typing import TYPE_CHECKING
+
+from .plot_style import value_with_error
+from .results import GIGAPASCAL, MICROMETRE, RPM, BearingResults, ContactResults
+
+if TYPE_CHECKING:
+    from rich.console import Group
+    from rich.table import Table
+
+    from bearing.contacts import BearingContact
+    from ehl import ContactSolution
+
+NOTHING = "–"
+
+
+def result_table(results: BearingResults | ContactResults) -> Group:
+    """Lay out what a run found: a few lines on the whole, then one line per contact.
+
+    Parameters
+    ----------
+    results : BearingResults or ContactResults
+
+    Returns
+    -------
+    rich.console.Group
+        To be printed by a rich console; loads [N], pressures [GPa], films [um] as the headers say.
+    """
+    from rich.console import Group
+
+    if isinstance(results, ContactResults):
+        return Group(_contact_table(results))
+    return Group(_bearing_table(results), _contacts_table(results), *_legend(results))
+
+
+def _facts_table(title: str) -> Table:
+    from rich.table import Table
+    from rich.text import Text
+
+    table = Table(
+        title=Text(title), title_justify="left", title_style="bold", box=None, show_header=False, pad_edge=False
+    )
+    table.add_column(style="dim", no_wrap=True)
+    table.add_column()
+    return table
+
+
+def _bearing_table(results: BearingResults) -> Table:
+    from rich.text import Text
+
+    state = results.quasistatic
+    x, y, z = (value / MICROMETRE for value in state.displacement)
+    rows = {
+        "ring displacement": f"x {x:.2f}, y {y:.2f}, z {z:.2f} µm",
+        "ring tilt": f"y {state.tilt[0] * 1e3:.3f}, z {state.tilt[1] * 1e3:.3f} mrad",
+        "ring load": "x {:.1f}, y {:.1f}, z {:.1f} N".format(*(abs(v) and v for v in state.ring_force)),
+        "cage speed": f"{state.cage_speed / RPM:.1f} rpm",
+        "balls loaded": f"{int((state.inner_load > 0.0).sum())} of {len(state.azimuth)}",
+        "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",
+    }
+    if not state.converged:
+        rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
+    if not state.tilt.any():
+        del rows["ring tilt"]
+    table = _facts_table(str(results.case.get("title", "bearing")))
+    for name, value in rows.items():
+        table.add_row(name, Text(value))
+    return table
+
+
+def _contacts_table(results: BearingResults) -> Table:
+    from rich import box
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), collapse_padding=True)
+    for header in ("ball", "ψ °", "race", "load N", "p_h GPa", "angle °", "h_c µm", "h_min µm"):
+        table.add_column(header, justify="left" if header == "race" else "right", no_wrap=True)
+    table.add_column("", no_wrap=True)
+    for contact, solution in zip(results.contacts, results.solutions, strict=True):
+        table.add_row(*_contact_cells(contact, solution), end_section=False)
+    return table
+
+
+def _contact_cells(contact: BearingContact, solution: ContactSolution | None) -> list[str]:
+    inner = contact.race.value == "inner"
+    loaded = contact.load > 0.0
+    return [
+        str(contact.ball) if inner else "",
+        f"{degrees(contact.azimuth) % 360.0:.1f}".removesuffix(".0") if inner else "",
+        contact.race.value,
+        f"{contact.load:.1f}" if loaded else "0",
+        NOTHING if contact.hertz is None else f"{contact.hertz.pressure / GIGAPASCAL:.3f}",
+        f"{degrees(contact.contact_angle) + 0.0:.2f}" if loaded else NOTHING,
+        _film(solution, "film_central"),
+        _film(solution, "film_minimum"),
+        _flags(solution),
+    ]
+
+
+def _film(solution: ContactSolution | None, name: str) -> str:
+    """Film and its uncertainty [um]."""
+    value = None if solution is None else getattr(solution, name)
+    if value is None:
+        return NOTHING
+    return value_with_error(value / MICROMETRE, getattr(solution, f"{name}_uncertainty") / MICROMETRE)
+
+
+def _flags(solution: ContactSolution | None) -> str:
+    if solution is None:
+        return ""
+    return ("" if solution.converged else "!") + ("" if solution.resolved else "?")
+
+
+def _legend(results: BearingResults) -> list[str]:
+    flags = "".join(_flags(s) for s in results.solutions)
+    words = {"!": "! not converged", "?": "? film not resolved on this grid"}
+    return ["  ".join(text for flag, text in words.items() if flag in flags)] if flags else []
+
+
+def _contact_table(results: ContactResults) -> Table:
+    from rich.text import Text
+
+    solution = results.solution
+    table = _facts_table(str(results.case.get("title", "contact")))
+    for name, value in _contact_rows(solution).items():
+        table.add_row(name, Text(value))
+    if not solution.converged:
+        table.add_row("NOT CONVERGED", Text(solution.message))
+    if not solution.resolved:
+        table.add_row("NOT RESOLVED", "take a larger [ehl] points")
+    return table
+
+
+def _contact_rows(solution: ContactSolution) -> dict[str, str]:
+    central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
+    rows = {
+        "M, L": f"{solution.moes_load:.4g}, {solution.moes_lubricant:.4g}",
+        "central film": f"{value_with_error(central.value, central.uncertainty)} a²/Rx",
+        "minimum film": f"{value_with_error(minimum.value, minimum.uncertainty)} a²/Rx",
+    }
+    if solution.film_scale is not None:
+        rows["central film"] += f" = {_film(solution, 'film_central')} µm"
+        rows["minimum film"] += f" = {_film(solution, 'film_minimum')} µm"
+    if solution.hertz_pressure > 0.0:
+        pressures = (solution.hertz_pressure / GIGAPASCAL, solution.pressure_maximum / GIGAPASCAL)
+        rows["pressure"] = "Hertz {:.4g} GPa, largest {:.4g} GPa".format(*pressures)
+    nx, ny = solution.P.shape
+    x_in, x_out, y_half = solution.domain
+    rows["box"] = f"x/a {x_in:.3g} ... {x_out:.3g}, |y|/b < {y_half:.3g}, {nx} x {ny} points"
+    rows["work"] = f"{solution.record.cycles} cycles, {solution.record.wall_time:.2f} s"
+    return rows

@@ -1,0 +1,66 @@
+"""All output of a run into one directory."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from .results import BearingResults, ContactResults, summary
+from .results_io import CONTACTS_FILE, FIELDS_FILE, SUMMARY_FILE, write_contacts_csv, write_json, write_netcdf
+
+
+def write_results(results: BearingResults | ContactResults, directory: str | Path) -> tuple[str, ...]:
+    """Write pictures, VTK, netCDF, CSV and, last, the summary; a picture that fails is a message, not an error.
+
+    Parameters
+    ----------
+    results : BearingResults or ContactResults
+    directory : str or Path
+        Made if it is missing; files of the same names are replaced.
+
+    Returns
+    -------
+    tuple of str
+        What could not be drawn and why; `summary.json` holds these messages too.
+
+    Raises
+    ------
+    OSError
+        If the numbers themselves cannot be written: disk full, no permission.
+    """
+    folder = Path(directory)
+    folder.mkdir(parents=True, exist_ok=True)
+    problems = tuple(p for p in (_try("plots", _plots, results, folder), _try("VTK", _vtk, results, folder)) if p)
+    document = summary(replace(results, messages=(*results.messages, *problems)))
+    write_netcdf(results, folder / FIELDS_FILE, document)
+    if isinstance(results, BearingResults):
+        write_contacts_csv(document, folder / CONTACTS_FILE)
+    write_json(document, folder / SUMMARY_FILE)
+    return problems
+
+
+def _try(
+    name: str,
+    write: Callable[[BearingResults | ContactResults, Path], None],
+    results: BearingResults | ContactResults,
+    folder: Path,
+) -> str:
+    """Message of a failed extra; any failure in a drawing library is a lost picture, not a lost run."""
+    try:
+        write(results, folder)
+    except Exception as error:
+        return f"{name} not written: {type(error).__name__}: {error}"
+    return ""
+
+
+def _plots(results: BearingResults | ContactResults, folder: Path) -> None:
+    from .plots import write_plots
+
+    write_plots(results, folder)
+
+
+def _vtk(results: BearingResults | ContactResults, folder: Path) -> None:
+    from .vtk import write_collection
+
+    write_collection(results, folder)
