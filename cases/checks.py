@@ -230,8 +230,9 @@ def _bearing_materials(values: Values, names: Names) -> Iterator[Problem]:
 
 def oil_table(document: dict[str, Any]) -> tuple[dict[str, Any], bool]:
     """The lubricant's keys, those of [lubricants.NAME] filled in, and whether the name is left to the library."""
-    own = dict(document.get("lubricant") or {})
-    local = (document.get("lubricants") or {}).get(own.get("name"))
+    own = dict(document["lubricant"])
+    library = document.get("lubricants")
+    local = library.get(str(own.get("name"))) if isinstance(library, dict) else None
     if not isinstance(local, dict):
         return own, "name" in own
     viscosities = ("viscosity_mPa_s", "kinematic_viscosity_mm2_s")

@@ -11,6 +11,8 @@ from .toml_lines import Path, find_line
 
 MISSING = "missing"
 UNITS = frozenset("mm um deg mrad N kN N_mm rpm rad_s m_s C mPa_s mm2_s kg_m3 MPa GPa 1_GPa".split())
+SIMILARITY = 0.65  # of difflib, from which on a name counts as a slip of another
+MOST_NAMES = 12  # shown of a list of allowed keys
 LONGEST_VALUE = 60  # characters of a found value that are shown
 
 
@@ -45,8 +47,8 @@ class CaseError(ValueError):
 
 
 def dotted(path: Path) -> str:
-    """The path as table.key; a name with a space or a dot in quotes."""
-    return ".".join(f'"{key}"' if isinstance(key, str) and (" " in key or "." in key) else str(key) for key in path)
+    """The path as table.key; a name that is no bare key of TOML in quotes."""
+    return ".".join(str(key) if str(key).replace("_", "").replace("-", "").isalnum() else f'"{key}"' for key in path)
 
 
 def shown(value: object) -> str:
@@ -73,7 +75,7 @@ def nearest_name(name: str, names: Iterable[str]) -> str | None:
         start, unit = candidate[: len(name)], candidate[len(name) + 1 :]
         if start.lower() == name.lower() and unit in UNITS:
             return candidate
-    close = get_close_matches(name.lower(), plain, n=1, cutoff=0.6)
+    close = get_close_matches(name.lower(), plain, n=1, cutoff=SIMILARITY)
     return plain[close[0]] if close else None
 
 
@@ -100,15 +102,17 @@ def _unknown(path: Path, schema: dict[str, Any]) -> Problem:
     """A key the table does not have: its nearest name, or the table it belongs to, or all names."""
     key, parent = str(path[-1]), path[:-1]
     names = list(schema_node(schema, parent).get("properties", ()))
-    kind = "key" if parent else "table"
     for table, node in schema["properties"].items():
         if table != (parent or ("",))[0] and key in resolved(schema, node).get("properties", ()):
-            return Problem(path=path, found=f"unknown {kind}", allowed=f"{key} belongs in [{table}]")
+            return Problem(path=path, found="unknown key", allowed=f"{key} belongs in [{table}]")
+    if parent and schema_node(schema, (key,)).get("type") not in (None, "object"):
+        return Problem(path=path, found="unknown key", allowed=f"{key} belongs at the top of the file")
     nearest = nearest_name(key, names)
     if nearest and nearest.startswith(key + "_"):
-        return Problem(path=path, found=f"unknown {kind}", allowed="keys end in their unit", nearest=nearest)
-    listed = "" if nearest else "allowed: " + ", ".join(names)
-    return Problem(path=path, found=f"unknown {kind}", allowed=listed, nearest=nearest)
+        return Problem(path=path, found="unknown key", allowed="keys end in their unit", nearest=nearest)
+    shortened = [*names[:MOST_NAMES], "... (see docs/cases.md)"] if len(names) > MOST_NAMES + 2 else names
+    listed = "" if nearest else "allowed: " + ", ".join(shortened)
+    return Problem(path=path, found="unknown key" if parent else "unknown name", allowed=listed, nearest=nearest)
 
 
 def resolved(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:

@@ -13,7 +13,7 @@ from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstr
 from pydantic_core import PydanticCustomError
 
 FREE = "free"
-LENGTH_MAXIMUM = 1.0e4  # [mm]
+LENGTH_MINIMUM, LENGTH_MAXIMUM = 1.0e-3, 1.0e4  # [mm]
 FORCE_MAXIMUM = 1.0e8  # [N]
 SPEED_MAXIMUM = 1.0e6  # [rpm]
 
@@ -83,7 +83,7 @@ Tilt = Annotated[Any, _vector_check(2, 500.0, free=True), _list_schema(2, free=T
 
 
 def _length(description: str) -> Any:
-    return Field(None, gt=0.0, le=LENGTH_MAXIMUM, description=description)
+    return Field(None, ge=LENGTH_MINIMUM, le=LENGTH_MAXIMUM, description=description)
 
 
 class Table(BaseModel):
@@ -228,8 +228,12 @@ class ContactTable(Table):
     """A single contact: by dimensions, or by Moes' groups."""
 
     load_N: float | None = Field(None, gt=0.0, le=FORCE_MAXIMUM, description="normal load")
-    radius_x_mm: float | None = Field(None, gt=0.0, le=1.0e6, description="reduced radius of curvature along x")
-    radius_y_mm: float | None = Field(None, gt=0.0, le=1.0e6, description="reduced radius of curvature along y")
+    radius_x_mm: float | None = Field(
+        None, ge=LENGTH_MINIMUM, le=1.0e6, description="reduced radius of curvature along x"
+    )
+    radius_y_mm: float | None = Field(
+        None, ge=LENGTH_MINIMUM, le=1.0e6, description="reduced radius of curvature along y"
+    )
     reduced_modulus_GPa: float | None = Field(
         None, gt=0.0, le=5.0e3, description="E', 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2; or material_1 and material_2"
     )

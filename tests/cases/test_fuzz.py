@@ -13,11 +13,12 @@ from cases.shipped import shipped_cases
 TEXTS = [path.read_text(encoding="utf-8") for path in shipped_cases().values()]
 SEED = 20_570_193
 VALUES = """0 -1 1e308 -1e308 1e-320 nan inf -inf true false "" "free" 'x' [] [[]] {} [1,2] [0,0,0] {a=1} 07:32:00
-1979-05-27 0x1F 99999999999999999999999999 "\\u0000" [nan,1,2] 257 256 "silicon nitride" "iso vg 46" 0.5 1e-9 6.1 90.0 -273.15 3
+1979-05-27 0x1F 99999999999999999999999999 "\\u0000" [nan,1,2] 257
+256 "silicon nitride" "iso vg 46" 0.5 1e-9 6.1 90.0 -273.15 3
 """.split()
 KEYS = """balls ball_diameter_mm free_contact_angle_deg force_N tilt tilt_mrad displacement_um moment_N_mm name load_N
-moes_M moes_L radius_ratio material_1 roelands_z viscosity_law film_maps domain tolerance kinematic_viscosity_mm2_s x "" a.b
-ring_material radial_load_N assumed schema_version temperature_C""".split()
+moes_M moes_L radius_ratio material_1 roelands_z viscosity_law film_maps domain tolerance kinematic_viscosity_mm2_s x
+"" a.b ring_material radial_load_N assumed schema_version temperature_C""".split()
 TABLES = """[bearing] [contact] [operation] [ehl] [lubricant] [materials.x] [lubricants."iso vg 46"] [surface] [[rows]]
 [fit] [sweep] [materials] [model] [ [] [[bearing]] [bearing.name]""".split()
 
