@@ -6,6 +6,7 @@ import tomllib
 import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import pairwise
 from math import radians
 from pathlib import Path
@@ -235,7 +236,12 @@ def _validate(
     try:
         return model.model_validate(document), missing
     except ValidationError as error:
-        return None, missing + schema_problems(error.errors(include_url=False), model.model_json_schema())
+        return None, missing + schema_problems(error.errors(include_url=False), _schema_of(model))
+
+
+@cache
+def _schema_of(model: type[BearingFile | ContactFile]) -> dict[str, Any]:
+    return model.model_json_schema()
 
 
 def _names(values: checks.Values) -> checks.Names:
@@ -255,7 +261,7 @@ def _names(values: checks.Values) -> checks.Names:
 
 def _assumed(values: checks.Values) -> list[Problem]:
     """Names under `assumed` that are no keys of a case file."""
-    schema = (ContactFile if "contact" in values.document else BearingFile).model_json_schema()
+    schema = _schema_of(ContactFile if "contact" in values.document else BearingFile)
     tables = {table: resolved(schema, node).get("properties", ()) for table, node in schema["properties"].items()}
     known = {f"{table}.{key}" for table, keys in tables.items() for key in keys}
     problems = []

@@ -249,7 +249,8 @@ def _save(results: BearingResults | ContactResults, directory: Path, *, quiet: b
 
     from .output_directory import save
 
-    save(lambda folder: write_results(results, folder), directory)
+    for problem in save(lambda folder: write_results(results, folder), directory):
+        say(f"oilfilm: {problem}")
     if not quiet:
         say(f"results in {directory}")
 

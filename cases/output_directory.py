@@ -27,15 +27,20 @@ def check_output(directory: Path) -> None:
         raise CaseError([f"{directory}: cannot be written: {error.strerror or error}"]) from None
 
 
-def save(write: Callable[[Path], object], directory: Path) -> None:
+def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str, ...]:
     """Have `write` fill a temporary folder, and put it in place of `directory` when it is complete.
 
     Parameters
     ----------
     write : callable
-        Writes the results into the folder it is given.
+        Writes the results into the folder it is given; returns what could not be written.
     directory : Path
         Where they belong. If it exists, files of an earlier result are replaced and all others stay.
+
+    Returns
+    -------
+    tuple of str
+        What `write` returned.
 
     Raises
     ------
@@ -45,7 +50,7 @@ def save(write: Callable[[Path], object], directory: Path) -> None:
     directory.parent.mkdir(parents=True, exist_ok=True)
     temporary = Path(tempfile.mkdtemp(prefix=f".{directory.name}-", dir=directory.parent))
     try:
-        write(temporary)
+        problems = write(temporary)
         files = sorted(str(path.relative_to(temporary)) for path in temporary.rglob("*") if path.is_file())
         (temporary / MANIFEST).write_text(json.dumps(files, indent=1), encoding="utf-8")
         if directory.exists():
@@ -53,6 +58,7 @@ def save(write: Callable[[Path], object], directory: Path) -> None:
         else:
             temporary.chmod(0o777 & ~_umask())
             temporary.rename(directory)
+        return problems
     finally:
         shutil.rmtree(temporary, ignore_errors=True)
 

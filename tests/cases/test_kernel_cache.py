@@ -1,0 +1,54 @@
+"""A folder for compiled kernels when neither the installation nor the home directory can be written."""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+
+import pytest
+
+from cases import kernel_cache
+from cases.kernel_cache import VARIABLE, ensure_kernel_cache
+
+
+@pytest.fixture
+def nothing_writable(monkeypatch, tmp_path):
+    monkeypatch.delenv(VARIABLE, raising=False)
+    monkeypatch.setattr(kernel_cache, "_beside_the_package", lambda: False)
+    monkeypatch.setattr(kernel_cache, "_in_the_home_directory", lambda: False)
+    monkeypatch.setattr(kernel_cache.tempfile, "gettempdir", lambda: str(tmp_path))
+    yield tmp_path
+    os.environ.pop(VARIABLE, None)
+
+
+def test_a_private_folder_is_used(nothing_writable):
+    ensure_kernel_cache()
+    folder = Path(os.environ[VARIABLE])
+    assert folder.parent == nothing_writable
+    assert stat.S_IMODE(folder.stat().st_mode) == 0o700
+    first = os.environ.pop(VARIABLE)
+    ensure_kernel_cache()
+    assert os.environ[VARIABLE] == first
+
+
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="permission bits of POSIX")
+def test_a_folder_that_others_can_write_is_not_trusted(nothing_writable):
+    planted = nothing_writable / f"oilfilm-kernels-{os.getuid()}"
+    planted.mkdir()
+    planted.chmod(0o777)
+    ensure_kernel_cache()
+    assert Path(os.environ[VARIABLE]) != planted
+
+
+def test_the_choice_of_the_user_stands(nothing_writable, monkeypatch):
+    monkeypatch.setenv(VARIABLE, "/somewhere")
+    ensure_kernel_cache()
+    assert os.environ[VARIABLE] == "/somewhere"
+
+
+def test_nothing_is_set_where_numba_finds_a_place(monkeypatch):
+    monkeypatch.delenv(VARIABLE, raising=False)
+    monkeypatch.setattr(kernel_cache, "_beside_the_package", lambda: True)
+    ensure_kernel_cache()
+    assert VARIABLE not in os.environ
