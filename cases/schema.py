@@ -212,7 +212,7 @@ class EhlTable(ContactEhlTable):
 
     film_maps: FilmMaps = Field(
         "all",
-        description='"all" contacts, those of the balls under "loaded" inner contacts, "none", or azimuths of balls',
+        description="balls whose films are solved",
     )
 
 

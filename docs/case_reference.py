@@ -1,0 +1,92 @@
+"""Write the tables of keys into docs/cases.md, from the schema of case files: `python docs/case_reference.py`."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from cases.problems import allowed_values, resolved
+from cases.schema import BearingFile, ContactFile
+
+PAGE = Path(__file__).with_name("cases.md")
+START, END = "<!-- tables: written by docs/case_reference.py -->", "<!-- end of tables -->"
+UNITS = {
+    "_mm": "mm", "_um": "µm", "_deg": "deg", "_mrad": "mrad", "_N": "N", "_kN": "kN", "_N_mm": "N mm", "_rpm": "r/min",
+    "_C": "°C", "_mPa_s": "mPa s", "_mm2_s": "mm²/s", "_kg_m3": "kg/m³", "_GPa": "GPa", "_MPa": "MPa", "_m_s": "m/s",
+    "_rad_s": "rad/s", "_1_GPa": "1/GPa",
+}  # fmt: skip
+SPECIAL = {
+    "force_N": "three numbers, ±1e8",
+    "moment_N_mm": "two numbers, ±1e10",
+    "displacement_um": "three numbers ±1e5, or `free`",
+    "tilt_mrad": "two numbers ±500, or `free`",
+    "points": "33, 65, 129, 257, 513, 1025, 2049, 4097",
+    "domain": "x_in < -1, x_out > 1, y_half > 1",
+    "film_maps": "`all`, `loaded`, `none`, azimuths in degrees",
+    "assumed": "list of `table.key`",
+}
+ORDER = ("bearing", "contact", "lubricant", "operation", "model", "ehl", "surface", "materials", "lubricants")
+NAMED = {"materials": "materials.NAME", "lubricants": "lubricants.NAME"}
+
+
+def unit(key: str) -> str:
+    """Unit that a key ends in; a dash if it has none."""
+    fitting = [suffix for suffix in UNITS if key.endswith(suffix)]
+    return UNITS[max(fitting, key=len)] if fitting else "–"
+
+
+def default(key: str, node: dict[str, Any], required: list[str]) -> str:
+    """Value of a key that is left out."""
+    if key in required:
+        return "required"
+    value = node.get("default")
+    return "–" if value is None or value == "" or value == [] else f"`{value}`"
+
+
+def row(key: str, node: dict[str, Any], schema: dict[str, Any], required: list[str]) -> str:
+    """One line of a table."""
+    text = SPECIAL.get(key) or allowed_values(resolved(schema, node)).replace("a number ", "").replace(
+        "whole number ", ""
+    )
+    text = re.sub(r'"([^"]*)"', r"`\1`", text.replace("text in quotes", "text"))
+    meaning = re.sub(r'"([^"]*)"', r"`\1`", node.get("description", ""))
+    return f"| `{key}` | {unit(key)} | {default(key, node, required)} | {text} | {meaning} |"
+
+
+def table(name: str, node: dict[str, Any], schema: dict[str, Any]) -> list[str]:
+    """Heading and keys of one table of the file."""
+    required = node.get("required", [])
+    lines = [f"### {name}", "", node.get("description", ""), ""]
+    lines += ["| key | unit | default | range | meaning |", "|---|---|---|---|---|"]
+    return [*lines, *(row(key, item, schema, required) for key, item in node["properties"].items()), ""]
+
+
+def tables() -> str:
+    """All tables as Markdown."""
+    bearing, contact = BearingFile.model_json_schema(), ContactFile.model_json_schema()
+    scalars = {key: node for key, node in bearing["properties"].items() if "properties" not in _content(bearing, node)}
+    top = {"description": "Before the first table.", "properties": scalars, "required": bearing["required"]}
+    lines = table("Top of the file", top, bearing)
+    for key in ORDER:
+        schema = contact if key == "contact" else bearing
+        lines += table(f"[{NAMED.get(key, key)}]", _content(schema, schema["properties"][key]), schema)
+    return "\n".join(lines)
+
+
+def _content(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
+    """The table behind a key; of tables by name, the one they all are."""
+    node = resolved(schema, node)
+    named = node.get("additionalProperties")
+    return resolved(schema, named) if isinstance(named, dict) else node
+
+
+def page() -> str:
+    """The page with its tables up to date."""
+    before, _, rest = PAGE.read_text(encoding="utf-8").partition(START)
+    _, _, after = rest.partition(END)
+    return f"{before}{START}\n\n{tables()}\n{END}{after}"
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page(), encoding="utf-8")
