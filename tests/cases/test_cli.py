@@ -1,0 +1,276 @@
+"""The command as a user meets it: exit codes, streams, files."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from cases import cli, terminal
+from cases.cli import app
+from cases.shipped import shipped_cases
+
+AT_REST = "209_radial_8900N"  # no films: quick
+OILFILM = [sys.executable, "-m", "cases.cli"]
+
+
+def oilfilm(*words):
+    return CliRunner().invoke(app, list(words))
+
+
+@pytest.fixture(autouse=True)
+def in_a_folder_of_its_own(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_help_is_quick_and_imports_little():
+    """0.3 s is asked for; heavy imports, which cost that alone, are what would break it, on any machine."""
+    code = "import sys, cases.cli; print([m for m in sys.argv[1:] if m in sys.modules])"
+    heavy = ["numpy", "scipy", "numba", "xarray", "matplotlib", "pyvista", "vtk", "rich", "pydantic"]
+    answer = subprocess.run([sys.executable, "-c", code, *heavy], capture_output=True, text=True, check=True)
+    assert answer.stdout.strip() == "[]"
+    assert oilfilm("--help").exit_code == 0
+
+
+def test_version():
+    answer = oilfilm("--version")
+    assert answer.exit_code == 0
+    assert answer.stdout.startswith("oilfilm ")
+
+
+def test_validation_imports_no_solver():
+    code = (
+        "import sys; from cases.case import validate_text; from cases.shipped import shipped_cases\n"
+        "for p in shipped_cases().values(): validate_text(p.read_text(), p.name)\n"
+        "print([m for m in sys.argv[1:] if m in sys.modules])"
+    )
+    heavy = ["scipy", "numba", "xarray", "matplotlib", "pyvista", "vtk", "rich"]
+    answer = subprocess.run([sys.executable, "-c", code, *heavy], capture_output=True, text=True, check=True)
+    assert answer.stdout.strip() == "[]"
+
+
+def test_run_writes_files_and_a_table(tmp_path):
+    answer = oilfilm("run", AT_REST)
+    assert answer.exit_code == 0, answer.output
+    folder = tmp_path / f"{AT_REST}_results"
+    summary = json.loads((folder / "summary.json").read_text())
+    assert summary["converged"] is True
+    assert {"contacts.csv", "results.nc"} <= {path.name for path in folder.iterdir()}
+    assert "4526" in answer.stdout
+    assert max(len(line) for line in answer.stdout.splitlines()) <= 80
+    assert "\x1b" not in answer.stdout
+    assert "results in" in answer.stderr
+
+
+def test_json_is_all_there_is_on_standard_output(tmp_path):
+    answer = oilfilm("run", AT_REST, "--json")
+    assert json.loads(answer.stdout)["case"]["title"]
+    assert list(tmp_path.iterdir()) == []
+    answer = oilfilm("run", AT_REST, "--json", "--quiet", "-o", "here")
+    assert json.loads(answer.stdout) == json.loads((tmp_path / "here" / "summary.json").read_text())
+    assert answer.stderr == ""
+
+
+def test_the_case_of_a_result_is_a_case(tmp_path):
+    """The document as run, defaults filled in, describes the same case."""
+    from cases.case import check_document
+
+    document = json.loads(oilfilm("run", AT_REST, "--json").stdout)["case"]
+    file, problems = check_document(document)
+    assert problems == []
+    assert file.operation.tilt is None
+    assert document["model"] == {"ball_kinematics": "half and half", "curvature": "operating"}
+    assert document["materials"]["bearing steel"]["youngs_modulus_GPa"] == 206.0
+
+
+def test_a_second_run_replaces_the_first_and_nothing_else(tmp_path):
+    assert oilfilm("run", AT_REST, "-q", "-o", "out").exit_code == 0
+    (tmp_path / "out" / "notes.txt").write_text("mine")
+    assert oilfilm("run", AT_REST, "-q", "-o", "out").exit_code == 0
+    assert (tmp_path / "out" / "notes.txt").read_text() == "mine"
+    (tmp_path / "foreign").mkdir()
+    (tmp_path / "foreign" / "summary.json").write_text("mine")
+    answer = oilfilm("run", AT_REST, "-q", "-o", "foreign")
+    assert answer.exit_code == 2
+    assert "not written by oilfilm" in answer.stderr
+
+
+BAD_INPUT = [
+    (["run", "6208_ful_ceramic"], "did you mean '6208_full_ceramic'?"),
+    (["run", "."], "is a directory"),
+    (["run", "no/such/file.toml"], "no such file"),
+    (["run", "x" * 5000], "not a usable file name"),
+    (["run", "moes_20_10"], "oilfilm contact moes_20_10"),
+    (["contact", AT_REST], f"oilfilm run {AT_REST}"),
+    (["contact", "moes_20_10", "--method", "finite-element"], "not supported by this version"),
+    (["contact", "moes_20_10", "--method", "magic"], "multigrid"),
+    (["run", AT_REST, "--workers", "0"], "workers"),
+    (["run", AT_REST, "-o", "file"], "is not a directory"),
+    (["view", "nowhere"], "no such directory"),
+    (["list", "balls"], "bearings"),
+    (["nonsense"], "nonsense"),
+]
+
+
+@pytest.mark.parametrize(("words", "expected"), BAD_INPUT, ids=[" ".join(words)[:40] for words, _ in BAD_INPUT])
+def test_bad_input(words, expected, tmp_path):
+    (tmp_path / "file").write_text("")
+    answer = oilfilm(*words)
+    assert answer.exit_code == 2
+    assert expected in answer.stderr
+    assert answer.stdout == ""
+    assert "Traceback" not in answer.output
+
+
+@pytest.mark.parametrize(
+    ("content", "expected"),
+    [(b"", ":1: the file is empty"), (b"\x00\xff\xfe\x80", "not a text file"), (b"a = \n", ":1: not valid TOML")],
+)
+def test_unusable_files(content, expected, tmp_path):
+    (tmp_path / "case.toml").write_bytes(content)
+    for command in ("run", "contact", "validate"):
+        answer = oilfilm(command, "case.toml")
+        assert answer.exit_code == 2
+        assert f"case.toml{expected}" in answer.stderr or f"case.toml: {expected}" in answer.stderr
+
+
+@pytest.mark.skipif(not hasattr(os, "geteuid") or os.geteuid() == 0, reason="root reads everything")
+def test_an_unreadable_file(tmp_path):
+    (tmp_path / "case.toml").write_text("a = 1")
+    (tmp_path / "case.toml").chmod(0)
+    answer = oilfilm("run", "case.toml")
+    assert answer.exit_code == 2
+    assert "Permission denied" in answer.stderr
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="named pipes of POSIX")
+def test_a_named_pipe_does_not_hang(tmp_path):
+    os.mkfifo(tmp_path / "pipe.toml")
+    answer = oilfilm("validate", "pipe.toml")
+    assert answer.exit_code == 2
+    assert "not a regular file" in answer.stderr
+
+
+def test_validate_shows_every_error_with_its_line(tmp_path):
+    text = shipped_cases()[AT_REST].read_text().replace("balls = 9", "ball = 9").replace("points", "point")
+    (tmp_path / "case.toml").write_text(text.replace("8900.0", "nan"))
+    answer = oilfilm("validate", "case.toml", AT_REST)
+    assert answer.exit_code == 2
+    assert answer.stdout == f"{AT_REST}: valid\n"
+    assert "bearing.ball: unknown key; did you mean 'balls'?" in answer.stderr
+    assert "operation.radial_load_N: found nan" in answer.stderr
+    report = json.loads(oilfilm("validate", "case.toml", AT_REST, "--json").stdout)
+    assert report[AT_REST] == {"valid": True, "errors": []}
+    assert len(report["case.toml"]["errors"]) == 2
+
+
+def test_init_writes_a_valid_case_once(tmp_path):
+    assert oilfilm("init", "mine").exit_code == 0
+    assert oilfilm("validate", "mine.toml").exit_code == 0
+    answer = oilfilm("init", "mine")
+    assert answer.exit_code == 2
+    assert "exists already" in answer.stderr
+    assert oilfilm("init", "other", "--from", "moes_20_10").exit_code == 0
+    assert "moes_M" in (tmp_path / "other.toml").read_text()
+    assert oilfilm("init", "no/such/folder/case").exit_code == 2
+
+
+@pytest.mark.parametrize("kind", ["cases", "bearings", "materials", "lubricants"])
+def test_list(kind):
+    names = json.loads(oilfilm("list", kind, "--json").stdout)[kind]
+    assert names
+    assert all(name in oilfilm("list", kind).stdout for name in names)
+
+
+def test_schema_describes_every_shipped_case():
+    schema = json.loads(oilfilm("schema").stdout)
+    assert schema["$schema"].startswith("https://json-schema.org/")
+    assert {"BearingFile", "ContactFile"} <= schema["$defs"].keys()
+
+
+@pytest.mark.parametrize(
+    ("error", "expected"),
+    [
+        (OSError(errno.ENOSPC, "No space left on device", "x.nc"), "x.nc: No space left on device"),
+        (MemoryError(), "out of memory"),
+        (KeyError("surprise\nwith a line"), "internal error: KeyError: 'surprise"),
+    ],
+)
+def test_a_failure_of_the_machine_is_one_line_and_a_log(error, expected, monkeypatch, tmp_path):
+    def fail(*_args, **_kwargs):
+        raise error
+
+    monkeypatch.setattr(cli, "_save", fail)
+    answer = oilfilm("run", AT_REST, "-o", "out")
+    assert answer.exit_code == 4
+    assert expected in answer.stderr
+    assert len(answer.stderr.splitlines()) == 1
+    log = Path(answer.stderr.split("details: ")[1].strip())
+    assert "Traceback" in log.read_text()
+    log.unlink()
+
+
+def test_not_converged_is_written_flagged_and_told(monkeypatch, tmp_path):
+    import dataclasses
+
+    import bearing.quasistatic
+
+    solve = bearing.quasistatic.solve_quasistatic
+
+    def fail(*arguments):
+        return dataclasses.replace(solve(*arguments), converged=False, message="the load exceeds every capacity")
+
+    monkeypatch.setattr(bearing.quasistatic, "solve_quasistatic", fail)
+    answer = oilfilm("run", AT_REST, "-o", "out", "--quiet")
+    assert answer.exit_code == 1
+    assert "the load exceeds every capacity" in answer.stderr
+    assert json.loads((tmp_path / "out" / "summary.json").read_text())["converged"] is False
+
+
+def test_interrupted(monkeypatch):
+    def interrupt(*_args, **_kwargs):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("cases.run.run_case", interrupt)
+    answer = oilfilm("run", AT_REST)
+    assert answer.exit_code == 3
+    assert answer.stderr == "oilfilm: interrupted\n"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+@pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
+def test_a_signal_ends_a_command_with_code_3(name, tmp_path):
+    code = "import time; from cases.terminal import exit_code; print('up', flush=True); "
+    code += "import sys; sys.exit(exit_code(lambda: time.sleep(30)))"
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout.readline() == b"up\n"
+        time.sleep(0.2)
+        process.send_signal(getattr(signal, name))
+        _, errors = process.communicate(timeout=20)
+    assert process.returncode == 3
+    assert errors == b"oilfilm: interrupted\n"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="pipes of POSIX")
+def test_a_closed_pipe_is_no_error():
+    answer = subprocess.run(
+        ["sh", "-c", f"{' '.join(OILFILM)} schema | head -n 1"], capture_output=True, text=True, check=False
+    )
+    assert answer.stdout == "{\n"
+    assert answer.stderr == ""
+
+
+def test_errors_of_a_file_of_garbage_are_shortened(capsys):
+    terminal._say_errors([f"line {i}" for i in range(100)])
+    errors = capsys.readouterr().err.splitlines()
+    assert len(errors) == terminal.MOST_MESSAGES + 1
+    assert errors[-1] == "... and 80 more errors"
