@@ -1,0 +1,59 @@
+"""Ball bearings: geometry, materials, quasi-static equilibrium, and the lubricated contacts it yields."""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from .catalogue import list_bearings, load_catalogue_entry
+from .geometry import Bearing, Race, clearance_to_contact_angle, contact_angle_to_clearance, reduced_radii
+from .lubricant_library import library_lubricant, list_lubricants
+from .material import Material, list_materials, load_material, reduced_modulus
+from .operation import BallKinematics, Curvature, Model, Operation
+
+if TYPE_CHECKING:
+    from .contacts import BearingContact, contact_conditions
+    from .frequencies import Frequencies, bearing_frequencies
+    from .quasistatic import QuasistaticSolution, solve_quasistatic
+
+__all__ = [
+    "BallKinematics",
+    "Bearing",
+    "BearingContact",
+    "Curvature",
+    "Frequencies",
+    "Material",
+    "Model",
+    "Operation",
+    "QuasistaticSolution",
+    "Race",
+    "bearing_frequencies",
+    "clearance_to_contact_angle",
+    "contact_angle_to_clearance",
+    "contact_conditions",
+    "library_lubricant",
+    "list_bearings",
+    "list_lubricants",
+    "list_materials",
+    "load_catalogue_entry",
+    "load_material",
+    "reduced_modulus",
+    "reduced_radii",
+    "solve_quasistatic",
+]
+
+_LAZY = {  # these need SciPy, which takes longer to import than a command line may take to answer
+    "BearingContact": "contacts",
+    "contact_conditions": "contacts",
+    "Frequencies": "frequencies",
+    "bearing_frequencies": "frequencies",
+    "QuasistaticSolution": "quasistatic",
+    "solve_quasistatic": "quasistatic",
+}
+
+
+def __getattr__(name: str) -> object:
+    """Import what needs SciPy when it is first asked for."""
+    if name in _LAZY:
+        return getattr(import_module(f".{_LAZY[name]}", __name__), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -1,0 +1,308 @@
+r"""Balls between the races: forces at given ring position, equilibrium of every ball, and its derivatives.
+
+In the axial plane of a ball (x axial, r radial) let u point from the outer groove's centre of curvature to the ball's
+centre and w from there to the inner groove's centre, u + w = V. Then the approaches are
+:math:`\delta_o = |u| - (r_o - D/2)` and :math:`\delta_i = |w| - (r_i - D/2)`, the contact angles are the directions of u
+and w from the radial one, and a ball is in equilibrium when (Harris and Kotzalas, Advanced Concepts, 5th ed.,
+chapter 3, in the signs of docs/bearing.md)::
+
+    Qi sin ai - Qo sin ao + (Mg/D) (li cos ai - lo cos ao)      = 0
+    Qi cos ai - Qo cos ao - (Mg/D) (li sin ai - lo sin ao) + Fc = 0
+
+With constant Hertz stiffness and without gyroscopic couple this is the minimum of an energy convex in u, so Newton's
+method with backtracking finds the one solution; the rest is a mild perturbation. All balls are iterated together, and
+all derivatives come from one complex-step evaluation.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .contact_stiffness import stiffness_at, stiffness_series
+from .geometry import Array, Bearing, Race
+from .kinematics import (
+    Direction,
+    Motion,
+    Numbers,
+    attitude,
+    ball_mass,
+    centrifugal_force,
+    friction_shares,
+    gyroscopic_moment,
+    rolling_motion,
+)
+from .operation import BallKinematics, Model
+
+COMPLEX_STEP = 1.0e-30  # [m]
+BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
+BALL_TOLERANCE = 1.0e-11  # residual of a ball over its forces that is accepted when it falls no further [-]
+MAX_BALL_STEPS = 60
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BallProblem:
+    """What all balls of a row share: lengths [m], mass [kg], speeds [rad/s], Hertz stiffness, hypothesis."""
+
+    inner_length: float  # r_i - D/2 [m]
+    outer_length: float  # r_o - D/2 [m]
+    ball_diameter: float  # [m]
+    pitch_diameter: float  # [m]
+    inner_groove_radius: float  # [m]
+    mass: float  # [kg]
+    inner_speed: float  # [rad/s]
+    outer_speed: float  # [rad/s]
+    kinematics: BallKinematics
+    inner_series: Array
+    outer_series: Array
+    sharing_load: float  # inner load from which the inner contact takes its full part of the gyroscopic couple [N]
+
+    @property
+    def gamma(self) -> float:
+        """D/d_m [-]."""
+        return self.ball_diameter / self.pitch_diameter
+
+
+class BallState(NamedTuple):
+    """Everything about the balls at given positions; loads [N], moment [N m], speeds [rad/s]."""
+
+    inner_load: Numbers
+    outer_load: Numbers
+    inner: Direction
+    outer: Direction
+    motion: Motion
+    centrifugal_force: Numbers
+    gyroscopic_moment: Numbers
+    inner_share: Numbers
+    outer_share: Numbers
+
+
+class BallRow(NamedTuple):
+    """Equilibrium of all balls at one ring position.
+
+    u (2, Z) [m]; values (5, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on it about e_t [N m];
+    du_dV (2, 2, Z) [-] and ring_dV (3, 2, Z) [N/m], [N]: condensed derivatives; residual [-], relative, of each ball.
+    """
+
+    u: Array
+    values: Array
+    du_dV: Array
+    ring_dV: Array
+    residual: Array
+
+
+def ball_problem(bearing: Bearing, inner_speed: float, outer_speed: float, model: Model) -> BallProblem:
+    """Collect what the balls share at given ring speeds [rad/s]."""
+    d, dm = bearing.ball_diameter, bearing.pitch_diameter
+    mass = ball_mass(d, bearing.ball_material.density)
+    gamma = d / dm * cos(bearing.free_contact_angle)
+    nominal_orbit = 0.5 * (inner_speed * (1.0 - gamma) + outer_speed * (1.0 + gamma))
+    return BallProblem(
+        inner_length=bearing.inner_groove_radius - 0.5 * d,
+        outer_length=bearing.outer_groove_radius - 0.5 * d,
+        ball_diameter=d,
+        pitch_diameter=dm,
+        inner_groove_radius=bearing.inner_groove_radius,
+        mass=mass,
+        inner_speed=inner_speed,
+        outer_speed=outer_speed,
+        kinematics=model.ball_kinematics,
+        inner_series=stiffness_series(bearing, Race.INNER, model.curvature),
+        outer_series=stiffness_series(bearing, Race.OUTER, model.curvature),
+        sharing_load=0.5 * mass * dm * nominal_orbit**2,
+    )
+
+
+def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
+    """Loads, angles, motion and body forces of balls at given positions.
+
+    Parameters
+    ----------
+    u, w : ndarray, shape (2, ...)
+        Axial and radial distance from the outer groove's centre to the ball and from there to the inner groove's [m].
+    problem : BallProblem
+
+    Returns
+    -------
+    BallState
+    """
+    outer_distance = np.sqrt(u[0] * u[0] + u[1] * u[1])
+    inner_distance = np.sqrt(w[0] * w[0] + w[1] * w[1])
+    outer = Direction(u[0] / outer_distance, u[1] / outer_distance)
+    near = inner_distance.real > 0.5 * problem.inner_length  # else the ball is far from the inner race, angle undefined
+    safe = np.where(near, inner_distance, problem.inner_length)
+    inner = Direction(np.where(near, w[0] / safe, outer.sin), np.where(near, w[1] / safe, outer.cos))
+    outer_load = stiffness_at(problem.outer_series, outer.cos) * _power(outer_distance - problem.outer_length)
+    inner_load = stiffness_at(problem.inner_series, inner.cos) * _power(inner_distance - problem.inner_length)
+    share = _share(inner_load, problem.sharing_load)
+    beta = attitude(outer, inner, problem.gamma, problem.kinematics, share)
+    motion = rolling_motion(outer, inner, beta, problem.gamma, problem.inner_speed, problem.outer_speed)
+    force = centrifugal_force(problem.mass, problem.pitch_diameter, motion.orbit_speed)
+    moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
+    return BallState(
+        inner_load, outer_load, inner, outer, motion, force, moment, *friction_shares(problem.kinematics, share)
+    )
+
+
+def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
+    """Residual of the ball equilibrium and what the ball does to the inner ring.
+
+    Parameters
+    ----------
+    state : BallState
+    problem : BallProblem
+
+    Returns
+    -------
+    ndarray, shape (5, ...)
+        Force on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on the inner ring about e_t [N m]: the
+        friction acts at the contact, r_i away from the groove's centre where the normal force passes.
+    """
+    friction = state.gyroscopic_moment / problem.ball_diameter
+    inner_friction, outer_friction = state.inner_share * friction, state.outer_share * friction
+    from_inner_x = state.inner_load * state.inner.sin + inner_friction * state.inner.cos
+    from_inner_r = state.inner_load * state.inner.cos - inner_friction * state.inner.sin
+    from_outer_x = -state.outer_load * state.outer.sin - outer_friction * state.outer.cos
+    from_outer_r = -state.outer_load * state.outer.cos + outer_friction * state.outer.sin
+    return np.stack(
+        [
+            from_inner_x + from_outer_x,
+            from_inner_r + from_outer_r + state.centrifugal_force,
+            -from_inner_x,
+            -from_inner_r,
+            -inner_friction * problem.inner_groove_radius,
+        ]
+    )
+
+
+def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallRow:
+    """Equilibrium of all balls at a given position of the inner ring.
+
+    Parameters
+    ----------
+    V : ndarray, shape (2, Z)
+        Axial and radial distance from the outer to the inner groove's centre of curvature at each ball [m].
+    u_start : ndarray, shape (2, Z), or None
+        Guess of the ball positions [m].
+    problem : BallProblem
+
+    Returns
+    -------
+    BallRow
+        Its `residual` tells whether each ball was brought to equilibrium.
+    """
+    u = _start(V, u_start, problem)
+    current = _evaluate(u, V, problem)
+    for _ in range(MAX_BALL_STEPS):
+        _, values, size, jacobian = current
+        norm = np.hypot(values[0], values[1])
+        active = norm > BALL_TARGET * size
+        if not active.any():
+            break
+        step = _limit(_solve_2x2(jacobian[:2, :2] - jacobian[:2, 2:], -values[:2]), 0.25 * problem.outer_length)
+        trial, improved = _backtrack(u, np.where(active, step, 0.0), V, current, problem)
+        if not improved.any():
+            break
+        u, current = trial[0], trial
+    return _row(current)
+
+
+class _Evaluation(NamedTuple):
+    u: Array
+    values: Array  # (5, Z)
+    size: Array  # (Z,) sum of the forces [N]
+    jacobian: Array  # (5, 4, Z), with respect to u_x, u_r, w_x, w_r
+
+
+def _evaluate(u: Array, V: Array, problem: BallProblem) -> _Evaluation:
+    """Balance and its derivatives by a complex step in each of u_x, u_r, w_x, w_r."""
+    z = np.broadcast_to(np.concatenate([u, V - u])[:, None, :], (4, 4, u.shape[1])).astype(np.complex128)
+    z[range(4), range(4)] += 1j * COMPLEX_STEP
+    state = ball_state(z[:2], z[2:], problem)
+    result = ball_balance(state, problem)
+    size = (state.inner_load + state.outer_load + state.centrifugal_force).real[0]
+    return _Evaluation(u, result.real[:, 0], size, result.imag / COMPLEX_STEP)
+
+
+def _row(current: _Evaluation) -> BallRow:
+    """Condense: du/dV from the ball equilibrium, then the change of the forces on the ring with V."""
+    u, values, size, jacobian = current
+    by_w = jacobian[:, 2:]
+    by_u = jacobian[:, :2] - by_w
+    du_dV = np.stack([_solve_2x2(by_u[:2], -by_w[:2, k]) for k in range(2)], axis=1)
+    ring_dV = by_w[2:] + np.einsum("fuz,uvz->fvz", by_u[2:], du_dV)
+    norm = np.hypot(values[0], values[1])
+    residual = np.where(norm > 0.0, norm / np.where(size > 0.0, size, 1.0), 0.0)
+    return BallRow(u, values, du_dV, ring_dV, residual)
+
+
+def _backtrack(
+    u: Array, step: Array, V: Array, current: _Evaluation, problem: BallProblem
+) -> tuple[_Evaluation, NDArray[np.bool_]]:
+    """Shorten the step of each ball until its residual falls; a ball whose residual does not fall stays."""
+    norm = np.hypot(current.values[0], current.values[1])
+    factor = np.where((step != 0.0).any(axis=0), 1.0, 0.0)
+    for _ in range(40):
+        trial = _evaluate(u + factor * step, V, problem)
+        failed = (factor > 0.0) & ~(np.hypot(trial.values[0], trial.values[1]) < (1.0 - 1e-4 * factor) * norm)
+        if not failed.any():
+            break
+        stuck = failed & ((norm <= BALL_TOLERANCE * current.size) | (factor < 1e-9))
+        factor = np.where(stuck, 0.0, np.where(failed, 0.4 * factor, factor))
+    return trial, factor > 0.0
+
+
+def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
+    """Guess: balls off the inner race lie on the outer one or float, others stay or split the approach statically."""
+    inner, outer = problem.inner_length, problem.outer_length
+    distance = np.hypot(V[0], V[1])
+    unit = np.where(distance > 0.0, V / np.where(distance > 0.0, distance, 1.0), np.array([[0.0], [1.0]]))
+    stiffness_o = stiffness_at(problem.outer_series, np.ones(1))[0]
+    ratio = (stiffness_o / stiffness_at(problem.inner_series, np.ones(1))[0]) ** (2.0 / 3.0)
+    split = unit * (outer + np.maximum(distance - inner - outer, 0.0) / (1.0 + ratio))
+    pressed = np.zeros_like(V)
+    pressed[1] = outer + (problem.sharing_load / stiffness_o) ** (2.0 / 3.0)
+    if problem.sharing_load > 0.0:
+        free = np.hypot(*(V - pressed)) <= inner
+        cold = np.where(free | (distance <= inner + outer), pressed, split)
+    else:
+        free = distance <= inner + outer
+        cold = np.where(free, unit * outer * np.minimum(1.0, distance / (inner + outer)), split)
+    if u_start is None:
+        return cold
+    return np.where(~free & (np.hypot(u_start[0], u_start[1]) > outer), u_start, cold)
+
+
+def _solve_2x2(matrix: Array, right: Array) -> Array:
+    """Solve 2 x 2 systems, matrix (2, 2, Z), right (2, Z); balls free of all force (matrix zero) do not move."""
+    a, b, c, d = matrix[0, 0], matrix[0, 1], matrix[1, 0], matrix[1, 1]
+    determinant = a * d - b * c
+    scale = a * a + b * b + c * c + d * d
+    safe = np.abs(determinant) > 1e-14 * scale
+    inverse = np.where(safe, 1.0, 0.0) / np.where(safe, determinant, 1.0)
+    solved = np.stack([(d * right[0] - b * right[1]) * inverse, (a * right[1] - c * right[0]) * inverse])
+    gradient = -right / np.sqrt(np.where(scale > 0.0, scale, 1.0))  # the matrix is negative: step along the force
+    return np.where(safe, solved, np.where(scale > 0.0, gradient, 0.0))
+
+
+def _limit(step: Array, longest: float) -> Array:
+    length = np.hypot(step[0], step[1])
+    return step * np.minimum(1.0, longest / np.maximum(length, 1e-300))
+
+
+def _power(approach: Numbers) -> Numbers:
+    """max(approach, 0)^1.5 [m^1.5]."""
+    pressed = np.where(approach.real > 0.0, approach, 0.0)
+    return pressed * np.sqrt(pressed)
+
+
+def _share(inner_load: Numbers, sharing_load: float) -> Numbers:
+    """Rises smoothly from 0 at an unloaded inner contact to 1 where it carries the ball's own centrifugal force [-]."""
+    if sharing_load <= 0.0:
+        return np.ones_like(inner_load)
+    t = np.where(inner_load.real < sharing_load, inner_load / sharing_load, 1.0)
+    return t * t * (3.0 - 2.0 * t)

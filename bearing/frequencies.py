@@ -1,0 +1,55 @@
+"""Characteristic frequencies of a bearing from its solved motion."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import pi
+
+import numpy as np
+
+from .quasistatic import QuasistaticSolution
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Frequencies:
+    """Frequencies of cage, ball passage and ball spin, never negative.
+
+    Attributes
+    ----------
+    cage : float
+        Rotation of the cage [Hz].
+    ball_pass_outer, ball_pass_inner : float
+        Balls that pass a point of the outer or the inner ring [Hz].
+    ball_spin : float
+        Rotation of a ball about its own axis in the frame of the cage [Hz].
+    """
+
+    cage: float
+    ball_pass_outer: float
+    ball_pass_inner: float
+    ball_spin: float
+
+
+def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
+    """Frequencies at the operating contact angles, Harris and Kotzalas (Essential Concepts, 5th ed., chapter 10).
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Speeds in [rad/s].
+
+    Returns
+    -------
+    Frequencies
+        In [Hz], of the cage speed and the mean spin of the loaded balls.
+    """
+    operation, balls = solution.operation, solution.bearing.balls
+    loaded = solution.inner_load > 0.0
+    spin = float(np.mean(solution.spin_speed[loaded] if loaded.any() else solution.spin_speed))
+    cage = solution.cage_speed
+    return Frequencies(
+        cage=abs(cage) / (2.0 * pi),
+        ball_pass_outer=balls * abs(cage - operation.outer_speed) / (2.0 * pi),
+        ball_pass_inner=balls * abs(operation.inner_speed - cage) / (2.0 * pi),
+        ball_spin=abs(spin) / (2.0 * pi),
+    )

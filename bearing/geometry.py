@@ -1,0 +1,242 @@
+"""Internal geometry of a ball bearing: groove curvatures, clearance, free contact angle, reduced radii.
+
+The outer groove's centre of curvature stands still; the inner one is A = r_i + r_o - D away from it when a ball just
+touches both races. With the grooves facing each other (axial position zero) their centres are A - Pd/2 apart, hence
+cos(free angle) = 1 - Pd/(2 A) (Harris and Kotzalas, Rolling Bearing Analysis, 5th ed., Eq. 2.9).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from math import acos, asin, cos, isfinite, pi, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .material import Material, reduced_modulus
+
+Array = NDArray[np.float64]
+
+
+class Race(Enum):
+    """One of the two raceways."""
+
+    INNER = "inner"
+    OUTER = "outer"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Bearing:
+    """One row of balls between two grooved rings, SI.
+
+    Attributes
+    ----------
+    name : str
+    ball_diameter, pitch_diameter : float
+        D and d_m [m].
+    balls : int
+        Z [-].
+    inner_groove_radius, outer_groove_radius : float
+        r_i and r_o, radii of the grooves' cross-sections [m].
+    diametral_clearance : float
+        Pd, diametral play of the unloaded bearing [m]; negative is interference.
+    ball_material, inner_ring_material, outer_ring_material : Material
+    first_ball_azimuth : float
+        Azimuth of ball 1 from the load line [rad].
+    bore, outside_diameter, width : float or None
+        Boundary dimensions [m].
+
+    Raises
+    ------
+    ValueError
+        If a dimension is impossible; the message names the field.
+    """
+
+    name: str
+    ball_diameter: float
+    pitch_diameter: float
+    balls: int
+    inner_groove_radius: float
+    outer_groove_radius: float
+    diametral_clearance: float
+    ball_material: Material
+    inner_ring_material: Material
+    outer_ring_material: Material
+    first_ball_azimuth: float = 0.0
+    bore: float | None = None
+    outside_diameter: float | None = None
+    width: float | None = None
+
+    def __post_init__(self) -> None:
+        _check_lengths(self)
+        if self.balls < 2:
+            raise ValueError(f"balls must be at least 2, got {self.balls}")
+        if self.balls * asin(min(1.0, self.ball_diameter / self.pitch_diameter)) > pi:
+            raise ValueError(f"balls: {self.balls} of the given diameter do not fit on the pitch circle")
+        a, clearance = self.curvature_centre_distance, self.diametral_clearance
+        if not (isfinite(clearance) and -a < clearance < 2.0 * a):
+            raise ValueError(
+                f"diametral_clearance must lie between {-a:.6g} and {2.0 * a:.6g} m, where the free contact angle "
+                f"reaches 90 degrees, got {clearance!r}"
+            )
+        if not isfinite(self.first_ball_azimuth):
+            raise ValueError(f"first_ball_azimuth must be finite, got {self.first_ball_azimuth!r}")
+
+    @property
+    def inner_conformity(self) -> float:
+        """f_i = r_i/D [-]."""
+        return self.inner_groove_radius / self.ball_diameter
+
+    @property
+    def outer_conformity(self) -> float:
+        """f_o = r_o/D [-]."""
+        return self.outer_groove_radius / self.ball_diameter
+
+    @property
+    def curvature_centre_distance(self) -> float:
+        """A = r_i + r_o - D, distance of the grooves' centres when a ball touches both [m]."""
+        return self.inner_groove_radius + self.outer_groove_radius - self.ball_diameter
+
+    @property
+    def free_contact_angle(self) -> float:
+        """Contact angle under a vanishing axial load [rad]; zero with interference."""
+        return clearance_to_contact_angle(
+            self.diametral_clearance, self.inner_groove_radius, self.outer_groove_radius, self.ball_diameter
+        )
+
+    @property
+    def free_axial_position(self) -> float:
+        """Axial displacement of the inner ring from facing grooves to first touch, A sin(free angle) [m]."""
+        return self.curvature_centre_distance * sqrt(max(0.0, 1.0 - cos(self.free_contact_angle) ** 2))
+
+    @property
+    def end_play(self) -> float:
+        """Axial play from touch to touch, twice `free_axial_position` [m]."""
+        return 2.0 * self.free_axial_position
+
+    @property
+    def inner_centre_radius(self) -> float:
+        """Radius of the circle of the inner groove's centres of curvature, [m]."""
+        cosine = 1.0 - 0.5 * self.diametral_clearance / self.curvature_centre_distance
+        return 0.5 * self.pitch_diameter + (self.inner_groove_radius - 0.5 * self.ball_diameter) * cosine
+
+    @property
+    def outer_centre_radius(self) -> float:
+        """Radius of the circle of the outer groove's centres of curvature, [m]."""
+        cosine = 1.0 - 0.5 * self.diametral_clearance / self.curvature_centre_distance
+        return 0.5 * self.pitch_diameter - (self.outer_groove_radius - 0.5 * self.ball_diameter) * cosine
+
+    @property
+    def azimuths(self) -> Array:
+        """Azimuths of the balls in [0, 2 pi) [rad], shape (Z,)."""
+        return np.mod(self.first_ball_azimuth + 2.0 * pi / self.balls * np.arange(self.balls), 2.0 * pi)
+
+    @property
+    def azimuth_directions(self) -> Array:
+        """Cosines and sines of the azimuths [-], shape (2, Z).
+
+        Balls beyond half a turn are counted backwards, so that with a ball on the load line those at psi and -psi have
+        the same cosine to the last bit, and equal loads.
+        """
+        index = np.arange(self.balls)
+        index = np.where(2 * index > self.balls, index - self.balls, index)
+        psi = self.first_ball_azimuth + 2.0 * pi / self.balls * index
+        return np.stack([np.cos(psi), np.sin(psi)])
+
+
+def _check_lengths(bearing: Bearing) -> None:
+    for field in ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"):
+        value = getattr(bearing, field)
+        if not (isfinite(value) and value > 0.0):
+            raise ValueError(f"{field} must be positive and finite, got {value!r} m")
+    if bearing.pitch_diameter <= bearing.ball_diameter:
+        raise ValueError(
+            f"pitch_diameter must exceed ball_diameter {bearing.ball_diameter} m, got {bearing.pitch_diameter}"
+        )
+    for field in ("inner_groove_radius", "outer_groove_radius"):
+        value = getattr(bearing, field)
+        if value <= 0.5 * bearing.ball_diameter:
+            raise ValueError(
+                f"{field} must exceed the ball radius {0.5 * bearing.ball_diameter:.6g} m, got {value!r} m"
+            )
+    for field in ("bore", "outside_diameter", "width"):
+        value = getattr(bearing, field)
+        if value is not None and not (isfinite(value) and value > 0.0):
+            raise ValueError(f"{field} must be positive and finite, got {value!r} m")
+
+
+def clearance_to_contact_angle(
+    clearance: float, inner_groove_radius: float, outer_groove_radius: float, ball_diameter: float
+) -> float:
+    """Free contact angle [rad], cos = 1 - Pd/(2 A), Harris and Kotzalas Eq. (2.9); zero with interference.
+
+    Parameters
+    ----------
+    clearance : float
+        Diametral clearance Pd [m].
+    inner_groove_radius, outer_groove_radius, ball_diameter : float
+        [m].
+
+    Returns
+    -------
+    float
+        Free contact angle [rad].
+    """
+    distance = inner_groove_radius + outer_groove_radius - ball_diameter
+    if clearance > 2.0 * distance:
+        raise ValueError(f"diametral_clearance must not exceed {2.0 * distance:.6g} m, got {clearance!r}")
+    return acos(min(1.0, 1.0 - 0.5 * clearance / distance))
+
+
+def contact_angle_to_clearance(
+    contact_angle: float, inner_groove_radius: float, outer_groove_radius: float, ball_diameter: float
+) -> float:
+    """Diametral clearance [m], Pd = 2 A (1 - cos), the inverse of `clearance_to_contact_angle`.
+
+    Parameters
+    ----------
+    contact_angle : float
+        Free contact angle [rad].
+    inner_groove_radius, outer_groove_radius, ball_diameter : float
+        [m].
+
+    Returns
+    -------
+    float
+        Diametral clearance Pd [m].
+    """
+    if not 0.0 <= contact_angle < 0.5 * pi:
+        raise ValueError(f"free_contact_angle must lie in [0, pi/2), got {contact_angle!r} rad")
+    distance = inner_groove_radius + outer_groove_radius - ball_diameter
+    return 2.0 * distance * (1.0 - cos(contact_angle))
+
+
+def reduced_radii(bearing: Bearing, race: Race, contact_angle: float) -> tuple[float, float]:
+    """Reduced radii of curvature of the contact of a ball with a race.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    race : Race
+    contact_angle : float
+        [rad].
+
+    Returns
+    -------
+    radius_x, radius_y : float
+        In the rolling direction, D/2 (1 -+ D cos(angle)/d_m) (inner, outer), and across it, 1/(2/D - 1/r) [m].
+    """
+    gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
+    if race is Race.INNER:
+        groove, factor = bearing.inner_groove_radius, 1.0 - gamma
+    else:
+        groove, factor = bearing.outer_groove_radius, 1.0 + gamma
+    radius_y = 1.0 / (2.0 / bearing.ball_diameter - 1.0 / groove)
+    return 0.5 * bearing.ball_diameter * factor, radius_y
+
+
+def contact_modulus(bearing: Bearing, race: Race) -> float:
+    """Reduced modulus E' [Pa] of a ball on a race."""
+    ring = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
+    return reduced_modulus(bearing.ball_material, ring)

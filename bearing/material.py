@@ -1,0 +1,97 @@
+"""Elastic bodies: moduli, densities, and the reduced modulus of a pair."""
+
+from __future__ import annotations
+
+import tomllib
+from dataclasses import dataclass
+from importlib import resources
+from math import isfinite
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Material:
+    """One homogeneous, isotropic, linear elastic material.
+
+    Attributes
+    ----------
+    name : str
+    youngs_modulus : float
+        E [Pa].
+    poisson_ratio : float
+        nu [-].
+    density : float
+        rho [kg/m^3].
+    source : str
+        Where the numbers come from.
+    """
+
+    name: str
+    youngs_modulus: float
+    poisson_ratio: float
+    density: float
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        for field in ("youngs_modulus", "density"):
+            value = getattr(self, field)
+            if not (isfinite(value) and value > 0.0):
+                raise ValueError(f"{field} must be positive and finite, got {value!r}")
+        if not 0.0 <= self.poisson_ratio < 0.5:
+            raise ValueError(f"poisson_ratio must lie in [0, 0.5), got {self.poisson_ratio!r}")
+
+
+def reduced_modulus(material_1: Material, material_2: Material) -> float:
+    """E' [Pa], 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 (twice the E* of Johnson, 1985).
+
+    Parameters
+    ----------
+    material_1, material_2 : Material
+
+    Returns
+    -------
+    float
+        Reduced modulus E' [Pa].
+    """
+    compliance = sum((1.0 - m.poisson_ratio**2) / m.youngs_modulus for m in (material_1, material_2))
+    return 2.0 / compliance
+
+
+def list_materials() -> tuple[str, ...]:
+    """Names of the shipped materials, in the order of the data file."""
+    return tuple(_table())
+
+
+def load_material(name: str) -> Material:
+    """Shipped material of this name, at room temperature.
+
+    Parameters
+    ----------
+    name : str
+        One of `list_materials()`; case does not matter.
+
+    Returns
+    -------
+    Material
+
+    Raises
+    ------
+    ValueError
+        If there is none of this name.
+    """
+    table = _table()
+    key = name.strip().lower()
+    if key not in table:
+        raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
+    entry = table[key]
+    return Material(
+        name=key,
+        youngs_modulus=entry["youngs_modulus_GPa"]["value"] * 1e9,
+        poisson_ratio=entry["poisson_ratio"]["value"],
+        density=entry["density_kg_m3"]["value"],
+        source="; ".join(f"{field}: {entry[field]['source']}" for field in entry),
+    )
+
+
+def _table() -> dict[str, dict[str, dict]]:
+    text = resources.files(__package__).joinpath("data/materials.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)

@@ -1,0 +1,101 @@
+"""What is done to a bearing, and the assumptions it is computed with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from math import isfinite
+
+DEGREES_OF_FREEDOM = ("x", "y", "z", "tilt y", "tilt z")
+
+
+class BallKinematics(Enum):
+    """Hypothesis that fixes the attitude of the balls' spin and shares the gyroscopic couple among the races.
+
+    OUTER_RACE_CONTROL: no spin at the outer race, which takes the whole couple; INNER_RACE_CONTROL: likewise inner;
+    HALF_AND_HALF: the ball spins about the mean contact angle and each race takes half of the couple.
+    """
+
+    OUTER_RACE_CONTROL = "outer race control"
+    INNER_RACE_CONTROL = "inner race control"
+    HALF_AND_HALF = "half and half"
+
+
+class Curvature(Enum):
+    """Contact angle at which the curvature of the races in the rolling direction is taken."""
+
+    OPERATING = "operating"
+    FREE = "free"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Model:
+    """Assumptions of the bearing model."""
+
+    ball_kinematics: BallKinematics = BallKinematics.HALF_AND_HALF
+    curvature: Curvature = Curvature.OPERATING
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Operation:
+    """Speeds, and per degree of freedom of the inner ring either its load or its displacement, SI.
+
+    Attributes
+    ----------
+    inner_speed, outer_speed : float
+        Angular speeds of the rings about +x [rad/s].
+    temperature : float
+        [K].
+    force : tuple of float or None
+        External force (x, y, z) on the inner ring [N]; None where the displacement is given.
+    moment : tuple of float or None
+        External moment (y, z) on the inner ring about the centre of its groove circle [N m].
+    displacement : tuple of float or None
+        Displacement (x, y, z) of the inner ring from facing, concentric grooves [m]; None where the force is given.
+    tilt : tuple of float or None
+        Rotation (y, z) of the inner ring [rad].
+
+    Raises
+    ------
+    ValueError
+        If a degree of freedom has both or neither, or a value is not finite.
+    """
+
+    inner_speed: float
+    outer_speed: float = 0.0
+    temperature: float = 313.15
+    force: tuple[float | None, float | None, float | None] = (0.0, 0.0, 0.0)
+    moment: tuple[float | None, float | None] = (None, None)
+    displacement: tuple[float | None, float | None, float | None] = (None, None, None)
+    tilt: tuple[float | None, float | None] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        for field in ("inner_speed", "outer_speed"):
+            if not isfinite(getattr(self, field)):
+                raise ValueError(f"{field} must be finite, got {getattr(self, field)!r}")
+        if not (isfinite(self.temperature) and self.temperature > 0.0):
+            raise ValueError(f"temperature must be positive and finite, got {self.temperature!r}")
+        for field, length in (("force", 3), ("moment", 2), ("displacement", 3), ("tilt", 2)):
+            values = getattr(self, field)
+            if len(values) != length:
+                raise ValueError(f"{field} must have {length} entries, got {len(values)}")
+            if any(value is not None and not isfinite(value) for value in values):
+                raise ValueError(f"{field} must be finite, got {values!r}")
+        pairs = zip(DEGREES_OF_FREEDOM, self.loads, self.displacements, strict=True)
+        for name, load, displacement in pairs:
+            if (load is None) == (displacement is None):
+                load_field, displacement_field = ("moment", "tilt") if "tilt" in name else ("force", "displacement")
+                found = "neither" if load is None else "both"
+                raise ValueError(
+                    f"{load_field} and {displacement_field}: degree of freedom {name} needs exactly one, has {found}"
+                )
+
+    @property
+    def loads(self) -> tuple[float | None, ...]:
+        """Loads in the order x, y, z, tilt y, tilt z, [N] and [N m]."""
+        return (*self.force, *self.moment)
+
+    @property
+    def displacements(self) -> tuple[float | None, ...]:
+        """Displacements in the order x, y, z, tilt y, tilt z, [m] and [rad]."""
+        return (*self.displacement, *self.tilt)

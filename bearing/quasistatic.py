@@ -1,0 +1,200 @@
+"""Quasi-static equilibrium of a ball bearing in five degrees of freedom, after Jones (1960) and Harris.
+
+The inner ring moves by (x, y, z, tilt y, tilt z); every ball is in equilibrium with it (`ball_equilibrium`), and
+Newton's method with the condensed tangent brings the ring to balance. Small rotations: the grooves' centres move
+linearly with the five unknowns, the error being half the square of the tilt times the groove's radius.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .ball_equilibrium import BallRow, BallState, ball_problem, ball_state
+from .geometry import Array, Bearing
+from .operation import DEGREES_OF_FREEDOM, Model, Operation
+from .ring_equilibrium import RESIDUAL_TOLERANCE, Ring, RingPoint, ring_of, solve_ring
+
+SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct solve fails [-]
+SINGULAR = 1.0e-9  # smallest over largest stiffness below which a direction counts as undetermined [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class QuasistaticSolution:
+    """Equilibrium of a bearing; arrays have one entry a ball.
+
+    Attributes
+    ----------
+    bearing, operation, model : Bearing, Operation, Model
+        What was solved.
+    displacement, tilt : ndarray, shape (3,) and (2,)
+        Of the inner ring, from facing, concentric grooves [m], [rad].
+    ring_force, ring_moment : ndarray, shape (3,) and (2,)
+        External force (x, y, z) [N] and moment (y, z) [N m] that hold the inner ring.
+    stiffness : ndarray, shape (5, 5)
+        Change of that load with (x, y, z, tilt y, tilt z) [N/m], [N/rad], [N m/rad].
+    azimuth : ndarray
+        [rad].
+    inner_load, outer_load : ndarray
+        Contact loads [N].
+    inner_contact_angle, outer_contact_angle : ndarray
+        [rad]; where the inner contact is unloaded, the direction towards the inner groove's centre.
+    ball_axial, ball_radial : ndarray
+        Position of the ball centres, from the mid-plane of the outer groove and from the axis [m].
+    centrifugal_force : ndarray
+        [N].
+    gyroscopic_moment : ndarray
+        [N m].
+    orbit_speed, spin_speed : ndarray
+        Of the ball centre about the axis, and of the ball about its own in the frame of the orbit [rad/s].
+    attitude : ndarray
+        Angle beta of the spin axis [rad].
+    cage_speed : float
+        Mean orbit speed of the balls loaded at the inner race, of all balls where there are none [rad/s].
+    residual : float
+        Largest residual of ring (over the largest load) and of balls (over their forces) [-].
+    iterations : int
+    converged : bool
+    message : str
+    """
+
+    bearing: Bearing
+    operation: Operation
+    model: Model
+    displacement: Array
+    tilt: Array
+    ring_force: Array
+    ring_moment: Array
+    stiffness: Array
+    azimuth: Array
+    inner_load: Array
+    outer_load: Array
+    inner_contact_angle: Array
+    outer_contact_angle: Array
+    ball_axial: Array
+    ball_radial: Array
+    centrifugal_force: Array
+    gyroscopic_moment: Array
+    orbit_speed: Array
+    spin_speed: Array
+    attitude: Array
+    cage_speed: float
+    residual: float
+    iterations: int
+    converged: bool
+    message: str
+
+
+def solve_quasistatic(bearing: Bearing, operation: Operation, model: Model | None = None) -> QuasistaticSolution:
+    """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas (5th ed., Advanced Concepts, chapter 3).
+
+    Parameters
+    ----------
+    bearing : Bearing
+        SI, lengths in [m].
+    operation : Operation
+        Speeds [rad/s], and per degree of freedom a load [N], [N m] or a displacement [m], [rad].
+    model : Model, optional
+
+    Returns
+    -------
+    QuasistaticSolution
+        With `converged` False and a `message` where there is no equilibrium or none was found.
+    """
+    model = model or Model()
+    ring = ring_of(bearing, operation)
+    problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
+    point, iterations = solve_ring(ring, problem, None)
+    if point.residual > RESIDUAL_TOLERANCE:
+        start = None
+        for factor in SPEED_STEPS:
+            slower = ball_problem(bearing, factor * operation.inner_speed, factor * operation.outer_speed, model)
+            start, more = solve_ring(ring, slower, start)
+            iterations += more
+        if start is not None and start.residual < point.residual:
+            point = start
+    w = ring.position(point.q) - point.row.u
+    state = ball_state(point.row.u, w, problem)
+    converged, message = _verdict(ring, point, state, iterations)
+    return _solution((bearing, operation, model), ring, point, state, (iterations, converged, message))
+
+
+def _verdict(ring: Ring, point: RingPoint, state: BallState, iterations: int) -> tuple[bool, str]:
+    """Whether the point is an equilibrium, and in words why not or what is left undetermined."""
+    loaded = state.inner_load > 0.0
+    beyond = (loaded & (state.inner.cos <= 0.0)) | (state.outer.cos <= 0.0)
+    if beyond.any():
+        return False, "no equilibrium: a contact angle passes 90 degrees, the balls leave the grooves"
+    if point.residual > RESIDUAL_TOLERANCE:
+        worst = float(np.max(point.row.residual))
+        return False, (
+            f"no equilibrium found in {iterations} iterations: relative residual {point.residual:.1e} "
+            f"(balls {worst:.1e}); check the loads for a direction in which nothing holds the ring"
+        )
+    names = [DEGREES_OF_FREEDOM[k] for k in range(5) if ring.free[k]]
+    if names and not loaded.any():
+        return False, f"the inner ring floats: no ball touches it and {', '.join(names)} is not determined"
+    undetermined = _undetermined(ring, point)
+    if undetermined:
+        return (
+            True,
+            f"converged in {iterations} iterations; without stiffness, hence arbitrary: {', '.join(undetermined)}",
+        )
+    return True, f"converged in {iterations} iterations"
+
+
+def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
+    """Free degrees of freedom that the null space of the tangent leaves open."""
+    indices = np.flatnonzero(ring.free)
+    if indices.size == 0:
+        return []
+    tangent = point.stiffness[np.ix_(indices, indices)]
+    _, values, vectors = np.linalg.svd(tangent)
+    null = vectors[values < SINGULAR * values[0]]
+    return [DEGREES_OF_FREEDOM[k] for k, part in zip(indices, np.abs(null).T, strict=True) if (part > 0.1).any()]
+
+
+def _solution(
+    inputs: tuple[Bearing, Operation, Model],
+    ring: Ring,
+    point: RingPoint,
+    state: BallState,
+    outcome: tuple[int, bool, str],
+) -> QuasistaticSolution:
+    bearing, operation, model = inputs
+    iterations, converged, message = outcome
+    row: BallRow = point.row
+    scale = ring.scale
+    load = -point.force * scale
+    movement = point.q / scale
+    orbit = state.motion.orbit_speed
+    loaded = state.inner_load > 0.0
+    cage = float(np.mean(orbit[loaded] if loaded.any() else orbit))
+    return QuasistaticSolution(
+        bearing=bearing,
+        operation=operation,
+        model=model,
+        displacement=movement[:3],
+        tilt=movement[3:],
+        ring_force=load[:3],
+        ring_moment=load[3:],
+        stiffness=point.stiffness * np.outer(scale, scale),
+        azimuth=bearing.azimuths,
+        inner_load=state.inner_load,
+        outer_load=state.outer_load,
+        inner_contact_angle=np.arctan2(state.inner.sin, state.inner.cos),
+        outer_contact_angle=np.arctan2(state.outer.sin, state.outer.cos),
+        ball_axial=row.u[0],
+        ball_radial=bearing.outer_centre_radius + row.u[1],
+        centrifugal_force=state.centrifugal_force,
+        gyroscopic_moment=state.gyroscopic_moment,
+        orbit_speed=orbit,
+        spin_speed=state.motion.spin_speed,
+        attitude=np.arctan2(state.motion.attitude.sin, state.motion.attitude.cos),
+        cage_speed=cage,
+        residual=point.residual,
+        iterations=iterations,
+        converged=converged,
+        message=message,
+    )

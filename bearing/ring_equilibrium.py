@@ -1,0 +1,181 @@
+"""Balance of the inner ring on its balls: Newton's method with the condensed tangent.
+
+Tilts are counted as lengths, times the radius R_i of the circle of the inner groove's centres, and moments as forces,
+over R_i. A point P = R_i e_r on that circle moves under the rotation (0, ty, tz) by R_i (ty sin psi - tz cos psi)
+along x.
+"""
+
+from __future__ import annotations
+
+from math import hypot
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .ball_equilibrium import BallProblem, BallRow, solve_balls
+from .contact_stiffness import stiffness_at
+from .geometry import Array, Bearing
+from .operation import Operation
+
+RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
+RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
+REGULARISATION = 1.0e-12  # of the tangent, relative to its largest entry: a ring that nothing holds must not fly [-]
+MAX_RING_STEPS = 80
+MAX_CUTS = 30
+
+
+class Ring(NamedTuple):
+    """What is prescribed, and the geometry between the ring and its balls; forces and lengths only."""
+
+    free: NDArray[np.bool_]  # (5,) load prescribed
+    load: Array  # (5,) [N]
+    prescribed: Array  # (5,) [m]
+    scale: Array  # (5,) 1 or R_i: moment = force * scale, tilt = length / scale
+    distance: float  # A [m]
+    facing: float  # radial distance of the groove centres with concentric, facing grooves, A - Pd/2 [m]
+    free_axial: float  # A sin(free angle) [m]
+    movement: Array  # (2, 5, Z) d(V)/dq [-]
+    gather: Array  # (5, 3, Z) ring load from (x, r) forces [-] and couple about e_t [1/m]
+
+    def position(self, q: Array) -> Array:
+        """Distances (x, r) from outer to inner groove centres, shape (2, Z) [m], at ring position `q` [m]."""
+        V: Array = np.einsum("vqz,q->vz", self.movement, q)
+        V[1] += self.facing
+        return V
+
+
+class RingPoint(NamedTuple):
+    """A ring position with its balls in equilibrium: q [m], forces of the balls on the ring [N], tangent [N/m]."""
+
+    q: Array
+    row: BallRow
+    force: Array
+    stiffness: Array
+    residual: float
+
+
+def ring_of(bearing: Bearing, operation: Operation) -> Ring:
+    """Assemble what `solve_ring` needs from a bearing and its operation (SI: [m], [N], [rad])."""
+    radius = bearing.inner_centre_radius
+    scale = np.array([1.0, 1.0, 1.0, radius, radius])
+    free = np.array([load is not None for load in operation.loads])
+    load = np.array([load or 0.0 for load in operation.loads]) / scale
+    prescribed = np.array([value or 0.0 for value in operation.displacements]) * scale
+    c, s = bearing.azimuth_directions
+    zero, one = np.zeros_like(c), np.ones_like(c)
+    movement = np.array([[one, zero, zero, s, -c], [zero, c, s, zero, zero]])
+    couple = np.array([zero, zero, zero, -s / radius, c / radius])
+    gather = np.concatenate([movement.transpose(1, 0, 2), couple[:, None, :]], axis=1)
+    distance = bearing.curvature_centre_distance
+    facing = distance - 0.5 * bearing.diametral_clearance
+    return Ring(free, load, prescribed, scale, distance, facing, bearing.free_axial_position, movement, gather)
+
+
+def solve_ring(ring: Ring, problem: BallProblem, start: RingPoint | None) -> tuple[RingPoint, int]:
+    """Newton's method on the free degrees of freedom of the ring, every ball in equilibrium at every step.
+
+    A step is accepted when the residual falls, or when the unbalanced force still points along it; it is shortened
+    when the force has turned against it (the minimum of the energy has been passed).
+
+    Parameters
+    ----------
+    ring : Ring
+    problem : BallProblem
+        Lengths in [m], forces in [N].
+    start : RingPoint or None
+        Where to begin; None makes a guess from the loads.
+
+    Returns
+    -------
+    point : RingPoint
+    iterations : int
+    """
+    q = _guess(ring, problem) if start is None else start.q
+    point = _point(q, None if start is None else start.row.u, ring, problem)
+    best = point
+    for iteration in range(MAX_RING_STEPS):
+        if not ring.free.any() or point.residual <= RESIDUAL_TARGET:
+            return point, iteration
+        point = _search(point, _step(point, ring, problem), ring, problem)
+        stalled = point.residual >= 0.5 * best.residual
+        best = point if point.residual < best.residual else best
+        if stalled and best.residual <= 0.1 * RESIDUAL_TOLERANCE:
+            break
+    return best, iteration + 1
+
+
+def _point(q: Array, u_start: Array | None, ring: Ring, problem: BallProblem) -> RingPoint:
+    row = solve_balls(ring.position(q), u_start, problem)
+    force = np.einsum("qfz,fz->q", ring.gather, row.values[2:])
+    stiffness = -np.einsum("qfz,fvz,vpz->qp", ring.gather, row.ring_dV, ring.movement, optimize=PATH)
+    unbalance = np.abs(force + ring.load)[ring.free]
+    largest = max(np.abs(ring.load).max(), np.hypot(row.values[2], row.values[3]).max())
+    residual = float(unbalance.max() / largest) if unbalance.size and largest > 0.0 else 0.0
+    return RingPoint(q, row, force, stiffness, max(residual, float(row.residual.max())))
+
+
+PATH = ["einsum_path", (0, 1), (0, 1)]
+
+
+def _step(point: RingPoint, ring: Ring, problem: BallProblem) -> Array:
+    """Newton step of the free degrees of freedom, regularised, at most a quarter of A long [m]."""
+    free = np.flatnonzero(ring.free)
+    unbalance = (point.force + ring.load)[free]
+    tangent = point.stiffness[np.ix_(free, free)]
+    floor = 1.0e-6 * float(stiffness_at(problem.inner_series, np.ones(1))[0]) * np.sqrt(ring.distance)
+    reference = max(float(np.abs(tangent).max()), floor)
+    step = np.linalg.solve(tangent + REGULARISATION * reference * np.eye(free.size), unbalance)
+    if not (step @ unbalance > 0.0):
+        step = unbalance / reference
+    longest = float(np.abs(step).max())
+    result = np.zeros(5)
+    result[free] = step * min(1.0, 0.25 * ring.distance / longest) if longest > 0.0 else step
+    return result
+
+
+def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> RingPoint:
+    """Shorten the step until the residual falls or the unbalanced force no longer opposes it."""
+
+    def along(candidate: RingPoint) -> float:
+        return float(((candidate.force + ring.load) * ring.free) @ step)
+
+    def norm(candidate: RingPoint) -> float:
+        return float(np.linalg.norm((candidate.force + ring.load)[ring.free]))
+
+    slope, size, factor = along(point), norm(point), 1.0
+    for _ in range(MAX_CUTS):
+        predicted = point.row.u + np.einsum(
+            "uvz,vqz,q->uz", point.row.du_dV, ring.movement, factor * step, optimize=PATH
+        )
+        trial = _point(point.q + factor * step, predicted, ring, problem)
+        if trial.row.residual.max() <= RESIDUAL_TOLERANCE:
+            if norm(trial) < (1.0 - 1e-4 * factor) * size or along(trial) > 0.0:
+                return trial
+            factor *= min(max(slope / (slope - along(trial)), 0.1), 0.7)
+        else:
+            factor *= 0.4
+    return trial
+
+
+def _guess(ring: Ring, problem: BallProblem) -> Array:
+    """Ring position from the loads: Stribeck's 5 F/Z in the radial plane, all balls alike along the axis [m]."""
+    balls = ring.movement.shape[2]
+    compliance = sum(
+        float(stiffness_at(s, np.ones(1))[0]) ** (-2.0 / 3.0) for s in (problem.inner_series, problem.outer_series)
+    )
+    q = np.where(ring.free, 0.0, ring.prescribed)
+    axial, radial = ring.load[0], hypot(ring.load[1], ring.load[2])
+    if axial != 0.0 and ring.free[0]:
+        low, high = ring.free_axial, ring.free_axial + ring.distance
+        for _ in range(40):  # F = Z K (|V| - A)^1.5 sin(angle), increasing in x
+            x = 0.5 * (low + high)
+            length = hypot(x, ring.facing)
+            force = balls * (max(length - ring.distance, 0.0) / compliance) ** 1.5 * x / length
+            low, high = (low, x) if force > abs(axial) else (x, high)
+        q[0] = np.sign(axial) * low
+    if radial > 0.0 and (ring.free[1] or ring.free[2]):
+        depth = compliance * (5.0 * radial / balls) ** (2.0 / 3.0)
+        play = max(ring.distance - ring.facing, 0.0) if q[0] == 0.0 else 0.0
+        q[1:3] = np.where(ring.free[1:3], (depth + play) * ring.load[1:3] / radial, q[1:3])
+    return q
