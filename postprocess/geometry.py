@@ -180,18 +180,38 @@ def ring_surface(bearing: Bearing, inner: bool, axial: float, opening: tuple[flo
     middle, width = opening
     turn = np.linspace(0.5 * width, 2.0 * pi - 0.5 * width, 181) + middle
     x, r = profile[:, 0] + axial, profile[:, 1]
-    upper, lower = _revolve(x, r, turn), _revolve(x, np.full_like(r, base), turn)
-    parts = [upper, lower]
-    for i in (0, -1):
-        parts.append(_revolve(x[[i, i]], np.array([base, r[i]]), turn))
+    axis, radial, tangential = np.eye(3)[0], _radial(turn[0]), _tangential(turn[0])
+    up = np.sign(r[0] - base)
+    parts = [
+        _facing(_revolve(x, r, turn), up * radial),
+        _facing(_revolve(x, np.full_like(r, base), turn), -up * radial),
+        _facing(_revolve(x[[0, 0]], np.array([base, r[0]]), turn), -axis),
+        _facing(_revolve(x[[-1, -1]], np.array([base, r[-1]]), turn), axis),
+    ]
     if width > 0.0:
-        for angle in turn[[0, -1]]:
-            parts.append(_cap(x, r, base, angle))
+        parts.append(_facing(_cap(x, r, base, turn[0]), -tangential))
+        parts.append(_facing(_cap(x, r, base, turn[-1]), _tangential(turn[-1])))
     return merge(parts)
 
 
+def _radial(angle: float) -> Array:
+    return np.array([0.0, np.cos(angle), np.sin(angle)])
+
+
+def _tangential(angle: float) -> Array:
+    return np.array([0.0, -np.sin(angle), np.cos(angle)])
+
+
+def _facing(surface: Surface, outward: Array) -> Surface:
+    """Turn the cells, all alike, so that the first one's normal points to the side of `outward`."""
+    a, b, c, _ = surface.points[surface.quads[0]]
+    if np.dot(np.cross(b - a, c - a), outward) >= 0.0:
+        return surface
+    return Surface(points=surface.points, quads=surface.quads[:, ::-1])
+
+
 def groove_profile(bearing: Bearing, inner: bool, points: int = 48) -> Array:
-    """Shoulder, groove, shoulder of one ring, shape (points + 2, 2): axial position from the groove's centre, radius [m].
+    """Shoulder, groove, shoulder of one ring, shape (points + 2, 2): axial distance from the groove, radius [m].
 
     The groove is set back by `SET_BACK` ball diameters.
     """

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import cos, floor, hypot, log10, pi, sin
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,7 +25,7 @@ PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200
 INNER_COLOUR, OUTER_COLOUR, REFERENCE = "#0b5394", "#c1440e", "#666666"
 COLOUR_MAPS = {"film": "viridis", "pressure": "magma_r"}  # perceptually uniform; zero pressure is paper white
-RC = {
+RC: Any = {
     "font.size": 8.0,
     "font.family": "DejaVu Sans",
     "axes.titlesize": 8.0,
@@ -94,8 +94,7 @@ class ContactView:
     @property
     def film_range(self) -> tuple[float, float]:
         """Film thickness at the ends of the colour scale, in the unit of `film`: the inlet is left to saturate."""
-        spread = max(self.central - self.minimum, 0.04 * self.central)
-        return self.minimum, min(self.central + 2.5 * spread, 2.0 * self.central)
+        return film_range(self.central, self.minimum)
 
 
 def contact_view(solution: ContactSolution) -> ContactView:
@@ -111,8 +110,8 @@ def contact_view(solution: ContactSolution) -> ContactView:
         Lengths [mm], films [um], pressures [GPa], or dimensionless ones in Moes input.
     """
     angle, kappa = solution.conditions.entrainment_angle, solution.semi_axis_ratio
-    half_x, half_y = hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))
-    rows, columns = shown_part(solution, half_x, half_y)
+    half_x, half_y = half_extents(angle, kappa)
+    rows, columns = shown_part(solution.X, solution.Y, solution.P, half_x, half_y)
     X, Y = solution.X[rows], solution.Y[columns]
     along, across = principal_coordinates(X, Y, angle)
     a = 1.0 if solution.semi_axis_x is None else solution.semi_axis_x / MILLIMETRE
@@ -146,17 +145,38 @@ def _ellipse(angle: float, kappa: float) -> Array:
     return np.stack([cos(angle) * x + sin(angle) * y, -sin(angle) * x + cos(angle) * y])
 
 
-def shown_part(solution: ContactSolution, half_x: float, half_y: float) -> tuple[slice, slice]:
-    """Index ranges of the nodes shown; half extents of the Hertz ellipse in units of a [-]."""
-    loud = solution.P > QUIET_PRESSURE * solution.P.max()
+def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tuple[slice, slice]:
+    """Index ranges of the nodes shown; coordinates and half extents of the Hertz ellipse in one unit, [mm] or [m].
+
+    Parameters
+    ----------
+    X, Y : ndarray, shape (nx,), (ny,)
+        Node positions [m].
+    P : ndarray, shape (nx, ny)
+        Pressure in any unit [-].
+    half_x, half_y : float
+        [m].
+    """
+    loud = np.greater(P, QUIET_PRESSURE * P.max())
     rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
-    inlet = min(SHOWN_INLET * half_x, float(solution.X[rows[0]]) - 0.5 * half_x)
-    side = max(SHOWN_SIDE * half_y, 1.05 * float(solution.Y[columns[-1]]))
-    return within(solution.X, inlet, SHOWN_OUTLET * half_x), within(solution.Y, -side, side)
+    inlet = min(SHOWN_INLET * half_x, float(X[rows[0]]) - 0.5 * half_x)
+    side = max(SHOWN_SIDE * half_y, 1.05 * float(Y[columns[-1]]))
+    return within(X, inlet, SHOWN_OUTLET * half_x), within(Y, -side, side)
+
+
+def film_range(central: float, minimum: float) -> tuple[float, float]:
+    """Ends of a film's colour scale in the unit of the films, such as [um]: the thick inlet is left to saturate."""
+    spread = max(central - minimum, 0.04 * central)
+    return minimum, min(central + 2.5 * spread, 2.0 * central)
+
+
+def half_extents(angle: float, kappa: float) -> tuple[float, float]:
+    """Half extents of the Hertz ellipse along and across the entrainment at `angle` [rad], in units of a [-]."""
+    return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))
 
 
 def value_with_error(value: float, error: float) -> str:
-    """Text of a value and its uncertainty, to the error's first digit, or its second after a 1, in whatever unit [-]."""
+    """Text of a value and its uncertainty, to the error's first digit (second after a 1), in whatever unit [-]."""
     digits = 3
     if error > 0.0:
         exponent = floor(log10(error))

@@ -2,18 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterator
+from functools import partial
 from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .plot_style import RC, contact_view, save
-from .plots_contact import contact_figure, film_text
+from .plots_bearing import draw_load_zone, draw_per_azimuth
+from .plots_contact import draw_contact, film_text
 from .results import BearingResults, ContactResults, DistinctContact, distinct_contacts
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from ehl import ContactSolution
+
+    NamedFigure = tuple[str, Callable[[Figure], None]]
 
 PLOT_FOLDER = "plots"
 
@@ -32,39 +37,37 @@ def write_plots(results: BearingResults | ContactResults, directory: Path) -> tu
     tuple of Path
         The PNG files.
     """
-    folder = directory / PLOT_FOLDER
-    with _style():
-        if isinstance(results, ContactResults):
-            return _single_contact(results, folder)
-        from .plots_bearing import azimuth_figure, load_zone_figure
-
-        written = [folder / "load_zone.png"]
-        save(load_zone_figure(results), written[0])
-        groups = distinct_contacts(results)
-        for quantity in ("film", "pressure") if groups else ():
-            written.append(folder / f"{quantity}_per_azimuth.png")
-            save(azimuth_figure(results, quantity), written[-1])
-        for group in groups:
-            first = group.contacts[0]
-            written.append(folder / f"{first.race.value}_ball{first.ball:02d}.png")
-            save(contact_figure(contact_view(group.solution), _title(results, group)), written[-1])
-        return tuple(written)
-
-
-@contextmanager
-def _style() -> Iterator[None]:
     import matplotlib
+    import matplotlib.figure
 
+    folder = directory / PLOT_FOLDER
+    figures = _contact_figures(results) if isinstance(results, ContactResults) else _bearing_figures(results)
+    written = []
     with matplotlib.rc_context(RC):
-        yield
+        for name, draw in figures:
+            figure = matplotlib.figure.Figure()
+            draw(figure)
+            written.append(folder / f"{name}.png")
+            save(figure, written[-1])
+    return tuple(written)
 
 
-def _single_contact(results: ContactResults, folder: Path) -> tuple[Path, ...]:
-    path, solution = folder / "contact.png", results.solution
-    view = contact_view(solution)
+def _contact_figures(results: ContactResults) -> Iterator[NamedFigure]:
+    solution, view = results.solution, contact_view(results.solution)
     facts = f"$M$ = {solution.moes_load:.4g}, $L$ = {solution.moes_lubricant:.4g}, {film_text(view)}"
-    save(contact_figure(view, f"{results.case.get('title', '')}\n{facts}{_doubts(solution)}"), path)
-    return (path,)
+    title = f"{results.case.get('title', '')}\n{facts}{_doubts(solution)}"
+    yield "contact", partial(draw_contact, view=view, title=title)
+
+
+def _bearing_figures(results: BearingResults) -> Iterator[NamedFigure]:
+    yield "load_zone", partial(draw_load_zone, results=results)
+    groups = distinct_contacts(results)
+    for quantity in ("film", "pressure") if groups else ():
+        yield f"{quantity}_per_azimuth", partial(draw_per_azimuth, results=results, quantity=quantity)
+    for group in groups:
+        first, view = group.contacts[0], contact_view(group.solution)
+        name = f"{first.race.value}_ball{first.ball:02d}"
+        yield name, partial(draw_contact, view=view, title=_title(results, group))
 
 
 def _title(results: BearingResults, group: DistinctContact) -> str:

@@ -72,27 +72,24 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
     )
 
 
-def azimuth_figure(results: BearingResults, quantity: str) -> Figure:
+def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> None:
     """Maps of both races ball by ball on one colour scale, above the values over the azimuth.
 
     Parameters
     ----------
+    figure : matplotlib.figure.Figure
+        Empty.
     results : BearingResults
         With at least one film.
     quantity : {"film", "pressure"}
         Film in [um] or pressure in [GPa].
-
-    Returns
-    -------
-    matplotlib.figure.Figure
     """
-    from matplotlib.figure import Figure
-
     columns = ball_columns(results)
-    figure = Figure(figsize=(PAGE_WIDTH, 6.0))
+    figure.set_size_inches(PAGE_WIDTH, 6.0)
     figure.suptitle(str(results.case.get("title", "")), fontsize=8.5)
-    upper, lower = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
-    panels = upper.subplots(2, len(columns), squeeze=False)
+    halves: Any = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
+    upper, lower = halves
+    panels: Any = upper.subplots(2, len(columns), squeeze=False)
     image = None
     for row, race in enumerate(RACES):
         limits = _limits([c.views[race] for c in columns] + [c.views[r] for c in columns for r in RACES], quantity)
@@ -108,7 +105,6 @@ def azimuth_figure(results: BearingResults, quantity: str) -> Figure:
     label = "film thickness [µm]" if quantity == "film" else "pressure [GPa]"
     upper.colorbar(image, ax=panels, label=label, extend="max" if quantity == "film" else "neither", aspect=40)
     _over_azimuth(lower.subplots(), results, quantity)
-    return figure
 
 
 def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, float]:
@@ -171,27 +167,22 @@ def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], rac
         value = [getattr(s, f"film_{name}") / MICROMETRE for s in solutions]
         error = [getattr(s, f"film_{name}_uncertainty") / MICROMETRE for s in solutions]
         face = COLOURS[race] if filled else "white"
-        style = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4, "capsize": 3, "linewidth": 0.9}
+        style: Any = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4, "capsize": 3, "linewidth": 0.9}
         axes.errorbar(azimuth, value, error, fmt=marker, label=f"{race} race, {name}", **style)
 
 
-def load_zone_figure(results: BearingResults) -> Figure:
+def draw_load_zone(figure: Figure, results: BearingResults) -> None:
     """Contact loads over the azimuth, seen against the axis x: the load line upwards, azimuth counter-clockwise.
 
     Parameters
     ----------
+    figure : matplotlib.figure.Figure
+        Empty.
     results : BearingResults
         Loads in [N].
-
-    Returns
-    -------
-    matplotlib.figure.Figure
     """
-    from matplotlib.figure import Figure
-    from matplotlib.ticker import MaxNLocator
-
     state = results.quasistatic
-    figure = Figure(figsize=(0.5 * PAGE_WIDTH, 3.9))
+    figure.set_size_inches(0.5 * PAGE_WIDTH, 3.9)
     figure.suptitle(str(results.case.get("title", "")), fontsize=7.5, wrap=True)
     axes: Any = figure.add_subplot(projection="polar")
     axes.set_theta_zero_location("N")
@@ -201,7 +192,7 @@ def load_zone_figure(results: BearingResults) -> Figure:
     axes.set_xticks(state.azimuth, [f"{degrees(a) % 360.0:.4g}°" for a in state.azimuth])
     emptiest = int(np.argmin(state.outer_load + np.roll(state.outer_load, -1)))
     axes.set_rlabel_position(degrees(state.azimuth[emptiest] + pi / len(state.azimuth)) % 360.0)
-    axes.yaxis.set_major_locator(MaxNLocator(4, steps=[1, 2, 5, 10]))
+    axes.set_rticks([tick for tick in axes.get_yticks() if tick > 0.0][1::2])
     axes.set_axisbelow(True)
     axes.grid(linewidth=0.3)
     axes.legend(
@@ -211,4 +202,3 @@ def load_zone_figure(results: BearingResults) -> Figure:
         loc="upper center",
         bbox_to_anchor=(0.5, -0.08),
     )
-    return figure

@@ -20,25 +20,22 @@ QUANTITIES = ("film", "pressure")
 FILM_COLOUR, PRESSURE_COLOUR = INNER_COLOUR, OUTER_COLOUR
 
 
-def contact_figure(view: ContactView, title: str) -> Figure:
+def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
     """Film and pressure maps of one contact above its centre lines.
 
     Parameters
     ----------
+    figure : matplotlib.figure.Figure
+        Empty.
     view : ContactView
         Lengths in [mm], film in [um], pressure in [GPa], or dimensionless.
     title : str
         Lines above the figure.
-
-    Returns
-    -------
-    matplotlib.figure.Figure
     """
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(PAGE_WIDTH, 5.9))
+    figure.set_size_inches(PAGE_WIDTH, 5.9)
     figure.suptitle(title, fontsize=8.5)
-    maps, lines = figure.subfigures(2, 1, height_ratios=[1.3, 1.0])
+    halves: Any = figure.subfigures(2, 1, height_ratios=[1.3, 1.0])
+    maps, lines = halves
     if view.stretched:
         strip = float(np.clip(np.ptp(view.x) / np.ptp(view.y), 0.1, 0.5))
         panels = list(maps.subplots(1, 4, width_ratios=[1.0, strip, 1.0, strip]))
@@ -55,7 +52,6 @@ def contact_figure(view: ContactView, title: str) -> Figure:
     for axes, along in zip(lines.subplots(1, 2), (True, False), strict=True):
         centre_line(axes, view, along)
     lines.supxlabel(_footnote(view), fontsize=6.5, color=REFERENCE)
-    return figure
 
 
 def _footnote(view: ContactView) -> str:

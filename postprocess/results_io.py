@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .results import BearingResults, ContactResults, summary
+from .results import STIFFNESS_ORDER, BearingResults, ContactResults, summary
 
 if TYPE_CHECKING:
     import xarray
@@ -243,7 +243,7 @@ def _ring_dataset(results: BearingResults) -> xarray.Dataset:
             "stiffness": (("freedom", "freedom_2"), np.asarray(state.stiffness), {"units": units}),
             "cage_speed": ((), state.cage_speed, {"units": "rad/s"}),
         },
-        coords={"freedom": list("xyz") + ["ty", "tz"], "freedom_2": list("xyz") + ["ty", "tz"]},
+        coords={"freedom": list(STIFFNESS_ORDER), "freedom_2": list(STIFFNESS_ORDER)},
         attrs=attrs | {n: float(v) for n, v in optional.items() if v is not None},
     )
 
@@ -308,7 +308,7 @@ def open_results(directory: str | Path) -> xarray.DataTree:
 def _foreign(tree: xarray.DataTree) -> str:
     """Say why the file is not one that this version reads; empty if it is."""
     written = tree.attrs.get("oilfilm_format")
-    if not isinstance(written, (int, np.integer)) or "contacts" not in tree.children and "ring" not in tree.children:
+    if not isinstance(written, (int, np.integer)) or not {"contacts", "ring"} & set(tree.children):
         return "is a netCDF file, but not one of oilfilm's results"
     if written > FORMAT:
         version = tree.attrs.get("oilfilm", "newer")

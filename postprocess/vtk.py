@@ -192,7 +192,7 @@ def add_field_data(grid: Any, name: str, value: float | str) -> None:
     """Add one number or word about the whole block, its unit in the name, such as load [N]."""
     from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray
 
-    array = vtkStringArray() if isinstance(value, str) else vtkDoubleArray()
+    array: Any = vtkStringArray() if isinstance(value, str) else vtkDoubleArray()
     array.SetName(name)
     array.InsertNextValue(value)
     grid.GetFieldData().AddArray(array)

@@ -1,0 +1,439 @@
+"""The results in three dimensions with pyvista: a bearing with its films, or the surface of one contact.
+
+Drawing happens in a process of its own, since a missing OpenGL library ends the process that asks for a window.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from dataclasses import asdict, dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .geometry import ContactFrame, Placement, place_patch, principal_coordinates
+from .plot_style import COLOUR_MAPS, film_range, half_extents, shown_part
+from .results import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from .results_io import atomic_path, open_results
+from .vtk import COLLECTION_FILE
+
+if TYPE_CHECKING:
+    import pyvista
+    import xarray
+
+Array = NDArray[np.float64]
+
+WINDOW_VARIABLE, WINDOW_WITHOUT_DISPLAY = "VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow"
+PACKAGES = "libegl1 libegl-mesa0 libgl1-mesa-dri"
+PATIENCE = 300.0  # for one picture [s]
+NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
+PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
+LABELS = {"film": "film thickness [µm]", "pressure": "pressure [GPa]"}
+BODY, EDGE, BACKGROUND, INK, LOAD_COLOUR = "#c9ced6", "#5b6470", "white", "#1b1f24", "#b3202c"
+
+
+class RenderingError(RuntimeError):
+    """No picture can be drawn here; the message says what is missing and what to do."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneOptions:
+    """What a scene shows.
+
+    Attributes
+    ----------
+    quantity : {"film", "pressure"}
+    magnification : tuple of float or None
+        Of the patches, along and across the rolling direction [-]; None chooses what can be seen.
+    film_exaggeration : float
+        Film drawn as height, times this [-].
+    size : tuple of int
+        Width and height of the picture in pixels [-].
+    """
+
+    quantity: str = "film"
+    magnification: tuple[float, float] | None = None
+    film_exaggeration: float = 0.0
+    size: tuple[int, int] = (1600, 1200)
+
+    def __post_init__(self) -> None:
+        if self.quantity not in LABELS:
+            raise ValueError(f"quantity must be one of {', '.join(LABELS)}, got {self.quantity!r}")
+
+
+def screenshot(directory: str | Path, file: str | Path, options: SceneOptions | None = None) -> Path:
+    """Draw the scene of a result directory into a PNG file, with or without a display.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Result directory.
+    file : str or Path
+        Picture to write.
+    options : SceneOptions, optional
+
+    Returns
+    -------
+    Path
+        The picture.
+
+    Raises
+    ------
+    ValueError
+        If the directory holds no readable results.
+    RenderingError
+        If the machine cannot draw; this process is not harmed.
+    """
+    path = Path(file)
+    if path.suffix.lower() != ".png":
+        raise ValueError(f"the picture must be a .png file, got {path.name}")
+    open_results(directory).close()
+    with atomic_path(path) as temporary:
+        _draw_elsewhere(directory, temporary, options or SceneOptions())
+        if not temporary.stat().st_size:
+            raise RenderingError(_advice("no picture came out"))
+    return path
+
+
+def show(directory: str | Path, options: SceneOptions | None = None) -> None:
+    """Open a window with the scene of a result directory, to be turned with the mouse; arguments as `screenshot`."""
+    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+        raise RenderingError(
+            "there is no display to open a window on; a picture can be written with --screenshot FILE.png"
+        )
+    open_results(directory).close()
+    _draw_elsewhere(directory, None, options or SceneOptions())
+
+
+def _draw_elsewhere(directory: str | Path, file: Path | None, options: SceneOptions) -> None:
+    """Run this module in a process of its own, and turn its end into an exception if need be."""
+    request = {"directory": str(directory), "file": None if file is None else str(file), "options": asdict(options)}
+    patience = None if file is None else PATIENCE
+    _run_python(["-m", f"{__package__}.scene", json.dumps(request)], patience)
+
+
+def _run_python(arguments: list[str], patience: float | None) -> None:
+    home = str(Path(__file__).resolve().parents[1])
+    paths = [home, *filter(None, [os.environ.get("PYTHONPATH")])]
+    environment = rendering_environment() | {"PYTHONPATH": os.pathsep.join(paths)}
+    command = [sys.executable, *arguments]
+    try:
+        done = subprocess.run(
+            command, env=environment, capture_output=True, text=True, timeout=patience, check=False, errors="replace"
+        )
+    except subprocess.TimeoutExpired:
+        raise RenderingError(_advice(f"drawing took more than {patience:.0f} s")) from None
+    if done.returncode != 0:
+        lines = [line for line in done.stderr.splitlines() if line.strip()]
+        crashed = done.returncode < 0 or done.returncode > 128
+        reason = f"the drawing process ended with code {done.returncode}" if crashed or not lines else lines[-1].strip()
+        raise RenderingError(_advice(reason))
+
+
+def _advice(reason: str) -> str:
+    text = f"the scene cannot be drawn: {reason}"
+    if not sys.platform.startswith("linux"):
+        return text
+    return f"{text}. Is OpenGL installed? On Debian and Ubuntu: apt install {PACKAGES}"
+
+
+def rendering_environment() -> dict[str, str]:
+    """Environment for a process that draws: on Linux without a display VTK is sent to EGL, unless the user chose."""
+    environment = dict(os.environ)
+    if sys.platform.startswith("linux") and not environment.get("DISPLAY"):
+        environment.setdefault(WINDOW_VARIABLE, WINDOW_WITHOUT_DISPLAY)
+    return environment
+
+
+@lru_cache(maxsize=1)
+def require_rendering() -> None:
+    """Try a tiny picture in a process of its own; `RenderingError` if this machine cannot draw. For notebooks."""
+    code = "import pyvista; p = pyvista.Plotter(off_screen=True, window_size=(16, 16)); p.show(); p.close()"
+    _run_python(["-c", code], PATIENCE)
+    os.environ.update({k: v for k, v in rendering_environment().items() if k == WINDOW_VARIABLE})
+
+
+def bearing_scene(
+    directory: str | Path, options: SceneOptions | None = None, off_screen: bool = False
+) -> pyvista.Plotter:
+    """Plotter with the scene of a result directory: a bearing with its patches, or the surface of one contact.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Result directory.
+    options : SceneOptions, optional
+    off_screen : bool
+
+    Returns
+    -------
+    pyvista.Plotter
+        To be shown, or to add to.
+
+    Raises
+    ------
+    ValueError, RenderingError
+        As `screenshot`.
+    """
+    require_rendering()
+    return _scene(Path(directory), options or SceneOptions(), off_screen)
+
+
+def _scene(directory: Path, options: SceneOptions, off_screen: bool) -> pyvista.Plotter:
+    import pyvista as pv
+
+    tree = open_results(directory)
+    try:
+        plotter = pv.Plotter(off_screen=off_screen, window_size=list(options.size))
+        plotter.set_background(BACKGROUND)
+        scale = options.size[1] / 1200.0
+        plotter.add_text(str(tree.attrs.get("title", "")), position="upper_left", font_size=int(17 * scale), color=INK)
+        if tree.attrs["kind"] == "contact":
+            note = _add_contact(plotter, tree["contacts/contact"].to_dataset(), options)
+        else:
+            note = _add_bearing(plotter, directory, tree, options)
+        plotter.add_text(note, position="lower_left", font_size=int(13 * scale), color=INK)
+        plotter.enable_anti_aliasing("ssaa")
+        return plotter
+    finally:
+        tree.close()
+
+
+def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: SceneOptions) -> str:
+    """Bodies, patches, camera; return the note that states the factors."""
+    nodes = [node for ball in tree["contacts"].children.values() for node in ball.children.values()]
+    patches = [Patch.read(node.to_dataset(inherit=False)) for node in nodes]
+    radius = 0.5 * float(tree["ring"].attrs["ball_diameter"])
+    placement = _placement(patches, radius, options)
+    _add_bodies(plotter, directory)
+    for patch in patches:
+        _add_field(plotter, patch.mesh(radius, placement), options.quantity, _limits(patches, options.quantity))
+    _colour_bar(plotter, options)
+    _add_labels(plotter, tree, options)
+    _aim(plotter, tree)
+    note = f"patches magnified {placement.rolling:g}x along and {placement.transverse:g}x across the rolling direction"
+    return note + (f", film height exaggerated {placement.film:g}x" if placement.film else "")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Patch:
+    """The shown part of one contact, read from disk.
+
+    Attributes
+    ----------
+    x, y, film, pressure : ndarray, shape (nx, ny)
+        Principal coordinates [mm], or in semi-axes a; film [um]; pressure [GPa]; dimensionless in Moes input.
+    central, minimum : float
+        Films [um].
+    attributes : dict
+        Of the contact, as written.
+    """
+
+    x: Array
+    y: Array
+    film: Array
+    pressure: Array
+    central: float
+    minimum: float
+    attributes: dict[str, Any]
+
+    @classmethod
+    def read(cls, data: xarray.Dataset) -> Patch:
+        """Take the shown part of a contact's data set; lengths in [m] there."""
+        facts = data.attrs
+        a, angle = float(facts["semi_axis_x"]), float(facts["entrainment_angle"])
+        half_x, half_y = half_extents(angle, float(facts["semi_axis_y"]) / a)
+        x, y, p = data["x"].values, data["y"].values, data["P"].values
+        part = shown_part(x, y, p, a * half_x, a * half_y)
+        units = {"m": MILLIMETRE, "a": 1.0, "Pa": GIGAPASCAL, "p_h": 1.0, "a^2/Rx": 1.0}
+        length = units[data["x"].attrs["units"]]
+        film = MICROMETRE if data["h"].attrs["units"] == "m" else 1.0
+        along, across = principal_coordinates(x[part[0]] / length, y[part[1]] / length, angle)
+        return cls(
+            x=along,
+            y=across,
+            film=data["h"].values[part] / film,
+            pressure=p[part] / units[data["P"].attrs["units"]],
+            central=float(data["film_central"]) / film,
+            minimum=float(data["film_minimum"]) / film,
+            attributes=dict(facts),
+        )
+
+    def mesh(self, ball_radius: float, placement: Placement) -> Any:
+        """Patch on its ball of `ball_radius` [m] as a pyvista grid in [mm], the film as height limited by its scale."""
+        vectors = {name: np.asarray(self.attributes[name]) for name in ("origin", "axis_x", "axis_y", "normal")}
+        frame = ContactFrame(ball_radius=ball_radius, **vectors)
+        film = np.minimum(self.film, film_range(self.central, self.minimum)[1]) * MICROMETRE
+        points = place_patch(self.x * MILLIMETRE, self.y * MILLIMETRE, frame, placement, placement.film * film)
+        return self._grid(points / MILLIMETRE)
+
+    def relief(self, quantity: str, height: float) -> Any:
+        """Contact plane with the quantity as height, `height` [mm or a] at its scale's end, as a grid."""
+        field = self.film if quantity == "film" else self.pressure
+        top = film_range(self.central, self.minimum)[1] if quantity == "film" else float(field.max())
+        z = height * np.minimum(field / top, 1.0)
+        return self._grid(np.stack([self.x, self.y, z], axis=-1))
+
+    def _grid(self, points: Array) -> Any:
+        import pyvista as pv
+
+        grid = pv.StructuredGrid(*(points[..., k] for k in range(3)))
+        grid["film"], grid["pressure"] = self.film.ravel(order="F"), self.pressure.ravel(order="F")
+        return grid
+
+
+def _placement(patches: list[Patch], ball_radius: float, options: SceneOptions) -> Placement:
+    """Factors of the patches: as asked for, or so that the largest patch covers a good part of its ball."""
+    if options.magnification is not None:
+        rolling, transverse = options.magnification
+    else:
+        room = PATCH_SIZE * ball_radius / MILLIMETRE
+        rolling = _nice(room / max((float(np.ptp(p.x)) for p in patches), default=room))
+        transverse = _nice(room / max((float(np.ptp(p.y)) for p in patches), default=room))
+    return Placement(rolling=rolling, transverse=transverse, film=options.film_exaggeration)
+
+
+def _nice(factor: float) -> float:
+    """Largest of the round factors below `factor` [-], at least 1."""
+    return max(f for f in NICE_FACTORS if f <= max(factor, 1.0))
+
+
+def _limits(patches: list[Patch], quantity: str) -> tuple[float, float]:
+    """Ends of the common colour scale, in the unit of the quantity."""
+    if quantity == "pressure":
+        return 0.0, max((float(p.pressure.max()) for p in patches), default=1.0)
+    ranges = [film_range(p.central, p.minimum) for p in patches] or [(0.0, 1.0)]
+    return min(r[0] for r in ranges), max(r[1] for r in ranges)
+
+
+def _add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float]) -> None:
+    plotter.add_mesh(
+        mesh,
+        scalars=quantity,
+        cmap=COLOUR_MAPS[quantity],
+        clim=limits,
+        show_scalar_bar=False,
+        ambient=0.6,
+        diffuse=0.45,
+        specular=0.0,
+        smooth_shading=True,
+    )
+
+
+def _add_bodies(plotter: Any, directory: Path) -> None:
+    """Balls like smoked glass, the inner ring whole, the outer one cut open, with their edges drawn."""
+    import pyvista as pv
+
+    collection = directory / COLLECTION_FILE
+    if not collection.is_file():
+        raise ValueError(f"{directory} holds no VTK files: {COLLECTION_FILE} is missing")
+    bodies = pv.get_reader(collection).read()[0]["bodies"]
+    balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
+    plotter.add_mesh(balls, color="#aab4c0", opacity=0.2, smooth_shading=True, specular=0.5, specular_power=30)
+    for name in ("inner ring", "outer ring"):
+        ring = bodies[name].clean()
+        solid = ring.compute_normals(consistent_normals=False, split_vertices=True, feature_angle=40.0)
+        plotter.add_mesh(solid, color=BODY, smooth_shading=True, specular=0.25, ambient=0.15)
+        edges = ring.extract_feature_edges(feature_angle=50.0)
+        plotter.add_mesh(edges, color=EDGE, line_width=1.0)
+
+
+def _add_labels(plotter: Any, tree: xarray.DataTree, options: SceneOptions) -> None:
+    """Azimuths beside the balls, and the radial load on the inner ring as an arrow in the bore."""
+    import pyvista as pv
+
+    balls, ring = tree["balls"].to_dataset(), tree["ring"].to_dataset()
+    turn, diameter = balls["azimuth"].values, float(ring.attrs["ball_diameter"]) / MILLIMETRE
+    radius = balls["ball_radial"].values / MILLIMETRE + 1.05 * diameter
+    points = np.stack([np.zeros_like(turn), radius * np.cos(turn), radius * np.sin(turn)], axis=1)
+    style: dict[str, Any] = {
+        "font_size": int(22 * options.size[1] / 1200.0),
+        "text_color": INK,
+        "shape": None,
+        "show_points": False,
+        "always_visible": True,
+    }
+    plotter.add_point_labels(points, [f"{angle % 360.0:.4g}°" for angle in np.degrees(turn)], **style)
+    force = ring["force"].values[:3] * np.array([0.0, 1.0, 1.0])
+    size = float(np.linalg.norm(force))
+    if size > 0.0:
+        bore = 0.5 * float(ring.attrs["pitch_diameter"]) / MILLIMETRE - diameter
+        direction = force / size
+        arrow = pv.Arrow(
+            start=-0.65 * bore * direction,
+            direction=direction,
+            scale=1.3 * bore,
+            shaft_radius=0.025,
+            tip_radius=0.06,
+            tip_length=0.18,
+        )
+        plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4)
+        plotter.add_point_labels([-0.78 * bore * direction], [f"{size:.4g} N"], **style)
+
+
+def _aim(plotter: Any, tree: xarray.DataTree) -> None:
+    """Look from the side of +x down on the most loaded ball, which is up."""
+    balls = tree["balls"].to_dataset()
+    turn = float(balls["azimuth"].values[int(np.argmax(balls["outer_load"].values))])
+    radial, tangential = np.array([0.0, np.cos(turn), np.sin(turn)]), np.array([0.0, -np.sin(turn), np.cos(turn)])
+    direction = np.array([0.66, 0.0, 0.0]) + 0.70 * radial - 0.30 * tangential
+    plotter.camera.focal_point = (0.0, 0.0, 0.0)
+    plotter.camera.position = tuple(direction)
+    plotter.camera.up = tuple(radial)
+    plotter.reset_camera()
+    plotter.camera.zoom(1.3)
+
+
+def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions) -> str:
+    """One contact as a surface whose height is the quantity; return what the height means."""
+    patch = Patch.read(data)
+    size = min(float(np.ptp(patch.x)), float(np.ptp(patch.y)))
+    mesh = patch.relief(options.quantity, 0.45 * size)
+    _add_field(plotter, mesh, options.quantity, _limits([patch], options.quantity))
+    _colour_bar(plotter, options)
+    plotter.camera_position = [(-0.75, -1.35, 1.15), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
+    plotter.reset_camera()
+    unit = data["x"].attrs["units"].replace("m", "mm")
+    extent = f"{patch.x.min():.3g} ... {patch.x.max():.3g} by {patch.y.min():.3g} ... {patch.y.max():.3g} {unit}"
+    return f"height: {options.quantity}, cut off at the end of the colour scale; shown: {extent}; oil moves towards +x"
+
+
+def _colour_bar(plotter: Any, options: SceneOptions) -> None:
+    scale = options.size[1] / 1200.0
+    plotter.add_scalar_bar(
+        title=f"{LABELS[options.quantity]}\n",
+        vertical=True,
+        position_x=0.88,
+        position_y=0.2,
+        width=0.05,
+        height=0.6,
+        title_font_size=int(26 * scale),
+        label_font_size=int(24 * scale),
+        color=INK,
+        n_labels=6,
+        fmt="%.2f",
+    )
+
+
+def _main(request: str) -> None:
+    """Draw what `_draw_elsewhere` asked for, in this process."""
+    asked = json.loads(request)
+    options = asked["options"]
+    options["size"] = tuple(options["size"])
+    options["magnification"] = options["magnification"] and tuple(options["magnification"])
+    plotter = _scene(Path(asked["directory"]), SceneOptions(**options), off_screen=asked["file"] is not None)
+    if asked["file"] is None:
+        plotter.show()
+    else:
+        plotter.screenshot(asked["file"])
+    plotter.close()
+
+
+if __name__ == "__main__":
+    _main(sys.argv[1])
