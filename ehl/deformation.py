@@ -1,0 +1,120 @@
+"""Elastic deflection of the half space: convolution of the pressure with Love's kernel by zero-padded FFT."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import fft
+
+from .grid import Grid
+
+Array = NDArray[np.float64]
+NEAR = 12  # nodes of the kernel handed to the line relaxation
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DeflectionKernel:
+    """Deflection of a grid's nodes from unit pressures, ready for the convolution."""
+
+    symmetric: bool
+    shape: tuple[int, int]  # (ny, nx) of the pressure
+    length_x: int  # padded lengths: twice the number of cells
+    length_y: int
+    spectrum: Array  # real: the kernel is even; symmetric grids keep the rows [even frequencies, odd frequencies]
+    near: Array  # shape (NEAR,), deflection at distance m hx in the same line
+    near_next: Array  # shape (NEAR,), the same in the next line
+
+
+def patch_integral(x: Array, y: Array, hx: float, hy: float) -> Array:
+    """Integral of 1/r over the patch [-hx/2, hx/2] x [-hy/2, hy/2] seen from (x, y), Love (1929).
+
+    Written with asinh: F(x, y) = x asinh(y/|x|) + y asinh(x/|y|), differenced over the four corners.
+
+    Parameters
+    ----------
+    x, y : ndarray, broadcastable
+        Position relative to the patch centre [-].
+    hx, hy : float
+        Patch sides [-].
+
+    Returns
+    -------
+    ndarray
+        The integral [-].
+    """
+
+    def corner(u: Array, v: Array) -> Array:
+        # the corners are never on an axis: positions are whole multiples of the sides
+        return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
+
+    west, east, south, north = x - 0.5 * hx, x + 0.5 * hx, y - 0.5 * hy, y + 0.5 * hy
+    return corner(east, north) - corner(west, north) - corner(east, south) + corner(west, south)
+
+
+def deflection_kernel(grid: Grid, deformation: float) -> DeflectionKernel:
+    """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
+    cells_x, cells_y = grid.nx - 1, (2 if grid.symmetric else 1) * (grid.ny - 1)
+    x = grid.hx * np.arange(cells_x + 1)
+    y = grid.hy * np.arange(cells_y + 1)
+    quarter = deformation * patch_integral(x[None, :], y[:, None], grid.hx, grid.hy)
+    # even in x and y: the cosine transform of the quarter is the real spectrum on the doubled, periodic grid
+    spectrum = fft.dct(fft.dct(quarter, type=1, axis=1), type=1, axis=0)
+    if grid.symmetric:
+        spectrum = np.concatenate((spectrum[0::2], spectrum[1::2]))
+    return DeflectionKernel(
+        symmetric=grid.symmetric,
+        shape=(grid.ny, grid.nx),
+        length_x=2 * cells_x,
+        length_y=2 * cells_y,
+        spectrum=np.ascontiguousarray(spectrum),
+        near=quarter[0, :NEAR].copy(),
+        near_next=quarter[1, :NEAR].copy(),
+    )
+
+
+def deflect(kernel: DeflectionKernel, pressure: Array) -> Array:
+    """Deflection sum_kl K(i-k, j-l) P_kl, one forward and one inverse FFT.
+
+    Parameters
+    ----------
+    kernel : DeflectionKernel
+    pressure : ndarray, shape (ny, nx)
+        Pressure [-].
+
+    Returns
+    -------
+    ndarray, shape (ny, nx)
+        Deflection [-].
+    """
+    rows = fft.rfft(pressure, n=kernel.length_x, axis=1)
+    if kernel.symmetric:
+        lines = _convolve_even(rows, kernel.spectrum)
+    else:
+        columns = fft.fft(rows, n=kernel.length_y, axis=0, overwrite_x=True)
+        half = kernel.spectrum.shape[0]
+        columns[:half] *= kernel.spectrum
+        columns[half:] *= kernel.spectrum[half - 2 : 0 : -1]
+        lines = fft.ifft(columns, axis=0, overwrite_x=True)[: kernel.shape[0]]
+    return np.ascontiguousarray(fft.irfft(lines, n=kernel.length_x, axis=1, overwrite_x=True)[:, : kernel.shape[1]])
+
+
+def _convolve_even(rows: NDArray[np.complex128], spectrum: Array) -> NDArray[np.complex128]:
+    """Convolution along y of data even in y, given by its rows y >= 0.
+
+    The even data extended to four times the cells have the cosine series X_k = x_0 + 2 sum x_n cos(pi n k/(2m)).
+    Its even frequencies are a cosine transform of type 1 over the m + 1 rows, its odd ones one of type 3 over m rows:
+    the zero padding is never stored nor transformed. The way back uses types 1 and 2.
+    """
+    m, columns = rows.shape[0] - 1, rows.shape[1]
+    data = rows.view(np.float64).reshape(m + 1, 2 * columns)
+    odd = fft.dct(data[:m], type=3, axis=0)
+    data[m] *= 2.0  # the last row and its mirror image are two rows of the extension
+    even = fft.dct(data, type=1, axis=0, overwrite_x=True)
+    even.reshape(m + 1, columns, 2)[...] *= spectrum[: m + 1, :, None]
+    odd.reshape(m, columns, 2)[...] *= spectrum[m + 1 :, :, None]
+    result = fft.dct(even, type=1, axis=0, overwrite_x=True)
+    result[:m] += fft.dct(odd, type=2, axis=0, overwrite_x=True)
+    result *= 1.0 / (4 * m)
+    return result.view(np.complex128).reshape(m + 1, columns)

@@ -1,0 +1,96 @@
+"""Rectangular grids of the contact solver and their hierarchy."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Grid:
+    """Equidistant nodes; a symmetric grid holds y >= 0 only, its row 0 being the line y = 0. All lengths in units of a."""
+
+    x_in: float
+    hx: float
+    hy: float
+    nx: int
+    ny: int
+    symmetric: bool
+
+    @property
+    def X(self) -> Array:
+        """Nodes along x, shape (nx,) [-]; the node at the origin is exactly zero."""
+        origin = round(-self.x_in / self.hx)
+        if abs(origin * self.hx + self.x_in) < 1e-9 * self.hx:
+            return self.hx * (np.arange(self.nx) - origin)
+        return self.x_in + self.hx * np.arange(self.nx)
+
+    @property
+    def Y(self) -> Array:
+        """Nodes along y of the rows held, shape (ny,) [-]."""
+        first = 0 if self.symmetric else -(self.ny // 2)
+        return self.hy * np.arange(first, first + self.ny)
+
+    @property
+    def cell(self) -> float:
+        """Area of a cell [-]."""
+        return self.hx * self.hy
+
+    def integral(self, values: Array) -> float:
+        """Integral over the whole box of nodal values, trapezoidal rule [-]."""
+        lines = values.sum(axis=1) - 0.5 * (values[:, 0] + values[:, -1])
+        total = float(lines.sum()) - 0.5 * float(lines[0] + lines[-1])
+        return (2.0 if self.symmetric else 1.0) * total * self.cell
+
+    def coarsened(self) -> Grid:
+        """Every second node in both directions."""
+        ny = (self.ny - 1) // 2 + 1
+        return Grid(
+            x_in=self.x_in,
+            hx=2.0 * self.hx,
+            hy=2.0 * self.hy,
+            nx=(self.nx - 1) // 2 + 1,
+            ny=ny,
+            symmetric=self.symmetric,
+        )
+
+
+def grid_hierarchy(
+    points: int, domain: tuple[float, float, float], aspect: float, levels: int, symmetric: bool
+) -> tuple[Grid, ...]:
+    """Grids from coarsest to finest over a box.
+
+    Parameters
+    ----------
+    points : int
+        Nodes along x on the finest grid, 2^k + 1.
+    domain : tuple of float
+        x_in, x_out, y_half in units of a [-].
+    aspect : float
+        Wanted hy/hx [-]; the nearest smaller one that fits the box is taken.
+    levels : int
+        Number of grids.
+    symmetric : bool
+        Hold y >= 0 only.
+    """
+    x_in, x_out, y_half = domain
+    hx = (x_out - x_in) / (points - 1)
+    coarse = 2 ** (levels - 1)
+    half_cells = coarse * max(2, ceil(y_half / (hx * aspect * coarse) - 1e-9))
+    finest = Grid(
+        x_in=x_in,
+        hx=hx,
+        hy=y_half / half_cells,
+        nx=points,
+        ny=half_cells + 1 if symmetric else 2 * half_cells + 1,
+        symmetric=symmetric,
+    )
+    grids = [finest]
+    while len(grids) < levels:
+        grids.append(grids[-1].coarsened())
+    return tuple(reversed(grids))

@@ -1,0 +1,264 @@
+"""Full approximation scheme for the lubricated contact: levels, relaxation, W-cycle.
+
+After Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapters 3 to 6. On every level
+
+    Reynolds   d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho H) = f,  P >= 0, complementary
+    film       H = H0 + s + c_def * double integral of P/r
+    load       integral of P = g
+
+f = 0, s = S X^2/2 + T Y^2/2 + C X Y and g = the load on the level being solved; below it they carry the coarse-grid
+correction. P and H are injected, residuals fully weighted, corrections interpolated bilinearly.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _kernels
+from .deformation import DeflectionKernel, deflect, deflection_kernel
+from .far_field import FarField, edge_pressure, exterior_load
+from .grid import Grid
+from .scaling import ScaledContact
+from .transfer import full_weighting, inject, interpolate_linear
+
+Array = NDArray[np.float64]
+
+SWITCH = 0.15  # Gauss-Seidel where the Poiseuille term exceeds this share of the deflection term K00/hx
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Damping:
+    """Under-relaxation of one solve."""
+
+    jacobi: float = 0.4  # of the distributive Jacobi changes
+    gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
+    correction: float = 0.8  # of the coarse-grid correction
+    approach: float = 0.1  # of the change of H0 by the load balance, on the coarsest grid
+
+    def halved(self) -> Damping:
+        """Half of everything."""
+        return Damping(
+            jacobi=0.5 * self.jacobi,
+            gauss_seidel=0.5 * self.gauss_seidel,
+            correction=0.75 * self.correction,
+            approach=0.5 * self.approach,
+        )
+
+
+@dataclass(slots=True, kw_only=True)
+class Level:
+    """Workspace of one grid; all arrays of shape (ny, nx)."""
+
+    grid: Grid
+    kernel: DeflectionKernel
+    gap: Array  # S X^2/2 + T Y^2/2 + C X Y
+    P: Array
+    H: Array
+    f: Array
+    s: Array
+    eps: Array
+    rho: Array
+    rho_slope: Array
+    scratch: Array
+    load: float = 0.0
+
+
+@dataclass(slots=True, kw_only=True)
+class Multigrid:
+    """All levels of one contact, the approach they share and the work done."""
+
+    contact: ScaledContact
+    far_field: FarField | None  # edge pressure of an open box; None: zero pressure on the edge
+    levels: tuple[Level, ...]  # coarsest first
+    damping: Damping
+    approach: float = 0.0  # H0
+    exterior: float = 0.0  # load carried outside the box
+    deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
+
+    def fft_equivalents(self) -> float:
+        """Deflection FFTs so far, weighted with nodes relative to the finest grid."""
+        finest = self.levels[-1].P.size
+        return sum(count * self.levels[index].P.size / finest for index, count in self.deflections.items())
+
+
+def make_multigrid(
+    contact: ScaledContact, grids: tuple[Grid, ...], far_field: FarField | None, damping: Damping
+) -> Multigrid:
+    """Allocate the levels, coarsest first."""
+    levels = []
+    for grid in grids:
+        X, Y = grid.X[None, :], grid.Y[:, None]
+        gap = 0.5 * contact.curvature_x * X**2 + 0.5 * contact.curvature_y * Y**2 + contact.curvature_xy * X * Y
+        shape = (grid.ny, grid.nx)
+        levels.append(
+            Level(
+                grid=grid,
+                kernel=deflection_kernel(grid, contact.deformation),
+                gap=gap,
+                s=gap,
+                **{name: np.zeros(shape) for name in ("P", "H", "f", "eps", "rho", "rho_slope", "scratch")},
+            )
+        )
+    return Multigrid(contact=contact, far_field=far_field, levels=tuple(levels), damping=damping)
+
+
+def start_level(state: Multigrid, index: int, pressure: Array) -> None:
+    """Make level `index` the one being solved, from a first guess of the pressure."""
+    level = state.levels[index]
+    level.P = np.maximum(pressure, 0.0)
+    level.f = np.zeros_like(level.P)
+    level.s = level.gap
+    level.load = state.contact.load - state.exterior
+    if state.far_field is None:
+        _zero_edge(level.P, level.grid)
+    update_film(state, index)
+
+
+def update_film(state: Multigrid, index: int) -> None:
+    """H = H0 + s + deflection; on the level being solved an open edge takes its pressure from the new film."""
+    level = state.levels[index]
+    level.H = state.approach + level.s
+    level.H += deflect(level.kernel, level.P)
+    state.deflections[index] = state.deflections.get(index, 0) + 1
+    if state.far_field is not None and level.s is level.gap:
+        edge_pressure(state.far_field, level.grid, level.H, level.P)
+
+
+def flow(state: Multigrid, level: Level) -> None:
+    """Flow coefficient and density of a level from its pressure and film."""
+    c = state.contact
+    _kernels.flow_properties(
+        level.P,
+        level.H,
+        c.viscosity_slope,
+        c.viscosity_pressure,
+        c.viscosity_exponent,
+        c.density_numerator,
+        c.density_denominator,
+        c.speed,
+        level.eps,
+        level.rho,
+        level.rho_slope,
+    )
+
+
+def relax(state: Multigrid, index: int) -> None:
+    """One line sweep and the film that belongs to it."""
+    level, damping = state.levels[index], state.damping
+    flow(state, level)
+    _kernels.relax_lines(
+        level.P,
+        level.H,
+        level.eps,
+        level.rho,
+        level.rho_slope,
+        level.f,
+        level.kernel.near,
+        level.kernel.near_next,
+        level.grid.hx,
+        level.grid.hy,
+        level.grid.symmetric,
+        damping.jacobi,
+        damping.gauss_seidel,
+        SWITCH,
+        level.scratch,
+    )
+    update_film(state, index)
+
+
+def reynolds_residual(state: Multigrid, index: int) -> Array:
+    """f - L(P), shape (ny, nx); zero on the edge and at cavitated nodes that obey L(P) <= f."""
+    level = state.levels[index]
+    flow(state, level)
+    _kernels.reynolds_operator(
+        level.P,
+        level.H,
+        level.eps,
+        level.rho,
+        level.grid.hx,
+        level.grid.hy,
+        level.grid.symmetric,
+        level.scratch,
+    )
+    residual = level.f - level.scratch
+    _zero_edge(residual, level.grid)
+    residual[(level.P <= 0.0) & (residual >= 0.0)] = 0.0
+    return residual
+
+
+def load_error(state: Multigrid, index: int) -> float:
+    """(integral of P - load)/load of the contact [-]."""
+    level = state.levels[index]
+    return (level.grid.integral(level.P) - level.load) / state.contact.load
+
+
+def cycle(state: Multigrid, index: int, sweeps: tuple[int, int] = (2, 1)) -> None:
+    """One W-cycle from level `index` down; the coarsest level also moves H0 towards the load balance."""
+    if index == 0:
+        _solve_coarsest(state)
+    else:
+        for _ in range(sweeps[0]):
+            relax(state, index)
+        start = _restrict(state, index)
+        cycle(state, index - 1, sweeps)
+        if index > 1:
+            cycle(state, index - 1, sweeps)
+        _correct(state, index, start)
+        for _ in range(sweeps[1]):
+            relax(state, index)
+    if state.far_field is not None and state.levels[index].s is state.levels[index].gap:
+        _update_exterior(state, index)
+
+
+def _solve_coarsest(state: Multigrid, sweeps: int = 20) -> None:
+    level = state.levels[0]
+    stiffness = 1.0 + 2.0 * max(state.contact.film_guess, 0.0)  # a thick film answers softly
+    for _ in range(sweeps):
+        relax(state, 0)
+        step = state.damping.approach * stiffness * load_error(state, 0)
+        step = min(max(step, -0.1 * stiffness), 0.1 * stiffness)
+        state.approach += step
+        level.H += step
+
+
+def _restrict(state: Multigrid, index: int) -> Array:
+    """Set up the coarse-grid problem; returns the injected pressure the correction is counted from."""
+    fine, coarse = state.levels[index], state.levels[index - 1]
+    residual = reynolds_residual(state, index)
+    start = inject(fine.P)
+    coarse.P = start.copy()
+    coarse.H = inject(fine.H)
+    coarse.s = coarse.H - state.approach - deflect(coarse.kernel, start)
+    state.deflections[index - 1] = state.deflections.get(index - 1, 0) + 1
+    coarse.load = coarse.grid.integral(start) + fine.load - fine.grid.integral(fine.P)
+    flow(state, coarse)
+    grid = coarse.grid
+    _kernels.reynolds_operator(
+        coarse.P, coarse.H, coarse.eps, coarse.rho, grid.hx, grid.hy, grid.symmetric, coarse.scratch
+    )
+    coarse.f = coarse.scratch + full_weighting(residual, grid.symmetric)
+    return start
+
+
+def _correct(state: Multigrid, index: int, start: Array) -> None:
+    """P += correction where P > 0, then the film."""
+    fine, coarse = state.levels[index], state.levels[index - 1]
+    correction = interpolate_linear(coarse.P - start)
+    fine.P = np.where(fine.P > 0.0, np.maximum(fine.P + state.damping.correction * correction, 0.0), 0.0)
+    update_film(state, index)
+
+
+def _update_exterior(state: Multigrid, index: int) -> None:
+    assert state.far_field is not None
+    level = state.levels[index]
+    state.exterior = exterior_load(state.far_field, level.grid, level.H)
+    level.load = state.contact.load - state.exterior
+
+
+def _zero_edge(values: Array, grid: Grid) -> None:
+    values[:, 0] = values[:, -1] = values[-1] = 0.0
+    if not grid.symmetric:
+        values[0] = 0.0

@@ -1,0 +1,147 @@
+"""The one bridge between SI and the solver's dimensionless form.
+
+X = x/a, Y = y/a, P = p/p_h, H = h Rx/a^2; a is the Hertz semi-axis along the principal direction x, p_h the Hertz
+pressure. With M, L and the ratio Rx/Ry the whole problem follows but for the scale of pressure (Moes, 1992), so both
+kinds of conditions go the same way: SI -> (M, L, Rx/Ry, p_h) -> `ScaledContact`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, pi, sin, sqrt
+
+from .conditions import ContactConditions, MoesConditions
+from .film_formulas import moes_film_nijenbanning
+from .hertz import ellipse_ratio, hertz_coefficients
+from .lubricant import (
+    DOWSON_HIGGINSON_DENOMINATOR,
+    DOWSON_HIGGINSON_NUMERATOR,
+    DensityLaw,
+    Lubricant,
+    ViscosityLaw,
+)
+
+ALIGNED = 1e-12  # |C| below this is an entrainment along a principal direction
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScaledContact:
+    """Coefficients of the dimensionless equations; all [-] but the pressure and length scales."""
+
+    curvature_x: float  # S: H contains S X^2/2 + T Y^2/2 + C X Y, X along the entrainment
+    curvature_y: float  # T
+    curvature_xy: float  # C
+    deformation: float  # c_def = 2 p_h Rx/(pi E' a): H contains c_def * double integral of P/r
+    speed: float  # lambda = 12 eta_0 u_m Rx^2/(a^3 p_h)
+    load: float  # (2 pi/3) b/a, the integral of P
+    semi_axis_ratio: float  # b/a
+    radius_ratio: float  # Rx/Ry
+    entrainment_angle: float  # from x towards y [rad]
+    half_extent_x: float  # of the Hertz ellipse along the entrainment, in units of a
+    half_extent_y: float  # of the Hertz ellipse across the entrainment, in units of a
+    viscosity_slope: float  # s: ln(eta/eta_0) = s [(1 + q P)^z - 1]
+    viscosity_pressure: float  # q
+    viscosity_exponent: float  # z
+    density_numerator: float  # rho = 1 + d1 P/(1 + d2 P)
+    density_denominator: float
+    moes_load: float  # M
+    moes_lubricant: float  # L
+    film_guess: float  # central film after Nijenbanning, Venner and Moes, in units of a^2/Rx
+    hertz_pressure: float  # p_h [Pa]
+    semi_axis_x: float | None  # a [m]
+    film_scale: float | None  # a^2/Rx [m]
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether the solution is even in Y."""
+        return abs(self.curvature_xy) < ALIGNED
+
+
+def moes_groups(conditions: ContactConditions) -> tuple[float, float]:
+    """M = W (2U)^(-3/4) and L = G (2U)^(1/4) [-]; W = F/(E' Rx^2), U = eta_0 u_m/(E' Rx), G = alpha E'; Moes (1992)."""
+    lubricant, modulus = conditions.lubricant, conditions.reduced_modulus
+    load = conditions.load / (modulus * conditions.radius_x**2)
+    speed = lubricant.viscosity * conditions.entrainment_speed / (modulus * conditions.radius_x)
+    material = lubricant.pressure_viscosity * modulus
+    return load * (2.0 * speed) ** -0.75, material * (2.0 * speed) ** 0.25
+
+
+def scale_contact(conditions: ContactConditions | MoesConditions) -> ScaledContact:
+    """Dimensionless problem of one contact.
+
+    Raises
+    ------
+    ValueError
+        If Moes conditions leave the scale of pressure open: L > 0 needs a pressure-viscosity coefficient.
+    """
+    if isinstance(conditions, MoesConditions):
+        m, l, d = conditions.load_parameter, conditions.lubricant_parameter, conditions.radius_ratio  # noqa: E741
+        pressure = _pressure_scale(conditions, hertz_coefficients(d)[1])
+        return _scaled(m, l, d, pressure, conditions.lubricant, conditions.entrainment_angle, None)
+    m, l = moes_groups(conditions)  # noqa: E741
+    d = conditions.radius_x / conditions.radius_y
+    f, g, _ = hertz_coefficients(d)
+    load = conditions.load / (conditions.reduced_modulus * conditions.radius_x**2)
+    pressure = g * load ** (1 / 3) * conditions.reduced_modulus
+    length = (f * load ** (1 / 3) * conditions.radius_x, conditions.radius_x)
+    return _scaled(m, l, d, pressure, conditions.lubricant, conditions.entrainment_angle, length)
+
+
+def _pressure_scale(conditions: MoesConditions, g: float) -> float:
+    """p_h [Pa] from alpha p_h = g L M^(1/3); zero at L = 0, the isoviscous incompressible limit."""
+    alpha = conditions.lubricant.pressure_viscosity
+    product = g * conditions.lubricant_parameter * conditions.load_parameter ** (1 / 3)
+    if product > 0.0 and not alpha > 0.0:
+        raise ValueError("lubricant_parameter > 0 needs a pressure_viscosity > 0 to set the scale of pressure")
+    return product / alpha if product > 0.0 else 0.0
+
+
+def _scaled(
+    m: float,
+    l: float,  # noqa: E741
+    d: float,
+    pressure: float,
+    lubricant: Lubricant,
+    angle: float,
+    length: tuple[float, float] | None,
+) -> ScaledContact:
+    f, g, _ = hertz_coefficients(d)
+    ratio = ellipse_ratio(d)
+    c, s = cos(angle), sin(angle)
+    slope, relative_pressure, exponent = _viscosity_coefficients(g * l * m ** (1 / 3), pressure, lubricant)
+    compressible = lubricant.density_law is DensityLaw.DOWSON_HIGGINSON
+    return ScaledContact(
+        curvature_x=c * c + d * s * s,
+        curvature_y=s * s + d * c * c,
+        curvature_xy=s * c * (d - 1.0),
+        deformation=2.0 * g / (pi * f),
+        speed=6.0 / (f**3 * g) * m ** (-4 / 3),
+        load=2.0 * pi / 3.0 * ratio,
+        semi_axis_ratio=ratio,
+        radius_ratio=d,
+        entrainment_angle=angle,
+        half_extent_x=sqrt(c * c + (ratio * s) ** 2),
+        half_extent_y=sqrt(s * s + (ratio * c) ** 2),
+        viscosity_slope=slope,
+        viscosity_pressure=relative_pressure,
+        viscosity_exponent=exponent,
+        density_numerator=DOWSON_HIGGINSON_NUMERATOR * pressure if compressible else 0.0,
+        density_denominator=DOWSON_HIGGINSON_DENOMINATOR * pressure if compressible else 0.0,
+        moes_load=m,
+        moes_lubricant=l,
+        film_guess=moes_film_nijenbanning(m, l, d) / (f**2 * m ** (2 / 3)),
+        hertz_pressure=pressure,
+        semi_axis_x=None if length is None else length[0],
+        film_scale=None if length is None else length[0] ** 2 / length[1],
+    )
+
+
+def _viscosity_coefficients(product: float, pressure: float, lubricant: Lubricant) -> tuple[float, float, float]:
+    """(s, q, z) of ln(eta/eta_0) = s [(1 + q P)^z - 1]; Barus is z = 1, isoviscous s = 0; product = alpha p_h."""
+    if lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS or product == 0.0:
+        return 0.0, 1.0, 1.0
+    if lubricant.viscosity_law is ViscosityLaw.BARUS:
+        return product, 1.0, 1.0
+    relative_pressure = pressure / lubricant.roelands_pressure
+    exponent = lubricant.exponent
+    return product / (exponent * relative_pressure), relative_pressure, exponent
