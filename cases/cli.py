@@ -11,7 +11,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from .problems import CaseError
-from .terminal import BAD_INPUT, NOT_CONVERGED, exit_code, guarded, prepare_streams, print_lines, progress_bar, say
+from .terminal import (
+    BAD_INPUT,
+    FAILED,
+    NOT_CONVERGED,
+    exit_code,
+    guarded,
+    prepare_streams,
+    print_lines,
+    progress_bar,
+    say,
+)
 
 if TYPE_CHECKING:
     from postprocess.results import BearingResults, ContactResults
@@ -40,6 +50,13 @@ class Method(StrEnum):
 
     MULTIGRID = "multigrid"
     FINITE_ELEMENT = "finite-element"
+
+
+class Quantity(StrEnum):
+    """What the colours of the view show."""
+
+    FILM = "film"
+    PRESSURE = "pressure"
 
 
 class Listing(StrEnum):
@@ -131,13 +148,31 @@ def view(
     screenshot: Annotated[
         Path | None, typer.Option(metavar="FILE.png", help="Write a picture, open no window.")
     ] = None,
-) -> None:
+    quantity: Annotated[Quantity, typer.Option(help="What the colours show.")] = Quantity.FILM,
+    magnification: Annotated[
+        float | None, typer.Option(min=1.0, max=1e3, help="Of the patches; default: so that they can be seen.")
+    ] = None,
+    exaggeration: Annotated[float, typer.Option(min=0.0, max=1e6, help="Film drawn as height, times this.")] = 0.0,
+) -> int:
     """Look at results in three dimensions."""
     if not directory.is_dir():
         raise CaseError([f"{directory}: no such directory; allowed: a directory of results of 'oilfilm run'"])
-    from .viewing import show
+    from postprocess import scene
 
-    show(directory, screenshot)
+    factors = None if magnification is None else (magnification, magnification)
+    options = scene.SceneOptions(quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration)
+    try:
+        if screenshot is None:
+            scene.show(directory, options)
+        else:
+            scene.screenshot(directory, screenshot, options)
+            say(f"picture in {screenshot}")
+    except ValueError as error:
+        raise CaseError([str(error)]) from error
+    except scene.RenderingError as error:
+        say(f"oilfilm: {error}")
+        return FAILED
+    return 0
 
 
 @app.command("list")

@@ -35,8 +35,8 @@ The page is written by `python docs/validation_002.py`, and a test keeps it up t
 - The printed stresses grow with the load as F^(1/3): from 400 N to 3000 N by {printed_growth:.3f}, and
   (3000/400)^(1/3) = {cube_root:.3f}. So they were computed with the heaviest ball's load in a fixed ratio to the radial
   load, without the influence of clearance and of centrifugal force on that ratio.
-- The ratio of inner to outer stress is {least_ratio:.3f} to {most_ratio:.3f} as printed, and {hertz_ratio:.3f} for equal
-  loads with the groove radii of Table 2: the radii are those the stresses were computed with, within 1 %.
+- The ratio of inner to outer stress is {least_ratio:.3f} to {most_ratio:.3f} as printed, and {hertz_ratio:.3f} for
+  equal loads with the groove radii of Table 2: the radii are those the stresses were computed with, within 1 %.
 - The level does not follow from the inputs of the paper. With Stribeck's Q = 5 F/Z (the usual estimate for bearings
   with clearance) and E = 310 GPa the stresses are those of the column before the last; the printed level needs
   Q = 8 F/Z. The range of E in the paper, 300 to 320 GPa, moves the stress by 2 % either way and does not explain it.

@@ -1,0 +1,136 @@
+"""Runs: which contacts are solved, how often, and what is kept when a run is stopped. The solver is a stand-in."""
+
+from __future__ import annotations
+
+import dataclasses
+import threading
+from math import radians
+from types import SimpleNamespace
+
+import pytest
+
+import ehl
+from cases import load_case, run_case, run_contact
+from cases.run import Interrupted, equal_contacts
+
+CASE = "6208_full_ceramic"
+
+
+class Solver:
+    """Stands in for `ehl.solve_contact`; remembers what it was asked."""
+
+    def __init__(self, stop_after=None):
+        self.asked = []
+        self.stop_after = stop_after
+        self.lock = threading.Lock()
+
+    def __call__(self, conditions, options):
+        with self.lock:
+            self.asked.append(conditions)
+            if self.stop_after is not None and len(self.asked) > self.stop_after:
+                raise KeyboardInterrupt
+        return SimpleNamespace(conditions=conditions, options=options, converged=True)
+
+
+@pytest.fixture
+def solver(monkeypatch):
+    stand_in = Solver()
+    monkeypatch.setattr(ehl, "solve_contact", stand_in, raising=False)
+    return stand_in
+
+
+def test_equal_contacts_are_solved_once_and_share_the_solution(solver):
+    results = run_case(load_case(CASE), workers=2)
+    assert len(solver.asked) == 5  # inner at 0 and +-40 degrees, outer at 0, +-40, and all others alike
+    assert sum(solution is not None for solution in results.solutions) == 12
+    for contact, solution in zip(results.contacts, results.solutions, strict=True):
+        assert (solution is None) == (contact.conditions is None)
+        assert solution is None or equal_contacts(solution.conditions, contact.conditions)
+    assert len({id(solution) for solution in results.solutions if solution}) == 5
+    assert set(results.timing) == {"quasistatic", "contacts", "total"}
+
+
+def film_maps(case, wanted):
+    return dataclasses.replace(case, film_maps=wanted)
+
+
+def solved(results):
+    pairs = zip(results.contacts, results.solutions, strict=True)
+    return [(contact.ball, contact.race.value) for contact, solution in pairs if solution is not None]
+
+
+def test_film_maps(solver):
+    case = load_case(CASE)
+    assert solved(run_case(film_maps(case, "none"))) == []
+    assert {ball for ball, _ in solved(run_case(film_maps(case, "loaded")))} == {1, 2, 9}
+    chosen = run_case(film_maps(case, (radians(320.0), radians(-320.0), radians(80.0))))
+    assert solved(chosen) == [(2, "inner"), (2, "outer"), (3, "outer"), (9, "inner"), (9, "outer")]
+    assert run_case(film_maps(case, "none")).converged
+
+
+def test_no_films_without_equilibrium(solver, monkeypatch):
+    import bearing.quasistatic
+
+    solve = bearing.quasistatic.solve_quasistatic
+
+    def fail(*arguments):
+        return dataclasses.replace(solve(*arguments), converged=False, message="no equilibrium")
+
+    monkeypatch.setattr(bearing.quasistatic, "solve_quasistatic", fail)
+    results = run_case(load_case(CASE))
+    assert solver.asked == []
+    assert not results.converged
+    assert any("no equilibrium" in message for message in results.messages)
+
+
+def test_progress_counts_to_the_end(solver):
+    seen = []
+    run_case(load_case(CASE), workers=1, progress=lambda done, total, state: seen.append((done, total, state)))
+    assert seen[0] == (0, 1, "equilibrium of the bearing")
+    assert [done for done, total, state in seen if state == "films"] == [0, 1, 2, 3, 4, 5]
+
+
+def test_a_stopped_run_keeps_the_finished_films(monkeypatch):
+    monkeypatch.setattr(ehl, "solve_contact", Solver(stop_after=2), raising=False)
+    with pytest.raises(Interrupted) as stop:
+        run_case(load_case(CASE), workers=1)
+    results = stop.value.results
+    assert 0 < len(solved(results)) < 12
+    assert any("interrupted" in message for message in results.messages)
+
+
+def test_a_run_stopped_at_once_has_nothing_to_keep(monkeypatch):
+    monkeypatch.setattr(ehl, "solve_contact", Solver(stop_after=0), raising=False)
+    with pytest.raises(Interrupted) as stop:
+        run_case(load_case(CASE), workers=1)
+    assert stop.value.results is None
+
+
+def test_equality_is_to_1e9_relative():
+    lubricant = ehl.Lubricant(viscosity=0.03, pressure_viscosity=2e-8)
+    contact = ehl.ContactConditions(
+        load=15.0, radius_x=0.01, radius_y=0.02, reduced_modulus=2e11, entrainment_speed=1.0, lubricant=lubricant
+    )
+    assert equal_contacts(contact, dataclasses.replace(contact, load=15.0 * (1 + 1e-12), spin=1e-12))
+    assert not equal_contacts(contact, dataclasses.replace(contact, radius_x=0.01 * (1 + 1e-8)))
+    assert not equal_contacts(contact, dataclasses.replace(contact, spin=1e-3))
+    assert not equal_contacts(contact, dataclasses.replace(contact, lubricant=dataclasses.replace(lubricant, name="x")))
+
+
+def test_a_single_contact(solver):
+    results = run_contact(load_case("ball_on_disc"))
+    assert results.solution.conditions.load == 15.0
+    assert results.converged
+
+
+def test_a_warning_of_the_library_reaches_the_results(solver, tmp_path):
+    from cases.shipped import shipped_cases
+
+    text = shipped_cases()["ball_on_disc"].read_text()
+    text = text.replace(
+        "viscosity_mPa_s = 40.0\npressure_viscosity_1_GPa = 20.0\ndensity_kg_m3 = 870.0", 'name = "iso vg 32"'
+    )
+    text = text.replace("[contact]", "[contact]\ntemperature_C = 200.0")
+    (tmp_path / "hot.toml").write_text(text[: text.index("assumed")] + text[text.index("[contact]") :])
+    results = run_contact(load_case(tmp_path / "hot.toml"))
+    assert any("outside 20.0 to 100.0 C" in message for message in results.messages)
