@@ -107,9 +107,12 @@ def run(
     try:
         with progress_bar(quiet=quiet) as progress:
             results = run_case(loaded, workers, progress)
+            _save(results, directory, progress)
     except Interrupted as stop:
         if stop.results is not None and directory is not None:
-            _save(stop.results, directory if not directory.exists() else Path(f"{directory}_interrupted"), quiet=quiet)
+            kept = directory if not directory.exists() else Path(f"{directory}_interrupted")
+            _save(stop.results, kept)
+            say(f"finished films in {kept}")
         raise KeyboardInterrupt from None
     return _finish(results, directory, as_json=as_json, quiet=quiet)
 
@@ -138,6 +141,7 @@ def contact(
     with progress_bar(quiet=quiet) as progress:
         progress(0, 1, "film")
         results = run_contact(loaded)
+        _save(results, directory, progress)
     return _finish(results, directory, as_json=as_json, quiet=quiet)
 
 
@@ -279,23 +283,26 @@ def _prepare() -> None:
     ensure_kernel_cache()
 
 
-def _save(results: BearingResults | ContactResults, directory: Path, *, quiet: bool) -> None:
+def _save(results: BearingResults | ContactResults, directory: Path | None, progress: Progress | None = None) -> None:
+    """Write the results, if a directory is asked for."""
+    if directory is None:
+        return
+    if progress is not None:
+        progress(0, 1, "pictures and files")
     from postprocess import write_results
 
     from .output_directory import save
 
     for problem in save(lambda folder: write_results(results, folder), directory):
         say(f"oilfilm: {problem}")
-    if not quiet:
-        say(f"results in {directory}")
 
 
 def _finish(results: BearingResults | ContactResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
-    """Write, print, and tell what did not converge."""
+    """Print, and tell what did not converge."""
     from postprocess import summary
 
-    if directory is not None:
-        _save(results, directory, quiet=quiet)
+    if directory is not None and not quiet:
+        say(f"results in {directory}")
     document: dict[str, Any] = summary(results)
     if as_json:
         print_lines(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))

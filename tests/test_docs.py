@@ -18,3 +18,15 @@ def load(name):
 def test_the_tables_of_keys_are_those_of_the_schema():
     reference = load("case_reference")
     assert reference.PAGE.read_text(encoding="utf-8") == reference.page()
+
+
+def test_the_page_of_commands_names_every_command_and_option():
+    from typer.main import get_command
+
+    from cases.cli import app
+
+    page = (DOCS / "commands.md").read_text(encoding="utf-8")
+    for name, command in get_command(app).commands.items():
+        assert f"oilfilm {name}" in page
+        for parameter in command.params:
+            assert parameter.param_type_name == "argument" or any(option in page for option in parameter.opts)

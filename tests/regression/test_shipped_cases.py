@@ -1,0 +1,70 @@
+"""Every shipped case: complete, valid, and with the numbers it had when they were last looked at.
+
+The numbers are ours, not a reference: a change of them is to be understood, then written down by
+`python tests/regression/test_shipped_cases.py`. Loads and pressures follow from closed equations and are kept to 1e-6,
+films to 0.5 %, which covers a change of grid or of extrapolation, not one of physics.
+"""
+
+from __future__ import annotations
+
+import json
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from cases import Case, load_case, run_case, run_contact
+from cases.shipped import HERE, shipped_cases
+
+STEMS = tuple(shipped_cases())
+QUICK = ("209_radial_8900N", "218_axial_22250N", "ball_on_disc", "moes_20_10", "6208_full_ceramic")
+EXPECTED = Path(__file__).with_name("expected.json")
+CLOSED, FILM = 1e-6, 5e-3
+NOISE = 1e-6  # of values that are zero, in the unit of their key
+
+
+def numbers(stem):
+    """The main results of a case, by key."""
+    from postprocess import summary
+
+    case = load_case(stem)
+    found = summary(run_case(case) if isinstance(case, Case) else run_contact(case))
+    if not isinstance(case, Case):
+        films = ("film_central_dimensionless", "film_minimum_dimensionless", "film_central_um", "film_minimum_um")
+        return {key: found[key] for key in ("converged", "hertz_pressure_GPa", *films)}
+    kept = {"converged": found["converged"], "cage_speed_rpm": found["cage_speed_rpm"]}
+    for direction, value in zip("xyz", found["ring"]["displacement_um"], strict=True):
+        kept[f"displacement_{direction}_um"] = value
+    for contact in found["contacts"]:
+        name = f"ball {contact['ball']} {contact['race']}"
+        for key in ("load_N", "contact_angle_deg", "hertz_pressure_GPa", "film_central_um", "film_minimum_um"):
+            kept[f"{name} {key}"] = contact[key]
+    return kept
+
+
+def test_stems_are_unique():
+    assert len(list(HERE.rglob("*.toml"))) == len(STEMS)
+
+
+@pytest.mark.parametrize("stem", STEMS)
+def test_a_case_says_what_it_is_and_where_its_numbers_come_from(stem):
+    document = tomllib.loads(shipped_cases()[stem].read_text(encoding="utf-8"))
+    assert document["title"]
+    assert document["source"]
+    assert document["assumed"]
+    load_case(stem)
+
+
+@pytest.mark.parametrize(
+    "stem", [stem if stem in QUICK else pytest.param(stem, marks=pytest.mark.slow) for stem in STEMS]
+)
+def test_numbers(stem):
+    expected, found = json.loads(EXPECTED.read_text(encoding="utf-8"))[stem], numbers(stem)
+    assert found.keys() == expected.keys()
+    for key, value in expected.items():
+        tolerance = FILM if "film" in key else CLOSED
+        assert found[key] == (value if value is None else pytest.approx(value, rel=tolerance, abs=NOISE)), key
+
+
+if __name__ == "__main__":
+    EXPECTED.write_text(json.dumps({stem: numbers(stem) for stem in STEMS}, indent=1) + "\n", encoding="utf-8")
