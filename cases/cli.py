@@ -26,6 +26,8 @@ from .terminal import (
 if TYPE_CHECKING:
     from postprocess.results import BearingResults, ContactResults
 
+    from .run import Progress
+
 
 app = typer.Typer(
     name="oilfilm",
