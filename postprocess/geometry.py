@@ -217,9 +217,8 @@ def groove_profile(bearing: Bearing, inner: bool, points: int = 48) -> Array:
     """
     sign = 1.0 if inner else -1.0
     groove = bearing.inner_groove_radius if inner else bearing.outer_groove_radius
-    set_back = SET_BACK * bearing.ball_diameter
-    bottom = 0.5 * bearing.pitch_diameter - sign * (0.5 * bearing.ball_diameter + 0.25 * bearing.diametral_clearance)
-    bottom -= sign * set_back
+    centre = bearing.inner_centre_radius if inner else bearing.outer_centre_radius
+    bottom = centre - sign * (groove + SET_BACK * bearing.ball_diameter)
     height = SHOULDER_HEIGHT * bearing.ball_diameter
     half = np.arccos(1.0 - height / groove)
     t = np.linspace(-half, half, points)

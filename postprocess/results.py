@@ -134,8 +134,8 @@ def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
         None with the reason under "messages"; no value is NaN or infinite.
     """
     document = _contact_summary(results) if isinstance(results, ContactResults) else _bearing_summary(results)
-    messages = document["messages"]
-    return {key: _plain(value, key, messages) for key, value in document.items()}
+    messages = document["messages"]  # _plain adds to them
+    return {key: messages if key == "messages" else _plain(value, key, messages) for key, value in document.items()}
 
 
 def _plain(value: Any, path: str, messages: list[str]) -> Any:

@@ -6,11 +6,8 @@ Drawing happens in a process of its own, since a missing OpenGL library ends the
 from __future__ import annotations
 
 import json
-import os
-import subprocess
 import sys
 from dataclasses import asdict, dataclass
-from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +16,7 @@ from numpy.typing import NDArray
 
 from .geometry import ContactFrame, Placement, place_patch, principal_coordinates
 from .plot_style import COLOUR_MAPS, film_range, half_extents, shown_part
+from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
 from .results import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from .results_io import atomic_path, open_results
 from .vtk import COLLECTION_FILE
@@ -29,17 +27,10 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-WINDOW_VARIABLE, WINDOW_WITHOUT_DISPLAY = "VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow"
-PACKAGES = "libegl1 libegl-mesa0 libgl1-mesa-dri"
-PATIENCE = 300.0  # for one picture [s]
 NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
 PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
 LABELS = {"film": "film thickness [µm]", "pressure": "pressure [GPa]"}
 BODY, EDGE, BACKGROUND, INK, LOAD_COLOUR = "#c9ced6", "#5b6470", "white", "#1b1f24", "#b3202c"
-
-
-class RenderingError(RuntimeError):
-    """No picture can be drawn here; the message says what is missing and what to do."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -93,70 +84,35 @@ def screenshot(directory: str | Path, file: str | Path, options: SceneOptions | 
     path = Path(file)
     if path.suffix.lower() != ".png":
         raise ValueError(f"the picture must be a .png file, got {path.name}")
-    open_results(directory).close()
+    _check(directory)
     with atomic_path(path) as temporary:
         _draw_elsewhere(directory, temporary, options or SceneOptions())
         if not temporary.stat().st_size:
-            raise RenderingError(_advice("no picture came out"))
+            raise RenderingError(advice("no picture came out"))
     return path
 
 
 def show(directory: str | Path, options: SceneOptions | None = None) -> None:
     """Open a window with the scene of a result directory, to be turned with the mouse; arguments as `screenshot`."""
-    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-        raise RenderingError(
-            "there is no display to open a window on; a picture can be written with --screenshot FILE.png"
-        )
-    open_results(directory).close()
+    require_display()
+    _check(directory)
     _draw_elsewhere(directory, None, options or SceneOptions())
+
+
+def _check(directory: str | Path) -> None:
+    """Whether there is something to draw, before a process is started for it."""
+    tree = open_results(directory)
+    kind = tree.attrs["kind"]
+    tree.close()
+    if kind == "bearing" and not (Path(directory) / COLLECTION_FILE).is_file():
+        raise ValueError(f"{directory} holds no VTK files: {COLLECTION_FILE} is missing")
 
 
 def _draw_elsewhere(directory: str | Path, file: Path | None, options: SceneOptions) -> None:
     """Run this module in a process of its own, and turn its end into an exception if need be."""
     request = {"directory": str(directory), "file": None if file is None else str(file), "options": asdict(options)}
     patience = None if file is None else PATIENCE
-    _run_python(["-m", f"{__package__}.scene", json.dumps(request)], patience)
-
-
-def _run_python(arguments: list[str], patience: float | None) -> None:
-    home = str(Path(__file__).resolve().parents[1])
-    paths = [home, *filter(None, [os.environ.get("PYTHONPATH")])]
-    environment = rendering_environment() | {"PYTHONPATH": os.pathsep.join(paths)}
-    command = [sys.executable, *arguments]
-    try:
-        done = subprocess.run(
-            command, env=environment, capture_output=True, text=True, timeout=patience, check=False, errors="replace"
-        )
-    except subprocess.TimeoutExpired:
-        raise RenderingError(_advice(f"drawing took more than {patience:.0f} s")) from None
-    if done.returncode != 0:
-        lines = [line for line in done.stderr.splitlines() if line.strip()]
-        crashed = done.returncode < 0 or done.returncode > 128
-        reason = f"the drawing process ended with code {done.returncode}" if crashed or not lines else lines[-1].strip()
-        raise RenderingError(_advice(reason))
-
-
-def _advice(reason: str) -> str:
-    text = f"the scene cannot be drawn: {reason}"
-    if not sys.platform.startswith("linux"):
-        return text
-    return f"{text}. Is OpenGL installed? On Debian and Ubuntu: apt install {PACKAGES}"
-
-
-def rendering_environment() -> dict[str, str]:
-    """Environment for a process that draws: on Linux without a display VTK is sent to EGL, unless the user chose."""
-    environment = dict(os.environ)
-    if sys.platform.startswith("linux") and not environment.get("DISPLAY"):
-        environment.setdefault(WINDOW_VARIABLE, WINDOW_WITHOUT_DISPLAY)
-    return environment
-
-
-@lru_cache(maxsize=1)
-def require_rendering() -> None:
-    """Try a tiny picture in a process of its own; `RenderingError` if this machine cannot draw. For notebooks."""
-    code = "import pyvista; p = pyvista.Plotter(off_screen=True, window_size=(16, 16)); p.show(); p.close()"
-    _run_python(["-c", code], PATIENCE)
-    os.environ.update({k: v for k, v in rendering_environment().items() if k == WINDOW_VARIABLE})
+    run_python(["-m", f"{__package__}.scene", json.dumps(request)], patience)
 
 
 def bearing_scene(
@@ -181,6 +137,7 @@ def bearing_scene(
     ValueError, RenderingError
         As `screenshot`.
     """
+    _check(directory)
     require_rendering()
     return _scene(Path(directory), options or SceneOptions(), off_screen)
 
@@ -330,16 +287,13 @@ def _add_bodies(plotter: Any, directory: Path) -> None:
     """Balls like smoked glass, the inner ring whole, the outer one cut open, with their edges drawn."""
     import pyvista as pv
 
-    collection = directory / COLLECTION_FILE
-    if not collection.is_file():
-        raise ValueError(f"{directory} holds no VTK files: {COLLECTION_FILE} is missing")
-    bodies = pv.get_reader(collection).read()[0]["bodies"]
+    bodies = pv.get_reader(directory / COLLECTION_FILE).read()[0]["bodies"]
     balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
     plotter.add_mesh(balls, color="#aab4c0", opacity=0.2, smooth_shading=True, specular=0.5, specular_power=30)
     for name in ("inner ring", "outer ring"):
         ring = bodies[name].clean()
         solid = ring.compute_normals(consistent_normals=False, split_vertices=True, feature_angle=40.0)
-        plotter.add_mesh(solid, color=BODY, smooth_shading=True, specular=0.25, ambient=0.15)
+        plotter.add_mesh(solid, color=BODY, smooth_shading=True, specular=0.2, ambient=0.35, diffuse=0.7)
         edges = ring.extract_feature_edges(feature_angle=50.0)
         plotter.add_mesh(edges, color=EDGE, line_width=1.0)
 
@@ -387,7 +341,8 @@ def _aim(plotter: Any, tree: xarray.DataTree) -> None:
     plotter.camera.position = tuple(direction)
     plotter.camera.up = tuple(radial)
     plotter.reset_camera()
-    plotter.camera.zoom(1.3)
+    plotter.camera.zoom(1.25)
+    plotter.camera.SetWindowCenter(0.1, 0.0)  # room for the colour bar
 
 
 def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions) -> str:

@@ -1,13 +1,18 @@
-"""A 6208 with plausible loads and made-up films: Hertz pressure, and a film with a horseshoe; no solver runs."""
+"""The 6208 in equilibrium with made-up films: Hertz pressure, and a gap with a horseshoe; no film is solved."""
 
 from __future__ import annotations
-
-from enum import Enum
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
+from bearing import (
+    Bearing,
+    Material,
+    Operation,
+    bearing_frequencies,
+    contact_conditions,
+    solve_quasistatic,
+)
 from ehl import (
     ContactConditions,
     ContactSolution,
@@ -17,20 +22,26 @@ from ehl import (
     MoesConditions,
     SolverOptions,
 )
-from ehl.hertz import hertz_contact
 from ehl.scaling import scale_contact
 from postprocess.results import BearingResults, ContactResults
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, name="example oil")
-E_REDUCED = 310e9 / (1.0 - 0.26**2)
-BALLS, BALL_DIAMETER, PITCH_DIAMETER = 9, 0.012, 0.060
-INNER_LOAD = {0: 1596.3, 1: 916.2, 8: 916.2}  # ball index: load [N], 3000 N at 10000 rpm
-CENTRIFUGAL = 15.48  # [N]
-
-
-class Race(Enum):
-    INNER = "inner"
-    OUTER = "outer"
+SILICON_NITRIDE = Material(name="silicon nitride", youngs_modulus=310e9, poisson_ratio=0.26, density=3250.0)
+BEARING_6208 = Bearing(
+    name="6208",
+    ball_diameter=0.012,
+    pitch_diameter=0.060,
+    balls=9,
+    inner_groove_radius=6.17e-3,
+    outer_groove_radius=6.29e-3,
+    diametral_clearance=13e-6,
+    ball_material=SILICON_NITRIDE,
+    inner_ring_material=SILICON_NITRIDE,
+    outer_ring_material=SILICON_NITRIDE,
+    bore=0.040,
+    outside_diameter=0.080,
+    width=0.018,
+)
 
 
 def made_up_solution(conditions, points=65, x_in=-6.0):
@@ -81,111 +92,30 @@ def made_up_solution(conditions, points=65, x_in=-6.0):
     )
 
 
-def contact_of_ball(index, azimuth, race):
-    """One contact of the made-up 6208."""
-    inner = race is Race.INNER
-    load = INNER_LOAD.get(index, 0.0) + (0.0 if inner else CENTRIFUGAL)
-    groove, sign = (6.17e-3, -1.0) if inner else (6.29e-3, 1.0)
-    r = 0.5 * BALL_DIAMETER
-    radius_x = 1.0 / (1.0 / r - sign / (0.5 * PITCH_DIAMETER + sign * r))
-    radius_y = 1.0 / (1.0 / r - 1.0 / groove)
-    radial = np.array([0.0, np.cos(azimuth), np.sin(azimuth)])
-    tangential = np.array([0.0, -np.sin(azimuth), np.cos(azimuth)])
-    conditions = hertz = None
-    if load > 0.0:
-        hertz = hertz_contact(load, radius_x, radius_y, E_REDUCED)
-        conditions = ContactConditions(
-            load=load,
-            radius_x=radius_x,
-            radius_y=radius_y,
-            reduced_modulus=E_REDUCED,
-            entrainment_speed=15.08,
-            lubricant=OIL,
-        )
-    normal, axis_x = sign * radial, -sign * tangential
-    return SimpleNamespace(
-        ball=index + 1,
-        azimuth=azimuth,
-        race=race,
-        conditions=conditions,
-        hertz=hertz,
-        load=load,
-        contact_angle=0.0,
-        spin_roll_ratio=0.0 if load > 0.0 else None,
-        hirano_ratio=0.0 if inner else None,
-        origin=radial * (0.5 * PITCH_DIAMETER + sign * r),
-        axis_x=axis_x,
-        axis_y=np.cross(normal, axis_x),
-        normal=normal,
-        note="" if load > 0.0 else "no load",
-        loaded=load > 0.0,
-    )
-
-
-def made_up_state(azimuth):
-    """The quasi-static state of the made-up 6208."""
-    inner = np.array([INNER_LOAD.get(i, 0.0) for i in range(BALLS)])
-    bearing = SimpleNamespace(
-        name="6208",
-        balls=BALLS,
-        ball_diameter=BALL_DIAMETER,
-        pitch_diameter=PITCH_DIAMETER,
-        inner_groove_radius=6.17e-3,
-        outer_groove_radius=6.29e-3,
-        diametral_clearance=13e-6,
-        bore=0.040,
-        outside_diameter=0.080,
-        width=0.018,
-    )
-    operation = SimpleNamespace(inner_speed=1047.2, outer_speed=0.0, temperature=313.15)
-    per_ball = {"attitude": 0.0, "gyroscopic_moment": 0.0, "orbit_speed": 418.9, "spin_speed": 2513.0}
-    return SimpleNamespace(
-        bearing=bearing,
-        operation=operation,
-        displacement=np.array([0.0, 21.3e-6, 0.0]),
-        tilt=np.zeros(2),
-        ring_force=np.array([0.0, 3000.0, 0.0]),
-        ring_moment=np.zeros(2),
-        stiffness=np.diag([1e8, 3e8, 2e8, 4e4, 5e4]),
-        azimuth=azimuth,
-        inner_load=inner,
-        outer_load=inner + CENTRIFUGAL,
-        inner_contact_angle=np.zeros(BALLS),
-        outer_contact_angle=np.zeros(BALLS),
-        ball_axial=np.zeros(BALLS),
-        ball_radial=np.full(BALLS, 0.5 * PITCH_DIAMETER),
-        centrifugal_force=np.full(BALLS, CENTRIFUGAL),
-        **{name: np.full(BALLS, value) for name, value in per_ball.items()},
-        cage_speed=418.9,
-        residual=1e-13,
-        iterations=5,
-        converged=True,
-        message="converged",
+def made_up_results(force):
+    """Results of the 6208 under an external force (x, y, z) [N] at 10000 rpm, with made-up films."""
+    state = solve_quasistatic(BEARING_6208, Operation(inner_speed=1047.2, force=force))
+    contacts = contact_conditions(state, OIL)
+    known = {}
+    for contact in contacts:
+        if contact.conditions is not None:
+            known.setdefault((contact.race, round(contact.load, 6)), made_up_solution(contact.conditions))
+    return BearingResults(
+        version="0.1.0",
+        case={"schema_version": 1, "title": "6208, all silicon nitride, 3000 N, 10000 rpm", "source": "made up"},
+        quasistatic=state,
+        lubricant=OIL,
+        contacts=contacts,
+        solutions=tuple(known.get((c.race, round(c.load, 6))) for c in contacts),
+        frequencies=bearing_frequencies(state),
+        messages=("made-up films",),
+        timing={"quasistatic": 0.01, "contacts": 1.0, "total": 1.01},
     )
 
 
 @pytest.fixture(scope="session")
 def bearing_results():
-    azimuth = 2.0 * np.pi * np.arange(BALLS) / BALLS
-    contacts = tuple(contact_of_ball(i, azimuth[i], race) for i in range(BALLS) for race in Race)
-    known = {}
-    solutions = []
-    for contact in contacts:
-        key = (contact.race, contact.load)
-        if contact.conditions is not None and key not in known:
-            known[key] = made_up_solution(contact.conditions)
-        solutions.append(known.get(key))
-    return BearingResults(
-        version="0.1.0",
-        case={"schema_version": 1, "title": "6208, all silicon nitride, 3000 N, 10000 rpm", "source": "made up"},
-        quasistatic=made_up_state(azimuth),
-        lubricant=OIL,
-        contacts=contacts,
-        solutions=tuple(solutions),
-        frequencies=SimpleNamespace(cage=66.7, ball_pass_outer=600.0, ball_pass_inner=900.0, ball_spin=400.0),
-        messages=("made-up films",),
-        timing={"quasistatic": 0.01, "contacts": 1.0, "total": 1.01},
-    )
+    return made_up_results((0.0, 3000.0, 0.0))
 
 
 @pytest.fixture(scope="session")

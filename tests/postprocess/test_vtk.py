@@ -26,7 +26,7 @@ def collection(bearing_results, tmp_path_factory):
 
 
 def test_one_block_per_ball_and_race(collection, bearing_results):
-    names = {(g, b) for g in collection.keys() for b in collection[g].keys()}  # noqa: SIM118  a MultiBlock is a list
+    names = {(g, b) for g in collection.keys() for b in collection[g].keys()}  # noqa: SIM118
     solved = {(f"ball{c.ball:02d}", c.race.value) for c in bearing_results.contacts if c.conditions is not None}
     assert names == solved | {("bodies", n) for n in ("balls", "inner ring", "outer ring")}
 
@@ -97,7 +97,8 @@ def test_single_contact_is_flat(contact_results, moes_results, tmp_path):
 
 def test_writing_needs_no_rendering_library():
     code = (
-        "import sys, postprocess.vtk, vtkmodules.vtkIOXML; print(any('Rendering' in m or 'pyvista' in m for m in sys.modules))"
+        "import sys, postprocess.vtk, vtkmodules.vtkIOXML; "
+        "print(any('Rendering' in m or 'pyvista' in m for m in sys.modules))"
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert answer.stdout.strip() == "False"

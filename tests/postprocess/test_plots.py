@@ -1,0 +1,64 @@
+"""Plots: what is drawn, once each, and which part of a contact is shown. How they look was judged by eye."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from postprocess.plot_style import contact_view, value_with_error
+from postprocess.plots import write_plots
+from postprocess.plots_bearing import ball_columns
+
+pytest.importorskip("matplotlib")
+
+
+def test_one_figure_per_distinct_contact(bearing_results, tmp_path):
+    names = {path.name for path in write_plots(bearing_results, tmp_path)}
+    assert names == {
+        "load_zone.png",
+        "film_per_azimuth.png",
+        "pressure_per_azimuth.png",
+        "inner_ball01.png",
+        "inner_ball02.png",
+        "outer_ball01.png",
+        "outer_ball02.png",
+        "outer_ball03.png",
+    }
+    assert {p.name for p in (tmp_path / "plots").iterdir()} == names
+    assert all(p.read_bytes().startswith(b"\x89PNG") for p in (tmp_path / "plots").iterdir())
+
+
+def test_single_contacts(contact_results, moes_results, tmp_path):
+    for name, results in (("si", contact_results), ("moes", moes_results)):
+        assert [p.name for p in write_plots(results, tmp_path / name)] == ["contact.png"]
+
+
+def test_mirrored_balls_share_a_column(bearing_results):
+    columns = ball_columns(bearing_results)
+    assert [c.label for c in columns] == ["0°", "40°, 320°", "80°, 280°", "120°, 240°", "160°, 200°"]
+    assert columns[0].views["inner"] is not None
+    assert columns[2].views["inner"] is None
+    assert columns[2].views["outer"] is not None
+
+
+def test_view_is_cropped_to_the_contact(bearing_results):
+    view = contact_view(bearing_results.solutions[0])
+    assert -2.5 <= view.x[0] / view.half_x < -2.3
+    assert 1.3 < view.x[-1] / view.half_x <= 1.5
+    assert view.whole[0] < -5.9
+    assert_allclose([view.half_x, view.half_y], [0.15645, 1.7819], rtol=5e-3)  # papers.md, 6208 inner race [mm]
+    assert_allclose(np.abs(view.ellipse).max(axis=1), [view.half_x, view.half_y], rtol=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("value", "error", "text"),
+    [
+        (0.91407, 0.0012, "0.9141 ± 0.0012"),
+        (0.91407, 0.004, "0.914 ± 0.004"),
+        (2.55, 0.0, "2.550 ± 0.000"),
+        (12.3, 2.0, "12 ± 2"),
+    ],
+)
+def test_digits_follow_the_uncertainty(value, error, text):
+    assert value_with_error(value, error) == text

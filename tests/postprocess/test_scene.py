@@ -1,0 +1,92 @@
+"""The 3-D scene: drawn in a process of its own; where that dies, an error says what to install."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from postprocess import write_results
+from postprocess.rendering import (
+    WINDOW_VARIABLE,
+    RenderingError,
+    rendering_environment,
+    require_rendering,
+    run_python,
+)
+from postprocess.scene import SceneOptions, screenshot, show
+
+LINUX = sys.platform.startswith("linux")
+
+
+@pytest.fixture(scope="module")
+def run_folder(bearing_results, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("run")
+    write_results(bearing_results, folder)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def drawing():
+    try:
+        require_rendering()
+    except RenderingError as error:
+        pytest.skip(str(error))
+
+
+@pytest.mark.usefixtures("drawing")
+@pytest.mark.parametrize("quantity", ["film", "pressure"])
+def test_screenshot_shows_something(run_folder, tmp_path, quantity):
+    from matplotlib.image import imread
+
+    path = screenshot(run_folder, tmp_path / "scene.png", SceneOptions(quantity=quantity, size=(400, 300)))
+    picture = imread(path)
+    assert picture.shape[:2] == (300, 400)
+    saturation = np.ptp(picture[..., :3], axis=2)
+    assert (saturation > 0.3).mean() > 0.005  # coloured patches, arrow and bar on grey bodies
+
+
+@pytest.mark.usefixtures("drawing")
+def test_single_contact_in_moes_units(moes_results, tmp_path):
+    write_results(moes_results, tmp_path / "run")
+    assert screenshot(tmp_path / "run", tmp_path / "scene.png", SceneOptions(size=(400, 300))).stat().st_size > 1000
+
+
+def test_dying_process_becomes_an_error():
+    with pytest.raises(RenderingError, match="apt install libegl1"):
+        run_python(["-c", "import os; os.abort()"], 60.0)
+    with pytest.raises(RenderingError, match="no display server"):
+        run_python(["-c", "raise OSError('no display server')"], 60.0)
+
+
+@pytest.mark.skipif(not LINUX, reason="Linux only")
+def test_window_kind_is_chosen_without_a_display(monkeypatch):
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv(WINDOW_VARIABLE, raising=False)
+    assert rendering_environment()[WINDOW_VARIABLE] == "vtkEGLRenderWindow"
+    monkeypatch.setenv(WINDOW_VARIABLE, "mine")
+    assert rendering_environment()[WINDOW_VARIABLE] == "mine"
+
+
+@pytest.mark.skipif(not LINUX, reason="Linux only")
+def test_window_needs_a_display(run_folder, monkeypatch):
+    monkeypatch.delenv("DISPLAY", raising=False)
+    with pytest.raises(RenderingError, match="--screenshot"):
+        show(run_folder)
+
+
+def test_bad_requests(run_folder, tmp_path):
+    with pytest.raises(ValueError, match="holds no results"):
+        screenshot(tmp_path, tmp_path / "scene.png")
+    with pytest.raises(ValueError, match=r"\.png"):
+        screenshot(run_folder, tmp_path / "scene.jpg")
+    with pytest.raises(ValueError, match="quantity"):
+        SceneOptions(quantity="temperature")
+
+
+def test_importing_the_scene_opens_nothing():
+    code = "import sys, postprocess.scene; print('pyvista' in sys.modules)"
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert answer.stdout.strip() == "False"

@@ -1,0 +1,171 @@
+"""The summary: keys as published, units, null with a reason, never NaN."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from postprocess import summary
+
+BEARING_KEYS = {
+    "oilfilm",
+    "case",
+    "converged",
+    "messages",
+    "ring",
+    "cage_speed_rpm",
+    "balls",
+    "contacts",
+    "life",
+    "frequencies_Hz",
+    "torque_N_mm",
+    "timing_s",
+}
+CONTACT_KEYS = {
+    "ball",
+    "azimuth_deg",
+    "race",
+    "loaded",
+    "load_N",
+    "contact_angle_deg",
+    "semi_axis_rolling_mm",
+    "semi_axis_transverse_mm",
+    "hertz_pressure_GPa",
+    "entrainment_speed_m_s",
+    "slide_roll_ratio",
+    "spin_roll_ratio",
+    "hirano_ratio",
+    "film_central_um",
+    "film_central_uncertainty_um",
+    "film_minimum_um",
+    "film_minimum_uncertainty_um",
+    "pressure_maximum_GPa",
+    "traction_coefficient",
+    "lambda_ratio",
+    "converged",
+}
+SINGLE_KEYS = {
+    "load_N",
+    "moes_M",
+    "moes_L",
+    "radius_ratio",
+    "hertz_pressure_GPa",
+    "film_central_um",
+    "film_minimum_um",
+    "film_central_uncertainty_um",
+    "film_minimum_uncertainty_um",
+    "film_central_dimensionless",
+    "film_minimum_dimensionless",
+    "film_central_uncertainty_dimensionless",
+    "film_minimum_uncertainty_dimensionless",
+    "approach_dimensionless",
+    "pressure_centre_dimensionless",
+    "pressure_maximum_GPa",
+    "traction_coefficient",
+    "resolved",
+    "domain",
+    "points",
+    "cycles",
+    "fft_equivalents",
+    "wall_s",
+    "converged",
+    "finest_grid",
+}
+
+
+def test_bearing_keys(bearing_results):
+    document = summary(bearing_results)
+    assert document.keys() >= BEARING_KEYS
+    assert all(contact.keys() >= CONTACT_KEYS for contact in document["contacts"])
+    assert document["ring"].keys() >= {"displacement_um", "tilt_mrad", "stiffness"}
+    assert document["ring"]["stiffness"].keys() == {"order", "matrix", "units"}
+    assert (
+        np.shape(document["ring"]["stiffness"]["matrix"]) == (5, 5) == np.shape(document["ring"]["stiffness"]["units"])
+    )
+    assert document["frequencies_Hz"].keys() == {"cage", "ball_pass_outer", "ball_pass_inner", "ball_spin"}
+    assert document["torque_N_mm"].keys() == {"total", "models"}
+    assert len(document["contacts"]) == 18
+    assert len(document["balls"]) == 9
+
+
+def test_numbers_in_named_units(bearing_results):
+    """6208 under 3000 N at 10000 rpm, papers.md: Qi 1596.3 N, a 1.7819 and b 0.15645 mm, 2.734 GPa, 15.08 m/s."""
+    inner, outer = summary(bearing_results)["contacts"][:2]
+    assert_allclose(inner["load_N"], 1596.3, rtol=5e-3)
+    assert_allclose(inner["semi_axis_transverse_mm"], 1.7819, rtol=5e-3)
+    assert_allclose(inner["semi_axis_rolling_mm"], 0.15645, rtol=5e-3)
+    assert_allclose(inner["hertz_pressure_GPa"], 2.734, rtol=5e-3)
+    assert_allclose(outer["hertz_pressure_GPa"], 2.543, rtol=5e-3)
+    assert_allclose(inner["entrainment_speed_m_s"], 15.08, rtol=5e-3)
+    solution = bearing_results.solutions[0]
+    assert_allclose(inner["film_minimum_um"], solution.film_minimum * 1e6)
+    assert_allclose(summary(bearing_results)["cage_speed_rpm"], 4000.0, rtol=5e-3)
+
+
+def test_unloaded_contacts_are_null_and_do_not_count(bearing_results):
+    document = summary(bearing_results)
+    unloaded = [c for c in document["contacts"] if not c["loaded"]]
+    assert {c["race"] for c in unloaded} == {"inner"}
+    assert all(c["load_N"] == 0.0 and c["film_central_um"] is None for c in unloaded)
+    assert document["converged"]
+    assert any("inner race, balls 3, 4, 5, 6, 7, 8: film null, unloaded" in m for m in document["messages"])
+
+
+def test_null_has_a_reason(bearing_results, contact_results):
+    for results in (bearing_results, contact_results):
+        messages = " ".join(summary(results)["messages"])
+        assert "traction_coefficient: null, not computed by this version" in messages
+    messages = " ".join(summary(bearing_results)["messages"])
+    assert "life: null" in messages
+    assert "torque_N_mm: null" in messages
+
+
+def test_nan_never_appears(bearing_results):
+    state = replace(bearing_results.quasistatic, cage_speed=float("nan"), tilt=np.array([np.inf, 0.0]))
+    document = summary(replace(bearing_results, quasistatic=state))
+    assert document["cage_speed_rpm"] is None
+    assert document["ring"]["tilt_mrad"][0] is None
+    assert any(m.startswith("ring.tilt_mrad[0]: null") for m in document["messages"])
+    json.dumps(document, allow_nan=False)
+
+
+def test_failures_are_named(bearing_results):
+    bad = replace(bearing_results.solutions[2], converged=False, resolved=False, message="stalled at 1e-3")
+    solutions = tuple(bad if s is bearing_results.solutions[2] else s for s in bearing_results.solutions)
+    document = summary(replace(bearing_results, solutions=solutions))
+    assert not document["converged"]
+    assert any("balls 2, 9" in m and "stalled at 1e-3" in m for m in document["messages"])
+    assert any("not resolved" in m for m in document["messages"])
+
+
+def test_single_contact(contact_results):
+    document = summary(contact_results)
+    assert document.keys() >= SINGLE_KEYS
+    assert document["load_N"] == 15.0
+    assert document["pressure_centre_dimensionless"] == pytest.approx(1.0)
+    solution = contact_results.solution
+    assert document["finest_grid"]["film_central_um"] == pytest.approx(
+        solution.film_central_dimensionless.finest * solution.film_scale * 1e6
+    )
+    json.dumps(document, allow_nan=False)
+
+
+def test_moes_input_has_no_lengths(moes_results):
+    document = summary(moes_results)
+    assert document.keys() >= SINGLE_KEYS
+    nulls = ("load_N", "film_central_um", "film_minimum_um", "film_central_uncertainty_um")
+    assert all(document[key] is None for key in nulls)
+    assert document["moes_M"] == 20.0
+    assert document["film_central_dimensionless"] > 0.0
+    assert document["hertz_pressure_GPa"] > 0.0
+    assert any("Moes" in message for message in document["messages"])
+
+
+def test_formulas_stand_beside_solved_films(bearing_results):
+    formulas = summary(bearing_results)["contacts"][0]["film_formulas_um"]
+    assert len(formulas) == 5
+    assert all(0.1 < value < 3.0 for value in formulas.values())

@@ -1,0 +1,30 @@
+"""Everything into one directory; a lost picture is a message."""
+
+from __future__ import annotations
+
+import json
+
+import postprocess.plots
+from postprocess import write_results
+
+
+def test_all_files_are_written(bearing_results, tmp_path):
+    assert write_results(bearing_results, tmp_path / "out") == ()
+    names = {p.name for p in (tmp_path / "out").iterdir()}
+    assert names == {"summary.json", "contacts.csv", "results.nc", "fields.pvd", "plots", "vtk"}
+
+
+def test_single_contact_files(moes_results, tmp_path):
+    assert write_results(moes_results, tmp_path) == ()
+    assert {p.name for p in tmp_path.iterdir()} == {"summary.json", "results.nc", "fields.pvd", "plots", "vtk"}
+
+
+def test_failed_picture_is_a_message(contact_results, tmp_path, monkeypatch):
+    def broken(results, directory):
+        raise RuntimeError("no fonts")
+
+    monkeypatch.setattr(postprocess.plots, "write_plots", broken)
+    problems = write_results(contact_results, tmp_path)
+    assert problems == ("plots not written: RuntimeError: no fonts",)
+    document = json.loads((tmp_path / "summary.json").read_text(encoding="utf-8"))
+    assert problems[0] in document["messages"]
