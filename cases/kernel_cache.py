@@ -15,11 +15,13 @@ def ensure_kernel_cache() -> None:
     """Give numba a folder of this user's own for compiled kernels if it would find none; call before numba is imported.
 
     Without one, importing the kernels fails ("no locator available", numba issues 4908 and 5566). A folder that the
-    user has set is left alone.
+    user has set is left alone. matplotlib gets one, too, without which it complains.
     """
-    if VARIABLE in os.environ or _beside_the_package() or _in_the_home_directory():
+    if _in_the_home_directory():
         return
-    os.environ[VARIABLE] = str(_private_folder())
+    os.environ.setdefault("MPLCONFIGDIR", str(_private_folder()))
+    if not _beside_the_package():
+        os.environ.setdefault(VARIABLE, str(_private_folder()))
 
 
 def _beside_the_package() -> bool:

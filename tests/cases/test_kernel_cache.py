@@ -15,11 +15,13 @@ from cases.kernel_cache import VARIABLE, ensure_kernel_cache
 @pytest.fixture
 def nothing_writable(monkeypatch, tmp_path):
     monkeypatch.delenv(VARIABLE, raising=False)
+    monkeypatch.delenv("MPLCONFIGDIR", raising=False)
     monkeypatch.setattr(kernel_cache, "_beside_the_package", lambda: False)
     monkeypatch.setattr(kernel_cache, "_in_the_home_directory", lambda: False)
     monkeypatch.setattr(kernel_cache.tempfile, "gettempdir", lambda: str(tmp_path))
     yield tmp_path
     os.environ.pop(VARIABLE, None)
+    os.environ.pop("MPLCONFIGDIR", None)
 
 
 def test_a_private_folder_is_used(nothing_writable):
@@ -49,6 +51,13 @@ def test_the_choice_of_the_user_stands(nothing_writable, monkeypatch):
 
 def test_nothing_is_set_where_numba_finds_a_place(monkeypatch):
     monkeypatch.delenv(VARIABLE, raising=False)
+    monkeypatch.setattr(kernel_cache, "_in_the_home_directory", lambda: True)
+    ensure_kernel_cache()
+    assert VARIABLE not in os.environ
+
+
+def test_the_folder_beside_the_package_is_enough_for_numba(nothing_writable, monkeypatch):
     monkeypatch.setattr(kernel_cache, "_beside_the_package", lambda: True)
     ensure_kernel_cache()
     assert VARIABLE not in os.environ
+    assert Path(os.environ["MPLCONFIGDIR"]).parent == nothing_writable
