@@ -26,7 +26,7 @@ from .transfer import full_weighting, inject, interpolate_linear
 
 Array = NDArray[np.float64]
 
-SWITCH = 0.15  # Gauss-Seidel where the Poiseuille term exceeds this share of the deflection term K00/hx
+SWITCH = 0.3  # Gauss-Seidel where the Poiseuille term exceeds this share of the deflection term K00/hx
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

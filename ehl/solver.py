@@ -31,7 +31,7 @@ from .transfer import interpolate_cubic
 
 Array = NDArray[np.float64]
 
-COARSEST_MESH = 0.2  # largest hx of the coarsest grid in Hertz semi-axes, or in lengths of a thick film's gap
+COARSEST_MESH = (0.2, 0.5)  # hx of the coarsest grid stays below 0.2 semi-axes or 0.5 sqrt(Hc), whichever is larger
 STARTING_MESH = 0.55  # full multigrid starts where hx <= this times the square root of the central film
 LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
 FILM_TOLERANCE = 3e-4  # relative change of central and minimum film over each of the last two cycles
@@ -151,9 +151,10 @@ def _multigrid(
     is_open = options.domain is None
     x_in, x_out, y_half = domain[0] * contact.half_extent_x, domain[1] * contact.half_extent_x, domain[2]
     cells = options.points - 1
-    gap_length = max(contact.half_extent_x, sqrt(contact.film_guess / contact.curvature_x))
+    semi_axis, gap = contact.half_extent_x, sqrt(contact.film_guess / contact.curvature_x)
+    coarsest_mesh = max(COARSEST_MESH[0] * semi_axis, COARSEST_MESH[1] * gap)
     coarse_cells = cells
-    while coarse_cells > 8 and 2.0 * (x_out - x_in) / coarse_cells <= COARSEST_MESH * gap_length:
+    while coarse_cells > 16 and 2.0 * (x_out - x_in) / coarse_cells <= coarsest_mesh:
         coarse_cells //= 2
     if is_open:
         outlet = max(1, ceil(x_out / (x_out - x_in) * coarse_cells - 1e-9))
