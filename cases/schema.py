@@ -79,7 +79,7 @@ FilmMaps = Annotated[
 Force = Annotated[Any, _vector_check(3, FORCE_MAXIMUM), _list_schema(3)]
 Moment = Annotated[Any, _vector_check(2, 1.0e10), _list_schema(2)]
 Displacement = Annotated[Any, _vector_check(3, 1.0e5, free=True), _list_schema(3, free=True)]
-Tilt = Annotated[Any, _vector_check(2, 500.0, free=True), _list_schema(2, free=True)]
+Tilt = Annotated[Any, _vector_check(2, 100.0, free=True), _list_schema(2, free=True)]
 
 
 def _length(description: str) -> Any:

@@ -20,7 +20,7 @@ SPECIAL = {
     "force_N": "three numbers, ±1e8",
     "moment_N_mm": "two numbers, ±1e10",
     "displacement_um": "three numbers ±1e5, or `free`",
-    "tilt_mrad": "two numbers ±500, or `free`",
+    "tilt_mrad": "two numbers ±100, or `free`",
     "points": "33, 65, 129, 257, 513, 1025, 2049, 4097",
     "domain": "x_in < -1, x_out > 1, y_half > 1",
     "film_maps": "`all`, `loaded`, `none`, azimuths in degrees",
