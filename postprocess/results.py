@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from math import degrees, isfinite, pi
+from math import degrees, hypot, isfinite, pi
 from typing import TYPE_CHECKING, Any
 
 from ehl import ContactConditions, ContactSolution, film_formulas
@@ -172,7 +172,10 @@ def _bearing_summary(results: BearingResults) -> dict[str, Any]:
         },
         "cage_speed_rpm": state.cage_speed / RPM,
         "balls": [_ball(state, i) for i in range(len(state.azimuth))],
-        "contacts": [_bearing_contact(c, s) for c, s in zip(results.contacts, results.solutions, strict=True)],
+        "contacts": [
+            _bearing_contact(c, s, results.case.get("surface"))
+            for c, s in zip(results.contacts, results.solutions, strict=True)
+        ],
         "life": dict.fromkeys(("basic_reference_rating_Mrev", "modified_reference_rating_Mrev", "a_iso", "kappa")),
         "frequencies_Hz": {
             name: getattr(results.frequencies, name)
@@ -210,7 +213,9 @@ def _ball(state: QuasistaticSolution, i: int) -> dict[str, Any]:
     }
 
 
-def _bearing_contact(contact: BearingContact, solution: ContactSolution | None) -> dict[str, Any]:
+def _bearing_contact(
+    contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
+) -> dict[str, Any]:
     hertz, conditions = contact.hertz, contact.conditions
     return {
         "ball": contact.ball,
@@ -229,7 +234,7 @@ def _bearing_contact(contact: BearingContact, solution: ContactSolution | None) 
         **_films(solution),
         "pressure_maximum_GPa": None if solution is None else solution.pressure_maximum / GIGAPASCAL,
         "traction_coefficient": None,
-        "lambda_ratio": None,
+        "lambda_ratio": _lambda_ratio(contact, solution, surface),
         "converged": None if solution is None else solution.converged,
         "resolved": None if solution is None else solution.resolved,
         "film_formulas_um": _formulas(conditions),
@@ -239,6 +244,16 @@ def _bearing_contact(contact: BearingContact, solution: ContactSolution | None) 
         "points": None if solution is None else list(solution.P.shape),
         "note": contact.note,
     }
+
+
+def _lambda_ratio(
+    contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
+) -> float | None:
+    """Minimum film over the rms roughness of race and ball together [-]; None without film or roughness."""
+    if surface is None or solution is None or solution.film_minimum is None:
+        return None
+    roughness = hypot(surface[f"{contact.race.value}_ring_roughness_um"], surface["ball_roughness_um"]) * MICROMETRE
+    return solution.film_minimum / roughness if roughness > 0.0 else None
 
 
 def _films(solution: ContactSolution | None) -> dict[str, float | None]:
@@ -269,7 +284,9 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     if any(c.conditions is None for c in results.contacts):
         yield "contacts: Hertz, speed and formula values null where a contact carries no load or no oil is entrained"
     yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"
-    for part in ("contacts.traction_coefficient", "contacts.lambda_ratio", "life", "torque_N_mm"):
+    if "surface" not in results.case:
+        yield "contacts.lambda_ratio: null, the case gives no [surface] roughness"
+    for part in ("contacts.traction_coefficient", "life", "torque_N_mm"):
         yield f"{part}: null, {NOT_COMPUTED}"
 
 

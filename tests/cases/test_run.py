@@ -134,3 +134,17 @@ def test_a_warning_of_the_library_reaches_the_results(solver, tmp_path):
     (tmp_path / "hot.toml").write_text(text[: text.index("assumed")] + text[text.index("[contact]") :])
     results = run_contact(load_case(tmp_path / "hot.toml"))
     assert any("outside 20.0 to 100.0 C" in message for message in results.messages)
+
+
+def test_the_lambda_ratio_of_a_case_with_roughness():
+    """h_min over the rms roughness of race and ball, sqrt(0.03^2 + 0.04^2) = 0.05 um."""
+    from postprocess.results import _lambda_ratio
+
+    surface = {"inner_ring_roughness_um": 0.03, "outer_ring_roughness_um": 0.0, "ball_roughness_um": 0.04}
+    inner = SimpleNamespace(race=SimpleNamespace(value="inner"))
+    outer = SimpleNamespace(race=SimpleNamespace(value="outer"))
+    film = SimpleNamespace(film_minimum=0.2e-6)
+    assert _lambda_ratio(inner, film, surface) == pytest.approx(4.0)
+    assert _lambda_ratio(outer, film, surface) == pytest.approx(5.0)
+    assert _lambda_ratio(inner, None, surface) is None
+    assert _lambda_ratio(inner, film, None) is None
