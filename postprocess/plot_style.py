@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, floor, hypot, log10, pi, sin
 from pathlib import Path
@@ -23,7 +24,7 @@ Array = NDArray[np.float64]
 
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200
-INNER_COLOUR, OUTER_COLOUR, REFERENCE = "#0b5394", "#c1440e", "#666666"
+INNER_COLOUR, OUTER_COLOUR, REFERENCE, INK = "#0b5394", "#c1440e", "#666666", "#1b1f24"
 COLOUR_MAPS = {"film": "viridis", "pressure": "magma_r"}  # perceptually uniform; zero pressure is paper white
 RC: Any = {
     "font.size": 8.0,
@@ -43,7 +44,9 @@ RC: Any = {
 }
 SHOWN_INLET, SHOWN_OUTLET, SHOWN_SIDE = -2.5, 1.5, 1.35  # in Hertz semi-axes along and across the entrainment
 STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
-QUIET_PRESSURE = 0.02  # of the largest pressure: the shown part reaches to where the pressure has fallen to this
+QUIET_PRESSURE = 0.1  # of the largest pressure: the shown part reaches beyond where the pressure has fallen to this
+FLAT_FILM = 0.03  # of the central film: with a minimum nearer to it the contact is hydrodynamic, without a horseshoe
+BEYOND_SCALE = "#e4e7eb"  # film thicker than the colour scale
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,12 +100,14 @@ class ContactView:
         return film_range(self.central, self.minimum)
 
 
-def contact_view(solution: ContactSolution) -> ContactView:
+def contact_view(solution: ContactSolution, window: tuple[float, float, float] | None = None) -> ContactView:
     """Shown part of a solution: about [-2.5, 1.5] semi-axes along the entrainment, more where pressure reaches further.
 
     Parameters
     ----------
     solution : ContactSolution
+    window : tuple of float, optional
+        Show this much instead: ends along the entrainment, half width across it [mm].
 
     Returns
     -------
@@ -111,10 +116,13 @@ def contact_view(solution: ContactSolution) -> ContactView:
     """
     angle, kappa = solution.conditions.entrainment_angle, solution.semi_axis_ratio
     half_x, half_y = half_extents(angle, kappa)
-    rows, columns = shown_part(solution.X, solution.Y, solution.P, half_x, half_y)
+    a = 1.0 if solution.semi_axis_x is None else solution.semi_axis_x / MILLIMETRE
+    if window is None:
+        rows, columns = shown_part(solution.X, solution.Y, solution.P, half_x, half_y)
+    else:
+        rows, columns = within(a * solution.X, *window[:2]), within(a * solution.Y, -window[2], window[2])
     X, Y = solution.X[rows], solution.Y[columns]
     along, across = principal_coordinates(X, Y, angle)
-    a = 1.0 if solution.semi_axis_x is None else solution.semi_axis_x / MILLIMETRE
     h = 1.0 if solution.film_scale is None else solution.film_scale / MICROMETRE
     p = solution.hertz_pressure / GIGAPASCAL if solution.hertz_pressure > 0.0 else 1.0
     central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
@@ -159,15 +167,24 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
     """
     loud = np.greater(P, QUIET_PRESSURE * P.max())
     rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
-    inlet = min(SHOWN_INLET * half_x, float(X[rows[0]]) - 0.5 * half_x)
-    side = max(SHOWN_SIDE * half_y, 1.05 * float(Y[columns[-1]]))
-    return within(X, inlet, SHOWN_OUTLET * half_x), within(Y, -side, side)
+    first, last, side = float(X[rows[0]]), float(X[rows[-1]]), float(Y[columns[-1]])
+    inlet = min(SHOWN_INLET * half_x, first - 0.15 * (last - first))
+    outlet = max(SHOWN_OUTLET * half_x, last + 0.25 * (last - first))
+    side = max(SHOWN_SIDE * half_y, 1.3 * side)
+    return within(X, inlet, outlet), within(Y, -side, side)
 
 
 def film_range(central: float, minimum: float) -> tuple[float, float]:
-    """Ends of a film's colour scale in the unit of the films, such as [um]: the thick inlet is left to saturate."""
-    spread = max(central - minimum, 0.04 * central)
+    """Ends of a film's colour scale in the unit of the films, such as [um]: the inlet is beyond it."""
+    spread = central - minimum
+    if spread < FLAT_FILM * central:
+        return minimum, 1.6 * central
     return minimum, min(central + 2.5 * spread, 2.0 * central)
+
+
+def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tuple[float, float]:
+    """Ends of the logarithmic colour scale that many contacts share, in the unit of their films, such as [um]."""
+    return min(minimum), 1.3 * max(central)
 
 
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:

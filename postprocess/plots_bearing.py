@@ -8,7 +8,19 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .plot_style import INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, ContactView, contact_view
+from .plot_style import (
+    INK,
+    INNER_COLOUR,
+    OUTER_COLOUR,
+    PAGE_WIDTH,
+    REFERENCE,
+    SHOWN_INLET,
+    SHOWN_OUTLET,
+    SHOWN_SIDE,
+    ContactView,
+    common_film_range,
+    contact_view,
+)
 from .plots_contact import draw_map
 from .results import GIGAPASCAL, MICROMETRE, BearingResults
 
@@ -18,8 +30,18 @@ if TYPE_CHECKING:
 
     from ehl import ContactSolution
 
+DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
+FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])  # of the central film, contour lines of small maps
+PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
 COLUMNS = 6  # maps side by side at most
 RACES = ("inner", "outer")
+FOOTNOTES = {
+    "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and minimum film; "
+    "film beyond the colour scale is grey;\ncontour lines at 0.8 ... 1.5 of each contact's central film; "
+    "error bars: uncertainty of the solution",
+    "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest pressure; "
+    "contour lines at 0.1, 0.3 ... 0.9 of it",
+}
 COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}
 
 
@@ -29,6 +51,7 @@ class BallColumn:
 
     azimuths: tuple[float, ...]  # [deg]
     views: dict[str, ContactView | None]  # by race
+    window: tuple[float, float, float]  # ends along the rolling direction, half width, of every column [mm]
 
     @property
     def label(self) -> str:
@@ -46,7 +69,7 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
     Returns
     -------
     tuple of BallColumn
-        Azimuths in [deg], in ascending order of their distance from the load line.
+        Azimuths in [deg], in ascending order of their distance from the load line; all views show one window.
     """
     groups: dict[tuple[float, int, int], list[float]] = {}
     pairs: dict[tuple[float, int, int], tuple[ContactSolution | None, ContactSolution | None]] = {}
@@ -58,18 +81,24 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
         pairs[key] = pair
     keys = sorted(groups)
     chosen = np.unique(np.linspace(0, len(keys) - 1, min(COLUMNS, len(keys))).round().astype(int))
-    views: dict[int, ContactView] = {}
-    for key in keys:
-        for solution in pairs[key]:
-            if solution is not None and id(solution) not in views:
-                views[id(solution)] = contact_view(solution)
+    distinct = {id(s): s for key in keys for s in pairs[key] if s is not None}
+    window = _common_window([contact_view(s) for s in distinct.values()])
+    views = {name: contact_view(s, window) for name, s in distinct.items()}
     return tuple(
         BallColumn(
             azimuths=tuple(sorted(groups[key])),
             views={race: views.get(id(s)) for race, s in zip(RACES, pairs[key], strict=True)},
+            window=window,
         )
         for key in (keys[i] for i in chosen)
     )
+
+
+def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
+    """Part of the contact plane that all maps show: ends along the rolling direction, half width [mm]."""
+    x_in = max((-SHOWN_INLET * v.half_x for v in views), default=1.0)
+    x_out = max((SHOWN_OUTLET * v.half_x for v in views), default=1.0)
+    return -x_in, x_out, max((SHOWN_SIDE * v.half_y for v in views), default=1.0)
 
 
 def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> None:
@@ -90,21 +119,28 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     halves: Any = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
     upper, lower = halves
     panels: Any = upper.subplots(2, len(columns), squeeze=False)
+    limits = _limits([c.views[race] for c in columns for race in RACES], quantity)
     image = None
     for row, race in enumerate(RACES):
-        limits = _limits([c.views[race] for c in columns] + [c.views[r] for c in columns for r in RACES], quantity)
         for panel, column in zip(panels[row], columns, strict=True):
             image = _small_map(panel, column.views[race], quantity, limits) or image
-        panels[row, 0].set_ylabel(f"{race} race\ntransverse $y/b$")
+            panel.set_xlim(*columns[0].window[:2])
+            panel.set_ylim(-columns[0].window[2], columns[0].window[2])
+        panels[row, 0].set_ylabel(f"{race} race\ntransverse $y$ [mm]")
     for panel, column in zip(panels[0], columns, strict=True):
         panel.set_title(f"ψ = {column.label}")
+        panel.set_xticklabels([])
     for panel in panels[1]:
-        panel.set_xlabel("rolling $x/a$")
+        panel.set_xlabel("rolling $x$ [mm]")
     for panel in panels[:, 1:].flat:
         panel.set_yticklabels([])
     label = "film thickness [µm]" if quantity == "film" else "pressure [GPa]"
-    upper.colorbar(image, ax=panels, label=label, extend="max" if quantity == "film" else "neither", aspect=40)
+    bar = upper.colorbar(image, ax=panels, label=label, extend="max" if quantity == "film" else "neither", aspect=40)
+    if quantity == "film":
+        bar.ax.minorticks_off()
+        bar.set_ticks(_film_ticks(*limits), labels=[f"{tick:.3g}" for tick in _film_ticks(*limits)])
     _over_azimuth(lower.subplots(), results, quantity)
+    lower.supxlabel(FOOTNOTES[quantity], fontsize=6.5, color=REFERENCE)
 
 
 def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, float]:
@@ -112,8 +148,14 @@ def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, floa
     shown = [v for v in views if v is not None]
     if quantity == "pressure":
         return 0.0, max(float(v.pressure.max()) for v in shown)
-    ranges = [v.film_range for v in shown]
-    return min(r[0] for r in ranges), max(r[1] for r in ranges)
+    return common_film_range([v.central for v in shown], [v.minimum for v in shown])
+
+
+def _film_ticks(low: float, high: float) -> list[float]:
+    """About eight round values on a logarithmic scale."""
+    step = 10.0 ** np.floor(np.log10((high - low) / 4.0))
+    step *= 5.0 if (high - low) / step > 30.0 else 2.0 if (high - low) / step > 12.0 else 1.0
+    return [float(tick) for tick in np.arange(np.ceil(low / step), np.floor(high / step) + 1.0) * step]
 
 
 def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tuple[float, float]) -> Any:
@@ -124,13 +166,15 @@ def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tupl
         axes.set_xticks([])
         axes.set_yticks([])
         return None
-    image = draw_map(axes, view, quantity, limits)
+    film = quantity == "film"
+    levels = view.central * FILM_LEVELS if film else float(view.pressure.max()) * PRESSURE_LEVELS
+    levels = levels[levels < limits[1]]
+    image = draw_map(axes, view, quantity, limits, levels)
+    axes.set_facecolor(image.get_cmap()(np.inf if film else 0.0))
     axes.set_xlabel("")
     axes.set_ylabel("")
-    axes.set_xticks([-2.0 * view.half_x, 0.0, view.half_x], ["−2", "0", "1"])
-    axes.set_yticks([-view.half_y, 0.0, view.half_y], ["−1", "0", "1"])
-    size = f"{2 * view.half_x:.2g} × {2 * view.half_y:.2g} mm"
-    axes.text(0.03, 0.03, size, fontsize=6, transform=axes.transAxes, color="white" if quantity == "film" else "black")
+    text = f"{view.central:.3g}\n{view.minimum:.3g} µm" if film else f"{view.pressure.max():.3g} GPa"
+    axes.text(0.04, 0.03, text, fontsize=6.5, transform=axes.transAxes, color=INK)
     return image
 
 
@@ -145,6 +189,7 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
         if not pairs:
             continue
         azimuth = np.array([p[0] for p in pairs])
+        azimuth += -DODGE if race == "inner" else DODGE
         if quantity == "film":
             _film_points(axes, azimuth, [p[1] for p in pairs], race)
         else:

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .plot_style import COLOUR_MAPS, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, ContactView, value_with_error
+from .plot_style import (
+    BEYOND_SCALE,
+    COLOUR_MAPS,
+    INNER_COLOUR,
+    OUTER_COLOUR,
+    PAGE_WIDTH,
+    REFERENCE,
+    ContactView,
+    value_with_error,
+)
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,6 +27,8 @@ Array = NDArray[np.float64]
 
 LINES = 8  # contour intervals of a map
 QUANTITIES = ("film", "pressure")
+LEFT, MAP_WIDTH, STRETCHED_WIDTH, LINE_WIDTH = (0.08, 0.58), 0.41, 0.33, 0.35  # boxes, in shares of the figure
+MAP_BOTTOM, MAP_HEIGHT, BAR_BOTTOM, LINE_BOTTOM, LINE_HEIGHT = 0.49, 0.31, 0.835, 0.125, 0.245
 FILM_COLOUR, PRESSURE_COLOUR = INNER_COLOUR, OUTER_COLOUR
 
 
@@ -32,26 +44,24 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
     title : str
         Lines above the figure.
     """
+    figure.set_layout_engine("none")  # fixed boxes: the layout engine takes longer than the drawing
     figure.set_size_inches(PAGE_WIDTH, 5.9)
-    figure.suptitle(title, fontsize=8.5)
-    halves: Any = figure.subfigures(2, 1, height_ratios=[1.3, 1.0])
-    maps, lines = halves
-    if view.stretched:
-        strip = float(np.clip(np.ptp(view.x) / np.ptp(view.y), 0.1, 0.5))
-        panels = list(maps.subplots(1, 4, width_ratios=[1.0, strip, 1.0, strip]))
-        for quantity, panel, narrow in zip(QUANTITIES, panels[::2], panels[1::2], strict=True):
-            image = draw_map(panel, view, quantity)
-            draw_map(narrow, view, quantity, contours=False)
-            _in_proportion(narrow, view)
-            _colour_bar(maps, image, panel, view, quantity)
-    else:
-        for quantity, panel in zip(QUANTITIES, maps.subplots(1, 2), strict=True):
-            image = draw_map(panel, view, quantity)
+    figure.suptitle(title, fontsize=8.5, y=0.99)
+    for quantity, left in zip(QUANTITIES, LEFT, strict=True):
+        width = STRETCHED_WIDTH if view.stretched else MAP_WIDTH
+        panel = figure.add_axes((left, MAP_BOTTOM, width, MAP_HEIGHT))
+        image = draw_map(panel, view, quantity)
+        if view.stretched:
+            strip = figure.add_axes((left + width + 0.01, MAP_BOTTOM, MAP_WIDTH - width - 0.01, MAP_HEIGHT))
+            draw_map(strip, view, quantity, levels=())
+            _in_proportion(strip)
+        else:
             panel.set_aspect("equal")
-            _colour_bar(maps, image, panel, view, quantity)
-    for axes, along in zip(lines.subplots(1, 2), (True, False), strict=True):
-        centre_line(axes, view, along)
-    lines.supxlabel(_footnote(view), fontsize=6.5, color=REFERENCE)
+        bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
+        _colour_bar(figure, image, bar, view, quantity)
+    for along, left in zip((True, False), LEFT, strict=True):
+        centre_line(figure.add_axes((left, LINE_BOTTOM, LINE_WIDTH, LINE_HEIGHT)), view, along)
+    figure.text(0.5, 0.01, _footnote(view), fontsize=6.5, color=REFERENCE, ha="center", va="bottom")
 
 
 def _footnote(view: ContactView) -> str:
@@ -61,8 +71,9 @@ def _footnote(view: ContactView) -> str:
     )
     ends = [end / view.half_x for end in (view.x[0], view.x[-1])]
     return (
-        f"oil moves to the right; {scale}shown is x/a = {ends[0]:.3g} ... {ends[1]:.3g} "
-        f"of the computed {view.whole[0]:.3g} ... {view.whole[1]:.3g}; equal film steps between contour lines"
+        f"Oil moves to the right; {scale}\n"
+        f"shown is x/a = {ends[0]:.2g} ... {ends[1]:.2g} of the computed {view.whole[0]:.2g} ... {view.whole[1]:.2g}; "
+        "film beyond the colour scale is grey"
     )
 
 
@@ -71,7 +82,7 @@ def draw_map(
     view: ContactView,
     quantity: str,
     limits: tuple[float, float] | None = None,
-    contours: bool = True,
+    levels: Sequence[float] | Array | None = None,
 ) -> Any:
     """One map with contour lines and the Hertz ellipse, x to the right in the direction of the oil.
 
@@ -82,8 +93,9 @@ def draw_map(
         Lengths in [mm], film in [um], pressure in [GPa], or dimensionless.
     quantity : {"film", "pressure"}
     limits : tuple of float, optional
-        Ends of the colour scale, in the unit of the quantity.
-    contours : bool
+        Ends of the colour scale, in the unit of the quantity; films then have a logarithmic scale, for many contacts.
+    levels : sequence of float, optional
+        Contour lines, in the unit of the quantity; equal steps over the scale if left out.
 
     Returns
     -------
@@ -92,12 +104,21 @@ def draw_map(
     film = quantity == "film"
     field = view.film if film else view.pressure
     low, high = limits or (view.film_range if film else (0.0, float(view.pressure.max())))
-    image = axes.pcolormesh(
-        view.x, view.y, field.T, cmap=COLOUR_MAPS[quantity], vmin=low, vmax=high, shading="gouraud", rasterized=True
+    image = axes.imshow(
+        field.T,
+        extent=_extent(view),
+        origin="lower",
+        aspect="auto",
+        cmap=COLOUR_MAPS[quantity],
+        norm="log" if film and limits else "linear",
+        interpolation="bilinear",
+        interpolation_stage="data",
     )
-    if contours:
-        levels = np.linspace(low, high, LINES + 1)[1:-1]
-        axes.contour(view.x, view.y, field.T, levels=levels, colors="white" if film else "black", alpha=0.6)
+    image.set_clim(low, high)
+    if film:
+        image.set_cmap(image.get_cmap().with_extremes(over=BEYOND_SCALE))
+    lines = np.linspace(low, high, LINES + 1)[1:-1] if levels is None else levels
+    axes.contour(view.x, view.y, field.T, levels=lines, colors="white" if film else "black", alpha=0.6)
     axes.plot(*view.ellipse, color="black", linestyle=(0, (4, 2)), linewidth=0.8)
     axes.set_xlim(view.x[0], view.x[-1])
     axes.set_ylim(view.y[0], view.y[-1])
@@ -106,7 +127,18 @@ def draw_map(
     return image
 
 
-def _in_proportion(axes: Axes, view: ContactView) -> None:
+def _extent(view: ContactView) -> tuple[float, float, float, float]:
+    """Edges of an image whose pixels are the nodes, equally spaced; unit of the view, [mm]."""
+    dx, dy = 0.5 * (view.x[1] - view.x[0]), 0.5 * (view.y[1] - view.y[0])
+    return (
+        float(view.x[0] - dx),
+        float(view.x[-1] + dx),
+        float(view.y[0] - dy),
+        float(view.y[-1] + dy),
+    )
+
+
+def _in_proportion(axes: Axes) -> None:
     """Make the map a strip in true proportion beside the stretched one."""
     axes.set_aspect("equal")
     axes.set_title("equal\nscales", fontsize=6.5)
@@ -116,12 +148,13 @@ def _in_proportion(axes: Axes, view: ContactView) -> None:
     axes.set_yticks([])
 
 
-def _colour_bar(figure: Any, image: Any, axes: Axes, view: ContactView, quantity: str) -> None:
+def _colour_bar(figure: Figure, image: Any, axes: Axes, view: ContactView, quantity: str) -> None:
     film = quantity == "film"
     label = f"film thickness [{view.film_unit}]" if film else f"pressure [{view.pressure_unit}]"
-    figure.colorbar(
-        image, ax=axes, location="top", label=label, extend="max" if film else "neither", aspect=30, pad=0.02
-    )
+    bar = figure.colorbar(image, cax=axes, orientation="horizontal", extend="max" if film else "neither")
+    bar.set_label(label)
+    bar.ax.xaxis.set_ticks_position("top")
+    bar.ax.xaxis.set_label_position("top")
 
 
 def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
@@ -139,7 +172,9 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     cut = (slice(None), j) if along else (i, slice(None))
     s = view.x if along else view.y
     axes.plot(s, view.pressure[cut], color=PRESSURE_COLOUR, label="pressure")
-    axes.plot(s, view.hertz[cut], color=REFERENCE, linestyle="--", linewidth=0.8, label="Hertz")
+    axes.plot(
+        s, view.hertz[cut], color=REFERENCE, linestyle="--", linewidth=0.8, label=f"Hertz, to {view.hertz.max():.3g}"
+    )
     axes.set_ylim(0.0, 1.08 * float(view.pressure.max()))
     axes.set_xlim(s[0], s[-1])
     name = "rolling direction $x$" if along else "transverse $y$"

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .geometry import ContactFrame, Placement, place_patch, principal_coordinates
-from .plot_style import COLOUR_MAPS, film_range, half_extents, shown_part
+from .plot_style import BEYOND_SCALE, COLOUR_MAPS, common_film_range, film_range, half_extents, shown_part
 from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
 from .results import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from .results_io import atomic_path, open_results
@@ -29,6 +29,7 @@ Array = NDArray[np.float64]
 
 NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
 PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
+LINE_COLOURS = {"film": "white", "pressure": "black"}
 LABELS = {"film": "film thickness [µm]", "pressure": "pressure [GPa]"}
 BODY, EDGE, BACKGROUND, INK, LOAD_COLOUR = "#c9ced6", "#5b6470", "white", "#1b1f24", "#b3202c"
 
@@ -169,8 +170,13 @@ def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: 
     radius = 0.5 * float(tree["ring"].attrs["ball_diameter"])
     placement = _placement(patches, radius, options)
     _add_bodies(plotter, directory)
+    limits = _limits(patches, options.quantity) if patches else (0.0, 1.0)
     for patch in patches:
-        _add_field(plotter, patch.mesh(radius, placement), options.quantity, _limits(patches, options.quantity))
+        mesh = patch.mesh(radius, placement)
+        _add_field(plotter, mesh, options.quantity, limits, logarithmic=len(patches) > 1)
+        lines = mesh.contour(patch.levels(options.quantity), scalars=options.quantity)
+        if lines.n_points:
+            plotter.add_mesh(lines, color=LINE_COLOURS[options.quantity], line_width=1.5, opacity=0.7)
     _colour_bar(plotter, options)
     _add_labels(plotter, tree, options)
     _aim(plotter, tree)
@@ -222,6 +228,12 @@ class Patch:
             attributes=dict(facts),
         )
 
+    def levels(self, quantity: str) -> list[float]:
+        """Contour lines: shares of the central film [um], or of the largest pressure [GPa]."""
+        if quantity == "film":
+            return [self.central * share for share in (0.9, 0.95, 1.05, 1.1)]
+        return [float(self.pressure.max()) * share for share in (0.1, 0.3, 0.5, 0.7, 0.9)]
+
     def mesh(self, ball_radius: float, placement: Placement) -> Any:
         """Patch on its ball of `ball_radius` [m] as a pyvista grid in [mm], the film as height limited by its scale."""
         vectors = {name: np.asarray(self.attributes[name]) for name in ("origin", "axis_x", "axis_y", "normal")}
@@ -265,16 +277,19 @@ def _limits(patches: list[Patch], quantity: str) -> tuple[float, float]:
     """Ends of the common colour scale, in the unit of the quantity."""
     if quantity == "pressure":
         return 0.0, max((float(p.pressure.max()) for p in patches), default=1.0)
-    ranges = [film_range(p.central, p.minimum) for p in patches] or [(0.0, 1.0)]
-    return min(r[0] for r in ranges), max(r[1] for r in ranges)
+    if len(patches) == 1:
+        return film_range(patches[0].central, patches[0].minimum)
+    return common_film_range([p.central for p in patches], [p.minimum for p in patches])
 
 
-def _add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float]) -> None:
+def _add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float], logarithmic: bool = False) -> None:
     plotter.add_mesh(
         mesh,
         scalars=quantity,
         cmap=COLOUR_MAPS[quantity],
         clim=limits,
+        log_scale=quantity == "film" and logarithmic,
+        above_color=BEYOND_SCALE if quantity == "film" else None,
         show_scalar_bar=False,
         ambient=0.6,
         diffuse=0.45,

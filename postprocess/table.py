@@ -55,7 +55,7 @@ def _bearing_table(results: BearingResults) -> Table:
     state = results.quasistatic
     x, y, z = (value / MICROMETRE for value in state.displacement)
     rows = {
-        "ring displacement": f"x {x:.2f}, y {y:.2f}, z {z:.2f} µm",
+        "ring displacement": f"x {x:.2f}, y {y:.2f}, z {z:.2f} µm".replace("-0.00", "0.00"),
         "ring tilt": f"y {state.tilt[0] * 1e3:.3f}, z {state.tilt[1] * 1e3:.3f} mrad",
         "ring load": "x {:.1f}, y {:.1f}, z {:.1f} N".format(*(abs(v) and v for v in state.ring_force)),
         "cage speed": f"{state.cage_speed / RPM:.1f} rpm",
