@@ -12,7 +12,7 @@ correction. P and H are injected, residuals fully weighted, corrections interpol
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,8 +26,6 @@ from .transfer import full_weighting, inject, interpolate_linear
 
 Array = NDArray[np.float64]
 
-SWITCH = 0.3  # Gauss-Seidel where the Poiseuille term exceeds this share of the deflection term K00/hx
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Damping:
@@ -37,10 +35,12 @@ class Damping:
     gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
     correction: float = 0.8  # of the coarse-grid correction
     approach: float = 0.1  # of the change of H0 by the load balance, on the coarsest grid
+    switch: float = 0.3  # Gauss-Seidel where the Poiseuille term exceeds this share of the deflection term K00/hx
 
     def halved(self) -> Damping:
-        """Half of everything."""
-        return Damping(
+        """Half the changes, three quarters of the coarse-grid correction."""
+        return replace(
+            self,
             jacobi=0.5 * self.jacobi,
             gauss_seidel=0.5 * self.gauss_seidel,
             correction=0.75 * self.correction,
@@ -163,7 +163,7 @@ def relax(state: Multigrid, index: int) -> None:
         level.grid.symmetric,
         damping.jacobi,
         damping.gauss_seidel,
-        SWITCH,
+        damping.switch * max(1.0, level.grid.hy / level.grid.hx),
         level.scratch,
     )
     update_film(state, index)

@@ -37,4 +37,6 @@ class SolverOptions:
         if self.domain is not None:
             x_in, x_out, y_half = self.domain
             if not (x_in < -1.0 and x_out > 1.0 and y_half > 1.0):
-                raise ValueError(f"domain must enclose the Hertz ellipse: x_in < -1, x_out > 1, y_half > 1, got {self.domain}")
+                raise ValueError(
+                    f"domain must enclose the Hertz ellipse: x_in < -1, x_out > 1, y_half > 1, got {self.domain}"
+                )

@@ -31,14 +31,15 @@ from .transfer import interpolate_cubic
 
 Array = NDArray[np.float64]
 
-COARSEST_MESH = (0.2, 0.5)  # hx of the coarsest grid stays below 0.2 semi-axes or 0.5 sqrt(Hc), whichever is larger
-STARTING_MESH = 0.55  # full multigrid starts where hx <= this times the square root of the central film
+COARSEST_CELLS = 16  # along x on the coarsest grid; its mesh may be far too coarse for the film, it only carries H0
+STARTING_MESH = (0.2, 0.55)  # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
 FILM_TOLERANCE = 3e-4  # relative change of central and minimum film over each of the last two cycles
 LOAD_TOLERANCE = 1e-4  # relative error of the load balance
 RESOLVED = 5.0  # Hmin/hx^2 below this is reported as unresolved
 PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
 GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
+ORIGIN_CELLS = 32  # the origin is a node of the level with this many cells along x, and of all finer ones
 PILOT_POINTS = 65
 EXTERIOR_SHARE = 0.06  # of the load; an open box is widened until less than this lies outside
 
@@ -56,6 +57,17 @@ class Progress:
     film: list[tuple[float, float]]  # central and minimum film after each cycle
     changes: list[float]
     fallbacks: list[str]
+
+    def restart(self, reason: str) -> None:
+        """Forget the last attempt's history, not its fallbacks."""
+        for history in (self.residual, self.load, self.film, self.changes):
+            history.clear()
+        self.fallbacks.append(reason)
+
+
+def new_progress() -> Progress:
+    """An empty record."""
+    return Progress(residual=[], load=[], film=[], changes=[], fallbacks=[])
 
 
 def solve_contact(
@@ -86,7 +98,7 @@ def solve_contact(
     options = options or SolverOptions()
     contact = scale_contact(conditions)
     began = time.perf_counter()
-    progress = Progress(residual=[], load=[], film=[], changes=[], fallbacks=[])
+    progress = new_progress()
     domain = options.domain or choose_domain(contact, progress)
     state, levels = _solve_with_fallbacks(contact, domain, options, progress)
     return _solution(conditions, options, state, levels, progress, time.perf_counter() - began)
@@ -98,20 +110,19 @@ def choose_domain(contact: ScaledContact, progress: Progress | None = None) -> t
     Inlet 10 sqrt(Hc) and at least 4 semi-axes, side by the same gap; both are widened until less than
     `EXTERIOR_SHARE` of the load lies outside.
     """
-    progress = progress or Progress(residual=[], load=[], film=[], changes=[], fallbacks=[])
-    options = SolverOptions(points=PILOT_POINTS, max_cycles=4)
-    film, share, scale = contact.film_guess, 0.0, 1.0
+    progress = progress or new_progress()
+    options = SolverOptions(points=PILOT_POINTS, max_cycles=3)
+    film, scale = contact.film_guess, 1.0
     for _ in range(2):
-        domain = _box(contact, film, scale)
-        state, levels = _solve_with_fallbacks(
-            replace(contact, film_guess=film), domain, options, Progress(residual=[], load=[], film=[], changes=[], fallbacks=[])
-        )
-        if not levels:
-            progress.fallbacks.append("pilot solve failed: box from the film formula")
-            return _box(contact, contact.film_guess, 2.0)
-        film = max(levels[-1][0], 1e-3)
-        share = state.exterior / contact.load
-        scale *= max(1.0, min(3.0, share / EXTERIOR_SHARE))
+        pilot = replace(contact, film_guess=film)
+        state = _multigrid(pilot, _box(contact, film, scale), options, ATTEMPTS[0])
+        try:
+            levels = _full_multigrid(state, options, new_progress(), 0)
+        except Diverged:
+            progress.fallbacks.append("pilot solve ran away: box from the film formula")
+            return _box(contact, contact.film_guess, 1.5)
+        film = max(levels[-1][0], 0.1 * contact.film_guess)
+        scale *= max(1.0, min(3.0, state.exterior / contact.load / EXTERIOR_SHARE))
     return _box(contact, film, scale)
 
 
@@ -122,50 +133,59 @@ def _box(contact: ScaledContact, film: float, scale: float) -> tuple[float, floa
     return -inlet, max(1.5, 1.2 * sqrt(film / contact.curvature_x) / contact.half_extent_x), side
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Attempt:
+    """One way of solving: damping, level to start from, share of the usual mesh size across the entrainment."""
+
+    name: str
+    damping: Damping
+    finer_start: int = 0
+    mesh_y: float = 1.0
+
+
+ATTEMPTS = (
+    Attempt(name="plain", damping=Damping()),
+    Attempt(name="damping halved", damping=Damping().halved()),
+    Attempt(name="mesh halved across the entrainment", damping=Damping().halved(), mesh_y=0.5),
+    Attempt(name="started one level finer", damping=Damping().halved().halved(), finer_start=1, mesh_y=0.5),
+)
+
+
 def _solve_with_fallbacks(
     contact: ScaledContact, domain: tuple[float, float, float], options: SolverOptions, progress: Progress
 ) -> tuple[Multigrid, list[tuple[float, float]]]:
-    """Try the plain solve, then stronger damping, a finer start, and a ramp of the load."""
-    attempts = (
-        ("", Damping(), 0),
-        ("damping 0.2", Damping(jacobi=0.2, gauss_seidel=0.5, correction=0.6, approach=0.05), 0),
-        ("start one level finer", Damping(jacobi=0.2, gauss_seidel=0.5, correction=0.6, approach=0.05), 1),
-    )
-    state = None
-    for name, damping, finer in attempts:
-        if name:
-            progress.fallbacks.append(name)
-        state = _multigrid(contact, domain, options, damping)
+    """Go down the list of attempts until one converges; the last one is kept if none does."""
+    outcome = None
+    for attempt in ATTEMPTS:
+        if attempt is not ATTEMPTS[0]:
+            progress.restart(attempt.name)
+        state = _multigrid(contact, domain, options, attempt)
         try:
-            return state, _full_multigrid(state, options, progress, finer)
+            outcome = state, _full_multigrid(state, options, progress, attempt.finer_start)
         except Diverged:
+            outcome = state, []
             continue
-    assert state is not None
-    return state, []
+        if is_converged(progress):
+            break
+    assert outcome is not None
+    return outcome
 
 
 def _multigrid(
-    contact: ScaledContact, domain: tuple[float, float, float], options: SolverOptions, damping: Damping
+    contact: ScaledContact, domain: tuple[float, float, float], options: SolverOptions, attempt: Attempt
 ) -> Multigrid:
-    """Levels for a box given in Hertz half-extents; the origin is a node of every level if the box is ours to choose."""
+    """Levels for a box given in Hertz half-extents; in a box of our choice the origin is a node."""
     is_open = options.domain is None
     x_in, x_out, y_half = domain[0] * contact.half_extent_x, domain[1] * contact.half_extent_x, domain[2]
-    cells = options.points - 1
-    semi_axis, gap = contact.half_extent_x, sqrt(contact.film_guess / contact.curvature_x)
-    coarsest_mesh = max(COARSEST_MESH[0] * semi_axis, COARSEST_MESH[1] * gap)
-    coarse_cells = cells
-    while coarse_cells > 16 and 2.0 * (x_out - x_in) / coarse_cells <= coarsest_mesh:
-        coarse_cells //= 2
     if is_open:
-        outlet = max(1, ceil(x_out / (x_out - x_in) * coarse_cells - 1e-9))
-        mesh = -x_in / (coarse_cells - outlet)
-        x_out = outlet * mesh
-    levels = (cells // coarse_cells).bit_length()
-    aspect = contact.half_extent_y / contact.half_extent_x
+        outlet = ceil(x_out / (x_out - x_in) * ORIGIN_CELLS - 1e-9)
+        x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
+    levels = ((options.points - 1) // COARSEST_CELLS).bit_length()
+    aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
     grids = grid_hierarchy(
         options.points, (x_in, x_out, y_half * contact.half_extent_y), aspect, levels, contact.symmetric
     )
-    return make_multigrid(contact, grids, far_field(contact) if is_open else None, damping)
+    return make_multigrid(contact, grids, far_field(contact) if is_open else None, attempt.damping)
 
 
 def _full_multigrid(
@@ -190,10 +210,11 @@ def _full_multigrid(
 
 
 def _starting_level(state: Multigrid, finer: int) -> int:
-    mesh = STARTING_MESH * sqrt(state.contact.film_guess)
-    finest = len(state.levels) - 1
+    contact, finest = state.contact, len(state.levels) - 1
+    gap = sqrt(contact.film_guess / contact.curvature_x)
+    mesh = max(STARTING_MESH[0] * contact.half_extent_x, STARTING_MESH[1] * gap)
     first = next((index for index, level in enumerate(state.levels) if level.grid.hx <= mesh), finest)
-    return min(max(first - 1, 0) + finer, finest)
+    return min(first + finer, finest)
 
 
 def _start(state: Multigrid, index: int) -> None:
@@ -305,7 +326,9 @@ def _solution(
     grid = level.grid
     converged = bool(films) and is_converged(progress)
     noise = max(progress.changes[-1:], default=1.0)
-    central = extrapolate([film[0] for film in films], noise) if films else FilmValue(value=0.0, uncertainty=0.0, finest=0.0)
+    central = (
+        extrapolate([film[0] for film in films], noise) if films else FilmValue(value=0.0, uncertainty=0.0, finest=0.0)
+    )
     minimum = extrapolate([film[1] for film in films], noise) if films else central
     resolved = bool(films) and films[-1][1] >= RESOLVED * grid.hx**2
     P, H, Y = level.P, level.H, grid.Y
@@ -348,9 +371,7 @@ def _solution(
     )
 
 
-def _message(
-    converged: bool, resolved: bool, films: list[tuple[float, float]], progress: Progress, grid: Grid
-) -> str:
+def _message(converged: bool, resolved: bool, films: list[tuple[float, float]], progress: Progress, grid: Grid) -> str:
     if not films:
         return "the iteration ran away in spite of stronger damping; try more points or a smaller load"
     if not converged:
@@ -358,5 +379,7 @@ def _message(
         return f"not converged: film changed by {change:.1e} in the last cycle, load error {load:.1e}; try more points"
     if not resolved:
         ratio = films[-1][1] / grid.hx**2
-        return f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}; try more points"
+        return (
+            f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}; try more points"
+        )
     return "converged"
