@@ -1,0 +1,150 @@
+"""The hybrid line relaxation in NumPy and SciPy: the readable twin of `_kernels.relax_lines`.
+
+Along a line in x all changes are found together from the linearised Reynolds operator, the deflection truncated to a
+band. Each node is one of three kinds (Venner and Lubrecht, 2000, section 5.5):
+
+fixed         cavitated, and its residual wants a lower pressure still
+Gauss-Seidel  Poiseuille flow rules: the change goes into P at once
+Jacobi        deflection rules: the change d is spread as a discrete Laplacian, +d at the node, -wx d to either side and
+              -wy d to the next lines, so that its deflection is local; all lines are changed at the end of the sweep
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solve
+
+from .deformation import DeflectionKernel
+from .grid import Grid
+from .reynolds import reynolds_operator
+
+Array = NDArray[np.float64]
+Kinds = NDArray[np.int8]
+
+FIXED, GAUSS_SEIDEL, JACOBI = 0, 1, 2
+LOWER, UPPER = 4, 3  # sub- and super-diagonals kept
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Line:
+    """One line of a sweep: coefficients of its nodes, each of shape (nx,) [-]."""
+
+    eps: Array
+    eps_north: Array
+    eps_south: Array
+    rho: Array
+    rho_slope: Array
+    H: Array
+
+
+def neighbour_weights(hx: float, hy: float) -> tuple[float, float]:
+    """Weights wx, wy of a distributive change, 2 wx + 2 wy = 1 [-]."""
+    total = hx * hx + hy * hy
+    return 0.5 * hy * hy / total, 0.5 * hx * hx / total
+
+
+def line_kinds(P: Array, residual: Array, line: Line, grid: Grid, threshold: float) -> Kinds:
+    """Kind of every node of a line, shape (nx,); `threshold` in the units of eps/h^2 [-]."""
+    kinds = np.full(P.size, FIXED, dtype=np.int8)
+    e = line.eps
+    along = 0.5 * (e[2:] + e[:-2] + 2.0 * e[1:-1]) / grid.hx**2
+    across = 0.5 * (line.eps_north + line.eps_south + 2.0 * e)[1:-1] / grid.hy**2
+    free = (P[1:-1] > 0.0) | (residual[1:-1] < 0.0)
+    kinds[1:-1] = np.where(free, np.where(np.maximum(along, across) > threshold, GAUSS_SEIDEL, JACOBI), FIXED)
+    return kinds
+
+
+def line_matrix(line: Line, kinds: Kinds, grid: Grid, kernel: DeflectionKernel) -> Array:
+    """Derivative of the operator at the nodes of a line with respect to their changes, shape (nx, nx) [-].
+
+    Column k is the effect of a change at node k, `pressure` of it on the line itself and `film` of its deflection;
+    a fixed node keeps a unit row and column.
+    """
+    n, (wx, wy) = kinds.size, neighbour_weights(grid.hx, grid.hy)
+    matrix = np.eye(n)
+    index = np.arange(n)
+    for k in range(1, n - 1):
+        if kinds[k] == FIXED:
+            continue
+        distance = np.abs(index - k)
+        near, pressure = distance <= LOWER + 2, np.zeros(n)
+        film = np.zeros(n)
+        film[near] = kernel.near[distance[near]]
+        pressure[k] = 1.0
+        across = 1.0
+        if kinds[k] == JACOBI:
+            sides = kernel.near[np.abs(index - k - 1)[near]] + kernel.near[np.abs(index - k + 1)[near]]
+            film[near] -= wx * sides + 2.0 * wy * kernel.near_next[distance[near]]
+            pressure[[k - 1, k + 1]] = -wx
+            across = 1.0 + wy
+        column = _column(pressure, film, across, line, grid, k)
+        rows = slice(max(1, k - UPPER), min(n - 2, k + LOWER) + 1)
+        matrix[:, k] = 0.0
+        matrix[rows, k] = column[rows]
+    matrix[kinds == FIXED] = np.eye(n)[kinds == FIXED]
+    return matrix
+
+
+def _column(pressure: Array, film: Array, across: float, line: Line, grid: Grid, k: int) -> Array:
+    """Change of the operator along the line: Poiseuille along and across, wedge of the film and of the density."""
+    e, column = line.eps, np.zeros(pressure.size)
+    flux = 0.5 * (e[1:] + e[:-1]) * np.diff(pressure) / grid.hx
+    column[1:-1] = np.diff(flux) / grid.hx
+    sideways = 0.5 * (line.eps_north + line.eps_south + 2.0 * e) / grid.hy**2
+    column -= sideways * np.where(np.arange(pressure.size) == k, across, pressure)
+    unit = np.zeros(pressure.size)
+    unit[k] = 1.0
+    flow, compressed = line.rho * film, line.rho_slope * line.H * unit
+    column[2:-1] -= (1.5 * flow[2:-1] - 2.0 * flow[1:-2] + 0.5 * flow[:-3]) / grid.hx
+    column[2:-1] -= (1.5 * compressed[2:-1] - 2.0 * compressed[1:-2] + 0.5 * compressed[:-3]) / grid.hx
+    column[1] += 0.5 * flow[0] / grid.hx  # the first column is central; its downstream film is left out
+    return column
+
+
+def relax_lines(
+    P: Array,
+    H: Array,
+    flow: tuple[Array, Array, Array],
+    f: Array,
+    grid: Grid,
+    kernel: DeflectionKernel,
+    damping: tuple[float, float, float],
+) -> Array:
+    """One hybrid line sweep at fixed film; returns the new pressure, shape (ny, nx) [-].
+
+    Parameters
+    ----------
+    P, H, f : ndarray, shape (ny, nx)
+        Pressure, film and right-hand side of Reynolds' equation [-].
+    flow : tuple of ndarray
+        eps, rho and d(rho)/dP from `reynolds.flow_properties` [-].
+    grid : Grid
+    kernel : DeflectionKernel
+    damping : tuple of float
+        Jacobi damping, factor on the Gauss-Seidel damping, switch between them [-].
+    """
+    P, (eps, rho, rho_slope) = P.copy(), flow
+    jacobi, relief, switch = damping
+    (wx, wy), change = neighbour_weights(grid.hx, grid.hy), np.zeros_like(P)
+    threshold = 2.0 * switch * kernel.near[0] / grid.hx
+    for j in range(0 if grid.symmetric else 1, grid.ny - 1):
+        south = abs(j - 1)
+        line = Line(eps=eps[j], eps_north=eps[j + 1], eps_south=eps[south], rho=rho[j], rho_slope=rho_slope[j], H=H[j])
+        residual = (f - reynolds_operator(P, H, eps, rho, (grid.hx, grid.hy), grid.symmetric))[j]
+        kinds = line_kinds(P[j], residual, line, grid, threshold)
+        delta = solve(line_matrix(line, kinds, grid, kernel), np.where(kinds == FIXED, 0.0, residual))
+        gauss_seidel = relief * (0.4 + 0.6 * eps[j] / (eps[j] + 1.0)) * delta
+        P[j] = np.where(kinds == GAUSS_SEIDEL, np.maximum(P[j] + gauss_seidel, 0.0), P[j])
+        spread = np.where(kinds == JACOBI, jacobi * delta, 0.0)
+        change[j] += spread
+        change[j, :-1] -= wx * spread[1:]
+        change[j, 1:] -= wx * spread[:-1]
+        change[j + 1] -= wy * spread
+        if j > 0:
+            change[j - 1] -= wy * spread * (2.0 if grid.symmetric and j == 1 else 1.0)
+    rows = slice(0 if grid.symmetric else 1, -1)
+    P[rows, 1:-1] = np.maximum(P + change, 0.0)[rows, 1:-1]
+    return P

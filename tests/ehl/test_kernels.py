@@ -1,0 +1,110 @@
+"""Every compiled kernel against its NumPy twin."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from ehl import Lubricant, MoesConditions, ViscosityLaw, _kernels, relaxation, reynolds
+from ehl.deformation import deflection_kernel
+from ehl.grid import Grid
+from ehl.multigrid import Damping, make_multigrid, relax, start_level, update_film
+from ehl.scaling import scale_contact
+
+ROUND_OFF = 1e-12  # relative; sums of a few terms in another order
+
+
+def contact(law=ViscosityLaw.ROELANDS, ratio=0.3):
+    oil = Lubricant(viscosity=0.05, pressure_viscosity=18e-9, viscosity_law=law)
+    conditions = MoesConditions(load_parameter=60.0, lubricant_parameter=6.0, radius_ratio=ratio, lubricant=oil)
+    return scale_contact(conditions)
+
+
+def make_grid(symmetric):
+    return Grid(x_in=-3.0, hx=0.15, hy=0.4, nx=33, ny=11 if symmetric else 21, symmetric=symmetric)
+
+
+@pytest.fixture(params=[True, False], ids=["half", "full"])
+def fields(request):
+    """A pressure with cavitation and a film that is neither smooth nor positive everywhere."""
+    random, g = np.random.default_rng(71203), make_grid(request.param)
+    X, Y = g.X[None, :], g.Y[:, None]
+    P = np.sqrt(np.maximum(1.0 - X**2 - (Y / 2.2) ** 2, 0.0)) * (1.0 + 0.1 * random.random((g.ny, g.nx)))
+    P[:, [0, -1]] = P[-1] = 0.0
+    if not g.symmetric:
+        P[0] = 0.0
+    H = 0.2 + 0.5 * np.maximum(X**2 + 0.3 * Y**2 - 1.0, 0.0) + 0.02 * random.standard_normal((g.ny, g.nx))
+    H[3, 5] = -0.1
+    return g, P, H
+
+
+def compiled_flow(c, P, H):
+    eps, rho, slope = np.empty_like(P), np.empty_like(P), np.empty_like(P)
+    viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
+    density = (c.density_numerator, c.density_denominator)
+    _kernels.flow_properties(P, H, *viscosity, *density, c.speed, eps, rho, slope)
+    return eps, rho, slope
+
+
+@pytest.mark.parametrize("law", list(ViscosityLaw))
+def test_flow_properties(fields, law):
+    _, P, H = fields
+    c = contact(law)
+    for ours, twin in zip(compiled_flow(c, P, H), reynolds.flow_properties(P, H, c), strict=True):
+        assert_allclose(ours, twin, rtol=1e-11, atol=1e-300)  # exp of a power: a few more digits lost
+
+
+def test_reynolds_operator(fields):
+    g, P, H = fields
+    eps, rho, _ = reynolds.flow_properties(P, H, contact())
+    ours = np.empty_like(P)
+    _kernels.reynolds_operator(P, H, eps, rho, g.hx, g.hy, g.symmetric, ours)
+    twin = reynolds.reynolds_operator(P, H, eps, rho, (g.hx, g.hy), g.symmetric)
+    assert_allclose(ours, twin, rtol=ROUND_OFF, atol=ROUND_OFF * np.abs(twin).max())
+
+
+def test_relax_lines(fields):
+    g, P, H = fields
+    c = contact()
+    kernel = deflection_kernel(g, c.deformation)
+    flow = reynolds.flow_properties(P, H, c)
+    f = 0.01 * np.random.default_rng(5519).standard_normal(P.shape)
+    ours, change = P.copy(), np.empty_like(P)
+    _kernels.relax_lines(
+        ours, H, *flow, f, kernel.near, kernel.near_next, g.hx, g.hy, g.symmetric, 0.3, 0.8, 0.7, change
+    )
+    twin = relaxation.relax_lines(P, H, flow, f, g, kernel, (0.3, 0.8, 0.7))
+    assert np.abs(twin - P).max() > 1e-3  # the sweep did something
+    assert_allclose(ours, twin, rtol=0.0, atol=1e-9)  # elimination without and with pivoting
+
+
+def test_all_kinds_of_nodes_are_exercised(fields):
+    g, P, H = fields
+    c = contact()
+    kernel = deflection_kernel(g, c.deformation)
+    eps, rho, slope = reynolds.flow_properties(P, H, c)
+    residual = -reynolds.reynolds_operator(P, H, eps, rho, (g.hx, g.hy), g.symmetric)
+    threshold = 2.0 * 0.7 * kernel.near[0] / g.hx
+    kinds = set()
+    for j in range(1, g.ny - 1):
+        line = relaxation.Line(
+            eps=eps[j], eps_north=eps[j + 1], eps_south=eps[j - 1], rho=rho[j], rho_slope=slope[j], H=H[j]
+        )
+        kinds |= set(relaxation.line_kinds(P[j], residual[j], line, g, threshold).tolist())
+    assert kinds == {relaxation.FIXED, relaxation.GAUSS_SEIDEL, relaxation.JACOBI}
+
+
+def test_half_and_full_domain_sweeps_agree():
+    """A sweep over the half domain is the upper half of one over the full domain, up to the order of the lines."""
+    c, pressures = contact(), []
+    for symmetric in (True, False):
+        state = make_multigrid(c, (make_grid(symmetric),), None, Damping(switch=1e9))  # Jacobi only: no order
+        level = state.levels[0]
+        X, Y = level.grid.X[None, :], level.grid.Y[:, None]
+        state.approach = -0.8
+        start_level(state, 0, np.sqrt(np.maximum(1.0 - X**2 - (Y / c.semi_axis_ratio) ** 2, 0.0)))
+        update_film(state, 0)
+        relax(state, 0)
+        pressures.append(level.P)
+    assert_allclose(pressures[1][10:], pressures[0], rtol=0.0, atol=1e-12)
