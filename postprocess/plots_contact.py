@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
+HEIGHT = 5.9  # of the figure [in]
 LINES = 8  # contour intervals of a map
 QUANTITIES = ("film", "pressure")
 LEFT, MAP_WIDTH, STRETCHED_WIDTH, LINE_WIDTH = (0.08, 0.58), 0.41, 0.33, 0.35  # boxes, in shares of the figure
@@ -45,7 +46,7 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
         Lines above the figure.
     """
     figure.set_layout_engine("none")  # fixed boxes: the layout engine takes longer than the drawing
-    figure.set_size_inches(PAGE_WIDTH, 5.9)
+    figure.set_size_inches(PAGE_WIDTH, HEIGHT)
     figure.suptitle(title, fontsize=8.5, y=0.99)
     for quantity, left in zip(QUANTITIES, LEFT, strict=True):
         width = STRETCHED_WIDTH if view.stretched else MAP_WIDTH
@@ -56,7 +57,8 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
             draw_map(strip, view, quantity, levels=())
             _in_proportion(strip)
         else:
-            panel.set_aspect("equal")
+            panel.set_aspect("equal", anchor="W")
+            width = min(MAP_WIDTH, MAP_HEIGHT * HEIGHT / PAGE_WIDTH * float(np.ptp(view.x) / np.ptp(view.y)))
         bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
         _colour_bar(figure, image, bar, view, quantity)
     for along, left in zip((True, False), LEFT, strict=True):
@@ -172,9 +174,8 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     cut = (slice(None), j) if along else (i, slice(None))
     s = view.x if along else view.y
     axes.plot(s, view.pressure[cut], color=PRESSURE_COLOUR, label="pressure")
-    axes.plot(
-        s, view.hertz[cut], color=REFERENCE, linestyle="--", linewidth=0.8, label=f"Hertz, to {view.hertz.max():.3g}"
-    )
+    hertz = np.where(view.hertz[cut] > 0.0, view.hertz[cut], np.nan)
+    axes.plot(s, hertz, color=REFERENCE, linestyle="--", linewidth=0.8, label=f"Hertz, peak {view.hertz.max():.3g}")
     axes.set_ylim(0.0, 1.08 * float(view.pressure.max()))
     axes.set_xlim(s[0], s[-1])
     name = "rolling direction $x$" if along else "transverse $y$"

@@ -271,8 +271,9 @@ def _formulas(conditions: object) -> dict[str, float | None]:
 
 def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from results.messages
-    if not results.quasistatic.converged:
-        yield f"ring and ball equilibrium: not converged: {results.quasistatic.message}"
+    state = results.quasistatic
+    if not state.converged or "arbitrary" in state.message:  # a free direction without stiffness
+        yield f"equilibrium of ring and balls: {state.message}"
     for group in distinct_contacts(results):
         yield from _solution_messages(group.label, group.solution)
     absent: dict[tuple[str, str], list[str]] = {}
@@ -284,7 +285,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     if any(c.conditions is None for c in results.contacts):
         yield "contacts: Hertz, speed and formula values null where a contact carries no load or no oil is entrained"
     yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"
-    if "surface" not in results.case:
+    if results.case.get("surface") is None:
         yield "contacts.lambda_ratio: null, the case gives no [surface] roughness"
     for part in ("contacts.traction_coefficient", "life", "torque_N_mm"):
         yield f"{part}: null, {NOT_COMPUTED}"

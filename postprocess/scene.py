@@ -14,10 +14,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .geometry import ContactFrame, Placement, place_patch, principal_coordinates
-from .plot_style import BEYOND_SCALE, COLOUR_MAPS, common_film_range, film_range, half_extents, shown_part
+from .geometry import Placement
+from .patch import Patch
+from .plot_style import BEYOND_SCALE, COLOUR_MAPS, common_film_range, film_range
 from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
-from .results import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from .results import MILLIMETRE
 from .results_io import atomic_path, open_results
 from .vtk import COLLECTION_FILE
 
@@ -165,96 +166,38 @@ def _scene(directory: Path, options: SceneOptions, off_screen: bool) -> pyvista.
 
 def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: SceneOptions) -> str:
     """Bodies, patches, camera; return the note that states the factors."""
+    import pyvista as pv
+
     nodes = [node for ball in tree["contacts"].children.values() for node in ball.children.values()]
     patches = [Patch.read(node.to_dataset(inherit=False)) for node in nodes]
     radius = 0.5 * float(tree["ring"].attrs["ball_diameter"])
     placement = _placement(patches, radius, options)
     _add_bodies(plotter, directory)
-    limits = _limits(patches, options.quantity) if patches else (0.0, 1.0)
+    limits, mapper = _limits(patches, options.quantity) if patches else (0.0, 1.0), None
     for patch in patches:
-        mesh = patch.mesh(radius, placement)
-        _add_field(plotter, mesh, options.quantity, limits, logarithmic=len(patches) > 1)
+        mesh = pv.wrap(patch.mesh(radius, placement))
+        mapper = _add_field(plotter, mesh, options.quantity, limits, logarithmic=len(patches) > 1)
         lines = mesh.contour(patch.levels(options.quantity), scalars=options.quantity)
         if lines.n_points:
             plotter.add_mesh(lines, color=LINE_COLOURS[options.quantity], line_width=1.5, opacity=0.7)
-    _colour_bar(plotter, options)
+    if mapper is not None:
+        _colour_bar(plotter, mapper, LABELS[options.quantity], options)
     _add_labels(plotter, tree, options)
     _aim(plotter, tree)
-    note = f"patches magnified {placement.rolling:g}x along and {placement.transverse:g}x across the rolling direction"
-    return note + (f", film height exaggerated {placement.film:g}x" if placement.film else "")
+    return _note(placement)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Patch:
-    """The shown part of one contact, read from disk.
-
-    Attributes
-    ----------
-    x, y, film, pressure : ndarray, shape (nx, ny)
-        Principal coordinates [mm], or in semi-axes a; film [um]; pressure [GPa]; dimensionless in Moes input.
-    central, minimum : float
-        Films [um].
-    attributes : dict
-        Of the contact, as written.
-    """
-
-    x: Array
-    y: Array
-    film: Array
-    pressure: Array
-    central: float
-    minimum: float
-    attributes: dict[str, Any]
-
-    @classmethod
-    def read(cls, data: xarray.Dataset) -> Patch:
-        """Take the shown part of a contact's data set; lengths in [m] there."""
-        facts = data.attrs
-        a, angle = float(facts["semi_axis_x"]), float(facts["entrainment_angle"])
-        half_x, half_y = half_extents(angle, float(facts["semi_axis_y"]) / a)
-        x, y, p = data["x"].values, data["y"].values, data["P"].values
-        part = shown_part(x, y, p, a * half_x, a * half_y)
-        units = {"m": MILLIMETRE, "a": 1.0, "Pa": GIGAPASCAL, "p_h": 1.0, "a^2/Rx": 1.0}
-        length = units[data["x"].attrs["units"]]
-        film = MICROMETRE if data["h"].attrs["units"] == "m" else 1.0
-        along, across = principal_coordinates(x[part[0]] / length, y[part[1]] / length, angle)
-        return cls(
-            x=along,
-            y=across,
-            film=data["h"].values[part] / film,
-            pressure=p[part] / units[data["P"].attrs["units"]],
-            central=float(data["film_central"]) / film,
-            minimum=float(data["film_minimum"]) / film,
-            attributes=dict(facts),
+def _note(placement: Placement) -> str:
+    """State the factors of the patches."""
+    rolling, transverse = placement.rolling, placement.transverse
+    note = f"patches magnified {rolling:g}x along and {transverse:g}x across the rolling direction"
+    if rolling == transverse:
+        note = (
+            "patches in true size"
+            if rolling == 1.0
+            else f"patches magnified {rolling:g}x, as far as they fit the balls"
         )
-
-    def levels(self, quantity: str) -> list[float]:
-        """Contour lines: shares of the central film [um], or of the largest pressure [GPa]."""
-        if quantity == "film":
-            return [self.central * share for share in (0.9, 0.95, 1.05, 1.1)]
-        return [float(self.pressure.max()) * share for share in (0.1, 0.3, 0.5, 0.7, 0.9)]
-
-    def mesh(self, ball_radius: float, placement: Placement) -> Any:
-        """Patch on its ball of `ball_radius` [m] as a pyvista grid in [mm], the film as height limited by its scale."""
-        vectors = {name: np.asarray(self.attributes[name]) for name in ("origin", "axis_x", "axis_y", "normal")}
-        frame = ContactFrame(ball_radius=ball_radius, **vectors)
-        film = np.minimum(self.film, film_range(self.central, self.minimum)[1]) * MICROMETRE
-        points = place_patch(self.x * MILLIMETRE, self.y * MILLIMETRE, frame, placement, placement.film * film)
-        return self._grid(points / MILLIMETRE)
-
-    def relief(self, quantity: str, height: float) -> Any:
-        """Contact plane with the quantity as height, `height` [mm or a] at its scale's end, as a grid."""
-        field = self.film if quantity == "film" else self.pressure
-        top = film_range(self.central, self.minimum)[1] if quantity == "film" else float(field.max())
-        z = height * np.minimum(field / top, 1.0)
-        return self._grid(np.stack([self.x, self.y, z], axis=-1))
-
-    def _grid(self, points: Array) -> Any:
-        import pyvista as pv
-
-        grid = pv.StructuredGrid(*(points[..., k] for k in range(3)))
-        grid["film"], grid["pressure"] = self.film.ravel(order="F"), self.pressure.ravel(order="F")
-        return grid
+    return note + (f"; film height exaggerated {placement.film:g}x" if placement.film else "")
 
 
 def _placement(patches: list[Patch], ball_radius: float, options: SceneOptions) -> Placement:
@@ -282,8 +225,8 @@ def _limits(patches: list[Patch], quantity: str) -> tuple[float, float]:
     return common_film_range([p.central for p in patches], [p.minimum for p in patches])
 
 
-def _add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float], logarithmic: bool = False) -> None:
-    plotter.add_mesh(
+def _add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float], logarithmic: bool = False) -> Any:
+    actor = plotter.add_mesh(
         mesh,
         scalars=quantity,
         cmap=COLOUR_MAPS[quantity],
@@ -296,6 +239,7 @@ def _add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, floa
         specular=0.0,
         smooth_shading=True,
     )
+    return actor.mapper
 
 
 def _add_bodies(plotter: Any, directory: Path) -> None:
@@ -355,29 +299,43 @@ def _aim(plotter: Any, tree: xarray.DataTree) -> None:
     plotter.camera.focal_point = (0.0, 0.0, 0.0)
     plotter.camera.position = tuple(direction)
     plotter.camera.up = tuple(radial)
+    _frame(plotter)
+
+
+def _frame(plotter: Any, zoom: float = 1.25) -> None:
+    """Fill the picture, with room for the colour bar at the right."""
     plotter.reset_camera()
-    plotter.camera.zoom(1.25)
-    plotter.camera.SetWindowCenter(0.1, 0.0)  # room for the colour bar
+    plotter.camera.zoom(zoom)
+    plotter.camera.SetWindowCenter(0.1, 0.0)
 
 
 def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions) -> str:
     """One contact as a surface whose height is the quantity; return what the height means."""
+    import pyvista as pv
+
     patch = Patch.read(data)
     size = min(float(np.ptp(patch.x)), float(np.ptp(patch.y)))
-    mesh = patch.relief(options.quantity, 0.45 * size)
-    _add_field(plotter, mesh, options.quantity, _limits([patch], options.quantity))
-    _colour_bar(plotter, options)
-    plotter.camera_position = [(-0.75, -1.35, 1.15), (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)]
-    plotter.reset_camera()
+    mesh = pv.wrap(patch.relief(options.quantity, 0.45 * size))
+    limits = _limits([patch], options.quantity)
+    if options.quantity == "film":  # the inlet would tower over the contact
+        mesh = mesh.clip_scalar(scalars="film", value=limits[1], invert=True).extract_surface(algorithm=None)
+    mapper = _add_field(plotter, mesh, options.quantity, limits)
+    unit = data["P" if options.quantity == "pressure" else "h"].attrs["units"]
+    label = LABELS[options.quantity] if unit in ("m", "Pa") else f"{options.quantity} [{unit}]"
+    _colour_bar(plotter, mapper, label, options)
+    plotter.camera.position, plotter.camera.focal_point, plotter.camera.up = (-0.75, -1.35, 1.3), (0, 0, 0), (0, 0, 1)
+    _frame(plotter, 1.0)
     unit = data["x"].attrs["units"].replace("m", "mm")
     extent = f"{patch.x.min():.3g} ... {patch.x.max():.3g} by {patch.y.min():.3g} ... {patch.y.max():.3g} {unit}"
-    return f"height: {options.quantity}, cut off at the end of the colour scale; shown: {extent}; oil moves towards +x"
+    cut = ", cut off at the end of the colour scale" if options.quantity == "film" else ""
+    return f"height: {options.quantity}{cut}; shown: {extent}; oil moves to the right"
 
 
-def _colour_bar(plotter: Any, options: SceneOptions) -> None:
+def _colour_bar(plotter: Any, mapper: Any, label: str, options: SceneOptions) -> None:
     scale = options.size[1] / 1200.0
     plotter.add_scalar_bar(
-        title=f"{LABELS[options.quantity]}\n",
+        title=f"{label}\n",
+        mapper=mapper,
         vertical=True,
         position_x=0.88,
         position_y=0.2,
