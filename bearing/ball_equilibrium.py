@@ -2,8 +2,8 @@ r"""Balls between the races: forces at given ring position, equilibrium of every
 
 In the axial plane of a ball (x axial, r radial) let u point from the outer groove's centre of curvature to the ball's
 centre and w from there to the inner groove's centre, u + w = V. Then the approaches are
-:math:`\delta_o = |u| - (r_o - D/2)` and :math:`\delta_i = |w| - (r_i - D/2)`, the contact angles are the directions of u
-and w from the radial one, and a ball is in equilibrium when (Harris and Kotzalas, Advanced Concepts, 5th ed.,
+:math:`\delta_o = |u| - (r_o - D/2)` and :math:`\delta_i = |w| - (r_i - D/2)`, the contact angles are the directions of
+u and w from the radial one, and a ball is in equilibrium when (Harris and Kotzalas, Advanced Concepts, 5th ed.,
 chapter 3, in the signs of docs/bearing.md)::
 
     Qi sin ai - Qo sin ao + (Mg/D) (li cos ai - lo cos ao)      = 0
@@ -26,19 +26,22 @@ from numpy.typing import NDArray
 from .contact_stiffness import stiffness_at, stiffness_series
 from .geometry import Array, Bearing, Race
 from .kinematics import (
+    INNER_PART,
     Direction,
     Motion,
     Numbers,
     attitude,
     ball_mass,
+    blend,
     centrifugal_force,
-    friction_shares,
     gyroscopic_moment,
     rolling_motion,
 )
 from .operation import BallKinematics, Model
 
 COMPLEX_STEP = 1.0e-30  # [m]
+FRICTION_LIMIT = 0.1  # friction over load that no lubricated contact is taken to exceed [-]
+EDGE_COSINE = 0.17  # cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
 BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
 BALL_TOLERANCE = 1.0e-11  # residual of a ball over its forces that is accepted when it falls no further [-]
 MAX_BALL_STEPS = 60
@@ -59,7 +62,8 @@ class BallProblem:
     kinematics: BallKinematics
     inner_series: Array
     outer_series: Array
-    sharing_load: float  # inner load from which the inner contact takes its full part of the gyroscopic couple [N]
+    nominal_force: float  # centrifugal force at the free contact angle [N]
+    nominal_couple: float  # largest gyroscopic couple, J w_m w_R, at the free contact angle [N m]
 
     @property
     def gamma(self) -> float:
@@ -101,6 +105,7 @@ def ball_problem(bearing: Bearing, inner_speed: float, outer_speed: float, model
     mass = ball_mass(d, bearing.ball_material.density)
     gamma = d / dm * cos(bearing.free_contact_angle)
     nominal_orbit = 0.5 * (inner_speed * (1.0 - gamma) + outer_speed * (1.0 + gamma))
+    nominal_spin = 0.5 * (inner_speed - outer_speed) * (1.0 - gamma**2) * dm / d
     return BallProblem(
         inner_length=bearing.inner_groove_radius - 0.5 * d,
         outer_length=bearing.outer_groove_radius - 0.5 * d,
@@ -113,7 +118,8 @@ def ball_problem(bearing: Bearing, inner_speed: float, outer_speed: float, model
         kinematics=model.ball_kinematics,
         inner_series=stiffness_series(bearing, Race.INNER, model.curvature),
         outer_series=stiffness_series(bearing, Race.OUTER, model.curvature),
-        sharing_load=0.5 * mass * dm * nominal_orbit**2,
+        nominal_force=0.5 * mass * dm * nominal_orbit**2,
+        nominal_couple=0.1 * mass * d**2 * abs(nominal_orbit * nominal_spin),
     )
 
 
@@ -133,19 +139,40 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     outer_distance = np.sqrt(u[0] * u[0] + u[1] * u[1])
     inner_distance = np.sqrt(w[0] * w[0] + w[1] * w[1])
     outer = Direction(u[0] / outer_distance, u[1] / outer_distance)
-    near = inner_distance.real > 0.5 * problem.inner_length  # else the ball is far from the inner race, angle undefined
+    near = (inner_distance.real > 0.5 * problem.inner_length) & (w[1].real > 0.0)  # else far from the race: no angle
     safe = np.where(near, inner_distance, problem.inner_length)
     inner = Direction(np.where(near, w[0] / safe, outer.sin), np.where(near, w[1] / safe, outer.cos))
     outer_load = stiffness_at(problem.outer_series, outer.cos) * _power(outer_distance - problem.outer_length)
-    inner_load = stiffness_at(problem.inner_series, inner.cos) * _power(inner_distance - problem.inner_length)
-    share = _share(inner_load, problem.sharing_load)
-    beta = attitude(outer, inner, problem.gamma, problem.kinematics, share)
-    motion = rolling_motion(outer, inner, beta, problem.gamma, problem.inner_speed, problem.outer_speed)
+    outer_load = outer_load * _smooth_step(outer.cos, EDGE_COSINE)
+    inner_load = stiffness_at(problem.inner_series, inner.cos) * _power(
+        np.where(near, inner_distance, 0.0) - problem.inner_length
+    )
+    inner_load = inner_load * _smooth_step(inner.cos, EDGE_COSINE)
+    share, motion = _shared_motion(outer, inner, inner_load, problem)
     force = centrifugal_force(problem.mass, problem.pitch_diameter, motion.orbit_speed)
     moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
-    return BallState(
-        inner_load, outer_load, inner, outer, motion, force, moment, *friction_shares(problem.kinematics, share)
-    )
+    inner_share = INNER_PART[problem.kinematics] * share
+    return BallState(inner_load, outer_load, inner, outer, motion, force, moment, inner_share, 2.0 - inner_share)
+
+
+def _shared_motion(
+    outer: Direction, inner: Direction, inner_load: Numbers, problem: BallProblem
+) -> tuple[Numbers, Motion]:
+    """Motion under the hypothesis as far as the inner race can transmit the friction that it asks for.
+
+    The share [-] is 1 where lambda_i Mg/D <= FRICTION_LIMIT Qi, Mg by the nominal speeds and the full attitude; it
+    falls smoothly to 0, the ball rolling on the outer race alone, as the inner contact unloads.
+    """
+    speeds = (problem.inner_speed, problem.outer_speed)
+    alone = attitude(outer, inner, problem.gamma, BallKinematics.OUTER_RACE_CONTROL)
+    if problem.kinematics is BallKinematics.OUTER_RACE_CONTROL:
+        return np.ones_like(inner_load), rolling_motion(outer, inner, alone, problem.gamma, *speeds)
+    chosen = attitude(outer, inner, problem.gamma, problem.kinematics)
+    couple = problem.nominal_couple * chosen.sin * np.sign(chosen.sin.real)
+    asked = INNER_PART[problem.kinematics] * couple / problem.ball_diameter
+    share = _smooth_step(FRICTION_LIMIT * inner_load, asked)
+    beta = blend(alone, chosen, share)
+    return share, rolling_motion(outer, inner, beta, problem.gamma, *speeds)
 
 
 def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
@@ -265,8 +292,8 @@ def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
     ratio = (stiffness_o / stiffness_at(problem.inner_series, np.ones(1))[0]) ** (2.0 / 3.0)
     split = unit * (outer + np.maximum(distance - inner - outer, 0.0) / (1.0 + ratio))
     pressed = np.zeros_like(V)
-    pressed[1] = outer + (problem.sharing_load / stiffness_o) ** (2.0 / 3.0)
-    if problem.sharing_load > 0.0:
+    pressed[1] = outer + (problem.nominal_force / stiffness_o) ** (2.0 / 3.0)
+    if problem.nominal_force > 0.0:
         free = np.hypot(*(V - pressed)) <= inner
         cold = np.where(free | (distance <= inner + outer), pressed, split)
     else:
@@ -300,9 +327,9 @@ def _power(approach: Numbers) -> Numbers:
     return pressed * np.sqrt(pressed)
 
 
-def _share(inner_load: Numbers, sharing_load: float) -> Numbers:
-    """Rises smoothly from 0 at an unloaded inner contact to 1 where it carries the ball's own centrifugal force [-]."""
-    if sharing_load <= 0.0:
-        return np.ones_like(inner_load)
-    t = np.where(inner_load.real < sharing_load, inner_load / sharing_load, 1.0)
+def _smooth_step(value: Numbers, full: Numbers | float) -> Numbers:
+    """3 t^2 - 2 t^3 of t = value/full, 1 where the value exceeds the full one [-]."""
+    full = np.asarray(full)
+    below = value.real < full.real
+    t = np.where(below, np.where(value.real > 0.0, value, 0.0) / np.where(below, full, 1.0), 1.0)
     return t * t * (3.0 - 2.0 * t)

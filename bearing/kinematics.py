@@ -8,9 +8,10 @@ re-derived), with g = D/d_m::
     w_R cos(beta - a_o) = (w_m - w_outer) (1 + g cos a_o)/g
     w_R cos(beta - a_i) = (w_inner - w_m) (1 - g cos a_i)/g
 
-The attitude is the hypothesis: tan(beta) = sin a_o/(cos a_o + g) without spin at the outer race, sin a_i/(cos a_i - g)
-without spin at the inner one, or the mean contact angle. Directions are kept as (sine, cosine) pairs and every
-function takes complex arguments, so that a complex step differentiates them to round-off.
+Multiplied out, nothing is divided by the cosines. The attitude is the hypothesis: tan(beta) = sin a_o/(cos a_o + g)
+without spin at the outer race, sin a_i/(cos a_i - g) without spin at the inner one, or the mean contact angle.
+Directions are kept as (sine, cosine) pairs and every function takes complex arguments, so that a complex step
+differentiates them to round-off.
 """
 
 from __future__ import annotations
@@ -46,7 +47,7 @@ def direction(sin: Numbers, cos: Numbers) -> Direction:
     return Direction(sin / length, cos / length)
 
 
-def attitude(outer: Direction, inner: Direction, gamma: float, kinematics: BallKinematics, share: Numbers) -> Direction:
+def attitude(outer: Direction, inner: Direction, gamma: float, kinematics: BallKinematics) -> Direction:
     """Attitude of a ball's spin under a hypothesis, Jones (1960), Harris and Kotzalas.
 
     Parameters
@@ -56,25 +57,21 @@ def attitude(outer: Direction, inner: Direction, gamma: float, kinematics: BallK
     gamma : float
         D/d_m [-].
     kinematics : BallKinematics
-    share : ndarray
-        1 where the inner contact takes part as the hypothesis says, 0 where it carries nothing and the ball rolls on
-        the outer race alone [-].
 
     Returns
     -------
     Direction
     """
-    alone = direction(outer.sin, outer.cos + gamma)
     if kinematics is BallKinematics.OUTER_RACE_CONTROL:
-        return alone
+        return direction(outer.sin, outer.cos + gamma)
     if kinematics is BallKinematics.INNER_RACE_CONTROL:
-        chosen = direction(inner.sin, inner.cos - gamma)
-    else:
-        chosen = direction(outer.sin + inner.sin, outer.cos + inner.cos)
-    return direction(
-        share * chosen.sin + (1.0 - share) * alone.sin,
-        share * chosen.cos + (1.0 - share) * alone.cos,
-    )
+        return direction(inner.sin, inner.cos - gamma)
+    return direction(outer.sin + inner.sin, outer.cos + inner.cos)
+
+
+def blend(start: Direction, end: Direction, share: Numbers) -> Direction:
+    """Direction a part `share` [-] of the way from one to another [-]."""
+    return direction(start.sin + share * (end.sin - start.sin), start.cos + share * (end.cos - start.cos))
 
 
 def rolling_motion(
@@ -96,35 +93,20 @@ def rolling_motion(
     Motion
         Speeds in [rad/s].
     """
-    rate_outer = (1.0 + gamma * outer.cos) / (outer.cos * beta.cos + outer.sin * beta.sin)
-    rate_inner = (1.0 - gamma * inner.cos) / (inner.cos * beta.cos + inner.sin * beta.sin)
-    total = rate_inner + rate_outer
-    orbit = (inner_speed * rate_inner + outer_speed * rate_outer) / total
-    spin = (inner_speed - outer_speed) / gamma * rate_inner * rate_outer / total
+    radius_outer, radius_inner = 1.0 + gamma * outer.cos, 1.0 - gamma * inner.cos
+    arm_outer = outer.cos * beta.cos + outer.sin * beta.sin
+    arm_inner = inner.cos * beta.cos + inner.sin * beta.sin
+    total = radius_inner * arm_outer + radius_outer * arm_inner
+    orbit = (inner_speed * radius_inner * arm_outer + outer_speed * radius_outer * arm_inner) / total
+    spin = (inner_speed - outer_speed) / gamma * radius_inner * radius_outer / total
     return Motion(orbit, spin, beta)
 
 
-def friction_shares(kinematics: BallKinematics, share: Numbers) -> tuple[Numbers, Numbers]:
-    """Parts (lambda_i, lambda_o) of the gyroscopic couple in the friction forces lambda Mg/D [-]; their sum is 2.
-
-    Parameters
-    ----------
-    kinematics : BallKinematics
-    share : ndarray
-        As in `attitude` [-].
-
-    Returns
-    -------
-    lambda_i, lambda_o : ndarray
-        [-].
-    """
-    full = {
-        BallKinematics.OUTER_RACE_CONTROL: 0.0,
-        BallKinematics.INNER_RACE_CONTROL: 2.0,
-        BallKinematics.HALF_AND_HALF: 1.0,
-    }[kinematics]
-    inner = full * share
-    return inner, 2.0 - inner
+INNER_PART = {
+    BallKinematics.OUTER_RACE_CONTROL: 0.0,
+    BallKinematics.INNER_RACE_CONTROL: 2.0,
+    BallKinematics.HALF_AND_HALF: 1.0,
+}  # lambda_i of the friction force lambda_i Mg/D at the inner race; lambda_o is 2 less this [-]
 
 
 def ball_mass(ball_diameter: float, density: float) -> float:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .ball_equilibrium import BallRow, BallState, ball_problem, ball_state
+from .ball_equilibrium import EDGE_COSINE, BallRow, BallState, ball_problem, ball_state
 from .geometry import Array, Bearing
 from .operation import DEGREES_OF_FREEDOM, Model, Operation
 from .ring_equilibrium import RESIDUAL_TOLERANCE, Ring, RingPoint, ring_of, solve_ring
@@ -123,9 +123,9 @@ def solve_quasistatic(bearing: Bearing, operation: Operation, model: Model | Non
 def _verdict(ring: Ring, point: RingPoint, state: BallState, iterations: int) -> tuple[bool, str]:
     """Whether the point is an equilibrium, and in words why not or what is left undetermined."""
     loaded = state.inner_load > 0.0
-    beyond = (loaded & (state.inner.cos <= 0.0)) | (state.outer.cos <= 0.0)
+    beyond = (loaded & (state.inner.cos < EDGE_COSINE)) | (state.outer.cos < EDGE_COSINE)
     if beyond.any():
-        return False, "no equilibrium: a contact angle passes 90 degrees, the balls leave the grooves"
+        return False, "no equilibrium: a contact angle passes 80 degrees, the balls leave the grooves"
     if point.residual > RESIDUAL_TOLERANCE:
         worst = float(np.max(point.row.residual))
         return False, (
