@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, floor, hypot, log10, pi, sin
+from math import cos, floor, hypot, inf, log10, pi, sin
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -95,6 +95,12 @@ class ContactView:
         return max(self.half_x / self.half_y, self.half_y / self.half_x) > STRETCHED
 
     @property
+    def pressure_top(self) -> float:
+        """Largest pressure shown, in the unit of `pressure`; that of Hertz where a failed solution has none."""
+        top = float(np.nanmax(self.pressure, initial=0.0))
+        return top if 0.0 < top < inf else float(self.hertz.max())
+
+    @property
     def film_range(self) -> tuple[float, float]:
         """Film thickness at the ends of the colour scale, in the unit of `film`: the inlet is left to saturate."""
         return film_range(self.central, self.minimum)
@@ -165,9 +171,11 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
     half_x, half_y : float
         [m].
     """
-    loud = np.greater(P, QUIET_PRESSURE * P.max())
+    loud = np.greater(P, QUIET_PRESSURE * np.nanmax(P, initial=0.0))
     rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
-    first, last, side = float(X[rows[0]]), float(X[rows[-1]]), float(Y[columns[-1]])
+    first, last, side = 0.0, 0.0, 0.0
+    if rows.size:  # a failed solution may have no pressure
+        first, last, side = float(X[rows[0]]), float(X[rows[-1]]), float(Y[columns[-1]])
     inlet = min(SHOWN_INLET * half_x, first - 0.15 * (last - first))
     outlet = max(SHOWN_OUTLET * half_x, last + 0.25 * (last - first))
     side = max(SHOWN_SIDE * half_y, 1.3 * side)
@@ -177,6 +185,8 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
 def film_range(central: float, minimum: float) -> tuple[float, float]:
     """Ends of a film's colour scale in the unit of the films, such as [um]: the inlet is beyond it."""
     spread = central - minimum
+    if not central > 0.0:  # a failed solution
+        return 0.0, 1.0
     if spread < FLAT_FILM * central:
         return minimum, 1.6 * central
     return minimum, min(central + 2.5 * spread, 2.0 * central)
@@ -184,7 +194,8 @@ def film_range(central: float, minimum: float) -> tuple[float, float]:
 
 def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tuple[float, float]:
     """Ends of the logarithmic colour scale that many contacts share, in the unit of their films, such as [um]."""
-    return min(minimum), 1.3 * max(central)
+    low, high = min((h for h in minimum if h > 0.0), default=0.5), max((h for h in central if h > 0.0), default=1.0)
+    return low, max(1.3 * high, 1.1 * low)
 
 
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:
@@ -195,7 +206,7 @@ def half_extents(angle: float, kappa: float) -> tuple[float, float]:
 def value_with_error(value: float, error: float) -> str:
     """Text of a value and its uncertainty, to the error's first digit (second after a 1), in whatever unit [-]."""
     digits = 3
-    if error > 0.0:
+    if 0.0 < error < inf:
         exponent = floor(log10(error))
         digits = min(max(-exponent + (error < 1.95 * 10.0**exponent), 0), 5)
     return f"{value:.{digits}f} ± {error:.{digits}f}"

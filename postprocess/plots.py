@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 PLOT_FOLDER = "plots"
 
 
-def write_plots(results: BearingResults | ContactResults, directory: Path) -> tuple[Path, ...]:
+def write_plots(results: BearingResults | ContactResults, directory: Path) -> tuple[str, ...]:
     """Draw every plot of a run into its folder `plots`; equal contacts are drawn once and named together.
 
     Parameters
@@ -34,22 +34,24 @@ def write_plots(results: BearingResults | ContactResults, directory: Path) -> tu
 
     Returns
     -------
-    tuple of Path
-        The PNG files.
+    tuple of str
+        Which figures could not be drawn and why; the others are there.
     """
     import matplotlib
     import matplotlib.figure
 
     folder = directory / PLOT_FOLDER
     figures = _contact_figures(results) if isinstance(results, ContactResults) else _bearing_figures(results)
-    written = []
+    problems = []
     with matplotlib.rc_context(RC):
         for name, draw in figures:
             figure = matplotlib.figure.Figure()
-            draw(figure)
-            written.append(folder / f"{name}.png")
-            save(figure, written[-1])
-    return tuple(written)
+            try:
+                draw(figure)
+                save(figure, folder / f"{name}.png")
+            except (ValueError, ArithmeticError, LookupError, RuntimeError) as error:  # of a field no one thought of
+                problems.append(f"{PLOT_FOLDER}/{name}.png not written: {type(error).__name__}: {error}")
+    return tuple(problems)
 
 
 def _contact_figures(results: ContactResults) -> Iterator[NamedFigure]:

@@ -147,7 +147,7 @@ def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, floa
     """Ends of the common colour scale over all maps."""
     shown = [v for v in views if v is not None]
     if quantity == "pressure":
-        return 0.0, max(float(v.pressure.max()) for v in shown)
+        return 0.0, max(v.pressure_top for v in shown)
     return common_film_range([v.central for v in shown], [v.minimum for v in shown])
 
 
@@ -167,13 +167,13 @@ def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tupl
         axes.set_yticks([])
         return None
     film = quantity == "film"
-    levels = view.central * FILM_LEVELS if film else float(view.pressure.max()) * PRESSURE_LEVELS
+    levels = view.central * FILM_LEVELS if film else view.pressure_top * PRESSURE_LEVELS
     levels = levels[levels < limits[1]]
     image = draw_map(axes, view, quantity, limits, levels)
     axes.set_facecolor(image.get_cmap()(np.inf if film else 0.0))
     axes.set_xlabel("")
     axes.set_ylabel("")
-    text = f"{view.central:.3g}\n{view.minimum:.3g} µm" if film else f"{view.pressure.max():.3g} GPa"
+    text = f"{view.central:.3g}\n{view.minimum:.3g} µm" if film else f"{view.pressure_top:.3g} GPa"
     axes.text(0.04, 0.03, text, fontsize=6.5, transform=axes.transAxes, color=INK)
     return image
 

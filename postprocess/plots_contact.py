@@ -105,7 +105,7 @@ def draw_map(
     """
     film = quantity == "film"
     field = view.film if film else view.pressure
-    low, high = limits or (view.film_range if film else (0.0, float(view.pressure.max())))
+    low, high = limits or (view.film_range if film else (0.0, view.pressure_top))
     image = axes.imshow(
         field.T,
         extent=_extent(view),
@@ -120,7 +120,10 @@ def draw_map(
     if film:
         image.set_cmap(image.get_cmap().with_extremes(over=BEYOND_SCALE))
     lines = np.linspace(low, high, LINES + 1)[1:-1] if levels is None else levels
-    axes.contour(view.x, view.y, field.T, levels=lines, colors="white" if film else "black", alpha=0.6)
+    known = field[np.isfinite(field)]
+    lines = [line for line in lines if known.size and known.min() < line < known.max()]
+    if lines:
+        axes.contour(view.x, view.y, field.T, levels=lines, colors="white" if film else "black", alpha=0.6)
     axes.plot(*view.ellipse, color="black", linestyle=(0, (4, 2)), linewidth=0.8)
     axes.set_xlim(view.x[0], view.x[-1])
     axes.set_ylim(view.y[0], view.y[-1])
@@ -176,7 +179,7 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     axes.plot(s, view.pressure[cut], color=PRESSURE_COLOUR, label="pressure")
     hertz = np.where(view.hertz[cut] > 0.0, view.hertz[cut], np.nan)
     axes.plot(s, hertz, color=REFERENCE, linestyle="--", linewidth=0.8, label=f"Hertz, peak {view.hertz.max():.3g}")
-    axes.set_ylim(0.0, 1.08 * float(view.pressure.max()))
+    axes.set_ylim(0.0, 1.08 * view.pressure_top)
     axes.set_xlim(s[0], s[-1])
     name = "rolling direction $x$" if along else "transverse $y$"
     axes.set_xlabel(f"{name} [{view.length_unit}], at ${'y' if along else 'x'}$ = 0")
@@ -187,7 +190,7 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
         [0.0], [view.central], [view.central_uncertainty], fmt="o", markersize=2.5, capsize=2, color=FILM_COLOUR
     )
     film.axhline(view.minimum, color=FILM_COLOUR, linestyle=":", linewidth=0.8, label="smallest film")
-    film.set_ylim(0.0, 3.0 * view.central)
+    film.set_ylim(0.0, 3.0 * view.central if view.central > 0.0 else 1.0)
     film.set_ylabel(f"film thickness [{view.film_unit}]", color=FILM_COLOUR)
     handles = [*axes.get_legend_handles_labels()[0], *film.get_legend_handles_labels()[0]]
     axes.legend(

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 MICROMETRE, MILLIMETRE, GIGAPASCAL, MILLIRADIAN, NEWTON_MILLIMETRE = 1e-6, 1e-3, 1e9, 1e-3, 1e-3  # in SI
 RPM = 2.0 * pi / 60.0  # [rad/s]
+MANY = 8  # balls are listed one by one up to this number
 NOT_COMPUTED = "not computed by this version"
 STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")
 TORQUE_MODELS = {
@@ -100,10 +101,14 @@ class DistinctContact:
     @property
     def label(self) -> str:
         """Race, balls and azimuths in words."""
-        balls = ", ".join(str(c.ball) for c in self.contacts)
-        angles = ", ".join(f"{degrees(c.azimuth) % 360.0:.4g}°" for c in self.contacts)
+        balls = _listed([str(c.ball) for c in self.contacts])
+        angles = _listed([f"{degrees(c.azimuth) % 360.0:.4g}°" for c in self.contacts])
         plural = "s" if len(self.contacts) > 1 else ""
         return f"{self.contacts[0].race.value} race, ball{plural} {balls} (ψ = {angles})"
+
+
+def _listed(words: list[str]) -> str:
+    return ", ".join(words) if len(words) <= MANY else f"{', '.join(words[:2])} ... {words[-1]}"
 
 
 def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
@@ -281,7 +286,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
         if contact.conditions is None:
             absent.setdefault((contact.race.value, contact.note), []).append(str(contact.ball))
     for (race, reason), balls in absent.items():
-        yield f"{race} race, ball{'s' if len(balls) > 1 else ''} {', '.join(balls)}: film null, {reason}"
+        yield f"{race} race, ball{'s' if len(balls) > 1 else ''} {_listed(balls)}: film null, {reason}"
     if any(c.conditions is None for c in results.contacts):
         yield "contacts: Hertz, speed and formula values null where a contact carries no load or no oil is entrained"
     yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"

@@ -168,7 +168,8 @@ def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: 
     """Bodies, patches, camera; return the note that states the factors."""
     import pyvista as pv
 
-    nodes = [node for ball in tree["contacts"].children.values() for node in ball.children.values()]
+    balls = tree["contacts"].children.values() if "contacts" in tree.children else ()  # no films were asked for
+    nodes = [node for ball in balls for node in ball.children.values()]
     patches = [Patch.read(node.to_dataset(inherit=False)) for node in nodes]
     radius = 0.5 * float(tree["ring"].attrs["ball_diameter"])
     placement = _placement(patches, radius, options)

@@ -31,19 +31,18 @@ def result_table(results: BearingResults | ContactResults) -> Group:
         To be printed by a rich console; loads [N], pressures [GPa], films [um] as the headers say.
     """
     from rich.console import Group
-
-    if isinstance(results, ContactResults):
-        return Group(_contact_table(results))
-    return Group(_bearing_table(results), _contacts_table(results), *_legend(results))
-
-
-def _facts_table(title: str) -> Table:
-    from rich.table import Table
     from rich.text import Text
 
-    table = Table(
-        title=Text(title), title_justify="left", title_style="bold", box=None, show_header=False, pad_edge=False
-    )
+    title = Text(str(results.case.get("title", "")), style="bold")
+    if isinstance(results, ContactResults):
+        return Group(title, _contact_table(results))
+    return Group(title, _bearing_table(results), _contacts_table(results), *_legend(results))
+
+
+def _facts_table() -> Table:
+    from rich.table import Table
+
+    table = Table(box=None, show_header=False, pad_edge=False)
     table.add_column(style="dim", no_wrap=True)
     table.add_column()
     return table
@@ -66,7 +65,7 @@ def _bearing_table(results: BearingResults) -> Table:
         rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
     if not state.tilt.any():
         del rows["ring tilt"]
-    table = _facts_table(str(results.case.get("title", "bearing")))
+    table = _facts_table()
     for name, value in rows.items():
         table.add_row(name, Text(value))
     return table
@@ -125,13 +124,13 @@ def _contact_table(results: ContactResults) -> Table:
     from rich.text import Text
 
     solution = results.solution
-    table = _facts_table(str(results.case.get("title", "contact")))
+    table = _facts_table()
     for name, value in _contact_rows(solution).items():
         table.add_row(name, Text(value))
     if not solution.converged:
         table.add_row("NOT CONVERGED", Text(solution.message))
     if not solution.resolved:
-        table.add_row("NOT RESOLVED", "take a larger [ehl] points")
+        table.add_row("NOT RESOLVED", Text("take a larger [ehl] points"))
     return table
 
 

@@ -31,7 +31,7 @@ def write_results(results: BearingResults | ContactResults, directory: str | Pat
     """
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
-    problems = tuple(p for p in (_try("plots", _plots, results, folder), _try("VTK", _vtk, results, folder)) if p)
+    problems = (*_try("plots", _plots, results, folder), *_try("VTK", _vtk, results, folder))
     document = summary(replace(results, messages=(*results.messages, *problems)))
     write_netcdf(results, folder / FIELDS_FILE, document)
     if isinstance(results, BearingResults):
@@ -42,25 +42,25 @@ def write_results(results: BearingResults | ContactResults, directory: str | Pat
 
 def _try(
     name: str,
-    write: Callable[[BearingResults | ContactResults, Path], None],
+    write: Callable[[BearingResults | ContactResults, Path], tuple[str, ...]],
     results: BearingResults | ContactResults,
     folder: Path,
-) -> str:
-    """Message of a failed extra; any failure in a drawing library is a lost picture, not a lost run."""
+) -> tuple[str, ...]:
+    """Messages of an extra that failed; any failure in a drawing library is a lost picture, not a lost run."""
     try:
-        write(results, folder)
+        return write(results, folder)
     except Exception as error:
-        return f"{name} not written: {type(error).__name__}: {error}"
-    return ""
+        return (f"{name} not written: {type(error).__name__}: {error}",)
 
 
-def _plots(results: BearingResults | ContactResults, folder: Path) -> None:
+def _plots(results: BearingResults | ContactResults, folder: Path) -> tuple[str, ...]:
     from .plots import write_plots
 
-    write_plots(results, folder)
+    return write_plots(results, folder)
 
 
-def _vtk(results: BearingResults | ContactResults, folder: Path) -> None:
+def _vtk(results: BearingResults | ContactResults, folder: Path) -> tuple[str, ...]:
     from .vtk import write_collection
 
     write_collection(results, folder)
+    return ()

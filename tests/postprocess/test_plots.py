@@ -2,20 +2,25 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from ehl import FilmValue
+from postprocess import plots, summary
 from postprocess.plot_style import contact_view, value_with_error
 from postprocess.plots import write_plots
 from postprocess.plots_bearing import ball_columns
+from postprocess.table import result_table
 
 pytest.importorskip("matplotlib")
 
 
 def test_one_figure_per_distinct_contact(bearing_results, tmp_path):
-    names = {path.name for path in write_plots(bearing_results, tmp_path)}
-    assert names == {
+    assert write_plots(bearing_results, tmp_path) == ()
+    assert {path.name for path in (tmp_path / "plots").iterdir()} == {
         "load_zone.png",
         "film_per_azimuth.png",
         "pressure_per_azimuth.png",
@@ -25,13 +30,41 @@ def test_one_figure_per_distinct_contact(bearing_results, tmp_path):
         "outer_ball02.png",
         "outer_ball03.png",
     }
-    assert {p.name for p in (tmp_path / "plots").iterdir()} == names
     assert all(p.read_bytes().startswith(b"\x89PNG") for p in (tmp_path / "plots").iterdir())
 
 
 def test_single_contacts(contact_results, moes_results, tmp_path):
     for name, results in (("si", contact_results), ("moes", moes_results)):
-        assert [p.name for p in write_plots(results, tmp_path / name)] == ["contact.png"]
+        assert write_plots(results, tmp_path / name) == ()
+        assert [p.name for p in (tmp_path / name / "plots").iterdir()] == ["contact.png"]
+
+
+@pytest.mark.parametrize("value", [0.0, np.nan])
+def test_failed_solution_is_drawn_all_the_same(bearing_results, tmp_path, value):
+    good = bearing_results.solutions[0]
+    film = FilmValue(value=value, uncertainty=value, finest=value)
+    nothing = np.full_like(good.P, value)
+    bad = replace(
+        good,
+        P=nothing,
+        H=nothing,
+        film_central_dimensionless=film,
+        film_minimum_dimensionless=film,
+        converged=False,
+        resolved=False,
+    )
+    results = replace(bearing_results, solutions=(bad, *bearing_results.solutions[1:]))
+    assert write_plots(results, tmp_path) == ()
+    assert "null" in " ".join(summary(results)["messages"])
+    result_table(results)
+
+
+def test_a_figure_that_fails_is_named(contact_results, tmp_path, monkeypatch):
+    def broken(figure, view, title):
+        raise ValueError("no such colour")
+
+    monkeypatch.setattr(plots, "draw_contact", broken)
+    assert write_plots(contact_results, tmp_path) == ("plots/contact.png not written: ValueError: no such colour",)
 
 
 def test_mirrored_balls_share_a_column(bearing_results):
@@ -58,6 +91,7 @@ def test_view_is_cropped_to_the_contact(bearing_results):
         (0.91407, 0.004, "0.914 ± 0.004"),
         (2.55, 0.0, "2.550 ± 0.000"),
         (12.3, 2.0, "12 ± 2"),
+        (np.nan, np.nan, "nan ± nan"),
     ],
 )
 def test_digits_follow_the_uncertainty(value, error, text):
