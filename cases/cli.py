@@ -16,6 +16,7 @@ from .terminal import (
     FAILED,
     NOT_CONVERGED,
     exit_code,
+    finish_first,
     guarded,
     prepare_streams,
     print_lines,
@@ -295,8 +296,9 @@ def _save(results: BearingResults | ContactResults, directory: Path | None, prog
 
     from .output_directory import save
 
-    for problem in save(lambda folder: write_results(results, folder), directory):
-        say(f"oilfilm: {problem}")
+    with finish_first(f"results in {directory}"):
+        for problem in save(lambda folder: write_results(results, folder), directory):
+            say(f"oilfilm: {problem}")
 
 
 def _finish(results: BearingResults | ContactResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:

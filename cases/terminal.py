@@ -72,6 +72,30 @@ def _interrupt(_signal: int, _frame: object) -> None:
     raise KeyboardInterrupt
 
 
+@contextmanager
+def finish_first(what: str) -> Iterator[None]:
+    """Obey an interrupt only when the work inside is done; a second one is obeyed at once."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    waiting: list[int] = []
+
+    def remember(number: int, _frame: object) -> None:
+        if waiting:
+            raise KeyboardInterrupt
+        waiting.append(number)
+        say(f"oilfilm: finishing first: {what}")
+
+    previous = {number: signal.signal(number, remember) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield
+    finally:
+        for number, handler in previous.items():
+            signal.signal(number, handler)
+    if waiting:
+        raise KeyboardInterrupt
+
+
 def _say_errors(messages: Iterable[str]) -> None:
     lines = list(messages)
     for line in lines[:MOST_MESSAGES]:

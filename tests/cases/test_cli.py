@@ -260,6 +260,29 @@ def test_a_signal_ends_a_command_with_code_3(name, tmp_path):
     assert errors == b"oilfilm: interrupted\n"
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_results_are_finished_before_an_interrupt_is_obeyed():
+    steps = []
+
+    def work():
+        with terminal.finish_first("results"):
+            os.kill(os.getpid(), signal.SIGINT)
+            steps.append("finished")
+        steps.append("not reached")
+
+    assert terminal.exit_code(work) == 3
+    assert steps == ["finished"]
+
+    def stubborn():
+        with terminal.finish_first("results"):
+            os.kill(os.getpid(), signal.SIGINT)
+            os.kill(os.getpid(), signal.SIGINT)
+            steps.append("not reached")
+
+    assert terminal.exit_code(stubborn) == 3
+    assert steps == ["finished"]
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="pipes of POSIX")
 def test_a_closed_pipe_is_no_error():
     answer = subprocess.run(
