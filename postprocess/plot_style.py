@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .geometry import principal_coordinates, within
+from .geometry import within
 from .results import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from .results_io import atomic_path
 
@@ -59,8 +59,10 @@ class ContactView:
         Along and across the entrainment [mm], or in semi-axes a in Moes input.
     film, pressure : ndarray, shape (nx, ny)
         [um] and [GPa], or in units of a^2/Rx and of p_h.
-    hertz : ndarray, shape (nx, ny)
-        Hertz pressure in the unit of `pressure`.
+    hertz : float
+        Largest Hertz pressure, in the unit of `pressure`.
+    reach_x, reach_y : float
+        Where the Hertz pressure vanishes along the two centre lines, in the unit of x and y.
     ellipse : ndarray, shape (2, n)
         Outline of the Hertz ellipse, in the unit of x and y.
     half_x, half_y : float
@@ -76,7 +78,9 @@ class ContactView:
     y: Array
     film: Array
     pressure: Array
-    hertz: Array
+    hertz: float
+    reach_x: float
+    reach_y: float
     ellipse: Array
     half_x: float
     half_y: float
@@ -98,7 +102,7 @@ class ContactView:
     def pressure_top(self) -> float:
         """Largest pressure shown, in the unit of `pressure`; that of Hertz where a failed solution has none."""
         top = float(np.nanmax(self.pressure, initial=0.0))
-        return top if 0.0 < top < inf else float(self.hertz.max())
+        return top if 0.0 < top < inf else self.hertz
 
     @property
     def film_range(self) -> tuple[float, float]:
@@ -128,7 +132,6 @@ def contact_view(solution: ContactSolution, window: tuple[float, float, float] |
     else:
         rows, columns = within(a * solution.X, *window[:2]), within(a * solution.Y, -window[2], window[2])
     X, Y = solution.X[rows], solution.Y[columns]
-    along, across = principal_coordinates(X, Y, angle)
     h = 1.0 if solution.film_scale is None else solution.film_scale / MICROMETRE
     p = solution.hertz_pressure / GIGAPASCAL if solution.hertz_pressure > 0.0 else 1.0
     central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
@@ -137,7 +140,9 @@ def contact_view(solution: ContactSolution, window: tuple[float, float, float] |
         y=a * Y,
         film=h * solution.H[rows, columns],
         pressure=p * solution.P[rows, columns],
-        hertz=p * np.sqrt(np.clip(1.0 - along**2 - (across / kappa) ** 2, 0.0, None)),
+        hertz=p,
+        reach_x=a / hypot(cos(angle), sin(angle) / kappa),
+        reach_y=a / hypot(sin(angle), cos(angle) / kappa),
         ellipse=a * _ellipse(angle, kappa),
         half_x=a * half_x,
         half_y=a * half_y,

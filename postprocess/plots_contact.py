@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 HEIGHT = 5.9  # of the figure [in]
 LINES = 8  # contour intervals of a map
 QUANTITIES = ("film", "pressure")
-LEFT, MAP_WIDTH, STRETCHED_WIDTH, LINE_WIDTH = (0.08, 0.58), 0.41, 0.33, 0.35  # boxes, in shares of the figure
+LEFT, MAP_WIDTH, STRETCHED_WIDTH, LINE_WIDTH = (0.085, 0.585), 0.41, 0.33, 0.345  # boxes, in shares of the figure
 MAP_BOTTOM, MAP_HEIGHT, BAR_BOTTOM, LINE_BOTTOM, LINE_HEIGHT = 0.49, 0.31, 0.835, 0.125, 0.245
 FILM_COLOUR, PRESSURE_COLOUR = INNER_COLOUR, OUTER_COLOUR
 
@@ -177,8 +177,15 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     cut = (slice(None), j) if along else (i, slice(None))
     s = view.x if along else view.y
     axes.plot(s, view.pressure[cut], color=PRESSURE_COLOUR, label="pressure")
-    hertz = np.where(view.hertz[cut] > 0.0, view.hertz[cut], np.nan)
-    axes.plot(s, hertz, color=REFERENCE, linestyle="--", linewidth=0.8, label=f"Hertz, peak {view.hertz.max():.3g}")
+    reach = np.cos(np.linspace(-np.pi, 0.0, 121))
+    axes.plot(
+        (view.reach_x if along else view.reach_y) * reach,
+        view.hertz * np.sqrt(1.0 - reach**2),
+        color=REFERENCE,
+        linestyle="--",
+        linewidth=0.8,
+        label=f"Hertz, peak {view.hertz:.3g}",
+    )
     axes.set_ylim(0.0, 1.08 * view.pressure_top)
     axes.set_xlim(s[0], s[-1])
     name = "rolling direction $x$" if along else "transverse $y$"
