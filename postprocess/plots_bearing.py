@@ -69,7 +69,7 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
     Returns
     -------
     tuple of BallColumn
-        Azimuths in [deg], in ascending order of their distance from the load line; all views show one window.
+        Azimuths in [deg], ascending; all views show one window.
     """
     groups: dict[tuple[float, int, int], list[float]] = {}
     pairs: dict[tuple[float, int, int], tuple[ContactSolution | None, ContactSolution | None]] = {}
@@ -79,7 +79,7 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
         key = (round(min(azimuth, 360.0 - azimuth), 6), id(pair[0]), id(pair[1]))
         groups.setdefault(key, []).append(azimuth)
         pairs[key] = pair
-    keys = sorted(groups)
+    keys = sorted(groups, key=lambda key: groups[key][0])
     chosen = np.unique(np.linspace(0, len(keys) - 1, min(COLUMNS, len(keys))).round().astype(int))
     distinct = {id(s): s for key in keys for s in pairs[key] if s is not None}
     window = _common_window([contact_view(s) for s in distinct.values()])
@@ -170,6 +170,7 @@ def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tupl
     levels = view.central * FILM_LEVELS if film else view.pressure_top * PRESSURE_LEVELS
     levels = levels[levels < limits[1]]
     image = draw_map(axes, view, quantity, limits, levels)
+    axes.locator_params(axis="x", nbins=3)
     axes.set_facecolor(image.get_cmap()(np.inf if film else 0.0))
     axes.set_xlabel("")
     axes.set_ylabel("")
