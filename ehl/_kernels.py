@@ -147,21 +147,30 @@ def _solve_band(band, rhs):
 
 @njit(**OPTIONS)
 def _apply_line(j, P, eps, kind, delta, wx, wy, damping, relief, symmetric, change):
-    """Gauss-Seidel changes go into P at once; distributive ones into `change`, with their share for the neighbours."""
-    for i in range(1, P.shape[1] - 1):
+    """Changes of a line from its solution: at Gauss-Seidel nodes into P at once, elsewhere into `change`.
+
+    The solution is turned into changes of pressure before it is damped: beside a zone of the other kind it may be far
+    larger than the changes, and unequal damping of its parts would not cancel.
+    """
+    n = kind.size
+    for i in range(1, n - 1):
+        step = delta[i]
+        if kind[i - 1] == JACOBI:
+            step -= wx * delta[i - 1]
+        if kind[i + 1] == JACOBI:
+            step -= wx * delta[i + 1]
         if kind[i] == GAUSS_SEIDEL:
             e = eps[j, i]
-            P[j, i] = max(P[j, i] + relief * (0.4 + 0.6 * e / (e + 1.0)) * delta[i], 0.0)
-        elif kind[i] == JACOBI:
-            d = damping * delta[i]
-            change[j, i] += d
-            change[j, i - 1] -= wx * d
-            change[j, i + 1] -= wx * d
-            change[j + 1, i] -= wy * d
+            P[j, i] = max(P[j, i] + relief * (0.4 + 0.6 * e / (e + 1.0)) * step, 0.0)
+        else:
+            change[j, i] += damping * step
+        if kind[i] == JACOBI:
+            share = wy * damping * delta[i]
+            change[j + 1, i] -= share
             if j > 0:
-                change[j - 1, i] -= wy * d
+                change[j - 1, i] -= share
                 if symmetric and j == 1:
-                    change[0, i] -= wy * d
+                    change[0, i] -= share
 
 
 @njit(**OPTIONS)
@@ -172,8 +181,8 @@ def relax_lines(P, H, eps, rho, rho_slope, f, near, near_next, hx, hy, symmetric
     """
     ny, nx = P.shape
     cx, cy = 0.5 / (hx * hx), 0.5 / (hy * hy)
-    wx = 0.5 * hy * hy / (hx * hx + hy * hy)
-    wy = 0.5 * hx * hx / (hx * hx + hy * hy)
+    wx = 0.5 * np.sqrt(hy) / (np.sqrt(hx) + np.sqrt(hy))
+    wy = 0.5 - wx
     single, spread = np.empty(2 * REACH + 1), np.empty(2 * REACH + 1)
     for m in range(-REACH, REACH + 1):
         k = abs(m)
