@@ -72,6 +72,8 @@ class ContactView:
     length_unit, film_unit, pressure_unit : str
     whole : tuple of float
         Ends of the computed box along the entrainment, in units of half_x [-].
+    doubt : str
+        "not converged" or "not resolved"; empty for a sound solution.
     """
 
     x: Array
@@ -92,6 +94,7 @@ class ContactView:
     film_unit: str
     pressure_unit: str
     whole: tuple[float, float]
+    doubt: str
 
     @property
     def stretched(self) -> bool:
@@ -154,6 +157,7 @@ def contact_view(solution: ContactSolution, window: tuple[float, float, float] |
         film_unit="$a^2/R_x$" if solution.film_scale is None else "µm",
         pressure_unit="GPa" if solution.hertz_pressure > 0.0 else "$p_h$",
         whole=(float(solution.X[0] / half_x), float(solution.X[-1] / half_x)),
+        doubt="not converged" if not solution.converged else "" if solution.resolved else "not resolved",
     )
 
 

@@ -8,15 +8,13 @@ from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .plot_style import RC, contact_view, save
+from .plot_style import RC, ContactView, contact_view, save
 from .plots_bearing import draw_load_zone, draw_per_azimuth
 from .plots_contact import draw_contact, film_text
 from .results import BearingResults, ContactResults, DistinctContact, distinct_contacts
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-    from ehl import ContactSolution
 
     NamedFigure = tuple[str, Callable[[Figure], None]]
 
@@ -57,7 +55,7 @@ def write_plots(results: BearingResults | ContactResults, directory: Path) -> tu
 def _contact_figures(results: ContactResults) -> Iterator[NamedFigure]:
     solution, view = results.solution, contact_view(results.solution)
     facts = f"$M$ = {solution.moes_load:.4g}, $L$ = {solution.moes_lubricant:.4g}, {film_text(view)}"
-    title = f"{results.case.get('title', '')}\n{facts}{_doubts(solution)}"
+    title = f"{results.case.get('title', '')}\n{facts}{_doubts(view)}"
     yield "contact", partial(draw_contact, view=view, title=title)
 
 
@@ -75,11 +73,8 @@ def _bearing_figures(results: BearingResults) -> Iterator[NamedFigure]:
 def _title(results: BearingResults, group: DistinctContact) -> str:
     first, view = group.contacts[0], contact_view(group.solution)
     facts = [f"$Q$ = {first.load:.4g} N", f"contact angle {degrees(first.contact_angle):.1f}°", film_text(view)]
-    return f"{results.case.get('title', '')}\n{group.label}\n{', '.join(facts)}{_doubts(group.solution)}"
+    return f"{results.case.get('title', '')}\n{group.label}\n{', '.join(facts)}{_doubts(view)}"
 
 
-def _doubts(solution: ContactSolution) -> str:
-    words = [
-        w for w, bad in (("not converged", not solution.converged), ("not resolved", not solution.resolved)) if bad
-    ]
-    return f" ({', '.join(words)})" if words else ""
+def _doubts(view: ContactView) -> str:
+    return f" ({view.doubt})" if view.doubt else ""

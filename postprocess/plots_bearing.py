@@ -125,6 +125,7 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
         for panel, column in zip(panels[row], columns, strict=True):
             image = _small_map(panel, column.views[race], quantity, limits) or image
             panel.set_xlim(*columns[0].window[:2])
+            _few_ticks(panel, columns[0].window)
             panel.set_ylim(-columns[0].window[2], columns[0].window[2])
         panels[row, 0].set_ylabel(f"{race} race\ntransverse $y$ [mm]")
     for panel, column in zip(panels[0], columns, strict=True):
@@ -151,6 +152,13 @@ def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, floa
     return common_film_range([v.central for v in shown], [v.minimum for v in shown])
 
 
+def _few_ticks(axes: Axes, window: tuple[float, float, float]) -> None:
+    """Ticks along the rolling direction that fit below a narrow map."""
+    step = float(f"{0.4 * (window[1] - window[0]):.0e}")
+    ticks = [k * step for k in (-2, -1, 0, 1, 2) if window[0] <= k * step <= window[1]]
+    axes.set_xticks(ticks, [f"{tick:.3g}".replace("-", "−") for tick in ticks])
+
+
 def _film_ticks(low: float, high: float) -> list[float]:
     """About eight round values on a logarithmic scale."""
     step = 10.0 ** np.floor(np.log10((high - low) / 4.0))
@@ -170,12 +178,12 @@ def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tupl
     levels = view.central * FILM_LEVELS if film else view.pressure_top * PRESSURE_LEVELS
     levels = levels[levels < limits[1]]
     image = draw_map(axes, view, quantity, limits, levels)
-    axes.locator_params(axis="x", nbins=3)
     axes.set_facecolor(image.get_cmap()(np.inf if film else 0.0))
     axes.set_xlabel("")
     axes.set_ylabel("")
     text = f"{view.central:.3g}\n{view.minimum:.3g} µm" if film else f"{view.pressure_top:.3g} GPa"
     axes.text(0.04, 0.03, text, fontsize=6.5, transform=axes.transAxes, color=INK)
+    axes.text(0.04, 0.97, view.doubt, fontsize=6.5, va="top", transform=axes.transAxes, color=OUTER_COLOUR)
     return image
 
 
