@@ -44,7 +44,8 @@ FRICTION_LIMIT = 0.1  # friction over load that no lubricated contact is taken t
 EDGE_COSINE = 0.17  # cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
 BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
 BALL_TOLERANCE = 1.0e-11  # residual of a ball over its forces that is accepted when it falls no further [-]
-MAX_BALL_STEPS = 60
+MAX_HALVINGS = 25
+MAX_BALL_STEPS = 40
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -148,7 +149,7 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
         np.where(near, inner_distance, 0.0) - problem.inner_length
     )
     inner_load = inner_load * _smooth_step(inner.cos, EDGE_COSINE)
-    share, motion = _shared_motion(outer, inner, inner_load, problem)
+    share, motion = _shared_motion(outer, inner, (inner_load, outer_load), problem)
     force = centrifugal_force(problem.mass, problem.pitch_diameter, motion.orbit_speed)
     moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
     inner_share = INNER_PART[problem.kinematics] * share
@@ -156,23 +157,30 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
 
 
 def _shared_motion(
-    outer: Direction, inner: Direction, inner_load: Numbers, problem: BallProblem
+    outer: Direction, inner: Direction, loads: tuple[Numbers, Numbers], problem: BallProblem
 ) -> tuple[Numbers, Motion]:
-    """Motion under the hypothesis as far as the inner race can transmit the friction that it asks for.
+    """Motion under the hypothesis as far as the races can transmit the friction that it asks for.
 
-    The share [-] is 1 where lambda_i Mg/D <= FRICTION_LIMIT Qi, Mg by the nominal speeds and the full attitude; it
-    falls smoothly to 0, the ball rolling on the outer race alone, as the inner contact unloads.
+    The share [-] of the inner race is 1 where lambda_i Mg/D <= FRICTION_LIMIT Qi, Mg by the nominal speeds and the full
+    attitude; it falls smoothly to 0, the ball rolling on the outer race alone, as the inner contact unloads. Where even
+    the outer race cannot hold that attitude, it falls towards the one without couple, an axis parallel to x.
     """
+    inner_load, outer_load = loads
     speeds = (problem.inner_speed, problem.outer_speed)
     alone = attitude(outer, inner, problem.gamma, BallKinematics.OUTER_RACE_CONTROL)
+    parallel = Direction(0.0 * alone.sin, 0.0 * alone.sin + 1.0)
+    beta = blend(parallel, alone, _share(outer_load, 2.0, alone, problem))
     if problem.kinematics is BallKinematics.OUTER_RACE_CONTROL:
-        return np.ones_like(inner_load), rolling_motion(outer, inner, alone, problem.gamma, *speeds)
+        return np.ones_like(inner_load), rolling_motion(outer, inner, beta, problem.gamma, *speeds)
     chosen = attitude(outer, inner, problem.gamma, problem.kinematics)
-    couple = problem.nominal_couple * chosen.sin * np.sign(chosen.sin.real)
-    asked = INNER_PART[problem.kinematics] * couple / problem.ball_diameter
-    share = _smooth_step(FRICTION_LIMIT * inner_load, asked)
-    beta = blend(alone, chosen, share)
-    return share, rolling_motion(outer, inner, beta, problem.gamma, *speeds)
+    share = _share(inner_load, INNER_PART[problem.kinematics], chosen, problem)
+    return share, rolling_motion(outer, inner, blend(beta, chosen, share), problem.gamma, *speeds)
+
+
+def _share(load: Numbers, part: float, beta: Direction, problem: BallProblem) -> Numbers:
+    """1 where the friction `part` Mg/D that an attitude asks is within reach of the load [N], else less."""
+    couple = problem.nominal_couple * beta.sin * np.sign(beta.sin.real)
+    return _smooth_step(FRICTION_LIMIT * load, part * couple / problem.ball_diameter)
 
 
 def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
@@ -230,7 +238,11 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallRo
         active = norm > BALL_TARGET * size
         if not active.any():
             break
-        step = _limit(_solve_2x2(jacobian[:2, :2] - jacobian[:2, 2:], -values[:2]), 0.25 * problem.outer_length)
+        step = _solve_2x2(jacobian[:2, :2] - jacobian[:2, 2:], -values[:2])
+        uphill = ~((step * values[:2]).sum(axis=0) > 0.0)
+        if (uphill & active).any():
+            step = np.where(uphill, _elastic_step(u, V, values, problem), step)
+        step = _limit(step, 0.25 * problem.outer_length)
         trial, improved = _backtrack(u, np.where(active, step, 0.0), V, current, problem)
         if not improved.any():
             break
@@ -270,17 +282,42 @@ def _row(current: _Evaluation) -> BallRow:
 def _backtrack(
     u: Array, step: Array, V: Array, current: _Evaluation, problem: BallProblem
 ) -> tuple[_Evaluation, NDArray[np.bool_]]:
-    """Shorten the step of each ball until its residual falls; a ball whose residual does not fall stays."""
+    """Shorten the step of each ball until its residual falls or the force no longer opposes it; else it stays."""
     norm = np.hypot(current.values[0], current.values[1])
     factor = np.where((step != 0.0).any(axis=0), 1.0, 0.0)
-    for _ in range(40):
+    for _ in range(MAX_HALVINGS):
         trial = _evaluate(u + factor * step, V, problem)
-        failed = (factor > 0.0) & ~(np.hypot(trial.values[0], trial.values[1]) < (1.0 - 1e-4 * factor) * norm)
+        smaller = np.hypot(trial.values[0], trial.values[1]) < (1.0 - 1e-4 * factor) * norm
+        along = (trial.values[:2] * step).sum(axis=0) > 0.0
+        failed = (factor > 0.0) & ~(smaller | (along & (norm > BALL_TOLERANCE * current.size)))
         if not failed.any():
             break
-        stuck = failed & ((norm <= BALL_TOLERANCE * current.size) | (factor < 1e-9))
+        stuck = failed & (norm <= BALL_TOLERANCE * current.size)
         factor = np.where(stuck, 0.0, np.where(failed, 0.4 * factor, factor))
     return trial, factor > 0.0
+
+
+def _elastic_step(u: Array, V: Array, values: Array, problem: BallProblem) -> Array:
+    """Step with the Hertz stiffness alone, which always leads along the force.
+
+    Each contact gives K (1.5 delta^0.5 n n + delta^1.5/l (1 - n n)), l the distance from its groove's centre; what
+    changes body forces and friction with the angles is left out, and a trace of stiffness is added in their place.
+    """
+    state = ball_state(u, V - u, problem)
+    matrix = np.zeros((2, 2, u.shape[1]))
+    weight = state.outer_load + state.inner_load + problem.nominal_force
+    for pull, side, length in (
+        (u, state.outer_load, problem.outer_length),
+        (V - u, state.inner_load, problem.inner_length),
+    ):
+        distance = np.maximum(np.hypot(pull[0], pull[1]), 1e-6 * length)
+        normal = pull / distance
+        along = np.einsum("az,bz->abz", normal, normal)
+        approach = distance - length
+        stiff = np.where(side > 0.0, 1.5 * side / np.maximum(approach, 1e-12 * length), 0.0)
+        identity = np.eye(2)[:, :, None]
+        matrix += stiff * along + side / distance * (identity - along) + 0.1 * weight / length * identity
+    return _solve_2x2(matrix, values[:2])
 
 
 def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
@@ -295,7 +332,8 @@ def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
     pressed[1] = outer + (problem.nominal_force / stiffness_o) ** (2.0 / 3.0)
     if problem.nominal_force > 0.0:
         free = np.hypot(*(V - pressed)) <= inner
-        cold = np.where(free | (distance <= inner + outer), pressed, split)
+        static = stiffness_o * (np.maximum(distance - inner - outer, 0.0) / (1.0 + ratio)) ** 1.5
+        cold = np.where(free | (static < problem.nominal_force), pressed, split)
     else:
         free = distance <= inner + outer
         cold = np.where(free, unit * outer * np.minimum(1.0, distance / (inner + outer)), split)

@@ -112,8 +112,10 @@ def solve_quasistatic(bearing: Bearing, operation: Operation, model: Model | Non
             slower = ball_problem(bearing, factor * operation.inner_speed, factor * operation.outer_speed, model)
             start, more = solve_ring(ring, slower, start)
             iterations += more
-        if start is not None and start.residual < point.residual:
-            point = start
+            if start.residual > RESIDUAL_TOLERANCE:
+                break
+        else:
+            point = start or point
     w = ring.position(point.q) - point.row.u
     state = ball_state(point.row.u, w, problem)
     converged, message = _verdict(ring, point, state, iterations)

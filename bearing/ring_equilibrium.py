@@ -7,7 +7,7 @@ along x.
 
 from __future__ import annotations
 
-from math import hypot
+from math import asin, atan2, cos, hypot, sin
 from typing import NamedTuple
 
 import numpy as np
@@ -22,7 +22,8 @@ RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equili
 RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
 REGULARISATION = 1.0e-12  # of the tangent, relative to its largest entry: a ring that nothing holds must not fly [-]
 MAX_RING_STEPS = 80
-MAX_CUTS = 30
+MAX_CUTS = 15
+PATIENCE = 30  # steps without a new best residual after which the search is given up [-]
 
 
 class Ring(NamedTuple):
@@ -93,14 +94,16 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingPoint | None) -> tup
     """
     q = _guess(ring, problem) if start is None else start.q
     point = _point(q, None if start is None else start.row.u, ring, problem)
-    best = point
+    best, improved_at = point, 0
     for iteration in range(MAX_RING_STEPS):
         if not ring.free.any() or point.residual <= RESIDUAL_TARGET:
             return point, iteration
         point = _search(point, _step(point, ring, problem), ring, problem)
+        lost = bool(point.row.residual.max() > RESIDUAL_TOLERANCE)  # no step leaves every ball in equilibrium
         stalled = point.residual >= 0.5 * best.residual
-        best = point if point.residual < best.residual else best
-        if stalled and best.residual <= 0.1 * RESIDUAL_TOLERANCE:
+        if point.residual < best.residual:
+            best, improved_at = point, iteration
+        if (stalled and best.residual <= 0.1 * RESIDUAL_TOLERANCE) or lost or iteration - improved_at >= PATIENCE:
             break
     return best, iteration + 1
 
@@ -159,14 +162,14 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
 
 
 def _guess(ring: Ring, problem: BallProblem) -> Array:
-    """Ring position from the loads: Stribeck's 5 F/Z in the radial plane, all balls alike along the axis [m]."""
+    """Ring position from the loads: all balls alike along the axis, else Stribeck's 5 F/Z on the load line [m]."""
     balls = ring.movement.shape[2]
     compliance = sum(
         float(stiffness_at(s, np.ones(1))[0]) ** (-2.0 / 3.0) for s in (problem.inner_series, problem.outer_series)
     )
     q = np.where(ring.free, 0.0, ring.prescribed)
     axial, radial = ring.load[0], hypot(ring.load[1], ring.load[2])
-    if axial != 0.0 and ring.free[0]:
+    if radial == 0.0 and axial != 0.0 and ring.free[0]:
         low, high = ring.free_axial, ring.free_axial + ring.distance
         for _ in range(40):  # F = Z K (|V| - A)^1.5 sin(angle), increasing in x
             x = 0.5 * (low + high)
@@ -174,8 +177,10 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
             force = balls * (max(length - ring.distance, 0.0) / compliance) ** 1.5 * x / length
             low, high = (low, x) if force > abs(axial) else (x, high)
         q[0] = np.sign(axial) * low
-    if radial > 0.0 and (ring.free[1] or ring.free[2]):
-        depth = compliance * (5.0 * radial / balls) ** (2.0 / 3.0)
-        play = max(ring.distance - ring.facing, 0.0) if q[0] == 0.0 else 0.0
-        q[1:3] = np.where(ring.free[1:3], (depth + play) * ring.load[1:3] / radial, q[1:3])
+    elif radial > 0.0 and (ring.free[1] or ring.free[2]):
+        length = ring.distance + compliance * (5.0 * hypot(axial, radial) / balls) ** (2.0 / 3.0)
+        angle = min(atan2(abs(axial), radial), asin(min(1.0, ring.free_axial / ring.distance)))
+        towards = np.array([np.sign(axial) * sin(angle) * length, *(ring.load[1:3] / radial)])
+        towards[1:] *= cos(angle) * length - ring.facing
+        q[:3] = np.where(ring.free[:3], towards, q[:3])
     return q
