@@ -84,7 +84,7 @@ def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind)
 
 @njit(**OPTIONS)
 def _line_system(eps, eps_north, eps_south, rho, rho_slope, H, kind, single, spread, cx, cy, hx, wx, wy, band):
-    """Derivative of the line's Reynolds operator with respect to the changes at its own nodes, LOWER + UPPER diagonals."""
+    """Derivative of the line's operator with respect to the changes at its own nodes, LOWER + UPPER diagonals."""
     n = kind.size
     for i in range(1, n - 1):
         for d in range(WIDTH):

@@ -66,6 +66,19 @@ class ContactConditions:
         return self.entrainment_speed * (1.0 - 0.5 * self.slide_roll_ratio)
 
 
+def speed_load_material(conditions: ContactConditions) -> tuple[float, float, float]:
+    """U = eta_0 u_m/(E' Rx), W = F/(E' Rx^2), G = alpha E' [-], Hamrock and Dowson (1977)."""
+    c, oil = conditions, conditions.lubricant
+    speed = oil.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
+    return speed, c.load / (c.reduced_modulus * c.radius_x**2), oil.pressure_viscosity * c.reduced_modulus
+
+
+def moes_groups(conditions: ContactConditions) -> tuple[float, float]:
+    """M = W (2U)^(-3/4) and L = G (2U)^(1/4) [-], Moes (1992)."""
+    speed, load, material = speed_load_material(conditions)
+    return load * (2.0 * speed) ** -0.75, material * (2.0 * speed) ** 0.25
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MoesConditions:
     """One contact by its dimensionless groups, Moes (1992).

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grid:
-    """Equidistant nodes; a symmetric grid holds y >= 0 only, its row 0 being the line y = 0. All lengths in units of a."""
+    """Equidistant nodes in units of a; a symmetric grid holds y >= 0 only, its row 0 being the line y = 0."""
 
     x_in: float
     hx: float

@@ -35,7 +35,7 @@ class Damping:
     gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
     correction: float = 0.8  # of the coarse-grid correction
     approach: float = 0.1  # of the change of H0 by the load balance, on the coarsest grid
-    switch: float = 0.3  # Gauss-Seidel where the Poiseuille term exceeds this share of the deflection term K00/hx; times (hy/hx)^1.5 on stretched cells
+    switch: float = 0.3  # Gauss-Seidel where Poiseuille exceeds this share of K00/hx, times (hy/hx)^1.5 if stretched
 
     def halved(self) -> Damping:
         """Half the changes, three quarters of the coarse-grid correction."""

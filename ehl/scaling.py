@@ -10,7 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import cos, pi, sin, sqrt
 
-from .conditions import ContactConditions, MoesConditions
+from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
 from .film_formulas import moes_film_nijenbanning
 from .hertz import ellipse_ratio, hertz_coefficients
 from .lubricant import (
@@ -57,15 +57,6 @@ class ScaledContact:
         return abs(self.curvature_xy) < ALIGNED
 
 
-def moes_groups(conditions: ContactConditions) -> tuple[float, float]:
-    """M = W (2U)^(-3/4) and L = G (2U)^(1/4) [-]; W = F/(E' Rx^2), U = eta_0 u_m/(E' Rx), G = alpha E'; Moes (1992)."""
-    lubricant, modulus = conditions.lubricant, conditions.reduced_modulus
-    load = conditions.load / (modulus * conditions.radius_x**2)
-    speed = lubricant.viscosity * conditions.entrainment_speed / (modulus * conditions.radius_x)
-    material = lubricant.pressure_viscosity * modulus
-    return load * (2.0 * speed) ** -0.75, material * (2.0 * speed) ** 0.25
-
-
 def scale_contact(conditions: ContactConditions | MoesConditions) -> ScaledContact:
     """Dimensionless problem of one contact.
 
@@ -81,7 +72,7 @@ def scale_contact(conditions: ContactConditions | MoesConditions) -> ScaledConta
     m, l = moes_groups(conditions)  # noqa: E741
     d = conditions.radius_x / conditions.radius_y
     f, g, _ = hertz_coefficients(d)
-    load = conditions.load / (conditions.reduced_modulus * conditions.radius_x**2)
+    _, load, _ = speed_load_material(conditions)
     pressure = g * load ** (1 / 3) * conditions.reduced_modulus
     length = (f * load ** (1 / 3) * conditions.radius_x, conditions.radius_x)
     return _scaled(m, l, d, pressure, conditions.lubricant, conditions.entrainment_angle, length)

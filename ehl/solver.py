@@ -44,7 +44,7 @@ PILOT_POINTS = 65
 EXTERIOR_SHARE = 0.06  # of the load; an open box is widened until less than this lies outside
 
 
-class Diverged(Exception):
+class DivergedError(Exception):
     """The iteration ran away in spite of its guards."""
 
 
@@ -118,7 +118,7 @@ def choose_domain(contact: ScaledContact, progress: Progress | None = None) -> t
         state = _multigrid(pilot, _box(contact, film, scale), options, ATTEMPTS[0])
         try:
             levels = _full_multigrid(state, options, new_progress(), 0)
-        except Diverged:
+        except DivergedError:
             progress.fallbacks.append("pilot solve ran away: box from the film formula")
             return _box(contact, contact.film_guess, 1.5)
         film = max(levels[-1][0], 0.1 * contact.film_guess)
@@ -163,7 +163,7 @@ def _solve_with_fallbacks(
         state = _multigrid(contact, domain, options, attempt)
         try:
             outcome = state, _full_multigrid(state, options, progress, attempt.finer_start)
-        except Diverged:
+        except DivergedError:
             outcome = state, []
             continue
         if is_converged(progress):
@@ -235,7 +235,7 @@ def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress
 
     Raises
     ------
-    Diverged
+    DivergedError
         If three halvings do not help.
     """
     level = state.levels[index]
@@ -247,7 +247,7 @@ def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress
         runaway = not np.isfinite(residual) or residual > GROWTH_LIMIT * last or level.P.max() > PRESSURE_LIMIT
         if runaway or level.P.max() <= 0.0:
             if halvings == 3:
-                raise Diverged
+                raise DivergedError
             halvings += 1
             state.damping = state.damping.halved()
             progress.fallbacks.append("cycle undone, damping halved")

@@ -32,7 +32,6 @@ FORMULAS = (
     "hamrock_dowson_central",
     "hamrock_dowson_minimum",
     "chittenden_central",
-    "chittenden_minimum",
     "nijenbanning_central",
 )
 
