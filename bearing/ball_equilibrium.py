@@ -42,10 +42,11 @@ from .operation import BallKinematics, Model
 COMPLEX_STEP = 1.0e-30  # [m]
 FRICTION_LIMIT = 0.1  # friction over load that no lubricated contact is taken to exceed [-]
 EDGE_COSINE = 0.17  # cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
+ROUND_OFF = 8.0 * float(np.finfo(np.float64).eps)  # [-]
 BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
 BALL_TOLERANCE = 1.0e-11  # residual of a ball over its forces that is accepted when it falls no further [-]
-MAX_HALVINGS = 25
-MAX_BALL_STEPS = 40
+MAX_HALVINGS = 12
+MAX_BALL_STEPS = 30
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -234,8 +235,7 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallRo
     current = _evaluate(u, V, problem)
     for _ in range(MAX_BALL_STEPS):
         _, values, size, jacobian = current
-        norm = np.hypot(values[0], values[1])
-        active = norm > BALL_TARGET * size
+        active = np.hypot(values[0], values[1]) > np.maximum(BALL_TARGET * size, _round_off(current, problem))
         if not active.any():
             break
         step = _solve_2x2(jacobian[:2, :2] - jacobian[:2, 2:], -values[:2])
@@ -265,6 +265,12 @@ def _evaluate(u: Array, V: Array, problem: BallProblem) -> _Evaluation:
     result = ball_balance(state, problem)
     size = (state.inner_load + state.outer_load + state.centrifugal_force).real[0]
     return _Evaluation(u, result.real[:, 0], size, result.imag / COMPLEX_STEP)
+
+
+def _round_off(current: _Evaluation, problem: BallProblem) -> Array:
+    """Force [N] that rounding the positions is worth: the approach is a small difference of lengths."""
+    stiffness: Array = np.abs(current.jacobian[:2]).max(axis=(0, 1))
+    return ROUND_OFF * (problem.inner_length + problem.outer_length) * stiffness
 
 
 def _row(current: _Evaluation) -> BallRow:
@@ -333,7 +339,9 @@ def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
     if problem.nominal_force > 0.0:
         free = np.hypot(*(V - pressed)) <= inner
         static = stiffness_o * (np.maximum(distance - inner - outer, 0.0) / (1.0 + ratio)) ** 1.5
-        cold = np.where(free | (static < problem.nominal_force), pressed, split)
+        climbed = ((V - pressed)[1] < EDGE_COSINE * inner) & (distance > inner + outer)  # past the inner groove's edge
+        free &= ~climbed
+        cold = np.where(free | ((static < problem.nominal_force) & ~climbed), pressed, split)
     else:
         free = distance <= inner + outer
         cold = np.where(free, unit * outer * np.minimum(1.0, distance / (inner + outer)), split)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .ball_equilibrium import BallProblem, BallRow, solve_balls
+from .ball_equilibrium import ROUND_OFF, BallProblem, BallRow, solve_balls
 from .contact_stiffness import stiffness_at
 from .geometry import Array, Bearing
 from .operation import Operation
@@ -54,6 +54,7 @@ class RingPoint(NamedTuple):
     force: Array
     stiffness: Array
     residual: float
+    noise: float  # residual that round-off leaves [-]
 
 
 def ring_of(bearing: Bearing, operation: Operation) -> Ring:
@@ -96,14 +97,14 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingPoint | None) -> tup
     point = _point(q, None if start is None else start.row.u, ring, problem)
     best, improved_at = point, 0
     for iteration in range(MAX_RING_STEPS):
-        if not ring.free.any() or point.residual <= RESIDUAL_TARGET:
+        if not ring.free.any() or point.residual <= max(RESIDUAL_TARGET, point.noise):
             return point, iteration
         point = _search(point, _step(point, ring, problem), ring, problem)
         lost = bool(point.row.residual.max() > RESIDUAL_TOLERANCE)  # no step leaves every ball in equilibrium
         stalled = point.residual >= 0.5 * best.residual
         if point.residual < best.residual:
             best, improved_at = point, iteration
-        if (stalled and best.residual <= 0.1 * RESIDUAL_TOLERANCE) or lost or iteration - improved_at >= PATIENCE:
+        if (stalled and best.residual <= RESIDUAL_TOLERANCE) or lost or iteration - improved_at >= PATIENCE:
             break
     return best, iteration + 1
 
@@ -115,7 +116,8 @@ def _point(q: Array, u_start: Array | None, ring: Ring, problem: BallProblem) ->
     unbalance = np.abs(force + ring.load)[ring.free]
     largest = max(np.abs(ring.load).max(), np.hypot(row.values[2], row.values[3]).max())
     residual = float(unbalance.max() / largest) if unbalance.size and largest > 0.0 else 0.0
-    return RingPoint(q, row, force, stiffness, max(residual, float(row.residual.max())))
+    noise = ROUND_OFF * ring.distance * float(np.abs(stiffness).max()) / largest if largest > 0.0 else 0.0
+    return RingPoint(q, row, force, stiffness, max(residual, float(row.residual.max())), noise)
 
 
 PATH = ["einsum_path", (0, 1), (0, 1)]
