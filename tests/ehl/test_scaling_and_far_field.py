@@ -1,0 +1,151 @@
+"""Dimensionless groups, the two kinds of conditions, and the far field of an open box."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw
+from ehl.conditions import moes_groups
+from ehl.far_field import edge_pressure, exterior_load, far_field
+from ehl.grid import Grid
+from ehl.hertz import hertz_contact
+from ehl.lubricant import density, viscosity
+from ehl.reynolds import poiseuille
+from ehl.scaling import scale_contact
+
+OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
+INNER = ContactConditions(
+    load=500.0,
+    radius_x=4.8e-3,
+    radius_y=0.2178,
+    reduced_modulus=332.5e9,
+    entrainment_speed=15.08,
+    lubricant=OIL,
+)
+
+
+def test_circular_contact_has_moes_closed_forms():
+    """lambda = (128 pi^3/(3 M^4))^(1/3), alpha p_h = (L/pi)(3M/2)^(1/3), c_def = 2/pi^2; Venner and Lubrecht (2000)."""
+    c = scale_contact(MoesConditions(load_parameter=200.0, lubricant_parameter=10.0, lubricant=OIL))
+    assert_allclose(c.speed, (128.0 * np.pi**3 / (3.0 * 200.0**4)) ** (1 / 3), rtol=1e-12)
+    assert_allclose(c.hertz_pressure * 18e-9, 10.0 / np.pi * 300.0 ** (1 / 3), rtol=1e-12)
+    assert_allclose(c.deformation, 2.0 / np.pi**2, rtol=1e-12)
+    assert_allclose(c.load, 2.0 * np.pi / 3.0, rtol=1e-12)
+
+
+def test_si_and_moes_conditions_are_one_problem():
+    si = scale_contact(INNER)
+    m, l = moes_groups(INNER)  # noqa: E741
+    moes = scale_contact(
+        MoesConditions(
+            load_parameter=m, lubricant_parameter=l, radius_ratio=INNER.radius_x / INNER.radius_y, lubricant=OIL
+        )
+    )
+    for name in ("speed", "load", "deformation", "viscosity_slope", "viscosity_pressure", "density_numerator"):
+        assert_allclose(getattr(moes, name), getattr(si, name), rtol=1e-12)
+
+
+def test_scales_are_those_of_hertz():
+    hertz = hertz_contact(INNER.load, INNER.radius_x, INNER.radius_y, INNER.reduced_modulus)
+    c = scale_contact(INNER)
+    assert_allclose([c.semi_axis_x, c.hertz_pressure], [hertz.semi_axis_x, hertz.pressure], rtol=1e-12)
+    assert_allclose(c.semi_axis_ratio, hertz.semi_axis_y / hertz.semi_axis_x, rtol=1e-12)
+    # lambda = 12 eta_0 u_m Rx^2/(a^3 p_h)
+    assert_allclose(c.speed, 12 * 0.0261 * 15.08 * 4.8e-3**2 / (hertz.semi_axis_x**3 * hertz.pressure), rtol=1e-12)
+
+
+@pytest.mark.parametrize("law", list(ViscosityLaw))
+def test_dimensionless_viscosity_is_the_lubricants(law):
+    oil = replace(OIL, viscosity_law=law)
+    c = scale_contact(replace(INNER, lubricant=oil))
+    P = np.array([0.0, 0.1, 1.0])
+    ours = np.exp(c.viscosity_slope * ((1.0 + c.viscosity_pressure * P) ** c.viscosity_exponent - 1.0))
+    assert_allclose(ours, viscosity(P * c.hertz_pressure, oil) / oil.viscosity, rtol=1e-12)
+    rho = 1.0 + c.density_numerator * P / (1.0 + c.density_denominator * P)
+    assert_allclose(rho, density(P * c.hertz_pressure, oil) / oil.density, rtol=1e-12)
+
+
+def test_pressure_viscosity_is_the_slope_at_ambient_pressure():
+    step = 1e3  # [Pa]; second derivative of ln eta is of order alpha/p_r
+    slope = np.log(viscosity(np.array([step]), OIL) / OIL.viscosity) / step
+    assert_allclose(slope, OIL.pressure_viscosity, rtol=1e-5)
+
+
+@pytest.mark.parametrize(("field", "value"), [("load", 0.0), ("radius_x", -1.0), ("entrainment_speed", np.nan)])
+def test_bad_conditions_name_the_field(field, value):
+    with pytest.raises(ValueError, match=field):
+        replace(INNER, **{field: value})
+
+
+def test_moes_without_a_scale_of_pressure():
+    oil = Lubricant(viscosity=0.05, pressure_viscosity=0.0, viscosity_law=ViscosityLaw.BARUS)
+    with pytest.raises(ValueError, match="pressure_viscosity"):
+        scale_contact(MoesConditions(load_parameter=20.0, lubricant_parameter=5.0, lubricant=oil))
+    limit = scale_contact(MoesConditions(load_parameter=20.0, lubricant_parameter=0.0, lubricant=oil))
+    assert limit.viscosity_slope == 0.0
+    assert limit.density_numerator == 0.0
+
+
+@pytest.mark.parametrize("points", [100, 17, 8193, 0])
+def test_points_must_be_a_power_of_two_plus_one(points):
+    with pytest.raises(ValueError, match="points"):
+        SolverOptions(points=points)
+
+
+def paraboloid(angle, ratio=0.3):
+    oil = Lubricant(viscosity=0.05, pressure_viscosity=1e-9, density_law=DensityLaw.INCOMPRESSIBLE)
+    conditions = MoesConditions(
+        load_parameter=2.0, lubricant_parameter=0.0, radius_ratio=ratio, lubricant=oil, entrainment_angle=angle
+    )
+    c = scale_contact(conditions)
+    errors = []
+    for cells in (32, 64, 128):
+        grid = Grid(x_in=-4.0, hx=8.0 / cells, hy=8.0 / cells, nx=cells + 1, ny=cells + 1, symmetric=False)
+        X, Y = grid.X[None, :], grid.Y[:, None]
+        H = 1.5 + 0.5 * c.curvature_x * X**2 + 0.5 * c.curvature_y * Y**2 + c.curvature_xy * X * Y
+        field = far_field(c)
+        P = -(field.pressure_x * X + field.pressure_y * Y) / H**2
+        couette = (c.curvature_x * X + c.curvature_xy * Y)[1:-1, 1:-1]
+        errors.append(np.abs(poiseuille(P, H**3 / c.speed, grid.hx, grid.hy, False) - couette).max())
+    return errors
+
+
+@pytest.mark.parametrize("angle", [0.0, 0.4, np.pi / 2])
+def test_far_field_solves_reynolds_on_a_paraboloid(angle):
+    """Kapitza's solution leaves only the truncation error of the stencil, second order in the mesh."""
+    errors = paraboloid(angle)
+    assert_allclose(np.log2(np.divide(errors[:-1], errors[1:])), 2.0, atol=0.15)
+
+
+def test_exterior_load_is_the_integral_of_the_far_field():
+    """Against brute-force summation over a plane 60 times the box; the rest beyond carries 1/60 of it."""
+    oil = Lubricant(viscosity=0.05, pressure_viscosity=1e-9)
+    c = scale_contact(MoesConditions(load_parameter=5.0, lubricant_parameter=1.0, radius_ratio=0.5, lubricant=oil))
+    box = Grid(x_in=-5.0, hx=0.25, hy=0.25, nx=29, ny=13, symmetric=True)
+    field = far_field(c)
+
+    def gap(X, Y):
+        return 0.8 + 0.5 * c.curvature_x * X**2 + 0.5 * c.curvature_y * Y**2
+
+    X, Y = np.arange(-300.0, 0.0, 0.05)[None, :] + 0.025, np.arange(0.0, 300.0, 0.05)[:, None] + 0.025
+    P = -field.pressure_x * X / gap(X, Y) ** 2
+    outside = (X < box.X[0]) | (Y > box.Y[-1])
+    brute = 2.0 * np.sum(P[outside]) * 0.05**2
+    ours = exterior_load(field, box, gap(box.X[None, :], box.Y[:, None]))
+    assert 0.97 * ours < brute < 1.0 * ours
+
+
+def test_edge_pressure_is_positive_upstream_only():
+    c = scale_contact(INNER)
+    grid = Grid(x_in=-4.0, hx=0.5, hy=2.0, nx=13, ny=9, symmetric=True)
+    P, H = np.zeros((9, 13)), np.full((9, 13), 8.0)
+    edge_pressure(far_field(c), grid, H, P)
+    assert np.all(P[:, 0] > 0.0)
+    assert np.all(P[-1, grid.X < 0.0] > 0.0)
+    assert np.all(P[-1, grid.X >= 0.0] == 0.0)
+    assert np.all(P[:, -1] == 0.0)
+    assert np.all(P[:-1, 1:-1] == 0.0)

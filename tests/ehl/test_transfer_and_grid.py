@@ -1,0 +1,94 @@
+"""Grids, transfers between them, and the extrapolation over them."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from ehl.extrapolation import extrapolate
+from ehl.grid import Grid, grid_hierarchy
+from ehl.solver import central_film, film_values
+from ehl.transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
+
+HIERARCHY = grid_hierarchy(65, (-4.0, 2.0, 3.0), 1.5, 3, True)
+
+
+def test_hierarchy_nests_and_fills_the_box():
+    for coarse, fine in zip(HIERARCHY[:-1], HIERARCHY[1:], strict=True):
+        assert_allclose(fine.X[::2], coarse.X, atol=1e-14)
+        assert_allclose(fine.Y[::2], coarse.Y, atol=1e-14)
+    finest = HIERARCHY[-1]
+    assert_allclose([finest.X[0], finest.X[-1], finest.Y[-1]], [-4.0, 2.0, 3.0], rtol=1e-14)
+    assert finest.hy <= 1.5 * finest.hx
+
+
+def test_origin_is_exact_where_it_is_a_node():
+    grid = Grid(x_in=-3.3, hx=0.1, hy=0.1, nx=65, ny=9, symmetric=False)
+    assert 0.0 in grid.X
+    assert 0.0 in grid.Y
+
+
+@pytest.mark.parametrize("symmetric", [True, False])
+def test_integral_of_a_bilinear_function(symmetric):
+    grid = Grid(x_in=-1.0, hx=0.25, hy=0.5, nx=9, ny=5, symmetric=symmetric)
+    values = 2.0 + grid.X[None, :] + 0.0 * grid.Y[:, None]
+    width = 4.0 if symmetric else 2.0
+    assert_allclose(grid.integral(values), 2.0 * 2.0 * width, rtol=1e-14)
+
+
+def test_full_weighting_is_the_transpose_of_linear_interpolation():
+    random = np.random.default_rng(4410)
+    coarse, fine = np.zeros((5, 9)), np.zeros((9, 17))
+    coarse[1:-1, 1:-1] = random.random((3, 7))
+    fine[1:-1, 1:-1] = random.random((7, 15))
+    left = np.sum(interpolate_linear(coarse) * fine)
+    assert_allclose(left, 4.0 * np.sum(coarse * full_weighting(fine, False)), rtol=1e-13)
+
+
+def test_full_weighting_on_half_and_full_grid():
+    half = np.random.default_rng(88).random((9, 17))
+    half[-1] = half[:, 0] = half[:, -1] = 0.0
+    full = np.concatenate((half[:0:-1], half))
+    assert_allclose(full_weighting(half, True), full_weighting(full, False)[4:], rtol=1e-14)
+
+
+def test_cubic_interpolation_is_exact_for_cubics_inside():
+    coarse, fine = HIERARCHY[-2], HIERARCHY[-1]
+
+    def cubic(grid):
+        return (1.0 + grid.X[None, :] ** 3) * (2.0 - grid.Y[:, None] ** 2)
+
+    error = np.abs(interpolate_cubic(cubic(coarse), True) - cubic(fine))
+    assert error[:-2, 2:-2].max() < 1e-12
+    assert error.max() > 1e-3  # linear beside the edge
+
+
+def test_injection_takes_shared_nodes():
+    fine = np.arange(45.0).reshape(5, 9)
+    assert np.array_equal(inject(fine), fine[::2, ::2])
+
+
+def test_film_values_between_the_nodes():
+    """Centre by cubic interpolation where it is no node, minimum by a parabola: exact for a quadratic film."""
+    grid = Grid(x_in=-1.05, hx=0.1, hy=0.1, nx=22, ny=11, symmetric=True)
+    H = 0.3 + (grid.X[None, :] - 0.33) ** 2 + (grid.Y[:, None] - 0.42) ** 2
+    centre, minimum = film_values(grid, H)
+    assert_allclose(centre, 0.3 + 0.33**2 + 0.42**2, rtol=1e-12)
+    assert_allclose(minimum, 0.3, rtol=1e-12)
+    assert_allclose(central_film(grid, H), centre)
+
+
+@pytest.mark.parametrize("order", [1.0, 1.5, 2.0])
+def test_extrapolation_finds_the_limit_of_a_clean_sequence(order):
+    values = [1.0 - 0.3 * 2.0 ** (-order * level) for level in range(4)]
+    film = extrapolate(values, 0.0)
+    assert_allclose(film.value, 1.0, rtol=1e-12)
+    assert film.finest == values[-1]
+    assert film.uncertainty > 0.0
+
+
+def test_extrapolation_widens_where_the_order_is_not_seen():
+    film = extrapolate([1.0, 0.9, 0.95], 0.0)
+    assert film.uncertainty > 0.0499
+    assert extrapolate([1.0], 0.0).uncertainty == 1.0

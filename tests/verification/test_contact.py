@@ -1,0 +1,273 @@
+"""The contact solver against what must hold, and against a reference study.
+
+Reference values, grid-converged, box named (project's method notes): circular contact M 20, L 10, Roelands z 0.68,
+alpha 22 1/GPa, Dowson-Higginson, box [-4.5, 1.5] x [-3, 3] a: Hc 0.430856 +- 2e-6, Hmin 0.29259 +- 1e-5 a^2/R,
+H0 -0.54900. Inner race of a 6208, all silicon nitride, 500 N, box [-16.5, 1.5] a x [-2.25, 2.25] b: h_c 0.91407,
+h_min 0.8255 +- 0.0012 um.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from ehl import (
+    ContactConditions,
+    DensityLaw,
+    Lubricant,
+    MoesConditions,
+    SolverOptions,
+    ViscosityLaw,
+    solve_contact,
+)
+from ehl.conditions import moes_groups
+from ehl.multigrid import Damping, cycle, make_multigrid, start_level, update_film
+from ehl.scaling import scale_contact
+from ehl.solver import ATTEMPTS, LOAD_TOLERANCE, _multigrid, central_film, choose_domain
+
+OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
+CIRCULAR = MoesConditions(load_parameter=20.0, lubricant_parameter=10.0, lubricant=OIL)
+BOX = (-4.5, 1.5, 3.0)
+INNER_500N = ContactConditions(
+    load=500.0,
+    radius_x=4.8e-3,
+    radius_y=1.0 / (1.0 / 6e-3 - 1.0 / 6.17e-3),
+    reduced_modulus=310e9 / (1.0 - 0.26**2),
+    entrainment_speed=15.0796,
+    lubricant=Lubricant(viscosity=0.0261, pressure_viscosity=18e-9),
+)
+
+
+@cache
+def circular(points):
+    return solve_contact(CIRCULAR, SolverOptions(points=points, domain=BOX))
+
+
+def test_circular_reference():
+    """257 points, extrapolated: the mesh error left is below the stated uncertainty and 0.05 %."""
+    solution = circular(257)
+    assert solution.converged
+    assert solution.resolved
+    assert_allclose(solution.film_central_dimensionless.value, 0.430856, rtol=5e-4)
+    assert_allclose(solution.film_minimum_dimensionless.value, 0.29259, rtol=5e-4)
+    assert_allclose(solution.approach_dimensionless, -0.54900, rtol=2e-3)  # of the finest grid, not extrapolated
+    assert abs(solution.film_central_dimensionless.value - 0.430856) < solution.film_central_dimensionless.uncertainty
+
+
+def test_6208_inner_race_reference():
+    solution = solve_contact(INNER_500N, SolverOptions(points=513, domain=(-16.5, 1.5, 2.25)))
+    assert solution.converged
+    assert_allclose(solution.film_central * 1e6, 0.91407, rtol=5e-3)
+    assert_allclose(solution.film_minimum * 1e6, 0.8255, atol=0.0012 + 0.005 * 0.8255)
+
+
+def test_central_film_is_second_order():
+    """Errors against the reference on 65, 129 and 257 points fall by four; 0.15 for the change of the outlet."""
+    errors = [0.430856 - circular(points).film_central_dimensionless.finest for points in (65, 129, 257)]
+    assert_allclose(np.log2(np.divide(errors[:-1], errors[1:])), 2.0, atol=0.15)
+
+
+def test_cycles_do_not_grow_with_the_grid():
+    assert circular(257).record.cycles <= circular(65).record.cycles + 1
+
+
+def test_convergence_record_is_what_it_says():
+    record = circular(129).record
+    assert record.cycles == len(record.residual) == len(record.force_error) == len(record.film_change)
+    assert abs(record.force_error[-1]) < LOAD_TOLERANCE
+    assert record.residual[-1] < 0.2 * record.residual[0]
+    assert record.fallbacks == ()
+
+
+def test_load_is_carried():
+    """Integral of the pressure returned = 2 pi/3, to the tolerance of the load balance."""
+    s = circular(129)
+    hx, hy = s.X[1] - s.X[0], s.Y[1] - s.Y[0]
+    assert_allclose(s.P.sum() * hx * hy, 2.0 * np.pi / 3.0, rtol=LOAD_TOLERANCE)
+
+
+def test_pressure_is_never_negative_and_film_never_zero():
+    s = circular(129)
+    assert s.P.min() >= 0.0
+    assert s.H.min() > 0.0
+
+
+def test_cavitated_region_lies_downstream_and_obeys_complementarity():
+    """Where P = 0 inside the box the film flow must not converge: d(rho H)/dX >= 0, to the stencil's error."""
+    s = circular(257)
+    assert np.all(s.P[1:-1, s.Y.size // 2][s.X[1:-1] < 0.9] > 0.0)
+    cavitated = (s.P == 0.0) & (s.X[:, None] > 1.0)
+    cavitated[-1], cavitated[:, [0, -1]] = False, False
+    growth = np.zeros_like(s.H)
+    growth[2:] = 1.5 * s.H[2:] - 2.0 * s.H[1:-1] + 0.5 * s.H[:-2]
+    assert growth[cavitated].min() > -1e-3 * s.H.min()
+
+
+def test_solution_is_symmetric_about_the_entrainment():
+    """The half-domain solution mirrored, and the full-domain solve that knows of no symmetry, agree."""
+    half = circular(65)
+    assert np.array_equal(half.P, half.P[:, ::-1])
+    contact = replace(scale_contact(CIRCULAR), curvature_xy=1e-9)  # not recognised as aligned
+    options = SolverOptions(points=65, domain=BOX)
+    state = _multigrid(contact, BOX, options, ATTEMPTS[0])
+    level = state.levels[-1]
+    assert not level.grid.symmetric
+    start_level(state, len(state.levels) - 1, half.P.T)
+    state.approach = half.approach_dimensionless
+    update_film(state, len(state.levels) - 1)
+    for _ in range(12):
+        cycle(state, len(state.levels) - 1)
+    full = level.P
+    assert np.abs(full - full[::-1]).max() < 1e-4  # lines are relaxed in one direction: equal once converged
+    assert_allclose(central_film(level.grid, level.H), half.film_central_dimensionless.finest, rtol=3e-4)
+
+
+def test_si_and_moes_input_agree_to_round_off():
+    m, l = moes_groups(INNER_500N)  # noqa: E741
+    moes = MoesConditions(
+        load_parameter=m,
+        lubricant_parameter=l,
+        radius_ratio=INNER_500N.radius_x / INNER_500N.radius_y,
+        lubricant=INNER_500N.lubricant,
+    )
+    options = SolverOptions(points=65, domain=(-8.0, 1.5, 2.25))
+    one, other = solve_contact(INNER_500N, options), solve_contact(moes, options)
+    assert_allclose(one.P, other.P, atol=1e-9)  # round-off of the groups, carried through the cycles
+    assert_allclose(one.film_central_dimensionless.value, other.film_central_dimensionless.value, rtol=1e-9)
+    assert other.film_central is None
+    assert_allclose(one.film_central, one.film_central_dimensionless.value * one.film_scale, rtol=1e-14)
+
+
+def test_open_box_does_not_feel_its_size():
+    """M 5, L 0.5 in two open boxes, one twice the other: the film moves by less than 0.6 %. Closed boxes: over 3 %."""
+    thick = MoesConditions(load_parameter=5.0, lubricant_parameter=0.5, lubricant=replace(OIL, roelands_z=None))
+    contact = scale_contact(thick)
+
+    def film(box, points, is_open):
+        options = SolverOptions(points=points, domain=None if is_open else box)
+        state = _multigrid(contact, box, options, ATTEMPTS[0])
+        index = len(state.levels) - 1
+        X, Y = state.levels[index].grid.X[None, :], state.levels[index].grid.Y[:, None]
+        state.approach = 0.3
+        start_level(state, index, 0.8 * np.sqrt(np.maximum(1.0 - X**2 - Y**2, 0.0)))
+        for _ in range(14):
+            cycle(state, index)
+        return central_film(state.levels[index].grid, state.levels[index].H)
+
+    small, large = (-8.0, 2.0, 5.0), (-17.0, 3.0, 10.0)
+    assert_allclose(film(small, 65, True), film(large, 129, True), rtol=6e-3)
+    assert abs(film(small, 65, False) / film(large, 129, False) - 1.0) > 0.03
+
+
+def test_box_is_open_by_default_and_covers_a_thick_film():
+    box = choose_domain(scale_contact(MoesConditions(load_parameter=10.0, lubricant_parameter=25.0, lubricant=OIL)))
+    assert box[0] < -10.0
+    thin = choose_domain(scale_contact(replace(CIRCULAR, load_parameter=500.0)))
+    assert -5.0 < thin[0] <= -4.0
+
+
+def test_thin_film_pressure_goes_to_hertz():
+    """Rising load at fixed L: the pressure leaves the inlet and approaches Hertz' half-ellipsoid."""
+    distance = []
+    for load in (20.0, 100.0, 500.0):
+        s = solve_contact(replace(CIRCULAR, load_parameter=load), SolverOptions(points=129, domain=BOX))
+        hertz = np.sqrt(np.maximum(1.0 - s.X[:, None] ** 2 - s.Y[None, :] ** 2, 0.0))
+        distance.append(np.sqrt(np.mean((s.P - hertz) ** 2)))
+    assert distance[0] > 2.0 * distance[1] > 3.0 * distance[2]
+
+
+def test_rigid_isoviscous_limit():
+    """M 0.5: undeformed, isoviscous. Half of Kapitza's (1955) pressure, P > 0 upstream only, carries the load
+
+    integral over X < 0 of lambda |X|/((3 + 2 D) H^2) = lambda pi sqrt(2)/(5 sqrt(Hc)) ... for D = 1; the true outlet
+    is not at X = 0 but a little behind, which raises the load: the solved film lies above it, by less than a third.
+    """
+    oil = replace(OIL, viscosity_law=ViscosityLaw.ISOVISCOUS, density_law=DensityLaw.INCOMPRESSIBLE)
+    conditions = MoesConditions(load_parameter=0.5, lubricant_parameter=0.0, lubricant=oil)
+    solution = solve_contact(conditions, SolverOptions(points=129))
+    contact = scale_contact(conditions)
+    # with H = Hc + r^2/2: integral over the half plane of |X|/H^2 = 2 * integral r^2/(Hc + r^2/2)^2 dr = pi sqrt(2/Hc)
+    half_kapitza = (contact.speed * np.pi * np.sqrt(2.0) / (5.0 * contact.load)) ** 2
+    assert solution.converged
+    assert 1.0 < solution.film_central_dimensionless.value / half_kapitza < 1.33
+
+
+@pytest.mark.parametrize(
+    ("load", "lubricant_parameter", "ratio", "angle"),
+    [
+        (12.0, 25.0, 0.055, 0.0),  # a ball that carries centrifugal force only
+        (200.0, 10.0, 1.0, 0.0),
+        (700.0, 12.0, 0.03, 0.0),  # a loaded ball of a deep groove bearing
+        (2000.0, 20.0, 0.02, 0.0),
+        (100.0, 8.0, 0.3, 0.5),  # entrainment at an angle
+        (300.0, 15.0, 2.0, 0.0),  # entrainment along the major axis
+        (5.0, 0.0, 1.0, 0.0),
+    ],
+)
+def test_uncertainty_covers_the_next_finer_grid(load, lubricant_parameter, ratio, angle):
+    """The value extrapolated from 257 points lies within the error bar of the one from 129, and the bars shrink."""
+    oil = Lubricant(viscosity=0.05, pressure_viscosity=18e-9)
+    conditions = MoesConditions(
+        load_parameter=load,
+        lubricant_parameter=lubricant_parameter,
+        radius_ratio=ratio,
+        lubricant=oil,
+        entrainment_angle=angle,
+    )
+    domain = choose_domain(scale_contact(conditions))
+    coarse = solve_contact(conditions, SolverOptions(points=129))
+    fine = solve_contact(conditions, SolverOptions(points=257))
+    assert fine.converged
+    assert fine.record.fallbacks == ()
+    assert domain == pytest.approx(choose_domain(scale_contact(conditions)))
+    for name in ("film_central_dimensionless", "film_minimum_dimensionless"):
+        bar = getattr(coarse, name).uncertainty + getattr(fine, name).uncertainty
+        assert abs(getattr(coarse, name).value - getattr(fine, name).value) < bar
+        assert getattr(fine, name).uncertainty < getattr(coarse, name).uncertainty
+
+
+def test_unresolved_is_said():
+    s = solve_contact(replace(CIRCULAR, load_parameter=1000.0), SolverOptions(points=65))
+    assert not s.resolved
+    assert "unresolved" in s.message or not s.converged
+
+
+def test_not_converged_is_a_result():
+    s = solve_contact(CIRCULAR, SolverOptions(points=65, domain=BOX, max_cycles=1))
+    assert not s.converged
+    assert "not converged" in s.message
+    assert s.record.fallbacks  # everything was tried, and is on record
+
+
+def test_damping_halves_the_changes():
+    damping = Damping()
+    assert damping.halved().jacobi == 0.5 * damping.jacobi
+    assert damping.halved().switch == damping.switch
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("points", [513, 1025])
+def test_circular_reference_on_fine_grids(points):
+    solution = circular(points)
+    assert_allclose(solution.film_central_dimensionless.value, 0.430856, rtol=1e-4)
+    assert_allclose(solution.film_minimum_dimensionless.value, 0.29259, rtol=2e-4)
+    assert solution.record.cycles <= circular(65).record.cycles + 1
+
+
+def test_workspaces_are_as_large_as_the_grid():
+    """Memory per level: nine arrays and the spectrum, which is twice as wide and twice as high."""
+    state = make_multigrid(
+        scale_contact(CIRCULAR),
+        tuple(
+            level.grid
+            for level in _multigrid(scale_contact(CIRCULAR), BOX, SolverOptions(domain=BOX), ATTEMPTS[0]).levels
+        ),
+        None,
+        Damping(),
+    )
+    level = state.levels[-1]
+    assert level.kernel.spectrum.size <= 2.1 * level.P.size
