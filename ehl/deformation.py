@@ -56,8 +56,8 @@ def patch_integral(x: Array, y: Array, hx: float, hy: float) -> Array:
 def deflection_kernel(grid: Grid, deformation: float) -> DeflectionKernel:
     """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
     cells_x, cells_y = grid.nx - 1, (2 if grid.symmetric else 1) * (grid.ny - 1)
-    x = grid.hx * np.arange(cells_x + 1)
-    y = grid.hy * np.arange(cells_y + 1)
+    x = grid.hx * np.arange(cells_x + 1, dtype=np.float64)
+    y = grid.hy * np.arange(cells_y + 1, dtype=np.float64)
     quarter = deformation * patch_integral(x[None, :], y[:, None], grid.hx, grid.hy)
     # even in x and y: the cosine transform of the quarter is the real spectrum on the doubled, periodic grid
     spectrum = fft.dct(fft.dct(quarter, type=1, axis=1), type=1, axis=0)

@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grid:
-    """Equidistant nodes in units of a; a symmetric grid holds y >= 0 only, its row 0 being the line y = 0."""
+    """Equidistant nodes, lengths in units of a [-]; a symmetric grid holds y >= 0 only, its row 0 is y = 0."""
 
     x_in: float
     hx: float
@@ -27,14 +27,14 @@ class Grid:
         """Nodes along x, shape (nx,) [-]; the node at the origin is exactly zero."""
         origin = round(-self.x_in / self.hx)
         if abs(origin * self.hx + self.x_in) < 1e-9 * self.hx:
-            return self.hx * (np.arange(self.nx) - origin)
-        return self.x_in + self.hx * np.arange(self.nx)
+            return self.hx * np.arange(-origin, self.nx - origin, dtype=np.float64)
+        return self.x_in + self.hx * np.arange(self.nx, dtype=np.float64)
 
     @property
     def Y(self) -> Array:
         """Nodes along y of the rows held, shape (ny,) [-]."""
         first = 0 if self.symmetric else -(self.ny // 2)
-        return self.hy * np.arange(first, first + self.ny)
+        return self.hy * np.arange(first, first + self.ny, dtype=np.float64)
 
     @property
     def cell(self) -> float:

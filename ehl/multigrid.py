@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Damping:
-    """Under-relaxation of one solve."""
+    """Under-relaxation of one solve, all [-]."""
 
     jacobi: float = 0.4  # of the distributive Jacobi changes
     gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
@@ -50,7 +50,7 @@ class Damping:
 
 @dataclass(slots=True, kw_only=True)
 class Level:
-    """Workspace of one grid; all arrays of shape (ny, nx)."""
+    """Workspace of one grid; all arrays of shape (ny, nx), all quantities [-]."""
 
     grid: Grid
     kernel: DeflectionKernel
@@ -68,7 +68,7 @@ class Level:
 
 @dataclass(slots=True, kw_only=True)
 class Multigrid:
-    """All levels of one contact, the approach they share and the work done."""
+    """All levels of one contact, the approach they share and the work done; all quantities [-]."""
 
     contact: ScaledContact
     far_field: FarField | None  # edge pressure of an open box; None: zero pressure on the edge
@@ -78,10 +78,9 @@ class Multigrid:
     exterior: float = 0.0  # load carried outside the box
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
 
-    def fft_equivalents(self) -> float:
-        """Deflection FFTs so far, weighted with nodes relative to the finest grid."""
-        finest = self.levels[-1].P.size
-        return sum(count * self.levels[index].P.size / finest for index, count in self.deflections.items())
+    def deflected_nodes(self) -> int:
+        """Nodes times deflection FFTs so far, the measure of the work."""
+        return sum(count * self.levels[index].P.size for index, count in self.deflections.items())
 
 
 def make_multigrid(
@@ -99,7 +98,13 @@ def make_multigrid(
                 kernel=deflection_kernel(grid, contact.deformation),
                 gap=gap,
                 s=gap,
-                **{name: np.zeros(shape) for name in ("P", "H", "f", "eps", "rho", "rho_slope", "scratch")},
+                P=np.zeros(shape),
+                H=np.zeros(shape),
+                f=np.zeros(shape),
+                eps=np.zeros(shape),
+                rho=np.zeros(shape),
+                rho_slope=np.zeros(shape),
+                scratch=np.zeros(shape),
             )
         )
     return Multigrid(contact=contact, far_field=far_field, levels=tuple(levels), damping=damping)

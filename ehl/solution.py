@@ -24,13 +24,13 @@ class FilmValue:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConvergenceRecord:
-    """What the solver did: one entry of each tuple per cycle on the finest level."""
+    """What the solver did: one entry of each tuple per cycle on the finest level; [-] but for the time."""
 
     residual: tuple[float, ...]  # residual over its diagonal, maximum norm [-]
     force_error: tuple[float, ...]  # relative error of the load balance [-]
     film_change: tuple[float, ...]  # relative change of central and minimum film in the cycle [-]
     cycles: int
-    fft_equivalents: float  # deflection FFTs, forward + inverse = 1, on the finest grid; a coarser level counts less
+    fft_equivalents: float  # deflection FFTs, forward + inverse = 1, by nodes relative to the finest; with pilot
     fallbacks: tuple[str, ...]  # measures of the fallback chain that were taken, in order
     wall_time: float  # of the solve alone [s]
 

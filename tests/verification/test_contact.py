@@ -25,9 +25,10 @@ from ehl import (
     solve_contact,
 )
 from ehl.conditions import moes_groups
+from ehl.full_multigrid import ATTEMPTS, LOAD_TOLERANCE, central_film, contact_multigrid
 from ehl.multigrid import Damping, cycle, make_multigrid, start_level, update_film
 from ehl.scaling import scale_contact
-from ehl.solver import ATTEMPTS, LOAD_TOLERANCE, _multigrid, central_film, choose_domain
+from ehl.solver import choose_domain
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
 CIRCULAR = MoesConditions(load_parameter=20.0, lubricant_parameter=10.0, lubricant=OIL)
@@ -113,7 +114,7 @@ def test_solution_is_symmetric_about_the_entrainment():
     assert np.array_equal(half.P, half.P[:, ::-1])
     contact = replace(scale_contact(CIRCULAR), curvature_xy=1e-9)  # not recognised as aligned
     options = SolverOptions(points=65, domain=BOX)
-    state = _multigrid(contact, BOX, options, ATTEMPTS[0])
+    state = contact_multigrid(contact, BOX, options, ATTEMPTS[0])
     level = state.levels[-1]
     assert not level.grid.symmetric
     start_level(state, len(state.levels) - 1, half.P.T)
@@ -149,7 +150,7 @@ def test_open_box_does_not_feel_its_size():
 
     def film(box, points, is_open):
         options = SolverOptions(points=points, domain=None if is_open else box)
-        state = _multigrid(contact, box, options, ATTEMPTS[0])
+        state = contact_multigrid(contact, box, options, ATTEMPTS[0])
         index = len(state.levels) - 1
         X, Y = state.levels[index].grid.X[None, :], state.levels[index].grid.Y[:, None]
         state.approach = 0.3
@@ -264,7 +265,7 @@ def test_workspaces_are_as_large_as_the_grid():
         scale_contact(CIRCULAR),
         tuple(
             level.grid
-            for level in _multigrid(scale_contact(CIRCULAR), BOX, SolverOptions(domain=BOX), ATTEMPTS[0]).levels
+            for level in contact_multigrid(scale_contact(CIRCULAR), BOX, SolverOptions(domain=BOX), ATTEMPTS[0]).levels
         ),
         None,
         Damping(),

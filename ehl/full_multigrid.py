@@ -1,0 +1,244 @@
+"""Full multigrid of one contact: levels for a box, guarded cycles, and the list of attempts if one fails."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from math import ceil, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .far_field import far_field
+from .grid import Grid, grid_hierarchy
+from .multigrid import (
+    Damping,
+    Multigrid,
+    cycle,
+    load_error,
+    make_multigrid,
+    reynolds_residual,
+    start_level,
+    update_film,
+)
+from .options import SolverOptions
+from .scaling import ScaledContact
+from .transfer import interpolate_cubic
+
+Array = NDArray[np.float64]
+
+COARSEST_CELLS = 16  # along x on the coarsest grid; its mesh may be far too coarse for the film, it only carries H0
+STARTING_MESH = (0.2, 0.55)  # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
+LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
+FILM_TOLERANCE = 3e-4  # relative change of central and minimum film over each of the last two cycles
+LOAD_TOLERANCE = 1e-4  # relative error of the load balance
+PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
+GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
+HALVINGS = 3  # of the damping on one level before it counts as diverged
+ORIGIN_CELLS = 32  # the origin is a node of the level with this many cells along x, and of all finer ones
+
+Films = list[tuple[float, float]]  # central and minimum film of each level, coarsest first
+
+
+class DivergedError(Exception):
+    """The iteration ran away in spite of its guards."""
+
+
+@dataclass(slots=True, kw_only=True)
+class Progress:
+    """What happened on the finest level so far; filled while solving. All quantities [-]."""
+
+    residual: list[float] = field(default_factory=list)
+    load: list[float] = field(default_factory=list)
+    film: Films = field(default_factory=list)  # before the first and after each cycle
+    changes: list[float] = field(default_factory=list)
+    fallbacks: list[str] = field(default_factory=list)
+    deflected_nodes: int = 0  # nodes times deflection FFTs, of all attempts and of the pilot
+
+    def restart(self, reason: str) -> None:
+        """Forget the last attempt's history, not its fallbacks nor its work."""
+        for history in (self.residual, self.load, self.film, self.changes):
+            history.clear()
+        self.fallbacks.append(reason)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Attempt:
+    """One way of solving: damping, level to start from, share of the usual mesh size across the entrainment [-]."""
+
+    name: str
+    damping: Damping
+    finer_start: int = 0
+    mesh_y: float = 1.0
+
+
+CAUTIOUS = replace(Damping().halved(), switch=1.5)
+ATTEMPTS = (
+    Attempt(name="plain", damping=Damping()),
+    Attempt(name="damping halved, less Gauss-Seidel", damping=CAUTIOUS),
+    Attempt(name="mesh halved across the entrainment", damping=CAUTIOUS, mesh_y=0.5),
+    Attempt(name="started one level finer", damping=CAUTIOUS.halved(), finer_start=1, mesh_y=0.5),
+)
+
+
+def solve_with_fallbacks(
+    contact: ScaledContact, domain: tuple[float, float, float], options: SolverOptions, progress: Progress
+) -> tuple[Multigrid, Films]:
+    """Go down the list of attempts until one converges; the last one is kept if none does."""
+    outcome = None
+    for attempt in ATTEMPTS:
+        if attempt is not ATTEMPTS[0]:
+            progress.restart(attempt.name)
+        state = contact_multigrid(contact, domain, options, attempt)
+        try:
+            outcome = state, full_multigrid(state, options, progress, attempt.finer_start)
+        except DivergedError:
+            outcome = state, []
+        finally:
+            progress.deflected_nodes += state.deflected_nodes()
+        if outcome[1] and is_converged(progress):
+            break
+    assert outcome is not None
+    return outcome
+
+
+def contact_multigrid(
+    contact: ScaledContact, domain: tuple[float, float, float], options: SolverOptions, attempt: Attempt
+) -> Multigrid:
+    """Levels for a box given in Hertz half-extents; in a box of our choice the origin is a node."""
+    is_open = options.domain is None
+    x_in, x_out, y_half = domain[0] * contact.half_extent_x, domain[1] * contact.half_extent_x, domain[2]
+    if is_open:
+        outlet = ceil(x_out / (x_out - x_in) * ORIGIN_CELLS - 1e-9)
+        x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
+    levels = ((options.points - 1) // COARSEST_CELLS).bit_length()
+    aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
+    grids = grid_hierarchy(
+        options.points, (x_in, x_out, y_half * contact.half_extent_y), aspect, levels, contact.symmetric
+    )
+    return make_multigrid(contact, grids, far_field(contact) if is_open else None, attempt.damping)
+
+
+def full_multigrid(state: Multigrid, options: SolverOptions, progress: Progress, finer: int = 0) -> Films:
+    """Solve level after level; returns central and minimum film of each, coarsest first."""
+    finest = len(state.levels) - 1
+    first = _starting_level(state, finer)
+    _start(state, first)
+    films = []
+    for index in range(first, finest + 1):
+        if index > first:
+            below = state.levels[index - 1]
+            start_level(state, index, interpolate_cubic(below.P, below.grid.symmetric))
+        if index < finest:
+            for _ in _guarded_cycles(state, index, LEVEL_CYCLES, progress):
+                pass
+        else:
+            _finish(state, index, options, progress)
+        films.append(film_values(state.levels[index].grid, state.levels[index].H))
+    return films
+
+
+def _starting_level(state: Multigrid, finer: int) -> int:
+    contact, finest = state.contact, len(state.levels) - 1
+    gap = sqrt(contact.film_guess / contact.curvature_x)
+    mesh = max(STARTING_MESH[0] * contact.half_extent_x, STARTING_MESH[1] * gap)
+    first = next((index for index, level in enumerate(state.levels) if level.grid.hx <= mesh), finest)
+    return min(first + finer, finest)
+
+
+def _start(state: Multigrid, index: int) -> None:
+    """Hertz pressure and the approach that gives the expected central film."""
+    contact, grid = state.contact, state.levels[index].grid
+    cosine, sine = np.cos(contact.entrainment_angle), np.sin(contact.entrainment_angle)
+    X, Y = grid.X[None, :], grid.Y[:, None]
+    along, across = X * cosine - Y * sine, (X * sine + Y * cosine) / contact.semi_axis_ratio
+    state.approach = 0.0
+    start_level(state, index, np.sqrt(np.maximum(1.0 - along**2 - across**2, 0.0)))
+    state.approach = contact.film_guess - central_film(grid, state.levels[index].H)
+    update_film(state, index)
+
+
+def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress) -> Iterator[float]:
+    """Run cycles on a level and yield the mean residual; a runaway one is undone and repeated with half the damping.
+
+    Raises
+    ------
+    DivergedError
+        If three halvings do not help.
+    """
+    level = state.levels[index]
+    last, halvings, done = np.inf, 0, 0
+    while done < count:
+        kept = (level.P.copy(), state.approach, state.exterior, level.load)
+        with np.errstate(all="ignore"):  # a runaway cycle overflows; it is looked at, not warned of
+            cycle(state, index)
+            residual = float(np.abs(reynolds_residual(state, index)).mean())
+        runaway = not np.isfinite(residual) or residual > GROWTH_LIMIT * last or level.P.max() > PRESSURE_LIMIT
+        if runaway or level.P.max() <= 0.0:
+            if halvings == HALVINGS:
+                raise DivergedError
+            halvings += 1
+            state.damping = state.damping.halved()
+            progress.fallbacks.append("cycle undone, damping halved")
+            level.P, state.approach, state.exterior, level.load = kept
+            update_film(state, index)
+            continue
+        last, done = residual, done + 1
+        yield residual
+
+
+def _finish(state: Multigrid, index: int, options: SolverOptions, progress: Progress) -> None:
+    """Cycle on the finest level until film and load stand still."""
+    level = state.levels[index]
+    progress.film.append(film_values(level.grid, level.H))
+    for residual in _guarded_cycles(state, index, options.max_cycles, progress):
+        film, before = film_values(level.grid, level.H), progress.film[-1]
+        change = max(abs(film[0] - before[0]) / abs(film[0]), abs(film[1] - before[1]) / abs(film[1]))
+        progress.film.append(film)
+        progress.changes.append(change)
+        progress.residual.append(residual)
+        progress.load.append(load_error(state, index))
+        if is_converged(progress):
+            return
+
+
+def is_converged(progress: Progress) -> bool:
+    """Film still over two cycles, load balanced, film positive."""
+    return (
+        len(progress.changes) >= 2
+        and max(progress.changes[-2:]) < FILM_TOLERANCE
+        and abs(progress.load[-1]) < LOAD_TOLERANCE
+        and progress.film[-1][1] > 0.0
+    )
+
+
+def central_film(grid: Grid, H: Array) -> float:
+    """Film at the origin; cubic interpolation along x where the origin is no node [-]."""
+    line = H[0] if grid.symmetric else H[grid.ny // 2]
+    X = grid.X
+    i = int(np.argmin(np.abs(X)))
+    if abs(X[i]) < 1e-9 * grid.hx:
+        return float(line[i])
+    first = min(max(int(np.searchsorted(X, 0.0)) - 2, 0), grid.nx - 4)
+    nodes, values = X[first : first + 4], line[first : first + 4]
+    weights = [np.prod([-other / (node - other) for other in nodes if other != node]) for node in nodes]
+    return float(np.dot(weights, values))
+
+
+def film_values(grid: Grid, H: Array) -> tuple[float, float]:
+    """Central film, and minimum film by a parabola through the smallest node in each direction [-]."""
+    j, i = np.unravel_index(int(np.argmin(H)), H.shape)
+    minimum = float(H[j, i])
+    if 0 < i < grid.nx - 1:
+        minimum -= _dip(H[j, i - 1], H[j, i], H[j, i + 1])
+    if grid.symmetric and j == 0:
+        return central_film(grid, H), minimum
+    if 0 < j < grid.ny - 1:
+        minimum -= _dip(H[j - 1, i], H[j, i], H[j + 1, i])
+    return central_film(grid, H), minimum
+
+
+def _dip(before: float, middle: float, after: float) -> float:
+    """How far the parabola through three equidistant values dips below the middle one."""
+    curvature = before - 2.0 * middle + after
+    return (after - before) ** 2 / (8.0 * curvature) if curvature > 0.0 else 0.0
