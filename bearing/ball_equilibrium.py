@@ -40,8 +40,9 @@ from .kinematics import (
 from .operation import BallKinematics, Model
 
 COMPLEX_STEP = 1.0e-30  # [m]
-FRICTION_LIMIT = 0.1  # friction over load that no lubricated contact is taken to exceed [-]
+FRICTION_LIMIT = 0.2  # friction over load beyond which a hypothesis asks more than any lubricated contact gives [-]
 EDGE_COSINE = 0.17  # cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
+LIGHT = 1.0e-4  # a ball that carries less than this part of the largest forces is measured against these [-]
 ROUND_OFF = 8.0 * float(np.finfo(np.float64).eps)  # [-]
 BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
 BALL_TOLERANCE = 1.0e-11  # residual of a ball over its forces that is accepted when it falls no further [-]
@@ -91,7 +92,8 @@ class BallRow(NamedTuple):
     """Equilibrium of all balls at one ring position.
 
     u (2, Z) [m]; values (5, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on it about e_t [N m];
-    du_dV (2, 2, Z) [-] and ring_dV (3, 2, Z) [N/m], [N]: condensed derivatives; residual [-], relative, of each ball.
+    du_dV (2, 2, Z) [-] and ring_dV (3, 2, Z) [N/m], [N]: condensed derivatives; residual [-] of each ball over its forces, or
+    over LIGHT times those of the heaviest loaded ball, and what round-off leaves of it.
     """
 
     u: Array
@@ -99,6 +101,7 @@ class BallRow(NamedTuple):
     du_dV: Array
     ring_dV: Array
     residual: Array
+    noise: float
 
 
 def ball_problem(bearing: Bearing, inner_speed: float, outer_speed: float, model: Model) -> BallProblem:
@@ -247,7 +250,7 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallRo
         if not improved.any():
             break
         u, current = trial[0], trial
-    return _row(current)
+    return _row(current, problem)
 
 
 class _Evaluation(NamedTuple):
@@ -273,7 +276,7 @@ def _round_off(current: _Evaluation, problem: BallProblem) -> Array:
     return ROUND_OFF * (problem.inner_length + problem.outer_length) * stiffness
 
 
-def _row(current: _Evaluation) -> BallRow:
+def _row(current: _Evaluation, problem: BallProblem) -> BallRow:
     """Condense: du/dV from the ball equilibrium, then the change of the forces on the ring with V."""
     u, values, size, jacobian = current
     by_w = jacobian[:, 2:]
@@ -281,8 +284,9 @@ def _row(current: _Evaluation) -> BallRow:
     du_dV = np.stack([_solve_2x2(by_u[:2], -by_w[:2, k]) for k in range(2)], axis=1)
     ring_dV = by_w[2:] + np.einsum("fuz,uvz->fvz", by_u[2:], du_dV)
     norm = np.hypot(values[0], values[1])
-    residual = np.where(norm > 0.0, norm / np.where(size > 0.0, size, 1.0), 0.0)
-    return BallRow(u, values, du_dV, ring_dV, residual)
+    scale = np.maximum(size, LIGHT * size.max())
+    scale = np.where(scale > 0.0, scale, 1.0)
+    return BallRow(u, values, du_dV, ring_dV, norm / scale, float((_round_off(current, problem) / scale).max()))
 
 
 def _backtrack(

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ehl.hertz import hertz_contact
+
 from .ball_equilibrium import EDGE_COSINE, BallRow, BallState, ball_problem, ball_state
-from .geometry import Array, Bearing
+from .geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from .operation import DEGREES_OF_FREEDOM, Model, Operation
 from .ring_equilibrium import RESIDUAL_TOLERANCE, Ring, RingPoint, ring_of, solve_ring
 
@@ -106,34 +108,36 @@ def solve_quasistatic(bearing: Bearing, operation: Operation, model: Model | Non
     ring = ring_of(bearing, operation)
     problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
     point, iterations = solve_ring(ring, problem, None)
-    if point.residual > RESIDUAL_TOLERANCE:
+    if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         start = None
         for factor in SPEED_STEPS:
             slower = ball_problem(bearing, factor * operation.inner_speed, factor * operation.outer_speed, model)
             start, more = solve_ring(ring, slower, start)
             iterations += more
-            if start.residual > RESIDUAL_TOLERANCE:
+            if start.residual > max(RESIDUAL_TOLERANCE, start.noise):
                 break
         else:
             point = start or point
     w = ring.position(point.q) - point.row.u
     state = ball_state(point.row.u, w, problem)
-    converged, message = _verdict(ring, point, state, iterations)
+    converged, message = _verdict(bearing, ring, point, state, iterations)
     return _solution((bearing, operation, model), ring, point, state, (iterations, converged, message))
 
 
-def _verdict(ring: Ring, point: RingPoint, state: BallState, iterations: int) -> tuple[bool, str]:
+def _verdict(bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, iterations: int) -> tuple[bool, str]:
     """Whether the point is an equilibrium, and in words why not or what is left undetermined."""
     loaded = state.inner_load > 0.0
     beyond = (loaded & (state.inner.cos < EDGE_COSINE)) | (state.outer.cos < EDGE_COSINE)
     if beyond.any():
         return False, "no equilibrium: a contact angle passes 80 degrees, the balls leave the grooves"
-    if point.residual > RESIDUAL_TOLERANCE:
+    if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         worst = float(np.max(point.row.residual))
         return False, (
             f"no equilibrium found in {iterations} iterations: relative residual {point.residual:.1e} "
             f"(balls {worst:.1e}); check the loads for a direction in which nothing holds the ring"
         )
+    if _ellipse_share(bearing, state) > 1.0:
+        return False, "no equilibrium within Hertz' theory: a contact ellipse is wider than the ball"
     names = [DEGREES_OF_FREEDOM[k] for k in range(5) if ring.free[k]]
     if names and not loaded.any():
         return False, f"the inner ring floats: no ball touches it and {', '.join(names)} is not determined"
@@ -144,6 +148,21 @@ def _verdict(ring: Ring, point: RingPoint, state: BallState, iterations: int) ->
             f"converged in {iterations} iterations; without stiffness, hence arbitrary: {', '.join(undetermined)}",
         )
     return True, f"converged in {iterations} iterations"
+
+
+def _ellipse_share(bearing: Bearing, state: BallState) -> float:
+    """Largest transverse semi-axis of the contacts over the ball radius [-]; where it nears 1 Hertz' theory is void."""
+    share = 0.0
+    for race, load, cosine in (
+        (Race.INNER, state.inner_load, state.inner.cos),
+        (Race.OUTER, state.outer_load, state.outer.cos),
+    ):
+        worst = int(np.argmax(load))
+        if load[worst] > 0.0:
+            radii = reduced_radii(bearing, race, float(np.arccos(cosine[worst])))
+            contact = hertz_contact(float(load[worst]), *radii, contact_modulus(bearing, race))
+            share = max(share, contact.semi_axis_y / (0.5 * bearing.ball_diameter))
+    return share
 
 
 def _undetermined(ring: Ring, point: RingPoint) -> list[str]:

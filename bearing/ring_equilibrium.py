@@ -100,11 +100,17 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingPoint | None) -> tup
         if not ring.free.any() or point.residual <= max(RESIDUAL_TARGET, point.noise):
             return point, iteration
         point = _search(point, _step(point, ring, problem), ring, problem)
-        lost = bool(point.row.residual.max() > RESIDUAL_TOLERANCE)  # no step leaves every ball in equilibrium
+        lost = bool(
+            point.row.residual.max() > max(RESIDUAL_TOLERANCE, point.noise)
+        )  # no step leaves every ball in equilibrium
         stalled = point.residual >= 0.5 * best.residual
         if point.residual < best.residual:
             best, improved_at = point, iteration
-        if (stalled and best.residual <= RESIDUAL_TOLERANCE) or lost or iteration - improved_at >= PATIENCE:
+        if (
+            (stalled and best.residual <= max(RESIDUAL_TOLERANCE, best.noise))
+            or lost
+            or iteration - improved_at >= PATIENCE
+        ):
             break
     return best, iteration + 1
 
@@ -117,7 +123,7 @@ def _point(q: Array, u_start: Array | None, ring: Ring, problem: BallProblem) ->
     largest = max(np.abs(ring.load).max(), np.hypot(row.values[2], row.values[3]).max())
     residual = float(unbalance.max() / largest) if unbalance.size and largest > 0.0 else 0.0
     noise = ROUND_OFF * ring.distance * float(np.abs(stiffness).max()) / largest if largest > 0.0 else 0.0
-    return RingPoint(q, row, force, stiffness, max(residual, float(row.residual.max())), noise)
+    return RingPoint(q, row, force, stiffness, max(residual, float(row.residual.max())), max(noise, row.noise))
 
 
 PATH = ["einsum_path", (0, 1), (0, 1)]
@@ -154,7 +160,7 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
             "uvz,vqz,q->uz", point.row.du_dV, ring.movement, factor * step, optimize=PATH
         )
         trial = _point(point.q + factor * step, predicted, ring, problem)
-        if trial.row.residual.max() <= RESIDUAL_TOLERANCE:
+        if trial.row.residual.max() <= max(RESIDUAL_TOLERANCE, trial.noise):
             if norm(trial) < (1.0 - 1e-4 * factor) * size or along(trial) > 0.0:
                 return trial
             factor *= min(max(slope / (slope - along(trial)), 0.1), 0.7)

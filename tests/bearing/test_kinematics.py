@@ -1,0 +1,57 @@
+"""Rolling without sliding at both contact centres, by the velocity field of the rigid bodies themselves."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from bearing import BallKinematics
+from bearing.kinematics import Direction, attitude, blend, rolling_motion
+
+GAMMA = 0.2
+INNER, OUTER = 1100.0, -300.0  # [rad/s]
+
+
+def motion_of(kinematics, inner=0.75, outer=0.5):
+    ai, ao = (Direction(np.sin([angle]), np.cos([angle])) for angle in (inner, outer))
+    beta = attitude(ao, ai, GAMMA, kinematics)
+    return rolling_motion(ao, ai, beta, GAMMA, INNER, OUTER), ai, ao
+
+
+@pytest.mark.parametrize("kinematics", BallKinematics)
+def test_no_sliding_at_either_centre(kinematics):
+    """Velocities of ball and races at the contacts, cross products in (x, r, t), D = 0.2 and d_m = 1."""
+    motion, ai, ao = motion_of(kinematics)
+    omega = motion.spin_speed[0] * np.array([-motion.attitude.cos[0], motion.attitude.sin[0], 0.0])
+    for angle, side, speed in ((ai, -1.0, INNER), (ao, 1.0, OUTER)):
+        arm = 0.5 * GAMMA * side * np.array([angle.sin[0], angle.cos[0], 0.0])
+        ball = np.cross(omega, arm)
+        race = np.cross([speed - motion.orbit_speed[0], 0.0, 0.0], np.array([0.0, 0.5, 0.0]) + arm)
+        assert_allclose(ball[2], race[2], rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("kinematics", "side"), [(BallKinematics.OUTER_RACE_CONTROL, 1.0), (BallKinematics.INNER_RACE_CONTROL, -1.0)]
+)
+def test_control_means_no_spin(kinematics, side):
+    """The relative angular velocity has no component along the normal of the controlling race."""
+    motion, ai, ao = motion_of(kinematics)
+    omega = motion.spin_speed[0] * np.array([-motion.attitude.cos[0], motion.attitude.sin[0]])
+    angle, speed = (ao, OUTER) if side > 0.0 else (ai, INNER)
+    relative = omega - np.array([speed - motion.orbit_speed[0], 0.0])
+    assert abs(relative @ np.array([angle.sin[0], angle.cos[0]])) < 1e-9
+
+
+def test_equal_angles_give_the_textbook_cage_speed():
+    """Half and half at equal angles: w_m = [w_i (1 - g cos a) + w_o (1 + g cos a)]/2."""
+    motion, _, _ = motion_of(BallKinematics.HALF_AND_HALF, 0.4, 0.4)
+    cosine = GAMMA * np.cos(0.4)
+    assert_allclose(motion.orbit_speed, 0.5 * (INNER * (1.0 - cosine) + OUTER * (1.0 + cosine)), rtol=1e-14)
+    assert_allclose(motion.spin_speed, 0.5 * (INNER - OUTER) * (1.0 - cosine**2) / GAMMA, rtol=1e-14)
+
+
+def test_blend_reaches_both_ends():
+    one, two = Direction(np.array([0.6]), np.array([0.8])), Direction(np.array([0.0]), np.array([1.0]))
+    assert_allclose(blend(one, two, np.array([0.0])), one, atol=1e-16)
+    assert_allclose(blend(one, two, np.array([1.0])), two, atol=1e-16)

@@ -1,0 +1,106 @@
+"""Data files: every entry loads, gives possible things, and meets the numbers its source quotes."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+
+import pytest
+from numpy.testing import assert_allclose
+
+from bearing import (
+    library_lubricant,
+    list_bearings,
+    list_lubricants,
+    list_materials,
+    load_catalogue_entry,
+    load_material,
+    reduced_modulus,
+)
+from ehl import DensityLaw
+
+
+@pytest.mark.parametrize("name", list_materials())
+def test_materials_load_with_source(name):
+    material = load_material(name.upper())
+    assert material.name == name
+    assert "youngs_modulus_GPa" in material.source
+
+
+@pytest.mark.parametrize(
+    ("one", "two", "expected"),
+    [("bearing steel", "bearing steel", 226.4e9), ("silicon nitride", "bearing steel", 269.0e9)],
+)
+def test_reduced_modulus(one, two, expected):
+    """206 GPa, 0.3: 226.4; with silicon nitride of 310 GPa, 0.26: 269.4 GPa, and symmetric."""
+    a, b = load_material(one), load_material(two)
+    assert reduced_modulus(a, b) == pytest.approx(expected, rel=2e-3)
+    assert reduced_modulus(a, b) == reduced_modulus(b, a)
+
+
+def test_unknown_names_list_the_known():
+    with pytest.raises(ValueError, match="silicon nitride"):
+        load_material("cheese")
+    with pytest.raises(ValueError, match="mil-l-23699"):
+        library_lubricant("butter", 313.15)
+    with pytest.raises(ValueError, match="6208"):
+        load_catalogue_entry("1")
+
+
+@pytest.mark.parametrize("name", list_lubricants())
+def test_viscosity_falls_with_temperature(name):
+    oils = [library_lubricant(name, 273.15 + celsius) for celsius in (40.0, 60.0, 80.0, 100.0)]
+    for cold, hot in zip(oils, oils[1:], strict=False):
+        assert cold.viscosity > hot.viscosity
+        assert cold.pressure_viscosity >= hot.pressure_viscosity
+    assert (
+        library_lubricant(name, 313.15, density_law=DensityLaw.INCOMPRESSIBLE).density_law is DensityLaw.INCOMPRESSIBLE
+    )
+
+
+@pytest.mark.parametrize(
+    ("name", "at_40", "at_100", "alpha"),
+    [
+        ("mil-l-23699", 26.7, 5.45, (14.2, 11.0)),
+        ("mil-l-7808", 12.2, 3.15, (11.8, 7.6)),
+        ("iso vg 32", 32.3, 5.12, None),
+    ],
+)
+def test_kinematic_viscosities_quoted_with_the_fits(name, at_40, at_100, alpha):
+    """Three quoted figures, in mm^2/s and 1/GPa."""
+    cold, hot = library_lubricant(name, 313.15), library_lubricant(name, 373.15)
+    assert_allclose([1e6 * oil.viscosity / oil.density for oil in (cold, hot)], [at_40, at_100], rtol=5e-3)
+    if alpha:
+        assert_allclose([1e9 * oil.pressure_viscosity for oil in (cold, hot)], alpha, rtol=5e-3)
+
+
+@pytest.mark.parametrize("name", [n for n in list_lubricants() if n.startswith("iso vg")])
+def test_viscosity_grade(name):
+    """ISO 3448: within 10 % of the grade at 40 C."""
+    oil = library_lubricant(name, 313.15)
+    assert 1e6 * oil.viscosity / oil.density == pytest.approx(float(name.split()[-1]), rel=0.1)
+
+
+def test_outside_its_range_a_lubricant_warns():
+    with pytest.warns(UserWarning, match="outside"):
+        library_lubricant("iso vg 32", 253.15)
+
+
+@pytest.mark.parametrize("name", list_bearings())
+def test_catalogue_entries_are_complete_and_name_their_estimates(name):
+    entry = load_catalogue_entry(name)
+    assert entry["name"] == name
+    assert entry["source"]
+    for key in ("ball_diameter_mm", "pitch_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm"):
+        assert key in entry
+    assert ("diametral_clearance_um" in entry) != ("free_contact_angle_deg" in entry)
+    assert set(entry["estimated"]) == set(entry.get("range", {}))
+    for key, (low, high) in entry.get("range", {}).items():
+        assert low <= entry[key] <= high
+    assert entry["ball_material"] in list_materials()
+    assert entry["ring_material"] in list_materials()
+
+
+def test_material_is_frozen():
+    material = load_material("zirconia")
+    with pytest.raises(AttributeError):
+        setattr(material, fields(material)[0].name, "glass")
