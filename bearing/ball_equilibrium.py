@@ -92,8 +92,8 @@ class BallRow(NamedTuple):
     """Equilibrium of all balls at one ring position.
 
     u (2, Z) [m]; values (5, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on it about e_t [N m];
-    du_dV (2, 2, Z) [-] and ring_dV (3, 2, Z) [N/m], [N]: condensed derivatives; residual [-] of each ball over its forces, or
-    over LIGHT times those of the heaviest loaded ball, and what round-off leaves of it.
+    du_dV (2, 2, Z) [-] and ring_dV (3, 2, Z) [N/m], [N]: condensed derivatives; residual [-] of each ball over its
+    forces, or over LIGHT times those of the heaviest loaded ball, and what round-off leaves of it.
     """
 
     u: Array
