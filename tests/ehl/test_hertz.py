@@ -1,6 +1,7 @@
 """Hertz contact against closed forms, a direct quadrature of the half-space, and Harris' table.
 
-Sources: Johnson, Contact Mechanics (1985), 3.5 and 4.2; Harris and Kotzalas, Rolling Bearing Analysis, 5th ed., Table 6.1.
+Sources: Johnson, Contact Mechanics (1985), 3.5 and 4.2; Harris and Kotzalas, Rolling Bearing Analysis, 5th ed.,
+Table 6.1.
 """
 
 from __future__ import annotations
@@ -32,7 +33,7 @@ def test_circular_contact_is_the_closed_form():
 
 @pytest.mark.parametrize("curvature_difference", HARRIS)
 def test_harris_table(curvature_difference):
-    """a* = a [(Sum rho) E'/(3 F)]^(1/3), delta* likewise; the table is reproduced to the 1e-3 its interpolation allows."""
+    """a* = a [(Sum rho) E'/(3 F)]^(1/3), delta* likewise; met to the 1e-3 that the table's interpolation allows."""
     ratio = (1.0 - curvature_difference) / (1.0 + curvature_difference)
     f, _, d = hertz_coefficients(ratio)  # x is the rolling direction, Rx < Ry
     scale = ((1.0 + ratio) / 3.0) ** (1.0 / 3.0)
@@ -42,7 +43,7 @@ def test_harris_table(curvature_difference):
 
 @pytest.mark.parametrize("ratio", [0.05, 0.6, 1.0, 3.0, 15.0])
 def test_pressure_flattens_the_gap(ratio):
-    """Boussinesq's integral of the pressure, by rays from the point (Johnson 3.5), equals approach - x^2/2Rx - y^2/2Ry."""
+    """Boussinesq's integral of the pressure, by rays (Johnson 3.5), equals approach - x^2/2Rx - y^2/2Ry."""
     contact = hertz_contact(350.0, 5e-3, 5e-3 / ratio, 300e9)
     a, b = contact.semi_axis_x, contact.semi_axis_y
     theta = (np.arange(20000) + 0.5) * np.pi / 20000  # the midpoint rule of a periodic integrand: exponential accuracy
