@@ -94,7 +94,7 @@ def contact_conditions(solution: QuasistaticSolution, lubricant: Lubricant) -> t
 
 
 def rolling_and_spin(solution: QuasistaticSolution, index: int, race: Race) -> tuple[float, float, float]:
-    """Motion of ball against race at a contact (Harris and Kotzalas, Advanced Concepts, chapter 2, re-derived).
+    """Motion of ball against race at a contact (Harris and Kotzalas, re-derived).
 
     Parameters
     ----------

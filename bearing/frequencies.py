@@ -31,7 +31,7 @@ class Frequencies:
 
 
 def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
-    """Frequencies at the operating contact angles, Harris and Kotzalas (Essential Concepts, 5th ed., chapter 10).
+    """Frequencies at the operating contact angles, Harris and Kotzalas (Essential Concepts).
 
     Parameters
     ----------

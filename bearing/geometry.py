@@ -2,7 +2,7 @@
 
 The outer groove's centre of curvature stands still; the inner one is A = r_i + r_o - D away from it when a ball just
 touches both races. With the grooves facing each other (axial position zero) their centres are A - Pd/2 apart, hence
-cos(free angle) = 1 - Pd/(2 A) (Harris and Kotzalas, Rolling Bearing Analysis, 5th ed., Eq. 2.9).
+cos(free angle) = 1 - Pd/(2 A) (Harris and Kotzalas, Rolling Bearing Analysis).
 """
 
 from __future__ import annotations
@@ -169,7 +169,7 @@ def _check_lengths(bearing: Bearing) -> None:
 def clearance_to_contact_angle(
     clearance: float, inner_groove_radius: float, outer_groove_radius: float, ball_diameter: float
 ) -> float:
-    """Free contact angle [rad], cos = 1 - Pd/(2 A), Harris and Kotzalas Eq. (2.9); zero with interference.
+    """Free contact angle [rad], cos = 1 - Pd/(2 A), Harris and Kotzalas; zero with interference.
 
     Parameters
     ----------

@@ -2,7 +2,7 @@ r"""Rolling of a ball between two races, and the body forces of its motion.
 
 In the frame that turns with the ball's centre at the orbit speed w_m, the ball spins at w_R about an axis inclined by
 the attitude beta in the axial plane, :math:`\omega = w_R(-\cos\beta\, e_x + \sin\beta\, e_r)`. No sliding at the
-centres of both contacts gives (Harris and Kotzalas, Advanced Concepts of Bearing Technology, 5th ed., chapter 2,
+centres of both contacts gives (Harris and Kotzalas, Advanced Concepts of Bearing Technology,
 re-derived), with g = D/d_m::
 
     w_R cos(beta - a_o) = (w_m - w_outer) (1 + g cos a_o)/g

@@ -89,7 +89,7 @@ class QuasistaticSolution:
 
 
 def solve_quasistatic(bearing: Bearing, operation: Operation, model: Model | None = None) -> QuasistaticSolution:
-    """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas (5th ed., Advanced Concepts, chapter 3).
+    """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas.
 
     Parameters
     ----------
