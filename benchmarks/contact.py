@@ -1,6 +1,6 @@
 """Cost and accuracy of the contact solve: `python benchmarks/contact.py [points ...]`.
 
-Prints, for a few contacts and grids, the film values, their uncertainties and the work; times are also given as multiples
+Prints, for a few contacts and grids, film values, uncertainties and work; times are also given as multiples
 of one deflection FFT (forward and inverse, padded) of the same grid, measured in the same run. One thread, compiled
 before the clock starts.
 """
@@ -58,13 +58,13 @@ def main(points):
     """Print one line per contact and grid."""
     solve_contact(CONTACTS["M 20, L 10, box 4.5"][0], SolverOptions(points=65))  # compile
     head = "contact                grid        Hc +- u           Hmin +- u         cycles  FFTs   time s  /FFT"
-    print(head)  # noqa: T201
+    print(head)
     for name, (conditions, domain) in CONTACTS.items():
         for n in points:
             runs = [solve_contact(conditions, SolverOptions(points=n, domain=domain)) for _ in range(3)]
             s = min(runs, key=lambda run: run.record.wall_time)
             c, m, r = s.film_central_dimensionless, s.film_minimum_dimensionless, s.record
-            print(  # noqa: T201
+            print(
                 f"{name:21} {s.X.size:5}x{s.Y.size:<5} {c.value:8.5f} +- {c.uncertainty:.5f} {m.value:8.5f} +- "
                 f"{m.uncertainty:.5f} {r.cycles:4} {r.fft_equivalents:7.1f} {r.wall_time:8.3f} "
                 f"{r.wall_time / deflection_time(s):6.0f}{'' if s.converged else '  NOT CONVERGED'}"

@@ -30,7 +30,8 @@ Array = NDArray[np.float64]
 COARSEST_CELLS = 16  # along x on the coarsest grid; its mesh may be far too coarse for the film, it only carries H0
 STARTING_MESH = (0.2, 0.55)  # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
-FILM_TOLERANCE = 3e-4  # relative change of central and minimum film over each of the last two cycles
+FILM_TOLERANCE = 3e-4  # relative change of central and minimum film in a cycle
+CONTRACTION = 0.3  # a change this much smaller than the last one needs no second small change to confirm it
 LOAD_TOLERANCE = 1e-4  # relative error of the load balance
 PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
 GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
@@ -203,10 +204,11 @@ def _finish(state: Multigrid, index: int, options: SolverOptions, progress: Prog
 
 
 def is_converged(progress: Progress) -> bool:
-    """Film still over two cycles, load balanced, film positive."""
+    """Film at rest over two cycles or fast on the way to it, load balanced, film positive."""
     return (
         len(progress.changes) >= 2
-        and max(progress.changes[-2:]) < FILM_TOLERANCE
+        and progress.changes[-1] < FILM_TOLERANCE
+        and (progress.changes[-2] < FILM_TOLERANCE or progress.changes[-1] < CONTRACTION * progress.changes[-2])
         and abs(progress.load[-1]) < LOAD_TOLERANCE
         and progress.film[-1][1] > 0.0
     )

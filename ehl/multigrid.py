@@ -26,14 +26,17 @@ from .transfer import full_weighting, inject, interpolate_linear
 
 Array = NDArray[np.float64]
 
+COARSEST_SWEEPS = 10
+SINGLE_VISITS = 2  # levels above the coarsest that visit the next lower one once a cycle instead of twice
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Damping:
     """Under-relaxation of one solve, all [-]."""
 
-    jacobi: float = 0.4  # of the distributive Jacobi changes
+    jacobi: float = 0.5  # of the distributive Jacobi changes
     gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
-    correction: float = 0.8  # of the coarse-grid correction
+    correction: float = 1.0  # of the coarse-grid correction
     approach: float = 0.1  # of the change of H0 by the load balance, on the coarsest grid
     switch: float = 0.3  # Gauss-Seidel where Poiseuille exceeds this share of K00/hx, times (hy/hx)^1.5 if stretched
 
@@ -201,15 +204,17 @@ def load_error(state: Multigrid, index: int) -> float:
 
 
 def cycle(state: Multigrid, index: int, sweeps: tuple[int, int] = (2, 1)) -> None:
-    """One W-cycle from level `index` down; the coarsest level also moves H0 towards the load balance."""
+    """One W-cycle from level `index` down; the coarsest level also moves H0 towards the load balance.
+
+    The lowest levels are visited once: their grids are so small that calling them costs more than their arithmetic.
+    """
     if index == 0:
         _solve_coarsest(state)
     else:
         for _ in range(sweeps[0]):
             relax(state, index)
         start = _restrict(state, index)
-        cycle(state, index - 1, sweeps)
-        if index > 1:
+        for _ in range(2 if index > SINGLE_VISITS else 1):
             cycle(state, index - 1, sweeps)
         _correct(state, index, start)
         for _ in range(sweeps[1]):
@@ -218,10 +223,10 @@ def cycle(state: Multigrid, index: int, sweeps: tuple[int, int] = (2, 1)) -> Non
         _update_exterior(state, index)
 
 
-def _solve_coarsest(state: Multigrid, sweeps: int = 20) -> None:
+def _solve_coarsest(state: Multigrid) -> None:
     level = state.levels[0]
     stiffness = 1.0 + 2.0 * max(state.contact.film_guess, 0.0)  # a thick film answers softly
-    for _ in range(sweeps):
+    for _ in range(COARSEST_SWEEPS):
         relax(state, 0)
         step = state.damping.approach * stiffness * load_error(state, 0)
         step = min(max(step, -0.1 * stiffness), 0.1 * stiffness)
