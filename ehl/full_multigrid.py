@@ -30,8 +30,10 @@ Array = NDArray[np.float64]
 COARSEST_CELLS = 16  # along x on the coarsest grid; its mesh may be far too coarse for the film, it only carries H0
 STARTING_MESH = (0.2, 0.55)  # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
-FILM_TOLERANCE = 3e-4  # relative change of central and minimum film in a cycle
-CONTRACTION = 0.3  # a change this much smaller than the last one needs no second small change to confirm it
+FILM_TOLERANCE = (
+    3e-4  # relative error of central and minimum film left by the iteration, estimated from its contraction
+)
+CONTRACTION = (0.2, 0.9)  # bounds of the contraction believed in that estimate
 LOAD_TOLERANCE = 1e-4  # relative error of the load balance
 PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
 GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
@@ -203,12 +205,22 @@ def _finish(state: Multigrid, index: int, options: SolverOptions, progress: Prog
             return
 
 
+def remaining_error(changes: list[float]) -> float:
+    """Relative film error the iteration leaves, change * q/(1 - q) with q the contraction of the last cycle [-].
+
+    One cycle alone tells no contraction: its whole change counts.
+    """
+    if len(changes) < 2:
+        return changes[-1] if changes else 1.0
+    q = min(max(changes[-1] / changes[-2], CONTRACTION[0]), CONTRACTION[1]) if changes[-2] > 0.0 else CONTRACTION[0]
+    return changes[-1] * q / (1.0 - q)
+
+
 def is_converged(progress: Progress) -> bool:
-    """Film at rest over two cycles or fast on the way to it, load balanced, film positive."""
+    """Film at rest, judged after two cycles at least; load balanced, film positive."""
     return (
         len(progress.changes) >= 2
-        and progress.changes[-1] < FILM_TOLERANCE
-        and (progress.changes[-2] < FILM_TOLERANCE or progress.changes[-1] < CONTRACTION * progress.changes[-2])
+        and remaining_error(progress.changes) < FILM_TOLERANCE
         and abs(progress.load[-1]) < LOAD_TOLERANCE
         and progress.film[-1][1] > 0.0
     )

@@ -19,6 +19,7 @@ from .full_multigrid import (
     contact_multigrid,
     full_multigrid,
     is_converged,
+    remaining_error,
     solve_with_fallbacks,
 )
 from .grid import Grid
@@ -154,7 +155,7 @@ def _film(values: list[float], record: ConvergenceRecord) -> FilmValue:
     """Extrapolated film; not a number where the iteration ran away."""
     if not values:
         return FilmValue(value=nan, uncertainty=nan, finest=nan)
-    return extrapolate(values, record.film_change[-1])
+    return extrapolate(values, remaining_error(list(record.film_change)))
 
 
 def _whole_box(state: Multigrid) -> tuple[Array, Array, Array]:
