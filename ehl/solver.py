@@ -32,6 +32,7 @@ Array = NDArray[np.float64]
 
 RESOLVED = 5.0  # Hmin/hx^2 below this is reported as unresolved
 PILOT_POINTS = 65
+TOLERANCE_START = 129  # points of the first solve when a tolerance is asked for
 EXTERIOR_SHARE = 0.06  # of the load; an open box is widened until less than this lies outside
 
 
@@ -61,6 +62,8 @@ def solve_contact(
         If the conditions leave the problem undetermined; the message names the field.
     """
     options = options or SolverOptions()
+    if options.tolerance is not None:
+        return _solve_to_tolerance(conditions, options, options.tolerance)
     contact = scale_contact(conditions)
     began, progress = time.perf_counter(), Progress()
     if options.domain is None:
@@ -80,6 +83,32 @@ def solve_contact(
     )
     converged = bool(films) and is_converged(progress)
     return _solution(conditions, options, state, films, record, converged)
+
+
+def _solve_to_tolerance(
+    conditions: ContactConditions | MoesConditions, options: SolverOptions, tolerance: float
+) -> ContactSolution:
+    """Double the points until both error bars are small enough, or the budget is spent: then say so."""
+    points, wall_time = min(TOLERANCE_START, options.points), 0.0
+    while True:
+        solution = solve_contact(conditions, replace(options, points=points, tolerance=None))
+        wall_time += solution.record.wall_time
+        films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
+        bars = [film.uncertainty / abs(film.value) for film in films]
+        reached = solution.converged and solution.resolved and max(bars) <= tolerance
+        if reached or points >= options.points:
+            break
+        points = 2 * points - 1
+    message = solution.message
+    if solution.converged and not reached:
+        message = (
+            f"tolerance {tolerance:g} not reached at {points} points: error bars {bars[0]:.1e} central, "
+            f"{bars[1]:.1e} minimum film; try more points"
+        )
+    record = replace(solution.record, wall_time=wall_time)
+    return replace(
+        solution, options=options, record=record, message=message, resolved=solution.resolved and bool(reached)
+    )
 
 
 def choose_domain(contact: ScaledContact) -> tuple[float, float, float]:

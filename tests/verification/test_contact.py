@@ -231,6 +231,30 @@ def test_uncertainty_covers_the_next_finer_grid(load, lubricant_parameter, ratio
         assert getattr(fine, name).uncertainty < getattr(coarse, name).uncertainty
 
 
+def test_tolerance_refines_until_the_bars_are_small_enough():
+    loose = solve_contact(CIRCULAR, SolverOptions(points=513, domain=BOX, tolerance=0.01))
+    tight = solve_contact(CIRCULAR, SolverOptions(points=513, domain=BOX, tolerance=0.002))
+    assert loose.X.size < tight.X.size <= 513
+    for solution, tolerance in ((loose, 0.01), (tight, 0.002)):
+        assert solution.resolved
+        for film in (solution.film_central_dimensionless, solution.film_minimum_dimensionless):
+            assert film.uncertainty <= tolerance * film.value
+    assert_allclose(tight.film_central_dimensionless.value, 0.430856, rtol=0.002)
+
+
+def test_tolerance_beyond_the_budget_is_said():
+    s = solve_contact(CIRCULAR, SolverOptions(points=129, domain=BOX, tolerance=1e-4))
+    assert s.converged
+    assert not s.resolved
+    assert "not reached" in s.message
+
+
+@pytest.mark.parametrize("tolerance", [0.0, -1.0, 1.0, float("nan")])
+def test_bad_tolerance(tolerance):
+    with pytest.raises(ValueError, match="tolerance"):
+        SolverOptions(tolerance=tolerance)
+
+
 def test_unresolved_is_said():
     s = solve_contact(replace(CIRCULAR, load_parameter=1000.0), SolverOptions(points=65))
     assert not s.resolved
