@@ -28,7 +28,6 @@ if TYPE_CHECKING:
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
 LATER_TABLES = ("fit", "temperatures", "cage", "dynamics", "rows", "load_cases")
-LATER_KEYS = {("ehl", "tolerance"): 'give "points"'}
 LATER_VALUES = {
     ("model", "ball_kinematics"): ("minimum dissipation", "traction equilibrium"),
     ("lubricant", "viscosity_law"): ("tait-doolittle", "yasutomi"),
@@ -187,10 +186,6 @@ def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]
         for key, value in document.items()
         if key not in LATER_TABLES
     }
-    for (table, key), instead in LATER_KEYS.items():
-        if isinstance(document.get(table), dict) and key in document[table]:
-            del document[table][key]
-            problems.append(Problem(path=(table, key), found="found", allowed=f"{NOT_SUPPORTED}; {instead}"))
     for (table, key), values in LATER_VALUES.items():
         if isinstance(document.get(table), dict) and document[table].get(key) in values:
             value = document[table].pop(key)

@@ -240,7 +240,7 @@ def solver_options(table: ContactEhlTable) -> SolverOptions:
     """Grid of the contacts [-]."""
     from ehl import SolverOptions
 
-    return SolverOptions(points=table.points, domain=table.domain)
+    return SolverOptions(points=table.points, domain=table.domain, tolerance=table.tolerance)
 
 
 def rounded(value: float) -> float:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from math import isfinite
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints, WithJsonSchema
+from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
 FREE = "free"
@@ -202,9 +202,23 @@ class ContactEhlTable(Table):
     """Grid of a single contact."""
 
     points: Points = Field(257, description="nodes along the entrainment on the finest level, 2^k + 1")
+    tolerance: float | None = Field(
+        None,
+        ge=1e-5,
+        le=0.5,
+        description="wanted relative error bar of the films; `points`, then 1025 if left out, is the most that is taken",
+    )
     domain: Domain | None = Field(
         None, description="[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses"
     )
+
+    @model_validator(mode="before")
+    @classmethod
+    def _budget(cls, table: Any) -> Any:
+        """A tolerance without points may take up to 1025 of them."""
+        if isinstance(table, dict) and table.get("tolerance") is not None and "points" not in table:
+            return {**table, "points": 1025}
+        return table
 
 
 class EhlTable(ContactEhlTable):

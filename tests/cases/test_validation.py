@@ -85,7 +85,7 @@ BEARING_ERRORS = [
     ("inner_speed_rpm", 'inner_speed_rpm = "fast"', 'found "fast"'),
     ("points", "points = 256", "found 256; allowed: 2^k + 1: 33, 65"),
     ("points", "points = 257.0", "2^k + 1"),
-    ("points", "tolerance = 0.001", "not supported by this version"),
+    ("points", "tolerance = 0", "1e-05"),
     ("points", "domain = [4.5, 1.5, 3.0]", "x_in < -1"),
     (
         "points",
