@@ -6,7 +6,7 @@ Mesh size is kept, so that only the box changes; boxes in Hertz semi-axes.
 from __future__ import annotations
 
 from ehl import Lubricant, MoesConditions, SolverOptions
-from ehl.full_multigrid import ATTEMPTS, Progress, contact_multigrid, full_multigrid
+from ehl.full_multigrid import ATTEMPTS, Outcome, Progress, contact_multigrid, full_multigrid
 from ehl.scaling import scale_contact
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=18e-9)
@@ -22,8 +22,9 @@ def central_film(name, scale, points, is_open):
     inlet, side = SMALLEST[name]
     box = (scale * inlet, -scale * inlet / 2.0, scale * side)
     options = SolverOptions(points=points, domain=None if is_open else box)
-    state = contact_multigrid(scale_contact(conditions), box, options, ATTEMPTS[0])
-    return full_multigrid(state, options, Progress())[-1][0]
+    outcome = Outcome(state=contact_multigrid(scale_contact(conditions), box, options, ATTEMPTS[0]))
+    full_multigrid(outcome, options, Progress())
+    return outcome.films[-1][0]
 
 
 def main():

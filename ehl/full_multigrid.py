@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from math import ceil, sqrt
+from math import ceil, inf, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,6 +41,8 @@ GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
 HALVINGS = 3  # of the damping on one level before it counts as diverged
 ORIGIN_CELLS = 32  # the origin is a node of the level with this many cells along x, and of all finer ones
 
+SMALLEST_FILM = 1e-12  # keeps a relative change finite
+
 Films = list[tuple[float, float]]  # central and minimum film of each level, coarsest first
 
 
@@ -49,20 +52,44 @@ class DivergedError(Exception):
 
 @dataclass(slots=True, kw_only=True)
 class Progress:
-    """What happened on the finest level so far; filled while solving. All quantities [-]."""
+    """What a contact took so far, over all attempts and the pilot [-]."""
 
-    residual: list[float] = field(default_factory=list)
-    load: list[float] = field(default_factory=list)
-    film: Films = field(default_factory=list)  # before the first and after each cycle
-    changes: list[float] = field(default_factory=list)
     fallbacks: list[str] = field(default_factory=list)
-    deflected_nodes: int = 0  # nodes times deflection FFTs, of all attempts and of the pilot
+    deflected_nodes: int = 0  # nodes times deflection FFTs
 
-    def restart(self, reason: str) -> None:
-        """Forget the last attempt's history, not its fallbacks nor its work."""
-        for history in (self.residual, self.load, self.film, self.changes):
-            history.clear()
-        self.fallbacks.append(reason)
+
+@dataclass(slots=True, kw_only=True)
+class Outcome:
+    """One attempt: its levels, and what happened on the finest of them. All quantities [-]."""
+
+    state: Multigrid
+    films: Films = field(default_factory=list)  # of each level, coarsest first; empty if the iteration ran away
+    film: Films = field(default_factory=list)  # on the finest level, before the first and after each cycle
+    residual: list[float] = field(default_factory=list)  # after each cycle
+    load: list[float] = field(default_factory=list)
+    changes: list[float] = field(default_factory=list)
+
+    def remaining_error(self) -> float:
+        """Relative film error the iteration leaves, change * q/(1 - q) with q the contraction of the last cycle [-].
+
+        One cycle alone tells no contraction: its whole change counts.
+        """
+        if not self.films or not self.changes:
+            return inf
+        if len(self.changes) < 2:
+            return self.changes[-1]
+        before, last = self.changes[-2:]
+        q = min(max(last / before if before > 0.0 else 0.0, CONTRACTION[0]), CONTRACTION[1])
+        return last * q / (1.0 - q)
+
+    def converged(self) -> bool:
+        """Film at rest, judged after two cycles at least; load balanced, film positive."""
+        return (
+            len(self.changes) >= 2
+            and self.remaining_error() < FILM_TOLERANCE
+            and abs(self.load[-1]) < LOAD_TOLERANCE
+            and self.film[-1][1] > 0.0
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,23 +113,22 @@ ATTEMPTS = (
 
 def solve_with_fallbacks(
     contact: ScaledContact, domain: tuple[float, float, float], options: SolverOptions, progress: Progress
-) -> tuple[Multigrid, Films]:
-    """Go down the list of attempts until one converges; the last one is kept if none does."""
-    outcome = None
+) -> Outcome:
+    """Go down the list of attempts until one converges; the one that came nearest is kept if none does."""
+    best = None
     for attempt in ATTEMPTS:
-        if attempt is not ATTEMPTS[0]:
-            progress.restart(attempt.name)
-        state = contact_multigrid(contact, domain, options, attempt)
-        try:
-            outcome = state, full_multigrid(state, options, progress, attempt.finer_start)
-        except DivergedError:
-            outcome = state, []
-        finally:
-            progress.deflected_nodes += state.deflected_nodes()
-        if outcome[1] and is_converged(progress):
+        if best is not None:
+            progress.fallbacks.append(attempt.name)
+        outcome = Outcome(state=contact_multigrid(contact, domain, options, attempt))
+        with suppress(DivergedError):
+            full_multigrid(outcome, options, progress, attempt.finer_start)
+        progress.deflected_nodes += outcome.state.deflected_nodes()
+        if best is None or outcome.converged() or outcome.remaining_error() < best.remaining_error():
+            best = outcome
+        if best.converged():
             break
-    assert outcome is not None
-    return outcome
+    assert best is not None
+    return best
 
 
 def contact_multigrid(
@@ -122,12 +148,18 @@ def contact_multigrid(
     return make_multigrid(contact, grids, far_field(contact) if is_open else None, attempt.damping)
 
 
-def full_multigrid(state: Multigrid, options: SolverOptions, progress: Progress, finer: int = 0) -> Films:
-    """Solve level after level; returns central and minimum film of each, coarsest first."""
+def full_multigrid(outcome: Outcome, options: SolverOptions, progress: Progress, finer: int = 0) -> None:
+    """Solve level after level.
+
+    Raises
+    ------
+    DivergedError
+        If the iteration runs away; `outcome.films` is empty then.
+    """
+    state, films = outcome.state, []
     finest = len(state.levels) - 1
     first = _starting_level(state, finer)
     _start(state, first)
-    films = []
     for index in range(first, finest + 1):
         if index > first:
             below = state.levels[index - 1]
@@ -135,10 +167,9 @@ def full_multigrid(state: Multigrid, options: SolverOptions, progress: Progress,
         if index < finest:
             for _ in _guarded_cycles(state, index, LEVEL_CYCLES, progress):
                 pass
+            films.append(film_values(state.levels[index].grid, state.levels[index].H))
         else:
-            _finish(state, index, options, progress)
-        films.append(film_values(state.levels[index].grid, state.levels[index].H))
-    return films
+            _finish(outcome, films, options, progress)
 
 
 def _starting_level(state: Multigrid, finer: int) -> int:
@@ -178,52 +209,34 @@ def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress
             residual = float(np.abs(reynolds_residual(state, index)).mean())
         runaway = not np.isfinite(residual) or residual > GROWTH_LIMIT * last or level.P.max() > PRESSURE_LIMIT
         if runaway or level.P.max() <= 0.0:
+            level.P, state.approach, state.exterior, level.load = kept
+            update_film(state, index)
             if halvings == HALVINGS:
                 raise DivergedError
             halvings += 1
             state.damping = state.damping.halved()
             progress.fallbacks.append("cycle undone, damping halved")
-            level.P, state.approach, state.exterior, level.load = kept
-            update_film(state, index)
             continue
         last, done = residual, done + 1
         yield residual
 
 
-def _finish(state: Multigrid, index: int, options: SolverOptions, progress: Progress) -> None:
-    """Cycle on the finest level until film and load stand still."""
-    level = state.levels[index]
-    progress.film.append(film_values(level.grid, level.H))
+def _finish(outcome: Outcome, films: Films, options: SolverOptions, progress: Progress) -> None:
+    """Cycle on the finest level until film and load stand still; `films` are those of the levels below."""
+    state = outcome.state
+    index, level = len(state.levels) - 1, state.levels[-1]
+    outcome.film.append(film_values(level.grid, level.H))
     for residual in _guarded_cycles(state, index, options.max_cycles, progress):
-        film, before = film_values(level.grid, level.H), progress.film[-1]
-        change = max(abs(film[0] - before[0]) / abs(film[0]), abs(film[1] - before[1]) / abs(film[1]))
-        progress.film.append(film)
-        progress.changes.append(change)
-        progress.residual.append(residual)
-        progress.load.append(load_error(state, index))
-        if is_converged(progress):
+        film, before = film_values(level.grid, level.H), outcome.film[-1]
+        outcome.film.append(film)
+        outcome.changes.append(
+            max(abs(new - old) / max(abs(new), SMALLEST_FILM) for new, old in zip(film, before, strict=True))
+        )
+        outcome.residual.append(residual)
+        outcome.load.append(load_error(state, index))
+        outcome.films = [*films, film]
+        if outcome.converged():
             return
-
-
-def remaining_error(changes: list[float]) -> float:
-    """Relative film error the iteration leaves, change * q/(1 - q) with q the contraction of the last cycle [-].
-
-    One cycle alone tells no contraction: its whole change counts.
-    """
-    if len(changes) < 2:
-        return changes[-1] if changes else 1.0
-    q = min(max(changes[-1] / changes[-2], CONTRACTION[0]), CONTRACTION[1]) if changes[-2] > 0.0 else CONTRACTION[0]
-    return changes[-1] * q / (1.0 - q)
-
-
-def is_converged(progress: Progress) -> bool:
-    """Film at rest, judged after two cycles at least; load balanced, film positive."""
-    return (
-        len(progress.changes) >= 2
-        and remaining_error(progress.changes) < FILM_TOLERANCE
-        and abs(progress.load[-1]) < LOAD_TOLERANCE
-        and progress.film[-1][1] > 0.0
-    )
 
 
 def central_film(grid: Grid, H: Array) -> float:

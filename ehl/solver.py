@@ -14,12 +14,10 @@ from .extrapolation import extrapolate
 from .full_multigrid import (
     ATTEMPTS,
     DivergedError,
-    Films,
+    Outcome,
     Progress,
     contact_multigrid,
     full_multigrid,
-    is_converged,
-    remaining_error,
     solve_with_fallbacks,
 )
 from .grid import Grid
@@ -71,18 +69,17 @@ def solve_contact(
         contact = replace(contact, film_guess=film)
     else:
         domain = options.domain
-    state, films = solve_with_fallbacks(contact, domain, options, progress)
+    outcome = solve_with_fallbacks(contact, domain, options, progress)
     record = ConvergenceRecord(
-        residual=tuple(progress.residual),
-        force_error=tuple(progress.load),
-        film_change=tuple(progress.changes),
-        cycles=len(progress.changes),
-        fft_equivalents=progress.deflected_nodes / state.levels[-1].P.size,
+        residual=tuple(outcome.residual),
+        force_error=tuple(outcome.load),
+        film_change=tuple(outcome.changes),
+        cycles=len(outcome.changes),
+        fft_equivalents=progress.deflected_nodes / outcome.state.levels[-1].P.size,
         fallbacks=tuple(progress.fallbacks),
         wall_time=time.perf_counter() - began,
     )
-    converged = bool(films) and is_converged(progress)
-    return _solution(conditions, options, state, films, record, converged)
+    return _solution(conditions, options, outcome, record)
 
 
 def _solve_to_tolerance(
@@ -126,15 +123,15 @@ def _pilot(contact: ScaledContact, progress: Progress) -> tuple[tuple[float, flo
     film, scale = contact.film_guess, 1.0
     for _ in range(2):
         pilot = replace(contact, film_guess=film)
-        state = contact_multigrid(pilot, _box(contact, film, scale), options, ATTEMPTS[0])
+        outcome = Outcome(state=contact_multigrid(pilot, _box(contact, film, scale), options, ATTEMPTS[0]))
         try:
-            films = full_multigrid(state, options, Progress())
+            full_multigrid(outcome, options, Progress())
         except DivergedError:
             progress.fallbacks.append("pilot solve ran away: box from the film formula")
             return _box(contact, contact.film_guess, 1.5), contact.film_guess
-        progress.deflected_nodes += state.deflected_nodes()
-        film = max(films[-1][0], 0.1 * contact.film_guess)
-        scale *= max(1.0, min(3.0, state.exterior / contact.load / EXTERIOR_SHARE))
+        progress.deflected_nodes += outcome.state.deflected_nodes()
+        film = max(outcome.films[-1][0], 0.1 * contact.film_guess)
+        scale *= max(1.0, min(3.0, outcome.state.exterior / contact.load / EXTERIOR_SHARE))
     return _box(contact, film, scale), film
 
 
@@ -148,11 +145,10 @@ def _box(contact: ScaledContact, film: float, scale: float) -> tuple[float, floa
 def _solution(
     conditions: ContactConditions | MoesConditions,
     options: SolverOptions,
-    state: Multigrid,
-    films: Films,
+    outcome: Outcome,
     record: ConvergenceRecord,
-    converged: bool,
 ) -> ContactSolution:
+    state, films = outcome.state, outcome.films
     contact, grid = state.contact, state.levels[-1].grid
     Y, P, H = _whole_box(state)
     resolved = bool(films) and films[-1][1] >= RESOLVED * grid.hx**2
@@ -163,8 +159,8 @@ def _solution(
         Y=Y,
         P=P,
         H=H,
-        film_central_dimensionless=_film([film[0] for film in films], record),
-        film_minimum_dimensionless=_film([film[1] for film in films], record),
+        film_central_dimensionless=_film(outcome, 0),
+        film_minimum_dimensionless=_film(outcome, 1),
         approach_dimensionless=state.approach,
         moes_load=contact.moes_load,
         moes_lubricant=contact.moes_lubricant,
@@ -174,17 +170,17 @@ def _solution(
         film_scale=contact.film_scale,
         domain=_domain(contact, grid),
         resolved=resolved,
-        converged=converged,
-        message=_message(converged, resolved, films, record, grid),
+        converged=outcome.converged(),
+        message=_message(outcome, resolved),
         record=record,
     )
 
 
-def _film(values: list[float], record: ConvergenceRecord) -> FilmValue:
-    """Extrapolated film; not a number where the iteration ran away."""
-    if not values:
+def _film(outcome: Outcome, kind: int) -> FilmValue:
+    """Central (0) or minimum (1) film extrapolated; not a number where the iteration ran away."""
+    if not outcome.films:
         return FilmValue(value=nan, uncertainty=nan, finest=nan)
-    return extrapolate(values, remaining_error(list(record.film_change)))
+    return extrapolate([film[kind] for film in outcome.films], outcome.remaining_error())
 
 
 def _whole_box(state: Multigrid) -> tuple[Array, Array, Array]:
@@ -203,14 +199,14 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
 
 
-def _message(converged: bool, resolved: bool, films: Films, record: ConvergenceRecord, grid: Grid) -> str:
-    if not films:
+def _message(outcome: Outcome, resolved: bool) -> str:
+    if not outcome.films:
         return "the iteration ran away in spite of stronger damping; try more points or a smaller load"
-    if not converged:
-        change, load = record.film_change[-1], record.force_error[-1]
+    if not outcome.converged():
+        change, load = outcome.changes[-1], outcome.load[-1]
         return f"not converged: film changed by {change:.1e} in the last cycle, load error {load:.1e}; try more points"
     if not resolved:
-        ratio = films[-1][1] / grid.hx**2
+        ratio = outcome.films[-1][1] / outcome.state.levels[-1].grid.hx ** 2
         return (
             f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}; try more points"
         )
