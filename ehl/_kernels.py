@@ -83,46 +83,45 @@ def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind)
 
 
 @njit(**OPTIONS)
-def _line_system(eps, eps_north, eps_south, rho, rho_slope, H, kind, single, spread, cx, cy, hx, wx, wy, band):
-    """Derivative of the line's operator with respect to the changes at its own nodes, LOWER + UPPER diagonals."""
-    n = kind.size
+def _line_system(eps, eps_north, eps_south, rho, rho_slope, H, kinds, influence, cx, cy, hx, wx, wy, band):
+    """Derivative of the line's operator with respect to the changes at its own nodes, LOWER + UPPER diagonals.
+
+    kinds[k + LOWER] is the kind of node k, FIXED beyond the line; influence[kind, m + REACH] the deflection at distance
+    m from a change of that kind, zero for FIXED.
+    """
+    n = eps.size
     for i in range(1, n - 1):
-        for d in range(WIDTH):
-            band[i, d] = 0.0
-        if kind[i] == FIXED:
-            band[i, LOWER] = 1.0
+        if kinds[i + LOWER] == FIXED:
+            for d in range(WIDTH):
+                band[i, d] = 1.0 if d == LOWER else 0.0
             continue
+        if i > 1:
+            r0, r1, r2 = -1.5 * rho[i] / hx, 2.0 * rho[i - 1] / hx, -0.5 * rho[i - 2] / hx
+        else:
+            r0, r1, r2 = 0.0, 0.5 * rho[i - 1] / hx, 0.0
+        for d in range(WIDTH):
+            kind, m = kinds[i + d], LOWER - d + REACH
+            band[i, d] = r0 * influence[kind, m] + r1 * influence[kind, m - 1] + r2 * influence[kind, m - 2]
         e = eps[i]
         east, west = cx * (eps[i + 1] + e), cx * (e + eps[i - 1])
         across = cy * (eps_north[i] + eps_south[i] + 2.0 * e)
         centre = east + west + across
-        if i > 1:
-            r0, r1, r2 = 1.5 * rho[i] / hx, -2.0 * rho[i - 1] / hx, 0.5 * rho[i - 2] / hx
-        else:
-            r0, r1, r2 = 0.0, -0.5 * rho[i - 1] / hx, 0.0
-        for k in range(max(1, i - LOWER), min(n - 2, i + UPPER) + 1):
-            m = i - k + REACH
-            if kind[k] == GAUSS_SEIDEL:
-                band[i, k - i + LOWER] = -(r0 * single[m] + r1 * single[m - 1] + r2 * single[m - 2])
-            elif kind[k] == JACOBI:
-                band[i, k - i + LOWER] = -(r0 * spread[m] + r1 * spread[m - 1] + r2 * spread[m - 2])
-        if kind[i] == JACOBI:
-            band[i, LOWER] -= centre + wx * (east + west) + wy * across
-        else:
-            band[i, LOWER] -= centre
+        spread = 1.0 if kinds[i + LOWER] == JACOBI else 0.0
+        band[i, LOWER] -= centre + spread * (wx * (east + west) + wy * across)
         for side in (-1, 1):
-            k = i + side
             near = west if side < 0 else east
-            if 0 < k < n - 1 and kind[k] != FIXED:
-                band[i, k - i + LOWER] += near + (wx * centre if kind[k] == JACOBI else 0.0)
-            k = i + 2 * side
-            if 0 < k < n - 1 and kind[k] == JACOBI:
-                band[i, k - i + LOWER] -= wx * near
+            first, second = kinds[i + LOWER + side], kinds[i + LOWER + 2 * side]
+            if first == GAUSS_SEIDEL:
+                band[i, LOWER + side] += near
+            elif first == JACOBI:
+                band[i, LOWER + side] += near + wx * centre
+            if second == JACOBI:
+                band[i, LOWER + 2 * side] -= wx * near
         if i > 1:
             band[i, LOWER] -= 1.5 * rho_slope[i] * H[i] / hx
-            if kind[i - 1] != FIXED:
+            if kinds[i + LOWER - 1] != FIXED:
                 band[i, LOWER - 1] += 2.0 * rho_slope[i - 1] * H[i - 1] / hx
-            if i > 2 and kind[i - 2] != FIXED:
+            if kinds[i + LOWER - 2] != FIXED:
                 band[i, LOWER - 2] -= 0.5 * rho_slope[i - 2] * H[i - 2] / hx
 
 
@@ -183,13 +182,14 @@ def relax_lines(P, H, eps, rho, rho_slope, f, near, near_next, hx, hy, symmetric
     cx, cy = 0.5 / (hx * hx), 0.5 / (hy * hy)
     wx = 0.5 * np.sqrt(hy) / (np.sqrt(hx) + np.sqrt(hy))
     wy = 0.5 - wx
-    single, spread = np.empty(2 * REACH + 1), np.empty(2 * REACH + 1)
+    influence = np.zeros((3, 2 * REACH + 1))
     for m in range(-REACH, REACH + 1):
-        k = abs(m)
-        single[m + REACH] = near[k]
-        spread[m + REACH] = near[k] - wx * (near[abs(m - 1)] + near[abs(m + 1)]) - 2.0 * wy * near_next[k]
+        k, sides = abs(m), near[abs(m - 1)] + near[abs(m + 1)]
+        influence[GAUSS_SEIDEL, m + REACH] = near[k]
+        influence[JACOBI, m + REACH] = near[k] - wx * sides - 2.0 * wy * near_next[k]
     threshold = 2.0 * switch * near[0] / hx
-    band, delta, kind = np.zeros((nx, WIDTH)), np.zeros(nx), np.zeros(nx, dtype=np.int8)
+    band, delta, kinds = np.zeros((nx, WIDTH)), np.zeros(nx), np.zeros(nx + 2 * LOWER, dtype=np.int8)
+    kind = kinds[LOWER : LOWER + nx]
     change[:, :] = 0.0
     for j in range(0 if symmetric else 1, ny - 1):
         s = j - 1 if j > 0 else 1
@@ -201,9 +201,7 @@ def relax_lines(P, H, eps, rho, rho_slope, f, near, near_next, hx, hy, symmetric
         for i in range(1, nx - 1):
             if kind[i] == FIXED:
                 delta[i] = 0.0
-        _line_system(
-            eps[j], eps[j + 1], eps[s], rho[j], rho_slope[j], H[j], kind, single, spread, cx, cy, hx, wx, wy, band
-        )
+        _line_system(eps[j], eps[j + 1], eps[s], rho[j], rho_slope[j], H[j], kinds, influence, cx, cy, hx, wx, wy, band)
         _solve_band(band, delta)
         _apply_line(j, P, eps, kind, delta, wx, wy, damping, relief, symmetric, change)
     for j in range(0 if symmetric else 1, ny - 1):

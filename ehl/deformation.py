@@ -22,7 +22,7 @@ class DeflectionKernel:
     shape: tuple[int, int]  # (ny, nx) of the pressure
     length_x: int  # padded lengths: twice the number of cells
     length_y: int
-    spectrum: Array  # real: the kernel is even; symmetric grids keep the rows [even frequencies, odd frequencies]
+    spectrum: Array  # real, as the kernel is even; of a symmetric grid: rows [even, odd frequencies], columns twice
     near: Array  # shape (NEAR,), deflection at distance m hx in the same line
     near_next: Array  # shape (NEAR,), the same in the next line
 
@@ -62,7 +62,7 @@ def deflection_kernel(grid: Grid, deformation: float) -> DeflectionKernel:
     # even in x and y: the cosine transform of the quarter is the real spectrum on the doubled, periodic grid
     spectrum = fft.dct(fft.dct(quarter, type=1, axis=1), type=1, axis=0)
     if grid.symmetric:
-        spectrum = np.concatenate((spectrum[0::2], spectrum[1::2]))
+        spectrum = np.repeat(np.concatenate((spectrum[0::2], spectrum[1::2])), 2, axis=1)
     return DeflectionKernel(
         symmetric=grid.symmetric,
         shape=(grid.ny, grid.nx),
@@ -112,8 +112,8 @@ def _convolve_even(rows: NDArray[np.complex128], spectrum: Array) -> NDArray[np.
     odd = fft.dct(data[:m], type=3, axis=0)
     data[m] *= 2.0  # the last row and its mirror image are two rows of the extension
     even = fft.dct(data, type=1, axis=0, overwrite_x=True)
-    even.reshape(m + 1, columns, 2)[...] *= spectrum[: m + 1, :, None]
-    odd.reshape(m, columns, 2)[...] *= spectrum[m + 1 :, :, None]
+    even *= spectrum[: m + 1]  # real and imaginary parts side by side: each column of the spectrum stands twice
+    odd *= spectrum[m + 1 :]
     result = fft.dct(even, type=1, axis=0, overwrite_x=True)
     result[:m] += fft.dct(odd, type=2, axis=0, overwrite_x=True)
     result *= 1.0 / (4 * m)

@@ -26,7 +26,7 @@ from ehl import (
 )
 from ehl.conditions import moes_groups
 from ehl.full_multigrid import ATTEMPTS, LOAD_TOLERANCE, central_film, contact_multigrid
-from ehl.multigrid import Damping, cycle, make_multigrid, start_level, update_film
+from ehl.multigrid import Damping, cycle, start_level, update_film
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain
 
@@ -281,18 +281,3 @@ def test_circular_reference_on_fine_grids(points):
     assert_allclose(solution.film_central_dimensionless.value, 0.430856, rtol=1e-4)
     assert_allclose(solution.film_minimum_dimensionless.value, 0.29259, rtol=2e-4)
     assert solution.record.cycles <= circular(65).record.cycles + 1
-
-
-def test_workspaces_are_as_large_as_the_grid():
-    """Memory per level: nine arrays and the spectrum, which is twice as wide and twice as high."""
-    state = make_multigrid(
-        scale_contact(CIRCULAR),
-        tuple(
-            level.grid
-            for level in contact_multigrid(scale_contact(CIRCULAR), BOX, SolverOptions(domain=BOX), ATTEMPTS[0]).levels
-        ),
-        None,
-        Damping(),
-    )
-    level = state.levels[-1]
-    assert level.kernel.spectrum.size <= 2.1 * level.P.size
