@@ -7,7 +7,7 @@ After Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapters 3 
     load       integral of P = g
 
 f = 0, s = S X^2/2 + T Y^2/2 + C X Y and g = the load on the level being solved; below it they carry the coarse-grid
-correction. P and H are injected, residuals fully weighted, corrections interpolated bilinearly.
+correction, and the integral is over the change of P since it was injected. P and H are injected, residuals fully weighted, corrections interpolated bilinearly.
 """
 
 from __future__ import annotations
@@ -66,6 +66,7 @@ class Level:
     rho: Array
     rho_slope: Array
     scratch: Array
+    start: Array | None = None  # pressure that s already holds the deflection of; below the level being solved
     load: float = 0.0
 
 
@@ -118,7 +119,7 @@ def start_level(state: Multigrid, index: int, pressure: Array) -> None:
     level = state.levels[index]
     level.P = np.maximum(pressure, 0.0)
     level.f = np.zeros_like(level.P)
-    level.s = level.gap
+    level.s, level.start = level.gap, None
     level.load = state.contact.load - state.exterior
     if state.far_field is None:
         _zero_edge(level.P, level.grid)
@@ -126,10 +127,14 @@ def start_level(state: Multigrid, index: int, pressure: Array) -> None:
 
 
 def update_film(state: Multigrid, index: int) -> None:
-    """H = H0 + s + deflection; on the level being solved an open edge takes its pressure from the new film."""
+    """H = H0 + s + deflection; on the level being solved an open edge takes its pressure from the new film.
+
+    Below it s holds the film injected from above, and only the change of pressure is deflected.
+    """
     level = state.levels[index]
-    level.H = state.approach + level.s
-    level.H += deflect(level.kernel, level.P)
+    level.H = deflect(level.kernel, level.P if level.start is None else level.P - level.start)
+    level.H += level.s
+    level.H += state.approach
     state.deflections[index] = state.deflections.get(index, 0) + 1
     if state.far_field is not None and level.s is level.gap:
         edge_pressure(state.far_field, level.grid, level.H, level.P)
@@ -239,10 +244,9 @@ def _restrict(state: Multigrid, index: int) -> Array:
     fine, coarse = state.levels[index], state.levels[index - 1]
     residual = reynolds_residual(state, index)
     start = inject(fine.P)
-    coarse.P = start.copy()
+    coarse.P, coarse.start = start.copy(), start
     coarse.H = inject(fine.H)
-    coarse.s = coarse.H - state.approach - deflect(coarse.kernel, start)
-    state.deflections[index - 1] = state.deflections.get(index - 1, 0) + 1
+    coarse.s = coarse.H - state.approach
     coarse.load = coarse.grid.integral(start) + fine.load - fine.grid.integral(fine.P)
     flow(state, coarse)
     grid = coarse.grid
