@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from .contacts import BearingContact, contact_conditions
     from .frequencies import Frequencies, bearing_frequencies
     from .quasistatic import QuasistaticSolution, solve_quasistatic
+    from .slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
 
 __all__ = [
     "BallKinematics",
@@ -27,18 +28,23 @@ __all__ = [
     "Operation",
     "QuasistaticSolution",
     "Race",
+    "SlipStudy",
     "bearing_frequencies",
     "clearance_to_contact_angle",
     "contact_angle_to_clearance",
     "contact_conditions",
+    "critical_curves",
     "library_lubricant",
     "list_bearings",
     "list_lubricants",
     "list_materials",
     "load_catalogue_entry",
     "load_material",
+    "minimum_preload",
     "reduced_modulus",
     "reduced_radii",
+    "slip_factors",
+    "slip_surface",
     "solve_quasistatic",
 ]
 
@@ -49,6 +55,11 @@ _LAZY = {  # these need SciPy, which takes longer to import than a command line 
     "bearing_frequencies": "frequencies",
     "QuasistaticSolution": "quasistatic",
     "solve_quasistatic": "quasistatic",
+    "SlipStudy": "slip",
+    "critical_curves": "slip",
+    "minimum_preload": "slip",
+    "slip_factors": "slip",
+    "slip_surface": "slip",
 }
 
 

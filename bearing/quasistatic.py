@@ -16,7 +16,7 @@ from ehl.hertz import hertz_contact
 from .ball_equilibrium import EDGE_COSINE, BallRow, BallState, ball_problem, ball_state
 from .geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from .operation import DEGREES_OF_FREEDOM, Model, Operation
-from .ring_equilibrium import RESIDUAL_TOLERANCE, Ring, RingPoint, ring_of, solve_ring
+from .ring_equilibrium import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring
 
 SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct solve fails [-]
 SINGULAR = 1.0e-9  # smallest over largest stiffness below which a direction counts as undetermined [-]
@@ -88,7 +88,9 @@ class QuasistaticSolution:
     message: str
 
 
-def solve_quasistatic(bearing: Bearing, operation: Operation, model: Model | None = None) -> QuasistaticSolution:
+def solve_quasistatic(
+    bearing: Bearing, operation: Operation, model: Model | None = None, near: QuasistaticSolution | None = None
+) -> QuasistaticSolution:
     """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas.
 
     Parameters
@@ -98,6 +100,8 @@ def solve_quasistatic(bearing: Bearing, operation: Operation, model: Model | Non
     operation : Operation
         Speeds [rad/s], and per degree of freedom a load [N], [N m] or a displacement [m], [rad].
     model : Model, optional
+    near : QuasistaticSolution, optional
+        A converged solution of the same bearing at speeds and loads nearby, from where the search begins.
 
     Returns
     -------
@@ -107,12 +111,14 @@ def solve_quasistatic(bearing: Bearing, operation: Operation, model: Model | Non
     model = model or Model()
     ring = ring_of(bearing, operation)
     problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
-    point, iterations = solve_ring(ring, problem, None)
+    point, iterations = solve_ring(ring, problem, None if near is None else _near(near, ring))
+    if near is not None and point.residual > max(RESIDUAL_TOLERANCE, point.noise):
+        point, iterations = solve_ring(ring, problem, None)
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         start = None
         for factor in SPEED_STEPS:
             slower = ball_problem(bearing, factor * operation.inner_speed, factor * operation.outer_speed, model)
-            start, more = solve_ring(ring, slower, start)
+            start, more = solve_ring(ring, slower, None if start is None else RingStart(start.q, start.row.u))
             iterations += more
             if start.residual > max(RESIDUAL_TOLERANCE, start.noise):
                 break
@@ -122,6 +128,13 @@ def solve_quasistatic(bearing: Bearing, operation: Operation, model: Model | Non
     state = ball_state(point.row.u, w, problem)
     converged, message = _verdict(bearing, ring, point, state, iterations)
     return _solution((bearing, operation, model), ring, point, state, (iterations, converged, message))
+
+
+def _near(solution: QuasistaticSolution, ring: Ring) -> RingStart:
+    """Ring and balls where another solution has them; what is prescribed is prescribed."""
+    q = np.concatenate([solution.displacement, solution.tilt]) * ring.scale
+    u = np.stack([solution.ball_axial, solution.ball_radial - solution.bearing.outer_centre_radius])
+    return RingStart(np.where(ring.free, q, ring.prescribed), u)
 
 
 def _verdict(bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, iterations: int) -> tuple[bool, str]:

@@ -57,6 +57,13 @@ class RingPoint(NamedTuple):
     noise: float  # residual that round-off leaves [-]
 
 
+class RingStart(NamedTuple):
+    """Where to begin: ring position q (5,) and ball positions u (2, Z) [m]."""
+
+    q: Array
+    u: Array
+
+
 def ring_of(bearing: Bearing, operation: Operation) -> Ring:
     """Assemble what `solve_ring` needs from a bearing and its operation (SI: [m], [N], [rad])."""
     radius = bearing.inner_centre_radius
@@ -74,7 +81,7 @@ def ring_of(bearing: Bearing, operation: Operation) -> Ring:
     return Ring(free, load, prescribed, scale, distance, facing, bearing.free_axial_position, movement, gather)
 
 
-def solve_ring(ring: Ring, problem: BallProblem, start: RingPoint | None) -> tuple[RingPoint, int]:
+def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tuple[RingPoint, int]:
     """Newton's method on the free degrees of freedom of the ring, every ball in equilibrium at every step.
 
     A step is accepted when the residual falls, or when the unbalanced force still points along it; it is shortened
@@ -85,7 +92,7 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingPoint | None) -> tup
     ring : Ring
     problem : BallProblem
         Lengths in [m], forces in [N].
-    start : RingPoint or None
+    start : RingStart or None
         Where to begin; None makes a guess from the loads.
 
     Returns
@@ -94,7 +101,7 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingPoint | None) -> tup
     iterations : int
     """
     q = _guess(ring, problem) if start is None else start.q
-    point = _point(q, None if start is None else start.row.u, ring, problem)
+    point = _point(q, None if start is None else start.u, ring, problem)
     best, improved_at = point, 0
     for iteration in range(MAX_RING_STEPS):
         if not ring.free.any() or point.residual <= max(RESIDUAL_TARGET, point.noise):
