@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from bearing.operation import Model, Operation
     from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 
+    from .slip_plan import SlipPlan
+
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
 LATER_TABLES = ("fit", "temperatures", "cage", "dynamics", "rows", "load_cases")
@@ -52,6 +54,7 @@ class Case:
     film_maps: str | tuple[float, ...]  # "all", "loaded", "none", or azimuths of balls [rad]
     document: dict[str, Any]  # the case file as run, defaults and library values filled in
     warnings: tuple[str, ...] = ()  # what the libraries have to say about their values
+    slip: SlipPlan | None = None  # maps of `oilfilm slip`
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -290,6 +293,7 @@ def _bearing_case(file: BearingFile) -> Case:
         solver=convert.solver_options(file.ehl),
         film_maps=maps if isinstance(maps, str) else tuple(radians(azimuth) for azimuth in maps),
         document=document,
+        slip=None if file.slip is None else convert.slip_plan(file.slip),
     )
 
 

@@ -25,6 +25,10 @@ from .terminal import (
 )
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from rich.console import Group
+
     from postprocess.results import BearingResults, ContactResults
 
     from .run import Progress
@@ -146,6 +150,32 @@ def contact(
         results = run_contact(loaded)
         _save(results, directory, progress)
     return _finish(results, directory, as_json=as_json, quiet=quiet)
+
+
+@app.command()
+@guarded
+def slip(
+    case: CaseName,
+    output: Output = None,
+    workers: Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")] = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Map gross slip of the balls after Hirano, and the minimum preload, from a [slip] table."""
+    from .case import Case, load_case
+
+    loaded = load_case(case)
+    if not isinstance(loaded, Case):
+        raise CaseError([f"{case}: is a single contact; slip maps need a bearing"])
+    directory = _directory(case, output, as_json)
+    from .slip import run_slip
+
+    with progress_bar(quiet=quiet) as progress:
+        results = run_slip(loaded, case, workers, progress)
+    from postprocess.slip_results import slip_summary, slip_table, write_slip
+
+    _save_with(lambda folder: write_slip(results, folder), directory)
+    return _report(slip_summary(results), lambda: slip_table(results), directory, as_json=as_json, quiet=quiet)
 
 
 @app.command()
@@ -288,34 +318,44 @@ def _prepare() -> None:
 
 def _save(results: BearingResults | ContactResults, directory: Path | None, progress: Progress | None = None) -> None:
     """Write the results, if a directory is asked for."""
-    if directory is None:
-        return
-    if progress is not None:
+    if directory is not None and progress is not None:
         progress(0, 1, "pictures and files")
     from postprocess import write_results
 
+    _save_with(lambda folder: write_results(results, folder), directory)
+
+
+def _save_with(write: Callable[[Path], tuple[str, ...]], directory: Path | None) -> None:
+    """Have `write` fill the directory, if one is asked for."""
+    if directory is None:
+        return
     from .output_directory import save
 
     with finish_first(f"results in {directory}"):
-        for problem in save(lambda folder: write_results(results, folder), directory):
+        for problem in save(write, directory):
             say(f"oilfilm: {problem}")
 
 
 def _finish(results: BearingResults | ContactResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
-    """Print, and tell what did not converge."""
+    """Print what a run found, and tell what did not converge."""
     from postprocess import summary
+    from postprocess.table import result_table
 
+    return _report(summary(results), lambda: result_table(results), directory, as_json=as_json, quiet=quiet)
+
+
+def _report(
+    document: dict[str, Any], table: Callable[[], Group], directory: Path | None, *, as_json: bool, quiet: bool
+) -> int:
+    """Print a summary or its table, and tell what did not converge."""
     if directory is not None and not quiet:
         say(f"results in {directory}")
-    document: dict[str, Any] = summary(results)
     if as_json:
         print_lines(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
     elif not quiet:
         from rich.console import Console
 
-        from postprocess.table import result_table
-
-        Console().print(result_table(results))
+        Console().print(table())
     if document["converged"]:
         return 0
     say("oilfilm: not converged; the results are flagged:")

@@ -6,7 +6,16 @@ from math import pi, radians
 from typing import TYPE_CHECKING, Any
 
 from .checks import oil_table
-from .schema import FREE, BearingFile, BearingTable, ContactEhlTable, ContactFile, MaterialTable, OperationTable
+from .schema import (
+    FREE,
+    BearingFile,
+    BearingTable,
+    ContactEhlTable,
+    ContactFile,
+    MaterialTable,
+    OperationTable,
+    SlipTable,
+)
 
 if TYPE_CHECKING:
     from bearing.geometry import Bearing
@@ -14,7 +23,9 @@ if TYPE_CHECKING:
     from bearing.operation import Model, Operation
     from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 
-MM, UM, GPA, MPA = 1e-3, 1e-6, 1e9, 1e6  # in SI
+    from .slip_plan import SlipPlan
+
+MM, UM, GPA, MPA, KN = 1e-3, 1e-6, 1e9, 1e6, 1e3  # in SI
 MPA_S, MM2_S, MRAD, N_MM = 1e-3, 1e-6, 1e-3, 1e-3  # mPa s, mm^2/s, mrad, N mm in SI
 RPM = 2.0 * pi / 60.0  # [rad/s]
 ZERO_CELSIUS = 273.15  # [K]
@@ -133,6 +144,26 @@ def model(file: BearingFile) -> Model:
 
     kinematics, curvature = BallKinematics(file.model.ball_kinematics), Curvature(file.model.curvature)
     return Model(ball_kinematics=kinematics, curvature=curvature)
+
+
+def slip_plan(table: SlipTable) -> SlipPlan:
+    """What `oilfilm slip` maps: speeds [rad/s], loads [N], catalogue factors [N]."""
+    from .slip_plan import SlipPlan
+
+    factors = (table.minimum_axial_load_factor_kN, table.minimum_radial_load_factor_kN)
+    axial, radial = (None if factor is None else factor * KN for factor in factors)
+    return SlipPlan(
+        speeds=(table.speeds_rpm[0] * RPM, table.speeds_rpm[1] * RPM),
+        axial_loads=table.axial_loads_N,
+        points=table.points,
+        critical_speeds=tuple(speed * RPM for speed in table.critical_speeds_rpm),
+        critical_radial_loads=table.critical_radial_loads_N,
+        critical_points=table.critical_points,
+        limit=table.limit,
+        as_printed=table.as_printed,
+        minimum_axial_load_factor=axial,
+        minimum_radial_load_factor=radial,
+    )
 
 
 def lubricant(file: BearingFile | ContactFile) -> Lubricant:

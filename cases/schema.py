@@ -68,6 +68,19 @@ def _check_film_maps(value: object) -> object:
     raise PydanticCustomError("choice", '"all", "loaded", "none", or a list of azimuths of balls in degrees')
 
 
+def _range_check(limit: float, sign: str) -> BeforeValidator:
+    allowed = f"two numbers, [first, last], 0 {sign} first < last <= {limit:g}"
+
+    def check(value: object) -> tuple[float, ...]:
+        ends = tuple(value) if isinstance(value, list | tuple) else ()
+        fine = len(ends) == 2 and all(is_number(x) for x in ends) and ends[0] < ends[1] <= limit
+        if not fine or ends[0] < 0.0 or (sign == "<" and ends[0] == 0.0):
+            raise PydanticCustomError("choice", "{allowed}", {"allowed": allowed})
+        return tuple(float(x) for x in ends)
+
+    return BeforeValidator(check)
+
+
 Name = Annotated[str, StringConstraints(min_length=1, max_length=200)]
 Points = Annotated[int, BeforeValidator(_check_points), WithJsonSchema({"type": "integer", "minimum": 33})]
 Domain = Annotated[Any, BeforeValidator(_check_domain), _list_schema(3)]
@@ -76,6 +89,10 @@ FilmMaps = Annotated[
     BeforeValidator(_check_film_maps),
     WithJsonSchema({"anyOf": [{"enum": ["all", "loaded", "none"]}, {"type": "array", "items": {"type": "number"}}]}),
 ]
+SpeedRange = Annotated[Any, _range_check(SPEED_MAXIMUM, "<"), _list_schema(2)]
+AxialRange = Annotated[Any, _range_check(FORCE_MAXIMUM, "<"), _list_schema(2)]
+RadialRange = Annotated[Any, _range_check(FORCE_MAXIMUM, "<="), _list_schema(2)]
+CriticalSpeed = Annotated[float, Field(gt=0.0, le=SPEED_MAXIMUM)]
 Force = Annotated[Any, _vector_check(3, FORCE_MAXIMUM), _list_schema(3)]
 Moment = Annotated[Any, _vector_check(2, 1.0e10), _list_schema(2)]
 Displacement = Annotated[Any, _vector_check(3, 1.0e5, free=True), _list_schema(3, free=True)]
@@ -238,6 +255,31 @@ class SurfaceTable(Table):
     ball_roughness_um: float = Field(ge=0.0, le=100.0, description="rms roughness of the balls")
 
 
+class SlipTable(Table):
+    """Maps of gross slip after Hirano: `oilfilm slip`; loads and tilt not varied here are those of [operation]."""
+
+    speeds_rpm: SpeedRange = Field(description="[first, last] speed of the inner ring in the maps")
+    axial_loads_N: AxialRange = Field(description="[first, last] axial load in the map of slip factors")
+    points: int = Field(51, ge=2, le=201, description="speeds and axial loads of the maps, evenly spaced")
+    critical_speeds_rpm: tuple[CriticalSpeed, ...] = Field(
+        (), strict=False, max_length=6, description="speeds at which the critical loads of each ball are computed"
+    )
+    critical_radial_loads_N: RadialRange = Field(
+        (0.0, 200.0), description="[first, last] radial load of the critical curves"
+    )
+    critical_points: int = Field(21, ge=2, le=201, description="radial loads of the critical curves, evenly spaced")
+    limit: float = Field(10.0, gt=0.0, le=1.0e3, description="slip factor below which a ball slips")
+    as_printed: Literal["half centrifugal force"] | None = Field(
+        None, description="a slip of a source to be shown beside ours; the maps stay right"
+    )
+    minimum_axial_load_factor_kN: float | None = Field(
+        None, gt=0.0, le=1.0e3, description="A of the SKF catalogue, F_am = A (n/1000)^2"
+    )
+    minimum_radial_load_factor_kN: float | None = Field(
+        None, gt=0.0, le=1.0e3, description="k_r of the SKF catalogue, F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2"
+    )
+
+
 class ContactTable(Table):
     """A single contact: by dimensions, or by Moes' groups."""
 
@@ -284,6 +326,7 @@ class BearingFile(CaseFile):
     model: ModelTable = ModelTable()
     ehl: EhlTable = EhlTable()
     surface: SurfaceTable | None = None
+    slip: SlipTable | None = None
     lubricants: dict[str, OilTable] = Field({}, description="oils by name")
 
 

@@ -24,9 +24,13 @@ SPECIAL = {
     "points": "33, 65, 129, 257, 513, 1025, 2049, 4097",
     "domain": "x_in < -1, x_out > 1, y_half > 1",
     "film_maps": "`all`, `loaded`, `none`, azimuths in degrees",
+    "speeds_rpm": "two numbers, 0 < first < last",
+    "axial_loads_N": "two numbers, 0 < first < last",
+    "critical_radial_loads_N": "two numbers, 0 <= first < last",
+    "critical_speeds_rpm": "up to six numbers > 0 and <= 1e6",
     "assumed": "list of `table.key`",
 }
-ORDER = ("bearing", "contact", "lubricant", "operation", "model", "ehl", "surface", "materials", "lubricants")
+ORDER = ("bearing", "contact", "lubricant", "operation", "model", "ehl", "surface", "slip", "materials", "lubricants")
 NAMED = {"materials": "materials.NAME", "lubricants": "lubricants.NAME"}
 
 
