@@ -19,7 +19,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 KRPM = 1000.0 * RPM
-LEVELS = np.array([0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])  # of the contour lines, limit 10 [-]
+LEVELS = np.array([0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])  # of the contour lines, limit 10 [-]
+DEEPEST = 0.01  # of the limit: where the colours end [-]
 UNLOADED = "#c9ced4"  # where a ball carries no load at the inner race
 SAME = 1.0e-6  # relative difference below which two balls have one curve [-]
 
@@ -58,7 +59,7 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
     figure.set_size_inches(0.72 * PAGE_WIDTH, 4.0)
     axes: Axes = figure.subplots()
     surface = results.surface
-    factors = np.log10(np.maximum(surface.minimum.T, 1e-3) / results.limit)
+    factors = np.log10(np.clip(surface.minimum.T / results.limit, DEEPEST, 1.0 / DEEPEST))
     shown = np.ma.masked_where(~(surface.minimum.T > 1e-3), factors)
     axes.set_facecolor(UNLOADED)
     x, y = surface.speeds / KRPM, surface.axial_loads
@@ -70,6 +71,9 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
         thin = [v for v in np.log10(levels / results.limit) if v != 0.0]
         lines = axes.contour(x, y, shown, levels=thin, colors=INK, linewidths=0.5, linestyles="solid")
         axes.clabel(lines, fmt={v: f"{results.limit * 10.0**v:.3g}" for v in thin}, fontsize=6.5)
+    unsolved = np.ma.masked_where(~np.isnan(surface.minimum.T), np.zeros_like(factors))
+    if surface.unsolved:
+        axes.pcolormesh(x, y, unsolved, cmap="gray_r", vmin=0.0, vmax=1.0, shading="nearest")
     _limit_line(axes, results)
     bar = figure.colorbar(image, ax=axes, label="slip factor of the worst ball, $Q_i\\,\\sin\\alpha_i/F_c$", aspect=30)
     ticks = [v for v in np.log10(levels / results.limit) if -reach <= v <= reach]
@@ -93,6 +97,8 @@ def _limit_line(axes: Axes, results: SlipResults) -> None:
         note = f"factor {results.limit:g} is not reached at these loads: some ball slips everywhere"
     if (results.surface.minimum < 1e-3).any():
         note += "\ngrey: a ball carries no load at the inner race"
+    if results.surface.unsolved:
+        note += "\nwhite: no equilibrium"
     axes.set_title(note, fontsize=7.0, color=REFERENCE)
 
 

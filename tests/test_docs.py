@@ -20,6 +20,12 @@ def test_the_tables_of_keys_are_those_of_the_schema():
     assert reference.PAGE.read_text(encoding="utf-8") == reference.page()
 
 
+def test_the_comparison_of_slip_is_up_to_date():
+    """Printed to three or four figures: what another processor rounds differently does not show."""
+    validation = load("validation_003")
+    assert validation.PAGE.read_text(encoding="utf-8") == validation.page()
+
+
 def test_the_page_of_commands_names_every_command_and_option():
     from typer.main import get_command
 

@@ -51,6 +51,24 @@ def test_equal_angles_give_the_textbook_cage_speed():
     assert_allclose(motion.spin_speed, 0.5 * (INNER - OUTER) * (1.0 - cosine**2) / GAMMA, rtol=1e-14)
 
 
+def test_least_spin_dissipation_lies_at_a_race_control():
+    """Outer weight 1, inner weight w, Coulomb friction: no attitude loses less than the better race control does."""
+    rng = np.random.default_rng(7319)
+    for _ in range(200):
+        gamma, outer, lag, weight = rng.uniform([0.05, 0.05, 0.0, 0.2], [0.3, 0.9, 0.5, 5.0])
+        ao, ai = (Direction(np.sin(angle), np.cos(angle)) for angle in (outer, outer + lag))
+        ends = [
+            attitude(ao, ai, gamma, k) for k in (BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL)
+        ]
+        limits = sorted(float(np.arctan2(end.sin, end.cos)) for end in ends)
+        angles = np.concatenate([limits, np.linspace(limits[0] - 0.3, limits[1] + 0.3, 201)])
+        motion = rolling_motion(ao, ai, Direction(np.sin(angles), np.cos(angles)), gamma, 1.0, 0.0)
+        outer_spin = motion.spin_speed * np.sin(angles - outer) + motion.orbit_speed * ao.sin
+        inner_spin = motion.spin_speed * np.sin(angles - outer - lag) - (1.0 - motion.orbit_speed) * ai.sin
+        loss = np.abs(outer_spin) + weight * np.abs(inner_spin)
+        assert loss[:2].min() <= loss.min() * (1.0 + 1e-9)
+
+
 def test_blend_reaches_both_ends():
     one, two = Direction(np.array([0.6]), np.array([0.8])), Direction(np.array([0.0]), np.array([1.0]))
     assert_allclose(blend(one, two, np.array([0.0])), one, atol=1e-16)
