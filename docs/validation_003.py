@@ -62,7 +62,7 @@ The text speaks of moments of 1e2 to 6e4 N·m, 2.5e3 to 4.4e3 N·m in Fig. 12. T
   factor. What halves the force in the paper's program cannot be seen from the text: Eqs. (9), (13) and (19) are right.
   The cases show this as `as_printed`, beside ours; nothing else uses it.
 - **No preload below 10 Z F_c can be enough.** The axial balance makes the mean of the factors F_a/(Z F_c) with outer
-  race control. At 63000 r/min F_c is {force:.2f} N for our solution at 1200 N, so that 1200 N means {mean:.2f} on average:
+  race control. At 63000 r/min F_c is {force:.2f} N for our solution at 1200 N, so that 1200 N is {mean:.2f} on average:
   a statement about mass, diameter and speed, which no detail of the contact model can change.
 - **Printed equations.** Eq. (11) has the wrong sign of the gyroscopic couple, Eq. (6) has A₂ for A₁ in its last line,
   Eq. (8) the inner stiffness at the outer race; ours are those of [bearing.md](bearing.md).

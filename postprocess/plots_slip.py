@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 KRPM = 1000.0 * RPM
 LEVELS = np.array([0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])  # of the contour lines, limit 10 [-]
 DEEPEST = 0.01  # of the limit: where the colours end [-]
+NO_LOAD = 1e-3  # slip factor that counts as none [-]
 UNLOADED = "#c9ced4"  # where a ball carries no load at the inner race
 SAME = 1.0e-6  # relative difference below which two balls have one curve [-]
 
@@ -54,26 +55,24 @@ def write_slip_plots(results: SlipResults, directory: Path) -> None:
 
 def draw_surface(figure: Figure, results: SlipResults) -> None:
     """Slip factor of the worst ball over speed [r/min] and axial load [N], the limit as a heavy line."""
-    from matplotlib.colors import TwoSlopeNorm
+    from matplotlib.colors import ListedColormap, TwoSlopeNorm
 
     figure.set_size_inches(0.72 * PAGE_WIDTH, 4.0)
     axes: Axes = figure.subplots()
     surface = results.surface
     factors = np.log10(np.clip(surface.minimum.T / results.limit, DEEPEST, 1.0 / DEEPEST))
-    shown = np.ma.masked_where(~(surface.minimum.T > 1e-3), factors)
-    axes.set_facecolor(UNLOADED)
+    shown = np.ma.masked_invalid(factors)
     x, y = surface.speeds / KRPM, surface.axial_loads
     reach = 1.25 * max(float(np.ma.max(np.ma.abs(shown))), 0.1) if shown.count() else 1.0  # the ends are too dark
     norm = TwoSlopeNorm(0.0, -reach, reach)
     image = axes.pcolormesh(x, y, shown, cmap="RdBu", norm=norm, shading="gouraud")
+    unloaded = np.ma.masked_where(~(surface.minimum.T < NO_LOAD), np.ones_like(factors))
+    axes.pcolormesh(x, y, unloaded, cmap=ListedColormap([UNLOADED]), shading="nearest", zorder=1.5)
     levels = LEVELS * results.limit / 10.0
     if shown.count():
         thin = [v for v in np.log10(levels / results.limit) if v != 0.0]
         lines = axes.contour(x, y, shown, levels=thin, colors=INK, linewidths=0.5, linestyles="solid")
         axes.clabel(lines, fmt={v: f"{results.limit * 10.0**v:.3g}" for v in thin}, fontsize=6.5)
-    unsolved = np.ma.masked_where(~np.isnan(surface.minimum.T), np.zeros_like(factors))
-    if surface.unsolved:
-        axes.pcolormesh(x, y, unsolved, cmap="gray_r", vmin=0.0, vmax=1.0, shading="nearest")
     _limit_line(axes, results)
     bar = figure.colorbar(image, ax=axes, label="slip factor of the worst ball, $Q_i\\,\\sin\\alpha_i/F_c$", aspect=30)
     ticks = [v for v in np.log10(levels / results.limit) if -reach <= v <= reach]
@@ -95,7 +94,7 @@ def _limit_line(axes: Axes, results: SlipResults) -> None:
     note = f"heavy line: factor {results.limit:g}; no ball slips above it"
     if not (minimum.hirano[grid] <= top).any():
         note = f"factor {results.limit:g} is not reached at these loads: some ball slips everywhere"
-    if (results.surface.minimum < 1e-3).any():
+    if (results.surface.minimum < NO_LOAD).any():
         note += "\ngrey: a ball carries no load at the inner race"
     if results.surface.unsolved:
         note += "\nwhite: no equilibrium"

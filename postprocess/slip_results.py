@@ -70,7 +70,7 @@ class SlipResults:
             found = (f"operation of the case: not converged: {self.state.message}",)
         if self.surface.unsolved:
             points = f"{self.surface.unsolved} of {self.surface.minimum.size}"
-            found += (f"map of slip factors: no equilibrium at {points} points (not converged); raise axial_loads_N",)
+            found += (f"map of slip factors: no equilibrium at {points} points (not converged); change axial_loads_N",)
         if np.isnan(self.minimum.hirano).any():
             found += ("minimum preload: not converged at some speeds; lower the radial load, the tilt or the speed",)
         return found
