@@ -223,7 +223,7 @@ class ContactEhlTable(Table):
         None,
         ge=1e-5,
         le=0.5,
-        description="wanted relative error bar of the films; `points`, then 1025 if left out, is the most that is taken",
+        description="wanted relative error bar of the films; `points`, 1025 if left out, is then the most taken",
     )
     domain: Domain | None = Field(
         None, description="[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses"

@@ -7,7 +7,8 @@ After Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapters 3 
     load       integral of P = g
 
 f = 0, s = S X^2/2 + T Y^2/2 + C X Y and g = the load on the level being solved; below it they carry the coarse-grid
-correction, and the integral is over the change of P since it was injected. P and H are injected, residuals fully weighted, corrections interpolated bilinearly.
+correction, and the integral is over the change of P since it was injected. P and H are injected, residuals fully
+weighted, corrections interpolated bilinearly.
 """
 
 from __future__ import annotations

@@ -29,6 +29,7 @@ from .solution import ContactSolution, ConvergenceRecord, FilmValue
 Array = NDArray[np.float64]
 
 RESOLVED = 5.0  # Hmin/hx^2 below this is reported as unresolved
+PARABOLIC = 0.02  # a film above this share of Rx lies in a gap that is no paraboloid: reported as unresolved too
 PILOT_POINTS = 65
 TOLERANCE_START = 129  # points of the first solve when a tolerance is asked for
 EXTERIOR_SHARE = 0.06  # of the load; an open box is widened until less than this lies outside
@@ -151,7 +152,8 @@ def _solution(
     state, films = outcome.state, outcome.films
     contact, grid = state.contact, state.levels[-1].grid
     Y, P, H = _whole_box(state)
-    resolved = bool(films) and films[-1][1] >= RESOLVED * grid.hx**2
+    fine = bool(films) and films[-1][1] >= RESOLVED * grid.hx**2
+    resolved = fine and _film_over_radius(outcome) <= PARABOLIC
     return ContactSolution(
         conditions=conditions,
         options=options,
@@ -199,12 +201,23 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
 
 
+def _film_over_radius(outcome: Outcome) -> float:
+    """Central film over Rx [-]; zero where no lengths are given."""
+    contact = outcome.state.contact
+    if contact.film_scale is None or contact.semi_axis_x is None:
+        return 0.0
+    return outcome.films[-1][0] * (contact.film_scale / contact.semi_axis_x) ** 2
+
+
 def _message(outcome: Outcome, resolved: bool) -> str:
     if not outcome.films:
         return "the iteration ran away in spite of stronger damping; try more points or a smaller load"
     if not outcome.converged():
         change, load = outcome.changes[-1], outcome.load[-1]
         return f"not converged: film changed by {change:.1e} in the last cycle, load error {load:.1e}; try more points"
+    if _film_over_radius(outcome) > PARABOLIC:
+        share = _film_over_radius(outcome)
+        return f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; an upper bound"
     if not resolved:
         ratio = outcome.films[-1][1] / outcome.state.levels[-1].grid.hx ** 2
         return (

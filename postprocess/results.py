@@ -28,6 +28,7 @@ TORQUE_MODELS = {
     "palmgren": ("total",),
     "yao": ("ME", "MD", "MS", "MC", "ML", "total"),
 }
+SPIN_NOTED = 0.05  # sliding by spin at the end of the ellipse over the entrainment speed
 FORMULAS = (
     "hamrock_dowson_central",
     "hamrock_dowson_minimum",
@@ -296,10 +297,14 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
-    if not solution.converged:
-        yield f"{name}: not converged: {solution.message}"
-    if not solution.resolved:
-        yield f"{name}: film not resolved by {solution.P.shape[0]} points along x; take a larger [ehl] points"
+    if not (solution.converged and solution.resolved):
+        yield f"{name}: {solution.message}"
+    conditions = solution.conditions
+    if isinstance(conditions, ContactConditions) and solution.semi_axis_x is not None:
+        rim_speed = abs(conditions.spin) * solution.semi_axis_x * max(1.0, solution.semi_axis_ratio)
+        if rim_speed > SPIN_NOTED * conditions.entrainment_speed:
+            share = f"{rim_speed / conditions.entrainment_speed:.0%}"
+            yield f"{name}: spin slides at {share} of the entrainment speed at the ellipse's end, left out of the film"
 
 
 def _contact_summary(results: ContactResults) -> dict[str, Any]:

@@ -261,6 +261,12 @@ def test_unresolved_is_said():
     assert "unresolved" in s.message or not s.converged
 
 
+def test_film_thicker_than_the_paraboloid_allows_is_said():
+    s = solve_contact(replace(INNER_500N, load=0.1), SolverOptions(points=65))
+    assert not s.resolved
+    assert "no paraboloid" in s.message
+
+
 def test_not_converged_is_a_result():
     s = solve_contact(CIRCULAR, SolverOptions(points=65, domain=BOX, max_cycles=1))
     assert not s.converged
