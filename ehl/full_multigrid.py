@@ -34,7 +34,7 @@ LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
 FILM_TOLERANCE = (
     3e-4  # relative error of central and minimum film left by the iteration, estimated from its contraction
 )
-CONTRACTION = (0.2, 0.9)  # bounds of the contraction believed in that estimate
+CONTRACTION = (0.4, 0.9)  # bounds of the contraction believed in that estimate
 LOAD_TOLERANCE = 1e-4  # relative error of the load balance
 PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
 GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle

@@ -28,7 +28,7 @@ from .solution import ContactSolution, ConvergenceRecord, FilmValue
 
 Array = NDArray[np.float64]
 
-RESOLVED = 5.0  # Hmin/hx^2 below this is reported as unresolved
+RESOLVED = 5.0  # Hmin/(S hx^2) below this is reported as unresolved, S the gap's curvature along the entrainment
 PARABOLIC = 0.02  # a film above this share of Rx lies in a gap that is no paraboloid: reported as unresolved too
 PILOT_POINTS = 65
 TOLERANCE_START = 129  # points of the first solve when a tolerance is asked for
@@ -152,8 +152,7 @@ def _solution(
     state, films = outcome.state, outcome.films
     contact, grid = state.contact, state.levels[-1].grid
     Y, P, H = _whole_box(state)
-    fine = bool(films) and films[-1][1] >= RESOLVED * grid.hx**2
-    resolved = fine and _film_over_radius(outcome) <= PARABOLIC
+    resolved = bool(films) and _fineness(outcome) >= RESOLVED and _film_over_radius(outcome) <= PARABOLIC
     return ContactSolution(
         conditions=conditions,
         options=options,
@@ -201,6 +200,12 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
 
 
+def _fineness(outcome: Outcome) -> float:
+    """Hmin/(S hx^2): minimum film over twice what the gap rises within a mesh size [-]."""
+    curvature = outcome.state.contact.curvature_x
+    return outcome.films[-1][1] / (curvature * outcome.state.levels[-1].grid.hx ** 2)
+
+
 def _film_over_radius(outcome: Outcome) -> float:
     """Central film over Rx [-]; zero where no lengths are given."""
     contact = outcome.state.contact
@@ -219,7 +224,7 @@ def _message(outcome: Outcome, resolved: bool) -> str:
         share = _film_over_radius(outcome)
         return f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; an upper bound"
     if not resolved:
-        ratio = outcome.films[-1][1] / outcome.state.levels[-1].grid.hx ** 2
+        ratio = _fineness(outcome)
         return (
             f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}; try more points"
         )

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from math import degrees, hypot, isfinite, pi
+from math import degrees, hypot, isfinite, pi, sin
 from typing import TYPE_CHECKING, Any
 
-from ehl import ContactConditions, ContactSolution, film_formulas
+from ehl import ContactConditions, ContactSolution, ViscosityLaw, film_formulas
 
 if TYPE_CHECKING:
     from bearing.contacts import BearingContact
@@ -28,6 +28,7 @@ TORQUE_MODELS = {
     "palmgren": ("total",),
     "yao": ("ME", "MD", "MS", "MC", "ML", "total"),
 }
+ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
 SPIN_NOTED = 0.05  # sliding by spin at the end of the ellipse over the entrainment speed
 FORMULAS = (
     "hamrock_dowson_central",
@@ -268,8 +269,12 @@ def _films(solution: ContactSolution | None) -> dict[str, float | None]:
 
 
 def _formulas(conditions: object) -> dict[str, float | None]:
-    """Films of the curve-fitted formulas [um], None where the conditions are not dimensional."""
-    if not isinstance(conditions, ContactConditions):
+    """Films of the curve-fitted formulas [um]; None without dimensions, at an angle, or for an isoviscous oil."""
+    if (
+        not isinstance(conditions, ContactConditions)
+        or abs(sin(conditions.entrainment_angle)) > ALIGNED
+        or conditions.lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS
+    ):
         return dict.fromkeys(FORMULAS)
     return {name: getattr(film_formulas, f"film_{name}")(conditions) / MICROMETRE for name in FORMULAS}
 
