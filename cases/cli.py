@@ -136,8 +136,6 @@ def contact(
     """Solve one lubricated contact from a [contact] table."""
     from .case import ContactCase, load_case
 
-    if method is not Method.MULTIGRID:
-        raise CaseError([f"--method {method.value}: not supported by this version; allowed: multigrid"])
     loaded = load_case(case)
     if not isinstance(loaded, ContactCase):
         raise CaseError([f"{case}: is a bearing; run it with 'oilfilm run {case}'"])
@@ -147,7 +145,7 @@ def contact(
 
     with progress_bar(quiet=quiet) as progress:
         progress(0, 1, "film")
-        results = run_contact(loaded)
+        results = run_contact(loaded, finite_element=method is Method.FINITE_ELEMENT)
         _save(results, directory, progress)
     return _finish(results, directory, as_json=as_json, quiet=quiet)
 

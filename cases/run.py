@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 Progress = Callable[[int, int, str], None]  # contacts done, contacts in all, what is being done
 EQUAL = 1e-9  # relative difference below which two contacts count as one [-]
+FINITE_ELEMENT_MESSAGES = ("finite elements: points are those of the graded mesh, cycles are Newton steps, no FFT",)
 MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "spin")  # compared absolutely, too
 
 
@@ -91,17 +92,23 @@ def run_case(case: Case, workers: int | None = None, progress: Progress | None =
     return results
 
 
-def run_contact(case: ContactCase) -> ContactResults:
-    """Solve a single contact; times in the result are in [s]."""
-    from ehl import solve_contact
+def run_contact(case: ContactCase, *, finite_element: bool = False) -> ContactResults:
+    """Solve a single contact, by multigrid or by finite elements; times in the result are in [s]."""
     from postprocess.results import ContactResults
 
+    messages = case.warnings
+    if finite_element:
+        from ehl.finite_element import solve_contact_finite_element as solve_contact
+
+        messages = (*messages, *FINITE_ELEMENT_MESSAGES)
+        if case.solver.tolerance is not None:
+            messages = (*messages, "ehl.tolerance: not used by finite elements, the film is solved on ehl.points")
+    else:
+        from ehl import solve_contact
     start = perf_counter()
     solution = solve_contact(case.conditions, case.solver)
     timing = {"total": perf_counter() - start}
-    return ContactResults(
-        version=version(), case=case.document, solution=solution, messages=case.warnings, timing=timing
-    )
+    return ContactResults(version=version(), case=case.document, solution=solution, messages=messages, timing=timing)
 
 
 def wanted_contacts(

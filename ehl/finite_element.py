@@ -132,7 +132,7 @@ def solve_contact_finite_element(
         force_error=tuple(progress.load),
         film_change=tuple(progress.change),
         cycles=len(progress.residual),
-        fft_equivalents=nan,
+        fft_equivalents=0.0,
         fallbacks=(),
         wall_time=time.perf_counter() - began,
     )

@@ -107,7 +107,7 @@ def draw_map(
     field = view.film if film else view.pressure
     low, high = limits or (view.film_range if film else (0.0, view.pressure_top))
     image = axes.imshow(
-        field.T,
+        _on_equal_steps(view, field).T,
         extent=_extent(view),
         origin="lower",
         aspect="auto",
@@ -132,9 +132,18 @@ def draw_map(
     return image
 
 
+def _on_equal_steps(view: ContactView, field: Array) -> Array:
+    """The field at equal steps between the same ends, bilinear, same unit: an image has no other; for graded meshes."""
+    for axis, nodes in enumerate((view.x, view.y)):
+        steps = np.linspace(nodes[0], nodes[-1], len(nodes))
+        if not np.allclose(nodes, steps, rtol=0.0, atol=1e-6 * (nodes[-1] - nodes[0])):
+            field = np.apply_along_axis(lambda line, x=nodes, s=steps: np.interp(s, x, line), axis, field)
+    return field
+
+
 def _extent(view: ContactView) -> tuple[float, float, float, float]:
     """Edges of an image whose pixels are the nodes, equally spaced; unit of the view, [mm]."""
-    dx, dy = 0.5 * (view.x[1] - view.x[0]), 0.5 * (view.y[1] - view.y[0])
+    dx, dy = 0.5 * (view.x[-1] - view.x[0]) / (len(view.x) - 1), 0.5 * (view.y[-1] - view.y[0]) / (len(view.y) - 1)
     return (
         float(view.x[0] - dx),
         float(view.x[-1] + dx),

@@ -16,7 +16,7 @@ from typer.testing import CliRunner
 
 from cases import cli, terminal
 from cases.cli import app
-from cases.shipped import shipped_cases
+from cases.shipped import find_case, shipped_cases
 
 AT_REST = "209_radial_8900N"  # no films: quick
 OILFILM = [sys.executable, "-m", "cases.cli"]
@@ -104,6 +104,19 @@ def test_a_second_run_replaces_the_first_and_nothing_else(tmp_path):
     assert "not written by oilfilm" in answer.stderr
 
 
+def test_contact_by_finite_elements(tmp_path):
+    text = find_case("moes_20_10").read_text(encoding="utf-8").replace("points = 257", "points = 129")
+    (tmp_path / "small.toml").write_text(text, encoding="utf-8")
+    answer = oilfilm("contact", "small.toml", "--method", "finite-element", "--json", "-o", "out")
+    assert answer.exit_code == 0
+    document = json.loads(answer.stdout)
+    assert document["points"] == [65, 57]
+    assert document["converged"]
+    assert document["film_central_dimensionless"] == pytest.approx(0.4309, rel=0.01)
+    assert any("Newton" in message for message in document["messages"])
+    assert (tmp_path / "out" / "plots" / "contact.png").exists()
+
+
 BAD_INPUT = [
     (["run", "6208_ful_ceramic"], "did you mean '6208_full_ceramic'?"),
     (["run", "."], "is a directory"),
@@ -111,7 +124,6 @@ BAD_INPUT = [
     (["run", "x" * 5000], "not a usable file name"),
     (["run", "moes_20_10"], "oilfilm contact moes_20_10"),
     (["contact", AT_REST], f"oilfilm run {AT_REST}"),
-    (["contact", "moes_20_10", "--method", "finite-element"], "not supported by this version"),
     (["contact", "moes_20_10", "--method", "magic"], "multigrid"),
     (["run", AT_REST, "--workers", "0"], "workers"),
     (["run", AT_REST, "-o", "file"], "is not a directory"),
