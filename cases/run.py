@@ -85,6 +85,7 @@ def run_case(case: Case, workers: int | None = None, progress: Progress | None =
         solutions=solutions,
         frequencies=bearing_frequencies(state),
         messages=(*case.warnings, *messages),
+        interrupted=interrupted,
         timing=timing,
     )
     if interrupted:

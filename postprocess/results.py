@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from math import degrees, hypot, isfinite, pi, sin
+from math import degrees, isfinite, pi, sin
 from typing import TYPE_CHECKING, Any
 
 from ehl import ContactConditions, ContactSolution, ViscosityLaw, film_formulas
+
+from .messages import absent_films, combined_roughness, doubt_messages, listed, ratio_messages
 
 if TYPE_CHECKING:
     from bearing.contacts import BearingContact
@@ -17,7 +19,6 @@ if TYPE_CHECKING:
 
 MICROMETRE, MILLIMETRE, GIGAPASCAL, MILLIRADIAN, NEWTON_MILLIMETRE = 1e-6, 1e-3, 1e9, 1e-3, 1e-3  # in SI
 RPM = 2.0 * pi / 60.0  # [rad/s]
-MANY = 8  # balls are listed one by one up to this number
 NOT_COMPUTED = "not computed by this version"
 STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")
 TORQUE_MODELS = {
@@ -56,6 +57,8 @@ class BearingResults:
         One per contact; equal contacts share one object; None where no film was computed.
     frequencies : Frequencies
     messages : tuple of str
+    interrupted : bool
+        Whether the run was stopped before all films were there.
     timing : dict of float
         Wall time by part of the run [s].
     """
@@ -68,6 +71,7 @@ class BearingResults:
     solutions: tuple[ContactSolution | None, ...]
     frequencies: Frequencies
     messages: tuple[str, ...] = ()
+    interrupted: bool = False
     timing: dict[str, float] = field(default_factory=dict)
 
     @property
@@ -102,14 +106,10 @@ class DistinctContact:
     @property
     def label(self) -> str:
         """Race, balls and azimuths in words."""
-        balls = _listed([str(c.ball) for c in self.contacts])
-        angles = _listed([f"{degrees(c.azimuth) % 360.0:.4g}°" for c in self.contacts])
+        balls = listed([str(c.ball) for c in self.contacts])
+        angles = listed([f"{degrees(c.azimuth) % 360.0:.4g}°" for c in self.contacts])
         plural = "s" if len(self.contacts) > 1 else ""
         return f"{self.contacts[0].race.value} race, ball{plural} {balls} (ψ = {angles})"
-
-
-def _listed(words: list[str]) -> str:
-    return ", ".join(words) if len(words) <= MANY else f"{', '.join(words[:2])} ... {words[-1]}"
 
 
 def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
@@ -258,7 +258,7 @@ def _lambda_ratio(
     """Minimum film over the rms roughness of race and ball together [-]; None without film or roughness."""
     if surface is None or solution is None or solution.film_minimum is None:
         return None
-    roughness = hypot(surface[f"{contact.race.value}_ring_roughness_um"], surface["ball_roughness_um"]) * MICROMETRE
+    roughness = combined_roughness(contact.race.value, surface)
     return solution.film_minimum / roughness if roughness > 0.0 else None
 
 
@@ -286,17 +286,10 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
         yield f"equilibrium of ring and balls: {state.message}"
     for group in distinct_contacts(results):
         yield from _solution_messages(group.label, group.solution)
-    absent: dict[tuple[str, str], list[str]] = {}
-    for contact in results.contacts:
-        if contact.conditions is None:
-            absent.setdefault((contact.race.value, contact.note), []).append(str(contact.ball))
-    for (race, reason), balls in absent.items():
-        yield f"{race} race, ball{'s' if len(balls) > 1 else ''} {_listed(balls)}: film null, {reason}"
+    yield from absent_films(results)
     if any(c.conditions is None for c in results.contacts):
         yield "contacts: Hertz, speed and formula values null where a contact carries no load or no oil is entrained"
-    yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"
-    if results.case.get("surface") is None:
-        yield "contacts.lambda_ratio: null, the case gives no [surface] roughness"
+    yield from ratio_messages(results)
     for part in ("contacts.traction_coefficient", "life", "torque_N_mm"):
         yield f"{part}: null, {NOT_COMPUTED}"
 
@@ -304,6 +297,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
 def _solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
     if not (solution.converged and solution.resolved):
         yield f"{name}: {solution.message}"
+    yield from doubt_messages(name, solution)
     conditions = solution.conditions
     if isinstance(conditions, ContactConditions) and solution.semi_axis_x is not None:
         rim_speed = abs(conditions.spin) * solution.semi_axis_x * max(1.0, solution.semi_axis_ratio)

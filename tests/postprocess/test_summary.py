@@ -124,6 +124,39 @@ def test_null_has_a_reason(bearing_results, contact_results):
     assert "torque_N_mm: null" in messages
 
 
+def test_a_film_not_asked_for_has_its_reason(bearing_results):
+    """Balls 1 and 2 solved, the others left out: told ball by ball, unless there was no chance to solve them."""
+    some = (*bearing_results.solutions[:4], *[None] * 14)
+    partial = replace(bearing_results, solutions=some)
+    messages = summary(partial)["messages"]
+    assert "inner race, ball 9: film null, not asked for by [ehl] film_maps" in messages
+    assert "outer race, balls 3, 4, 5, 6, 7, 8, 9: film null, not asked for by [ehl] film_maps" in messages
+    lost = replace(bearing_results.quasistatic, converged=False, message="no equilibrium")
+    for other in (replace(partial, quasistatic=lost), replace(partial, interrupted=True), bearing_results):
+        assert not any("not asked for" in message for message in summary(other)["messages"])
+
+
+@pytest.mark.parametrize(("roughness", "races"), [((0.0, 0.1, 0.0), ["inner"]), ((0.0, 0.0, 0.0), ["inner", "outer"])])
+def test_no_roughness_no_lambda_ratio(bearing_results, roughness, races):
+    names = ("inner_ring_roughness_um", "outer_ring_roughness_um", "ball_roughness_um")
+    case = {**bearing_results.case, "surface": dict(zip(names, roughness, strict=True))}
+    document = summary(replace(bearing_results, case=case))
+    told = [m.split("null at the ")[1].split()[0] for m in document["messages"] if m.startswith("contacts.lambda")]
+    assert told == races
+    for contact in document["contacts"][:2]:
+        assert (contact["lambda_ratio"] is None) == (contact["race"] in races)
+
+
+def test_a_wide_error_bar_is_told(bearing_results):
+    solution = bearing_results.solutions[0]
+    film = replace(solution.film_minimum_dimensionless, uncertainty=0.4 * solution.film_minimum_dimensionless.value)
+    doubtful = replace(solution, film_minimum_dimensionless=film)
+    solutions = (doubtful, *bearing_results.solutions[1:])
+    told = [m for m in summary(replace(bearing_results, solutions=solutions))["messages"] if "error bar" in m]
+    assert told == ["inner race, ball 1 (ψ = 0°): error bar of the minimum film is 40% of it; try more points"]
+    assert not any("error bar" in m for m in summary(bearing_results)["messages"])
+
+
 def test_nan_never_appears(bearing_results):
     state = replace(bearing_results.quasistatic, cage_speed=float("nan"), tilt=np.array([np.inf, 0.0]))
     document = summary(replace(bearing_results, quasistatic=state))
