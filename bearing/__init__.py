@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 from .catalogue import list_bearings, load_catalogue_entry
 from .geometry import Bearing, Race, clearance_to_contact_angle, contact_angle_to_clearance, reduced_radii
 from .lubricant_library import library_lubricant, list_lubricants
-from .material import Material, list_materials, load_material, reduced_modulus
-from .operation import BallKinematics, Curvature, Model, Operation
+from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus
+from .operation import BallKinematics, Curvature, Model, Operation, RatingInput
 
 if TYPE_CHECKING:
+    from .clearance import ClearanceBudget, Fit, Warming, clearance_budget
     from .contacts import BearingContact, contact_conditions
     from .frequencies import Frequencies, bearing_frequencies
+    from .life import LifeRating, bearing_life
     from .quasistatic import QuasistaticSolution, solve_quasistatic
     from .slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
 
@@ -21,15 +23,23 @@ __all__ = [
     "BallKinematics",
     "Bearing",
     "BearingContact",
+    "ClearanceBudget",
     "Curvature",
+    "Fit",
     "Frequencies",
+    "LifeRating",
     "Material",
+    "MaterialKind",
     "Model",
     "Operation",
     "QuasistaticSolution",
     "Race",
+    "RatingInput",
     "SlipStudy",
+    "Warming",
     "bearing_frequencies",
+    "bearing_life",
+    "clearance_budget",
     "clearance_to_contact_angle",
     "contact_angle_to_clearance",
     "contact_conditions",
@@ -50,9 +60,15 @@ __all__ = [
 
 _LAZY = {  # these need SciPy, which takes longer to import than a command line may take to answer
     "BearingContact": "contacts",
+    "ClearanceBudget": "clearance",
+    "Fit": "clearance",
+    "Warming": "clearance",
+    "clearance_budget": "clearance",
     "contact_conditions": "contacts",
     "Frequencies": "frequencies",
     "bearing_frequencies": "frequencies",
+    "LifeRating": "life",
+    "bearing_life": "life",
     "QuasistaticSolution": "quasistatic",
     "solve_quasistatic": "quasistatic",
     "SlipStudy": "slip",

@@ -4,8 +4,17 @@ from __future__ import annotations
 
 import tomllib
 from dataclasses import dataclass
+from enum import Enum
 from importlib import resources
 from math import isfinite
+
+
+class MaterialKind(Enum):
+    """What rating standards distinguish: hardened bearing steel, silicon nitride, anything else."""
+
+    BEARING_STEEL = "bearing steel"
+    SILICON_NITRIDE = "silicon nitride"
+    OTHER = "other"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,6 +32,9 @@ class Material:
         rho [kg/m^3].
     source : str
         Where the numbers come from.
+    thermal_expansion : float or None
+        Linear, mean from room temperature to that of operation [1/K]; None if not known.
+    kind : MaterialKind
     """
 
     name: str
@@ -30,6 +42,8 @@ class Material:
     poisson_ratio: float
     density: float
     source: str = ""
+    thermal_expansion: float | None = None
+    kind: MaterialKind = MaterialKind.OTHER
 
     def __post_init__(self) -> None:
         for field in ("youngs_modulus", "density"):
@@ -38,6 +52,8 @@ class Material:
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
         if not 0.0 <= self.poisson_ratio < 0.5:
             raise ValueError(f"poisson_ratio must lie in [0, 0.5), got {self.poisson_ratio!r}")
+        if self.thermal_expansion is not None and not isfinite(self.thermal_expansion):
+            raise ValueError(f"thermal_expansion must be finite, got {self.thermal_expansion!r}")
 
 
 def reduced_modulus(material_1: Material, material_2: Material) -> float:
@@ -83,12 +99,15 @@ def load_material(name: str) -> Material:
     if key not in table:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
     entry = table[key]
+    expansion = entry.get("thermal_expansion_um_m_K")
     return Material(
         name=key,
         youngs_modulus=entry["youngs_modulus_GPa"]["value"] * 1e9,
         poisson_ratio=entry["poisson_ratio"]["value"],
         density=entry["density_kg_m3"]["value"],
-        source="; ".join(f"{field}: {entry[field]['source']}" for field in entry),
+        source="; ".join(f"{field}: {value['source']}" for field, value in entry.items() if field != "kind"),
+        thermal_expansion=None if expansion is None else expansion["value"] * 1e-6,
+        kind=MaterialKind(entry.get("kind", "other")),
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from math import isfinite
+from math import isfinite, pi
 
 DEGREES_OF_FREEDOM = ("x", "y", "z", "tilt y", "tilt z")
 
@@ -99,3 +99,30 @@ class Operation:
     def displacements(self) -> tuple[float | None, ...]:
         """Displacements in the order x, y, z, tilt y, tilt z, [m] and [rad]."""
         return (*self.displacement, *self.tilt)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RatingInput:
+    """What a rating needs beyond the bearing and its loads.
+
+    Attributes
+    ----------
+    dynamic_rating : float or None
+        C_r of the catalogue [N]; None computes it from the geometry.
+    nominal_contact_angle : float
+        alpha of the rating formulas [rad], 0 for deep groove bearings.
+    contamination_factor : float or None
+        e_C [-], from 0 (severe) to 1 (none); None leaves the modified life out.
+    """
+
+    dynamic_rating: float | None = None
+    nominal_contact_angle: float = 0.0
+    contamination_factor: float | None = None
+
+    def __post_init__(self) -> None:
+        if self.dynamic_rating is not None and not self.dynamic_rating > 0.0:
+            raise ValueError(f"dynamic_rating must be positive, got {self.dynamic_rating!r} N")
+        if not 0.0 <= self.nominal_contact_angle < 0.5 * pi:
+            raise ValueError(f"nominal_contact_angle must lie in [0, pi/2), got {self.nominal_contact_angle!r} rad")
+        if self.contamination_factor is not None and not 0.0 <= self.contamination_factor <= 1.0:
+            raise ValueError(f"contamination_factor must lie in [0, 1], got {self.contamination_factor!r}")

@@ -1,0 +1,204 @@
+"""Rating life: closed forms, continuity of the printed factors, and what the standards do not cover.
+
+The standards were not read; what can be wrong in a transcription is tested where theory or another printed form says
+more: the factor a_ISO is continuous where its pieces meet, the equivalent load of a radial load without clearance is
+that load, and the fatigue limit's two forms agree.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import pi, sqrt
+
+import numpy as np
+import pytest
+from scipy.special import ellipe
+
+from bearing import Operation, Race, load_material, reduced_radii, solve_quasistatic
+from bearing.geometry import contact_modulus
+from bearing.life import (
+    RatingInput,
+    bearing_life,
+    equivalent_ball_load,
+    life_factor,
+    reference_life,
+    viscosity_ratio,
+)
+from bearing.load_rating import F_C_POINTS, GAMMA_POINTS, dynamic_rating, factor_f_c, fatigue_load_limit
+from ehl import Lubricant
+from ehl.hertz import ellipse_ratio, hertz_contact
+
+OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)  # 30 mm^2/s
+RPM = pi / 30.0
+
+
+def steel(bearing, **changes):
+    material = load_material("bearing steel")
+    parts = dict.fromkeys(("ball_material", "inner_ring_material", "outer_ring_material"), material)
+    return replace(bearing, **(parts | changes))
+
+
+def solve(bearing, radial, rpm=1000.0, outer_rpm=0.0):
+    operation = Operation(inner_speed=rpm * RPM, outer_speed=outer_rpm * RPM, force=(0.0, radial, 0.0))
+    return solve_quasistatic(bearing, operation)
+
+
+@pytest.fixture(scope="module")
+def b6208(bearings):
+    return steel(bearings.b6208)
+
+
+@pytest.mark.parametrize("kappa", [0.4, 1.0])
+@pytest.mark.parametrize("limit", [0.01, 0.1, 0.3])
+def test_life_factor_is_continuous(kappa, limit):
+    """0.019087 for 0.19087 in the middle piece, a known misprint, jumps by a quarter and more; rounding by 1e-4."""
+    assert life_factor(kappa * (1.0 + 1e-9), limit) == pytest.approx(life_factor(kappa, limit), rel=1e-3)
+
+
+def test_life_factor_by_hand():
+    """kappa 1, e_C C_u/P 0.1: 0.1 (1 - 0.5684^0.83 0.1^(1/3))^-9.3 = 0.1 (1 - 0.62569 x 0.46416)^-9.3."""
+    assert life_factor(1.0, 0.1) == pytest.approx(0.1 * 0.709580**-9.3, rel=1e-4)
+
+
+def test_life_factor_grows_and_is_bounded():
+    kappas = np.geomspace(0.1, 4.0, 60)
+    factors = [life_factor(kappa, 0.2) for kappa in kappas]
+    assert all(b >= a * (1.0 - 1e-4) for a, b in zip(factors, factors[1:], strict=False))
+    assert life_factor(2.0, 0.0) == pytest.approx(0.1)
+    assert life_factor(9.0, 0.05) == life_factor(4.0, 0.05)
+    assert life_factor(4.0, 5.0) == 50.0
+    with pytest.raises(ValueError, match="kappa"):
+        life_factor(0.09, 0.1)
+
+
+def test_viscosity_ratio():
+    """nu_1 at d_m 100 mm: 4500/sqrt(4000)/10 = 7.115 mm^2/s at 4000, 45000 x 100^-0.83/10 = 98.4 at 100 r/min."""
+    assert viscosity_ratio(7.115e-6, 4000.0 * RPM, 0.1) == pytest.approx(1.0, rel=1e-3)
+    assert viscosity_ratio(98.45e-6, 100.0 * RPM, 0.1) == pytest.approx(1.0, rel=1e-3)
+
+
+def test_f_c_passes_its_points_and_peaks_once():
+    assert [factor_f_c(gamma) for gamma in GAMMA_POINTS] == pytest.approx(list(F_C_POINTS), rel=1e-12)
+    slopes = np.diff([factor_f_c(gamma) for gamma in np.linspace(0.05, 0.25, 101)])
+    assert np.count_nonzero(np.diff(np.sign(slopes))) == 1
+
+
+def test_dynamic_rating_by_hand(b6208):
+    """6208, gamma 0.2: 1.3 x 59.956 x 9^(2/3) x 12^1.8 N, 9^(2/3) = 4.32675, 12^1.8 = 87.604."""
+    assert dynamic_rating(b6208, 0.0) == pytest.approx(1.3 * 59.956 * 4.32675 * 87.604, rel=1e-4)
+
+
+def test_the_equivalent_load_of_a_radial_load_is_that_load(bearings):
+    """What 0.407 and 0.389 are made for: without clearance half the ring carries, and P_ref = F_r.
+
+    1 % for the rounding of these factors and for the deflection, which widens the loaded zone's contact law a little.
+    """
+    bearing = steel(bearings.make((8.0, 60.0), 19, (4.16, 4.24), (206.0, 0.3, 7850.0), clearance=0.0))
+    capacity, force = 20000.0, 500.0
+    life = reference_life(solve(bearing, force, rpm=10.0), capacity, 0.0)
+    assert capacity / life ** (1.0 / 3.0) == pytest.approx(force, rel=1e-2)
+
+
+def test_equivalent_ball_load():
+    """One of two balls loaded: 2^(-1/3) where the ring turns, 2^(-3/10) where it stands."""
+    loads = np.array([100.0, 0.0])
+    assert equivalent_ball_load(loads, turning=True) == pytest.approx(100.0 * 2.0 ** (-1.0 / 3.0))
+    assert equivalent_ball_load(loads, turning=False) == pytest.approx(100.0 * 2.0**-0.3)
+
+
+def test_turning_the_outer_ring_shortens_life(b6208):
+    """The inner ring, which carries more per ball, then stands under the load; body forces are negligible here."""
+    inner, outer = solve(b6208, 3000.0, rpm=10.0), solve(b6208, 3000.0, rpm=0.0, outer_rpm=10.0)
+    lives = [bearing_life(state, OIL, RatingInput()).basic_life for state in (inner, outer)]
+    assert lives[1] < lives[0]
+
+
+def test_life_goes_with_the_cube_of_the_rating(b6208):
+    state = solve(b6208, 3000.0)
+    one, two = (bearing_life(state, OIL, RatingInput(dynamic_rating=c)).basic_life for c in (30e3, 60e3))
+    assert two / one == pytest.approx(8.0, rel=1e-12)
+
+
+def test_fatigue_limit_against_its_printed_form(b6208):
+    """Q_u = sigma^3 (32 pi chi/3) [(1 - nu^2)/E E(chi)/Sum rho]^2, sigma = 1500 MPa, chi the ratio of the semi-axes."""
+    limits = []
+    for race in Race:
+        radius_x, radius_y = reduced_radii(b6208, race, 0.0)
+        chi = ellipse_ratio(radius_x / radius_y)
+        integral, curvature = ellipe(1.0 - chi**-2), 1.0 / radius_x + 1.0 / radius_y
+        compliance = 1.0 / contact_modulus(b6208, race)
+        limits.append(1.5e9**3 * 32.0 * pi * chi / 3.0 * (compliance * integral / curvature) ** 2)
+    expected = 0.2288 * 9 * min(limits)
+    assert fatigue_load_limit(b6208, 0.0) == pytest.approx(expected, rel=1e-9)
+    large = replace(b6208, pitch_diameter=0.2)
+    small = replace(b6208, pitch_diameter=0.1)
+    ratio = fatigue_load_limit(large, 0.0) / fatigue_load_limit(small, 0.0)
+    assert ratio < 1.2 / sqrt(2.0)  # the load limit of a ball grows by less than a fifth: gamma 0.12 to 0.06
+
+
+def test_static_safety(b6208):
+    """(4200 MPa/p_max)^3 is the factor on the ball load at which 4200 MPa are reached."""
+    state = solve(b6208, 3000.0, rpm=10.0)
+    safety = bearing_life(state, OIL, RatingInput()).static_safety
+    worst = float(state.inner_load.max())
+    contact = hertz_contact(safety * worst, *reduced_radii(b6208, Race.INNER, 0.0), contact_modulus(b6208, Race.INNER))
+    assert contact.pressure == pytest.approx(4.2e9, rel=1e-9)
+
+
+def test_modified_life(b6208):
+    life = bearing_life(solve(b6208, 3000.0, rpm=5000.0), OIL, RatingInput(contamination_factor=0.3))
+    expected = life_factor(life.viscosity_ratio, 0.3 * life.fatigue_load_limit / life.equivalent_load)
+    assert life.life_factor == expected
+    assert life.modified_life == pytest.approx(expected * life.basic_life)
+
+
+NULLS = ("basic_life", "modified_life", "life_factor", "viscosity_ratio", "static_safety", "equivalent_load")
+
+
+@pytest.mark.parametrize("part", ["ball_material", "inner_ring_material", "outer_ring_material"])
+def test_no_steel_life_for_what_the_standards_do_not_cover(b6208, part):
+    other = "zirconia" if part == "ball_material" else "silicon nitride"
+    state = solve(replace(b6208, **{part: load_material(other)}), 3000.0)
+    life = bearing_life(state, OIL, RatingInput(dynamic_rating=30e3, contamination_factor=1.0))
+    assert all(getattr(life, name) is None for name in NULLS)
+    assert any(message.startswith("life: null") and other in message for message in life.messages)
+
+
+def test_a_hybrid_has_the_rating_of_steel_but_no_static_safety(b6208):
+    hybrid = replace(b6208, ball_material=load_material("silicon nitride"))
+    rating = RatingInput(contamination_factor=0.5)
+    steel_life, life = (bearing_life(solve(b, 3000.0), OIL, rating) for b in (b6208, hybrid))
+    assert life.dynamic_rating == steel_life.dynamic_rating
+    assert life.static_safety is None
+    assert life.fatigue_load_limit < steel_life.fatigue_load_limit
+    assert any("static_safety" in message for message in life.messages)
+
+
+@pytest.mark.parametrize(
+    ("changes", "rating", "rpm", "reason", "nulls"),
+    [
+        ({}, {}, 0.0, "do not turn", ("basic_life", "viscosity_ratio")),
+        ({}, {}, 1000.0, "contamination_factor", ("life_factor", "modified_life")),
+        ({}, {"contamination_factor": 0.5}, 1.0, "below kappa 0.1", ("life_factor", "modified_life")),
+        ({"inner_groove_radius": 6.4e-3}, {}, 1000.0, "wider", ("basic_life", "life_factor")),
+        ({"pitch_diameter": 0.3}, {}, 1000.0, "outside the factors f_c", ("basic_life",)),
+        ({}, {"nominal_contact_angle": 1.0}, 1000.0, "thrust", ("basic_life",)),
+    ],
+)
+def test_what_is_null_has_a_reason(b6208, changes, rating, rpm, reason, nulls):
+    life = bearing_life(solve(replace(b6208, **changes), 3000.0, rpm=rpm), OIL, RatingInput(**rating))
+    assert all(getattr(life, name) is None for name in nulls)
+    assert any(reason in message for message in life.messages), life.messages
+
+
+def test_a_heavy_load_is_told(b6208):
+    life = bearing_life(solve(b6208, 20000.0), OIL, RatingInput())
+    assert any("more than the 0.5 of ISO 281" in message for message in life.messages)
+
+
+@pytest.mark.parametrize(
+    ("field", "value"), [("dynamic_rating", 0.0), ("nominal_contact_angle", 2.0), ("contamination_factor", 1.1)]
+)
+def test_impossible_input_is_refused(field, value):
+    with pytest.raises(ValueError, match=field):
+        RatingInput(**{field: value})
