@@ -21,15 +21,16 @@ from .shipped import find_case
 from .toml_lines import key_lines
 
 if TYPE_CHECKING:
+    from bearing.clearance import ClearanceBudget
     from bearing.geometry import Bearing
-    from bearing.operation import Model, Operation
+    from bearing.operation import Model, Operation, RatingInput
     from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 
     from .slip_plan import SlipPlan
 
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
-LATER_TABLES = ("fit", "temperatures", "cage", "dynamics", "rows", "load_cases")
+LATER_TABLES = ("cage", "dynamics", "rows", "load_cases")
 LATER_VALUES = {
     ("model", "ball_kinematics"): ("minimum dissipation", "traction equilibrium"),
     ("lubricant", "viscosity_law"): ("tait-doolittle", "yasutomi"),
@@ -55,6 +56,8 @@ class Case:
     document: dict[str, Any]  # the case file as run, defaults and library values filled in
     warnings: tuple[str, ...] = ()  # what the libraries have to say about their values
     slip: SlipPlan | None = None  # maps of `oilfilm slip`
+    rating: RatingInput | None = None  # what the rating life needs beyond the loads
+    clearance: ClearanceBudget | None = None  # where fits or temperatures change it; `bearing` has the operating one
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -278,22 +281,26 @@ def _bearing_case(file: BearingFile) -> Case:
 
     oil = convert.lubricant(file)
     document = _document(file)
-    names = convert.ring_materials(file.bearing)
+    names = (*convert.ring_materials(file.bearing), *convert.seat_materials(file))
     document["materials"] = {name: convert.material_table(m) for name, m in convert.materials(file, names).items()}
     document["lubricant"] = _lubricant_document(document, convert.lubricant_keys(oil, moes=False))
     maps = file.ehl.film_maps
+    operation = convert.operation(file.operation)
+    bearing, clearance = convert.operating_bearing(file, operation)
     return Case(
         title=file.title,
         source=file.source,
         assumed=file.assumed,
-        bearing=convert.bearing(file),
+        bearing=bearing,
         lubricant=oil,
-        operation=convert.operation(file.operation),
+        operation=operation,
         model=convert.model(file),
         solver=convert.solver_options(file.ehl),
         film_maps=maps if isinstance(maps, str) else tuple(radians(azimuth) for azimuth in maps),
         document=document,
         slip=None if file.slip is None else convert.slip_plan(file.slip),
+        rating=convert.rating(file),
+        clearance=clearance,
     )
 
 

@@ -56,9 +56,11 @@ class Names:
 
 def bearing_problems(values: Values, names: Names) -> Iterator[Problem]:
     """Every conflict within a bearing case."""
-    for check in (_required_geometry, _grooves, _ball_count, _clearance, _boundary, _loads, _tilt, _film_maps):
+    for check in (_required_geometry, _grooves, _ball_count, _clearance, _boundary, _seats, _loads, _tilt, _film_maps):
         yield from check(values)
     yield from _bearing_materials(values, names)
+    for key in ("shaft_material", "housing_material"):
+        yield from _known(("fit", key), values.get("fit", key), names.materials)
     yield from _lubricant(values, names)
 
 
@@ -147,6 +149,27 @@ def _boundary(values: Values) -> Iterator[Problem]:
     if outside is not None and outside <= outer:
         allowed = f"allowed: more than the outer raceway's diameter, {outer:g} mm"
         yield Problem(path=("bearing", "outside_diameter_mm"), found=f"found {shown(outside)}", allowed=allowed)
+
+
+def _seats(values: Values) -> Iterator[Problem]:
+    """What the fits need: bore and outside diameter, within shaft and housing."""
+    if values.get("fit") is None:
+        return
+    for ring, dimension in (("inner", "bore_mm"), ("outer", "outside_diameter_mm")):
+        if values.get("fit", f"{ring}_ring_interference_um") and not values.given("bearing", dimension):
+            allowed = f"needed with fit.{ring}_ring_interference_um"
+            yield Problem(path=("bearing", dimension), found=MISSING, allowed=allowed)
+    housing = "housing_outside_diameter_mm"
+    if values.get("fit", "outer_ring_interference_um") and not values.given("fit", housing):
+        yield Problem(path=("fit", housing), found=MISSING, allowed="needed with outer_ring_interference_um")
+    shaft, bore = values.get("fit", "shaft_bore_mm"), values.get("bearing", "bore_mm")
+    if shaft is not None and bore is not None and shaft >= bore:
+        allowed = f"allowed: less than the bore of the bearing, {bore:g} mm"
+        yield Problem(path=("fit", "shaft_bore_mm"), found=f"found {shown(shaft)}", allowed=allowed)
+    around, outside = values.get("fit", housing), values.get("bearing", "outside_diameter_mm")
+    if around is not None and outside is not None and around <= outside:
+        allowed = f"allowed: more than the outside diameter of the bearing, {outside:g} mm"
+        yield Problem(path=("fit", housing), found=f"found {shown(around)}", allowed=allowed)
 
 
 def _loads(values: Values) -> Iterator[Problem]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import pi, radians
 from typing import TYPE_CHECKING, Any
 
@@ -18,9 +19,10 @@ from .schema import (
 )
 
 if TYPE_CHECKING:
+    from bearing.clearance import ClearanceBudget
     from bearing.geometry import Bearing
     from bearing.material import Material
-    from bearing.operation import Model, Operation
+    from bearing.operation import Model, Operation, RatingInput
     from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 
     from .slip_plan import SlipPlan
@@ -36,31 +38,44 @@ DIGITS = 12  # of library values written back into the document; more is noise o
 
 def materials(file: BearingFile | ContactFile, names: tuple[str, ...]) -> dict[str, Material]:
     """The named materials, the case's own before those of the library; modulus [Pa], density [kg/m^3]."""
-    from bearing.material import Material, load_material
+    from bearing.material import load_material
 
     found = {}
     for name in names:
         own = file.materials.get(name)
-        found[name] = load_material(name) if own is None else _material(name, own, Material)
+        found[name] = load_material(name) if own is None else _material(name, own)
     return found
 
 
-def _material(name: str, table: MaterialTable, kind: type[Material]) -> Material:
-    return kind(
+def _material(name: str, table: MaterialTable) -> Material:
+    """A material of the case's own; kind and thermal expansion [1/K] of the library's where it has the name of one."""
+    from bearing.material import Material, MaterialKind, list_materials, load_material
+
+    library = load_material(name) if name.strip().lower() in list_materials() else None
+    kind = MaterialKind(table.kind) if table.kind else library.kind if library else MaterialKind.OTHER
+    expansion = None if library is None else library.thermal_expansion
+    if table.thermal_expansion_um_m_K is not None:
+        expansion = table.thermal_expansion_um_m_K * UM
+    return Material(
         name=name,
         youngs_modulus=table.youngs_modulus_GPa * GPA,
         poisson_ratio=table.poisson_ratio,
         density=table.density_kg_m3,
         source=table.source,
+        thermal_expansion=expansion,
+        kind=kind,
     )
 
 
 def material_table(material: Material) -> dict[str, Any]:
     """A material as a [materials.NAME] table: youngs_modulus_GPa [GPa], density_kg_m3 [kg/m^3]."""
+    expansion = material.thermal_expansion
     return {
         "youngs_modulus_GPa": rounded(material.youngs_modulus / GPA),
         "poisson_ratio": material.poisson_ratio,
         "density_kg_m3": rounded(material.density),
+        **({} if expansion is None else {"thermal_expansion_um_m_K": rounded(expansion / UM)}),
+        "kind": material.kind.value,
         "source": material.source,
     }
 
@@ -110,6 +125,58 @@ def _clearance(table: BearingTable) -> float:
     assert table.free_contact_angle_deg is not None  # checked before
     lengths = (table.inner_groove_radius_mm, table.outer_groove_radius_mm, table.ball_diameter_mm)
     return contact_angle_to_clearance(radians(table.free_contact_angle_deg), *(_mm(length) for length in lengths))
+
+
+def seat_materials(file: BearingFile) -> tuple[str, ...]:
+    """Names of the materials of shaft and housing [-], none without [fit]."""
+    return () if file.fit is None else (file.fit.shaft_material, file.fit.housing_material)
+
+
+def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing, ClearanceBudget | None]:
+    """The bearing with its clearance in operation [m], and what made it that; None without [fit] and [temperatures]."""
+    given = bearing(file)
+    if file.fit is None and file.temperatures is None:
+        return given, None
+    from bearing.clearance import Fit, Warming, clearance_budget
+
+    fit = warming = None
+    if file.fit is not None:
+        shaft, housing = seat_materials(file)
+        library, table = materials(file, (shaft, housing)), file.fit
+        outside = table.housing_outside_diameter_mm
+        fit = Fit(
+            shaft_material=library[shaft],
+            housing_material=library[housing],
+            inner_interference=table.inner_ring_interference_um * UM,
+            outer_interference=table.outer_ring_interference_um * UM,
+            shaft_bore=table.shaft_bore_mm * MM,
+            housing_outside_diameter=None if outside is None else outside * MM,
+        )
+    if file.temperatures is not None:
+        at = file.temperatures
+        seats = {
+            "shaft": at.inner_ring_C if at.shaft_C is None else at.shaft_C,
+            "housing": at.outer_ring_C if at.housing_C is None else at.housing_C,
+        }
+        parts = {"inner_ring": at.inner_ring_C, "outer_ring": at.outer_ring_C, "ball": at.ball_C, **seats}
+        warming = Warming(**{part: value - at.reference_C for part, value in parts.items()})
+    budget = clearance_budget(given, operation, fit, warming)
+    return replace(given, diametral_clearance=budget.operating), budget
+
+
+def rating(file: BearingFile) -> RatingInput:
+    """What the rating life needs beyond the loads: C_r [N], nominal contact angle [rad], e_C [-]."""
+    from bearing.operation import RatingInput
+
+    table = file.bearing
+    angle, capacity = table.nominal_contact_angle_deg, table.basic_dynamic_rating_kN
+    if angle is None:
+        angle = table.free_contact_angle_deg or 0.0
+    return RatingInput(
+        dynamic_rating=None if capacity is None else capacity * KN,
+        nominal_contact_angle=radians(angle),
+        contamination_factor=file.lubricant.contamination_factor,
+    )
 
 
 def operation(table: OperationTable) -> Operation:

@@ -61,6 +61,7 @@ def run_case(case: Case, workers: int | None = None, progress: Progress | None =
     """
     from bearing.contacts import contact_conditions
     from bearing.frequencies import bearing_frequencies
+    from bearing.life import bearing_life
     from bearing.quasistatic import solve_quasistatic
     from postprocess.results import BearingResults
 
@@ -87,6 +88,8 @@ def run_case(case: Case, workers: int | None = None, progress: Progress | None =
         messages=(*case.warnings, *messages),
         interrupted=interrupted,
         timing=timing,
+        life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
+        clearance=case.clearance,
     )
     if interrupted:
         raise Interrupted(results if any(solution is not None for solution in solutions) else None)

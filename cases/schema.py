@@ -135,7 +135,12 @@ class BearingTable(Table):
     width_mm: float | None = _length("width of the rings")
     inner_shoulder_diameter_mm: float | None = _length("recorded only")
     outer_shoulder_diameter_mm: float | None = _length("recorded only")
-    basic_dynamic_rating_kN: float | None = Field(None, gt=0.0, le=1.0e6, description="recorded only")
+    nominal_contact_angle_deg: float | None = Field(
+        None, ge=0.0, le=80.0, description="of the rating life; left out, free_contact_angle_deg, or 0 without that"
+    )
+    basic_dynamic_rating_kN: float | None = Field(
+        None, gt=0.0, le=1.0e6, description="C_r of the catalogue for the rating life; left out, from the geometry"
+    )
     basic_static_rating_kN: float | None = Field(None, gt=0.0, le=1.0e6, description="recorded only")
     skf_series: Name | None = Field(None, description="recorded only")
 
@@ -146,6 +151,12 @@ class MaterialTable(Table):
     youngs_modulus_GPa: float = Field(gt=0.0, le=2.0e3, description="Young's modulus")
     poisson_ratio: float = Field(ge=0.0, lt=0.5, description="Poisson's ratio")
     density_kg_m3: float = Field(gt=0.0, le=3.0e4, description="density")
+    thermal_expansion_um_m_K: float | None = Field(
+        None, ge=-100.0, le=1.0e3, description="linear thermal expansion; left out, that of the library's of this name"
+    )
+    kind: Literal["bearing steel", "silicon nitride", "other"] | None = Field(
+        None, description='for the rating life; left out, that of the library\'s of this name, or "other"'
+    )
     source: str = Field("case file", description="where the numbers come from")
 
 
@@ -179,6 +190,9 @@ class LubricantTable(OilTable):
 
     name: Name | None = Field(None, description="oil of [lubricants] or of the library; the keys here override it")
     supply: Literal["flooded"] = Field("flooded", description="how much oil reaches the contacts")
+    contamination_factor: float | None = Field(
+        None, ge=0.0, le=1.0, description="e_C of ISO 281, 1 clean; left out, no modified life is computed"
+    )
 
 
 class OperationTable(Table):
@@ -255,6 +269,31 @@ class SurfaceTable(Table):
     ball_roughness_um: float = Field(ge=0.0, le=100.0, description="rms roughness of the balls")
 
 
+class FitTable(Table):
+    """Seats of the rings; the clearance of [bearing] is then the one before mounting."""
+
+    inner_ring_interference_um: float = Field(
+        0.0, ge=-1.0e3, le=1.0e3, description="on the diameter, at rest and at reference_C; negative is loose"
+    )
+    outer_ring_interference_um: float = Field(0.0, ge=-1.0e3, le=1.0e3, description="likewise, in the housing")
+    shaft_bore_mm: float = Field(0.0, ge=0.0, le=LENGTH_MAXIMUM, description="inner diameter of a hollow shaft")
+    housing_outside_diameter_mm: float | None = _length("outside of the housing; left out, the outer ring is free")
+    shaft_material: Name = Field("bearing steel", description="material of the shaft")
+    housing_material: Name = Field("bearing steel", description="material of the housing")
+
+
+class TemperaturesTable(Table):
+    """Temperatures in operation, for the clearance; that of the oil in the contacts is operation.temperature_C."""
+
+    inner_ring_C: float = Field(ge=-200.0, le=1000.0, description="inner ring")
+    outer_ring_C: float = Field(ge=-200.0, le=1000.0, description="outer ring")
+    ball_C: float = Field(ge=-200.0, le=1000.0, description="balls")
+    shaft_C: float | None = Field(None, ge=-200.0, le=1000.0, description="shaft; left out, as the inner ring")
+    housing_C: float | None = Field(None, ge=-200.0, le=1000.0, description="housing; left out, as the outer ring")
+    oil_inlet_C: float | None = Field(None, ge=-200.0, le=1000.0, description="recorded only")
+    reference_C: float = Field(20.0, ge=-200.0, le=1000.0, description="at which clearance and fits were measured")
+
+
 class SlipTable(Table):
     """Maps of gross slip after Hirano: `oilfilm slip`; loads and tilt not varied here are those of [operation]."""
 
@@ -326,6 +365,8 @@ class BearingFile(CaseFile):
     model: ModelTable = ModelTable()
     ehl: EhlTable = EhlTable()
     surface: SurfaceTable | None = None
+    fit: FitTable | None = None
+    temperatures: TemperaturesTable | None = None
     slip: SlipTable | None = None
     lubricants: dict[str, OilTable] = Field({}, description="oils by name")
 

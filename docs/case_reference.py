@@ -14,7 +14,7 @@ START, END = "<!-- tables: written by docs/case_reference.py -->", "<!-- end of 
 UNITS = {
     "_mm": "mm", "_um": "µm", "_deg": "deg", "_mrad": "mrad", "_N": "N", "_kN": "kN", "_N_mm": "N mm", "_rpm": "r/min",
     "_C": "°C", "_mPa_s": "mPa s", "_mm2_s": "mm²/s", "_kg_m3": "kg/m³", "_GPa": "GPa", "_MPa": "MPa", "_m_s": "m/s",
-    "_rad_s": "rad/s", "_1_GPa": "1/GPa",
+    "_rad_s": "rad/s", "_1_GPa": "1/GPa", "_um_m_K": "µm/(m K)",
 }  # fmt: skip
 SPECIAL = {
     "force_N": "three numbers, ±1e8",
@@ -30,7 +30,20 @@ SPECIAL = {
     "critical_speeds_rpm": "up to six numbers > 0 and <= 1e6",
     "assumed": "list of `table.key`",
 }
-ORDER = ("bearing", "contact", "lubricant", "operation", "model", "ehl", "surface", "slip", "materials", "lubricants")
+ORDER = (
+    "bearing",
+    "contact",
+    "lubricant",
+    "operation",
+    "model",
+    "ehl",
+    "surface",
+    "fit",
+    "temperatures",
+    "slip",
+    "materials",
+    "lubricants",
+)
 NAMED = {"materials": "materials.NAME", "lubricants": "lubricants.NAME"}
 
 

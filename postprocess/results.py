@@ -10,10 +10,13 @@ from typing import TYPE_CHECKING, Any
 from ehl import ContactConditions, ContactSolution, ViscosityLaw, film_formulas
 
 from .messages import absent_films, combined_roughness, doubt_messages, listed, ratio_messages
+from .ratings import clearance_block, life_block, rating_messages
 
 if TYPE_CHECKING:
+    from bearing.clearance import ClearanceBudget
     from bearing.contacts import BearingContact
     from bearing.frequencies import Frequencies
+    from bearing.life import LifeRating
     from bearing.quasistatic import QuasistaticSolution
     from ehl import Lubricant
 
@@ -61,6 +64,9 @@ class BearingResults:
         Whether the run was stopped before all films were there.
     timing : dict of float
         Wall time by part of the run [s].
+    life : LifeRating or None
+    clearance : ClearanceBudget or None
+        None where the clearance given is the operating one.
     """
 
     version: str
@@ -73,6 +79,8 @@ class BearingResults:
     messages: tuple[str, ...] = ()
     interrupted: bool = False
     timing: dict[str, float] = field(default_factory=dict)
+    life: LifeRating | None = None
+    clearance: ClearanceBudget | None = None
 
     @property
     def converged(self) -> bool:
@@ -182,7 +190,8 @@ def _bearing_summary(results: BearingResults) -> dict[str, Any]:
             _bearing_contact(c, s, results.case.get("surface"))
             for c, s in zip(results.contacts, results.solutions, strict=True)
         ],
-        "life": dict.fromkeys(("basic_reference_rating_Mrev", "modified_reference_rating_Mrev", "a_iso", "kappa")),
+        "clearance": clearance_block(results),
+        "life": life_block(results),
         "frequencies_Hz": {
             name: getattr(results.frequencies, name)
             for name in ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin")
@@ -290,7 +299,8 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     if any(c.conditions is None for c in results.contacts):
         yield "contacts: Hertz, speed and formula values null where a contact carries no load or no oil is entrained"
     yield from ratio_messages(results)
-    for part in ("contacts.traction_coefficient", "life", "torque_N_mm"):
+    yield from rating_messages(results)
+    for part in ("contacts.traction_coefficient", "torque_N_mm"):
         yield f"{part}: null, {NOT_COMPUTED}"
 
 

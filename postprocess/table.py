@@ -6,6 +6,7 @@ from math import degrees
 from typing import TYPE_CHECKING
 
 from .plot_style import value_with_error
+from .ratings import rating_rows
 from .results import GIGAPASCAL, MICROMETRE, RPM, BearingResults, ContactResults
 
 if TYPE_CHECKING:
@@ -65,6 +66,7 @@ def _bearing_table(results: BearingResults) -> Table:
         rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
     if not state.tilt.any():
         del rows["ring tilt"]
+    rows |= rating_rows(results)
     table = _facts_table()
     for name, value in rows.items():
         table.add_row(name, Text(value))

@@ -19,6 +19,7 @@ from cases.shipped import HERE, shipped_cases
 STEMS = tuple(shipped_cases())
 QUICK = ("209_radial_8900N", "218_axial_22250N", "ball_on_disc", "moes_20_10", "6208_full_ceramic")
 QUICK += tuple(stem for stem in STEMS if stem.startswith("hirano_"))  # no films
+QUICK += ("6208_life", "6208_full_ceramic_warm")  # no films
 EXPECTED = Path(__file__).with_name("expected.json")
 CLOSED, FILM = 1e-6, 5e-3
 NOISE = 1e-6  # of values that are zero, in the unit of their key
@@ -36,6 +37,8 @@ def numbers(stem):
     kept = {"converged": found["converged"], "cage_speed_rpm": found["cage_speed_rpm"]}
     for direction, value in zip("xyz", found["ring"]["displacement_um"], strict=True):
         kept[f"displacement_{direction}_um"] = value
+    for block in ("life", "clearance"):
+        kept |= {f"{block} {key}": value for key, value in found[block].items() if value is not None}
     for contact in found["contacts"]:
         name = f"ball {contact['ball']} {contact['race']}"
         for key in ("load_N", "contact_angle_deg", "hertz_pressure_GPa", "film_central_um", "film_minimum_um"):

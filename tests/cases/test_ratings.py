@@ -1,0 +1,139 @@
+"""Life, fits and temperatures in case files and in the summary."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from cases import load_case, run_case
+from cases.case import case_from_text
+from cases.problems import CaseError
+from postprocess import summary
+
+CASE = """\
+schema_version = 1
+[bearing]
+name = "6208"
+[lubricant]
+viscosity_mPa_s = 26.1
+pressure_viscosity_1_GPa = 18.0
+[operation]
+inner_speed_rpm = 3000.0
+radial_load_N = 3000.0
+[ehl]
+film_maps = "none"
+"""
+WARM = "[temperatures]\ninner_ring_C = 60.0\nouter_ring_C = 50.0\nball_C = 55.0\n"
+
+
+def case(text):
+    return case_from_text(text, "case.toml")
+
+
+def faults(text):
+    with pytest.raises(CaseError) as caught:
+        case(text)
+    return str(caught.value)
+
+
+@pytest.fixture(scope="module")
+def life():
+    return summary(run_case(load_case("6208_life")))
+
+
+def test_life_in_the_summary(life):
+    block = life["life"]
+    assert block["modified_reference_rating_Mrev"] == pytest.approx(
+        block["a_iso"] * block["basic_reference_rating_Mrev"]
+    )
+    expected = (1e3 * block["basic_dynamic_rating_kN"] / block["dynamic_equivalent_load_N"]) ** 3
+    assert block["basic_reference_rating_Mrev"] == pytest.approx(expected)
+    assert life["clearance"]["operating_um"] == pytest.approx(13.0)
+    assert life["clearance"]["initial_um"] is None
+    assert any(message.startswith("clearance: ") for message in life["messages"])
+
+
+def test_a_ceramic_bearing_has_no_life_and_says_so():
+    found = summary(run_case(load_case("6208_full_ceramic_warm")))
+    keys = ("basic_reference_rating_Mrev", "modified_reference_rating_Mrev", "a_iso", "kappa")
+    assert [found["life"][key] for key in keys] == [None] * 4
+    assert any(message.startswith("life: null, the standards rate rings of") for message in found["messages"])
+
+
+def test_the_equilibrium_has_the_operating_clearance():
+    warm = load_case("6208_full_ceramic_warm")
+    assert warm.bearing.diametral_clearance == warm.clearance.operating < warm.clearance.initial
+    assert warm.document["bearing"]["diametral_clearance_um"] == pytest.approx(1e6 * warm.clearance.initial)
+    found = summary(run_case(warm))["clearance"]
+    changes = ("inner_fit_um", "outer_fit_um", "thermal_um", "centrifugal_um")
+    assert found["initial_um"] + sum(found[key] for key in changes) == pytest.approx(found["operating_um"])
+
+
+def test_ratings_and_angle_of_the_case():
+    text = CASE.replace(
+        'name = "6208"', 'name = "6208"\nbasic_dynamic_rating_kN = 32.5\nnominal_contact_angle_deg = 5.0'
+    )
+    found = summary(run_case(case(text)))["life"]
+    assert found["basic_dynamic_rating_kN"] == pytest.approx(32.5)
+    assert found["nominal_contact_angle_deg"] == pytest.approx(5.0)
+    assert load_case("hirano_7000C").rating.nominal_contact_angle == pytest.approx(0.2617994)
+
+
+def test_shaft_and_housing_follow_their_rings():
+    seats = "[fit]\ninner_ring_interference_um = 10.0\nhousing_outside_diameter_mm = 120.0\n"
+    same = WARM + "shaft_C = 60.0\nhousing_C = 50.0\n"
+    one, two = case(CASE + seats + WARM), case(CASE + seats + same)
+    assert one.clearance == two.clearance
+    assert one.clearance.mounted < one.clearance.initial
+    hot = case(CASE + seats + WARM + "shaft_C = 90.0\n")
+    assert hot.clearance.operating < one.clearance.operating
+    assert set(one.document["materials"]) == {"bearing steel"}
+
+
+def test_nothing_changes_at_the_reference():
+    at_20 = "[temperatures]\ninner_ring_C = 20.0\nouter_ring_C = 20.0\nball_C = 20.0\n"
+    slow = case(CASE.replace("3000.0\nradial", "0.0\nradial") + "[fit]\n" + at_20)
+    assert slow.clearance.operating == slow.clearance.mounted == slow.clearance.initial
+
+
+def test_own_materials_inherit_from_the_library_of_the_same_name():
+    own = '[materials."bearing steel"]\nyoungs_modulus_GPa = 210.0\npoisson_ratio = 0.3\ndensity_kg_m3 = 7800.0\n'
+    material = case(CASE + own).bearing.ball_material
+    assert material.kind.value == "bearing steel"
+    assert material.thermal_expansion == pytest.approx(12e-6)
+    other = case(CASE + own + 'kind = "other"\nthermal_expansion_um_m_K = 5.0\n').bearing.ball_material
+    assert other.kind.value == "other"
+    assert other.thermal_expansion == pytest.approx(5e-6)
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (CASE + "[fit]\nouter_ring_interference_um = 5.0\n", "fit.housing_outside_diameter_mm"),
+        (CASE + "[fit]\nshaft_bore_mm = 40.0\n", "less than the bore of the bearing, 40 mm"),
+        (CASE + "[fit]\nhousing_outside_diameter_mm = 80.0\n", "more than the outside diameter of the bearing, 80 mm"),
+        (CASE + '[fit]\nshaft_material = "bearing stel"\n', "bearing steel"),
+        (CASE + "[temperatures]\ninner_ring_C = 60.0\nouter_ring_C = 50.0\n", "temperatures.ball_C"),
+        (CASE + WARM.replace("ball_C", "balls_C"), "ball_C"),
+        (CASE.replace("[lubricant]", "[lubricant]\ncontamination_factor = 1.5"), "lubricant.contamination_factor"),
+        (CASE + WARM.replace("60.0", "900.0"), "diametral_clearance"),
+        (CASE.replace('"6208"', '"209"') + "[fit]\ninner_ring_interference_um = 5.0\n", "bearing.bore_mm"),
+    ],
+)
+def test_bad_input_is_told(text, expected):
+    assert expected in faults(text)
+
+
+def test_a_material_without_expansion():
+    brass = 'shaft_material = "brass"\n'
+    own = "[materials.brass]\nyoungs_modulus_GPa = 100.0\npoisson_ratio = 0.34\ndensity_kg_m3 = 8500.0\n"
+    assert "'brass' has no thermal_expansion" in faults(CASE + "[fit]\n" + brass + WARM + own)
+
+
+def test_equal_results_with_and_without_an_idle_table():
+    """A [fit] that holds nothing and a bearing at rest leave the loads as they are."""
+    still = CASE.replace("inner_speed_rpm = 3000.0", "inner_speed_rpm = 0.0")
+    one, two = (run_case(case(text)).quasistatic for text in (still, still + "[fit]\n"))
+    assert (one.inner_load == two.inner_load).all()
+    assert replace(one.bearing, name="") == replace(two.bearing, name="")
