@@ -137,7 +137,8 @@ def _on_equal_steps(view: ContactView, field: Array) -> Array:
     for axis, nodes in enumerate((view.x, view.y)):
         steps = np.linspace(nodes[0], nodes[-1], len(nodes))
         if not np.allclose(nodes, steps, rtol=0.0, atol=1e-6 * (nodes[-1] - nodes[0])):
-            field = np.apply_along_axis(lambda line, x=nodes, s=steps: np.interp(s, x, line), axis, field)
+            lines = [np.interp(steps, nodes, line) for line in np.moveaxis(field, axis, 1)]
+            field = np.moveaxis(np.array(lines), 1, axis)
     return field
 
 
