@@ -90,7 +90,7 @@ def test_dynamic_rating_by_hand(b6208):
 
 @pytest.mark.parametrize("angle", [0.0, 0.6])
 def test_ball_ratings_of_the_races_against_lundberg_and_palmgren(b6208, angle):
-    """Q_c of a ball on a race goes with (1 -+ g)^1.39/(1 +- g)^(1/3) [r/(2 r - D)]^0.41; 0.5 % for rounded exponents."""
+    """Q_c of a ball on a race goes with (1 -+ g)^1.39/(1 +- g)^(1/3) [r/(2 r - D)]^0.41; 0.5 % for rounded powers."""
     gamma = 0.2 * np.cos(angle)
 
     def rating(sign, radius):
