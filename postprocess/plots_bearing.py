@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
 FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])  # of the central film, contour lines of small maps
 PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
+WIDE_LABEL = 8  # characters of azimuths that fit above a map
 COLUMNS = 6  # maps side by side at most
 RACES = ("inner", "outer")
 FOOTNOTES = {
@@ -55,8 +56,9 @@ class BallColumn:
 
     @property
     def label(self) -> str:
-        """Azimuths in words."""
-        return ", ".join(f"{a:.4g}°" for a in self.azimuths)
+        """Azimuths in words, on two lines if they are long."""
+        words = [f"{a:.4g}°" for a in self.azimuths]
+        return ", ".join(words) if sum(map(len, words)) <= WIDE_LABEL else ",\n".join(words)
 
 
 def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
@@ -79,7 +81,8 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
         key = (round(min(azimuth, 360.0 - azimuth), 6), id(pair[0]), id(pair[1]))
         groups.setdefault(key, []).append(azimuth)
         pairs[key] = pair
-    keys = sorted(groups, key=lambda key: groups[key][0])
+    with_film = [key for key, pair in pairs.items() if pair != (None, None)]  # else no film was asked for
+    keys = sorted(with_film or groups, key=lambda key: groups[key][0])
     chosen = np.unique(np.linspace(0, len(keys) - 1, min(COLUMNS, len(keys))).round().astype(int))
     distinct = {id(s): s for key in keys for s in pairs[key] if s is not None}
     window = _common_window([contact_view(s) for s in distinct.values()])
@@ -181,7 +184,7 @@ def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tupl
     axes.set_facecolor(image.get_cmap()(np.inf if film else 0.0))
     axes.set_xlabel("")
     axes.set_ylabel("")
-    text = f"{view.central:.3g}\n{view.minimum:.3g} µm" if film else f"{view.pressure_top:.3g} GPa"
+    text = f"{view.central:#.3g}\n{view.minimum:#.3g} µm" if film else f"{view.pressure_top:#.3g} GPa"
     axes.text(0.04, 0.03, text, fontsize=6.5, transform=axes.transAxes, color=INK)
     axes.text(0.04, 0.97, view.doubt, fontsize=6.5, va="top", transform=axes.transAxes, color=OUTER_COLOUR)
     return image

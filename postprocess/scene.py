@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from .geometry import Placement
 from .patch import Patch
-from .plot_style import BEYOND_SCALE, COLOUR_MAPS, common_film_range, film_range
+from .plot_style import COLOUR_MAPS, common_film_range, film_range
 from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
 from .results import MILLIMETRE
 from .results_io import atomic_path, open_results
@@ -29,6 +29,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
+ROUND_OFF = 1e-6  # a radial load below this share of the axial one is noise of the equilibrium
 PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
 LINE_COLOURS = {"film": "white", "pressure": "black"}
 LABELS = {"film": "film thickness [µm]", "pressure": "pressure [GPa]"}
@@ -177,6 +178,10 @@ def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: 
     limits, mapper = _limits(patches, options.quantity) if patches else (0.0, 1.0), None
     for patch in patches:
         mesh = pv.wrap(patch.mesh(radius, placement))
+        if options.quantity == "film":
+            mesh = _within_scale(mesh, limits[1])
+        if not mesh.n_points:  # a failed solution may have no film within the scale
+            continue
         mapper = _add_field(plotter, mesh, options.quantity, limits, logarithmic=len(patches) > 1)
         lines = mesh.contour(patch.levels(options.quantity), scalars=options.quantity)
         if lines.n_points:
@@ -185,7 +190,12 @@ def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: 
         _colour_bar(plotter, mapper, LABELS[options.quantity], options)
     _add_labels(plotter, tree, options)
     _aim(plotter, tree)
-    return _note(placement)
+    return _note(placement) if patches else "no films in these results"
+
+
+def _within_scale(mesh: Any, top: float) -> Any:
+    """The part of a surface where the film is below `top` [um]: the inlet would hide bodies and contact."""
+    return mesh.clip_scalar(scalars="film", value=top, invert=True).extract_surface(algorithm=None)
 
 
 def _note(placement: Placement) -> str:
@@ -233,7 +243,6 @@ def _add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, floa
         cmap=COLOUR_MAPS[quantity],
         clim=limits,
         log_scale=quantity == "film" and logarithmic,
-        above_color=BEYOND_SCALE if quantity == "film" else None,
         show_scalar_bar=False,
         ambient=0.6,
         diffuse=0.45,
@@ -276,7 +285,7 @@ def _add_labels(plotter: Any, tree: xarray.DataTree, options: SceneOptions) -> N
     plotter.add_point_labels(points, [f"{angle % 360.0:.4g}°" for angle in np.degrees(turn)], **style)
     force = ring["force"].values[:3] * np.array([0.0, 1.0, 1.0])
     size = float(np.linalg.norm(force))
-    if size > 0.0:
+    if size > ROUND_OFF * float(np.abs(ring["force"].values).max()):
         bore = 0.5 * float(ring.attrs["pitch_diameter"]) / MILLIMETRE - diameter
         direction = force / size
         arrow = pv.Arrow(
@@ -318,8 +327,8 @@ def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions) -> s
     size = min(float(np.ptp(patch.x)), float(np.ptp(patch.y)))
     mesh = pv.wrap(patch.relief(options.quantity, 0.45 * size))
     limits = _limits([patch], options.quantity)
-    if options.quantity == "film":  # the inlet would tower over the contact
-        mesh = mesh.clip_scalar(scalars="film", value=limits[1], invert=True).extract_surface(algorithm=None)
+    if options.quantity == "film":
+        mesh = _within_scale(mesh, limits[1])
     mapper = _add_field(plotter, mesh, options.quantity, limits)
     unit = data["P" if options.quantity == "pressure" else "h"].attrs["units"]
     label = LABELS[options.quantity] if unit in ("m", "Pa") else f"{options.quantity} [{unit}]"

@@ -75,6 +75,17 @@ def test_mirrored_balls_share_a_column(bearing_results):
     assert columns[2].views["outer"] is not None
 
 
+def test_balls_without_films_take_no_room(bearing_results):
+    """Films of balls 1 and 3 alone: two columns, not one for every ball."""
+    some = tuple(s if c.ball in (1, 3) else None for c, s in pair_up(bearing_results))
+    columns = ball_columns(replace(bearing_results, solutions=some))
+    assert [column.azimuths for column in columns] == [(0.0,), pytest.approx((80.0,))]
+
+
+def pair_up(results):
+    return zip(results.contacts, results.solutions, strict=True)
+
+
 def test_view_is_cropped_to_the_contact(bearing_results):
     view = contact_view(bearing_results.solutions[0])
     assert -2.5 <= view.x[0] / view.half_x < -2.3

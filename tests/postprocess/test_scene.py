@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -52,6 +53,19 @@ def test_screenshot_shows_something(run_folder, tmp_path, quantity):
 def test_single_contact_in_moes_units(moes_results, tmp_path):
     write_results(moes_results, tmp_path / "run")
     assert screenshot(tmp_path / "run", tmp_path / "scene.png", SceneOptions(size=(400, 300))).stat().st_size > 1000
+
+
+@pytest.mark.usefixtures("drawing")
+def test_round_off_of_a_radial_load_is_no_arrow(bearing_results, tmp_path):
+    """Axial load alone, no films: nothing in the scene is red."""
+    from matplotlib.image import imread
+
+    state = replace(bearing_results.quasistatic, ring_force=np.array([3000.0, 1e-12, -2e-13]))
+    bare = replace(bearing_results, quasistatic=state, solutions=(None,) * len(bearing_results.solutions))
+    write_results(bare, tmp_path / "run")
+    picture = imread(screenshot(tmp_path / "run", tmp_path / "scene.png", SceneOptions(size=(400, 300))))
+    red = (picture[..., 0] > 0.5) & (picture[..., 1] < 0.25)
+    assert not red.any()
 
 
 def test_dying_process_becomes_an_error():
