@@ -145,9 +145,15 @@ def _verdict(bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, i
         return False, "no equilibrium: a contact angle passes 80 degrees, the balls leave the grooves"
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         worst = float(np.max(point.row.residual))
+        overloaded = _ellipse_share(bearing, state) > 1.0
+        advice = (
+            "contact ellipses came out wider than the ball, take smaller loads"
+            if overloaded
+            else "check the loads for a direction in which nothing holds the ring"
+        )
         return False, (
             f"no equilibrium found in {iterations} iterations: relative residual {point.residual:.1e} "
-            f"(balls {worst:.1e}); check the loads for a direction in which nothing holds the ring"
+            f"(balls {worst:.1e}); {advice}"
         )
     if _ellipse_share(bearing, state) > 1.0:
         return False, "no equilibrium within Hertz' theory: a contact ellipse is wider than the ball"

@@ -277,6 +277,15 @@ def _lubricant(values: Values, names: Names) -> Iterator[Problem]:
     if not library:
         yield from _oil_is_complete(oil, moes=values.given("contact", "moes_M"))
     yield from _roelands(oil, values)
+    yield from _moes_pressure_scale(oil, values)
+
+
+def _moes_pressure_scale(oil: dict[str, Any], values: Values) -> Iterator[Problem]:
+    """Moes' L > 0 gives the scale of pressure in units of the coefficient, which there must be."""
+    number, alpha = values.get("contact", "moes_L"), oil.get("pressure_viscosity_1_GPa")
+    if number and alpha in (None, 0.0) and (alpha == 0.0 or oil.get("viscosity_law") == "isoviscous"):
+        found = f"found {shown(number)} without a pressure_viscosity_1_GPa above 0"
+        yield Problem(path=("contact", "moes_L"), found=found, allowed="allowed: 0, or an oil with such a coefficient")
 
 
 def _oil_is_complete(oil: dict[str, Any], *, moes: bool) -> Iterator[Problem]:

@@ -12,6 +12,7 @@ from .toml_lines import Path, find_line
 MISSING = "missing"
 UNITS = frozenset("mm um deg mrad N kN N_mm rpm rad_s m_s C mPa_s mm2_s kg_m3 MPa GPa 1_GPa".split())
 SIMILARITY = 0.65  # of difflib, from which on a name counts as a slip of another
+OF_BEARINGS = (("operation",), ("model",), ("surface",), ("slip",), ("ehl", "film_maps"))  # not of a single contact
 MOST_NAMES = 12  # shown of a list of allowed keys
 LONGEST_VALUE = 60  # characters of a found value that are shown
 
@@ -101,6 +102,8 @@ def _problem(error: Mapping[str, Any], schema: dict[str, Any]) -> Problem:
 def _unknown(path: Path, schema: dict[str, Any]) -> Problem:
     """A key the table does not have: its nearest name, or the table it belongs to, or all names."""
     key, parent = str(path[-1]), path[:-1]
+    if "contact" in schema["properties"] and path in OF_BEARINGS:
+        return Problem(path=path, found="not used by a single contact", allowed="allowed in a bearing case")
     names = list(schema_node(schema, parent).get("properties", ()))
     for table, node in schema["properties"].items():
         if table != (parent or ("",))[0] and key in resolved(schema, node).get("properties", ()):

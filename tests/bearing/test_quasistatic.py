@@ -222,3 +222,10 @@ def _held(operation, position):
         displacement=tuple(position[:3]),
         tilt=tuple(position[3:]),
     )
+
+
+def test_an_absurd_load_is_called_so(bearings):
+    """10 MN on a 6208: not a ring that nothing holds, but ellipses wider than the ball."""
+    solution = solve_quasistatic(bearings.b6208, Operation(inner_speed=1047.2, force=(0.0, 1e7, 0.0)))
+    assert not solution.converged
+    assert "wider than the ball" in solution.message

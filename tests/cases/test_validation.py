@@ -159,6 +159,8 @@ def test_all_errors_of_a_file_at_once():
 
 
 CONTACT_ERRORS = [
+    ("load_N", "[surface]", "surface: not used by a single contact; allowed in a bearing case"),
+    ("load_N", "[ehl]\nfilm_maps = 'all'", "ehl.film_maps: not used by a single contact"),
     ("load_N", "load = 15", "keys end in their unit; did you mean 'load_N'?"),
     ("load_N", "load_N = 0", "a number > 0"),
     ("entrainment_speed_m_s", "entrainment_speed_m_s = -0.09", "found -0.09; allowed: a number > 0"),
@@ -205,3 +207,13 @@ def test_messages_are_short_lines_without_control_characters():
     for message in messages(text):
         assert len(message) < 250
         assert message.isprintable()
+
+
+def test_moes_lubricant_parameter_needs_a_scale_of_pressure():
+    """L = G (2U)^(1/4) with G = alpha E' says nothing about an oil without alpha."""
+    text = 'schema_version = 1\n[contact]\nmoes_M = 20.0\nmoes_L = {}\n[lubricant]\nviscosity_law = "isoviscous"\n{}\n'
+    for key in ("", "pressure_viscosity_1_GPa = 0.0"):
+        found = messages(text.format(10.0, key))
+        assert any("contact.moes_L: found 10.0 without a pressure_viscosity_1_GPa above 0" in m for m in found), found
+        validate_text(text.format(0.0, key), "case.toml")
+    validate_text(text.format(10.0, "pressure_viscosity_1_GPa = 20.0"), "case.toml")
