@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, floor, hypot, inf, log10, pi, sin
+from math import ceil, cos, floor, hypot, inf, log10, pi, sin
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -212,12 +212,18 @@ def half_extents(angle: float, kappa: float) -> tuple[float, float]:
     return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))
 
 
-def value_with_error(value: float, error: float) -> str:
-    """Text of a value and its uncertainty, to the error's first digit (second after a 1), in whatever unit [-]."""
+def value_with_error(value: float, error: float, most: int = 5) -> str:
+    """Text of a value and its uncertainty, to the error's first digit (second after a 1), in whatever unit [-].
+
+    With no more than `most` decimals [-]; an error that these cannot show is rounded up.
+    """
     digits = 3
     if 0.0 < error < inf:
         exponent = floor(log10(error))
-        digits = min(max(-exponent + (error < 1.95 * 10.0**exponent), 0), 5)
+        wanted = max(-exponent + (error < 1.95 * 10.0**exponent), 0)
+        digits = min(wanted, most)
+        if wanted > most:
+            error = ceil(error * 10.0**most) / 10.0**most
     return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 

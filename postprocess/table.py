@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from ehl import ContactSolution
 
 NOTHING = "–"
+DECIMALS = 4  # of films [um]; more do not fit 80 columns
 
 
 def result_table(results: BearingResults | ContactResults) -> Group:
@@ -107,7 +108,8 @@ def _film(solution: ContactSolution | None, name: str) -> str:
     value = None if solution is None else getattr(solution, name)
     if value is None:
         return NOTHING
-    return value_with_error(value / MICROMETRE, getattr(solution, f"{name}_uncertainty") / MICROMETRE)
+    error = getattr(solution, f"{name}_uncertainty")
+    return value_with_error(value / MICROMETRE, error / MICROMETRE, most=DECIMALS)
 
 
 def _flags(solution: ContactSolution | None) -> str:

@@ -25,6 +25,25 @@ def test_bearing_fits_80_columns(bearing_results):
     assert "2.73" in text
 
 
+def test_narrow_error_bars_fit_80_columns(bearing_results):
+    """Films known to 0.00012 um, as on the finest grids: shown with four decimals, the error rounded up."""
+    known = {id(s): precise(s, 1.2e-10) for s in bearing_results.solutions if s is not None}
+    text = printed(replace(bearing_results, solutions=tuple(known.get(id(s)) for s in bearing_results.solutions)))
+    assert "…" not in text
+    assert "± 0.0002" in text
+
+
+def precise(solution, uncertainty):
+    """The solution with another uncertainty [m] of its films."""
+    share = uncertainty / solution.film_scale
+    central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
+    return replace(
+        solution,
+        film_central_dimensionless=replace(central, uncertainty=share),
+        film_minimum_dimensionless=replace(minimum, uncertainty=share),
+    )
+
+
 def test_flags_are_explained(bearing_results):
     bad = replace(bearing_results.solutions[0], converged=False, resolved=False)
     text = printed(replace(bearing_results, solutions=(bad, *bearing_results.solutions[1:])))
