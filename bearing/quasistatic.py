@@ -147,7 +147,7 @@ def _verdict(bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, i
         worst = float(np.max(point.row.residual))
         overloaded = _ellipse_share(bearing, state) > 1.0
         advice = (
-            "contact ellipses came out wider than the ball, take smaller loads"
+            "contact ellipses came out wider than the ball, take smaller loads or speeds"
             if overloaded
             else "check the loads for a direction in which nothing holds the ring"
         )

@@ -358,7 +358,7 @@ def _report(
         return 0
     say("oilfilm: not converged; the results are flagged:")
     for message in document["messages"]:
-        if "not converged" in message or "equilibrium" in message:
+        if "not converged" in message or message.startswith(("equilibrium of", "no film was computed")):
             say(f"  {message}")
     return NOT_CONVERGED
 

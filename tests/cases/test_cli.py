@@ -314,7 +314,11 @@ def test_errors_of_a_file_of_garbage_are_shortened(capsys):
 
 def test_only_what_did_not_converge_is_listed_as_such(capsys):
     told = ["inner race, ball 1: not converged: film changed by 1e-3", "equilibrium of ring and balls: none found"]
-    others = ["outer race, ball 1: converged but unresolved", "life: null, not computed by this version"]
+    others = [
+        "outer race, ball 1: converged but unresolved",
+        "life: null, there is no equilibrium",
+        "torque_N_mm: null",
+    ]
     document = {"converged": False, "messages": [*told, *others]}
     assert cli._report(document, Group, None, as_json=False, quiet=True) == 1
     assert capsys.readouterr().err.splitlines()[1:] == [f"  {message}" for message in told]
