@@ -23,8 +23,8 @@ HOMES = {
     "xarray": ("postprocess/results_io.py",),
     "h5netcdf": ("postprocess/results_io.py",),
     "typer": ("cases/cli.py", "cases/terminal.py"),
-    "pydantic": ("cases/schema.py", "cases/case.py", "cases/problems.py"),
-    "pydantic_core": ("cases/schema.py",),
+    "pydantic": ("cases/schema/*.py", "cases/case.py", "cases/problems.py"),
+    "pydantic_core": ("cases/schema/*.py",),
     "rich": ("cases/cli.py", "cases/terminal.py", "postprocess/table.py", "postprocess/slip_results.py"),
 }
 FUNCTION_LINES, MODULE_LINES, ARGUMENTS = 40, 400, 7

@@ -1,0 +1,30 @@
+"""All checks of a case file, by its kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from ..problems import Problem
+from .bearing import ball_count, bearing_materials, boundary, clearance, grooves, required_geometry, seats
+from .contact import contact_groups
+from .lubricant import lubricant
+from .operation import film_maps, loads, tilt
+from .values import Names, Values, known
+
+
+def bearing_problems(values: Values, names: Names) -> Iterator[Problem]:
+    """Every conflict within a bearing case."""
+    for check in (required_geometry, grooves, ball_count, clearance, boundary, seats, loads, tilt, film_maps):
+        yield from check(values)
+    yield from bearing_materials(values, names)
+    for key in ("shaft_material", "housing_material"):
+        yield from known(("fit", key), values.get("fit", key), names.materials)
+    yield from lubricant(values, names)
+
+
+def contact_problems(values: Values, names: Names) -> Iterator[Problem]:
+    """Every conflict within a single-contact case."""
+    yield from contact_groups(values)
+    for key in ("material_1", "material_2"):
+        yield from known(("contact", key), values.get("contact", key), names.materials)
+    yield from lubricant(values, names)

@@ -1,0 +1,82 @@
+"""The oil: complete, and within its laws."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import log
+from typing import Any
+
+from ..problems import MISSING, Problem, shown
+from .values import Names, Values, known
+
+
+def oil_table(document: dict[str, Any]) -> tuple[dict[str, Any], bool]:
+    """The lubricant's keys, those of [lubricants.NAME] filled in, and whether the name is left to the library."""
+    own = dict(document["lubricant"])
+    library = document.get("lubricants")
+    local = library.get(str(own.get("name"))) if isinstance(library, dict) else None
+    if not isinstance(local, dict):
+        return own, "name" in own
+    viscosities = ("viscosity_mPa_s", "kinematic_viscosity_mm2_s")
+    if any(key in own for key in viscosities):
+        local = {key: value for key, value in local.items() if key not in viscosities}
+    return {**local, **own}, False
+
+
+def lubricant(values: Values, names: Names) -> Iterator[Problem]:
+    """The oil by name or by its properties, complete, and its laws."""
+    yield from known(("lubricant", "name"), values.get("lubricant", "name"), names.lubricants)
+    tables = [("lubricant",), *(("lubricants", name) for name in values.get("lubricants") or ())]
+    for path in tables:
+        if values.given(*path, "viscosity_mPa_s") and values.given(*path, "kinematic_viscosity_mm2_s"):
+            found = "found together with viscosity_mPa_s"
+            yield Problem(path=(*path, "kinematic_viscosity_mm2_s"), found=found, allowed="allowed: one of them")
+    if values.get("lubricant") is None or (values.given("lubricants") and not values.get("lubricants")):
+        return
+    oil, library = oil_table(values.document)
+    if not library:
+        yield from _oil_is_complete(oil, moes=values.given("contact", "moes_M"))
+    yield from _roelands(oil, values)
+    yield from _moes_pressure_scale(oil, values)
+
+
+def _moes_pressure_scale(oil: dict[str, Any], values: Values) -> Iterator[Problem]:
+    """Moes' L > 0 gives the scale of pressure in units of the coefficient, which there must be."""
+    number, alpha = values.get("contact", "moes_L"), oil.get("pressure_viscosity_1_GPa")
+    if number and alpha in (None, 0.0) and (alpha == 0.0 or oil.get("viscosity_law") == "isoviscous"):
+        found = f"found {shown(number)} without a pressure_viscosity_1_GPa above 0"
+        yield Problem(path=("contact", "moes_L"), found=found, allowed="allowed: 0, or an oil with such a coefficient")
+
+
+def _oil_is_complete(oil: dict[str, Any], *, moes: bool) -> Iterator[Problem]:
+    law = oil.get("viscosity_law", "roelands")
+    viscosity = "viscosity_mPa_s" in oil or "kinematic_viscosity_mm2_s" in oil
+    if not viscosity and not (moes and (law != "roelands" or "roelands_z" in oil)):
+        allowed = "needed: viscosity_mPa_s, kinematic_viscosity_mm2_s, or the name of a lubricant"
+        allowed = "needed: roelands_z, or a viscosity that gives it" if moes else allowed
+        yield Problem(path=("lubricant", "viscosity_mPa_s"), found=MISSING, allowed=allowed)
+    if law != "isoviscous" and "pressure_viscosity_1_GPa" not in oil:
+        allowed = 'needed, unless viscosity_law = "isoviscous"'
+        yield Problem(path=("lubricant", "pressure_viscosity_1_GPa"), found=MISSING, allowed=allowed)
+
+
+def _roelands(oil: dict[str, Any], values: Values) -> Iterator[Problem]:
+    law = oil.get("viscosity_law", "roelands")
+    if law != "roelands":
+        for key in ("roelands_z", "roelands_pressure_MPa"):
+            if values.given("lubricant", key):
+                found = f"found together with viscosity_law = {shown(law)}"
+                yield Problem(path=("lubricant", key), found=found, allowed='allowed with "roelands" only')
+        return
+    keys = ("viscosity_mPa_s", "pressure_viscosity_1_GPa")
+    eta, alpha = (values.get("lubricant", key) for key in keys)
+    pressure = values.get("lubricant", "roelands_pressure_MPa") or 196.0
+    if eta is None or alpha is None or "roelands_z" in oil:
+        return
+    scale = log(1e-3 * eta) + 9.67
+    exponent = alpha * pressure * 1e-3 / scale if scale > 0.0 else -1.0
+    if not 0.0 < exponent <= 2.0:
+        identity = f"found {shown(alpha)}, with which Roelands' identity gives z = {exponent:.3g}"
+        allowed = "allowed: a viscosity and coefficient with 0 < z <= 2, a roelands_z, or another viscosity_law"
+        key, found = (keys[1], identity) if scale > 0.0 else (keys[0], f"found {shown(eta)}")
+        yield Problem(path=("lubricant", key), found=found, allowed=allowed)

@@ -1,0 +1,26 @@
+"""From the units of case files to SI, once: tables of `schema` to the dataclasses of `ehl` and `bearing`."""
+
+from .bearing import bearing, operating_bearing, rating
+from .contact import contact, contact_defaults, solver_options
+from .lubricant import lubricant, lubricant_keys, temperature
+from .materials import material_table, materials, ring_materials, seat_materials
+from .operation import model, operation, slip_plan
+
+__all__ = [
+    "bearing",
+    "contact",
+    "contact_defaults",
+    "lubricant",
+    "lubricant_keys",
+    "material_table",
+    "materials",
+    "model",
+    "operating_bearing",
+    "operation",
+    "rating",
+    "ring_materials",
+    "seat_materials",
+    "slip_plan",
+    "solver_options",
+    "temperature",
+]

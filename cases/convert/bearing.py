@@ -1,0 +1,98 @@
+"""[bearing], [fit] and [temperatures]."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import radians
+from typing import TYPE_CHECKING
+
+from ..schema import BearingFile, BearingTable
+from .materials import materials, ring_materials, seat_materials
+from .units import KN, MM, UM, mm
+
+if TYPE_CHECKING:
+    from bearing.clearance import ClearanceBudget
+    from bearing.geometry import Bearing
+    from bearing.operation import Operation, RatingInput
+
+
+def bearing(file: BearingFile) -> Bearing:
+    """Geometry [m, rad] and materials of the bearing."""
+    from bearing.geometry import Bearing
+
+    table = file.bearing
+    ball, inner, outer = ring_materials(table)
+    library = materials(file, (ball, inner, outer))
+    optional = {"bore": table.bore_mm, "outside_diameter": table.outside_diameter_mm, "width": table.width_mm}
+    return Bearing(
+        name=table.name or file.title or "bearing",
+        ball_diameter=mm(table.ball_diameter_mm),
+        pitch_diameter=mm(table.pitch_diameter_mm),
+        balls=table.balls or 0,
+        inner_groove_radius=mm(table.inner_groove_radius_mm),
+        outer_groove_radius=mm(table.outer_groove_radius_mm),
+        diametral_clearance=_clearance(table),
+        ball_material=library[ball],
+        inner_ring_material=library[inner],
+        outer_ring_material=library[outer],
+        first_ball_azimuth=radians(table.first_ball_azimuth_deg),
+        **{key: None if value is None else value * MM for key, value in optional.items()},
+    )
+
+
+def _clearance(table: BearingTable) -> float:
+    """The diametral clearance, or that of the free contact angle [m]."""
+    from bearing.geometry import contact_angle_to_clearance
+
+    if table.diametral_clearance_um is not None:
+        return table.diametral_clearance_um * UM
+    assert table.free_contact_angle_deg is not None  # checked before
+    lengths = (table.inner_groove_radius_mm, table.outer_groove_radius_mm, table.ball_diameter_mm)
+    return contact_angle_to_clearance(radians(table.free_contact_angle_deg), *(mm(length) for length in lengths))
+
+
+def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing, ClearanceBudget | None]:
+    """The bearing with its clearance in operation [m], and what made it that; None without [fit] and [temperatures]."""
+    given = bearing(file)
+    if file.fit is None and file.temperatures is None:
+        return given, None
+    from bearing.clearance import Fit, Warming, clearance_budget
+
+    fit = warming = None
+    if file.fit is not None:
+        shaft, housing = seat_materials(file)
+        library, table = materials(file, (shaft, housing)), file.fit
+        outside = table.housing_outside_diameter_mm
+        fit = Fit(
+            shaft_material=library[shaft],
+            housing_material=library[housing],
+            inner_interference=table.inner_ring_interference_um * UM,
+            outer_interference=table.outer_ring_interference_um * UM,
+            shaft_bore=table.shaft_bore_mm * MM,
+            housing_outside_diameter=None if outside is None else outside * MM,
+        )
+    if file.temperatures is not None:
+        at = file.temperatures
+        seats = {
+            "shaft": at.inner_ring_C if at.shaft_C is None else at.shaft_C,
+            "housing": at.outer_ring_C if at.housing_C is None else at.housing_C,
+        }
+        parts = {"inner_ring": at.inner_ring_C, "outer_ring": at.outer_ring_C, "ball": at.ball_C, **seats}
+        warming = Warming(**{part: value - at.reference_C for part, value in parts.items()})
+    budget = clearance_budget(given, operation, fit, warming)
+    return replace(given, diametral_clearance=budget.operating), budget
+
+
+def rating(file: BearingFile) -> RatingInput:
+    """What the rating life needs beyond the loads: C_r [N], nominal contact angle [rad], e_C [-]."""
+    from bearing.operation import RatingInput
+
+    table = file.bearing
+    angle, capacity = table.nominal_contact_angle_deg, table.basic_dynamic_rating_kN
+    if angle is None:
+        angle = table.free_contact_angle_deg or 0.0
+    return RatingInput(
+        dynamic_rating=None if capacity is None else capacity * KN,
+        nominal_contact_angle=radians(angle),
+        contamination_factor=file.lubricant.contamination_factor,
+    )

@@ -1,0 +1,65 @@
+"""[contact] and [ehl]."""
+
+from __future__ import annotations
+
+from math import radians
+from typing import TYPE_CHECKING, Any
+
+from ..schema import ContactEhlTable, ContactFile
+from .materials import materials
+from .units import GPA, mm
+
+if TYPE_CHECKING:
+    from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
+
+
+def contact(file: ContactFile, oil: Lubricant) -> ContactConditions | MoesConditions:
+    """The single contact: load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-]."""
+    from ehl import ContactConditions, MoesConditions
+
+    table, angle = file.contact, radians(file.contact.entrainment_angle_deg)
+    if table.moes_M is not None and table.moes_L is not None:
+        ratio = 1.0 if table.radius_ratio is None else table.radius_ratio
+        return MoesConditions(
+            load_parameter=table.moes_M,
+            lubricant_parameter=table.moes_L,
+            radius_ratio=ratio,
+            lubricant=oil,
+            entrainment_angle=angle,
+        )
+    assert table.load_N is not None and table.entrainment_speed_m_s is not None  # checked before
+    return ContactConditions(
+        load=table.load_N,
+        radius_x=mm(table.radius_x_mm),
+        radius_y=mm(table.radius_y_mm),
+        reduced_modulus=_reduced_modulus(file),
+        entrainment_speed=table.entrainment_speed_m_s,
+        lubricant=oil,
+        entrainment_angle=angle,
+        slide_roll_ratio=table.slide_roll_ratio or 0.0,
+        spin=table.spin_rad_s or 0.0,
+    )
+
+
+def contact_defaults(file: ContactFile) -> dict[str, Any]:
+    """Keys of [contact] that may be left out, of dimensional input or of Moes' groups, with their values."""
+    return {"radius_ratio": 1.0} if file.contact.moes_M is not None else {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}
+
+
+def _reduced_modulus(file: ContactFile) -> float:
+    """E' [Pa], as given or 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2."""
+    from bearing.material import reduced_modulus
+
+    table = file.contact
+    if table.reduced_modulus_GPa is not None:
+        return table.reduced_modulus_GPa * GPA
+    assert table.material_1 and table.material_2  # checked before
+    library = materials(file, (table.material_1, table.material_2))
+    return reduced_modulus(library[table.material_1], library[table.material_2])
+
+
+def solver_options(table: ContactEhlTable) -> SolverOptions:
+    """Grid of the contacts [-]."""
+    from ehl import SolverOptions
+
+    return SolverOptions(points=table.points, domain=table.domain, tolerance=table.tolerance)

@@ -1,0 +1,71 @@
+"""[lubricant]: the oil at the temperature of operation."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..checks import oil_table
+from ..schema import BearingFile, ContactFile
+from .units import GPA, MM2_S, MPA, MPA_S, ZERO_CELSIUS, rounded
+
+if TYPE_CHECKING:
+    from ehl import Lubricant
+
+DENSITY = 870.0  # of an oil whose density is not given [kg/m^3]
+VISCOSITY_UNUSED = 1.0  # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
+
+
+def lubricant(file: BearingFile | ContactFile) -> Lubricant:
+    """The oil at the temperature of operation: viscosity [Pa s], pressure-viscosity [1/Pa], density [kg/m^3]."""
+    from ehl import DensityLaw, Lubricant, ViscosityLaw
+
+    oil, library = oil_table(file.model_dump(exclude_none=True))
+    given: dict[str, Any] = {"name": oil.get("name", "")}
+    units = {
+        "pressure_viscosity_1_GPa": 1.0 / GPA,
+        "roelands_pressure_MPa": MPA,
+        "roelands_z": 1.0,
+        "density_kg_m3": 1.0,
+    }
+    fields = ("pressure_viscosity", "roelands_pressure", "roelands_z", "density")
+    given |= {field: oil[key] * units[key] for field, key in zip(fields, units, strict=True) if key in oil}
+    if "viscosity_law" in oil:
+        given["viscosity_law"] = ViscosityLaw(oil["viscosity_law"])
+    if "density_law" in oil:
+        given["density_law"] = DensityLaw(oil["density_law"])
+    if library:
+        from bearing.lubricant_library import library_lubricant
+
+        base = library_lubricant(given.pop("name"), temperature(file))
+        given = {field: getattr(base, field) for field in Lubricant.__dataclass_fields__} | given
+    return Lubricant(**_with_viscosity(given, oil))
+
+
+def _with_viscosity(given: dict[str, Any], oil: dict[str, Any]) -> dict[str, Any]:
+    """Fill in the dynamic viscosity [Pa s], from the kinematic one and the density where that is given."""
+    given.setdefault("density", DENSITY)
+    given.setdefault("pressure_viscosity", 0.0)  # checked before: the isoviscous law needs none
+    if "viscosity_mPa_s" in oil:
+        given["viscosity"] = oil["viscosity_mPa_s"] * MPA_S
+    elif "kinematic_viscosity_mm2_s" in oil:
+        given["viscosity"] = oil["kinematic_viscosity_mm2_s"] * MM2_S * given["density"]
+    given.setdefault("viscosity", VISCOSITY_UNUSED)
+    return given
+
+
+def lubricant_keys(oil: Lubricant, *, moes: bool) -> dict[str, Any]:
+    """A lubricant as keys of [lubricant]: viscosity [mPa s], pressure-viscosity [1/GPa], density [kg/m^3]."""
+    found: dict[str, Any] = {} if moes else {"viscosity_mPa_s": rounded(oil.viscosity / MPA_S)}
+    found |= {
+        "pressure_viscosity_1_GPa": rounded(oil.pressure_viscosity * GPA),
+        "density_kg_m3": rounded(oil.density),
+        "viscosity_law": oil.viscosity_law.value,
+        "density_law": oil.density_law.value,
+    }
+    return found
+
+
+def temperature(file: BearingFile | ContactFile) -> float:
+    """Temperature of the oil [K]."""
+    table = file.operation if isinstance(file, BearingFile) else file.contact
+    return table.temperature_C + ZERO_CELSIUS

@@ -1,0 +1,67 @@
+"""Materials, the case's own and those of the library."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from ..schema import BearingFile, BearingTable, ContactFile, MaterialTable
+from .units import GPA, UM, rounded
+
+if TYPE_CHECKING:
+    from bearing.material import Material
+
+
+def materials(file: BearingFile | ContactFile, names: tuple[str, ...]) -> dict[str, Material]:
+    """The named materials, the case's own before those of the library; modulus [Pa], density [kg/m^3]."""
+    from bearing.material import load_material
+
+    found = {}
+    for name in names:
+        own = file.materials.get(name)
+        found[name] = load_material(name) if own is None else _material(name, own)
+    return found
+
+
+def _material(name: str, table: MaterialTable) -> Material:
+    """A material of the case's own; kind and thermal expansion [1/K] of the library's where it has the name of one."""
+    from bearing.material import Material, MaterialKind, list_materials, load_material
+
+    library = load_material(name) if name.strip().lower() in list_materials() else None
+    kind = MaterialKind(table.kind) if table.kind else library.kind if library else MaterialKind.OTHER
+    expansion = None if library is None else library.thermal_expansion
+    if table.thermal_expansion_um_m_K is not None:
+        expansion = table.thermal_expansion_um_m_K * UM
+    return Material(
+        name=name,
+        youngs_modulus=table.youngs_modulus_GPa * GPA,
+        poisson_ratio=table.poisson_ratio,
+        density=table.density_kg_m3,
+        source=table.source,
+        thermal_expansion=expansion,
+        kind=kind,
+    )
+
+
+def material_table(material: Material) -> dict[str, Any]:
+    """A material as a [materials.NAME] table: youngs_modulus_GPa [GPa], density_kg_m3 [kg/m^3]."""
+    expansion = material.thermal_expansion
+    return {
+        "youngs_modulus_GPa": rounded(material.youngs_modulus / GPA),
+        "poisson_ratio": material.poisson_ratio,
+        "density_kg_m3": rounded(material.density),
+        **({} if expansion is None else {"thermal_expansion_um_m_K": rounded(expansion / UM)}),
+        "kind": material.kind.value,
+        "source": material.source,
+    }
+
+
+def ring_materials(table: BearingTable) -> tuple[str, str, str]:
+    """Names of the materials of balls, inner ring and outer ring [-]."""
+    inner, outer = table.inner_ring_material or table.ring_material, table.outer_ring_material or table.ring_material
+    assert table.ball_material and inner and outer  # checked before
+    return table.ball_material, inner, outer
+
+
+def seat_materials(file: BearingFile) -> tuple[str, ...]:
+    """Names of the materials of shaft and housing [-], none without [fit]."""
+    return () if file.fit is None else (file.fit.shaft_material, file.fit.housing_material)

@@ -1,0 +1,34 @@
+"""The tables of a case file: keys, types, ranges and defaults.
+
+Only pydantic is imported here, so that help and validation stay quick. Every key ends in its unit; `cases/convert`
+turns the values into SI, once. What several keys must satisfy together stands in `cases/checks`.
+"""
+
+from .bearing import BearingTable, FitTable, MaterialTable, SurfaceTable, TemperaturesTable
+from .contact import ContactEhlTable, ContactTable, EhlTable
+from .fields import FREE, Table, is_number
+from .files import BearingFile, CaseFile, ContactFile
+from .lubricant import LubricantTable, OilTable
+from .operation import ModelTable, OperationTable, SlipTable
+
+__all__ = [
+    "FREE",
+    "BearingFile",
+    "BearingTable",
+    "CaseFile",
+    "ContactEhlTable",
+    "ContactFile",
+    "ContactTable",
+    "EhlTable",
+    "FitTable",
+    "LubricantTable",
+    "MaterialTable",
+    "ModelTable",
+    "OilTable",
+    "OperationTable",
+    "SlipTable",
+    "SurfaceTable",
+    "Table",
+    "TemperaturesTable",
+    "is_number",
+]

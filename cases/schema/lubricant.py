@@ -1,0 +1,44 @@
+"""[lubricant] and [lubricants.NAME]."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from .fields import Name, Table
+
+
+class OilTable(Table):
+    """An oil of the case's own, by its properties at the temperature of operation."""
+
+    viscosity_mPa_s: float | None = Field(
+        None, gt=0.0, le=1.0e6, description="dynamic viscosity at ambient pressure; or kinematic_viscosity_mm2_s"
+    )
+    kinematic_viscosity_mm2_s: float | None = Field(
+        None, gt=0.0, le=1.0e6, description="kinematic viscosity at ambient pressure; or viscosity_mPa_s"
+    )
+    pressure_viscosity_1_GPa: float | None = Field(
+        None, ge=0.0, le=100.0, description="d(ln eta)/dp at ambient pressure"
+    )
+    density_kg_m3: float | None = Field(None, gt=0.0, le=2.0e4, description="density at ambient pressure")
+    viscosity_law: Literal["roelands", "barus", "isoviscous"] | None = Field(
+        None, description="pressure dependence of the viscosity"
+    )
+    roelands_z: float | None = Field(
+        None, gt=0.0, le=2.0, description="Roelands' exponent; left out, from Roelands' identity"
+    )
+    roelands_pressure_MPa: float | None = Field(None, gt=0.0, le=1.0e4, description="Roelands' reference pressure")
+    density_law: Literal["dowson-higginson", "incompressible"] | None = Field(
+        None, description="pressure dependence of the density"
+    )
+
+
+class LubricantTable(OilTable):
+    """The lubricant: a name, or its properties at the temperature of operation."""
+
+    name: Name | None = Field(None, description="oil of [lubricants] or of the library; the keys here override it")
+    supply: Literal["flooded"] = Field("flooded", description="how much oil reaches the contacts")
+    contamination_factor: float | None = Field(
+        None, ge=0.0, le=1.0, description="e_C of ISO 281, 1 clean; left out, no modified life is computed"
+    )
