@@ -6,8 +6,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .results import BearingResults, ContactResults, summary
+    from .results import BearingResults, ContactResults
     from .results_io import open_results
+    from .summaries import summary
     from .writer import write_results
 
 __all__ = ["BearingResults", "ContactResults", "open_results", "summary", "write_results"]
@@ -15,7 +16,7 @@ __all__ = ["BearingResults", "ContactResults", "open_results", "summary", "write
 _HOMES = {
     "BearingResults": "results",
     "ContactResults": "results",
-    "summary": "results",
+    "summary": "summaries",
     "open_results": "results_io",
     "write_results": "writer",
 }

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from .geometry import ContactFrame, Placement, crop_to_ball, place_patch, principal_coordinates
 from .plot_style import film_range, half_extents, shown_part
-from .results import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from .vtk import add_point_data, structured_grid
 
 if TYPE_CHECKING:

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .geometry import within
-from .results import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from .results_io import atomic_path
+from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -22,7 +22,8 @@ from .plot_style import (
     contact_view,
 )
 from .plots_contact import draw_map
-from .results import GIGAPASCAL, MICROMETRE, BearingResults
+from .results import BearingResults
+from .units import GIGAPASCAL, MICROMETRE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -11,8 +11,8 @@ import numpy as np
 from bearing.slip import CriticalCurves, slip_factors
 
 from .plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, Array, save
-from .results import RPM
 from .slip_results import SlipResults
+from .units import RPM
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .results import STIFFNESS_ORDER, BearingResults, ContactResults, summary
+from .results import BearingResults, ContactResults
+from .summaries import summary
+from .summary_bearing import STIFFNESS_ORDER
 
 if TYPE_CHECKING:
     import xarray

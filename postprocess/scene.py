@@ -18,8 +18,8 @@ from .geometry import Placement
 from .patch import Patch
 from .plot_style import COLOUR_MAPS, common_film_range, film_range
 from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
-from .results import MILLIMETRE
 from .results_io import atomic_path, open_results
+from .units import MILLIMETRE
 from .vtk import COLLECTION_FILE
 
 if TYPE_CHECKING:

@@ -14,8 +14,8 @@ from bearing.quasistatic import QuasistaticSolution
 from bearing.slip import CriticalCurves, SlipSurface, slip_factors
 
 from .plot_style import Array
-from .results import RPM
 from .results_io import SUMMARY_FILE, atomic_path, write_json
+from .units import RPM
 
 if TYPE_CHECKING:
     from collections.abc import Iterable

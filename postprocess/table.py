@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from .plot_style import value_with_error
 from .ratings import rating_rows
-from .results import GIGAPASCAL, MICROMETRE, RPM, BearingResults, ContactResults
+from .results import BearingResults, ContactResults
+from .units import GIGAPASCAL, MICROMETRE, RPM
 
 if TYPE_CHECKING:
     from rich.console import Group

@@ -25,8 +25,9 @@ from .geometry import (
     principal_coordinates,
     ring_surface,
 )
-from .results import GIGAPASCAL, MICROMETRE, MILLIMETRE, BearingResults, ContactResults
+from .results import BearingResults, ContactResults
 from .results_io import atomic_path, contact_name
+from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
 if TYPE_CHECKING:
     from bearing.contacts import BearingContact

@@ -6,8 +6,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from .results import BearingResults, ContactResults, summary
+from .results import BearingResults, ContactResults
 from .results_io import CONTACTS_FILE, FIELDS_FILE, SUMMARY_FILE, write_contacts_csv, write_json, write_netcdf
+from .summaries import summary
 
 
 def write_results(results: BearingResults | ContactResults, directory: str | Path) -> tuple[str, ...]:

@@ -22,10 +22,10 @@ HOMES = {
     "matplotlib": ("postprocess/plot*.py", "postprocess/scene.py"),
     "xarray": ("postprocess/results_io.py",),
     "h5netcdf": ("postprocess/results_io.py",),
-    "typer": ("cases/cli.py", "cases/terminal.py"),
+    "typer": ("cases/commands/*.py", "cases/terminal.py"),
     "pydantic": ("cases/schema/*.py", "cases/case.py", "cases/problems.py"),
     "pydantic_core": ("cases/schema/*.py",),
-    "rich": ("cases/cli.py", "cases/terminal.py", "postprocess/table.py", "postprocess/slip_results.py"),
+    "rich": ("cases/commands/*.py", "cases/terminal.py", "postprocess/table.py", "postprocess/slip_results.py"),
 }
 FUNCTION_LINES, MODULE_LINES, ARGUMENTS = 40, 400, 7
 

@@ -15,8 +15,9 @@ import pytest
 from rich.console import Group
 from typer.testing import CliRunner
 
-from cases import cli, terminal
+from cases import terminal
 from cases.cli import app
+from cases.commands import compute, output
 from cases.shipped import find_case, shipped_cases
 
 AT_REST = "209_radial_8900N"  # no films: quick
@@ -222,7 +223,7 @@ def test_a_failure_of_the_machine_is_one_line_and_a_log(error, expected, monkeyp
     def fail(*_args, **_kwargs):
         raise error
 
-    monkeypatch.setattr(cli, "_save", fail)
+    monkeypatch.setattr(compute, "save", fail)
     answer = oilfilm("run", AT_REST, "-o", "out")
     assert answer.exit_code == 4
     assert expected in answer.stderr
@@ -320,5 +321,5 @@ def test_only_what_did_not_converge_is_listed_as_such(capsys):
         "torque_N_mm: null",
     ]
     document = {"converged": False, "messages": [*told, *others]}
-    assert cli._report(document, Group, None, as_json=False, quiet=True) == 1
+    assert output.report(document, Group, None, as_json=False, quiet=True) == 1
     assert capsys.readouterr().err.splitlines()[1:] == [f"  {message}" for message in told]

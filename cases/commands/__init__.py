@@ -1,0 +1,8 @@
+"""The commands of `oilfilm`; importing this package registers them, in the order in which the help lists them."""
+
+from .app import app  # isort: skip
+from . import compute  # isort: skip
+from . import look  # isort: skip
+from . import files  # isort: skip
+
+__all__ = ["app", "compute", "files", "look"]

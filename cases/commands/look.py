@@ -1,0 +1,54 @@
+"""Commands that look at results: view."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ..problems import CaseError
+from ..terminal import FAILED, guarded, say
+from .app import app
+
+
+class Quantity(StrEnum):
+    """What the colours of the view show."""
+
+    FILM = "film"
+    PRESSURE = "pressure"
+
+
+@app.command()
+@guarded
+def view(
+    directory: Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")],
+    screenshot: Annotated[
+        Path | None, typer.Option(metavar="FILE.png", help="Write a picture, open no window.")
+    ] = None,
+    quantity: Annotated[Quantity, typer.Option(help="What the colours show.")] = Quantity.FILM,
+    magnification: Annotated[
+        float | None, typer.Option(min=1.0, max=1e3, help="Of the patches; default: so that they can be seen.")
+    ] = None,
+    exaggeration: Annotated[float, typer.Option(min=0.0, max=1e6, help="Film drawn as height, times this.")] = 0.0,
+) -> int:
+    """Look at results in three dimensions."""
+    if not directory.is_dir():
+        raise CaseError([f"{directory}: no such directory; allowed: a directory of results of 'oilfilm run'"])
+    from postprocess import scene
+
+    factors = None if magnification is None else (magnification, magnification)
+    options = scene.SceneOptions(quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration)
+    try:
+        if screenshot is None:
+            scene.show(directory, options)
+        else:
+            scene.screenshot(directory, screenshot, options)
+            say(f"picture in {screenshot}")
+    except ValueError as error:
+        raise CaseError([str(error)]) from error
+    except scene.RenderingError as error:
+        say(f"oilfilm: {error}")
+        return FAILED
+    return 0

@@ -1,0 +1,146 @@
+"""Summary of a bearing: equilibrium, balls and contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import degrees
+from typing import TYPE_CHECKING, Any
+
+from .messages import absent_films, combined_roughness, ratio_messages
+from .ratings import clearance_block, life_block, rating_messages
+from .results import BearingResults, distinct_contacts
+from .summary_contact import NOT_COMPUTED, films, formulas, solution_messages
+from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE, MILLIRADIAN, NEWTON_MILLIMETRE, RPM
+
+if TYPE_CHECKING:
+    from bearing.contacts import BearingContact
+    from bearing.quasistatic import QuasistaticSolution
+    from ehl import ContactSolution
+
+STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")
+TORQUE_MODELS = {
+    "integrated": ("total",),
+    "pure_rolling_lines": ("spin", "rotation", "orbit", "total"),
+    "skf": ("rolling", "sliding", "seal", "drag", "total"),
+    "houpert": ("total",),
+    "palmgren": ("total",),
+    "yao": ("ME", "MD", "MS", "MC", "ML", "total"),
+}
+
+
+def bearing_summary(results: BearingResults) -> dict[str, Any]:
+    """The document of a bearing in named units."""
+    state = results.quasistatic
+    return {
+        "oilfilm": results.version,
+        "case": results.case,
+        "converged": results.converged,
+        "messages": list(_bearing_messages(results)),
+        "ring": _ring(state),
+        "equilibrium": {
+            "converged": state.converged,
+            "residual": state.residual,
+            "iterations": state.iterations,
+            "message": state.message,
+        },
+        "cage_speed_rpm": state.cage_speed / RPM,
+        "balls": [_ball(state, i) for i in range(len(state.azimuth))],
+        "contacts": [
+            _bearing_contact(c, s, results.case.get("surface"))
+            for c, s in zip(results.contacts, results.solutions, strict=True)
+        ],
+        "clearance": clearance_block(results),
+        "life": life_block(results),
+        "frequencies_Hz": {
+            name: getattr(results.frequencies, name)
+            for name in ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin")
+        },
+        "torque_N_mm": {"total": None, "models": {name: dict.fromkeys(parts) for name, parts in TORQUE_MODELS.items()}},
+        "timing_s": dict(results.timing),
+    }
+
+
+def _ring(state: QuasistaticSolution) -> dict[str, Any]:
+    translation, rotation = ("N/m", "N/rad"), ("N m/m", "N m/rad")
+    return {
+        "displacement_um": [v / MICROMETRE for v in state.displacement],
+        "tilt_mrad": [v / MILLIRADIAN for v in state.tilt],
+        "force_N": list(state.ring_force),
+        "moment_N_mm": [v / NEWTON_MILLIMETRE for v in state.ring_moment],
+        "stiffness": {
+            "order": list(STIFFNESS_ORDER),
+            "matrix": state.stiffness,
+            "units": [[u[0]] * 3 + [u[1]] * 2 for u in [translation] * 3 + [rotation] * 2],
+        },
+    }
+
+
+def _ball(state: QuasistaticSolution, i: int) -> dict[str, Any]:
+    return {
+        "ball": i + 1,
+        "azimuth_deg": degrees(state.azimuth[i]),
+        "centrifugal_force_N": state.centrifugal_force[i],
+        "gyroscopic_moment_N_mm": state.gyroscopic_moment[i] / NEWTON_MILLIMETRE,
+        "orbit_speed_rad_s": state.orbit_speed[i],
+        "spin_speed_rad_s": state.spin_speed[i],
+        "attitude_deg": degrees(state.attitude[i]),
+    }
+
+
+def _bearing_contact(
+    contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
+) -> dict[str, Any]:
+    hertz, conditions = contact.hertz, contact.conditions
+    return {
+        "ball": contact.ball,
+        "azimuth_deg": degrees(contact.azimuth),
+        "race": contact.race.value,
+        "loaded": contact.load > 0.0,
+        "load_N": contact.load,
+        "contact_angle_deg": degrees(contact.contact_angle),
+        "semi_axis_rolling_mm": None if hertz is None else hertz.semi_axis_x / MILLIMETRE,
+        "semi_axis_transverse_mm": None if hertz is None else hertz.semi_axis_y / MILLIMETRE,
+        "hertz_pressure_GPa": None if hertz is None else hertz.pressure / GIGAPASCAL,
+        "entrainment_speed_m_s": None if conditions is None else conditions.entrainment_speed,
+        "slide_roll_ratio": None if conditions is None else conditions.slide_roll_ratio,
+        "spin_roll_ratio": contact.spin_roll_ratio,
+        "hirano_ratio": contact.hirano_ratio,
+        **films(solution),
+        "pressure_maximum_GPa": None if solution is None else solution.pressure_maximum / GIGAPASCAL,
+        "traction_coefficient": None,
+        "lambda_ratio": _lambda_ratio(contact, solution, surface),
+        "converged": None if solution is None else solution.converged,
+        "resolved": None if solution is None else solution.resolved,
+        "film_formulas_um": formulas(conditions),
+        "moes_M": None if solution is None else solution.moes_load,
+        "moes_L": None if solution is None else solution.moes_lubricant,
+        "domain": None if solution is None else list(solution.domain),
+        "points": None if solution is None else list(solution.P.shape),
+        "note": contact.note,
+    }
+
+
+def _lambda_ratio(
+    contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
+) -> float | None:
+    """Minimum film over the rms roughness of race and ball together [-]; None without film or roughness."""
+    if surface is None or solution is None or solution.film_minimum is None:
+        return None
+    roughness = combined_roughness(contact.race.value, surface)
+    return solution.film_minimum / roughness if roughness > 0.0 else None
+
+
+def _bearing_messages(results: BearingResults) -> Iterator[str]:
+    yield from results.messages
+    state = results.quasistatic
+    if not state.converged or "arbitrary" in state.message:  # a free direction without stiffness
+        yield f"equilibrium of ring and balls: {state.message}"
+    for group in distinct_contacts(results):
+        yield from solution_messages(group.label, group.solution)
+    yield from absent_films(results)
+    if any(c.conditions is None for c in results.contacts):
+        yield "contacts: Hertz, speed and formula values null where a contact carries no load or no oil is entrained"
+    yield from ratio_messages(results)
+    yield from rating_messages(results)
+    for part in ("contacts.traction_coefficient", "torque_N_mm"):
+        yield f"{part}: null, {NOT_COMPUTED}"
