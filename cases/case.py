@@ -97,7 +97,11 @@ def load_case(name_or_path: str | Path) -> Case | ContactCase:
 
 def case_from_text(text: str, name: str) -> Case | ContactCase:
     """The case that the text of a case file describes; `name` stands for the file in messages."""
-    file = validate_text(text, name)
+    return case_of_file(validate_text(text, name), name)
+
+
+def case_of_file(file: BearingFile | ContactFile, name: str) -> Case | ContactCase:
+    """The case that a checked file describes; `name` stands for the file in messages."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -136,6 +140,17 @@ def validate_text(text: str, name: str) -> BearingFile | ContactFile:
     BearingFile or ContactFile
         In the units of the file, catalogue values filled in.
     """
+    document = parse(text, name)
+    file, problems = check_document(document)
+    if file is None or problems:
+        lines = key_lines(text)
+        ordered = sorted(problems, key=lambda problem: problem.line_in(lines))
+        raise CaseError(dict.fromkeys(problem.text(name, lines) for problem in ordered))
+    return file
+
+
+def parse(text: str, name: str) -> dict[str, Any]:
+    """The tables of a TOML file that is not empty; `CaseError` with its line if it is none."""
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
@@ -146,12 +161,7 @@ def validate_text(text: str, name: str) -> BearingFile | ContactFile:
         raise CaseError([f"{name}:1: not usable: a whole number has thousands of digits"]) from None
     if not document:
         raise CaseError([f"{name}:1: the file is empty; see 'oilfilm init'"])
-    file, problems = check_document(document)
-    if file is None or problems:
-        lines = key_lines(text)
-        ordered = sorted(problems, key=lambda problem: problem.line_in(lines))
-        raise CaseError(dict.fromkeys(problem.text(name, lines) for problem in ordered))
-    return file
+    return document
 
 
 def _syntax_line(message: str, text: str) -> int:
@@ -164,7 +174,7 @@ def _syntax_line(message: str, text: str) -> int:
 def check_document(document: dict[str, Any]) -> tuple[BearingFile | ContactFile | None, list[Problem]]:
     """The checked file, or None, and every problem of a case document (keys and units as in the file)."""
     if any(key in document for key in SWEEP_TABLES):
-        return None, [Problem(path=(), line=1, found="a sweep", allowed=NOT_SUPPORTED)]
+        return None, [Problem(path=(), line=1, found="a sweep", allowed="run it with 'oilfilm batch'")]
     document, problems = _set_aside(document)
     contact = "contact" in document and "bearing" not in document
     if "contact" in document and "bearing" in document:

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from ehl import ContactConditions, ContactSolution, SolverOptions
     from postprocess.results import BearingResults, ContactResults
 
+Solve = Callable[["ContactConditions", "SolverOptions"], "ContactSolution"]
 Progress = Callable[[int, int, str], None]  # contacts done, contacts in all, what is being done
 EQUAL = 1e-9  # relative difference below which two contacts count as one [-]
 FINITE_ELEMENT_MESSAGES = ("finite elements: points are those of the graded mesh, cycles are Newton steps, no FFT",)
@@ -39,7 +40,9 @@ def cores() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def run_case(case: Case, workers: int | None = None, progress: Progress | None = None) -> BearingResults:
+def run_case(
+    case: Case, workers: int | None = None, progress: Progress | None = None, solve: Solve | None = None
+) -> BearingResults:
     """Solve the bearing and the film of its contacts.
 
     Parameters
@@ -49,6 +52,8 @@ def run_case(case: Case, workers: int | None = None, progress: Progress | None =
         Contacts solved at a time [-]; as many as there are cores if left out.
     progress : callable, optional
         Called with the contacts done, the contacts in all, and a word on the state.
+    solve : callable, optional
+        Takes the place of `ehl.solve_contact`: a batch looks up what it has solved before.
 
     Returns
     -------
@@ -73,7 +78,7 @@ def run_case(case: Case, workers: int | None = None, progress: Progress | None =
     timing = {"quasistatic": perf_counter() - start}
     wanted, messages = wanted_contacts(case, state, contacts)
     start = perf_counter()
-    solutions, interrupted = _solve_contacts(wanted, case.solver, workers, notify)
+    solutions, interrupted = _solve_contacts(wanted, case.solver, workers, notify, solve)
     timing |= {"contacts": perf_counter() - start, "total": sum(timing.values()) + perf_counter() - start}
     if interrupted:
         messages = (*messages, "interrupted: the films that were not finished are null")
@@ -179,7 +184,11 @@ def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
 
 
 def _solve_contacts(
-    conditions: Sequence[ContactConditions | None], options: SolverOptions, workers: int | None, notify: Progress
+    conditions: Sequence[ContactConditions | None],
+    options: SolverOptions,
+    workers: int | None,
+    notify: Progress,
+    solve: Solve | None,
 ) -> tuple[tuple[ContactSolution | None, ...], bool]:
     """Films of the distinct contacts, several at a time: the kernels release the interpreter's lock."""
     solutions: list[ContactSolution | None] = [None] * len(conditions)
@@ -188,6 +197,7 @@ def _solve_contacts(
         return tuple(solutions), False
     from ehl import solve_contact
 
+    solver = solve or solve_contact
     notify(0, len(groups), "films")
     pool = ThreadPoolExecutor(max_workers=min(workers or cores(), len(groups)))
     try:
@@ -195,7 +205,7 @@ def _solve_contacts(
         for members in groups:
             first = conditions[members[0]]
             assert first is not None  # only contacts with conditions are grouped
-            jobs[pool.submit(solve_contact, first, options)] = members
+            jobs[pool.submit(solver, first, options)] = members
         for done, job in enumerate(as_completed(jobs), 1):
             for index in jobs[job]:
                 solutions[index] = job.result()

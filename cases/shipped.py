@@ -8,11 +8,18 @@ from pathlib import Path
 from .problems import CaseError, nearest_name
 
 HERE = Path(__file__).parent
+SWEEPS = "sweeps"  # the folder whose files name a case and vary it
 
 
 def shipped_cases() -> dict[str, Path]:
     """Stem to file of every shipped case, in alphabetical order."""
-    return {path.stem: path for path in sorted(HERE.rglob("*.toml"), key=lambda path: path.stem)}
+    files = (path for path in HERE.rglob("*.toml") if path.parent.name != SWEEPS)
+    return {path.stem: path for path in sorted(files, key=lambda path: path.stem)}
+
+
+def shipped_sweeps() -> dict[str, Path]:
+    """Stem to file of every shipped sweep, in alphabetical order."""
+    return {path.stem: path for path in sorted((HERE / SWEEPS).glob("*.toml"))}
 
 
 def find_case(name_or_path: str | Path) -> Path:
@@ -23,8 +30,16 @@ def find_case(name_or_path: str | Path) -> Path:
     CaseError
         If there is neither; the message names the nearest stem.
     """
+    return _find(name_or_path, shipped_cases(), "case")
+
+
+def find_sweep(name_or_path: str | Path) -> Path:
+    """The file of a sweep, likewise."""
+    return _find(name_or_path, shipped_sweeps(), "sweep")
+
+
+def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:
     text, path = str(name_or_path), Path(name_or_path)
-    cases = shipped_cases()
     try:
         if path.is_file():
             return path
@@ -37,12 +52,12 @@ def find_case(name_or_path: str | Path) -> Path:
     except (OSError, ValueError) as error:  # a name too long, or with a null character
         raise CaseError([f"{text[:200]!r}: not a usable file name: {error}"]) from None
     if directory:
-        raise CaseError([f"{text}: is a directory; allowed: a case file or the name of a shipped case"])
+        raise CaseError([f"{text}: is a directory; allowed: a {kind} file or the name of a shipped {kind}"])
     if special:
-        raise CaseError([f"{text}: is not a regular file; allowed: a case file or the name of a shipped case"])
+        raise CaseError([f"{text}: is not a regular file; allowed: a {kind} file or the name of a shipped {kind}"])
     nearest = nearest_name(path.stem, [*cases, *(local.stem for local in _local_cases(path))])
-    hint = f"did you mean {nearest!r}?" if nearest else "see 'oilfilm list cases'"
-    raise CaseError([f"{text}: no such file, and no shipped case has this name; {hint}"])
+    hint = f"did you mean {nearest!r}?" if nearest else f"see 'oilfilm list {kind}s'"
+    raise CaseError([f"{text}: no such file, and no shipped {kind} has this name; {hint}"])
 
 
 def _local_cases(path: Path) -> list[Path]:

@@ -194,7 +194,7 @@ def test_contact_error(key, new, expected):
         ("a = " + "9" * 5000, "thousands of digits"),
         (BEARING.replace("schema_version = 1\n", ""), "case.toml:1: schema_version: missing"),
         (BEARING + "[contact]\nload_N = 1\n", "contact: found together with [bearing]"),
-        ('case = "6208"\n[sweep]\n', "case.toml:1: a sweep; not supported by this version"),
+        ('case = "6208"\n[sweep]\n', "case.toml:1: a sweep; run it with 'oilfilm batch'"),
     ],
 )
 def test_whole_file(text, expected):
