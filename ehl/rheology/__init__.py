@@ -1,0 +1,29 @@
+"""Shear rheology of the oil: stress against shear rate at a given viscosity, pressure and temperature."""
+
+from __future__ import annotations
+
+from .laws import (
+    KernelRheology,
+    Rheology,
+    ShearLaw,
+    effective_viscosity,
+    kernel_rheology,
+    limiting_stress,
+    shear_rate,
+    shear_rate_vector,
+    shear_stress,
+    shear_stress_vector,
+)
+
+__all__ = [
+    "KernelRheology",
+    "Rheology",
+    "ShearLaw",
+    "effective_viscosity",
+    "kernel_rheology",
+    "limiting_stress",
+    "shear_rate",
+    "shear_rate_vector",
+    "shear_stress",
+    "shear_stress_vector",
+]

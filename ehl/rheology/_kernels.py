@@ -1,0 +1,80 @@
+"""Shear laws for compiled kernels: scalars in, scalars out; their NumPy twins stand in `laws.py`.
+
+The arguments law, stress, exponent, breadth and those of the limit are the fields of `KernelRheology`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+NEWTONIAN, REE_EYRING, CARREAU_YASUDA = 0, 1, 2  # as `laws.LAW_CODES`
+LARGEST_ARGUMENT = 300.0  # as in `laws`
+NEWTON_STEPS = 30
+
+OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
+
+
+@njit(**OPTIONS)
+def limiting_stress(
+    pressure, temperature, limit_coefficient, limit_stress, limit_slope, limit_temperature, limit_minimum
+):
+    """Limiting stress [Pa]; infinite if its coefficient is."""
+    if not np.isfinite(limit_coefficient):
+        return np.inf
+    softening = 1.0 + limit_slope * (temperature - limit_temperature)
+    if softening <= 0.0:
+        return np.inf if pressure > 0.0 else limit_minimum
+    return max(limit_stress + limit_coefficient * pressure / softening, limit_minimum)
+
+
+@njit(**OPTIONS)
+def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
+    """Stress magnitude [Pa] at the magnitude of a rate [1/s]; limit: the limiting stress, or infinity [Pa]."""
+    tau = viscosity * rate
+    if law == REE_EYRING:
+        tau = stress * np.arcsinh(tau / stress)
+    elif law == CARREAU_YASUDA:
+        tau *= (1.0 + (tau / stress) ** breadth) ** ((exponent - 1.0) / breadth)
+    if np.isfinite(limit):
+        tau = -limit * np.expm1(-tau / limit)
+    return tau
+
+
+@njit(**OPTIONS)
+def _carreau_inverse(s, exponent, breadth):
+    """x of x [1 + x^a]^((n - 1)/a) = s by Newton's method in ln x."""
+    if s <= 0.0:
+        return s
+    wanted = np.log(s)
+    u = max(wanted, wanted / exponent)
+    for _ in range(NEWTON_STEPS):
+        power = breadth * u
+        knee = power + np.log1p(np.exp(-power)) if power > 0.0 else np.log1p(np.exp(power))
+        step = (u + (exponent - 1.0) / breadth * knee - wanted) / (1.0 + (exponent - 1.0) * np.exp(power - knee))
+        u -= step
+        if abs(step) < 1e-14:
+            break
+    return np.exp(min(u, LARGEST_ARGUMENT))
+
+
+@njit(**OPTIONS)
+def shear_rate(tau, viscosity, limit, law, stress, exponent, breadth):
+    """Rate [1/s] at a stress magnitude [Pa], the inverse of `shear_stress`; infinite from the limit on."""
+    if np.isfinite(limit):
+        if tau >= limit:
+            return np.inf
+        tau = -limit * np.log1p(-tau / limit)
+    if law == REE_EYRING:
+        return stress * np.sinh(min(tau / stress, LARGEST_ARGUMENT)) / viscosity
+    if law == CARREAU_YASUDA:
+        return stress * _carreau_inverse(tau / stress, exponent, breadth) / viscosity
+    return tau / viscosity
+
+
+@njit(**OPTIONS)
+def effective_viscosity(rate, viscosity, limit, law, stress, exponent, breadth):
+    """eta* = tau/rate [Pa s]; the viscosity itself where the rate vanishes."""
+    if rate <= 0.0:
+        return viscosity
+    return shear_stress(rate, viscosity, limit, law, stress, exponent, breadth) / rate
