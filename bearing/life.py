@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import degrees, pi, radians
+from math import degrees, hypot, pi, radians
 
 import numpy as np
 
@@ -18,7 +18,16 @@ from ehl.hertz import hertz_contact
 from ehl.lubricant import Lubricant
 
 from .geometry import Array, Bearing, Race, contact_modulus, reduced_radii
-from .load_rating import ball_ratings, dynamic_rating, fatigue_load_limit, geometry_not_rated
+from .load_rating import (
+    STATIC_PRESSURE,
+    ball_ratings,
+    dynamic_rating,
+    fatigue_load_limit,
+    geometry_not_rated,
+    static_equivalent_load,
+    static_rating,
+    wide_grooves,
+)
 from .material import MaterialKind
 from .operation import RatingInput
 from .quasistatic import QuasistaticSolution
@@ -26,7 +35,6 @@ from .quasistatic import QuasistaticSolution
 STEEPEST = radians(45.0)  # a steeper bearing is a thrust bearing in the standards
 LIFE_EXPONENT = 3.0  # of point contact [-]
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0  # exponents of the equivalent ball load of a ring, relative to the load [-]
-STATIC_PRESSURE = 4.2e9  # Hertz pressure at the static rating of ball bearings, ISO 76 [Pa]
 KAPPA_LEAST, KAPPA_MOST, A_ISO_MOST = 0.1, 4.0, 50.0  # [-]
 A_ISO_PIECES = (  # kappa up to, constant, exponent [-]; continuous at 0.4 and 1
     (0.4, 2.2649, 0.054381),
@@ -58,6 +66,10 @@ class LifeRating:
         C_u [N].
     static_safety : float or None
         (4200 MPa/p_max)^3 over the heaviest contact, steel on steel [-].
+    static_rating, static_load : float or None
+        C_0 as given or computed, and P_0 of the external loads [N].
+    static_safety_factor : float or None
+        S_0 = C_0/P_0 [-].
     messages : tuple of str
     """
 
@@ -70,6 +82,9 @@ class LifeRating:
     life_factor: float | None = None
     fatigue_load_limit: float | None = None
     static_safety: float | None = None
+    static_rating: float | None = None
+    static_load: float | None = None
+    static_safety_factor: float | None = None
     messages: tuple[str, ...] = ()
 
 
@@ -94,12 +109,7 @@ def bearing_life(solution: QuasistaticSolution, lubricant: Lubricant, rating: Ra
         return LifeRating(rating=rating, messages=(f"life: null, {reason}",))
     speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
     kappa = viscosity_ratio(lubricant.viscosity / lubricant.density, speed, bearing.pitch_diameter) if speed else None
-    safety, steel = None, bearing.ball_material.kind is MaterialKind.BEARING_STEEL
-    messages = [] if steel else ["life.static_safety: null, the permissible pressure of a hybrid was not at hand"]
-    if steel:
-        pressure = _largest_pressure(solution)
-        safety = (STATIC_PRESSURE / pressure) ** 3 if pressure else None
-    known = LifeRating(rating=rating, viscosity_ratio=kappa, static_safety=safety)
+    known, messages = _static(LifeRating(rating=rating, viscosity_ratio=kappa), solution)
     why = _no_life(solution, rating, speed)
     if why:
         return replace(known, messages=(*messages, f"life: basic and modified rating null, {why}"))
@@ -117,7 +127,7 @@ def bearing_life(solution: QuasistaticSolution, lubricant: Lubricant, rating: Ra
         modified_life=None if factor is None else 1e6 * life * factor,
         life_factor=factor,
         fatigue_load_limit=limit,
-        messages=(*messages, *_remarks(rating, kappa, load / capacity)),
+        messages=(*messages, *_remarks(bearing, rating, kappa, load / capacity)),
     )
 
 
@@ -134,6 +144,29 @@ def _not_covered(bearing: Bearing) -> str:
     return ""
 
 
+def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRating, list[str]]:
+    """Static safety by pressure and by S_0 = C_0/P_0, and what is left out."""
+    bearing, rating, messages = solution.bearing, known.rating, []
+    steel = bearing.ball_material.kind is MaterialKind.BEARING_STEEL
+    pressure = _largest_pressure(solution)
+    if not steel:
+        messages.append("life.static_safety: null, the permissible pressure of a hybrid was not at hand")
+    elif pressure:
+        known = replace(known, static_safety=(STATIC_PRESSURE / pressure) ** 3)
+    capacity = rating.static_rating
+    if capacity is None and steel:
+        capacity = static_rating(bearing, rating.nominal_contact_angle)
+        messages.append("life: static rating computed from the geometry, no basic_static_rating_kN was given")
+    elif capacity is None:
+        messages.append("life: static rating and S_0 null, give the basic_static_rating_kN of the hybrid")
+    axial, radial = abs(float(solution.ring_force[0])), hypot(*(float(f) for f in solution.ring_force[1:]))
+    load = static_equivalent_load(radial, axial, rating.nominal_contact_angle)
+    if load is None:
+        messages.append("life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 to 40 deg")
+    factor = capacity / load if capacity is not None and load else None
+    return replace(known, static_rating=capacity, static_load=load, static_safety_factor=factor), messages
+
+
 def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -> str:
     if not speed:
         return "the rings do not turn against each other"
@@ -145,9 +178,11 @@ def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -
     return "" if rating.dynamic_rating is not None else geometry_not_rated(solution.bearing, angle)
 
 
-def _remarks(rating: RatingInput, kappa: float, share: float) -> Iterator[str]:
+def _remarks(bearing: Bearing, rating: RatingInput, kappa: float, share: float) -> Iterator[str]:
     if rating.dynamic_rating is None:
         yield "life: dynamic rating computed from the geometry, no basic_dynamic_rating_kN was given"
+        if wide_grooves(bearing):
+            yield "life: dynamic rating lowered for grooves wider than 0.52 (inner) or 0.53 (outer) ball diameters"
     yield "life: kappa from the viscosity alone"
     if rating.contamination_factor is None:
         yield "life: a_iso and modified rating null, the case gives no [lubricant] contamination_factor"

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from math import cos
+from dataclasses import replace
+from math import cos, degrees
 
 import numpy as np
 
@@ -12,8 +13,16 @@ from .geometry import Bearing, Race, contact_modulus, reduced_radii
 
 RATING_FACTOR = 1.3  # b_m of deep groove and angular contact ball bearings, ISO 281 [-]
 GAMMA_POINTS = (0.05, 0.10, 0.16, 0.19, 0.25)  # D cos(alpha)/d_m [-]
-F_C_POINTS = (46.7, 55.5, 59.6, 60.0, 58.6)  # f_c there, N and mm, of grooves not wider than the next line
-LARGEST_CONFORMITIES = (0.52, 0.53)  # of inner and outer groove; wider ones carry less than f_c says [-]
+F_C_POINTS = (46.7, 55.5, 59.6, 60.0, 58.6)  # f_c of ISO 281 there, N and mm
+F_C_SCALE = 38.2  # of Lundberg and Palmgren's form that passes these points within their rounding, N and mm
+SMALLEST_GAMMA, LARGEST_GAMMA = 0.01, 0.40  # to which the form is used [-]
+F_C_CONFORMITY = 0.52  # of both grooves, with which it passes them [-]
+LARGEST_CONFORMITIES = (0.52, 0.53)  # of inner and outer groove that f_c is for; wider ones carry less [-]
+STATIC_PRESSURE = 4.2e9  # Hertz pressure at the static rating of ball bearings, ISO 76 [Pa]
+STRIBECK = 5.0  # heaviest ball load over the mean one, F/(Z cos alpha), of a radially loaded bearing [-]
+STATIC_FACTORS_RADIAL = (0.6, 0.5)  # X_0, Y_0 at a nominal contact angle of zero [-]
+STATIC_ANGLES = (15.0, 25.0, 40.0)  # [deg]
+STATIC_FACTORS_AXIAL = (0.46, 0.38, 0.26)  # Y_0 there, with X_0 = 0.5 [-]
 LARGE_BALL = 25.4e-3  # balls above this diameter follow another power [m]
 FATIGUE_PRESSURE = 1.5e9  # Hertz pressure at the fatigue limit of bearing steel [Pa]
 ROUNDED = 5e-5  # of a conformity computed from rounded lengths [-]
@@ -23,39 +32,84 @@ MM = 1e-3  # in SI
 def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
     """Why `dynamic_rating` does not hold for a geometry, empty if it does; the nominal contact angle in [rad]."""
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
-    if not GAMMA_POINTS[0] <= gamma <= GAMMA_POINTS[-1]:
+    if not SMALLEST_GAMMA <= gamma <= LARGEST_GAMMA:
         return f"D cos(alpha)/d_m = {gamma:.3g} lies outside the factors f_c at hand: give basic_dynamic_rating_kN"
-    conformities = (bearing.inner_conformity, bearing.outer_conformity)
-    if any(found > most + ROUNDED for found, most in zip(conformities, LARGEST_CONFORMITIES, strict=True)):
-        return (
-            f"the grooves ({conformities[0]:.4g} and {conformities[1]:.4g} ball diameters) are wider than those that "
-            "f_c is for (0.52 and 0.53): give basic_dynamic_rating_kN"
-        )
     return ""
 
 
+def wide_grooves(bearing: Bearing) -> bool:
+    """Whether a groove is wider than those f_c is for, so that the rating is lowered for it [-]."""
+    conformities = (bearing.inner_conformity, bearing.outer_conformity)
+    return any(found > most + ROUNDED for found, most in zip(conformities, LARGEST_CONFORMITIES, strict=True))
+
+
 def factor_f_c(gamma: float) -> float:
-    """f_c of the dynamic rating of radial ball bearings (N, mm), ISO 281: the quartic through five points of its table.
+    """f_c of the dynamic rating of radial ball bearings (N, mm): Lundberg and Palmgren (1947), ISO 281.
+
+    Their form with both grooves 0.52 D wide and one scale passes the five points of the standard's table at hand
+    within their rounding.
 
     Parameters
     ----------
     gamma : float
-        D cos(alpha)/d_m, 0.05 to 0.25 [-].
+        D cos(alpha)/d_m, 0.01 to 0.40 [-].
 
     Returns
     -------
     float
         f_c, for newtons and millimetres.
     """
-    total = 0.0
-    for i, (point, value) in enumerate(zip(GAMMA_POINTS, F_C_POINTS, strict=True)):
-        others = [other for j, other in enumerate(GAMMA_POINTS) if j != i]
-        total += value * float(np.prod([(gamma - other) / (point - other) for other in others]))
-    return total
+    return F_C_SCALE * lundberg_palmgren(gamma, F_C_CONFORMITY, F_C_CONFORMITY)
+
+
+def lundberg_palmgren(gamma: float, inner: float, outer: float) -> float:
+    """Shape of the capacity over geometry [-], Lundberg and Palmgren (1947).
+
+    [1 + T^(10/3)]^-0.3 g^0.3 (1 - g)^1.39/(1 + g)^(1/3) [2 f_i/(2 f_i - 1)]^0.41 with
+    T = 1.04 [(1 - g)/(1 + g)]^1.72 [f_i (2 f_e - 1)/(f_e (2 f_i - 1))]^0.41.
+
+    Parameters
+    ----------
+    gamma : float
+        g = D cos(alpha)/d_m [-].
+    inner, outer : float
+        Conformities of the grooves, radius over ball diameter [-].
+
+    Returns
+    -------
+    float
+        [-].
+    """
+    grooves = inner * (2.0 * outer - 1.0) / (outer * (2.0 * inner - 1.0))
+    ratio = 1.04 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves**0.41
+    shape = gamma**0.3 * (1.0 - gamma) ** 1.39 / (1.0 + gamma) ** (1.0 / 3.0)
+    return float((1.0 + ratio ** (10.0 / 3.0)) ** -0.3 * shape * (2.0 * inner / (2.0 * inner - 1.0)) ** 0.41)
+
+
+def groove_factor(bearing: Bearing, contact_angle: float) -> float:
+    """Capacity with the bearing's grooves over that with the widest f_c is for, 1 unless they are wider [-].
+
+    Parameters
+    ----------
+    bearing : Bearing
+    contact_angle : float
+        Nominal contact angle [rad].
+
+    Returns
+    -------
+    float
+        [-].
+    """
+    gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
+    found = (bearing.inner_conformity, bearing.outer_conformity)
+    wide = [max(own, most) for own, most in zip(found, LARGEST_CONFORMITIES, strict=True)]
+    return lundberg_palmgren(gamma, *wide) / lundberg_palmgren(gamma, *LARGEST_CONFORMITIES)
 
 
 def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
     """Basic dynamic radial load rating [N], ISO 281: C_r = 1.3 f_c (cos alpha)^0.7 Z^(2/3) D^1.8, one row.
+
+    For grooves wider than f_c is for it is lowered as the theory behind f_c says (`groove_factor`).
 
     Parameters
     ----------
@@ -72,6 +126,7 @@ def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
     diameter = bearing.ball_diameter / MM
     power = diameter**1.8 if bearing.ball_diameter <= LARGE_BALL else 3.647 * diameter**1.4
     f_c = factor_f_c(bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter)
+    f_c *= groove_factor(bearing, contact_angle)
     return RATING_FACTOR * f_c * cos(contact_angle) ** 0.7 * bearing.balls ** (2.0 / 3.0) * power
 
 
@@ -120,9 +175,64 @@ def fatigue_load_limit(bearing: Bearing, contact_angle: float) -> float:
     float
         C_u [N].
     """
-    limits = []
-    for race in Race:
-        unit = hertz_contact(1.0, *reduced_radii(bearing, race, contact_angle), contact_modulus(bearing, race))
-        limits.append((FATIGUE_PRESSURE / unit.pressure) ** 3)
+    limits = load_at_pressure(bearing, contact_angle, FATIGUE_PRESSURE)
     size = min(1.0, (0.1 / bearing.pitch_diameter) ** 0.5)
     return 0.2288 * bearing.balls * min(limits) * cos(contact_angle) * size
+
+
+def static_rating(bearing: Bearing, contact_angle: float) -> float:
+    """Basic static radial load rating [N], after the definition of ISO 76: 4200 MPa at the heaviest contact.
+
+    C_0r = Z cos(alpha) min(Q_i, Q_e)/5, Q the ball load at 4200 MPa on grooves of 0.52 D (inner) and 0.53 D (outer) or
+    wider, 5 the heaviest over the mean ball load after Stribeck. The standard's table of f_0 was not read.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    contact_angle : float
+        Nominal contact angle [rad].
+
+    Returns
+    -------
+    float
+        C_0r [N].
+    """
+    diameter = bearing.ball_diameter
+    grooves = (bearing.inner_groove_radius, bearing.outer_groove_radius)
+    inner, outer = (max(own, f * diameter) for own, f in zip(grooves, LARGEST_CONFORMITIES, strict=True))
+    rated = replace(bearing, inner_groove_radius=inner, outer_groove_radius=outer)
+    return bearing.balls * cos(contact_angle) * min(load_at_pressure(rated, contact_angle, STATIC_PRESSURE)) / STRIBECK
+
+
+def load_at_pressure(bearing: Bearing, contact_angle: float, pressure: float) -> tuple[float, float]:
+    """Ball loads [N] on the inner and the outer race at a Hertz pressure [Pa] and contact angle [rad]."""
+    units = [hertz_contact(1.0, *reduced_radii(bearing, r, contact_angle), contact_modulus(bearing, r)) for r in Race]
+    inner, outer = ((pressure / unit.pressure) ** 3 for unit in units)
+    return inner, outer
+
+
+def static_equivalent_load(radial: float, axial: float, contact_angle: float) -> float | None:
+    """P_0 = max(X_0 F_r + Y_0 F_a, F_r) of one row, ISO 76; None at angles without factors.
+
+    X_0, Y_0 are 0.6, 0.5 at zero contact angle (SKF, deep groove ball bearings); X_0 = 0.5 and Y_0 = 0.46, 0.38, 0.26
+    at 15, 25, 40 degrees (LYC, angular contact ball bearings), linear between.
+
+    Parameters
+    ----------
+    radial, axial : float
+        Magnitudes of the loads [N].
+    contact_angle : float
+        Nominal contact angle [rad].
+
+    Returns
+    -------
+    float or None
+        P_0 [N].
+    """
+    angle = degrees(contact_angle)
+    x, y = STATIC_FACTORS_RADIAL
+    if angle > 0.0:
+        if not STATIC_ANGLES[0] - 1e-6 <= angle <= STATIC_ANGLES[-1] + 1e-6:
+            return None
+        x, y = 0.5, float(np.interp(angle, STATIC_ANGLES, STATIC_FACTORS_AXIAL))
+    return max(x * radial + y * axial, radial)

@@ -109,6 +109,8 @@ class RatingInput:
     ----------
     dynamic_rating : float or None
         C_r of the catalogue [N]; None computes it from the geometry.
+    static_rating : float or None
+        C_0 of the catalogue [N]; None computes it from the geometry.
     nominal_contact_angle : float
         alpha of the rating formulas [rad], 0 for deep groove bearings.
     contamination_factor : float or None
@@ -118,10 +120,13 @@ class RatingInput:
     dynamic_rating: float | None = None
     nominal_contact_angle: float = 0.0
     contamination_factor: float | None = None
+    static_rating: float | None = None
 
     def __post_init__(self) -> None:
-        if self.dynamic_rating is not None and not self.dynamic_rating > 0.0:
-            raise ValueError(f"dynamic_rating must be positive, got {self.dynamic_rating!r} N")
+        for field in ("dynamic_rating", "static_rating"):
+            value = getattr(self, field)
+            if value is not None and not value > 0.0:
+                raise ValueError(f"{field} must be positive, got {value!r} N")
         if not 0.0 <= self.nominal_contact_angle < 0.5 * pi:
             raise ValueError(f"nominal_contact_angle must lie in [0, pi/2), got {self.nominal_contact_angle!r} rad")
         if self.contamination_factor is not None and not 0.0 <= self.contamination_factor <= 1.0:

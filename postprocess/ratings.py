@@ -6,11 +6,14 @@ from collections.abc import Iterator
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
+from .messages import combined_roughness
+
 if TYPE_CHECKING:
     from .results import BearingResults
 
 MICROMETRE, KILONEWTON, MEGAPASCAL, MILLION = 1e-6, 1e3, 1e6, 1e6  # in SI
 LIFE_KEYS = ("basic_reference_rating_Mrev", "modified_reference_rating_Mrev", "a_iso", "kappa")
+FILM_KEYS = ("kappa_film", "a_iso_film", "modified_reference_rating_film_Mrev")
 LENGTHS = (
     "initial",
     "mounted",
@@ -29,7 +32,7 @@ def life_block(results: BearingResults) -> dict[str, Any]:
     """Rating life [10^6 revolutions], loads [N] and [kN], the factors that led to it; None where it does not apply."""
     life = results.life
     if life is None:
-        return dict.fromkeys(LIFE_KEYS)
+        return dict.fromkeys((*LIFE_KEYS, *FILM_KEYS))
     return {
         "basic_reference_rating_Mrev": _in(life.basic_life, MILLION),
         "modified_reference_rating_Mrev": _in(life.modified_life, MILLION),
@@ -41,7 +44,41 @@ def life_block(results: BearingResults) -> dict[str, Any]:
         "contamination_factor": life.rating.contamination_factor,
         "nominal_contact_angle_deg": degrees(life.rating.nominal_contact_angle),
         "static_safety": life.static_safety,
+        "basic_static_rating_kN": _in(life.static_rating, KILONEWTON),
+        "static_equivalent_load_N": life.static_load,
+        "static_safety_factor": life.static_safety_factor,
+        **film_life(results),
     }
+
+
+def least_lambda(results: BearingResults) -> float | None:
+    """Smallest lambda ratio of the films that converged and are resolved [-]; None without films or roughness."""
+    surface, found = results.case.get("surface"), []
+    for contact, solution in zip(results.contacts, results.solutions, strict=True):
+        if not surface or solution is None or not (solution.converged and solution.resolved):
+            continue
+        roughness = combined_roughness(contact.race.value, surface)
+        if solution.film_minimum is not None and roughness > 0.0:
+            found.append(solution.film_minimum / roughness)
+    return min(found, default=None)
+
+
+def film_life(results: BearingResults) -> dict[str, float | None]:
+    """kappa, a_ISO and modified life from the solved films instead of the viscosity; None where they do not apply."""
+    life, found = results.life, dict.fromkeys(FILM_KEYS)
+    least = least_lambda(results)
+    if life is None or life.viscosity_ratio is None or least is None:
+        return found
+    from bearing.life import KAPPA_LEAST, life_factor
+
+    kappa = least ** results.case["surface"]["kappa_exponent"]
+    found["kappa_film"] = kappa
+    cleanliness, limit = life.rating.contamination_factor, life.fatigue_load_limit
+    if cleanliness is None or limit is None or life.basic_life is None or kappa < KAPPA_LEAST:
+        return found
+    assert life.equivalent_load is not None  # where there is a life
+    factor = life_factor(kappa, cleanliness * limit / life.equivalent_load)
+    return found | {"a_iso_film": factor, "modified_reference_rating_film_Mrev": factor * life.basic_life / MILLION}
 
 
 def clearance_block(results: BearingResults) -> dict[str, float | None]:
@@ -63,6 +100,12 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
         yield "clearance: taken as the operating one, the case gives neither [fit] nor [temperatures]; the rest null"
     else:
         yield from results.clearance.messages
+    if results.life is not None and results.life.viscosity_ratio is not None:
+        if least_lambda(results) is None:
+            yield "life: kappa_film and what follows from it null, they need a resolved film and [surface] roughness"
+        else:
+            exponent = results.case["surface"]["kappa_exponent"]
+            yield f"life: kappa_film is the smallest lambda_ratio to the power {exponent:g}, a rule that is unverified"
 
 
 def rating_rows(results: BearingResults) -> dict[str, str]:
@@ -75,8 +118,15 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
         rows["rating life"] = f"{life.basic_life / MILLION:.4g} million revolutions"
         if life.modified_life is not None:
             rows["rating life"] += f", modified {life.modified_life / MILLION:.4g} (a_ISO {life.life_factor:.3g})"
+    if life is not None and life.static_safety_factor is not None:
+        rows["static safety"] = f"S_0 {life.static_safety_factor:.3g}"
+        if life.static_safety is not None:
+            rows["static safety"] += f", by pressure {life.static_safety:.3g}"
     if life is not None and life.viscosity_ratio is not None:
         rows["viscosity ratio"] = f"κ {life.viscosity_ratio:.3g}"
+        film = film_life(results)["kappa_film"]
+        if film is not None:
+            rows["viscosity ratio"] += f" from the viscosity, {film:.3g} from the film (λ {least_lambda(results):.3g})"
     return rows
 
 

@@ -84,15 +84,17 @@ def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing,
 
 
 def rating(file: BearingFile) -> RatingInput:
-    """What the rating life needs beyond the loads: C_r [N], nominal contact angle [rad], e_C [-]."""
+    """What the rating life needs beyond the loads: C_r, C_0 [N], nominal contact angle [rad], e_C [-]."""
     from bearing.operation import RatingInput
 
     table = file.bearing
     angle, capacity = table.nominal_contact_angle_deg, table.basic_dynamic_rating_kN
+    static = table.basic_static_rating_kN
     if angle is None:
         angle = table.free_contact_angle_deg or 0.0
     return RatingInput(
         dynamic_rating=None if capacity is None else capacity * KN,
+        static_rating=None if static is None else static * KN,
         nominal_contact_angle=radians(angle),
         contamination_factor=file.lubricant.contamination_factor,
     )

@@ -41,7 +41,9 @@ class BearingTable(Table):
     basic_dynamic_rating_kN: float | None = Field(
         None, gt=0.0, le=1.0e6, description="C_r of the catalogue for the rating life; left out, from the geometry"
     )
-    basic_static_rating_kN: float | None = Field(None, gt=0.0, le=1.0e6, description="recorded only")
+    basic_static_rating_kN: float | None = Field(
+        None, gt=0.0, le=1.0e6, description="C_0 of the catalogue for the static safety; left out, from the geometry"
+    )
     skf_series: Name | None = Field(None, description="recorded only")
 
 
@@ -66,6 +68,9 @@ class SurfaceTable(Table):
     inner_ring_roughness_um: float = Field(ge=0.0, le=100.0, description="rms roughness of the inner raceway")
     outer_ring_roughness_um: float = Field(ge=0.0, le=100.0, description="rms roughness of the outer raceway")
     ball_roughness_um: float = Field(ge=0.0, le=100.0, description="rms roughness of the balls")
+    kappa_exponent: float = Field(
+        1.3, gt=0.0, le=5.0, description="kappa of the solved film, lambda to this power; 1.3 is unverified"
+    )
 
 
 class FitTable(Table):

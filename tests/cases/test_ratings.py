@@ -137,3 +137,28 @@ def test_equal_results_with_and_without_an_idle_table():
     one, two = (run_case(case(text)).quasistatic for text in (still, still + "[fit]\n"))
     assert (one.inner_load == two.inner_load).all()
     assert replace(one.bearing, name="") == replace(two.bearing, name="")
+
+
+ROUGH = "[surface]\ninner_ring_roughness_um = 0.1\nouter_ring_roughness_um = 0.1\nball_roughness_um = 0.05\n"
+
+
+def test_kappa_of_the_solved_film_stands_beside_that_of_the_viscosity():
+    """The smallest of all lambda ratios decides, to the power the case gives."""
+    text = CASE.replace("[lubricant]", "[lubricant]\ncontamination_factor = 0.5")
+    text = text.replace('"none"', "[0.0]\npoints = 129") + ROUGH + "kappa_exponent = 1.1\n"
+    found = summary(run_case(case(text)))
+    ratios = [contact["lambda_ratio"] for contact in found["contacts"] if contact["resolved"]]
+    assert len(ratios) == 2
+    block = found["life"]
+    assert block["kappa_film"] == pytest.approx(min(ratios) ** 1.1)
+    assert block["kappa"] == pytest.approx(summary(run_case(case(CASE)))["life"]["kappa"])
+    film, plain = block["modified_reference_rating_film_Mrev"], block["modified_reference_rating_Mrev"]
+    assert film / plain == pytest.approx(block["a_iso_film"] / block["a_iso"])
+
+
+def test_without_film_there_is_no_kappa_of_it():
+    found = summary(run_case(case(CASE + ROUGH)))
+    assert [found["life"][key] for key in ("kappa_film", "a_iso_film", "modified_reference_rating_film_Mrev")] == [
+        None
+    ] * 3
+    assert any("kappa_film" in message for message in found["messages"])
