@@ -1,0 +1,155 @@
+r"""Stress in a half-space below a given pressure: superposition of uniformly loaded rectangles by FFT.
+
+Boussinesq's potentials of a unit pressure on a rectangle (Love, 1929), psi = int 1/r and chi = int ln(r + z), have
+second derivatives that are sums over its corners. With u, v from the field point to a corner and r^2 = u^2 + v^2 + z^2,
+
+    psi_z  = -S atan(u v/(z r)),              psi_xx = -S u v/(r (u^2 + z^2)),      psi_yy likewise
+    psi_xy =  S 1/r,                          psi_xz =  S z v/(r (u^2 + z^2)),      psi_yz likewise
+    chi_xx =  S [atan(v/u) - atan(v z/(u r))], chi_yy likewise,                     chi_xy = S ln(r + z)
+
+and the stresses are (Johnson, Contact Mechanics, 1985, section 3.2)::
+
+    2 pi sigma_x = 2 nu psi_z - z psi_xx - (1 - 2 nu) chi_xx,   2 pi tau_xy = -z psi_xy - (1 - 2 nu) chi_xy
+    2 pi sigma_z = psi_z - z psi_zz,                            2 pi tau_xz = -z psi_xz
+
+No friction. The pressure is constant on every cell: second order in the mesh size.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.fft import irfft2, next_fast_len, rfft2
+
+Array = NDArray[np.float64]
+COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
+EVEN = 1e-9  # differences of mesh sizes, relative, below which a grid counts as even [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SubsurfaceStress:
+    """Stress below a contact, negative in compression.
+
+    Attributes
+    ----------
+    x, y : ndarray, shape (nx,) and (ny,)
+        Of the contact plane [m].
+    depth : ndarray, shape (nz,)
+        Into the body [m].
+    stress : ndarray, shape (6, nx, ny, nz)
+        xx, yy, zz, xy, yz, xz [Pa].
+    """
+
+    x: Array
+    y: Array
+    depth: Array
+    stress: Array
+
+    @property
+    def von_mises(self) -> Array:
+        """Equivalent stress of von Mises, shape (nx, ny, nz) [Pa]."""
+        xx, yy, zz, xy, yz, xz = self.stress
+        normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+        result: Array = np.sqrt(0.5 * normal + 3.0 * (xy**2 + yz**2 + xz**2))
+        return result
+
+    @property
+    def maximum_shear(self) -> Array:
+        """Largest principal shear, half the difference of the extreme principal stresses, shape (nx, ny, nz) [Pa]."""
+        xx, yy, zz, xy, yz, xz = self.stress
+        tensor = np.moveaxis(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]), (0, 1), (-2, -1))
+        principal = np.linalg.eigvalsh(tensor)
+        result: Array = 0.5 * (principal[..., 2] - principal[..., 0])
+        return result
+
+
+def subsurface_stress(pressure: Array, x: Array, y: Array, depth: Array, poisson_ratio: float) -> SubsurfaceStress:
+    """Stress below a pressure on an even grid, zero pressure outside of it, Love (1929).
+
+    Parameters
+    ----------
+    pressure : ndarray, shape (nx, ny)
+        At the middles of the cells [Pa].
+    x, y : ndarray, shape (nx,) and (ny,)
+        Evenly spaced [m].
+    depth : ndarray, shape (nz,)
+        Not negative [m].
+    poisson_ratio : float
+        Of the body [-].
+
+    Returns
+    -------
+    SubsurfaceStress
+    """
+    steps = [_even_step(axis, name) for axis, name in ((x, "x"), (y, "y"))]
+    depth = np.asarray(depth, dtype=np.float64)
+    if depth.size == 0 or not (depth >= 0.0).all():
+        raise ValueError(f"depth must not be negative or empty, got {depth!r} m")
+    nx, ny = pressure.shape
+    if (nx, ny) != (x.size, y.size):
+        raise ValueError(f"pressure must have the shape of the grid, {(x.size, y.size)}, got {pressure.shape}")
+    shape = [next_fast_len(3 * n - 2, real=True) for n in (nx, ny)]
+    transform = rfft2(pressure, shape)
+    stress = np.empty((6, nx, ny, depth.size))
+    for k, z in enumerate(depth):
+        for component, kernel in enumerate(rectangle_stress((nx, ny), (steps[0], steps[1]), float(z), poisson_ratio)):
+            full = irfft2(transform * rfft2(kernel, shape), shape)
+            stress[component, :, :, k] = full[nx - 1 : 2 * nx - 1, ny - 1 : 2 * ny - 1]
+    return SubsurfaceStress(x=x, y=y, depth=depth, stress=stress)
+
+
+def rectangle_stress(
+    points: tuple[int, int], steps: tuple[float, float], depth: float, poisson_ratio: float
+) -> tuple[Array, ...]:
+    """Stress at one depth around one cell under unit pressure, Love (1929).
+
+    Parameters
+    ----------
+    points : tuple of int
+        nx, ny of the grid [-].
+    steps : tuple of float
+        Sides of the cell [m].
+    depth : float
+        [m].
+    poisson_ratio : float
+        [-].
+
+    Returns
+    -------
+    tuple of ndarray, 6 of shape (2 nx - 1, 2 ny - 1)
+        xx, yy, zz, xy, yz, xz over unit pressure, the cell in the middle [-].
+    """
+    z, nu = depth, poisson_ratio
+    u, v = ((np.arange(1 - n, n + 1) - 0.5) * step for n, step in zip(points, steps, strict=True))
+    u, v = u[:, None], v[None, :]
+    r = np.sqrt(u * u + v * v + z * z)
+    by_u, by_v = r * (u * u + z * z), r * (v * v + z * z)
+    psi_xx, psi_yy = _corners(-u * v / by_u), _corners(-u * v / by_v)
+    psi_z = _corners(-np.arctan2(u * v, z * r))
+    chi_xx = _corners(np.arctan(v / u) - np.arctan(v * z / (u * r)))
+    chi_yy = _corners(np.arctan(u / v) - np.arctan(u * z / (v * r)))
+    other = 1.0 - 2.0 * nu
+    found = (
+        2.0 * nu * psi_z - z * psi_xx - other * chi_xx,
+        2.0 * nu * psi_z - z * psi_yy - other * chi_yy,
+        psi_z + z * (psi_xx + psi_yy),
+        -z * _corners(1.0 / r) - other * _corners(np.log(r + z)),
+        -z * _corners(z * u / by_v),
+        -z * _corners(z * v / by_u),
+    )
+    return tuple(component[::-1, ::-1] / (2.0 * np.pi) for component in found)  # from source minus field to the reverse
+
+
+def _corners(values: Array) -> Array:
+    """Sum over the four corners of each cell with alternating signs."""
+    result: Array = values[1:, 1:] - values[:-1, 1:] - values[1:, :-1] + values[:-1, :-1]
+    return result
+
+
+def _even_step(axis: Array, name: str) -> float:
+    steps = np.diff(axis)
+    if axis.size < 2 or not (steps > 0.0).all() or np.ptp(steps) > EVEN * float(np.abs(axis).max()):
+        raise ValueError(f"{name} must be evenly spaced and increasing")
+    return float((axis[-1] - axis[0]) / (axis.size - 1))
