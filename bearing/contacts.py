@@ -125,13 +125,23 @@ def rolling_and_spin(solution: QuasistaticSolution, index: int, race: Race) -> t
     return float(relative * radius), float(rolling), float(spin)
 
 
+def mean_spin(solution: QuasistaticSolution, index: int, race: Race) -> float:
+    """Mean angular speed of ball and race about the normal into the race, in the frame of the orbit [rad/s]."""
+    inner, operation = race is Race.INNER, solution.operation
+    angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
+    side = -1.0 if inner else 1.0
+    relative = (operation.inner_speed if inner else operation.outer_speed) - float(solution.orbit_speed[index])
+    ball = float(solution.spin_speed[index]) * np.sin(float(solution.attitude[index]) - angle)
+    return float(0.5 * side * (ball + relative * np.sin(angle))) + 0.0  # no negative zero
+
+
 def _contact(solution: QuasistaticSolution, index: int, race: Race, lubricant: Lubricant) -> BearingContact:
     inner = race is Race.INNER
     load = float((solution.inner_load if inner else solution.outer_load)[index])
     angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
     speed, rolling, spin = rolling_and_spin(solution, index, race)
     hertz = _hertz(solution, race, load, angle)
-    conditions, note = _conditions(solution, hertz, (speed, spin), lubricant)
+    conditions, note = _conditions(solution, hertz, (speed, spin, mean_spin(solution, index, race)), lubricant)
     origin, axes = _placement(solution, index, race, speed)
     centrifugal = float(solution.centrifugal_force[index])
     return BearingContact(
@@ -162,7 +172,7 @@ def _hertz(solution: QuasistaticSolution, race: Race, load: float, angle: float)
 
 
 def _conditions(
-    solution: QuasistaticSolution, hertz: HertzContact | None, motion: tuple[float, float], lubricant: Lubricant
+    solution: QuasistaticSolution, hertz: HertzContact | None, motion: tuple[float, float, float], lubricant: Lubricant
 ) -> tuple[ContactConditions | None, str]:
     if hertz is None:
         return None, "unloaded"
@@ -179,6 +189,7 @@ def _conditions(
         entrainment_speed=speed,
         lubricant=lubricant,
         spin=spin,
+        mean_spin=motion[2],
     ), ""
 
 

@@ -24,7 +24,8 @@ Solve = Callable[["ContactConditions", "SolverOptions"], "ContactSolution"]
 Progress = Callable[[int, int, str], None]  # contacts done, contacts in all, what is being done
 EQUAL = 1e-9  # relative difference below which two contacts count as one [-]
 FINITE_ELEMENT_MESSAGES = ("finite elements: points are those of the graded mesh, cycles are Newton steps, no FFT",)
-MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "spin")  # compared absolutely, too
+# compared absolutely, too
+MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "spin", "mean_spin")
 
 
 class Interrupted(Exception):  # noqa: N818

@@ -42,29 +42,56 @@ def flow_properties(P, H, slope, pressure, exponent, dense_1, dense_2, speed, ep
 
 
 @njit(**OPTIONS)
-def _operator(i, P, north, south, eps, eps_north, eps_south, rho, H, cx, cy, hx):
-    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho H) at node i of a line; upstream second order wedge."""
+def _along(i, flow, H, hx):
+    """d_X(flow H) at node i of a line: second order upstream, central in the first and last column."""
+    if flow[i] >= 0.0:
+        if i > 1:
+            return (1.5 * flow[i] * H[i] - 2.0 * flow[i - 1] * H[i - 1] + 0.5 * flow[i - 2] * H[i - 2]) / hx
+    elif i < H.size - 2:
+        return -(1.5 * flow[i] * H[i] - 2.0 * flow[i + 1] * H[i + 1] + 0.5 * flow[i + 2] * H[i + 2]) / hx
+    return 0.5 * (flow[i + 1] * H[i + 1] - flow[i - 1] * H[i - 1]) / hx
+
+
+@njit(**OPTIONS)
+def _across(j, i, flow, H, hy):
+    """d_Y(flow H): as `_along`, across the lines."""
+    if flow[j, i] >= 0.0:
+        if j > 1:
+            return (
+                1.5 * flow[j, i] * H[j, i] - 2.0 * flow[j - 1, i] * H[j - 1, i] + 0.5 * flow[j - 2, i] * H[j - 2, i]
+            ) / hy
+    elif j < H.shape[0] - 2:
+        return (
+            -(1.5 * flow[j, i] * H[j, i] - 2.0 * flow[j + 1, i] * H[j + 1, i] + 0.5 * flow[j + 2, i] * H[j + 2, i]) / hy
+        )
+    return 0.5 * (flow[j + 1, i] * H[j + 1, i] - flow[j - 1, i] * H[j - 1, i]) / hy
+
+
+@njit(**OPTIONS)
+def _operator(i, P, north, south, eps, eps_north, eps_south, flow, H, cx, cy, hx):
+    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow H) at node i of a line."""
     e = eps[i]
     poiseuille = cx * ((eps[i + 1] + e) * (P[i + 1] - P[i]) - (e + eps[i - 1]) * (P[i] - P[i - 1])) + cy * (
         (eps_north[i] + e) * (north[i] - P[i]) - (e + eps_south[i]) * (P[i] - south[i])
     )
-    if i > 1:
-        wedge = 1.5 * rho[i] * H[i] - 2.0 * rho[i - 1] * H[i - 1] + 0.5 * rho[i - 2] * H[i - 2]
-    else:
-        wedge = 0.5 * (rho[i + 1] * H[i + 1] - rho[i - 1] * H[i - 1])
-    return poiseuille - wedge / hx
+    return poiseuille - _along(i, flow, H, hx)
 
 
 @njit(**OPTIONS)
-def reynolds_operator(P, H, eps, rho, hx, hy, symmetric, out):
-    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho H) at interior nodes, zero on the edge."""
+def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out):
+    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H) at interior nodes, zero on the edge.
+
+    flow_y is looked at if `lateral`.
+    """
     ny, nx = P.shape
     out[:, :] = 0.0
     cx, cy = 0.5 / (hx * hx), 0.5 / (hy * hy)
     for j in range(0 if symmetric else 1, ny - 1):
         s = j - 1 if j > 0 else 1
         for i in range(1, nx - 1):
-            out[j, i] = _operator(i, P[j], P[j + 1], P[s], eps[j], eps[j + 1], eps[s], rho[j], H[j], cx, cy, hx)
+            out[j, i] = _operator(i, P[j], P[j + 1], P[s], eps[j], eps[j + 1], eps[s], flow_x[j], H[j], cx, cy, hx)
+            if lateral:
+                out[j, i] -= _across(j, i, flow_y, H, hy)
 
 
 @njit(**OPTIONS)
@@ -83,11 +110,11 @@ def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind)
 
 
 @njit(**OPTIONS)
-def _line_system(eps, eps_north, eps_south, rho, rho_slope, H, kinds, influence, cx, cy, hx, wx, wy, band):
+def _line_system(eps, eps_north, eps_south, flow, slope, H, kinds, influence, cx, cy, hx, wx, wy, band):
     """Derivative of the line's operator with respect to the changes at its own nodes, LOWER + UPPER diagonals.
 
-    kinds[k + LOWER] is the kind of node k, FIXED beyond the line; influence[kind, m + REACH] the deflection at distance
-    m from a change of that kind, zero for FIXED.
+    kinds[k + LOWER] is the kind of node k, FIXED beyond the line; influence[0, kind, m + REACH] the deflection at
+    distance m from a change of that kind, zero for FIXED.
     """
     n = eps.size
     for i in range(1, n - 1):
@@ -95,13 +122,17 @@ def _line_system(eps, eps_north, eps_south, rho, rho_slope, H, kinds, influence,
             for d in range(WIDTH):
                 band[i, d] = 1.0 if d == LOWER else 0.0
             continue
-        if i > 1:
-            r0, r1, r2 = -1.5 * rho[i] / hx, 2.0 * rho[i - 1] / hx, -0.5 * rho[i - 2] / hx
+        up = -1 if flow[i] >= 0.0 else 1  # towards upstream
+        inside = i > 1 if up < 0 else i < n - 2
+        if inside:
+            r0, r1, r2 = up * 1.5 * flow[i] / hx, -up * 2.0 * flow[i + up] / hx, up * 0.5 * flow[i + 2 * up] / hx
         else:
-            r0, r1, r2 = 0.0, 0.5 * rho[i - 1] / hx, 0.0
+            r0, r1, r2 = 0.0, -up * 0.5 * flow[i + up] / hx, 0.0
         for d in range(WIDTH):
             kind, m = kinds[i + d], LOWER - d + REACH
-            band[i, d] = r0 * influence[kind, m] + r1 * influence[kind, m - 1] + r2 * influence[kind, m - 2]
+            band[i, d] = (
+                r0 * influence[0, kind, m] + r1 * influence[0, kind, m + up] + r2 * influence[0, kind, m + 2 * up]
+            )
         e = eps[i]
         east, west = cx * (eps[i + 1] + e), cx * (e + eps[i - 1])
         across = cy * (eps_north[i] + eps_south[i] + 2.0 * e)
@@ -117,12 +148,42 @@ def _line_system(eps, eps_north, eps_south, rho, rho_slope, H, kinds, influence,
                 band[i, LOWER + side] += near + wx * centre
             if second == JACOBI:
                 band[i, LOWER + 2 * side] -= wx * near
-        if i > 1:
-            band[i, LOWER] -= 1.5 * rho_slope[i] * H[i] / hx
-            if kinds[i + LOWER - 1] != FIXED:
-                band[i, LOWER - 1] += 2.0 * rho_slope[i - 1] * H[i - 1] / hx
-            if kinds[i + LOWER - 2] != FIXED:
-                band[i, LOWER - 2] -= 0.5 * rho_slope[i - 2] * H[i - 2] / hx
+        if inside:
+            band[i, LOWER] += up * 1.5 * slope[i] * H[i] / hx
+            if kinds[i + LOWER + up] != FIXED:
+                band[i, LOWER + up] -= up * 2.0 * slope[i + up] * H[i + up] / hx
+            if kinds[i + LOWER + 2 * up] != FIXED:
+                band[i, LOWER + 2 * up] += up * 0.5 * slope[i + 2 * up] * H[i + 2 * up] / hx
+
+
+@njit(**OPTIONS)
+def _add_lateral(j, flow, slope, H, kinds, influence, hy, band):
+    """Add the derivative of -d_Y(flow H) to a line's system: the film of this line and of the two upstream of it."""
+    ny, n = H.shape
+    for i in range(1, n - 1):
+        if kinds[i + LOWER] == FIXED:
+            continue
+        up = -1 if flow[j, i] >= 0.0 else 1
+        if not (j > 1 if up < 0 else j < ny - 2):
+            continue
+        r0, r1 = up * 1.5 * flow[j, i] / hy, -up * 2.0 * flow[j + up, i] / hy
+        r2 = up * 0.5 * flow[j + 2 * up, i] / hy
+        for d in range(WIDTH):
+            kind, m = kinds[i + d], LOWER - d + REACH
+            band[i, d] += r0 * influence[0, kind, m] + r1 * influence[1, kind, m] + r2 * influence[2, kind, m]
+        band[i, LOWER] += up * 1.5 * slope[j, i] * H[j, i] / hy
+
+
+@njit(**OPTIONS)
+def _influences(near, wx, wy, influence):
+    """Deflection in the line of a change and in the two next ones, [line, kind, distance along x + REACH]."""
+    for m in range(-REACH, REACH + 1):
+        k, before, after = abs(m), abs(m - 1), abs(m + 1)
+        for r in range(3):
+            influence[r, GAUSS_SEIDEL, m + REACH] = near[r, k]
+            influence[r, JACOBI, m + REACH] = (
+                near[r, k] - wx * (near[r, before] + near[r, after]) - wy * (near[abs(r - 1), k] + near[r + 1, k])
+            )
 
 
 @njit(**OPTIONS)
@@ -173,21 +234,21 @@ def _apply_line(j, P, eps, kind, delta, wx, wy, damping, relief, symmetric, chan
 
 
 @njit(**OPTIONS)
-def relax_lines(P, H, eps, rho, rho_slope, f, near, near_next, hx, hy, symmetric, damping, relief, switch, change):
+def relax_lines(
+    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, damping, relief, switch, change
+):
     """One hybrid line sweep over P; the film stays as it is.
 
-    near[m], near_next[m]: deflection at distance m hx in the same and in the next line from a unit pressure.
+    near[r, m]: deflection at distance m hx in the r-th next line from a unit pressure. flow_x, flow_y: density times
+    the velocity of the Couette flow, slope_x, slope_y: their derivatives by P; those of y are looked at if `lateral`.
     """
     ny, nx = P.shape
     cx, cy = 0.5 / (hx * hx), 0.5 / (hy * hy)
     wx = 0.5 * np.sqrt(hy) / (np.sqrt(hx) + np.sqrt(hy))
     wy = 0.5 - wx
-    influence = np.zeros((3, 2 * REACH + 1))
-    for m in range(-REACH, REACH + 1):
-        k, sides = abs(m), near[abs(m - 1)] + near[abs(m + 1)]
-        influence[GAUSS_SEIDEL, m + REACH] = near[k]
-        influence[JACOBI, m + REACH] = near[k] - wx * sides - 2.0 * wy * near_next[k]
-    threshold = 2.0 * switch * near[0] / hx
+    influence = np.zeros((3, 3, 2 * REACH + 1))
+    _influences(near, wx, wy, influence)
+    threshold = 2.0 * switch * near[0, 0] / hx
     band, delta, kinds = np.zeros((nx, WIDTH)), np.zeros(nx), np.zeros(nx + 2 * LOWER, dtype=np.int8)
     kind = kinds[LOWER : LOWER + nx]
     change[:, :] = 0.0
@@ -195,13 +256,19 @@ def relax_lines(P, H, eps, rho, rho_slope, f, near, near_next, hx, hy, symmetric
         s = j - 1 if j > 0 else 1
         for i in range(1, nx - 1):
             delta[i] = f[j, i] - _operator(
-                i, P[j], P[j + 1], P[s], eps[j], eps[j + 1], eps[s], rho[j], H[j], cx, cy, hx
+                i, P[j], P[j + 1], P[s], eps[j], eps[j + 1], eps[s], flow_x[j], H[j], cx, cy, hx
             )
+            if lateral:
+                delta[i] += _across(j, i, flow_y, H, hy)
         _line_kinds(P[j], delta, eps[j], eps[j + 1], eps[s], cx, cy, threshold, kind)
         for i in range(1, nx - 1):
             if kind[i] == FIXED:
                 delta[i] = 0.0
-        _line_system(eps[j], eps[j + 1], eps[s], rho[j], rho_slope[j], H[j], kinds, influence, cx, cy, hx, wx, wy, band)
+        _line_system(
+            eps[j], eps[j + 1], eps[s], flow_x[j], slope_x[j], H[j], kinds, influence, cx, cy, hx, wx, wy, band
+        )
+        if lateral:
+            _add_lateral(j, flow_y, slope_y, H, kinds, influence, hy, band)
         _solve_band(band, delta)
         _apply_line(j, P, eps, kind, delta, wx, wy, damping, relief, symmetric, change)
     for j in range(0 if symmetric else 1, ny - 1):

@@ -26,9 +26,15 @@ class ContactConditions:
     entrainment_angle : float
         Direction of the entrainment, from x towards y [rad].
     slide_roll_ratio : float
-        (u_1 - u_2)/u_m [-], body 1 the ball.
+        (u_1 - u_2)/u_m along the entrainment [-], body 1 the ball.
+    lateral_slide_ratio : float
+        (v_1 - v_2)/u_m [-], v the surface speeds at right angles to the entrainment, from x towards y; their mean is
+        zero by the definition of the entrainment's direction.
     spin : float
-        Relative angular speed about the contact normal [rad/s].
+        Angular speed of body 1 relative to body 2 about the normal into body 2, x cross y [rad/s].
+    mean_spin : float or None
+        Angular speed (omega_1 + omega_2)/2 about the same normal, with which the entrainment turns from place to
+        place [rad/s]; None: body 2 does not turn, and it is half the spin.
 
     Raises
     ------
@@ -44,16 +50,23 @@ class ContactConditions:
     lubricant: Lubricant
     entrainment_angle: float = 0.0
     slide_roll_ratio: float = 0.0
+    lateral_slide_ratio: float = 0.0
     spin: float = 0.0
+    mean_spin: float | None = None
 
     def __post_init__(self) -> None:
         for field in ("load", "radius_x", "radius_y", "reduced_modulus", "entrainment_speed"):
             value = getattr(self, field)
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
-        for field in ("entrainment_angle", "slide_roll_ratio", "spin"):
+        for field in ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "spin", "rotation"):
             if not isfinite(getattr(self, field)):
                 raise ValueError(f"{field} must be finite, got {getattr(self, field)!r}")
+
+    @property
+    def rotation(self) -> float:
+        """Angular speed of the entrainment's field about the normal [rad/s]."""
+        return 0.5 * self.spin if self.mean_spin is None else self.mean_spin
 
     @property
     def speed_1(self) -> float:

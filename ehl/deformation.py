@@ -11,7 +11,7 @@ from scipy import fft
 from .grid import Grid
 
 Array = NDArray[np.float64]
-NEAR = 12  # nodes of the kernel handed to the line relaxation
+LINES, NEAR = 4, 12  # part of the kernel handed to the line relaxation
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,8 +23,7 @@ class DeflectionKernel:
     length_x: int  # padded lengths: twice the number of cells
     length_y: int
     spectrum: Array  # real, as the kernel is even; of a symmetric grid: rows [even, odd frequencies], columns twice
-    near: Array  # shape (NEAR,), deflection at distance m hx in the same line
-    near_next: Array  # shape (NEAR,), the same in the next line
+    near: Array  # shape (LINES, NEAR), deflection at distance m hx in the same line and in the next ones
 
 
 def patch_integral(x: Array, y: Array, hx: float, hy: float) -> Array:
@@ -69,8 +68,7 @@ def deflection_kernel(grid: Grid, deformation: float) -> DeflectionKernel:
         length_x=2 * cells_x,
         length_y=2 * cells_y,
         spectrum=np.ascontiguousarray(spectrum),
-        near=quarter[0, :NEAR].copy(),
-        near_next=quarter[1, :NEAR].copy(),
+        near=quarter[:LINES, :NEAR].copy(),
     )
 
 

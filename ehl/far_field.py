@@ -2,8 +2,9 @@
 
 Cutting the box and setting P = 0 on its edge starves the contact, and the film error falls only with the reciprocal of
 the box. Far out the deflection varies slowly, the oil is isoviscous, and the gap is a paraboloid, for which Reynolds'
-equation without cavitation has Kapitza's (1955) exact solution P = -(k_x X + k_y Y)/H^2. It is set on the edge where
-it is positive, and the load it carries outside the box is taken from the load balance.
+equation without cavitation has Kapitza's (1955) exact solution P = -(k_x X + k_y Y)/H^2, to which an entrainment that
+turns about the normal adds -k_xy X Y/H^2. It is set on the edge where it is positive, and the load it carries outside
+the box is taken from the load balance; the part of the rotation, odd in both directions, is left out of that.
 """
 
 from __future__ import annotations
@@ -15,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .grid import Grid
-from .scaling import ScaledContact
+from .scaling import ALIGNED, ScaledContact
 
 Array = NDArray[np.float64]
 DIRECTIONS = 720  # of the quadrature of the exterior load
@@ -27,6 +28,7 @@ class FarField:
 
     pressure_x: float  # k_x
     pressure_y: float  # k_y
+    pressure_xy: float  # k_xy
     curvature_x: float  # S, T, C of the gap
     curvature_y: float
     curvature_xy: float
@@ -36,13 +38,20 @@ def far_field(contact: ScaledContact) -> FarField:
     """Kapitza's (1955) solution for a contact's gap and entrainment.
 
     div(H^3 grad P) = lambda dH/dX' holds for P = -lambda X'/((3 + 2 D) H^2) with principal curvatures 1 and D; the
-    entrainment along y has 1 and D exchanged, and both superpose. All quantities [-].
+    entrainment along y has 1 and D exchanged, and both superpose. In the principal directions the rotation
+    u = -Omega Y, v = Omega X has div(H^3 grad P) = lambda Omega (T - S) X Y, and P = -k_xy X Y/H^2 with
+    k_xy = lambda Omega (T - S)/(3 (S + T)); in others that part is left out. All quantities [-].
     """
-    c, s, d = cos(contact.entrainment_angle), sin(contact.entrainment_angle), contact.radius_ratio
-    along, across = 1.0 / (3.0 + 2.0 * d), d / (3.0 * d + 2.0)
+    c, s, d = cos(contact.frame_angle), sin(contact.frame_angle), contact.radius_ratio
+    u = c * contact.velocity_x - s * contact.velocity_y  # entrainment along the principal directions
+    v = s * contact.velocity_x + c * contact.velocity_y
+    along, across = u / (3.0 + 2.0 * d), v * d / (3.0 * d + 2.0)
+    S, T = contact.curvature_x, contact.curvature_y
+    rotation = contact.rotation if abs(contact.curvature_xy) < ALIGNED else 0.0
     return FarField(
-        pressure_x=contact.speed * (c * c * along + s * s * across),
-        pressure_y=contact.speed * s * c * (across - along),
+        pressure_x=contact.speed * (c * along + s * across),
+        pressure_y=contact.speed * (c * across - s * along),
+        pressure_xy=contact.speed * rotation * (T - S) / (3.0 * (S + T)),
         curvature_x=contact.curvature_x,
         curvature_y=contact.curvature_y,
         curvature_xy=contact.curvature_xy,
@@ -50,12 +59,14 @@ def far_field(contact: ScaledContact) -> FarField:
 
 
 def edge_pressure(field: FarField, grid: Grid, H: Array, P: Array) -> None:
-    """Set P = max(-(k_x X + k_y Y)/H^2, 0) on the edge of the box, in place."""
-    X, Y = grid.X, grid.Y
+    """Set P = max(-(k_x X + k_y Y + k_xy X Y)/H^2, 0) on the edge of the box, in place."""
+    X, Y, k = grid.X, grid.Y, field
     for row in (-1,) if grid.symmetric else (0, -1):
-        P[row] = np.maximum(-(field.pressure_x * X + field.pressure_y * Y[row]), 0.0) / H[row] ** 2
+        strength = -(k.pressure_x * X + (k.pressure_y + k.pressure_xy * X) * Y[row])
+        P[row] = np.maximum(strength, 0.0) / H[row] ** 2
     for column in (0, -1):
-        P[:, column] = np.maximum(-(field.pressure_x * X[column] + field.pressure_y * Y), 0.0) / H[:, column] ** 2
+        strength = -(k.pressure_x * X[column] + (k.pressure_y + k.pressure_xy * X[column]) * Y)
+        P[:, column] = np.maximum(strength, 0.0) / H[:, column] ** 2
 
 
 def exterior_load(field: FarField, grid: Grid, H: Array) -> float:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import ceil, nan
 
 import numpy as np
@@ -108,10 +108,12 @@ def solve_contact_finite_element(
     Returns
     -------
     ContactSolution
-        On the nodes of the finest mesh, which are not equidistant; cycles are Newton steps on all meshes.
+        On the nodes of the finest mesh, which are not equidistant; cycles are Newton steps on all meshes. A rotation of
+        the entrainment is left out.
     """
     options = options or SolverOptions()
-    began, contact, progress = time.perf_counter(), scale_contact(conditions), Progress()
+    began, progress = time.perf_counter(), Progress()
+    contact = replace(scale_contact(conditions, along_entrainment=True), rotation=0.0)
     domain = options.domain
     if domain is None:
         from .solver import choose_domain
@@ -227,7 +229,7 @@ def _level(
 
 def _hertz(contact: ScaledContact, x: Array, y: Array) -> Array:
     """Hertz pressure at nodes, in the frame of the entrainment [-]."""
-    c, s = np.cos(contact.entrainment_angle), np.sin(contact.entrainment_angle)
+    c, s = np.cos(contact.frame_angle), np.sin(contact.frame_angle)
     along, across = c * x - s * y, (s * x + c * y) / contact.semi_axis_ratio
     return np.sqrt(np.maximum(0.0, 1.0 - along**2 - across**2))
 
@@ -326,6 +328,7 @@ def _solution(
         moes_load=contact.moes_load,
         moes_lubricant=contact.moes_lubricant,
         semi_axis_ratio=contact.semi_axis_ratio,
+        frame_angle=contact.frame_angle,
         semi_axis_x=contact.semi_axis_x,
         hertz_pressure=contact.hertz_pressure,
         film_scale=contact.film_scale,

@@ -100,11 +100,13 @@ class Attempt:
     damping: Damping
     finer_start: int = 0
     mesh_y: float = 1.0
+    along_entrainment: bool = False  # turn the grid to it; only where it is not along a principal direction
 
 
 CAUTIOUS = replace(Damping().halved(), switch=1.5)
 ATTEMPTS = (
     Attempt(name="plain", damping=Damping()),
+    Attempt(name="grid turned to the entrainment", damping=Damping(), along_entrainment=True),
     Attempt(name="damping halved, less Gauss-Seidel", damping=CAUTIOUS),
     Attempt(name="mesh halved across the entrainment", damping=CAUTIOUS, mesh_y=0.5),
     Attempt(name="started one level finer", damping=CAUTIOUS.halved(), finer_start=1, mesh_y=0.5),
@@ -112,13 +114,22 @@ ATTEMPTS = (
 
 
 def solve_with_fallbacks(
-    contact: ScaledContact, domain: tuple[float, float, float], options: SolverOptions, progress: Progress
+    contacts: tuple[ScaledContact, ScaledContact],
+    domain: tuple[float, float, float],
+    options: SolverOptions,
+    progress: Progress,
 ) -> Outcome:
-    """Go down the list of attempts until one converges; the one that came nearest is kept if none does."""
+    """Go down the list of attempts until one converges; the one that came nearest is kept if none does.
+
+    `contacts` are the same contact, on a grid along a principal direction and on one along the entrainment.
+    """
     best = None
     for attempt in ATTEMPTS:
+        if attempt.along_entrainment and contacts[0].frame_angle == contacts[1].frame_angle:
+            continue
         if best is not None:
             progress.fallbacks.append(attempt.name)
+        contact = contacts[attempt.along_entrainment]
         outcome = Outcome(state=contact_multigrid(contact, domain, options, attempt))
         with suppress(DivergedError):
             full_multigrid(outcome, options, progress, attempt.finer_start)
@@ -183,7 +194,7 @@ def _starting_level(state: Multigrid, finer: int) -> int:
 def _start(state: Multigrid, index: int) -> None:
     """Hertz pressure and the approach that gives the expected central film."""
     contact, grid = state.contact, state.levels[index].grid
-    cosine, sine = np.cos(contact.entrainment_angle), np.sin(contact.entrainment_angle)
+    cosine, sine = np.cos(contact.frame_angle), np.sin(contact.frame_angle)
     X, Y = grid.X[None, :], grid.Y[:, None]
     along, across = X * cosine - Y * sine, (X * sine + Y * cosine) / contact.semi_axis_ratio
     state.approach = 0.0

@@ -2,7 +2,7 @@
 
 After Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapters 3 to 6. On every level
 
-    Reynolds   d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho H) = f,  P >= 0, complementary
+    Reynolds   d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho u H) - d_Y(rho v H) = f,  P >= 0, complementary
     film       H = H0 + s + c_def * double integral of P/r
     load       integral of P = g
 
@@ -64,11 +64,44 @@ class Level:
     f: Array
     s: Array
     eps: Array
-    rho: Array
-    rho_slope: Array
+    flow_x: Array  # rho u
+    slope_x: Array  # u d(rho)/dP
+    flow_y: Array  # rho v; empty if nothing flows along Y
+    slope_y: Array
     scratch: Array
+    factors: FlowFactors
     start: Array | None = None  # pressure that s already holds the deflection of; below the level being solved
     load: float = 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FlowFactors:
+    """Factors on the flow of a Newtonian oil of uniform temperature at u = 1, v = 0; None is 1, or 0 for v.
+
+    Arrays of shape (ny, nx) on the grid of a level [-]: those of the entrainment's velocity field, and frozen
+    coefficients of a generalized Reynolds equation.
+    """
+
+    poiseuille: Array | None = None  # on eps
+    couette_x: Array | None = None  # u over u_m, the flow being rho u H
+    couette_y: Array | None = None  # v over u_m
+
+    def coarsened(self) -> FlowFactors:
+        """Those of the next coarser grid."""
+        parts = (self.poiseuille, self.couette_x, self.couette_y)
+        poiseuille, x, y = (None if part is None else inject(part) for part in parts)
+        return FlowFactors(poiseuille=poiseuille, couette_x=x, couette_y=y)
+
+
+def entrainment_factors(contact: ScaledContact, grid: Grid) -> FlowFactors:
+    """Velocity field u = u_0 - Omega Y, v = v_0 + Omega X over u_m on a grid [-]."""
+    if not contact.lateral:
+        return FlowFactors()
+    ones = np.ones((grid.ny, grid.nx))
+    return FlowFactors(
+        couette_x=(contact.velocity_x - contact.rotation * grid.Y[:, None]) * ones,
+        couette_y=(contact.velocity_y + contact.rotation * grid.X[None, :]) * ones,
+    )
 
 
 @dataclass(slots=True, kw_only=True)
@@ -107,9 +140,12 @@ def make_multigrid(
                 H=np.zeros(shape),
                 f=np.zeros(shape),
                 eps=np.zeros(shape),
-                rho=np.zeros(shape),
-                rho_slope=np.zeros(shape),
+                flow_x=np.zeros(shape),
+                slope_x=np.zeros(shape),
+                flow_y=np.zeros(shape if contact.lateral else (0, 0)),
+                slope_y=np.zeros(shape if contact.lateral else (0, 0)),
                 scratch=np.zeros(shape),
+                factors=entrainment_factors(contact, grid),
             )
         )
     return Multigrid(contact=contact, far_field=far_field, levels=tuple(levels), damping=damping)
@@ -142,8 +178,8 @@ def update_film(state: Multigrid, index: int) -> None:
 
 
 def flow(state: Multigrid, level: Level) -> None:
-    """Flow coefficient and density of a level from its pressure and film."""
-    c = state.contact
+    """Flow coefficient, and density times velocity, of a level from its pressure and film."""
+    c, factors = state.contact, level.factors
     _kernels.flow_properties(
         level.P,
         level.H,
@@ -154,9 +190,17 @@ def flow(state: Multigrid, level: Level) -> None:
         c.density_denominator,
         c.speed,
         level.eps,
-        level.rho,
-        level.rho_slope,
+        level.flow_x,
+        level.slope_x,
     )
+    if factors.couette_y is not None:
+        np.multiply(level.flow_x, factors.couette_y, out=level.flow_y)
+        np.multiply(level.slope_x, factors.couette_y, out=level.slope_y)
+    if factors.couette_x is not None:
+        level.flow_x *= factors.couette_x
+        level.slope_x *= factors.couette_x
+    if factors.poiseuille is not None:
+        level.eps *= factors.poiseuille
 
 
 def relax(state: Multigrid, index: int) -> None:
@@ -167,11 +211,13 @@ def relax(state: Multigrid, index: int) -> None:
         level.P,
         level.H,
         level.eps,
-        level.rho,
-        level.rho_slope,
+        level.flow_x,
+        level.slope_x,
+        level.flow_y,
+        level.slope_y,
+        level.factors.couette_y is not None,
         level.f,
         level.kernel.near,
-        level.kernel.near_next,
         level.grid.hx,
         level.grid.hy,
         level.grid.symmetric,
@@ -183,21 +229,19 @@ def relax(state: Multigrid, index: int) -> None:
     update_film(state, index)
 
 
+def reynolds_operator(level: Level) -> Array:
+    """L(P) of a level whose flow is up to date, shape (ny, nx); the level's own scratch [-]."""
+    grid, lateral = level.grid, level.factors.couette_y is not None
+    couette = (level.flow_x, level.flow_y, lateral)
+    _kernels.reynolds_operator(level.P, level.H, level.eps, *couette, grid.hx, grid.hy, grid.symmetric, level.scratch)
+    return level.scratch
+
+
 def reynolds_residual(state: Multigrid, index: int) -> Array:
     """f - L(P), shape (ny, nx); zero on the edge and at cavitated nodes that obey L(P) <= f."""
     level = state.levels[index]
     flow(state, level)
-    _kernels.reynolds_operator(
-        level.P,
-        level.H,
-        level.eps,
-        level.rho,
-        level.grid.hx,
-        level.grid.hy,
-        level.grid.symmetric,
-        level.scratch,
-    )
-    residual = level.f - level.scratch
+    residual = level.f - reynolds_operator(level)
     _zero_edge(residual, level.grid)
     residual[(level.P <= 0.0) & (residual >= 0.0)] = 0.0
     return residual
@@ -250,11 +294,7 @@ def _restrict(state: Multigrid, index: int) -> Array:
     coarse.s = coarse.H - state.approach
     coarse.load = coarse.grid.integral(start) + fine.load - fine.grid.integral(fine.P)
     flow(state, coarse)
-    grid = coarse.grid
-    _kernels.reynolds_operator(
-        coarse.P, coarse.H, coarse.eps, coarse.rho, grid.hx, grid.hy, grid.symmetric, coarse.scratch
-    )
-    coarse.f = coarse.scratch + full_weighting(residual, grid.symmetric)
+    coarse.f = reynolds_operator(coarse) + full_weighting(residual, coarse.grid.symmetric)
     return start
 
 

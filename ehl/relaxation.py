@@ -40,9 +40,34 @@ class Line:
     eps: Array
     eps_north: Array
     eps_south: Array
-    rho: Array
-    rho_slope: Array
+    flow: Array  # density times velocity along the line
+    slope: Array  # its derivative by P
     H: Array
+    lateral: LateralFlow | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LateralFlow:
+    """Density times velocity across the lines, [on this line, the next, the second next] upstream of it [-].
+
+    Shapes (nx, 3) and (nx,); zero where the stencil leaves the grid. `up` points upstream: -1, or +1 where the flow is
+    negative.
+    """
+
+    flow: Array
+    slope: Array
+    up: Array
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Flow:
+    """Coefficients of a grid, each of shape (ny, nx) [-]; None for those of Y: no flow across the lines."""
+
+    eps: Array
+    flow_x: Array  # density times velocity along X
+    slope_x: Array  # its derivative by P
+    flow_y: Array | None = None
+    slope_y: Array | None = None
 
 
 def neighbour_weights(hx: float, hy: float) -> tuple[float, float]:
@@ -70,8 +95,8 @@ def line_kinds(P: Array, residual: Array, line: Line, grid: Grid, threshold: flo
 def line_matrix(line: Line, kinds: Kinds, grid: Grid, kernel: DeflectionKernel) -> Array:
     """Derivative of the operator at the nodes of a line with respect to their changes, shape (nx, nx) [-].
 
-    Column k is the effect of a change at node k, `pressure` of it on the line itself and `film` of its deflection;
-    a fixed node keeps a unit row and column.
+    Column k is the effect of a change at node k, `pressure` of it on the line itself and `film` of its deflection in
+    this line and the two next; a fixed node keeps a unit row and column.
     """
     n, (wx, wy) = kinds.size, neighbour_weights(grid.hx, grid.hy)
     matrix = np.eye(n)
@@ -81,13 +106,15 @@ def line_matrix(line: Line, kinds: Kinds, grid: Grid, kernel: DeflectionKernel) 
             continue
         distance = np.abs(index - k)
         near, pressure = distance <= LOWER + 2, np.zeros(n)
-        film = np.zeros(n)
-        film[near] = kernel.near[distance[near]]
+        film = np.zeros((3, n))
+        film[:, near] = kernel.near[:3, distance[near]]
         pressure[k] = 1.0
         across = 1.0
         if kinds[k] == JACOBI:
-            sides = kernel.near[np.abs(index - k - 1)[near]] + kernel.near[np.abs(index - k + 1)[near]]
-            film[near] -= wx * sides + 2.0 * wy * kernel.near_next[distance[near]]
+            for r in range(3):
+                sides = kernel.near[r, np.abs(index - k - 1)[near]] + kernel.near[r, np.abs(index - k + 1)[near]]
+                lines = kernel.near[abs(r - 1), distance[near]] + kernel.near[r + 1, distance[near]]
+                film[r, near] -= wx * sides + wy * lines
             pressure[[k - 1, k + 1]] = -wx
             across = 1.0 + wy
         column = _column(pressure, film, across, line, grid, k)
@@ -107,17 +134,47 @@ def _column(pressure: Array, film: Array, across: float, line: Line, grid: Grid,
     column -= sideways * np.where(np.arange(pressure.size) == k, across, pressure)
     unit = np.zeros(pressure.size)
     unit[k] = 1.0
-    flow, compressed = line.rho * film, line.rho_slope * line.H * unit
-    column[2:-1] -= (1.5 * flow[2:-1] - 2.0 * flow[1:-2] + 0.5 * flow[:-3]) / grid.hx
-    column[2:-1] -= (1.5 * compressed[2:-1] - 2.0 * compressed[1:-2] + 0.5 * compressed[:-3]) / grid.hx
-    column[1] += 0.5 * flow[0] / grid.hx  # the first column is central; its downstream film is left out
+    column -= _upstream(line.flow, line.flow * film[0], np.where(unit, 0.0, line.flow * film[0])) / grid.hx
+    compressed = line.slope * line.H * unit
+    column -= _upstream(line.flow, compressed, np.zeros_like(unit)) / grid.hx
+    if line.lateral is not None:
+        column -= line.lateral.up * -(line.lateral.flow * film.T).sum(axis=1) / grid.hy
+        column -= line.lateral.up * -1.5 * line.lateral.slope * line.H * unit / grid.hy
     return column
+
+
+def _upstream(flow: Array, q: Array, edge: Array) -> Array:
+    """Change of the wedge along the line where q = flow H changes; `edge` counts where the stencil is central."""
+    change = np.zeros(q.size)
+    for i in range(1, q.size - 1):
+        up = -1 if flow[i] >= 0.0 else 1
+        if 0 <= i + 2 * up < q.size:
+            change[i] = -up * (1.5 * q[i] - 2.0 * q[i + up] + 0.5 * q[i + 2 * up])
+        else:
+            change[i] = up * 0.5 * edge[i + up]  # the film downstream is left out
+    return change
+
+
+def _lateral(flow: Flow, j: int) -> LateralFlow | None:
+    """Flow across line j, from the lines upstream of it."""
+    if flow.flow_y is None or flow.slope_y is None:
+        return None
+    v, n = flow.flow_y, flow.flow_y.shape[1]
+    up = np.where(v[j] >= 0.0, -1, 1)
+    inside = (j + 2 * up >= 0) & (j + 2 * up < v.shape[0])
+    lines = np.clip(j + np.outer(up, np.arange(3)), 0, v.shape[0] - 1)
+    weights = np.array([1.5, -2.0, 0.5])
+    return LateralFlow(
+        flow=v[lines, np.arange(n)[:, None]] * weights * inside[:, None],
+        slope=np.where(inside, flow.slope_y[j], 0.0),
+        up=up.astype(np.float64),
+    )
 
 
 def relax_lines(
     P: Array,
     H: Array,
-    flow: tuple[Array, Array, Array],
+    flow: Flow,
     f: Array,
     grid: Grid,
     kernel: DeflectionKernel,
@@ -129,21 +186,29 @@ def relax_lines(
     ----------
     P, H, f : ndarray, shape (ny, nx)
         Pressure, film and right-hand side of Reynolds' equation [-].
-    flow : tuple of ndarray
-        eps, rho and d(rho)/dP from `reynolds.flow_properties` [-].
+    flow : Flow
     grid : Grid
     kernel : DeflectionKernel
     damping : tuple of float
         Jacobi damping, factor on the Gauss-Seidel damping, switch between them [-].
     """
-    P, (eps, rho, rho_slope) = P.copy(), flow
+    P, eps = P.copy(), flow.eps
     jacobi, relief, switch = damping
     (wx, wy), change = neighbour_weights(grid.hx, grid.hy), np.zeros_like(P)
-    threshold = 2.0 * switch * kernel.near[0] / grid.hx
+    threshold = 2.0 * switch * kernel.near[0, 0] / grid.hx
     for j in range(0 if grid.symmetric else 1, grid.ny - 1):
         south = abs(j - 1)
-        line = Line(eps=eps[j], eps_north=eps[j + 1], eps_south=eps[south], rho=rho[j], rho_slope=rho_slope[j], H=H[j])
-        residual = (f - reynolds_operator(P, H, eps, rho, (grid.hx, grid.hy), grid.symmetric))[j]
+        line = Line(
+            eps=eps[j],
+            eps_north=eps[j + 1],
+            eps_south=eps[south],
+            flow=flow.flow_x[j],
+            slope=flow.slope_x[j],
+            H=H[j],
+            lateral=_lateral(flow, j),
+        )
+        couette = (flow.flow_x, flow.flow_y)
+        residual = (f - reynolds_operator(P, H, eps, couette, (grid.hx, grid.hy), grid.symmetric))[j]
         kinds = line_kinds(P[j], residual, line, grid, threshold)
         delta = solve(line_matrix(line, kinds, grid, kernel), np.where(kinds == FIXED, 0.0, residual))
         spread = np.where(kinds == JACOBI, delta, 0.0)

@@ -48,19 +48,49 @@ def poiseuille(P: Array, eps: Array, hx: float, hy: float, symmetric: bool) -> A
     return np.diff(east, axis=1) / hx + np.diff(north, axis=0) / hy
 
 
-def wedge(rho: Array, H: Array, hx: float, symmetric: bool) -> Array:
-    """d_X(rho H) at interior nodes: second order upstream, (3, -4, 1)/2; central in the first column [-]."""
-    flow = with_mirror(rho * H, symmetric)[1:-1]
-    upstream = 1.5 * flow[:, 2:-1] - 2.0 * flow[:, 1:-2] + 0.5 * flow[:, :-3]
-    first = 0.5 * (flow[:, 2:3] - flow[:, 0:1])
-    return np.concatenate((first, upstream), axis=1) / hx
+def wedge(flow: Array, H: Array, hx: float, symmetric: bool) -> Array:
+    """d_X(flow H) at interior nodes: second order upstream, (3, -4, 1)/2; central where that leaves the grid [-].
+
+    Parameters
+    ----------
+    flow : ndarray, shape (ny, nx)
+        Density times velocity along X [-]; upstream is where it comes from.
+    H : ndarray, shape (ny, nx)
+    hx : float
+    symmetric : bool
+    """
+    q = with_mirror(flow * H, symmetric)[1:-1]
+    slope = 0.5 * (q[:, 2:] - q[:, :-2])
+    upstream, downstream = slope.copy(), slope.copy()
+    upstream[:, 1:] = 1.5 * q[:, 2:-1] - 2.0 * q[:, 1:-2] + 0.5 * q[:, :-3]
+    downstream[:, :-1] = -1.5 * q[:, 1:-2] + 2.0 * q[:, 2:-1] - 0.5 * q[:, 3:]
+    return np.where(with_mirror(flow, symmetric)[1:-1, 1:-1] >= 0.0, upstream, downstream) / hx
 
 
-def reynolds_operator(P: Array, H: Array, eps: Array, rho: Array, mesh: tuple[float, float], symmetric: bool) -> Array:
-    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho H), shape (ny, nx), zero on the edge; `mesh` is (hx, hy) [-]."""
+def lateral_wedge(flow: Array, H: Array, hy: float) -> Array:
+    """d_Y(flow H) at interior nodes of a full grid, flow along Y: as `wedge` [-]."""
+    return wedge(flow.T, H.T, hy, False).T
+
+
+def reynolds_operator(
+    P: Array, H: Array, eps: Array, flow: tuple[Array, Array | None], mesh: tuple[float, float], symmetric: bool
+) -> Array:
+    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H), shape (ny, nx), zero on the edge [-].
+
+    Parameters
+    ----------
+    P, H, eps : ndarray, shape (ny, nx)
+    flow : tuple of ndarray
+        Density times velocity along X and along Y; None for the latter: nowhere any.
+    mesh : tuple of float
+        hx, hy.
+    symmetric : bool
+    """
     out = np.zeros_like(P)
     rows = slice(0, -1) if symmetric else slice(1, -1)
-    out[rows, 1:-1] = poiseuille(P, eps, mesh[0], mesh[1], symmetric) - wedge(rho, H, mesh[0], symmetric)
+    out[rows, 1:-1] = poiseuille(P, eps, mesh[0], mesh[1], symmetric) - wedge(flow[0], H, mesh[0], symmetric)
+    if flow[1] is not None:
+        out[rows, 1:-1] -= lateral_wedge(flow[1], H, mesh[1])
     return out
 
 

@@ -8,7 +8,7 @@ kinds of conditions go the same way: SI -> (M, L, Rx/Ry, p_h) -> `ScaledContact`
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, pi, sin, sqrt
+from math import atan2, cos, pi, sin, sqrt
 
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
 from .film_formulas import moes_film_nijenbanning
@@ -22,13 +22,25 @@ from .lubricant import (
 )
 
 ALIGNED = 1e-12  # |C| below this is an entrainment along a principal direction
+ROTATION_NOTED = (
+    1e-3  # speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is left out
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Frame:
+    """Direction of the grid [rad], velocity of the entrainment over u_m in it, and its rotation [-]."""
+
+    angle: float
+    velocity: tuple[float, float]
+    rotation: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScaledContact:
     """Coefficients of the dimensionless equations; all [-] but the pressure and length scales."""
 
-    curvature_x: float  # S: H contains S X^2/2 + T Y^2/2 + C X Y, X along the entrainment
+    curvature_x: float  # S: H contains S X^2/2 + T Y^2/2 + C X Y in the frame of the grid
     curvature_y: float  # T
     curvature_xy: float  # C
     deformation: float  # c_def = 2 p_h Rx/(pi E' a): H contains c_def * double integral of P/r
@@ -36,9 +48,12 @@ class ScaledContact:
     load: float  # (2 pi/3) b/a, the integral of P
     semi_axis_ratio: float  # b/a
     radius_ratio: float  # Rx/Ry
-    entrainment_angle: float  # from x towards y [rad]
-    half_extent_x: float  # of the Hertz ellipse along the entrainment, in units of a
-    half_extent_y: float  # of the Hertz ellipse across the entrainment, in units of a
+    frame_angle: float  # of the grid's X, from the principal direction x towards y [rad]
+    velocity_x: float  # of the entrainment over u_m along the grid's X, at the origin
+    velocity_y: float
+    rotation: float  # of the entrainment about the normal, Omega a/u_m: u = velocity_x - rotation Y, and so on
+    half_extent_x: float  # of the Hertz ellipse along the grid's X, in units of a
+    half_extent_y: float
     viscosity_slope: float  # s: ln(eta/eta_0) = s [(1 + q P)^z - 1]
     viscosity_pressure: float  # q
     viscosity_exponent: float  # z
@@ -54,11 +69,20 @@ class ScaledContact:
     @property
     def symmetric(self) -> bool:
         """Whether the solution is even in Y."""
-        return abs(self.curvature_xy) < ALIGNED
+        return abs(self.curvature_xy) < ALIGNED and not self.lateral
+
+    @property
+    def lateral(self) -> bool:
+        """Whether the entrainment has a part along Y anywhere."""
+        return self.velocity_y != 0.0 or self.rotation != 0.0
 
 
-def scale_contact(conditions: ContactConditions | MoesConditions) -> ScaledContact:
+def scale_contact(conditions: ContactConditions | MoesConditions, *, along_entrainment: bool = False) -> ScaledContact:
     """Dimensionless problem of one contact.
+
+    The grid's X is the principal direction in which the entrainment passes the ellipse sooner; with
+    `along_entrainment`, and where no direction is principal, X is the entrainment's. A rotation of the entrainment
+    below `ROTATION_NOTED` at the end of the ellipse is left out.
 
     Raises
     ------
@@ -68,14 +92,27 @@ def scale_contact(conditions: ContactConditions | MoesConditions) -> ScaledConta
     if isinstance(conditions, MoesConditions):
         m, l, d = conditions.load_parameter, conditions.lubricant_parameter, conditions.radius_ratio  # noqa: E741
         pressure = _pressure_scale(conditions, hertz_coefficients(d)[1])
-        return _scaled(m, l, d, pressure, conditions.lubricant, conditions.entrainment_angle, None)
+        frame = _frame(d, conditions.entrainment_angle, 0.0, along_entrainment)
+        return _scaled((m, l, d), pressure, conditions.lubricant, frame, None)
     m, l = moes_groups(conditions)  # noqa: E741
     d = conditions.radius_x / conditions.radius_y
     f, g, _ = hertz_coefficients(d)
     _, load, _ = speed_load_material(conditions)
     pressure = g * load ** (1 / 3) * conditions.reduced_modulus
     length = (f * load ** (1 / 3) * conditions.radius_x, conditions.radius_x)
-    return _scaled(m, l, d, pressure, conditions.lubricant, conditions.entrainment_angle, length)
+    rotation = conditions.rotation * length[0] / conditions.entrainment_speed
+    frame = _frame(d, conditions.entrainment_angle, rotation, along_entrainment)
+    return _scaled((m, l, d), pressure, conditions.lubricant, frame, length)
+
+
+def _frame(d: float, angle: float, rotation: float, along_entrainment: bool) -> _Frame:
+    """The grid's direction for an entrainment at `angle` [rad]."""
+    if abs(rotation) * max(1.0, ellipse_ratio(d)) < ROTATION_NOTED:
+        rotation = 0.0
+    crossing = atan2(sin(angle) / ellipse_ratio(d), cos(angle))  # direction in which both semi-axes count as one
+    straight = 0.5 * pi * round(crossing / (0.5 * pi))
+    frame = angle if along_entrainment or abs(sin(angle) * cos(angle) * (d - 1.0)) < ALIGNED else straight
+    return _Frame(angle=frame, velocity=(cos(angle - frame), sin(angle - frame)), rotation=rotation)
 
 
 def _pressure_scale(conditions: MoesConditions, g: float) -> float:
@@ -88,17 +125,16 @@ def _pressure_scale(conditions: MoesConditions, g: float) -> float:
 
 
 def _scaled(
-    m: float,
-    l: float,  # noqa: E741
-    d: float,
+    groups: tuple[float, float, float],
     pressure: float,
     lubricant: Lubricant,
-    angle: float,
+    frame: _Frame,
     length: tuple[float, float] | None,
 ) -> ScaledContact:
+    m, l, d = groups  # noqa: E741
     f, g, _ = hertz_coefficients(d)
     ratio = ellipse_ratio(d)
-    c, s = cos(angle), sin(angle)
+    c, s = cos(frame.angle), sin(frame.angle)
     slope, relative_pressure, exponent = _viscosity_coefficients(g * l * m ** (1 / 3), pressure, lubricant)
     compressible = lubricant.density_law is DensityLaw.DOWSON_HIGGINSON
     return ScaledContact(
@@ -110,7 +146,10 @@ def _scaled(
         load=2.0 * pi / 3.0 * ratio,
         semi_axis_ratio=ratio,
         radius_ratio=d,
-        entrainment_angle=angle,
+        frame_angle=frame.angle,
+        velocity_x=frame.velocity[0],
+        velocity_y=frame.velocity[1],
+        rotation=frame.rotation,
         half_extent_x=sqrt(c * c + (ratio * s) ** 2),
         half_extent_y=sqrt(s * s + (ratio * c) ** 2),
         viscosity_slope=slope,

@@ -40,7 +40,8 @@ class ContactSolution:
     """Pressure and film of one lubricated contact.
 
     Dimensionless fields carry capitals: X = x/a, P = p/p_h, H = h Rx/a^2, a the Hertz semi-axis along x; Y = y/a.
-    The grid's x runs along the entrainment. SI properties need dimensional conditions and are None otherwise.
+    The grid's x is the principal direction nearest to the entrainment; in a circular contact it is the entrainment's,
+    as with finite elements. SI properties need dimensional conditions and are None otherwise.
     """
 
     conditions: ContactConditions | MoesConditions
@@ -55,6 +56,7 @@ class ContactSolution:
     moes_load: float  # M [-]
     moes_lubricant: float  # L [-]
     semi_axis_ratio: float  # b/a, semi-axis along y over that along x [-]
+    frame_angle: float  # from the principal direction x of the conditions to the grid's [rad]
     semi_axis_x: float | None  # a [m]
     hertz_pressure: float  # p_h [Pa]
     film_scale: float | None  # a^2/Rx [m]

@@ -63,14 +63,14 @@ def solve_contact(
     options = options or SolverOptions()
     if options.tolerance is not None:
         return _solve_to_tolerance(conditions, options, options.tolerance)
-    contact = scale_contact(conditions)
+    contact, turned = scale_contact(conditions), scale_contact(conditions, along_entrainment=True)
     began, progress = time.perf_counter(), Progress()
     if options.domain is None:
         domain, film = _pilot(contact, progress)
-        contact = replace(contact, film_guess=film)
+        contact, turned = replace(contact, film_guess=film), replace(turned, film_guess=film)
     else:
         domain = options.domain
-    outcome = solve_with_fallbacks(contact, domain, options, progress)
+    outcome = solve_with_fallbacks((contact, turned), domain, options, progress)
     record = ConvergenceRecord(
         residual=tuple(outcome.residual),
         force_error=tuple(outcome.load),
@@ -139,7 +139,8 @@ def _pilot(contact: ScaledContact, progress: Progress) -> tuple[tuple[float, flo
 def _box(contact: ScaledContact, film: float, scale: float) -> tuple[float, float, float]:
     """Box for a central film [-]; outlet 1.5 semi-axes, or as far as a thick film cavitates."""
     inlet = scale * max(4.0, 10.0 * sqrt(film / contact.curvature_x) / contact.half_extent_x)
-    side = scale * sqrt(2.5**2 + 40.0 * film / contact.curvature_y / contact.half_extent_y**2)
+    gap_side = (40.0 + 60.0 * contact.velocity_y**2) * film / contact.curvature_y  # oblique: an inlet, too
+    side = scale * sqrt(2.5**2 + gap_side / contact.half_extent_y**2)
     return -inlet, max(1.5, 1.2 * sqrt(film / contact.curvature_x) / contact.half_extent_x), side
 
 
@@ -166,6 +167,7 @@ def _solution(
         moes_load=contact.moes_load,
         moes_lubricant=contact.moes_lubricant,
         semi_axis_ratio=contact.semi_axis_ratio,
+        frame_angle=contact.frame_angle,
         semi_axis_x=contact.semi_axis_x,
         hertz_pressure=contact.hertz_pressure,
         film_scale=contact.film_scale,

@@ -46,7 +46,7 @@ class Patch:
     def read(cls, data: xarray.Dataset) -> Patch:
         """Take the shown part of a contact's data set; lengths in [m] there."""
         facts = data.attrs
-        a, angle = float(facts["semi_axis_x"]), float(facts["entrainment_angle"])
+        a, angle = float(facts["semi_axis_x"]), float(facts["frame_angle"])
         half_x, half_y = half_extents(angle, float(facts["semi_axis_y"]) / a)
         x, y, p = data["x"].values, data["y"].values, data["P"].values
         part = shown_part(x, y, p, a * half_x, a * half_y)

@@ -127,7 +127,7 @@ def contact_view(solution: ContactSolution, window: tuple[float, float, float] |
     ContactView
         Lengths [mm], films [um], pressures [GPa], or dimensionless ones in Moes input.
     """
-    angle, kappa = solution.conditions.entrainment_angle, solution.semi_axis_ratio
+    angle, kappa = solution.frame_angle, solution.semi_axis_ratio
     half_x, half_y = half_extents(angle, kappa)
     a = 1.0 if solution.semi_axis_x is None else solution.semi_axis_x / MILLIMETRE
     if window is None:
@@ -208,7 +208,7 @@ def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tup
 
 
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:
-    """Half extents of the Hertz ellipse along and across the entrainment at `angle` [rad], in units of a [-]."""
+    """Half extents of the Hertz ellipse along and across a grid at `angle` [rad] to it, in units of a [-]."""
     return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))
 
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from bearing.contacts import BearingContact
     from ehl import ContactSolution
 
+Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]  # dimensions, values, attributes by name
 FORMAT = 1  # of the netCDF file; raised when an older reader would misread it
 SUMMARY_FILE, CONTACTS_FILE, FIELDS_FILE = "summary.json", "contacts.csv", "results.nc"
 COMPRESSION = {"zlib": True, "complevel": 4, "shuffle": True, "dtype": "float32"}
@@ -141,6 +142,29 @@ def write_netcdf(results: BearingResults | ContactResults, path: Path, document:
         tree.close()
 
 
+def write_dataset(variables: Variables, coordinates: set[str], attributes: dict[str, Any], path: Path) -> None:
+    """Write one netCDF-4 data set.
+
+    Parameters
+    ----------
+    variables : dict
+        Dimensions, values and attributes (units!) by name.
+    coordinates : set of str
+        Names of those that are coordinates.
+    attributes : dict
+        Of the whole.
+    path : Path
+    """
+    import xarray as xr
+
+    data = {name: value for name, value in variables.items() if name not in coordinates}
+    coords = {name: value for name, value in variables.items() if name in coordinates}
+    dataset = xr.Dataset(data, coords, attributes | {"oilfilm_format": FORMAT})
+    with atomic_path(path) as temporary:
+        dataset.to_netcdf(temporary, engine="h5netcdf")
+        dataset.close()
+
+
 def _root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
     case = document["case"]
     return {
@@ -204,6 +228,7 @@ def _field_dataset(solution: ContactSolution) -> xarray.Dataset:
         "hertz_pressure": scale,
         "hertz_pressure_units": "Pa",
         "entrainment_angle": float(solution.conditions.entrainment_angle),
+        "frame_angle": solution.frame_angle,
         "moes_load": solution.moes_load,
         "moes_lubricant": solution.moes_lubricant,
         "converged": int(solution.converged),
@@ -310,7 +335,8 @@ def open_results(directory: str | Path) -> xarray.DataTree:
 def _foreign(tree: xarray.DataTree) -> str:
     """Say why the file is not one that this version reads; empty if it is."""
     written = tree.attrs.get("oilfilm_format")
-    if not isinstance(written, (int, np.integer)) or not {"contacts", "ring"} & set(tree.children):
+    ours = tree.attrs.get("kind") == "batch" or {"contacts", "ring"} & set(tree.children)
+    if not isinstance(written, (int, np.integer)) or not ours:
         return "is a netCDF file, but not one of oilfilm's results"
     if written > FORMAT:
         version = tree.attrs.get("oilfilm", "newer")

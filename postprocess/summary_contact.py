@@ -14,7 +14,6 @@ from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
 NOT_COMPUTED = "not computed by this version"
 ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
-SPIN_NOTED = 0.05  # sliding by spin at the end of the ellipse over the entrainment speed
 FORMULAS = (
     "hamrock_dowson_central",
     "hamrock_dowson_minimum",
@@ -49,12 +48,6 @@ def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
     if not (solution.converged and solution.resolved):
         yield f"{name}: {solution.message}"
     yield from doubt_messages(name, solution)
-    conditions = solution.conditions
-    if isinstance(conditions, ContactConditions) and solution.semi_axis_x is not None:
-        rim_speed = abs(conditions.spin) * solution.semi_axis_x * max(1.0, solution.semi_axis_ratio)
-        if rim_speed > SPIN_NOTED * conditions.entrainment_speed:
-            share = f"{rim_speed / conditions.entrainment_speed:.0%}"
-            yield f"{name}: spin slides at {share} of the entrainment speed at the ellipse's end, left out of the film"
 
 
 def contact_summary(results: ContactResults) -> dict[str, Any]:

@@ -91,7 +91,7 @@ def placed_patch(contact: BearingContact, solution: ContactSolution, ball_radius
     if long is None or wide is None or film is None:
         raise ValueError("a contact given by Moes' groups has no lengths and cannot be placed in a bearing")
     rows, columns = crop_to_ball(long, wide, ball_radius, placement)
-    x, y = principal_coordinates(long[rows], wide[columns], solution.conditions.entrainment_angle)
+    x, y = principal_coordinates(long[rows], wide[columns], solution.frame_angle)
     film = film[rows, columns]
     frame = ContactFrame(
         origin=np.asarray(contact.origin),
@@ -131,7 +131,7 @@ def flat_patch(solution: ContactSolution, film_exaggeration: float) -> Any:
     unit, a = ("a", 1.0) if length is None else ("mm", length / MILLIMETRE)
     film_name, h = ("film thickness [a^2/Rx]", 1.0) if film_scale is None else (FILM, film_scale / MICROMETRE)
     p_name, p = ("pressure [p_h]", 1.0) if solution.hertz_pressure <= 0.0 else (PRESSURE, solution.hertz_pressure / 1e9)
-    x, y = principal_coordinates(solution.X, solution.Y, solution.conditions.entrainment_angle)
+    x, y = principal_coordinates(solution.X, solution.Y, solution.frame_angle)
     height = film_exaggeration * solution.H * (1.0 if film_scale is None else film_scale / MILLIMETRE)
     grid = structured_grid(np.stack([a * x, a * y, height], axis=-1))
     add_point_data(grid, film_name, h * solution.H)

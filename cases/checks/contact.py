@@ -7,6 +7,8 @@ from collections.abc import Callable, Iterator
 from ..problems import MISSING, Problem
 from .values import Values
 
+KINEMATICS = ("slide_roll_ratio", "lateral_slide_ratio", "spin_rad_s", "mean_spin_rad_s")
+
 
 def contact_groups(values: Values) -> Iterator[Problem]:
     """Dimensions or Moes' groups, each complete, not both."""
@@ -16,7 +18,7 @@ def contact_groups(values: Values) -> Iterator[Problem]:
     dimensional = ("load_N", "radius_x_mm", "radius_y_mm", "entrainment_speed_m_s")
     modulus = ("reduced_modulus_GPa", "material_1", "material_2")
     if has("moes_M") or has("moes_L") or has("radius_ratio"):
-        for key in (*dimensional, *modulus, "slide_roll_ratio", "spin_rad_s"):
+        for key in (*dimensional, *modulus, *KINEMATICS):
             if has(key):
                 allowed = "allowed: dimensions, or Moes' groups, not both"
                 yield Problem(path=("contact", key), found="found together with Moes' groups", allowed=allowed)

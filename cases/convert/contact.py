@@ -37,7 +37,9 @@ def contact(file: ContactFile, oil: Lubricant) -> ContactConditions | MoesCondit
         lubricant=oil,
         entrainment_angle=angle,
         slide_roll_ratio=table.slide_roll_ratio or 0.0,
+        lateral_slide_ratio=table.lateral_slide_ratio or 0.0,
         spin=table.spin_rad_s or 0.0,
+        mean_spin=table.mean_spin_rad_s,
     )
 
 

@@ -58,7 +58,18 @@ class ContactTable(Table):
     material_2: Name | None = Field(None, description="material of body 2, the race")
     entrainment_speed_m_s: float | None = Field(None, gt=0.0, le=1.0e4, description="u_m = (u1 + u2)/2")
     slide_roll_ratio: float | None = Field(None, ge=-1.0e6, le=1.0e6, description="(u1 - u2)/u_m; 0 if left out")
-    spin_rad_s: float | None = Field(None, ge=-1.0e7, le=1.0e7, description="relative spin; 0 if left out")
+    lateral_slide_ratio: float | None = Field(
+        None, ge=-1.0e6, le=1.0e6, description="(v1 - v2)/u_m, at right angles to the entrainment; 0 if left out"
+    )
+    spin_rad_s: float | None = Field(
+        None,
+        ge=-1.0e7,
+        le=1.0e7,
+        description="of body 1 against body 2 about the normal into body 2; 0 if left out",
+    )
+    mean_spin_rad_s: float | None = Field(
+        None, ge=-1.0e7, le=1.0e7, description="of both bodies together; left out, body 2 does not turn: half the spin"
+    )
     moes_M: float | None = Field(None, gt=0.0, le=1.0e7, description="M = W (2U)^(-3/4)")
     moes_L: float | None = Field(None, ge=0.0, le=1.0e3, description="L = G (2U)^(1/4)")
     radius_ratio: float | None = Field(None, ge=1.0e-4, le=1.0e4, description="Rx/Ry with Moes' groups; 1 if left out")

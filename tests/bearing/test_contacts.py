@@ -123,3 +123,23 @@ def test_7008_kinematic_cage_speed(bearings):
     """2186.97 rpm at 5000 rpm with contact angle 15 deg: a light load at low speed comes within 0.02 %."""
     solution = solve_quasistatic(bearings.b7008, Operation(inner_speed=5000.0 * bearings.rpm, force=(200.0, 0.0, 0.0)))
     assert solution.cage_speed / bearings.rpm == pytest.approx(2186.97, rel=1e-3)
+
+
+@pytest.mark.parametrize("outer_speed", [0.0, -300.0])
+def test_spin_and_mean_spin_are_those_of_the_bodies(bearings, outer_speed):
+    """Normal components of the angular velocities of ball and race in the frame of the orbit, from vectors."""
+    operation = Operation(inner_speed=800.0, outer_speed=outer_speed, force=(3000.0, 800.0, 0.0))
+    solution = solve_quasistatic(bearings.b7008, operation)
+    axial = np.array([1.0, 0.0, 0.0])
+    for contact in contact_conditions(solution, OIL):
+        k = contact.ball - 1
+        radial = np.array([0.0, np.cos(contact.azimuth), np.sin(contact.azimuth)])
+        attitude, speed = solution.attitude[k], solution.spin_speed[k]
+        ring = operation.inner_speed if contact.race is Race.INNER else operation.outer_speed
+        race = (ring - solution.orbit_speed[k]) * axial
+        ball = speed * (np.sin(attitude) * radial - np.cos(attitude) * axial)
+        surfaces = np.cross(race, contact.origin), np.cross(ball, contact.normal)
+        assert np.dot(*surfaces) > 0.0  # the ball rolls with the race
+        found = (contact.conditions.spin, contact.conditions.mean_spin)
+        expected = ((ball - race) @ contact.normal, 0.5 * (ball + race) @ contact.normal)
+        assert_allclose(found, expected, rtol=1e-9, atol=1e-9)

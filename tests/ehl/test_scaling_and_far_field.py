@@ -96,28 +96,30 @@ def test_points_must_be_a_power_of_two_plus_one(points):
         SolverOptions(points=points)
 
 
-def paraboloid(angle, ratio=0.3):
+def paraboloid(angle, rotation, ratio=0.3):
     oil = Lubricant(viscosity=0.05, pressure_viscosity=1e-9, density_law=DensityLaw.INCOMPRESSIBLE)
     conditions = MoesConditions(
         load_parameter=2.0, lubricant_parameter=0.0, radius_ratio=ratio, lubricant=oil, entrainment_angle=angle
     )
-    c = scale_contact(conditions)
+    c = replace(scale_contact(conditions), rotation=rotation)
+    assert c.curvature_xy == pytest.approx(0.0, abs=1e-12)
     errors = []
     for cells in (32, 64, 128):
         grid = Grid(x_in=-4.0, hx=8.0 / cells, hy=8.0 / cells, nx=cells + 1, ny=cells + 1, symmetric=False)
         X, Y = grid.X[None, :], grid.Y[:, None]
         H = 1.5 + 0.5 * c.curvature_x * X**2 + 0.5 * c.curvature_y * Y**2 + c.curvature_xy * X * Y
         field = far_field(c)
-        P = -(field.pressure_x * X + field.pressure_y * Y) / H**2
-        couette = (c.curvature_x * X + c.curvature_xy * Y)[1:-1, 1:-1]
+        P = -(field.pressure_x * X + field.pressure_y * Y + field.pressure_xy * X * Y) / H**2
+        u, v = c.velocity_x - rotation * Y, c.velocity_y + rotation * X
+        couette = (u * c.curvature_x * X + v * c.curvature_y * Y)[1:-1, 1:-1]
         errors.append(np.abs(poiseuille(P, H**3 / c.speed, grid.hx, grid.hy, False) - couette).max())
     return errors
 
 
-@pytest.mark.parametrize("angle", [0.0, 0.4, np.pi / 2])
-def test_far_field_solves_reynolds_on_a_paraboloid(angle):
-    """Kapitza's solution leaves only the truncation error of the stencil, second order in the mesh."""
-    errors = paraboloid(angle)
+@pytest.mark.parametrize(("angle", "rotation"), [(0.0, 0.0), (0.4, 0.0), (np.pi / 2, 0.0), (0.4, -0.7), (1.5, 0.3)])
+def test_far_field_solves_reynolds_on_a_paraboloid(angle, rotation):
+    """Kapitza's solution, and ours for a rotation, leave only the stencil's truncation error: second order."""
+    errors = paraboloid(angle, rotation)
     assert_allclose(np.log2(np.divide(errors[:-1], errors[1:])), 2.0, atol=0.15)
 
 

@@ -73,6 +73,7 @@ def made_up_solution(conditions, points=65, x_in=-6.0):
         moes_load=scaled.moes_load,
         moes_lubricant=scaled.moes_lubricant,
         semi_axis_ratio=kappa,
+        frame_angle=scaled.frame_angle,
         semi_axis_x=scaled.semi_axis_x,
         hertz_pressure=scaled.hertz_pressure,
         film_scale=scaled.film_scale,

@@ -179,19 +179,6 @@ def test_failures_are_named(bearing_results):
     assert any("balls 2, 9" in m and "unresolved" in m for m in document["messages"])
 
 
-def test_spin_the_film_leaves_out_is_told(bearing_results):
-    """Sliding by spin at the end of the ellipse as fast as the entrainment: told for that contact and no other."""
-    solution = bearing_results.solutions[2]
-    assert not any("spin slides" in m for m in summary(bearing_results)["messages"])
-    rim = solution.semi_axis_x * max(1.0, solution.semi_axis_ratio)
-    spinning = replace(solution.conditions, spin=solution.conditions.entrainment_speed / rim)
-    turned = replace(solution, conditions=spinning)
-    solutions = tuple(turned if s is solution else s for s in bearing_results.solutions)
-    told = [m for m in summary(replace(bearing_results, solutions=solutions))["messages"] if "spin slides" in m]
-    assert len(told) == 1
-    assert "100%" in told[0]
-
-
 def test_single_contact(contact_results):
     document = summary(contact_results)
     assert document.keys() >= SINGLE_KEYS

@@ -25,7 +25,15 @@ from ehl import (
     solve_contact,
 )
 from ehl.conditions import moes_groups
-from ehl.full_multigrid import ATTEMPTS, LOAD_TOLERANCE, central_film, contact_multigrid
+from ehl.extrapolation import extrapolate
+from ehl.full_multigrid import (
+    ATTEMPTS,
+    LOAD_TOLERANCE,
+    Progress,
+    central_film,
+    contact_multigrid,
+    solve_with_fallbacks,
+)
 from ehl.multigrid import Damping, cycle, start_level, update_film
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain
@@ -308,3 +316,55 @@ def test_circular_reference_on_fine_grids(points):
     assert_allclose(solution.film_central_dimensionless.value, 0.430856, rtol=1e-4)
     assert_allclose(solution.film_minimum_dimensionless.value, 0.29259, rtol=2e-4)
     assert solution.record.cycles <= circular(65).record.cycles + 1
+
+
+OBLIQUE = MoesConditions(
+    load_parameter=100.0,
+    lubricant_parameter=8.0,
+    radius_ratio=0.05,
+    lubricant=Lubricant(viscosity=0.05, pressure_viscosity=18e-9),
+    entrainment_angle=0.5,
+)
+
+
+def test_oblique_entrainment_on_two_grids():
+    """A grid along the ellipse and one along the entrainment share neither stencil nor gap: films within their bars."""
+    straight, options = solve_contact(OBLIQUE, SolverOptions(points=257)), SolverOptions(points=257)
+    turned = scale_contact(OBLIQUE, along_entrainment=True)
+    assert turned.frame_angle == 0.5
+    assert scale_contact(OBLIQUE).frame_angle == 0.0
+    outcome = solve_with_fallbacks((turned, turned), choose_domain(turned), options, Progress())
+    assert outcome.converged()
+    for kind, film in enumerate((straight.film_central_dimensionless, straight.film_minimum_dimensionless)):
+        other = extrapolate([values[kind] for values in outcome.films], outcome.remaining_error())
+        assert abs(film.value - other.value) < film.uncertainty + other.uncertainty < 0.02 * film.value
+
+
+def test_mirrored_entrainment_is_the_same_contact():
+    """Angle and minus the angle: the films of one are those of the other, mirrored."""
+    one, other = (solve_contact(replace(OBLIQUE, entrainment_angle=a), SolverOptions(points=129)) for a in (0.5, -0.5))
+    assert_allclose(one.H, other.H[:, ::-1], rtol=2e-3)  # lines are relaxed in one direction: equal once converged
+
+
+def test_spin_turns_the_film():
+    """Mean spin: mirrored by its sign, first order in the difference of the sides, second in the central film."""
+    still = replace(
+        INNER_500N, load=200.0, radius_x=4e-3, radius_y=6e-2, entrainment_speed=10.0, slide_roll_ratio=0.0, spin=0.0
+    )
+    plain = solve_contact(still, SolverOptions(points=129))
+    rim = plain.semi_axis_x * plain.semi_axis_ratio / still.entrainment_speed
+    spins = [solve_contact(replace(still, mean_spin=0.1 * s / rim), SolverOptions(points=129)) for s in (1, -1, 2)]
+    assert all(s.converged for s in spins)
+    assert_allclose(spins[0].H, spins[1].H[:, ::-1], rtol=2e-3)
+    origin, side = np.abs(plain.X).argmin(), np.abs(plain.Y - 0.8 * plain.semi_axis_ratio).argmin()
+    differences = [s.H[origin, side] - s.H[origin, -1 - side] for s in spins]
+    assert differences[0] < 0.0  # u = u_m - omega y is slower where y > 0
+    assert_allclose(differences[2] / differences[0], 2.0, atol=0.1)
+    assert abs(spins[2].film_central / plain.film_central - 1.0) < 0.005
+    assert spins[2].film_minimum < 0.95 * plain.film_minimum
+
+
+def test_a_small_rotation_is_left_out():
+    c = replace(INNER_500N, mean_spin=1.0)
+    assert scale_contact(c).symmetric
+    assert not scale_contact(replace(c, mean_spin=1e4)).symmetric
