@@ -56,7 +56,7 @@ def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str
         if directory.exists():
             _replace(temporary, directory, files)
         else:
-            temporary.chmod(0o777 & ~_umask())
+            temporary.chmod(0o777 & ~umask())
             temporary.rename(directory)
         return problems
     finally:
@@ -94,7 +94,8 @@ def _remove_empty(file: Path, directory: Path) -> None:
         folder.rmdir()
 
 
-def _umask() -> int:
+def umask() -> int:
+    """Permissions that new files of this user do not get."""
     mask = os.umask(0)
     os.umask(mask)
     return mask

@@ -23,9 +23,10 @@ HOMES = {
     "xarray": ("postprocess/results_io.py",),
     "h5netcdf": ("postprocess/results_io.py",),
     "typer": ("cases/commands/*.py", "cases/terminal.py"),
-    "pydantic": ("cases/schema/*.py", "cases/case.py", "cases/problems.py"),
+    "pydantic": ("cases/schema/*.py", "cases/case.py", "cases/problems.py", "cases/batch/sweep.py"),
     "pydantic_core": ("cases/schema/*.py",),
-    "rich": ("cases/commands/*.py", "cases/terminal.py", "postprocess/table.py", "postprocess/slip_results.py"),
+    "rich": ("cases/commands/*.py", "cases/terminal.py", "postprocess/*table.py", "postprocess/slip_results.py"),
+    "distributed": ("cases/batch/pools.py",),
 }
 FUNCTION_LINES, MODULE_LINES, ARGUMENTS = 40, 400, 7
 
@@ -104,7 +105,7 @@ def test_sizes(module):
                 assert arguments <= ARGUMENTS, f"{node.name} takes {arguments} arguments"
 
 
-COMMANDS = ("run", "contact")  # of the command line: an argument each option
+COMMANDS = ("run", "contact", "batch")  # of the command line: an argument each option
 
 
 def test_no_print_below_the_command(module):

@@ -10,6 +10,7 @@ from .fields import FREE, Table, is_number
 from .files import BearingFile, CaseFile, ContactFile
 from .lubricant import LubricantTable, OilTable
 from .operation import ModelTable, OperationTable, SlipTable
+from .sweep import HypercubeOptions, SensitivityTable, SweepFile
 
 __all__ = [
     "FREE",
@@ -21,13 +22,16 @@ __all__ = [
     "ContactTable",
     "EhlTable",
     "FitTable",
+    "HypercubeOptions",
     "LubricantTable",
     "MaterialTable",
     "ModelTable",
     "OilTable",
     "OperationTable",
+    "SensitivityTable",
     "SlipTable",
     "SurfaceTable",
+    "SweepFile",
     "Table",
     "TemperaturesTable",
     "is_number",

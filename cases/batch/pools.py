@@ -1,0 +1,154 @@
+"""Where the points are computed: processes of this machine, or the workers of a Dask cluster."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from multiprocessing import active_children, connection, get_context, parent_process
+from typing import Any, Protocol
+
+from ..problems import CaseError
+from .task import Receipt, Task, compute_point
+
+THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "NUMBA_NUM_THREADS")
+AHEAD = 2  # points in the hands of each worker, so that none waits for the next one
+PATIENCE = 10.0  # for a scheduler to answer [s]
+PORT = 8786  # of a Dask scheduler, its default
+
+
+class WorkerLost(Exception):  # noqa: N818
+    """The worker of a point is gone: killed, out of memory, switched off."""
+
+
+class Pool(Protocol):
+    """What the engine needs of a place to compute."""
+
+    shares_folder: bool  # whether workers write into the folder of the batch themselves
+
+    def capacity(self) -> int:
+        """Points to hand out at a time [-]."""
+        ...
+
+    def submit(self, task: Task) -> Future[Receipt]:
+        """Hand out a point."""
+        ...
+
+    def lost(self, error: BaseException) -> bool:
+        """Whether this error means that a worker is gone."""
+        ...
+
+    def rebuild(self) -> bool:
+        """Replace workers that are gone; whether the points they held are to be handed out again."""
+        ...
+
+    def close(self, *, at_once: bool) -> None:
+        """End the workers."""
+        ...
+
+
+def prepare_worker() -> None:
+    """In a new process: one thread each, Ctrl-C is the parent's to answer, and no life after the parent's."""
+    os.environ.update(dict.fromkeys(THREADS, "1"))
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    parent = parent_process()
+    if parent is not None:
+        threading.Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()
+
+
+def _end_with(sentinel: Any) -> None:
+    connection.wait([sentinel])
+    os._exit(1)
+
+
+class LocalPool:
+    """Processes of this machine."""
+
+    shares_folder = True
+
+    def __init__(self, workers: int) -> None:
+        self.workers = workers
+        self._before = set(active_children())
+        self._executor = self._start()
+
+    def _start(self) -> ProcessPoolExecutor:
+        context = get_context("spawn")
+        return ProcessPoolExecutor(self.workers, mp_context=context, initializer=prepare_worker)
+
+    def capacity(self) -> int:
+        """Points to hand out at a time [-]."""
+        return AHEAD * self.workers
+
+    def submit(self, task: Task) -> Future[Receipt]:
+        """Hand out a point."""
+        return self._executor.submit(compute_point, task)
+
+    def lost(self, error: BaseException) -> bool:
+        """Whether this error means that a worker is gone."""
+        from concurrent.futures.process import BrokenProcessPool
+
+        return isinstance(error, BrokenProcessPool)
+
+    def rebuild(self) -> bool:
+        """A new pool in place of the broken one, which lost every point it held."""
+        self._executor.shutdown(wait=True, cancel_futures=True)
+        self._executor = self._start()
+        return True
+
+    def close(self, *, at_once: bool) -> None:
+        """End the workers, at once or when they have finished."""
+        self._executor.shutdown(wait=not at_once, cancel_futures=True)
+        if at_once:
+            for process in set(active_children()) - self._before:
+                process.terminate()
+
+
+class ClusterPool:
+    """Workers of a running Dask cluster; they send their files back, since they may have no disk in common."""
+
+    shares_folder = False
+
+    def __init__(self, address: str) -> None:
+        try:
+            from distributed import Client
+        except ImportError:
+            message = "--scheduler: needs the package distributed: pip install 'oilfilm[cluster]'"
+            raise CaseError([message]) from None
+        try:
+            self._client = Client(scheduler_address(address), timeout=PATIENCE, set_as_default=False)
+        except (OSError, TimeoutError, ValueError) as error:
+            text = " ".join(str(error).split())[:200]
+            raise CaseError([f"--scheduler {address}: no Dask scheduler answers there: {text}"]) from None
+        self._executor: Executor = self._client.get_executor(pure=False)
+
+    def capacity(self) -> int:
+        """Points to hand out at a time [-]: workers may come and go."""
+        return AHEAD * max(1, sum(self._client.nthreads().values()))
+
+    def submit(self, task: Task) -> Future[Receipt]:
+        """Hand out a point."""
+        return self._executor.submit(compute_point, task)
+
+    def lost(self, error: BaseException) -> bool:
+        """Whether this error means that a worker is gone; Dask has then tried others already."""
+        return type(error).__name__ == "KilledWorker"
+
+    def rebuild(self) -> bool:
+        """Nothing to do: the scheduler replaces workers, and retries points, by itself."""
+        return False
+
+    def close(self, *, at_once: bool) -> None:
+        """Leave the cluster, which goes on by itself."""
+        if not at_once:
+            self._executor.shutdown(wait=True)
+        self._client.close()  # the scheduler drops what nobody waits for
+
+
+def scheduler_address(address: str) -> str:
+    """A full address: a bare port is one of this machine, a bare host has Dask's own port."""
+    if address.isdigit():
+        return f"tcp://127.0.0.1:{address}"
+    if "://" in address or ":" in address:
+        return address
+    return f"tcp://{address}:{PORT}"

@@ -1,0 +1,63 @@
+"""The finished points of a batch, gathered, and the files made of them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..version import version
+from .engine import Batch
+from .store import read_point
+
+if TYPE_CHECKING:
+    from postprocess.batch_results import BatchResults
+
+SUMMARY, TABLE, DATA = "summary.json", "batch.csv", "results.nc"
+MISSING: dict[str, Any] = {
+    "status": "lost",
+    "message": "its file is damaged; --resume computes it again",
+    "summary": None,
+}
+
+
+def gathered(batch: Batch) -> BatchResults:
+    """Every point of a batch with its summary, in the order of the sweep file."""
+    from postprocess.batch_results import BatchPoint, BatchResults
+
+    points = []
+    for point in batch.sweep.points:
+        record = read_point(batch.directory, point.key) or MISSING
+        points.append(
+            BatchPoint(
+                number=point.number,
+                block=point.block,
+                values=point.values,
+                case=point.resolved,
+                key=point.key,
+                resumed=point.key in batch.resumed,
+                status=record["status"],
+                message=record["message"],
+                summary=record["summary"],
+            )
+        )
+    return BatchResults(
+        version=version(),
+        title=batch.sweep.title,
+        case=batch.sweep.case,
+        sweep=batch.sweep.text,
+        keys=batch.sweep.keys,
+        points=tuple(points),
+        messages=batch.sweep.messages,
+        assumed=batch.sweep.assumed,
+        timing={"total": batch.wall},
+    )
+
+
+def write_batch(results: BatchResults, directory: Path) -> None:
+    """Write the table, the data set and, last, the summary of a batch."""
+    from postprocess.batch_results import batch_summary, write_batch_csv, write_batch_netcdf
+    from postprocess.results_io import write_json
+
+    write_batch_csv(results, directory / TABLE)
+    write_batch_netcdf(results, directory / DATA)
+    write_json(batch_summary(results), directory / SUMMARY)

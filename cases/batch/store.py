@@ -1,0 +1,75 @@
+"""The folder of a batch: one file for each finished point, there as a whole or not at all.
+
+sweep.toml          the sweep as run last
+points/KEY.json     a finished point: the case as run and its summary, or the message it failed with
+points/KEY.nc       its film maps, where they are asked for
+contacts/KEY.npz    solved contacts that several points share
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import tempfile
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+from ..output_directory import check_output, umask
+from ..problems import CaseError
+
+POINTS, CONTACTS, SWEEP_FILE = "points", "contacts", "sweep.toml"
+
+
+def open_folder(directory: Path, *, resume: bool) -> None:
+    """Make the folder of a batch, or open that of an earlier one.
+
+    Raises
+    ------
+    CaseError
+        If it holds something else, or finished points and `resume` is not wanted, or cannot be written.
+    """
+    check_output(directory)
+    if directory.exists() and any(directory.iterdir()) and not (directory / SWEEP_FILE).exists():
+        raise CaseError([f"{directory}: holds other files; allowed with -o: a new directory, or that of a batch"])
+    if not resume and any((directory / POINTS).glob("*.json")):
+        allowed = "allowed: --resume to go on, or another -o"
+        raise CaseError([f"{directory}: holds finished points of an earlier batch; {allowed}"])
+    (directory / POINTS).mkdir(parents=True, exist_ok=True)
+    for left in (directory / POINTS).glob(".*.part"):  # of a process that was killed while it wrote
+        left.unlink(missing_ok=True)
+
+
+def write_file(path: Path, data: bytes) -> None:
+    """Write a file so that it is there as a whole or not at all, also after a power cut."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=".part")
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(name, 0o666 & ~umask())  # mkstemp gives 0600
+        os.replace(name, path)
+    finally:
+        Path(name).unlink(missing_ok=True)
+
+
+def write_point(directory: Path, key: str, files: dict[str, bytes]) -> None:
+    """Write the files of a finished point, by suffix; the one that counts, `.json`, last."""
+    for suffix in sorted(files, key=lambda suffix: suffix == ".json"):
+        write_file(directory / POINTS / f"{key}{suffix}", files[suffix])
+
+
+def read_point(directory: Path, key: str) -> dict[str, Any] | None:
+    """A finished point; None if there is none, or its file is damaged."""
+    try:
+        record = json.loads((directory / POINTS / f"{key}.json").read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError):
+        return None
+    return record if isinstance(record, dict) and record.get("key") == key and "status" in record else None
+
+
+def finished_keys(directory: Path, keys: Iterable[str]) -> set[str]:
+    """Those of `keys` that have been computed; points that failed are to be tried again."""
+    return {key for key in keys if (record := read_point(directory, key)) and record["status"] == "done"}

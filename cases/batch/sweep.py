@@ -1,0 +1,316 @@
+"""A sweep file, read, expanded into points, and every point checked as a case before anything is run."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from pathlib import Path as FilePath
+from typing import Any
+
+from pydantic import ValidationError
+
+from ..case import Case, ContactCase, case_of_file, check_document, parse, read_text
+from ..problems import CaseError, Problem, schema_problems, shown
+from ..schema import HypercubeOptions, SweepFile
+from ..shipped import find_case, find_sweep
+from ..toml_lines import Path, key_lines
+from ..version import version
+from .blocks import (
+    MOST_POINTS,
+    OPTIONS,
+    Variation,
+    case_path,
+    differences,
+    factorial,
+    hypercube,
+    listed,
+)
+
+FORMAT = 1  # of what a point leaves on disk
+UNIMPORTANT = ("title", "source", "assumed")  # for what is computed
+HIDING = {
+    "bearing": ("ball_diameter_mm", "pitch_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm"),
+    "lubricant": ("viscosity_mPa_s", "kinematic_viscosity_mm2_s", "pressure_viscosity_1_GPa"),
+}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Point:
+    """One point of a sweep, checked.
+
+    Attributes
+    ----------
+    number : int
+        Counted from 1, in the order of the file.
+    block : str
+        Block of the sweep file it comes from.
+    values : dict
+        Every key that the sweep varies somewhere, with its value here; None where the case does not have it.
+    document : dict
+        The case with these values, as to be run.
+    resolved : dict
+        The same, defaults and library values filled in.
+    key : str
+        Name in the batch's folder: equal for points whose results are equal.
+    """
+
+    number: int
+    block: str
+    values: dict[str, Any]
+    document: dict[str, Any]
+    resolved: dict[str, Any]
+    key: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sweep:
+    """A sweep, ready to run; `text` is the file, `case` the name of the case it varies."""
+
+    name: str
+    text: str
+    title: str
+    case: str
+    compute: str
+    fields: bool
+    keys: tuple[str, ...]
+    points: tuple[Point, ...]
+    messages: tuple[str, ...] = ()
+    assumed: tuple[str, ...] = field(default=())
+
+
+def read_sweep(name_or_path: str | FilePath) -> Sweep:
+    """Read a sweep file and check each of its points as a case.
+
+    Parameters
+    ----------
+    name_or_path : str or Path
+        A sweep file, or the name (stem) of a shipped one.
+
+    Returns
+    -------
+    Sweep
+
+    Raises
+    ------
+    CaseError
+        With one line for every error.
+    """
+    path = find_sweep(name_or_path)
+    return sweep_from_text(read_text(path), str(path), path.parent)
+
+
+def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Sweep:
+    """The sweep that the text of a file describes; its case is sought in `folder` first."""
+    document, lines = parse(text, name), key_lines(text)
+    try:
+        file = SweepFile.model_validate(document)
+    except ValidationError as error:
+        raise _error(name, lines, schema_problems(error.errors(include_url=False), _schema())) from None
+    case_file = _case_file(file.case, folder, name, lines)
+    base = parse(read_text(case_file), str(case_file))
+    variations, notes, problems = _variations(file, base)
+    if problems:
+        raise _error(name, lines, problems)
+    keys = tuple(dict.fromkeys(setting.key for variation in variations for setting in variation.settings))
+    points = _points(file, base, variations, keys, name, lines)
+    return Sweep(
+        name=name,
+        text=text,
+        title=file.title or str(base.get("title", "")),
+        case=file.case,
+        compute=file.compute,
+        fields=file.fields,
+        keys=keys,
+        points=points,
+        messages=tuple(notes),
+        assumed=tuple(key for key in base.get("assumed", ()) if isinstance(key, str)),
+    )
+
+
+def _schema() -> dict[str, Any]:
+    return SweepFile.model_json_schema()
+
+
+def _error(name: str, lines: dict[Path, int], problems: Iterable[Problem]) -> CaseError:
+    ordered = sorted(problems, key=lambda problem: problem.line_in(lines))
+    return CaseError(dict.fromkeys(problem.text(name, lines) for problem in ordered))
+
+
+def _case_file(case: str, folder: FilePath | None, name: str, lines: dict[Path, int]) -> FilePath:
+    """The case beside the sweep file if there is one, else as every command finds it."""
+    beside = None if folder is None else folder / case
+    try:
+        if beside is not None and beside.is_file():
+            return beside
+        return find_case(case)
+    except (CaseError, OSError, ValueError) as error:
+        problem = Problem(path=("case",), found=str(error).partition("\n")[0])
+        raise _error(name, lines, [problem]) from None
+
+
+def _variations(file: SweepFile, base: dict[str, Any]) -> tuple[list[Variation], list[str], list[Problem]]:
+    """The variations of all blocks, in the order of the format's description."""
+    combinations, count, problems = factorial(file)
+    cubes: list[tuple[dict[str, Any], HypercubeOptions, Path]] = []
+    notes: list[str] = []
+    for k, table in enumerate(file.latin_hypercube):
+        where: Path = ("latin_hypercube",) if len(file.latin_hypercube) == 1 else ("latin_hypercube", k)
+        try:
+            options = HypercubeOptions.model_validate({key: table[key] for key in OPTIONS if key in table})
+        except ValidationError as error:
+            wrong = schema_problems(error.errors(include_url=False), HypercubeOptions.model_json_schema())
+            problems += [Problem(path=(*where, *p.path), found=p.found, allowed=p.allowed) for p in wrong]
+            continue
+        cubes.append((table, options, where))
+        count += options.samples
+    count += len(file.combinations)
+    if count > MOST_POINTS:
+        problems.append(Problem(path=(), line=1, found=f"{count} points", allowed=f"allowed: at most {MOST_POINTS}"))
+    if problems:
+        return [], [], problems
+    found: list[Variation] = [*combinations, *listed(file)]
+    for table, options, where in cubes:
+        sampled, faults = hypercube(table, options, where)
+        found += sampled
+        problems += faults
+    if file.sensitivity is not None:
+        changed, notes, faults = _sensitivity(file, base)
+        found += changed
+        problems += faults
+    if not found and not problems:
+        allowed = "needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys"
+        problems.append(Problem(path=(), line=1, found="no points", allowed=allowed))
+    return found, notes, problems
+
+
+def _sensitivity(file: SweepFile, base: dict[str, Any]) -> tuple[list[Variation], list[str], list[Problem]]:
+    assert file.sensitivity is not None  # asked before
+    case, problems = _checked(base, "case")
+    if case is None:
+        return (
+            [],
+            [],
+            [Problem(path=("sensitivity",), found="the case itself cannot be run", allowed=problems[0].found)],
+        )
+    asked = file.sensitivity.keys
+    keys = case.assumed if asked == "assumed" else tuple(asked)
+    return differences(file.sensitivity, keys, {key: _value(case.document, key) for key in keys})
+
+
+def _value(document: dict[str, Any], key: str) -> Any:
+    node: Any = document
+    for part in case_path(key):
+        node = node.get(part) if isinstance(node, dict) else None
+    return node
+
+
+def _checked(document: dict[str, Any], name: str) -> tuple[Case | ContactCase | None, list[Problem]]:
+    """A document as a case, or what is wrong with it."""
+    file, problems = check_document(document)
+    if file is None or problems:
+        return None, problems
+    try:
+        return case_of_file(file, name), []
+    except CaseError as error:
+        return None, [Problem(path=(), line=1, found=message) for message in error.messages]
+
+
+def with_values(base: dict[str, Any], variation: Variation) -> dict[str, Any]:
+    """The case's document with the values of a variation."""
+    document = {key: dict(value) if isinstance(value, dict) else value for key, value in base.items()}
+    for setting in variation.settings:
+        node = document
+        *tables, key = case_path(setting.key)
+        for table in tables:
+            inner = node.get(table)
+            node[table] = dict(inner) if isinstance(inner, dict) else {}
+            node = node[table]
+        node[key] = setting.value
+    return document
+
+
+def _points(
+    file: SweepFile,
+    base: dict[str, Any],
+    variations: list[Variation],
+    keys: tuple[str, ...],
+    name: str,
+    lines: dict[Path, int],
+) -> tuple[Point, ...]:
+    """Every variation as a checked point; `CaseError` with the problems of all of them, each told once."""
+    points, problems = [], list(_hidden(base, variations))
+    for number, variation in enumerate(variations, 1):
+        document = with_values(base, variation)
+        case, found = _checked(document, f"point {number}")
+        if case is None:
+            problems += _located(found, variation, number)
+        elif not problems:
+            points.append(
+                Point(
+                    number=number,
+                    block=variation.block,
+                    values={key: _value(case.document, key) for key in keys},
+                    document=document,
+                    resolved=case.document,
+                    key=point_key(case.document, file.compute, fields=file.fields),
+                )
+            )
+            problems += _kind(file, case, number)
+        if len(problems) > 1000:
+            break
+    if problems:
+        raise _error(name, lines, problems)
+    return tuple(points)
+
+
+def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Problem]:
+    """Whether what is to be computed can be computed of this case."""
+    if file.compute == "slip" and (not isinstance(case, Case) or case.slip is None):
+        yield Problem(
+            path=("compute",), found=f"point {number}: the case has no table [slip]", allowed='allowed: "run"'
+        )
+
+
+def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[Problem]:
+    """A catalogue bearing or an oil varied by name, whose values the case itself overrides."""
+    for variation in variations[:1] + variations[-1:]:
+        for setting in variation.settings:
+            table, key = case_path(setting.key)[0], case_path(setting.key)[-1]
+            own = base.get(table)
+            given = [k for k in HIDING.get(table, ()) if isinstance(own, dict) and k in own] if key == "name" else []
+            if given:
+                found = f"the case itself gives {given[0]}, which overrides the library's"
+                yield Problem(path=setting.where, found=found, allowed=f"allowed with a case that names a {table} only")
+
+
+def _located(problems: Iterable[Problem], variation: Variation, number: int) -> Iterator[Problem]:
+    """Problems of a point as problems of the sweep file: at the key that was varied, or told with the point."""
+    for problem in problems:
+        setting = next((s for s in variation.settings if _meets(case_path(s.key), problem.path)), None)
+        if setting is not None:
+            same = tuple(problem.path) == case_path(setting.key)
+            found = (
+                problem.found if same or not problem.path else f"{'.'.join(map(str, problem.path))}: {problem.found}"
+            )
+            yield Problem(path=setting.where, found=found, allowed=problem.allowed, nearest=problem.nearest)
+        else:
+            values = ", ".join(f"{s.key} = {shown(s.value)}" for s in variation.settings)
+            place = f"{'.'.join(map(str, problem.path))}: " if problem.path else ""
+            found = f"point {number} ({values}): {place}{problem.found}"
+            yield Problem(path=("case",), found=found, allowed=problem.allowed, nearest=problem.nearest)
+
+
+def _meets(path: Path, problem: Path) -> bool:
+    """Whether a problem's path is that of a key, lies below it, or is a table around it."""
+    shorter = min(len(path), len(problem))
+    return shorter > 0 and path[:shorter] == tuple(problem[:shorter])
+
+
+def point_key(resolved: dict[str, Any], compute: str, *, fields: bool) -> str:
+    """Name of a point in the folder: a hash of all that its results depend on, the program's version included."""
+    content = {key: value for key, value in resolved.items() if key not in UNIMPORTANT}
+    whole = {"case": content, "compute": compute, "fields": fields, "oilfilm": version(), "format": FORMAT}
+    text = json.dumps(whole, sort_keys=True, ensure_ascii=False, default=str)
+    return hashlib.sha256(text.encode()).hexdigest()[:20]

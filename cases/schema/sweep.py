@@ -1,0 +1,59 @@
+"""A sweep file: the case it varies, and how."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, WithJsonSchema
+from pydantic_core import PydanticCustomError
+
+from .fields import Name, Table
+
+
+def _check_keys(value: object) -> object:
+    """The word "assumed", or a list of keys."""
+    if value == "assumed":
+        return value
+    if isinstance(value, list | tuple) and value and all(isinstance(key, str) and "." in key for key in value):
+        return tuple(value)
+    raise PydanticCustomError("choice", '"assumed", or a list of keys like "lubricant.viscosity_mPa_s"')
+
+
+def _as_list(value: object) -> object:
+    """One table [latin_hypercube] as a list of one."""
+    return [value] if isinstance(value, dict) else value
+
+
+_KEYS_SCHEMA = WithJsonSchema({"anyOf": [{"const": "assumed"}, {"type": "array", "items": {"type": "string"}}]})
+
+
+class HypercubeOptions(Table):
+    """Options of [latin_hypercube], beside the keys it samples."""
+
+    samples: int = Field(ge=1, le=100_000, description="points")
+    seed: int = Field(58_201, ge=0, le=2**63 - 1, description="of the random numbers; another one gives other points")
+
+
+class SensitivityTable(Table):
+    """Finite differences about the case: each key by itself, up and down."""
+
+    keys: Annotated[Any, BeforeValidator(_check_keys), _KEYS_SCHEMA] = Field(
+        "assumed", description="keys to vary; those the case marks assumed if left out"
+    )
+    step: float = Field(0.02, gt=0.0, le=0.5, description="relative change of each key up and down")
+
+
+class SweepFile(Table):
+    """A sweep: `oilfilm batch`."""
+
+    schema_version: int = Field(1, ge=1, le=1, description="version of this format")
+    title: str = Field("", description="one line for tables and plots; that of the case if left out")
+    case: Name = Field(description="a case file, relative to this file, or the name of a shipped case")
+    compute: Literal["run", "slip"] = Field("run", description="what is computed at every point")
+    fields: bool = Field(False, description="whether the film maps of every point are kept, too (netCDF)")
+    sweep: dict[str, Any] = Field({}, description="lists of values by key; all their combinations are points")
+    combinations: tuple[dict[str, Any], ...] = Field((), strict=False, description="single points, one table each")
+    latin_hypercube: Annotated[tuple[dict[str, Any], ...], BeforeValidator(_as_list)] = Field(
+        (), strict=False, description="[first, last] by key, sampled; several tables add up"
+    )
+    sensitivity: SensitivityTable | None = None

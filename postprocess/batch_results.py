@@ -1,0 +1,289 @@
+"""Results of a batch: every number of every point, as one table and one data set."""
+
+from __future__ import annotations
+
+import csv
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .named_units import unit_of
+from .results_io import Variables, atomic_path, write_dataset
+
+BATCH_TABLE = "batch.csv"
+NOT_NUMBERS = ("case", "oilfilm", "messages", "balls", "contacts", "timing_s", "stiffness", "points", "domain")
+AXES = {3: ("x", "y", "z"), 2: ("y", "z")}  # components of vectors and of tilts
+MOST_COMPONENTS = 3
+STATES = ("done", "failed", "lost")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BatchPoint:
+    """One point: its place in the sweep, the values varied, how it ended, and its summary if it has one."""
+
+    number: int
+    block: str
+    values: dict[str, Any]
+    case: dict[str, Any]
+    key: str
+    resumed: bool
+    status: str
+    message: str
+    summary: dict[str, Any] | None
+
+    @property
+    def converged(self) -> bool:
+        """Whether the point was computed and everything in it converged."""
+        return self.summary is not None and bool(self.summary.get("converged"))
+
+    @property
+    def label(self) -> str:
+        """The varied values in words."""
+        return ", ".join(f"{key} = {value}" for key, value in self.values.items())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BatchResults:
+    """A whole batch: `sweep` is the text of its file, `case` the name of the case it varies."""
+
+    version: str
+    title: str
+    case: str
+    sweep: str
+    keys: tuple[str, ...]
+    points: tuple[BatchPoint, ...]
+    messages: tuple[str, ...] = ()
+    assumed: tuple[str, ...] = ()
+    timing: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def converged(self) -> bool:
+        """Whether every point converged."""
+        return all(point.converged for point in self.points)
+
+
+def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
+    """What is looked at first: largest load and pressure, thinnest film, torque, cage speed, life; by key with unit.
+
+    Parameters
+    ----------
+    summary : dict or None
+        Of one point; of any kind.
+
+    Returns
+    -------
+    dict
+        None where the summary has no such number.
+    """
+    if summary is None:
+        return {}
+    if "contacts" not in summary:
+        names = [f"film_{film}{rest}_{unit}" for unit in ("um", "dimensionless") for film in ("central", "minimum")
+                 for rest in ("", "_uncertainty")]  # fmt: skip
+        wanted = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa", *names, "traction_coefficient")
+        return {name: summary.get(name) for name in wanted if name in summary}
+    contacts = [contact for contact in summary["contacts"] if contact["loaded"]]
+    heaviest: dict[str, Any] = max(contacts, key=lambda contact: contact["load_N"], default={})
+    films = [contact for contact in contacts if contact["film_minimum_um"] is not None]
+    thinnest: dict[str, Any] = min(films, key=lambda contact: contact["film_minimum_um"], default={})
+    torque, life = summary.get("torque_N_mm") or {}, summary.get("life") or {}
+    return {
+        "load_maximum_N": heaviest.get("load_N"),
+        "hertz_pressure_maximum_GPa": max((c["hertz_pressure_GPa"] for c in contacts), default=None),
+        "film_minimum_um": thinnest.get("film_minimum_um"),
+        "film_minimum_uncertainty_um": thinnest.get("film_minimum_uncertainty_um"),
+        "film_central_um": thinnest.get("film_central_um"),
+        "film_central_uncertainty_um": thinnest.get("film_central_uncertainty_um"),
+        "lambda_ratio": thinnest.get("lambda_ratio"),
+        "torque_N_mm": torque.get("total"),
+        "cage_speed_rpm": summary.get("cage_speed_rpm"),
+        "basic_reference_rating_Mrev": life.get("basic_reference_rating_Mrev"),
+    }
+
+
+def batch_summary(results: BatchResults) -> dict[str, Any]:
+    """The document of a batch: each point with its keys and main results; what failed has its message."""
+    points = [
+        {
+            "point": point.number,
+            "block": point.block,
+            "keys": point.values,
+            "status": point.status,
+            "converged": point.converged,
+            "resumed": point.resumed,
+            "message": point.message or None,
+            **main_results(point.summary),
+            "file": f"points/{point.key}.json",
+        }
+        for point in results.points
+    ]
+    return {
+        "oilfilm": results.version,
+        "kind": "batch",
+        "title": results.title,
+        "case": results.case,
+        "sweep": results.sweep,
+        "assumed": list(results.assumed),
+        "converged": results.converged,
+        "messages": [*results.messages, *_messages(results)],
+        "keys": list(results.keys),
+        "points": points,
+        "resumed": sum(point.resumed for point in results.points),
+        "failed": sum(point.summary is None for point in results.points),
+        "timing_s": results.timing,
+    }
+
+
+def _messages(results: BatchResults) -> Iterable[str]:
+    """Points without a result, and points of which something did not converge."""
+    for point in results.points:
+        if point.summary is None:
+            yield f"point {point.number} ({point.label}): {point.status}: {point.message}"
+        elif not point.converged:
+            told = [m for m in point.summary.get("messages", ()) if "not converged" in m or m.startswith("equilibrium")]
+            yield f"point {point.number} ({point.label}): not converged" + (f": {told[0]}" if told else "")
+
+
+def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
+    """Every single number of a summary by its dotted path; components of short vectors as .x, .y, .z."""
+    found: dict[str, float] = {}
+    for key, value in summary.items():
+        name = f"{path}.{key}" if path else key
+        if key in NOT_NUMBERS:
+            continue
+        if isinstance(value, dict):
+            found |= scalar_numbers(value, name)
+        elif isinstance(value, bool | int | float):
+            found[name] = value
+        elif isinstance(value, list) and 0 < len(value) <= MOST_COMPONENTS:
+            axes = AXES.get(len(value), range(len(value)))
+            numbers = zip(axes, value, strict=True)
+            found |= {f"{name}.{axis}": v for axis, v in numbers if isinstance(v, int | float)}
+    return found
+
+
+def columns(results: BatchResults) -> dict[str, list[Any]]:
+    """The batch as a table: one list of all points for each column; None where a point has no value."""
+    main = [main_results(point.summary) for point in results.points]
+    every = [scalar_numbers(point.summary or {}) for point in results.points]
+    found: dict[str, list[Any]] = {
+        "point": [point.number for point in results.points],
+        "block": [point.block for point in results.points],
+        "status": [point.status for point in results.points],
+        "converged": [point.converged for point in results.points],
+    }
+    found |= {key: [point.values.get(key) for point in results.points] for key in results.keys}
+    for table in (main, every):
+        names = dict.fromkeys(name for row in table for name in row)
+        found |= {name: [row.get(name) for row in table] for name in names if name not in found}
+    return found
+
+
+def write_batch_csv(results: BatchResults, path: Path) -> None:
+    """Write one line for every point, units in the header, nothing for null."""
+    table = columns(results)
+    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow([f"{name} [{unit_of(name)}]" if unit_of(name) else name for name in table])
+        for row in zip(*table.values(), strict=True):
+            writer.writerow(["" if value is None else _cell(value) for value in row])
+
+
+def _cell(value: Any) -> Any:
+    return json.dumps(value) if isinstance(value, list | dict) else value
+
+
+def write_batch_netcdf(results: BatchResults, path: Path) -> None:
+    """Write the data set: what the table has over `point`, and the numbers of balls and contacts over ball and race.
+
+    Units are attributes, the input of every point is the variable `case`; NaN where a point has no value.
+    """
+    variables: Variables = {}
+    coordinates = {"point", *results.keys}
+    for name, values in columns(results).items():
+        variables[name] = (("point",), _array(values), _attributes(name))
+    variables["message"] = (("point",), _array([point.message for point in results.points]), {})
+    variables["case"] = (
+        ("point",),
+        _array([json.dumps(point.case, ensure_ascii=False) for point in results.points]),
+        {"long_name": "input as run, JSON"},
+    )
+    variables |= _per_ball(results) | _per_contact(results)
+    attributes = {
+        "title": results.title,
+        "oilfilm": results.version,
+        "kind": "batch",
+        "case": results.case,
+        "sweep": results.sweep,
+        "keys": json.dumps(results.keys),
+        "converged": int(results.converged),
+    }
+    write_dataset(variables, coordinates | {"ball", "race"}, attributes, path)
+
+
+def _attributes(name: str) -> dict[str, str]:
+    unit = unit_of(name)
+    return {"units": unit} if unit else {}
+
+
+def _array(values: list[Any]) -> np.ndarray[Any, Any]:
+    """Numbers as floats with NaN for None, truth values as bytes, everything else as text."""
+    known = [value for value in values if value is not None]
+    if known and all(isinstance(value, bool) for value in values):
+        return np.array(values, dtype=np.int8)
+    if known and all(isinstance(value, int) and not isinstance(value, bool) for value in values):
+        return np.array(values, dtype=np.int64)
+    if all(isinstance(value, int | float) for value in known):
+        return np.array([np.nan if value is None else float(value) for value in values])
+    return np.array(["" if value is None else str(_cell(value)) for value in values], dtype=object)
+
+
+def _per_ball(results: BatchResults) -> Variables:
+    """Numbers of the balls over point and ball."""
+    rows = [(point.summary or {}).get("balls") or [] for point in results.points]
+    names = [n for n in _number_names(ball for row in rows for ball in row) if n != "ball"]
+    count = max(map(len, rows), default=0)
+    if not names:
+        return {}
+    values = {name: np.full((len(rows), count), np.nan) for name in names}
+    for i, row in enumerate(rows):
+        for k, ball in enumerate(row):
+            for name in names:
+                values[name][i, k] = _number(ball.get(name))
+    found: Variables = {"ball": (("ball",), np.arange(1, count + 1), {})}
+    return found | {f"ball.{n}": (("point", "ball"), v, _attributes(n)) for n, v in values.items()}
+
+
+def _per_contact(results: BatchResults) -> Variables:
+    """Numbers of the contacts over point, ball and race."""
+    rows = [(point.summary or {}).get("contacts") or [] for point in results.points]
+    names = [n for n in _number_names(contact for row in rows for contact in row) if n not in ("ball", "azimuth_deg")]
+    count = max((contact["ball"] for row in rows for contact in row), default=0)
+    if not names:
+        return {}
+    races = ("inner", "outer")
+    values = {name: np.full((len(rows), count, 2), np.nan) for name in names}
+    for i, row in enumerate(rows):
+        for contact in row:
+            place = i, contact["ball"] - 1, races.index(contact["race"])
+            for name in names:
+                values[name][place] = _number(contact.get(name))
+    found: Variables = {"race": (("race",), np.array(races, dtype=object), {})}
+    return found | {f"contact.{n}": (("point", "ball", "race"), v, _attributes(n)) for n, v in values.items()}
+
+
+def _number_names(rows: Iterable[dict[str, Any]]) -> list[str]:
+    """Keys that hold a number or null in every row, in their order."""
+    names: dict[str, bool] = {}
+    for row in rows:
+        for key, value in row.items():
+            names[key] = names.get(key, True) and (value is None or isinstance(value, bool | int | float))
+    return [name for name, numeric in names.items() if numeric and name != "note"]
+
+
+def _number(value: Any) -> float:
+    return float(value) if isinstance(value, bool | int | float) else np.nan

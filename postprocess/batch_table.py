@@ -1,0 +1,84 @@
+"""A batch as a table for a terminal of 80 columns."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from .batch_results import BatchPoint, BatchResults, main_results
+from .named_units import unit_of, without_unit
+
+if TYPE_CHECKING:
+    from rich.console import Group
+
+MOST_ROWS = 40  # of the terminal's table; the files have all
+WIDTH = 80
+NOTHING = "–"
+SHOWN = {
+    "load_maximum_N": "Q max",
+    "hertz_pressure_maximum_GPa": "p_h max",
+    "film_central_um": "h_c",
+    "film_minimum_um": "h_min",
+    "film_minimum_dimensionless": "h_min",
+    "torque_N_mm": "torque",
+    "cage_speed_rpm": "cage",
+}
+CELL = 10  # characters of a column of results
+
+
+def batch_table(results: BatchResults) -> Group:
+    """Lay out the points of a batch, the first and the last ones of many, with the results that fit beside the keys.
+
+    Parameters
+    ----------
+    results : BatchResults
+
+    Returns
+    -------
+    rich.console.Group
+        To be printed by a rich console; units [N], [GPa], [um] ... as the headers say.
+    """
+    from rich import box
+    from rich.console import Group
+    from rich.table import Table
+    from rich.text import Text
+
+    rows = [main_results(point.summary) for point in results.points]
+    keys = [key for key in results.keys if len({str(point.values.get(key)) for point in results.points}) > 1]
+    shown = [name for name in SHOWN if any(row.get(name) is not None for row in rows)]
+    shown = shown[-max(1, (WIDTH - 10 - sum(max(9, len(_name(key))) + 1 for key in keys)) // CELL) :]
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), collapse_padding=True)
+    table.add_column("#", justify="right")
+    for key in keys:
+        table.add_column(f"{_name(key)}\n{_unit(key)}", justify="right", overflow="fold")
+    for name in shown:
+        table.add_column(f"{SHOWN[name]}\n{_unit(name)}", justify="right", no_wrap=True)
+    table.add_column("", no_wrap=True)
+    count, half = len(rows), MOST_ROWS // 2
+    for i, (point, row) in enumerate(zip(results.points, rows, strict=True)):
+        if count > MOST_ROWS and half <= i < count - half:
+            if i == half:
+                table.add_row("...")
+            continue
+        values = [_text(point.values.get(key)) for key in keys]
+        table.add_row(str(point.number), *values, *(_text(row.get(name)) for name in shown), _flag(point))
+    flags = {_flag(point) for point in results.points}
+    words = [word for flag, word in (("!", "! not converged"), ("x", "x failed, see the messages")) if flag in flags]
+    return Group(Text(results.title, style="bold"), table, *words)
+
+
+def _name(key: str) -> str:
+    return without_unit(key.rpartition(".")[2])
+
+
+def _unit(key: str) -> str:
+    return unit_of(key.rpartition(".")[2]).replace("um", "µm")
+
+
+def _flag(point: BatchPoint) -> str:
+    return "x" if point.summary is None else "" if point.converged else "!"
+
+
+def _text(value: Any) -> str:
+    if value is None:
+        return NOTHING
+    return f"{value:.5g}" if isinstance(value, float) else str(value)

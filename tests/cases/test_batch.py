@@ -1,0 +1,491 @@
+"""Sweeps: their files, their points, execution, and what is left when something goes wrong."""
+
+from __future__ import annotations
+
+import csv
+import json
+import math
+from concurrent.futures import Future
+from concurrent.futures.process import BrokenProcessPool
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import postprocess
+from cases import CaseError
+from cases.batch import engine, read_sweep, run_batch
+from cases.batch.contact_cache import cached_solver, content_key
+from cases.batch.engine import Pace, duration
+from cases.batch.pools import LocalPool, scheduler_address
+from cases.batch.results import gathered, write_batch
+from cases.batch.store import finished_keys, read_point
+from cases.batch.sweep import sweep_from_text
+from cases.batch.task import Receipt, Task, compute_point
+from cases.cli import app
+
+HEAD = 'case = "6208_full_ceramic"\n'
+QUICK = (
+    HEAD
+    + """
+[sweep]
+"operation.inner_speed_rpm" = [5000.0, 10000.0]
+"operation.radial_load_N" = [400.0, 900.0, 1750.0]
+"ehl.film_maps" = ["none"]
+"""
+)
+
+
+class HerePool:
+    """Computes in this process at once, so that a test sees what the engine does; `broken` is the points that kill."""
+
+    shares_folder = True
+
+    def __init__(self, broken=(), times=1, stop_after=None):
+        self.broken, self.times, self.rebuilt, self.handed_out = set(broken), times, 0, []
+        self.stop_after = stop_after
+        self.closed = None
+
+    def capacity(self):
+        return 3
+
+    def submit(self, task):
+        self.handed_out.append(task.key)
+        future = Future()
+        if self.stop_after is not None and len(self.handed_out) > self.stop_after:
+            raise KeyboardInterrupt
+        if task.key in self.broken and self.handed_out.count(task.key) <= self.times:
+            future.set_exception(BrokenProcessPool("gone"))
+        else:
+            try:
+                future.set_result(compute_point(task))
+            except OSError as error:
+                future.set_exception(error)
+        return future
+
+    def lost(self, error):
+        return isinstance(error, BrokenProcessPool)
+
+    def rebuild(self):
+        self.rebuilt += 1
+        return True
+
+    def close(self, *, at_once):
+        self.closed = at_once
+
+
+def points(text):
+    return [point.values for point in sweep_from_text(text, "sweep.toml").points]
+
+
+def messages(text):
+    with pytest.raises(CaseError) as caught:
+        sweep_from_text(text, "sweep.toml")
+    return caught.value.messages
+
+
+def test_factorial_points_the_last_key_fastest():
+    sweep = sweep_from_text(QUICK, "sweep.toml")
+    found = [(p.values["operation.inner_speed_rpm"], p.values["operation.radial_load_N"]) for p in sweep.points]
+    assert found == [(n, f) for n in (5000.0, 10000.0) for f in (400.0, 900.0, 1750.0)]
+    assert [point.number for point in sweep.points] == [1, 2, 3, 4, 5, 6]
+    assert len({point.key for point in sweep.points}) == 6
+
+
+def test_every_point_states_every_key():
+    text = HEAD + '[[combinations]]\n"bearing.balls" = 8\n[[combinations]]\noperation.radial_load_N = 500.0\n'
+    assert points(text) == [
+        {"bearing.balls": 8, "operation.radial_load_N": 3000.0},
+        {"bearing.balls": 9, "operation.radial_load_N": 500.0},
+    ]
+
+
+def test_latin_hypercube_takes_every_stratum_once():
+    text = (
+        HEAD + '[latin_hypercube]\nsamples = 20\n"operation.radial_load_N" = [400, 2399]\n"operation.temperature_C" = '
+    )
+    found = points(text + "[30.0, 50.0]\n")
+    loads = [values["operation.radial_load_N"] for values in found]
+    assert sorted((load - 400) // 100 for load in loads) == list(range(20))
+    assert all(load == int(load) for load in loads)  # whole ends give whole numbers
+    strata = sorted(int(values["operation.temperature_C"] - 30.0) for values in found)
+    assert strata == list(range(20))
+    assert points(text + "[30.0, 50.0]\n") == found
+    assert points(text.replace("samples", "seed = 7\nsamples") + "[30.0, 50.0]\n") != found
+
+
+def test_sensitivity_varies_what_is_assumed():
+    sweep = sweep_from_text(HEAD + "[sensitivity]\nstep = 0.1\n", "sweep.toml")
+    base, *others = sweep.points
+    assert base.values["lubricant.viscosity_mPa_s"] == 26.1
+    viscosity = sorted({p.values["lubricant.viscosity_mPa_s"] for p in others})
+    assert viscosity == pytest.approx([0.9 * 26.1, 26.1, 1.1 * 26.1])
+    for point in others:
+        assert sum(point.values[key] != base.values[key] for key in sweep.keys) == 1
+
+
+def test_a_bearing_and_an_oil_of_the_libraries(tmp_path):
+    (tmp_path / "plain.toml").write_text(
+        'schema_version = 1\n[bearing]\nname = "6208"\n[lubricant]\nname = "iso vg 46"\n'
+        '[operation]\ninner_speed_rpm = 1000.0\nradial_load_N = 500.0\n[ehl]\nfilm_maps = "none"\n'
+    )
+    text = 'case = "plain.toml"\n[sweep]\n"bearing.name" = ["6208", "7000C"]\n"lubricant.name" = ["iso vg 46"]\n'
+    sweep = sweep_from_text(text, "sweep.toml", tmp_path)
+    assert sweep.points[0].resolved["bearing"]["balls"] != sweep.points[1].resolved["bearing"]["balls"]
+    found = messages(HEAD + '[sweep]\n"bearing.name" = ["6208", "7000C"]\n')
+    assert found == (
+        'sweep.toml:3: sweep."bearing.name": the case itself gives ball_diameter_mm, which overrides the library\'s; '
+        "allowed with a case that names a bearing only",
+    )
+
+
+SWEEP = HEAD + "[sweep]\n"
+CUBE = HEAD + "[latin_hypercube]\n"
+WRONG = {
+    "": "1: the file is empty; see 'oilfilm init'",
+    SWEEP.replace(HEAD, ""): "1: case: missing; needed: text in quotes",
+    HEAD: "1: no points; needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys",
+    HEAD.replace("full", "fool"): (
+        "1: case: 6208_fool_ceramic: no such file, and no shipped case has this name; did you mean '6208_full_ceramic'?"
+    ),
+    HEAD + "[sweeep]\n": "2: sweeep: unknown name; did you mean 'sweep'?",
+    SWEEP + '"operation.radial_load" = [1.0]': (
+        "3: sweep.\"operation.radial_load\": unknown key; keys end in their unit; did you mean 'radial_load_N'?"
+    ),
+    SWEEP + '"operatoin.radial_load_N" = [1.0]': (
+        "3: sweep.\"operatoin.radial_load_N\": operatoin: unknown name; did you mean 'operation'?"
+    ),
+    SWEEP + '"operation.radial_load_N" = 1.0': (
+        '3: sweep."operation.radial_load_N": found 1.0; allowed: a list of values'
+    ),
+    SWEEP + "operation.inner_speed_rpm = [1.0, 2e7]": (
+        "3: sweep.operation.inner_speed_rpm: found 20000000.0; allowed: a number >= -1e+06 and <= 1e+06"
+    ),
+    CUBE + 'samples = 0\n"operation.radial_load_N" = [1.0, 2.0]': (
+        "3: latin_hypercube.samples: found 0; allowed: a whole number >= 1 and <= 100000"
+    ),
+    CUBE + 'samples = 3\n"operation.radial_load_N" = [2.0, 1.0]': (
+        '4: latin_hypercube."operation.radial_load_N": found [2.0, 1.0]; '
+        "allowed: [first, last], two numbers, first < last"
+    ),
+    CUBE + '"operation.radial_load_N" = [1.0, 2.0]': (
+        "2: latin_hypercube.samples: missing; needed: a whole number >= 1 and <= 100000"
+    ),
+    HEAD + 'compute = "slip"\n[sweep]\n"operation.radial_load_N" = [1.0]': (
+        '2: compute: point 1: the case has no table [slip]; allowed: "run"'
+    ),
+    SWEEP + '"bearing.balls" = [8, 30]': (
+        '3: sweep."bearing.balls": found 30; allowed: at most 15 balls of 12 mm on a pitch circle of 60 mm'
+    ),
+    SWEEP + '"bearing.pitch_diameter_mm" = [30.0]': (
+        "1: case: point 1 (bearing.pitch_diameter_mm = 30.0): bearing.balls: found 9; "
+        "allowed: at most 7 balls of 12 mm on a pitch circle of 30 mm"
+    ),
+    HEAD + '[sensitivity]\nkeys = ["bearing.cage_material"]': (
+        '3: sensitivity.keys: bearing.cage_material = "PVX"; allowed: keys of the case with a number that is not 0'
+    ),
+    HEAD + "[sensitivity]\nkeys = 1": (
+        '3: sensitivity.keys: found 1; allowed: "assumed", or a list of keys like "lubricant.viscosity_mPa_s"'
+    ),
+}
+
+
+@pytest.mark.parametrize(("text", "message"), WRONG.items())
+def test_messages_name_the_line_of_the_sweep_file(text, message):
+    assert f"sweep.toml:{message}" in messages(text)
+
+
+def test_too_many_points_are_refused_before_they_are_made():
+    axes = "".join(f'"operation.k{i}" = {list(range(99))}\n' for i in range(9))
+    assert "allowed: at most 100000" in messages(HEAD + "[sweep]\n" + axes)[0]
+
+
+def test_equal_points_are_computed_once(tmp_path):
+    text = HEAD + '[sweep]\n"operation.radial_load_N" = [400.0, 400.0, 400]\n"ehl.film_maps" = ["none"]\n'
+    pool = HerePool()
+    batch = run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", lambda: pool)
+    assert len(pool.handed_out) == 1
+    assert len(gathered(batch).points) == 3
+
+
+def test_files_of_a_batch(tmp_path):
+    batch = run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", HerePool)
+    write_batch(gathered(batch), tmp_path / "out")
+    with (tmp_path / "out" / "batch.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["operation.radial_load_N [N]"] for row in rows] == ["400.0", "900.0", "1750.0"] * 2
+    with postprocess.open_results(tmp_path / "out") as data:
+        data = data.to_dataset()
+        assert data["operation.inner_speed_rpm"].attrs["units"] == "rpm"
+        assert data["contact.load_N"].dims == ("point", "ball", "race")
+        assert data["contact.load_N"].attrs["units"] == "N"
+        assert np.isnan(data["contact.film_central_um"].values).all()
+        loads = data["contact.load_N"].values
+        assert float(rows[4]["load_maximum_N [N]"]) == loads[4].max()
+        case = json.loads(data["case"].values[4])
+        assert case["operation"]["radial_load_N"] == 900.0
+        assert data.attrs["sweep"] == QUICK
+        # the outer loads carry the radial load and the centrifugal forces: sum of Q cos(psi) = F
+        azimuth = np.radians(data["ball.azimuth_deg"].values)
+        assert (loads[4, :, 0] * np.cos(azimuth[4])).sum() == pytest.approx(900.0, rel=1e-3)
+
+
+def test_a_failing_point_is_recorded_and_does_not_stop_the_others(tmp_path, monkeypatch):
+    sweep = sweep_from_text(QUICK, "sweep.toml")
+    bad = sweep.points[2].document
+
+    def run(case, *_):
+        if case.document["operation"]["radial_load_N"] == 1750.0:
+            raise ArithmeticError("no such equilibrium")
+        return original(case, 1)
+
+    from cases import run as module
+
+    original = module.run_case
+    monkeypatch.setattr(module, "run_case", run)
+    batch = run_batch(sweep, tmp_path / "out", HerePool)
+    results = gathered(batch)
+    assert bad["operation"]["radial_load_N"] == 1750.0
+    assert [point.status for point in results.points] == ["done", "done", "failed"] * 2
+    assert results.points[2].message == "ArithmeticError: no such equilibrium"
+    write_batch(results, tmp_path / "out")
+    summary = json.loads((tmp_path / "out" / "summary.json").read_text())
+    assert summary["failed"] == 2
+    assert any("no such equilibrium" in message for message in summary["messages"])
+    monkeypatch.undo()
+    again = run_batch(sweep, tmp_path / "out", HerePool, resume=True)
+    assert len(again.resumed) == 4
+    assert all(point.status == "done" for point in gathered(again).points)
+
+
+def test_a_lost_worker_costs_nothing_but_the_point_that_kills_it(tmp_path):
+    sweep = sweep_from_text(QUICK, "sweep.toml")
+    once = HerePool([sweep.points[1].key])
+    results = gathered(run_batch(sweep, tmp_path / "once", lambda: once))
+    assert once.rebuilt == 1
+    assert all(point.status == "done" for point in results.points)
+    twice = HerePool([sweep.points[1].key], times=2)
+    results = gathered(run_batch(sweep, tmp_path / "twice", lambda: twice))
+    assert [point.status for point in results.points] == ["done", "lost", "done", "done", "done", "done"]
+    assert "the worker was lost twice" in results.points[1].message
+    assert twice.closed is False
+
+
+def test_an_interrupt_keeps_what_is_finished_and_resume_goes_on(tmp_path):
+    sweep = sweep_from_text(QUICK, "sweep.toml")
+    pool = HerePool(stop_after=4)
+    with pytest.raises(KeyboardInterrupt):
+        run_batch(sweep, tmp_path / "out", lambda: pool)
+    assert pool.closed is True
+    kept = finished_keys(tmp_path / "out", [point.key for point in sweep.points])
+    assert len(kept) == 4
+    with pytest.raises(CaseError, match="--resume"):
+        run_batch(sweep, tmp_path / "out", HerePool)
+    rest = HerePool()
+    batch = run_batch(sweep, tmp_path / "out", lambda: rest, resume=True)
+    assert len(rest.handed_out) == 2
+    assert batch.resumed == kept
+
+
+def test_resume_after_the_sweep_was_extended_and_a_file_was_damaged(tmp_path):
+    first = sweep_from_text(QUICK, "sweep.toml")
+    run_batch(first, tmp_path / "out", HerePool)
+    (tmp_path / "out" / "points" / f"{first.points[0].key}.json").write_text("{")
+    longer = sweep_from_text(QUICK.replace("1750.0", "1750.0, 3000.0"), "sweep.toml")
+    pool = HerePool()
+    batch = run_batch(longer, tmp_path / "out", lambda: pool, resume=True)
+    assert len(pool.handed_out) == 3
+    assert len(batch.resumed) == 5
+    nothing = HerePool()
+    run_batch(longer, tmp_path / "out", lambda: nothing, resume=True)
+    assert nothing.handed_out == []
+
+
+def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatch):
+    import errno
+
+    from cases.batch import task
+
+    written = []
+
+    def write(folder, key, files):
+        if len(written) == 2:
+            raise OSError(errno.ENOSPC, "No space left on device", str(folder))
+        written.append(key)
+        real(folder, key, files)
+
+    real = task.write_point
+    monkeypatch.setattr(task, "write_point", write)
+    sweep = sweep_from_text(QUICK, "sweep.toml")
+    with pytest.raises(OSError, match="No space left"):
+        run_batch(sweep, tmp_path / "out", HerePool)
+    assert finished_keys(tmp_path / "out", [point.key for point in sweep.points]) == set(written)
+
+
+def test_a_folder_of_something_else_is_left_alone(tmp_path):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "notes.txt").write_text("mine")
+    with pytest.raises(CaseError, match="holds other files"):
+        run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", HerePool)
+    assert [path.name for path in (tmp_path / "out").iterdir()] == ["notes.txt"]
+
+
+def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch):
+    import ehl
+
+    text = HEAD + (
+        '[sweep]\n"surface.ball_roughness_um" = [0.05, 0.1]\n"surface.inner_ring_roughness_um" = [0.1]\n'
+        '"surface.outer_ring_roughness_um" = [0.1]\n"ehl.film_maps" = [[0.0]]\n"ehl.points" = [33]\n'
+    )
+    solved = []
+
+    def solve(conditions, options):
+        solved.append(conditions)
+        return original(conditions, options)
+
+    original = ehl.solve_contact
+    monkeypatch.setattr(ehl, "solve_contact", solve)
+    results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
+    assert len(solved) == 2  # both races of one ball, for two points
+    first, second = (point.summary["contacts"] for point in results.points)
+    assert [c["film_minimum_um"] for c in first] == [c["film_minimum_um"] for c in second]
+    assert first[0]["lambda_ratio"] > second[0]["lambda_ratio"]
+
+
+def test_a_cached_contact_is_the_solved_one_to_the_bit(tmp_path):
+    from ehl import ContactConditions, Lubricant, SolverOptions
+
+    oil = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
+    contact = ContactConditions(
+        load=15.0, radius_x=0.0125, radius_y=0.0125, reduced_modulus=110e9, entrainment_speed=0.09, lubricant=oil
+    )
+    solve = cached_solver(tmp_path)
+    first = solve(contact, SolverOptions(points=33))
+    assert len(list(tmp_path.glob("*.npz"))) == 1
+    second = solve(contact, SolverOptions(points=33))
+    assert second is not first
+    for name in ("X", "Y", "P", "H"):
+        assert np.array_equal(getattr(first, name), getattr(second, name))
+    for name in ("film_minimum_dimensionless", "film_scale", "domain", "record", "message", "conditions", "options"):
+        assert getattr(first, name) == getattr(second, name), name
+    assert content_key(contact, SolverOptions(points=33)) != content_key(contact, SolverOptions(points=65))
+
+
+def test_film_maps_are_kept_where_they_are_wanted(tmp_path):
+    text = 'case = "ball_on_disc"\nfields = true\n[sweep]\n"contact.load_N" = [10.0]\n"ehl.points" = [33]\n'
+    sweep = sweep_from_text(text, "sweep.toml")
+    run_batch(sweep, tmp_path / "out", HerePool)
+    path = tmp_path / "out" / "points" / f"{sweep.points[0].key}.nc"
+    with postprocess.open_results(path) as tree:
+        film = tree["contacts/contact"]["h"]
+        assert film.attrs["units"] == "m"
+        assert math.isfinite(film.values.min())
+
+
+def test_slip_maps_are_points_too(tmp_path):
+    text = 'case = "hirano_7000C"\ncompute = "slip"\n[sweep]\n"slip.points" = [3]\n"slip.critical_points" = [2]\n'
+    batch = run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool)
+    (point,) = gathered(batch).points
+    assert point.status == "done", point.message
+    assert "minimum_loads" in json.dumps(point.summary) or point.summary["converged"]
+
+
+def test_a_worker_of_another_version_is_refused(tmp_path):
+    task = Task(key="a", document={}, compute="run", fields=False, share=False, folder=str(tmp_path), program="0.0.0")
+    with pytest.raises(RuntimeError, match=r"started with 0\.0\.0"):
+        compute_point(task)
+
+
+def test_a_worker_without_the_folder_sends_its_files(tmp_path):
+    sweep = sweep_from_text(QUICK, "sweep.toml")
+
+    class Elsewhere(HerePool):
+        shares_folder = False
+
+        def submit(self, task):
+            assert task.folder is None
+            return super().submit(task)
+
+    apart = gathered(run_batch(sweep, tmp_path / "apart", Elsewhere))
+    here = gathered(run_batch(sweep, tmp_path / "here", HerePool))
+    write_batch(apart, tmp_path / "apart")
+    write_batch(here, tmp_path / "here")
+    assert (tmp_path / "apart" / "batch.csv").read_bytes() == (tmp_path / "here" / "batch.csv").read_bytes()
+
+
+def test_rate_and_time_left():
+    told = []
+    pace = Pace(10, lambda *words: told.append(words))
+    pace.found = 2
+    pace.tell()
+    assert told == [(2, 10, "points")]
+    pace.done = 4
+    assert pace.text(8.0) == "points, 30/min, 8 s left"
+    assert pace.text(0.5) == "points, 8/s, 0 s left"
+    assert [duration(t) for t in (61.0, 300.0, 36_000.0)] == ["61 s", "5 min", "10.0 h"]
+
+
+def test_addresses_without_a_host_are_of_this_machine():
+    assert scheduler_address("8786") == "tcp://127.0.0.1:8786"
+    assert scheduler_address("node7") == "tcp://node7:8786"
+    assert scheduler_address("tls://node7:9000") == "tls://node7:9000"
+
+
+def test_processes_give_the_same_as_one_after_the_other(tmp_path):
+    sweep = sweep_from_text(QUICK, "sweep.toml")
+    two = gathered(run_batch(sweep, tmp_path / "two", lambda: LocalPool(2)))
+    one = gathered(run_batch(sweep, tmp_path / "one", HerePool))
+    write_batch(two, tmp_path / "two")
+    write_batch(one, tmp_path / "one")
+    assert (tmp_path / "two" / "batch.csv").read_bytes() == (tmp_path / "one" / "batch.csv").read_bytes()
+
+
+def test_the_command(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "quick.toml").write_text(QUICK)
+    monkeypatch.setattr("cases.commands.batch._pool", lambda workers, scheduler: HerePool)
+    answer = CliRunner().invoke(app, ["batch", "quick.toml", "--json"])
+    assert answer.exit_code == 0, answer.output
+    document = json.loads(answer.stdout)
+    assert [point["converged"] for point in document["points"]] == [True] * 6
+    assert document["resumed"] == document["failed"] == 0
+    assert document["points"][0]["keys"]["operation.radial_load_N"] == 400.0
+    assert [path.name for path in tmp_path.iterdir()] == ["quick.toml"]
+    answer = CliRunner().invoke(app, ["batch", "quick.toml", "--plot"])
+    assert answer.exit_code == 0, answer.output
+    assert (tmp_path / "quick_results" / "plots" / "over_keys.png").exists()
+    assert max(map(len, answer.stdout.splitlines())) <= 80
+    assert CliRunner().invoke(app, ["batch", "quick.toml"]).exit_code == 2
+    answer = CliRunner().invoke(app, ["batch", "quick.toml", "--resume", "--json"])
+    assert json.loads(answer.stdout)["resumed"] == 6
+    answer = CliRunner().invoke(app, ["batch", "quick.toml", "--workers", "2", "--scheduler", "8786"])
+    assert answer.exit_code == 2
+
+
+def test_a_lost_point_is_the_machines_failure(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "quick.toml").write_text(QUICK)
+    key = read_sweep("quick.toml").points[3].key
+    monkeypatch.setattr("cases.commands.batch._pool", lambda workers, scheduler: lambda: HerePool([key], times=2))
+    answer = CliRunner().invoke(app, ["batch", "quick.toml", "-q"])
+    assert answer.exit_code == 4
+    assert "1 of 6 points have no result" in answer.stderr
+    assert read_point(tmp_path / "quick_results", key)["status"] == "lost"
+
+
+def test_a_shipped_sweep_is_found_by_name():
+    assert len(read_sweep("6208_load_and_speed").points) == 16
+
+
+def test_the_result_of_a_lost_future_is_kept_when_it_was_written(tmp_path):
+    """A worker may die after it wrote its point: the second one finds it there."""
+    sweep = sweep_from_text(QUICK, "sweep.toml")
+    run_batch(sweep, tmp_path / "out", HerePool)
+    point = sweep.points[0]
+    task = Task(key=point.key, document={}, compute="run", fields=False, share=False, folder=str(tmp_path / "out"))
+    assert compute_point(task) == Receipt(key=point.key, status="done")
+
+
+def test_only_tables_that_leave_contacts_alone_make_a_cache_worth_its_disk():
+    assert "surface" in engine.WITHOUT_EFFECT
+    assert "lubricant" not in engine.WITHOUT_EFFECT

@@ -1,0 +1,143 @@
+"""Batches in processes of their own: killed at random moments, on a Dask cluster, with workers that die."""
+
+from __future__ import annotations
+
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import postprocess
+from cases.batch import run_batch
+from cases.batch.pools import ClusterPool, LocalPool
+from cases.batch.results import gathered, write_batch
+from cases.batch.sweep import sweep_from_text
+
+SEED = 60_413_871
+SWEEP = """
+case = "6208_full_ceramic"
+[sweep]
+"operation.inner_speed_rpm" = [2500.0, 5000.0, 7500.0, 10000.0]
+"operation.radial_load_N" = [400.0, 900.0, 1750.0, 3000.0]
+"ehl.points" = [65]
+"""
+QUICK = SWEEP.replace('"ehl.points" = [65]', '"ehl.film_maps" = ["none"]')
+OILFILM = [sys.executable, "-m", "cases.cli"]
+
+
+def same_data(first, second):
+    """Whether the data sets of two batches are equal to the bit."""
+    with postprocess.open_results(first) as one, postprocess.open_results(second) as two:
+        a, b = one.to_dataset(), two.to_dataset()
+        assert set(a.variables) == set(b.variables)
+        for name in a.variables:
+            np.testing.assert_array_equal(a[name].values, b[name].values, err_msg=name)
+    assert (first / "batch.csv").read_bytes() == (second / "batch.csv").read_bytes()
+
+
+def alive(pid):
+    try:
+        return "Z" not in open(f"/proc/{pid}/stat").read().split(")")[1].split()[0]
+    except OSError:
+        return False
+
+
+def children(pid):
+    answer = subprocess.run(["ps", "-o", "pid=", "--ppid", str(pid)], capture_output=True, text=True, check=False)
+    return [int(word) for word in answer.stdout.split()]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(not os.path.isdir("/proc"), reason="looks for left workers in /proc")
+def test_a_batch_killed_ten_times_ends_like_an_undisturbed_one(tmp_path):
+    (tmp_path / "sweep.toml").write_text(SWEEP)
+    words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-q", "--workers", "2"]
+    start = time.monotonic()
+    subprocess.run([*words, "-o", "calm"], cwd=tmp_path, check=True)
+    whole = time.monotonic() - start
+    rng, kills, orphans = random.Random(SEED), 0, []
+    while kills < 10:
+        process = subprocess.Popen([*words, "-o", "killed", "--resume"], cwd=tmp_path, stderr=subprocess.DEVNULL)
+        try:
+            process.wait(rng.uniform(0.1, 0.6) * whole)
+            for file in rng.sample(sorted((tmp_path / "killed" / "points").glob("*.json")), 8):
+                file.unlink()  # it was done before it could be killed
+        except subprocess.TimeoutExpired:
+            orphans += children(process.pid)
+            process.send_signal(signal.SIGKILL)
+            process.wait()
+            kills += 1
+    time.sleep(2.0)
+    assert not [pid for pid in orphans if alive(pid)]  # the workers end with their parent
+    subprocess.run([*words, "-o", "killed", "--resume"], cwd=tmp_path, check=True)
+    same_data(tmp_path / "calm", tmp_path / "killed")
+    assert not list((tmp_path / "killed" / "points").glob(".*"))
+
+
+@pytest.mark.slow
+def test_a_dask_cluster_of_two_workers_gives_the_same(tmp_path):
+    distributed = pytest.importorskip("distributed")
+    sweep = sweep_from_text(SWEEP, "sweep.toml")
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
+    ) as cluster:
+        far = run_batch(sweep, tmp_path / "far", lambda: ClusterPool(cluster.scheduler_address))
+        write_batch(gathered(far), tmp_path / "far")
+    near = run_batch(sweep, tmp_path / "near", lambda: LocalPool(1))
+    write_batch(gathered(near), tmp_path / "near")
+    same_data(tmp_path / "far", tmp_path / "near")
+
+
+def test_a_worker_killed_from_outside(tmp_path):
+    """The pool is rebuilt and every point gets its result."""
+
+    class Killing(LocalPool):
+        def submit(self, task):
+            future = super().submit(task)
+            if not killed and len(list((tmp_path / "out" / "points").glob("*.json"))) >= 2:
+                victim = next(iter(self._executor._processes))
+                os.kill(victim, signal.SIGKILL)
+                killed.append(victim)
+            return future
+
+    killed = []
+    results = gathered(run_batch(sweep_from_text(QUICK, "sweep.toml"), tmp_path / "out", lambda: Killing(2)))
+    assert killed
+    assert [point.status for point in results.points] == ["done"] * 16
+
+
+def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
+    (tmp_path / "sweep.toml").write_text(SWEEP)
+    words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-o", "out", "--workers", "1"]
+    process = subprocess.Popen(words, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    deadline = time.monotonic() + 60.0
+    while not list((tmp_path / "out" / "points").glob("*.json")) and time.monotonic() < deadline:
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, stderr = process.communicate(timeout=60.0)
+    assert process.returncode == 3
+    assert "go on with --resume" in stderr
+    assert "Traceback" not in stderr
+    answer = subprocess.run([*words, "--resume", "--json"], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert answer.returncode == 0
+    document = json.loads(answer.stdout)
+    assert document["resumed"] >= 1
+    assert document["converged"] is True
+
+
+def test_no_scheduler_is_told(monkeypatch):
+    from typer.testing import CliRunner
+
+    from cases.cli import app
+
+    pytest.importorskip("distributed")
+    monkeypatch.setattr("cases.batch.pools.PATIENCE", 1.0)
+    answer = CliRunner().invoke(app, ["batch", "6208_load_and_speed", "--scheduler", "1", "--json"])
+    assert answer.exit_code == 2
+    assert "no Dask scheduler answers" in answer.stderr
