@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .far_field import far_field
+from .flow_model import FlowModel
 from .grid import Grid, grid_hierarchy
 from .multigrid import (
     Damping,
@@ -18,6 +19,7 @@ from .multigrid import (
     cycle,
     load_error,
     make_multigrid,
+    refresh_factors,
     reynolds_residual,
     start_level,
     update_film,
@@ -118,6 +120,7 @@ def solve_with_fallbacks(
     domain: tuple[float, float, float],
     options: SolverOptions,
     progress: Progress,
+    flow_model: FlowModel | None = None,
 ) -> Outcome:
     """Go down the list of attempts until one converges; the one that came nearest is kept if none does.
 
@@ -130,7 +133,7 @@ def solve_with_fallbacks(
         if best is not None:
             progress.fallbacks.append(attempt.name)
         contact = contacts[attempt.along_entrainment]
-        outcome = Outcome(state=contact_multigrid(contact, domain, options, attempt))
+        outcome = Outcome(state=contact_multigrid(contact, domain, options, attempt, flow_model))
         with suppress(DivergedError):
             full_multigrid(outcome, options, progress, attempt.finer_start)
         progress.deflected_nodes += outcome.state.deflected_nodes()
@@ -143,7 +146,11 @@ def solve_with_fallbacks(
 
 
 def contact_multigrid(
-    contact: ScaledContact, domain: tuple[float, float, float], options: SolverOptions, attempt: Attempt
+    contact: ScaledContact,
+    domain: tuple[float, float, float],
+    options: SolverOptions,
+    attempt: Attempt,
+    flow_model: FlowModel | None = None,
 ) -> Multigrid:
     """Levels for a box given in Hertz half-extents; in a box of our choice the origin is a node."""
     is_open = options.domain is None
@@ -153,10 +160,11 @@ def contact_multigrid(
         x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
     levels = ((options.points - 1) // COARSEST_CELLS).bit_length()
     aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
-    grids = grid_hierarchy(
-        options.points, (x_in, x_out, y_half * contact.half_extent_y), aspect, levels, contact.symmetric
-    )
-    return make_multigrid(contact, grids, far_field(contact) if is_open else None, attempt.damping)
+    symmetric = contact.symmetric and (flow_model is None or flow_model.symmetric)
+    grids = grid_hierarchy(options.points, (x_in, x_out, y_half * contact.half_extent_y), aspect, levels, symmetric)
+    state = make_multigrid(contact, grids, far_field(contact) if is_open else None, attempt.damping)
+    state.flow_model = flow_model
+    return state
 
 
 def full_multigrid(outcome: Outcome, options: SolverOptions, progress: Progress, finer: int = 0) -> None:
@@ -216,6 +224,7 @@ def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress
     while done < count:
         kept = (level.P.copy(), state.approach, state.exterior, level.load)
         with np.errstate(all="ignore"):  # a runaway cycle overflows; it is looked at, not warned of
+            refresh_factors(state, index)
             cycle(state, index)
             residual = float(np.abs(reynolds_residual(state, index)).mean())
         runaway = not np.isfinite(residual) or residual > GROWTH_LIMIT * last or level.P.max() > PRESSURE_LIMIT

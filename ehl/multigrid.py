@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from . import _kernels
 from .deformation import DeflectionKernel, deflect, deflection_kernel
 from .far_field import FarField, edge_pressure, exterior_load
+from .flow_model import FlowFactors, FlowModel, entrainment_factors
 from .grid import Grid
 from .scaling import ScaledContact
 from .transfer import full_weighting, inject, interpolate_linear
@@ -74,36 +75,6 @@ class Level:
     load: float = 0.0
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FlowFactors:
-    """Factors on the flow of a Newtonian oil of uniform temperature at u = 1, v = 0; None is 1, or 0 for v.
-
-    Arrays of shape (ny, nx) on the grid of a level [-]: those of the entrainment's velocity field, and frozen
-    coefficients of a generalized Reynolds equation.
-    """
-
-    poiseuille: Array | None = None  # on eps
-    couette_x: Array | None = None  # u over u_m, the flow being rho u H
-    couette_y: Array | None = None  # v over u_m
-
-    def coarsened(self) -> FlowFactors:
-        """Those of the next coarser grid."""
-        parts = (self.poiseuille, self.couette_x, self.couette_y)
-        poiseuille, x, y = (None if part is None else inject(part) for part in parts)
-        return FlowFactors(poiseuille=poiseuille, couette_x=x, couette_y=y)
-
-
-def entrainment_factors(contact: ScaledContact, grid: Grid) -> FlowFactors:
-    """Velocity field u = u_0 - Omega Y, v = v_0 + Omega X over u_m on a grid [-]."""
-    if not contact.lateral:
-        return FlowFactors()
-    ones = np.ones((grid.ny, grid.nx))
-    return FlowFactors(
-        couette_x=(contact.velocity_x - contact.rotation * grid.Y[:, None]) * ones,
-        couette_y=(contact.velocity_y + contact.rotation * grid.X[None, :]) * ones,
-    )
-
-
 @dataclass(slots=True, kw_only=True)
 class Multigrid:
     """All levels of one contact, the approach they share and the work done; all quantities [-]."""
@@ -112,6 +83,7 @@ class Multigrid:
     far_field: FarField | None  # edge pressure of an open box; None: zero pressure on the edge
     levels: tuple[Level, ...]  # coarsest first
     damping: Damping
+    flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load carried outside the box
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
@@ -142,8 +114,8 @@ def make_multigrid(
                 eps=np.zeros(shape),
                 flow_x=np.zeros(shape),
                 slope_x=np.zeros(shape),
-                flow_y=np.zeros(shape if contact.lateral else (0, 0)),
-                slope_y=np.zeros(shape if contact.lateral else (0, 0)),
+                flow_y=np.zeros((0, 0) if grid.symmetric else shape),
+                slope_y=np.zeros((0, 0) if grid.symmetric else shape),
                 scratch=np.zeros(shape),
                 factors=entrainment_factors(contact, grid),
             )
@@ -175,6 +147,18 @@ def update_film(state: Multigrid, index: int) -> None:
     state.deflections[index] = state.deflections.get(index, 0) + 1
     if state.far_field is not None and level.s is level.gap:
         edge_pressure(state.far_field, level.grid, level.H, level.P)
+
+
+def refresh_factors(state: Multigrid, index: int) -> None:
+    """Ask the flow model for the factors of level `index`, and hand them down to the coarser ones."""
+    if state.flow_model is None:
+        return
+    level = state.levels[index]
+    factors = state.flow_model.factors(state.contact, level.grid, level.P, level.H)
+    level.factors = factors
+    for coarser in reversed(state.levels[:index]):
+        factors = factors.coarsened()
+        coarser.factors = factors
 
 
 def flow(state: Multigrid, level: Level) -> None:

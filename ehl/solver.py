@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from .conditions import ContactConditions, MoesConditions
 from .extrapolation import extrapolate
+from .flow_model import FlowModel
 from .full_multigrid import (
     ATTEMPTS,
     DivergedError,
@@ -36,9 +37,11 @@ EXTERIOR_SHARE = 0.06  # of the load; an open box is widened until less than thi
 
 
 def solve_contact(
-    conditions: ContactConditions | MoesConditions, options: SolverOptions | None = None
+    conditions: ContactConditions | MoesConditions,
+    options: SolverOptions | None = None,
+    flow_model: FlowModel | None = None,
 ) -> ContactSolution:
-    """Pressure and film of a steady, isothermal, flooded elliptical contact by full multigrid.
+    """Pressure and film of a steady, flooded elliptical contact by full multigrid.
 
     Venner and Lubrecht (2000) with the changes described in `multigrid.py` and `far_field.py`.
 
@@ -48,6 +51,8 @@ def solve_contact(
         The contact, SI or dimensionless.
     options : SolverOptions, optional
         Mesh, box and number of cycles.
+    flow_model : FlowModel, optional
+        Factors of a generalized Reynolds equation; left out, the oil is Newtonian and of uniform temperature.
 
     Returns
     -------
@@ -62,7 +67,7 @@ def solve_contact(
     """
     options = options or SolverOptions()
     if options.tolerance is not None:
-        return _solve_to_tolerance(conditions, options, options.tolerance)
+        return _solve_to_tolerance(conditions, options, options.tolerance, flow_model)
     contact, turned = scale_contact(conditions), scale_contact(conditions, along_entrainment=True)
     began, progress = time.perf_counter(), Progress()
     if options.domain is None:
@@ -70,7 +75,7 @@ def solve_contact(
         contact, turned = replace(contact, film_guess=film), replace(turned, film_guess=film)
     else:
         domain = options.domain
-    outcome = solve_with_fallbacks((contact, turned), domain, options, progress)
+    outcome = solve_with_fallbacks((contact, turned), domain, options, progress, flow_model)
     record = ConvergenceRecord(
         residual=tuple(outcome.residual),
         force_error=tuple(outcome.load),
@@ -84,12 +89,15 @@ def solve_contact(
 
 
 def _solve_to_tolerance(
-    conditions: ContactConditions | MoesConditions, options: SolverOptions, tolerance: float
+    conditions: ContactConditions | MoesConditions,
+    options: SolverOptions,
+    tolerance: float,
+    flow_model: FlowModel | None,
 ) -> ContactSolution:
     """Double the points until both error bars are small enough, or the budget is spent: then say so."""
     points, wall_time = min(TOLERANCE_START, options.points), 0.0
     while True:
-        solution = solve_contact(conditions, replace(options, points=points, tolerance=None))
+        solution = solve_contact(conditions, replace(options, points=points, tolerance=None), flow_model)
         wall_time += solution.record.wall_time
         films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
         bars = [film.uncertainty / abs(film.value) for film in films]

@@ -26,6 +26,7 @@ from ehl import (
 )
 from ehl.conditions import moes_groups
 from ehl.extrapolation import extrapolate
+from ehl.flow_model import FlowFactors
 from ehl.full_multigrid import (
     ATTEMPTS,
     LOAD_TOLERANCE,
@@ -368,3 +369,39 @@ def test_a_small_rotation_is_left_out():
     c = replace(INNER_500N, mean_spin=1.0)
     assert scale_contact(c).symmetric
     assert not scale_contact(replace(c, mean_spin=1e4)).symmetric
+
+
+class Scaled:
+    """A flow model: Poiseuille factor and velocity uniform; both 1 is the Newtonian oil."""
+
+    def __init__(self, poiseuille, speed, symmetric=True):
+        self.poiseuille, self.speed, self.symmetric, self.calls = poiseuille, speed, symmetric, 0
+
+    def factors(self, contact, grid, P, H):
+        self.calls += 1
+        ones = np.ones_like(P)
+        return FlowFactors(poiseuille=self.poiseuille * ones, couette_x=self.speed * ones)
+
+
+def test_flow_factors_of_one_change_nothing():
+    model, options = Scaled(1.0, 1.0), SolverOptions(points=65)
+    assert_allclose(solve_contact(CIRCULAR, options, model).H, solve_contact(CIRCULAR, options).H, rtol=1e-12)
+    assert model.calls > 3
+
+
+def test_flow_factors_act_as_speed_and_viscosity():
+    """Half the Couette flow at half the Poiseuille flow is the same equation; on the full grid, too."""
+    options = SolverOptions(points=129, domain=BOX)
+    plain = solve_contact(CIRCULAR, options).film_central_dimensionless.value
+    for symmetric in (True, False):
+        halved = solve_contact(CIRCULAR, options, Scaled(0.5, 0.5, symmetric))
+        assert halved.converged
+        assert_allclose(halved.film_central_dimensionless.value, plain, rtol=1e-3)  # two iterations, each to 3e-4
+
+
+def test_flow_factor_on_the_viscosity():
+    """Twice the Poiseuille flow everywhere is half the speed, in the same box."""
+    options = SolverOptions(points=129, domain=(-6.0, 1.5, 2.25))
+    thin = solve_contact(INNER_500N, options, Scaled(2.0, 1.0))
+    slow = solve_contact(replace(INNER_500N, entrainment_speed=0.5 * INNER_500N.entrainment_speed), options)
+    assert_allclose(thin.film_central, slow.film_central, rtol=2e-3)
