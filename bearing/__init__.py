@@ -18,12 +18,14 @@ if TYPE_CHECKING:
     from .life import LifeRating, bearing_life
     from .quasistatic import QuasistaticSolution, solve_quasistatic
     from .slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
+    from .stresses import ContactStress, Truncation, contact_stress
 
 __all__ = [
     "BallKinematics",
     "Bearing",
     "BearingContact",
     "ClearanceBudget",
+    "ContactStress",
     "Curvature",
     "Fit",
     "Frequencies",
@@ -36,6 +38,7 @@ __all__ = [
     "Race",
     "RatingInput",
     "SlipStudy",
+    "Truncation",
     "Warming",
     "bearing_frequencies",
     "bearing_life",
@@ -43,6 +46,7 @@ __all__ = [
     "clearance_to_contact_angle",
     "contact_angle_to_clearance",
     "contact_conditions",
+    "contact_stress",
     "critical_curves",
     "library_lubricant",
     "list_bearings",
@@ -65,6 +69,9 @@ _LAZY = {  # these need SciPy, which takes longer to import than a command line 
     "Warming": "clearance",
     "clearance_budget": "clearance",
     "contact_conditions": "contacts",
+    "ContactStress": "stresses",
+    "Truncation": "stresses",
+    "contact_stress": "stresses",
     "Frequencies": "frequencies",
     "bearing_frequencies": "frequencies",
     "LifeRating": "life",

@@ -46,6 +46,8 @@ class Bearing:
         Azimuth of ball 1 from the load line [rad].
     bore, outside_diameter, width : float or None
         Boundary dimensions [m].
+    inner_shoulder_diameter, outer_shoulder_diameter : float or None
+        Diameters of the lands beside the grooves, both sides alike [m].
 
     Raises
     ------
@@ -67,6 +69,8 @@ class Bearing:
     bore: float | None = None
     outside_diameter: float | None = None
     width: float | None = None
+    inner_shoulder_diameter: float | None = None
+    outer_shoulder_diameter: float | None = None
 
     def __post_init__(self) -> None:
         _check_lengths(self)
@@ -82,6 +86,7 @@ class Bearing:
             )
         if not isfinite(self.first_ball_azimuth):
             raise ValueError(f"first_ball_azimuth must be finite, got {self.first_ball_azimuth!r}")
+        _check_shoulders(self)
 
     @property
     def inner_conformity(self) -> float:
@@ -164,6 +169,18 @@ def _check_lengths(bearing: Bearing) -> None:
         value = getattr(bearing, field)
         if value is not None and not (isfinite(value) and value > 0.0):
             raise ValueError(f"{field} must be positive and finite, got {value!r} m")
+
+
+def _check_shoulders(bearing: Bearing) -> None:
+    """Shoulders between the bottom of their groove and its centre of curvature."""
+    inner, outer = 2.0 * bearing.inner_centre_radius, 2.0 * bearing.outer_centre_radius
+    for field, low, high in (
+        ("inner_shoulder_diameter", inner - 2.0 * bearing.inner_groove_radius, inner),
+        ("outer_shoulder_diameter", outer, outer + 2.0 * bearing.outer_groove_radius),
+    ):
+        value = getattr(bearing, field)
+        if value is not None and not low < value < high:
+            raise ValueError(f"{field} must lie between {low:.6g} and {high:.6g} m, got {value!r}")
 
 
 def clearance_to_contact_angle(

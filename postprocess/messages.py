@@ -7,6 +7,7 @@ from math import hypot
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from bearing.contacts import BearingContact
     from ehl import ContactSolution
 
     from .results import BearingResults
@@ -24,6 +25,16 @@ def listed(words: list[str]) -> str:
 def combined_roughness(race: str, surface: dict[str, float]) -> float:
     """Root mean square roughness of a race and the balls together [m]."""
     return hypot(surface[f"{race}_ring_roughness_um"], surface["ball_roughness_um"]) * MICROMETRE
+
+
+def lambda_ratio(
+    contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
+) -> float | None:
+    """Minimum film over the rms roughness of race and ball together [-]; None without film or roughness."""
+    if surface is None or solution is None or solution.film_minimum is None:
+        return None
+    roughness = combined_roughness(contact.race.value, surface)
+    return solution.film_minimum / roughness if roughness > 0.0 else None
 
 
 def absent_films(results: BearingResults) -> Iterator[str]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
-from .messages import combined_roughness
+from .messages import lambda_ratio
 
 if TYPE_CHECKING:
     from .results import BearingResults
@@ -55,11 +55,9 @@ def least_lambda(results: BearingResults) -> float | None:
     """Smallest lambda ratio of the films that converged and are resolved [-]; None without films or roughness."""
     surface, found = results.case.get("surface"), []
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
-        if not surface or solution is None or not (solution.converged and solution.resolved):
-            continue
-        roughness = combined_roughness(contact.race.value, surface)
-        if solution.film_minimum is not None and roughness > 0.0:
-            found.append(solution.film_minimum / roughness)
+        if solution is not None and solution.converged and solution.resolved:
+            ratio = lambda_ratio(contact, solution, surface)
+            found += [] if ratio is None else [ratio]
     return min(found, default=None)
 
 

@@ -6,9 +6,10 @@ from collections.abc import Iterator
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
-from .messages import absent_films, combined_roughness, ratio_messages
+from .messages import absent_films, lambda_ratio, ratio_messages
 from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
+from .stress import stress_messages, stress_values
 from .summary_contact import NOT_COMPUTED, films, formulas, solution_messages
 from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE, MILLIRADIAN, NEWTON_MILLIMETRE, RPM
 
@@ -46,7 +47,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "cage_speed_rpm": state.cage_speed / RPM,
         "balls": [_ball(state, i) for i in range(len(state.azimuth))],
         "contacts": [
-            _bearing_contact(c, s, results.case.get("surface"))
+            _bearing_contact(c, s, results.case.get("surface")) | stress_values(state, c)
             for c, s in zip(results.contacts, results.solutions, strict=True)
         ],
         "clearance": clearance_block(results),
@@ -108,7 +109,7 @@ def _bearing_contact(
         **films(solution),
         "pressure_maximum_GPa": None if solution is None else solution.pressure_maximum / GIGAPASCAL,
         "traction_coefficient": None,
-        "lambda_ratio": _lambda_ratio(contact, solution, surface),
+        "lambda_ratio": lambda_ratio(contact, solution, surface),
         "converged": None if solution is None else solution.converged,
         "resolved": None if solution is None else solution.resolved,
         "film_formulas_um": formulas(conditions),
@@ -118,16 +119,6 @@ def _bearing_contact(
         "points": None if solution is None else list(solution.P.shape),
         "note": contact.note,
     }
-
-
-def _lambda_ratio(
-    contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
-) -> float | None:
-    """Minimum film over the rms roughness of race and ball together [-]; None without film or roughness."""
-    if surface is None or solution is None or solution.film_minimum is None:
-        return None
-    roughness = combined_roughness(contact.race.value, surface)
-    return solution.film_minimum / roughness if roughness > 0.0 else None
 
 
 def _bearing_messages(results: BearingResults) -> Iterator[str]:
@@ -140,6 +131,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from absent_films(results)
     if any(c.conditions is None for c in results.contacts):
         yield "contacts: Hertz, speed and formula values null where a contact carries no load or no oil is entrained"
+    yield from stress_messages(results)
     yield from ratio_messages(results)
     yield from rating_messages(results)
     for part in ("contacts.traction_coefficient", "torque_N_mm"):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from math import degrees
 from typing import TYPE_CHECKING
 
+from .messages import lambda_ratio
 from .plot_style import value_with_error
 from .ratings import rating_rows
 from .results import BearingResults, ContactResults
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
     from ehl import ContactSolution
 
 NOTHING = "–"
-DECIMALS = 4  # of films [um]; more do not fit 80 columns
+DECIMALS = 4  # of films [um]; more do not fit 80 columns, and beside a lambda ratio one less
 
 
 def result_table(results: BearingResults | ContactResults) -> Group:
@@ -80,15 +81,21 @@ def _contacts_table(results: BearingResults) -> Table:
     from rich.table import Table
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), collapse_padding=True)
-    for header in ("ball", "ψ °", "race", "load N", "p_h GPa", "angle °", "h_c µm", "h_min µm"):
+    surface = results.case.get("surface")
+    last = ("α °", "h_c µm", "h_min µm", "λ") if surface else ("angle °", "h_c µm", "h_min µm")
+    for header in ("ball", "ψ °", "race", "load N", "p_h GPa", *last):
         table.add_column(header, justify="left" if header == "race" else "right", no_wrap=True)
     table.add_column("", no_wrap=True)
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
-        table.add_row(*_contact_cells(contact, solution), end_section=False)
+        cells = _contact_cells(contact, solution, DECIMALS - 1 if surface else DECIMALS)
+        if surface:
+            value = lambda_ratio(contact, solution, surface)
+            cells.append(NOTHING if value is None else f"{value:.3g}")
+        table.add_row(*cells, _flags(solution), end_section=False)
     return table
 
 
-def _contact_cells(contact: BearingContact, solution: ContactSolution | None) -> list[str]:
+def _contact_cells(contact: BearingContact, solution: ContactSolution | None, most: int) -> list[str]:
     inner = contact.race.value == "inner"
     loaded = contact.load > 0.0
     return [
@@ -98,19 +105,18 @@ def _contact_cells(contact: BearingContact, solution: ContactSolution | None) ->
         f"{contact.load:.1f}" if loaded else "0",
         NOTHING if contact.hertz is None else f"{contact.hertz.pressure / GIGAPASCAL:.3f}",
         f"{degrees(contact.contact_angle) + 0.0:.2f}" if loaded else NOTHING,
-        _film(solution, "film_central"),
-        _film(solution, "film_minimum"),
-        _flags(solution),
+        _film(solution, "film_central", most),
+        _film(solution, "film_minimum", most),
     ]
 
 
-def _film(solution: ContactSolution | None, name: str) -> str:
-    """Film and its uncertainty [um]."""
+def _film(solution: ContactSolution | None, name: str, most: int = DECIMALS) -> str:
+    """Film and its uncertainty [um] with at most so many decimals."""
     value = None if solution is None else getattr(solution, name)
     if value is None:
         return NOTHING
     error = getattr(solution, f"{name}_uncertainty")
-    return value_with_error(value / MICROMETRE, error / MICROMETRE, most=DECIMALS)
+    return value_with_error(value / MICROMETRE, error / MICROMETRE, most=most)
 
 
 def _flags(solution: ContactSolution | None) -> str:

@@ -96,6 +96,21 @@ def boundary(values: Values) -> Iterator[Problem]:
         yield Problem(path=("bearing", "outside_diameter_mm"), found=f"found {shown(outside)}", allowed=allowed)
 
 
+def shoulders(values: Values) -> Iterator[Problem]:
+    """Shoulders between the raceway and the pitch circle."""
+    if (found := _bearing(values, "ball_diameter_mm", "pitch_diameter_mm")) is None or found[1] <= found[0]:
+        return
+    diameter, pitch = found
+    for key, low, high in (
+        ("inner_shoulder_diameter_mm", pitch - diameter, pitch),
+        ("outer_shoulder_diameter_mm", pitch, pitch + diameter),
+    ):
+        value = values.get("bearing", key)
+        if value is not None and not low < value < high:
+            allowed = f"allowed: between {low:g} and {high:g} mm, raceway and pitch circle"
+            yield Problem(path=("bearing", key), found=f"found {shown(value)}", allowed=allowed)
+
+
 def seats(values: Values) -> Iterator[Problem]:
     """What the fits need: bore and outside diameter, within shaft and housing."""
     if values.get("fit") is None:

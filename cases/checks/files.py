@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..problems import Problem
-from .bearing import ball_count, bearing_materials, boundary, clearance, grooves, required_geometry, seats
+from .bearing import ball_count, bearing_materials, boundary, clearance, grooves, required_geometry, seats, shoulders
 from .contact import contact_groups
 from .lubricant import lubricant
 from .operation import film_maps, loads, tilt
@@ -14,7 +14,18 @@ from .values import Names, Values, known
 
 def bearing_problems(values: Values, names: Names) -> Iterator[Problem]:
     """Every conflict within a bearing case."""
-    for check in (required_geometry, grooves, ball_count, clearance, boundary, seats, loads, tilt, film_maps):
+    for check in (
+        required_geometry,
+        grooves,
+        ball_count,
+        clearance,
+        boundary,
+        shoulders,
+        seats,
+        loads,
+        tilt,
+        film_maps,
+    ):
         yield from check(values)
     yield from bearing_materials(values, names)
     for key in ("shaft_material", "housing_material"):

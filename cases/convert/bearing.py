@@ -24,6 +24,7 @@ def bearing(file: BearingFile) -> Bearing:
     ball, inner, outer = ring_materials(table)
     library = materials(file, (ball, inner, outer))
     optional = {"bore": table.bore_mm, "outside_diameter": table.outside_diameter_mm, "width": table.width_mm}
+    optional |= {f"{r}_shoulder_diameter": getattr(table, f"{r}_shoulder_diameter_mm") for r in ("inner", "outer")}
     return Bearing(
         name=table.name or file.title or "bearing",
         ball_diameter=mm(table.ball_diameter_mm),

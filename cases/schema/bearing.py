@@ -33,8 +33,8 @@ class BearingTable(Table):
     bore_mm: float | None = length("bore diameter")
     outside_diameter_mm: float | None = length("outside diameter")
     width_mm: float | None = length("width of the rings")
-    inner_shoulder_diameter_mm: float | None = length("recorded only")
-    outer_shoulder_diameter_mm: float | None = length("recorded only")
+    inner_shoulder_diameter_mm: float | None = length("of the lands beside the inner groove, for the cut of ellipses")
+    outer_shoulder_diameter_mm: float | None = length("of the lands beside the outer groove, for the cut of ellipses")
     nominal_contact_angle_deg: float | None = Field(
         None, ge=0.0, le=80.0, description="of the rating life; left out, free_contact_angle_deg, or 0 without that"
     )

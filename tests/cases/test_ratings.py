@@ -162,3 +162,19 @@ def test_without_film_there_is_no_kappa_of_it():
         None
     ] * 3
     assert any("kappa_film" in message for message in found["messages"])
+
+
+def test_a_shoulder_that_cuts_the_ellipse_is_told():
+    """A shoulder barely above the raceway cuts the heaviest ellipses at the inner race; the outer one gives none."""
+    found = summary(run_case(case(CASE.replace('name = "6208"', 'name = "6208"\ninner_shoulder_diameter_mm = 48.3'))))
+    loaded = [contact for contact in found["contacts"] if contact["loaded"]]
+    shares = {race: [c["truncated_length_share"] for c in loaded if c["race"] == race] for race in ("inner", "outer")}
+    assert max(shares["inner"]) > 0.0
+    assert set(shares["outer"]) == {None}
+    assert any("shoulder of the inner ring cuts the ellipse" in message for message in found["messages"])
+    assert all(contact["shear_maximum_GPa"] < 0.33 * contact["hertz_pressure_GPa"] for contact in loaded)
+
+
+@pytest.mark.parametrize(("key", "value"), [("inner_shoulder_diameter_mm", 47.0), ("outer_shoulder_diameter_mm", 73.0)])
+def test_shoulders_beyond_the_groove_are_refused(key, value):
+    assert key in faults(CASE.replace('name = "6208"', f'name = "6208"\n{key} = {value}'))

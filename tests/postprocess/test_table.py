@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 from rich.console import Console
 
 from postprocess.table import result_table
@@ -42,6 +43,23 @@ def precise(solution, uncertainty):
         film_central_dimensionless=replace(central, uncertainty=share),
         film_minimum_dimensionless=replace(minimum, uncertainty=share),
     )
+
+
+def test_lambda_is_shown_where_there_is_roughness(bearing_results):
+    surface = {"inner_ring_roughness_um": 0.1, "outer_ring_roughness_um": 0.1, "ball_roughness_um": 0.02}
+    known = {id(s): precise(s, 1.2e-10) for s in bearing_results.solutions if s is not None}
+    fine = replace(
+        bearing_results,
+        case={**bearing_results.case, "surface": surface},
+        solutions=tuple(known.get(id(s)) for s in bearing_results.solutions),
+    )
+    text = printed(fine)
+    assert max(len(line.rstrip()) for line in text.splitlines()) <= 80
+    assert "…" not in text
+    assert "λ" in text
+    assert "λ" not in printed(bearing_results)
+    expected = fine.solutions[0].film_minimum / np.hypot(0.1e-6, 0.02e-6)
+    assert f"{expected:.3g}" in text
 
 
 def test_flags_are_explained(bearing_results):
