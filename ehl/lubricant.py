@@ -1,4 +1,4 @@
-"""Lubricant: density and viscosity as functions of pressure, isothermal."""
+"""Lubricant: density and viscosity as functions of pressure, and of temperature where its thermal data are given."""
 
 from __future__ import annotations
 
@@ -7,14 +7,27 @@ from enum import Enum
 from math import isfinite, log
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
+
+from .free_volume import (
+    DoolittleFreeVolume,
+    TaitVolume,
+    YasutomiGlass,
+    log_viscosity_doolittle,
+    log_viscosity_yasutomi,
+    pressure_viscosity_doolittle,
+    pressure_viscosity_yasutomi,
+    relative_volume,
+)
 
 Array = NDArray[np.float64]
 
 ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
 ROELANDS_LOG_OFFSET = 9.67  # ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
+ROELANDS_TEMPERATURE = 138.0  # [K], -135 degrees Celsius, Roelands (1966)
 DOWSON_HIGGINSON_NUMERATOR = 0.6e-9  # [1/Pa], Dowson and Higginson (1966)
 DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9  # [1/Pa], Dowson and Higginson (1966)
+PRESSURE_VISCOSITY_TOLERANCE = 0.01  # share by which a given coefficient may differ from that of the law's constants
 
 
 class ViscosityLaw(Enum):
@@ -23,6 +36,8 @@ class ViscosityLaw(Enum):
     ROELANDS = "roelands"
     BARUS = "barus"
     ISOVISCOUS = "isoviscous"
+    TAIT_DOOLITTLE = "tait-doolittle"
+    YASUTOMI = "yasutomi"
 
 
 class DensityLaw(Enum):
@@ -30,6 +45,40 @@ class DensityLaw(Enum):
 
     DOWSON_HIGGINSON = "dowson-higginson"
     INCOMPRESSIBLE = "incompressible"
+    TAIT = "tait"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ThermalProperties:
+    """What an oil needs beside its isothermal properties to be solved with heat, SI.
+
+    Attributes
+    ----------
+    conductivity : float
+        Thermal conductivity k [W/(m K)].
+    specific_heat : float
+        Specific heat capacity c [J/(kg K)].
+    viscosity_temperature : float
+        beta = -d(ln eta)/dT at ambient pressure and the temperature of operation [1/K]; not looked at by laws that
+        have their own temperature dependence.
+    expansion : float
+        Thermal expansion -d(ln rho)/dT [1/K].
+    """
+
+    conductivity: float
+    specific_heat: float
+    viscosity_temperature: float
+    expansion: float = 0.0
+
+    def __post_init__(self) -> None:
+        for field in ("conductivity", "specific_heat"):
+            value = getattr(self, field)
+            if not (isfinite(value) and value > 0.0):
+                raise ValueError(f"{field} must be positive and finite, got {value!r}")
+        for field in ("viscosity_temperature", "expansion"):
+            value = getattr(self, field)
+            if not (isfinite(value) and value >= 0.0):
+                raise ValueError(f"{field} must be zero or positive and finite, got {value!r}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,6 +99,16 @@ class Lubricant:
     roelands_pressure : float
         Roelands' reference pressure p_r [Pa].
     name : str
+    temperature : float or None
+        Temperature of operation, at which the values hold [K]; needed by laws that depend on it and to solve with heat.
+    tait : TaitVolume or None
+        Constants of the density law and of Doolittle's viscosity law.
+    doolittle : DoolittleFreeVolume or None
+        Constants of the viscosity law tait-doolittle.
+    yasutomi : YasutomiGlass or None
+        Constants of the viscosity law yasutomi.
+    thermal : ThermalProperties or None
+        What a solve with heat needs.
     """
 
     viscosity: float
@@ -60,6 +119,11 @@ class Lubricant:
     roelands_z: float | None = None
     roelands_pressure: float = ROELANDS_PRESSURE
     name: str = ""
+    temperature: float | None = None
+    tait: TaitVolume | None = None
+    doolittle: DoolittleFreeVolume | None = None
+    yasutomi: YasutomiGlass | None = None
+    thermal: ThermalProperties | None = None
 
     def __post_init__(self) -> None:
         for field in ("viscosity", "density", "roelands_pressure"):
@@ -70,6 +134,9 @@ class Lubricant:
             raise ValueError(f"pressure_viscosity must be zero or positive and finite, got {self.pressure_viscosity!r}")
         if self.viscosity_law is ViscosityLaw.ROELANDS and not 0.0 < self.exponent <= 2.0:
             raise ValueError(f"roelands_z must lie in (0, 2], got {self.exponent!r}")
+        if self.temperature is not None and not (isfinite(self.temperature) and self.temperature > 0.0):
+            raise ValueError(f"temperature must be positive and finite, got {self.temperature!r}")
+        _require_constants(self)
 
     @property
     def exponent(self) -> float:
@@ -77,6 +144,34 @@ class Lubricant:
         if self.roelands_z is not None:
             return self.roelands_z
         return self.pressure_viscosity * self.roelands_pressure / (log(self.viscosity) + ROELANDS_LOG_OFFSET)
+
+
+def _require_constants(lubricant: Lubricant) -> None:
+    """Each law has its constants, and they agree with the pressure-viscosity coefficient."""
+    wanted = []
+    if lubricant.density_law is DensityLaw.TAIT:
+        wanted = ["tait", "temperature"]
+    if lubricant.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE:
+        wanted += ["tait", "doolittle", "temperature"]
+    if lubricant.viscosity_law is ViscosityLaw.YASUTOMI:
+        wanted += ["yasutomi", "temperature"]
+    for field in wanted:
+        if getattr(lubricant, field) is None:
+            laws = f"{lubricant.viscosity_law.value}, {lubricant.density_law.value}"
+            raise ValueError(f"{field} is needed by the laws {laws}")
+    own, given = law_pressure_viscosity(lubricant), lubricant.pressure_viscosity
+    if abs(given - own) > PRESSURE_VISCOSITY_TOLERANCE * own:
+        raise ValueError(f"pressure_viscosity must be that of the law's constants, {own:.4e} 1/Pa, got {given!r}")
+
+
+def law_pressure_viscosity(lubricant: Lubricant) -> float:
+    """d(ln eta)/dp at ambient pressure that the constants of the lubricant's law imply [1/Pa]."""
+    oil, temperature = lubricant, lubricant.temperature
+    if oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait and oil.doolittle and temperature:
+        return pressure_viscosity_doolittle(oil.tait, oil.doolittle, temperature)
+    if oil.viscosity_law is ViscosityLaw.YASUTOMI and oil.yasutomi and temperature:
+        return pressure_viscosity_yasutomi(oil.yasutomi, temperature)
+    return oil.pressure_viscosity
 
 
 def viscosity_roelands(p: Array, lubricant: Lubricant) -> Array:
@@ -102,18 +197,89 @@ def viscosity_barus(p: Array, lubricant: Lubricant) -> Array:
     return lubricant.viscosity * np.exp(lubricant.pressure_viscosity * p)
 
 
-def viscosity(p: Array, lubricant: Lubricant) -> Array:
-    """Dynamic viscosity [Pa s] at pressure `p` [Pa] after the lubricant's own law."""
-    if lubricant.viscosity_law is ViscosityLaw.ROELANDS:
-        return viscosity_roelands(p, lubricant)
-    if lubricant.viscosity_law is ViscosityLaw.BARUS:
-        return viscosity_barus(p, lubricant)
-    return np.full_like(np.asarray(p, dtype=np.float64), lubricant.viscosity)
+def log_viscosity_ratio(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
+    """ln(eta/eta_0) after the lubricant's own law, eta_0 at ambient pressure and the temperature of operation T_0 [-].
+
+    With temperature, D = T - T_0: Roelands (1966) s {(1 + p/p_r)^z [(T - 138 K)/(T_0 - 138 K)]^(-S) - 1}, S such that
+    -d(ln eta)/dT = beta at T_0 and ambient pressure; Yasutomi, and Doolittle with an expansion of the occupied volume,
+    as their laws say; the others -beta D on top of the isothermal law.
+
+    Parameters
+    ----------
+    p : array_like
+        Pressure [Pa].
+    lubricant : Lubricant
+    temperature : array_like, optional
+        Temperature [K]; None: that of operation. Needs the lubricant's `temperature` and `thermal`.
+    """
+    oil, p = lubricant, np.asarray(p, dtype=np.float64)
+    reference, at = (0.0, 0.0) if oil.temperature is None else (oil.temperature, oil.temperature)
+    above = np.zeros(()) if temperature is None else np.asarray(temperature) - _operation(oil)
+    if oil.viscosity_law is ViscosityLaw.YASUTOMI and oil.yasutomi is not None:
+        law, glass = log_viscosity_yasutomi, oil.yasutomi
+        return law(p, at + above, glass) - law(0.0, reference, glass)
+    if oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait is not None and oil.doolittle is not None:
+        result = log_viscosity_doolittle(p, at + above, oil.tait, oil.doolittle)
+        result = result - log_viscosity_doolittle(0.0, reference, oil.tait, oil.doolittle)
+        own = oil.doolittle.occupied_expansion is not None
+        return result if own else result - _beta(oil, temperature) * above
+    if oil.viscosity_law is ViscosityLaw.ROELANDS and oil.pressure_viscosity > 0.0:
+        return _log_roelands(p, oil, None if temperature is None else above)
+    slope = oil.pressure_viscosity if oil.viscosity_law is ViscosityLaw.BARUS else 0.0
+    return slope * p - _beta(oil, temperature) * above
 
 
-def density(p: Array, lubricant: Lubricant) -> Array:
-    """Density [kg/m^3] at pressure `p` [Pa]: rho_0 [1 + 0.6 p/(1 + 1.7 p)], p in GPa, Dowson and Higginson (1966)."""
-    if lubricant.density_law is DensityLaw.INCOMPRESSIBLE:
-        return np.full_like(np.asarray(p, dtype=np.float64), lubricant.density)
-    ratio = 1.0 + DOWSON_HIGGINSON_NUMERATOR * p / (1.0 + DOWSON_HIGGINSON_DENOMINATOR * p)
+def _log_roelands(p: Array, oil: Lubricant, above: Array | None) -> Array:
+    z, p_r = oil.exponent, oil.roelands_pressure
+    s = oil.pressure_viscosity * p_r / z
+    rise = (1.0 + p / p_r) ** z
+    if above is not None:
+        room = _operation(oil) - ROELANDS_TEMPERATURE
+        if room <= 0.0:
+            raise ValueError(
+                f"temperature must exceed {ROELANDS_TEMPERATURE:g} K for Roelands' law, got {_operation(oil)}"
+            )
+        warmth = np.maximum(1.0 + above / room, 1e-3)  # the law ends at 138 K; iterates may not
+        rise = rise * warmth ** (-_beta(oil, above) * room / s)
+    return s * (rise - 1.0)
+
+
+def _operation(oil: Lubricant) -> float:
+    if oil.temperature is None:
+        raise ValueError("temperature of the lubricant is needed to vary it")
+    return oil.temperature
+
+
+def _beta(oil: Lubricant, temperature: ArrayLike | None) -> float:
+    if temperature is None:
+        return 0.0
+    if oil.thermal is None:
+        raise ValueError("thermal properties of the lubricant are needed to vary its temperature")
+    return oil.thermal.viscosity_temperature
+
+
+def viscosity(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
+    """Dynamic viscosity [Pa s] at pressure `p` [Pa] and temperature [K] after the lubricant's own law."""
+    return lubricant.viscosity * np.exp(log_viscosity_ratio(p, lubricant, temperature))
+
+
+def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
+    """Density [kg/m^3] at pressure `p` [Pa] and temperature [K] after the lubricant's own law.
+
+    rho_0 [1 + 0.6 p/(1 + 1.7 p)], p in GPa, Dowson and Higginson (1966), or rho_0; both times exp[-e (T - T_0)] with
+    the oil's thermal expansion e. Tait: rho_0 V(0, T_0)/V(p, T), with that factor if Tait's own expansion is zero.
+    """
+    p = np.asarray(p, dtype=np.float64)
+    if lubricant.density_law is DensityLaw.TAIT and lubricant.tait is not None:
+        start = _operation(lubricant)
+        now = start if temperature is None else temperature
+        ratio = relative_volume(0.0, start, lubricant.tait) / relative_volume(p, now, lubricant.tait)
+        if lubricant.tait.expansion > 0.0:
+            return lubricant.density * ratio
+    elif lubricant.density_law is DensityLaw.DOWSON_HIGGINSON:
+        ratio = 1.0 + DOWSON_HIGGINSON_NUMERATOR * p / (1.0 + DOWSON_HIGGINSON_DENOMINATOR * p)
+    else:
+        ratio = np.ones_like(p)
+    if temperature is not None and lubricant.thermal is not None:
+        ratio = ratio * np.exp(-lubricant.thermal.expansion * (np.asarray(temperature) - _operation(lubricant)))
     return lubricant.density * ratio

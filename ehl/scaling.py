@@ -21,6 +21,7 @@ from .lubricant import (
     ViscosityLaw,
 )
 
+CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)  # s [(1 + q P)^z - 1]
 ALIGNED = 1e-12  # |C| below this is an entrainment along a principal direction
 ROTATION_NOTED = (
     1e-3  # speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is left out
@@ -136,6 +137,8 @@ def _scaled(
     ratio = ellipse_ratio(d)
     c, s = cos(frame.angle), sin(frame.angle)
     slope, relative_pressure, exponent = _viscosity_coefficients(g * l * m ** (1 / 3), pressure, lubricant)
+    if lubricant.density_law is DensityLaw.TAIT:
+        raise ValueError("density_law tait is not one that the contact solver knows")
     compressible = lubricant.density_law is DensityLaw.DOWSON_HIGGINSON
     return ScaledContact(
         curvature_x=c * c + d * s * s,
@@ -168,6 +171,8 @@ def _scaled(
 
 def _viscosity_coefficients(product: float, pressure: float, lubricant: Lubricant) -> tuple[float, float, float]:
     """(s, q, z) of ln(eta/eta_0) = s [(1 + q P)^z - 1]; Barus is z = 1, isoviscous s = 0; product = alpha p_h."""
+    if lubricant.viscosity_law not in CLOSED_FORM_LAWS:
+        raise ValueError(f"viscosity_law {lubricant.viscosity_law.value} is not one that the contact solver knows")
     if lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS or product == 0.0:
         return 0.0, 1.0, 1.0
     if lubricant.viscosity_law is ViscosityLaw.BARUS:
