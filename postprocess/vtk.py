@@ -27,6 +27,7 @@ from .geometry import (
 )
 from .results import BearingResults, ContactResults
 from .results_io import atomic_path, contact_name
+from .subsurface import StressVolume, stress_volume
 from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 
-COLLECTION_FILE, BLOCK_FOLDER = "fields.pvd", "vtk"
+COLLECTION_FILE, STRESS_FILE, BLOCK_FOLDER = "fields.pvd", "subsurface.pvd", "vtk"
 FILM, PRESSURE = "film thickness [um]", "pressure [GPa]"
 OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
 
@@ -83,6 +84,54 @@ def write_collection(
     collection = directory / COLLECTION_FILE
     _write_text(collection, _collection(f"{BLOCK_FOLDER}/fields.vtm"))
     return collection
+
+
+def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
+    """Write the stress in the races below the solved contacts, one volume each, if the case asks for it.
+
+    Parameters
+    ----------
+    results : BearingResults
+    directory : Path
+        Result directory; the blocks go to its folder `vtk`.
+
+    Returns
+    -------
+    Path or None
+        The .pvd file; lengths in [mm], stresses in [GPa], in the frame of the contact: x along the rolling direction, z
+        into the race.
+    """
+    if not results.case.get("ehl", {}).get("subsurface_stress"):
+        return None
+    bearing = results.quasistatic.bearing
+    blocks: dict[str, dict[str, str]] = {}
+    for contact, solution in zip(results.contacts, results.solutions, strict=True):
+        if solution is not None:
+            race = contact.race.value
+            ring = bearing.inner_ring_material if race == "inner" else bearing.outer_ring_material
+            volume = stress_volume(contact, solution, 0.5 * bearing.ball_diameter, ring.poisson_ratio)
+            ball, _ = contact_name(contact.ball, race).split("/")
+            blocks.setdefault(ball, {})[race] = _write_grid(volume_grid(volume), directory, f"{ball}_{race}_stress")
+    _write_text(directory / BLOCK_FOLDER / "subsurface.vtm", _multiblock(blocks))
+    _write_text(directory / STRESS_FILE, _collection(f"{BLOCK_FOLDER}/subsurface.vtm"))
+    return directory / STRESS_FILE
+
+
+def volume_grid(volume: StressVolume) -> Any:
+    """The stress below a contact as a vtkStructuredGrid, lengths in [mm], stresses in [GPa]."""
+    from vtkmodules.util.numpy_support import numpy_to_vtk
+
+    grid = structured_grid(volume.points / MILLIMETRE)
+    add_point_data(grid, "largest shear [GPa]", volume.maximum_shear / GIGAPASCAL)
+    add_point_data(grid, "von Mises stress [GPa]", volume.von_mises / GIGAPASCAL)
+    add_point_data(grid, "depth [mm]", np.broadcast_to(volume.depth, volume.maximum_shear.shape) / MILLIMETRE)
+    components = np.stack([part.ravel(order="F") for part in volume.stress], axis=1) / GIGAPASCAL
+    tensor = numpy_to_vtk(components.astype(np.float32), deep=True)
+    tensor.SetName("stress xx yy zz xy yz xz [GPa]")
+    grid.GetPointData().AddArray(tensor)
+    grid.GetPointData().SetActiveScalars("largest shear [GPa]")
+    add_field_data(grid, "coordinates", "mm")
+    return grid
 
 
 def placed_patch(contact: BearingContact, solution: ContactSolution, ball_radius: float, placement: Placement) -> Any:
@@ -165,22 +214,23 @@ def _groove_axial(results: BearingResults, race: str) -> float:
 
 
 def structured_grid(points: Array) -> Any:
-    """Build a vtkStructuredGrid of points, shape (nx, ny, 3) [mm or a]."""
+    """Build a vtkStructuredGrid of points, shape (nx, ny, 3) or (nx, ny, nz, 3) [mm or a]."""
     from vtkmodules.util.numpy_support import numpy_to_vtk
     from vtkmodules.vtkCommonCore import vtkPoints
     from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
 
-    nx, ny, _ = points.shape
+    nx, ny, nz = (*points.shape[:-1], 1)[:3]
     corners = vtkPoints()
-    corners.SetData(numpy_to_vtk(points.transpose(1, 0, 2).reshape(-1, 3).astype(np.float32), deep=True))
+    columns = np.stack([points[..., k].ravel(order="F") for k in range(3)], axis=1)
+    corners.SetData(numpy_to_vtk(columns.astype(np.float32), deep=True))
     grid = vtkStructuredGrid()
-    grid.SetDimensions(nx, ny, 1)
+    grid.SetDimensions(nx, ny, nz)
     grid.SetPoints(corners)
     return grid
 
 
 def add_point_data(grid: Any, name: str, values: Array) -> None:
-    """Add a field, shape (nx, ny), whose unit stands in its name, such as film [um], as float32."""
+    """Add a field on the nodes whose unit stands in its name, such as film [um], as float32."""
     from vtkmodules.util.numpy_support import numpy_to_vtk
 
     array = numpy_to_vtk(values.T.ravel().astype(np.float32), deep=True)

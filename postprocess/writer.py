@@ -61,7 +61,9 @@ def _plots(results: BearingResults | ContactResults, folder: Path) -> tuple[str,
 
 
 def _vtk(results: BearingResults | ContactResults, folder: Path) -> tuple[str, ...]:
-    from .vtk import write_collection
+    from .vtk import write_collection, write_subsurface
 
     write_collection(results, folder)
+    if isinstance(results, BearingResults):
+        write_subsurface(results, folder)
     return ()

@@ -39,6 +39,9 @@ class EhlTable(ContactEhlTable):
         "all",
         description="balls whose films are solved",
     )
+    subsurface_stress: bool = Field(
+        False, description="also write the stress in the races below every solved pressure, for ParaView"
+    )
 
 
 class ContactTable(Table):

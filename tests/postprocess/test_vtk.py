@@ -5,13 +5,14 @@ from __future__ import annotations
 import shutil
 import subprocess
 import sys
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
 from postprocess.geometry import ContactFrame, Placement, place_patch, ring_surface
-from postprocess.vtk import FILM, PRESSURE, write_collection
+from postprocess.vtk import FILM, PRESSURE, write_collection, write_subsurface
 
 pv = pytest.importorskip("pyvista")
 
@@ -102,3 +103,20 @@ def test_writing_needs_no_rendering_library():
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert answer.stdout.strip() == "False"
+
+
+def test_stress_below_the_contacts_on_request(bearing_results, tmp_path):
+    """One volume a solved contact, its surface on the ball, the largest shear near that of Hertz (0.3 p_h)."""
+    assert write_subsurface(bearing_results, tmp_path) is None
+    case = {**bearing_results.case, "ehl": {"subsurface_stress": True}}
+    first = (bearing_results.solutions[0],) + (None,) * (len(bearing_results.solutions) - 1)
+    path = write_subsurface(replace(bearing_results, case=case, solutions=first), tmp_path)
+    block = pv.get_reader(path).read()[0]["ball01"]["inner"]
+    contact, hertz = bearing_results.contacts[0], bearing_results.contacts[0].hertz
+    centre = (contact.origin - 0.006 * contact.normal) * 1e3
+    surface = block["depth [mm]"] == 0.0
+    assert_allclose(np.linalg.norm(block.points[surface] - centre, axis=1), 6.0, rtol=1e-5)
+    shear = block["largest shear [GPa]"]
+    assert shear.max() == pytest.approx(0.3e-9 * hertz.pressure, rel=0.15)  # the fixture's pressure is made up
+    assert block["stress xx yy zz xy yz xz [GPa]"].shape == (block.n_points, 6)
+    assert block["stress xx yy zz xy yz xz [GPa]"][surface, 2].min() == pytest.approx(-1e-9 * hertz.pressure, rel=0.1)
