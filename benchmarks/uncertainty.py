@@ -41,7 +41,7 @@ def level_films(m, l, ratio, angle):  # noqa: E741
         load_parameter=m, lubricant_parameter=l, radius_ratio=ratio, entrainment_angle=angle, lubricant=OIL
     )
     contact = scale_contact(conditions)
-    outcome = solve_with_fallbacks(contact, choose_domain(contact), SolverOptions(points=1025), Progress())
+    outcome = solve_with_fallbacks((contact, contact), choose_domain(contact), SolverOptions(points=1025), Progress())
     return outcome.films, outcome.state.levels[-1].grid.hx
 
 

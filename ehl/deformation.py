@@ -43,21 +43,21 @@ def patch_integral(x: Array, y: Array, hx: float, hy: float) -> Array:
     ndarray
         The integral [-].
     """
-
-    def corner(u: Array, v: Array) -> Array:
-        # the corners are never on an axis: positions are whole multiples of the sides
-        return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
-
     west, east, south, north = x - 0.5 * hx, x + 0.5 * hx, y - 0.5 * hy, y + 0.5 * hy
-    return corner(east, north) - corner(west, north) - corner(east, south) + corner(west, south)
+    return patch_corner(east, north) - patch_corner(west, north) - patch_corner(east, south) + patch_corner(west, south)
+
+
+def patch_corner(u: Array, v: Array) -> Array:
+    """u asinh(v/|u|) + v asinh(u/|v|) for corners that are not on an axis [-]."""
+    return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
 
 def deflection_kernel(grid: Grid, deformation: float) -> DeflectionKernel:
     """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
     cells_x, cells_y = grid.nx - 1, (2 if grid.symmetric else 1) * (grid.ny - 1)
-    x = grid.hx * np.arange(cells_x + 1, dtype=np.float64)
-    y = grid.hy * np.arange(cells_y + 1, dtype=np.float64)
-    quarter = deformation * patch_integral(x[None, :], y[:, None], grid.hx, grid.hy)
+    x = grid.hx * (np.arange(cells_x + 2) - 0.5)
+    y = grid.hy * (np.arange(cells_y + 2) - 0.5)
+    quarter = deformation * np.diff(np.diff(patch_corner(x[None, :], y[:, None]), axis=0), axis=1)  # patch_integral
     # even in x and y: the cosine transform of the quarter is the real spectrum on the doubled, periodic grid
     spectrum = fft.dct(fft.dct(quarter, type=1, axis=1), type=1, axis=0)
     if grid.symmetric:

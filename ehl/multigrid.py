@@ -24,12 +24,14 @@ from .far_field import FarField, edge_pressure, exterior_load
 from .flow_model import FlowFactors, FlowModel, entrainment_factors
 from .grid import Grid
 from .scaling import ScaledContact
-from .transfer import full_weighting, inject, interpolate_linear
+from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 Array = NDArray[np.float64]
 
 COARSEST_SWEEPS = 10
-SINGLE_VISITS = 2  # levels above the coarsest that visit the next lower one once a cycle instead of twice
+# levels above the coarsest, and finest levels, that visit the next lower one once a cycle instead of twice: below,
+# calling costs more than arithmetic; above, a second visit costs more deflections than it saves
+SINGLE_VISITS = (2, 2)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -238,19 +240,20 @@ def load_error(state: Multigrid, index: int) -> float:
 
 
 def cycle(state: Multigrid, index: int, sweeps: tuple[int, int] = (2, 1)) -> None:
-    """One W-cycle from level `index` down; the coarsest level also moves H0 towards the load balance.
+    """One cycle from level `index` down; the coarsest level also moves H0 towards the load balance.
 
-    The lowest levels are visited once: their grids are so small that calling them costs more than their arithmetic.
+    W between the levels of `SINGLE_VISITS`, V above and below.
     """
     if index == 0:
         _solve_coarsest(state)
     else:
         for _ in range(sweeps[0]):
             relax(state, index)
-        start = _restrict(state, index)
-        for _ in range(2 if index > SINGLE_VISITS else 1):
+        start, approach = _restrict(state, index), state.approach
+        lowest, highest = SINGLE_VISITS
+        for _ in range(2 if lowest < index < len(state.levels) - highest else 1):
             cycle(state, index - 1, sweeps)
-        _correct(state, index, start)
+        _correct(state, index, start, approach)
         for _ in range(sweeps[1]):
             relax(state, index)
     if state.far_field is not None and state.levels[index].s is state.levels[index].gap:
@@ -282,12 +285,15 @@ def _restrict(state: Multigrid, index: int) -> Array:
     return start
 
 
-def _correct(state: Multigrid, index: int, start: Array) -> None:
-    """P += correction where P > 0, then the film."""
+def _correct(state: Multigrid, index: int, start: Array, approach: float) -> None:
+    """P += correction where P > 0, and the film by interpolation from below: the next sweep deflects it anew."""
     fine, coarse = state.levels[index], state.levels[index - 1]
+    share = state.damping.correction
     correction = interpolate_linear(coarse.P - start)
-    fine.P = np.where(fine.P > 0.0, np.maximum(fine.P + state.damping.correction * correction, 0.0), 0.0)
-    update_film(state, index)
+    fine.P = np.where(fine.P > 0.0, np.maximum(fine.P + share * correction, 0.0), 0.0)
+    deflection = coarse.H - coarse.s - state.approach
+    fine.H += share * interpolate_cubic(deflection, fine.grid.symmetric)
+    fine.H += state.approach - approach
 
 
 def _update_exterior(state: Multigrid, index: int) -> None:
