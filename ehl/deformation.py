@@ -55,8 +55,8 @@ def patch_corner(u: Array, v: Array) -> Array:
 def deflection_kernel(grid: Grid, deformation: float) -> DeflectionKernel:
     """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
     cells_x, cells_y = grid.nx - 1, (2 if grid.symmetric else 1) * (grid.ny - 1)
-    x = grid.hx * (np.arange(cells_x + 2) - 0.5)
-    y = grid.hy * (np.arange(cells_y + 2) - 0.5)
+    x = grid.hx * (np.arange(cells_x + 2, dtype=np.float64) - 0.5)
+    y = grid.hy * (np.arange(cells_y + 2, dtype=np.float64) - 0.5)
     quarter = deformation * np.diff(np.diff(patch_corner(x[None, :], y[:, None]), axis=0), axis=1)  # patch_integral
     # even in x and y: the cosine transform of the quarter is the real spectrum on the doubled, periodic grid
     spectrum = fft.dct(fft.dct(quarter, type=1, axis=1), type=1, axis=0)
