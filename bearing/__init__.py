@@ -16,11 +16,14 @@ if TYPE_CHECKING:
     from .contacts import BearingContact, contact_conditions
     from .frequencies import Frequencies, bearing_frequencies
     from .life import LifeRating, bearing_life
+    from .preload import Arrangement, duplex, preload_offset, preloaded_row
     from .quasistatic import QuasistaticSolution, solve_quasistatic
+    from .rows import Row
     from .slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
     from .stresses import ContactStress, Truncation, contact_stress
 
 __all__ = [
+    "Arrangement",
     "BallKinematics",
     "Bearing",
     "BearingContact",
@@ -37,6 +40,7 @@ __all__ = [
     "QuasistaticSolution",
     "Race",
     "RatingInput",
+    "Row",
     "SlipStudy",
     "Truncation",
     "Warming",
@@ -48,6 +52,7 @@ __all__ = [
     "contact_conditions",
     "contact_stress",
     "critical_curves",
+    "duplex",
     "library_lubricant",
     "list_bearings",
     "list_lubricants",
@@ -55,6 +60,8 @@ __all__ = [
     "load_catalogue_entry",
     "load_material",
     "minimum_preload",
+    "preload_offset",
+    "preloaded_row",
     "reduced_modulus",
     "reduced_radii",
     "slip_factors",
@@ -76,7 +83,12 @@ _LAZY = {  # these need SciPy, which takes longer to import than a command line 
     "bearing_frequencies": "frequencies",
     "LifeRating": "life",
     "bearing_life": "life",
+    "Arrangement": "preload",
+    "duplex": "preload",
+    "preload_offset": "preload",
+    "preloaded_row": "preload",
     "QuasistaticSolution": "quasistatic",
+    "Row": "rows",
     "solve_quasistatic": "quasistatic",
     "SlipStudy": "slip",
     "critical_curves": "slip",

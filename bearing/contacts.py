@@ -17,6 +17,7 @@ from ehl.lubricant import Lubricant
 from .geometry import Array, Race, contact_modulus, reduced_radii
 from .operation import Curvature
 from .quasistatic import QuasistaticSolution
+from .rows import row_directions
 
 STANDSTILL = 1.0e-12  # entrainment speed over the speed of the rings below which there is none [-]
 
@@ -28,7 +29,7 @@ class BearingContact:
     Attributes
     ----------
     ball : int
-        Number of the ball, from 1.
+        Number of the ball, from 1, counted through all rows.
     azimuth : float
         [rad].
     race : Race
@@ -50,6 +51,8 @@ class BearingContact:
         Entrainment, transverse direction and normal into the race [-].
     note : str
         Why there are no conditions; empty where there are.
+    row : int
+        Number of the ball's row, from 1.
     """
 
     ball: int
@@ -66,6 +69,7 @@ class BearingContact:
     axis_y: Array
     normal: Array
     note: str = ""
+    row: int = 1
 
     @property
     def loaded(self) -> bool:
@@ -74,7 +78,7 @@ class BearingContact:
 
 
 def contact_conditions(solution: QuasistaticSolution, lubricant: Lubricant) -> tuple[BearingContact, ...]:
-    """All contacts of a bearing, ball by ball, inner then outer, 2 Z entries.
+    """All contacts of a bearing, row by row and ball by ball, inner then outer, 2 Z entries a row.
 
     Parameters
     ----------
@@ -88,7 +92,7 @@ def contact_conditions(solution: QuasistaticSolution, lubricant: Lubricant) -> t
     """
     return tuple(
         _contact(solution, index, race, lubricant)
-        for index in range(solution.bearing.balls)
+        for index in range(solution.azimuth.size)
         for race in (Race.INNER, Race.OUTER)
     )
 
@@ -159,6 +163,7 @@ def _contact(solution: QuasistaticSolution, index: int, race: Race, lubricant: L
         axis_y=axes[1],
         normal=axes[2],
         note=note,
+        row=index // solution.bearing.balls + 1,
     )
 
 
@@ -195,7 +200,7 @@ def _conditions(
 
 def _placement(solution: QuasistaticSolution, index: int, race: Race, speed: float) -> tuple[Array, Array]:
     """Contact point [m], and the rows x, y, n [-], in the bearing's frame."""
-    c, s = solution.bearing.azimuth_directions[:, index]
+    c, s = row_directions(solution.bearing, solution.rows)[:, index]
     radial, tangential = np.array([0.0, c, s]), np.array([0.0, -s, c])
     inner = race is Race.INNER
     angle = (solution.inner_contact_angle if inner else solution.outer_contact_angle)[index]

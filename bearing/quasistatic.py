@@ -1,15 +1,17 @@
 """Quasi-static equilibrium of a ball bearing in five degrees of freedom, after Jones (1960) and Harris.
 
-The inner ring moves by (x, y, z, tilt y, tilt z); every ball is in equilibrium with it (`ball_equilibrium`), and
-Newton's method with the condensed tangent brings the ring to balance. Small rotations: the grooves' centres move
-linearly with the five unknowns, the error being half the square of the tilt times the groove's radius.
+The inner ring, with one row of balls or several, moves by (x, y, z, tilt y, tilt z); every ball is in equilibrium with
+it (`ball_equilibrium`), and Newton's method with the condensed tangent brings the ring to balance. Small rotations: the
+grooves' centres move linearly with the five unknowns, the error being half the square of the tilt times their radius.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ehl.hertz import hertz_contact
 
@@ -17,6 +19,7 @@ from .ball_equilibrium import EDGE_COSINE, BallRow, BallState, ball_problem, bal
 from .geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from .operation import DEGREES_OF_FREEDOM, Model, Operation
 from .ring_equilibrium import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring
+from .rows import SINGLE, Row, per_ball, row_azimuths
 
 SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct solve fails [-]
 SINGULAR = 1.0e-9  # smallest over largest stiffness below which a direction counts as undetermined [-]
@@ -24,7 +27,7 @@ SINGULAR = 1.0e-9  # smallest over largest stiffness below which a direction cou
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class QuasistaticSolution:
-    """Equilibrium of a bearing; arrays have one entry a ball.
+    """Equilibrium of a bearing; arrays have one entry a ball, row by row.
 
     Attributes
     ----------
@@ -43,7 +46,8 @@ class QuasistaticSolution:
     inner_contact_angle, outer_contact_angle : ndarray
         [rad]; where the inner contact is unloaded, the direction towards the inner groove's centre.
     ball_axial, ball_radial : ndarray
-        Position of the ball centres, from the mid-plane of the outer groove and from the axis [m].
+        Position of the ball centres along the axis and from it [m]; a single row counts from the middle of its outer
+        groove, rows count from the point about which moments count.
     centrifugal_force : ndarray
         [N].
     gyroscopic_moment : ndarray
@@ -59,6 +63,9 @@ class QuasistaticSolution:
     iterations : int
     converged : bool
     message : str
+    rows : tuple of Row
+    row_load : ndarray, shape (rows, 5)
+        What each row holds of the external load [N], [N m].
     """
 
     bearing: Bearing
@@ -86,10 +93,57 @@ class QuasistaticSolution:
     iterations: int
     converged: bool
     message: str
+    rows: tuple[Row, ...]
+    row_load: Array
+
+    @property
+    def row_of_ball(self) -> NDArray[np.int64]:
+        """Number of each ball's row, from 0, shape (N,) [-]."""
+        return np.repeat(np.arange(len(self.rows)), self.bearing.balls)
+
+    def row(self, index: int) -> QuasistaticSolution:
+        """One row alone, index from 0: its balls, what it holds of the load, its own cage speed [rad/s]."""
+        part = slice(index * self.bearing.balls, (index + 1) * self.bearing.balls)
+        arrays = {name: getattr(self, name)[part] for name in BALL_ARRAYS}
+        return replace(
+            self,
+            **arrays,
+            rows=(self.rows[index],),
+            row_load=self.row_load[index : index + 1],
+            ring_force=self.row_load[index, :3],
+            ring_moment=self.row_load[index, 3:],
+            cage_speed=_cage_speed(arrays["orbit_speed"], arrays["inner_load"]),
+        )
+
+
+BALL_ARRAYS = (
+    "azimuth",
+    "inner_load",
+    "outer_load",
+    "inner_contact_angle",
+    "outer_contact_angle",
+    "ball_axial",
+    "ball_radial",
+    "centrifugal_force",
+    "gyroscopic_moment",
+    "orbit_speed",
+    "spin_speed",
+    "attitude",
+)
+
+
+def _cage_speed(orbit: Array, inner_load: Array) -> float:
+    """Mean orbit speed of the balls loaded at the inner race, of all balls where there are none [rad/s]."""
+    loaded = inner_load > 0.0
+    return float(np.mean(orbit[loaded] if loaded.any() else orbit))
 
 
 def solve_quasistatic(
-    bearing: Bearing, operation: Operation, model: Model | None = None, near: QuasistaticSolution | None = None
+    bearing: Bearing,
+    operation: Operation,
+    model: Model | None = None,
+    near: QuasistaticSolution | None = None,
+    rows: Sequence[Row] = SINGLE,
 ) -> QuasistaticSolution:
     """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas.
 
@@ -102,6 +156,8 @@ def solve_quasistatic(
     model : Model, optional
     near : QuasistaticSolution, optional
         A converged solution of the same bearing at speeds and loads nearby, from where the search begins.
+    rows : sequence of Row, optional
+        Rows of balls on the one inner ring; one row if left out.
 
     Returns
     -------
@@ -109,7 +165,8 @@ def solve_quasistatic(
         With `converged` False and a `message` where there is no equilibrium or none was found.
     """
     model = model or Model()
-    ring = ring_of(bearing, operation)
+    rows = tuple(rows)
+    ring = ring_of(bearing, operation, rows)
     problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
     point, iterations = solve_ring(ring, problem, None if near is None else _near(near, ring))
     if near is not None and point.residual > max(RESIDUAL_TOLERANCE, point.noise):
@@ -127,13 +184,14 @@ def solve_quasistatic(
     w = ring.position(point.q) - point.row.u
     state = ball_state(point.row.u, w, problem)
     converged, message = _verdict(bearing, ring, point, state, iterations)
-    return _solution((bearing, operation, model), ring, point, state, (iterations, converged, message))
+    return _solution((bearing, operation, model, rows), ring, point, state, (iterations, converged, message))
 
 
 def _near(solution: QuasistaticSolution, ring: Ring) -> RingStart:
     """Ring and balls where another solution has them; what is prescribed is prescribed."""
     q = np.concatenate([solution.displacement, solution.tilt]) * ring.scale
-    u = np.stack([solution.ball_axial, solution.ball_radial - solution.bearing.outer_centre_radius])
+    planes = per_ball(solution.bearing, [row.outer_plane for row in solution.rows])
+    u = np.stack([solution.ball_axial - planes, solution.ball_radial - solution.bearing.outer_centre_radius])
     return RingStart(np.where(ring.free, q, ring.prescribed), u)
 
 
@@ -196,21 +254,19 @@ def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
 
 
 def _solution(
-    inputs: tuple[Bearing, Operation, Model],
+    inputs: tuple[Bearing, Operation, Model, tuple[Row, ...]],
     ring: Ring,
     point: RingPoint,
     state: BallState,
     outcome: tuple[int, bool, str],
 ) -> QuasistaticSolution:
-    bearing, operation, model = inputs
+    bearing, operation, model, rows = inputs
     iterations, converged, message = outcome
     row: BallRow = point.row
     scale = ring.scale
     load = -point.force * scale
     movement = point.q / scale
     orbit = state.motion.orbit_speed
-    loaded = state.inner_load > 0.0
-    cage = float(np.mean(orbit[loaded] if loaded.any() else orbit))
     return QuasistaticSolution(
         bearing=bearing,
         operation=operation,
@@ -220,21 +276,23 @@ def _solution(
         ring_force=load[:3],
         ring_moment=load[3:],
         stiffness=point.stiffness * np.outer(scale, scale),
-        azimuth=bearing.azimuths,
+        azimuth=row_azimuths(bearing, rows),
         inner_load=state.inner_load,
         outer_load=state.outer_load,
         inner_contact_angle=np.arctan2(state.inner.sin, state.inner.cos),
         outer_contact_angle=np.arctan2(state.outer.sin, state.outer.cos),
-        ball_axial=row.u[0],
+        ball_axial=row.u[0] + per_ball(bearing, [part.outer_plane for part in rows]),
         ball_radial=bearing.outer_centre_radius + row.u[1],
         centrifugal_force=state.centrifugal_force,
         gyroscopic_moment=state.gyroscopic_moment,
         orbit_speed=orbit,
         spin_speed=state.motion.spin_speed,
         attitude=np.arctan2(state.motion.attitude.sin, state.motion.attitude.cos),
-        cage_speed=cage,
+        cage_speed=_cage_speed(orbit, state.inner_load),
         residual=point.residual,
         iterations=iterations,
         converged=converged,
         message=message,
+        rows=rows,
+        row_load=-ring.loads(row, bearing.balls) * scale,
     )

@@ -1,12 +1,14 @@
 """Balance of the inner ring on its balls: Newton's method with the condensed tangent.
 
 Tilts are counted as lengths, times the radius R_i of the circle of the inner groove's centres, and moments as forces,
-over R_i. A point P = R_i e_r on that circle moves under the rotation (0, ty, tz) by R_i (ty sin psi - tz cos psi)
-along x.
+over R_i. A point P = (a, R_i e_r) on the circle of a row at the axial position a moves under the rotation (0, ty, tz)
+by R_i (ty sin psi - tz cos psi) along x and by a (tz cos psi - ty sin psi) along e_r. All rows share the
+ring.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from math import asin, atan2, cos, hypot, sin
 from typing import NamedTuple
 
@@ -17,6 +19,7 @@ from .ball_equilibrium import ROUND_OFF, BallProblem, BallRow, solve_balls
 from .contact_stiffness import stiffness_at
 from .geometry import Array, Bearing
 from .operation import Operation
+from .rows import SINGLE, Row, per_ball, row_directions
 
 RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
 RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
@@ -36,14 +39,21 @@ class Ring(NamedTuple):
     distance: float  # A [m]
     facing: float  # radial distance of the groove centres with concentric, facing grooves, A - Pd/2 [m]
     free_axial: float  # A sin(free angle) [m]
+    offset: Array  # (Z,) axial distance from outer to inner groove centres, ring undisplaced [m]
     movement: Array  # (2, 5, Z) d(V)/dq [-]
     gather: Array  # (5, 3, Z) ring load from (x, r) forces [-] and couple about e_t [1/m]
 
     def position(self, q: Array) -> Array:
         """Distances (x, r) from outer to inner groove centres, shape (2, Z) [m], at ring position `q` [m]."""
         V: Array = np.einsum("vqz,q->vz", self.movement, q)
+        V[0] += self.offset
         V[1] += self.facing
         return V
+
+    def loads(self, row: BallRow, balls: int) -> Array:
+        """Load of the balls on the ring, row of `balls` by row of balls, shape (rows, 5) [N], moments over R_i."""
+        each = np.einsum("qfz,fz->qz", self.gather, row.values[2:])
+        return each.reshape(5, -1, balls).sum(axis=2).T
 
 
 class RingPoint(NamedTuple):
@@ -64,21 +74,23 @@ class RingStart(NamedTuple):
     u: Array
 
 
-def ring_of(bearing: Bearing, operation: Operation) -> Ring:
-    """Assemble what `solve_ring` needs from a bearing and its operation (SI: [m], [N], [rad])."""
+def ring_of(bearing: Bearing, operation: Operation, rows: Sequence[Row] = SINGLE) -> Ring:
+    """Assemble what `solve_ring` needs from a bearing, its operation and its rows (SI: [m], [N], [rad])."""
     radius = bearing.inner_centre_radius
     scale = np.array([1.0, 1.0, 1.0, radius, radius])
     free = np.array([load is not None for load in operation.loads])
     load = np.array([load or 0.0 for load in operation.loads]) / scale
     prescribed = np.array([value or 0.0 for value in operation.displacements]) * scale
-    c, s = bearing.azimuth_directions
+    c, s = row_directions(bearing, rows)
     zero, one = np.zeros_like(c), np.ones_like(c)
-    movement = np.array([[one, zero, zero, s, -c], [zero, c, s, zero, zero]])
+    arm = per_ball(bearing, [row.axial_position for row in rows]) / radius
+    movement = np.array([[one, zero, zero, s, -c], [zero, c, s, -arm * s, arm * c]])
     couple = np.array([zero, zero, zero, -s / radius, c / radius])
     gather = np.concatenate([movement.transpose(1, 0, 2), couple[:, None, :]], axis=1)
     distance = bearing.curvature_centre_distance
     facing = distance - 0.5 * bearing.diametral_clearance
-    return Ring(free, load, prescribed, scale, distance, facing, bearing.free_axial_position, movement, gather)
+    offset = per_ball(bearing, [row.offset for row in rows])
+    return Ring(free, load, prescribed, scale, distance, facing, bearing.free_axial_position, offset, movement, gather)
 
 
 def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tuple[RingPoint, int]:
@@ -177,8 +189,13 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
 
 
 def _guess(ring: Ring, problem: BallProblem) -> Array:
-    """Ring position from the loads: all balls alike along the axis, else Stribeck's 5 F/Z on the load line [m]."""
-    balls = ring.movement.shape[2]
+    """Ring position from the loads: all balls alike along the axis, else Stribeck's 5 F/Z on the load line [m].
+
+    Rows set against each other hold the ring near its place: no displacement.
+    """
+    if np.ptp(ring.offset) > 0.0:
+        return np.where(ring.free, 0.0, ring.prescribed)
+    balls, offset = ring.movement.shape[2], float(ring.offset[0])
     compliance = sum(
         float(stiffness_at(s, np.ones(1))[0]) ** (-2.0 / 3.0) for s in (problem.inner_series, problem.outer_series)
     )
@@ -191,11 +208,11 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
             length = hypot(x, ring.facing)
             force = balls * (max(length - ring.distance, 0.0) / compliance) ** 1.5 * x / length
             low, high = (low, x) if force > abs(axial) else (x, high)
-        q[0] = np.sign(axial) * low
+        q[0] = np.sign(axial) * low - offset
     elif radial > 0.0 and (ring.free[1] or ring.free[2]):
         length = ring.distance + compliance * (5.0 * hypot(axial, radial) / balls) ** (2.0 / 3.0)
         angle = min(atan2(abs(axial), radial), asin(min(1.0, ring.free_axial / ring.distance)))
-        towards = np.array([np.sign(axial) * sin(angle) * length, *(ring.load[1:3] / radial)])
+        towards = np.array([np.sign(axial) * sin(angle) * length - offset, *(ring.load[1:3] / radial)])
         towards[1:] *= cos(angle) * length - ring.facing
         q[:3] = np.where(ring.free[:3], towards, q[:3])
     return q

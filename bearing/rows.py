@@ -1,0 +1,69 @@
+"""Rows of balls on one inner ring: where they sit, and how far their grooves are set against each other.
+
+All rows have the same bearing. The undisplaced inner ring is the reference: there the middle of a row's inner groove
+lies at `axial_position`, that of its outer groove `offset` behind. A row touches at an offset of the free axial
+position A sin(free angle) and is preloaded beyond it; a positive offset loads it as a push of the inner ring to +x
+does. Back to back, left row +, right row -; face to face the other way round; tandem, both alike.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from math import isfinite
+
+import numpy as np
+
+from .geometry import Array, Bearing
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Row:
+    """One row of balls.
+
+    Attributes
+    ----------
+    axial_position : float
+        Of the middle of the inner groove from the point about which moments and tilts count [m].
+    offset : float
+        Middle of the inner groove from that of the outer one along +x, ring undisplaced [m].
+    first_ball_azimuth : float or None
+        Azimuth of its first ball [rad]; None takes the bearing's.
+    """
+
+    axial_position: float = 0.0
+    offset: float = 0.0
+    first_ball_azimuth: float | None = None
+
+    def __post_init__(self) -> None:
+        for field in ("axial_position", "offset"):
+            if not isfinite(getattr(self, field)):
+                raise ValueError(f"{field} must be finite, got {getattr(self, field)!r} m")
+
+    def bearing(self, bearing: Bearing) -> Bearing:
+        """The bearing with this row's first azimuth."""
+        first = self.first_ball_azimuth
+        return bearing if first is None else replace(bearing, first_ball_azimuth=first)
+
+    @property
+    def outer_plane(self) -> float:
+        """Axial position of the middle of the outer groove [m]."""
+        return self.axial_position - self.offset
+
+
+SINGLE = (Row(),)
+
+
+def row_azimuths(bearing: Bearing, rows: Sequence[Row]) -> Array:
+    """Azimuths of the balls of all rows, row by row [rad], shape (N,)."""
+    return np.concatenate([row.bearing(bearing).azimuths for row in rows])
+
+
+def row_directions(bearing: Bearing, rows: Sequence[Row]) -> Array:
+    """Cosines and sines of the azimuths of all rows [-], shape (2, N)."""
+    return np.concatenate([row.bearing(bearing).azimuth_directions for row in rows], axis=1)
+
+
+def per_ball(bearing: Bearing, values: Sequence[float]) -> Array:
+    """One value [any unit] a row as one a ball, shape (N,)."""
+    return np.repeat(np.asarray(values, dtype=np.float64), bearing.balls)
