@@ -11,6 +11,8 @@ from typing import Any
 
 from ehl.lubricant import Lubricant
 
+from .names import matching_name
+
 
 def list_lubricants() -> tuple[str, ...]:
     """Names of the shipped lubricants, in the order of the data file."""
@@ -23,7 +25,7 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     Parameters
     ----------
     name : str
-        One of `list_lubricants()`; case does not matter.
+        One of `list_lubricants()`; case, spaces and hyphens do not matter.
     temperature : float
         Temperature of the oil in the contact inlet [K].
     **laws
@@ -44,8 +46,8 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
         If the temperature lies outside the range of the data.
     """
     table = _table()
-    key = name.strip().lower()
-    if key not in table:
+    key = matching_name(name, table)
+    if key is None:
         raise ValueError(f"lubricant {name!r} is unknown; known: {', '.join(table)}")
     if not 150.0 < temperature < 700.0:
         raise ValueError(f"temperature must lie between 150 and 700 K, got {temperature!r}")

@@ -8,6 +8,8 @@ from enum import Enum
 from importlib import resources
 from math import isfinite
 
+from .names import matching_name
+
 
 class MaterialKind(Enum):
     """What rating standards distinguish: hardened bearing steel, silicon nitride, anything else."""
@@ -83,7 +85,7 @@ def load_material(name: str) -> Material:
     Parameters
     ----------
     name : str
-        One of `list_materials()`; case does not matter.
+        One of `list_materials()`; case, spaces and hyphens do not matter.
 
     Returns
     -------
@@ -95,8 +97,8 @@ def load_material(name: str) -> Material:
         If there is none of this name.
     """
     table = _table()
-    key = name.strip().lower()
-    if key not in table:
+    key = matching_name(name, table)
+    if key is None:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
     entry = table[key]
     expansion = entry.get("thermal_expansion_um_m_K")

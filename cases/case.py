@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from . import checks
+from .library_names import catalogue_values, with_library_names
 from .problems import MISSING, CaseError, Problem, nearest_name, resolved, schema_problems, shown
 from .schema import BearingFile, BearingTable, ContactFile, MaterialTable, OilTable, Table
 from .shipped import find_case
@@ -181,7 +182,7 @@ def check_document(document: dict[str, Any]) -> tuple[BearingFile | ContactFile 
         found = "found together with [bearing]"
         problems.append(Problem(path=("contact",), found=found, allowed="allowed: a bearing, or a single contact"))
         document = {key: value for key, value in document.items() if key != "contact"}
-    document, more = _with_catalogue(document)
+    document, more = _with_catalogue(with_library_names(document))
     problems += more
     model: type[BearingFile | ContactFile] = ContactFile if contact else BearingFile
     file, faults = _validate(model, document)
@@ -215,25 +216,19 @@ def _with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[Prob
     if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
         return document, []
     from bearing.catalogue import list_bearings, load_catalogue_entry
+    from bearing.names import matching_name
 
     known = tuple(list_bearings())
-    if table["name"] not in known:
+    name = matching_name(table["name"], known)
+    if name is None:
         if all(key in table for key in checks.GEOMETRY):  # complete without the catalogue: a name of the user's own
             return document, []
         nearest = nearest_name(table["name"], known)
         found = f"unknown bearing {shown(table['name'])}"
-        allowed = "" if nearest else f"allowed: {', '.join(known)}, or a complete geometry"
+        allowed = "" if nearest else "allowed: a name of 'oilfilm list bearings', or a complete geometry"
         return document, [Problem(path=("bearing", "name"), found=found, allowed=allowed, nearest=nearest)]
-    entry = {
-        key: value for key, value in load_catalogue_entry(table["name"]).items() if key in BearingTable.model_fields
-    }
-    for alternatives in (
-        ("diametral_clearance_um", "free_contact_angle_deg"),
-        ("ring_material", "inner_ring_material", "outer_ring_material"),
-    ):
-        if any(key in table for key in alternatives):
-            entry = {key: value for key, value in entry.items() if key not in alternatives}
-    return {**document, "bearing": {**entry, **table}}, []
+    entry = {key: value for key, value in load_catalogue_entry(name).items() if key in BearingTable.model_fields}
+    return {**document, "bearing": {**catalogue_values(entry, table), **table, "name": name}}, []
 
 
 def _validate(
@@ -287,8 +282,12 @@ def _assumed(values: checks.Values) -> list[Problem]:
 
 
 def _bearing_case(file: BearingFile) -> Case:
+    from bearing.catalogue import warn_of_estimates
+
     from . import convert
 
+    assumed = {name.removeprefix("bearing.") for name in file.assumed if name.startswith("bearing.")}
+    warn_of_estimates(file.bearing.name or "", file.bearing.model_dump(), assumed)
     oil = convert.lubricant(file)
     document = _document(file)
     names = (*convert.ring_materials(file.bearing), *convert.seat_materials(file))
