@@ -1,0 +1,50 @@
+"""Nodes across the film: Gauss and Lobatto's, with weights, cumulative integrals and derivatives of polynomials."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+NODES = 11  # across the film: integrals exact for polynomials of degree 19
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Section:
+    """Nodes z/h across the film, the walls among them, and what integrates and differentiates their polynomial."""
+
+    nodes: Array  # z/h, shape (n,) [-]
+    weights: Array  # of the integral over the film, shape (n,) [-]
+    cumulative: Array  # C @ f: integral of f from 0 to each node, shape (n, n) [-]
+    derivative: Array  # D @ f: df/d(z/h) at each node, shape (n, n) [-]
+
+
+def film_section(count: int = NODES) -> Section:
+    """Legendre-Gauss-Lobatto nodes on [0, 1] and their matrices [-].
+
+    Parameters
+    ----------
+    count : int
+        Number of nodes, at least 3.
+    """
+    if count < 3:
+        raise ValueError(f"count must be at least 3, got {count}")
+    highest = np.zeros(count)
+    highest[-1] = 1.0  # P_(count - 1)
+    x = np.concatenate(([-1.0], np.real(legendre.legroots(legendre.legder(highest))), [1.0]))
+    weights = 2.0 / (count * (count - 1) * legendre.legval(x, highest) ** 2)
+    vandermonde = legendre.legvander(x, count - 1)
+    inverse = np.linalg.inv(vandermonde)
+    unit = np.eye(count)
+    integrals = np.stack([legendre.legval(x, legendre.legint(row, lbnd=-1.0)) for row in unit], axis=1)
+    slopes = np.stack([legendre.legval(x, legendre.legder(row)) for row in unit], axis=1)
+    return Section(
+        nodes=0.5 * (x + 1.0),
+        weights=np.asarray(0.5 * weights, dtype=np.float64),
+        cumulative=0.5 * integrals @ inverse,
+        derivative=2.0 * slopes @ inverse,
+    )
