@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tomllib
 import warnings
+from functools import cache
 from importlib import resources
 from itertools import pairwise
 from math import exp, log
@@ -117,6 +118,7 @@ def _interpolate(entry: dict[str, Any], temperature: float) -> float:
     return float(points[-1][1])
 
 
+@cache
 def _table() -> dict[str, dict[str, Any]]:
     text = resources.files(__package__).joinpath("data/lubricants.toml").read_text(encoding="utf-8")
     return tomllib.loads(text)

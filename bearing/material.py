@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from dataclasses import dataclass
 from enum import Enum
+from functools import cache
 from importlib import resources
 from math import isfinite
 
@@ -113,6 +114,7 @@ def load_material(name: str) -> Material:
     )
 
 
+@cache
 def _table() -> dict[str, dict[str, dict]]:
     text = resources.files(__package__).joinpath("data/materials.toml").read_text(encoding="utf-8")
     return tomllib.loads(text)

@@ -21,6 +21,7 @@ from .blocks import (
     MOST_POINTS,
     OPTIONS,
     Variation,
+    block_settings,
     case_path,
     differences,
     factorial,
@@ -109,12 +110,13 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     except ValidationError as error:
         raise _error(name, lines, schema_problems(error.errors(include_url=False), _schema())) from None
     case_file = _case_file(file.case, folder, name, lines)
-    base = parse(read_text(case_file), str(case_file))
+    fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
+    base = with_values(parse(read_text(case_file), str(case_file)), fixed)
     variations, notes, problems = _variations(file, base)
     if problems:
         raise _error(name, lines, problems)
     keys = tuple(dict.fromkeys(setting.key for variation in variations for setting in variation.settings))
-    points = _points(file, base, variations, keys, name, lines)
+    points = _points(file, base, variations, fixed, keys, (name, lines))
     return Sweep(
         name=name,
         text=text,
@@ -235,9 +237,9 @@ def _points(
     file: SweepFile,
     base: dict[str, Any],
     variations: list[Variation],
+    fixed: Variation,
     keys: tuple[str, ...],
-    name: str,
-    lines: dict[Path, int],
+    place: tuple[str, dict[Path, int]],
 ) -> tuple[Point, ...]:
     """Every variation as a checked point; `CaseError` with the problems of all of them, each told once."""
     points, problems = [], list(_hidden(base, variations))
@@ -245,7 +247,7 @@ def _points(
         document = with_values(base, variation)
         case, found = _checked(document, f"point {number}")
         if case is None:
-            problems += _located(found, variation, number)
+            problems += _located(found, variation, fixed, number)
         elif not problems:
             points.append(
                 Point(
@@ -261,7 +263,7 @@ def _points(
         if len(problems) > 1000:
             break
     if problems:
-        raise _error(name, lines, problems)
+        raise _error(*place, problems)
     return tuple(points)
 
 
@@ -285,10 +287,11 @@ def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[Probl
                 yield Problem(path=setting.where, found=found, allowed=f"allowed with a case that names a {table} only")
 
 
-def _located(problems: Iterable[Problem], variation: Variation, number: int) -> Iterator[Problem]:
-    """Problems of a point as problems of the sweep file: at the key that was varied, or told with the point."""
+def _located(problems: Iterable[Problem], variation: Variation, fixed: Variation, number: int) -> Iterator[Problem]:
+    """Problems of a point as problems of the sweep file: at the key it varies or fixes, or told with the point."""
+    settings = (*variation.settings, *fixed.settings)
     for problem in problems:
-        setting = next((s for s in variation.settings if _meets(case_path(s.key), problem.path)), None)
+        setting = next((s for s in settings if _meets(case_path(s.key), problem.path)), None)
         if setting is not None:
             same = tuple(problem.path) == case_path(setting.key)
             found = (

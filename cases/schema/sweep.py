@@ -51,6 +51,7 @@ class SweepFile(Table):
     case: Name = Field(description="a case file, relative to this file, or the name of a shipped case")
     compute: Literal["run", "slip"] = Field("run", description="what is computed at every point")
     fields: bool = Field(False, description="whether the film maps of every point are kept, too (netCDF)")
+    fixed: dict[str, Any] = Field({}, description="values by key that every point has in place of the case's")
     sweep: dict[str, Any] = Field({}, description="lists of values by key; all their combinations are points")
     combinations: tuple[dict[str, Any], ...] = Field((), strict=False, description="single points, one table each")
     latin_hypercube: Annotated[tuple[dict[str, Any], ...], BeforeValidator(_as_list)] = Field(

@@ -100,6 +100,12 @@ def test_every_point_states_every_key():
     ]
 
 
+def test_fixed_values_are_in_every_point():
+    sweep = sweep_from_text(HEAD + '[fixed]\n"ehl.points" = 65\n[sweep]\n"bearing.balls" = [8, 9]\n', "sweep.toml")
+    assert [point.resolved["ehl"]["points"] for point in sweep.points] == [65, 65]
+    assert sweep.keys == ("bearing.balls",)
+
+
 def test_latin_hypercube_takes_every_stratum_once():
     text = (
         HEAD + '[latin_hypercube]\nsamples = 20\n"operation.radial_load_N" = [400, 2399]\n"operation.temperature_C" = '
@@ -173,6 +179,9 @@ WRONG = {
     ),
     HEAD + 'compute = "slip"\n[sweep]\n"operation.radial_load_N" = [1.0]': (
         '2: compute: point 1: the case has no table [slip]; allowed: "run"'
+    ),
+    HEAD + '[fixed]\n"ehl.points" = 66\n[sweep]\n"bearing.balls" = [8, 9]': (
+        '3: fixed."ehl.points": found 66; allowed: 2^k + 1: 33, 65, 129, 257, 513, 1025, 2049 or 4097'
     ),
     SWEEP + '"bearing.balls" = [8, 30]': (
         '3: sweep."bearing.balls": found 30; allowed: at most 15 balls of 12 mm on a pitch circle of 60 mm'
