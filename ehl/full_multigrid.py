@@ -10,6 +10,7 @@ from math import ceil, inf, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
+from .acceleration import Acceleration
 from .far_field import far_field
 from .flow_model import FlowModel
 from .grid import Grid, grid_hierarchy
@@ -39,6 +40,7 @@ CONTRACTION = (0.4, 0.9)  # bounds of the contraction believed in that estimate
 LOAD_TOLERANCE = 1e-4  # relative error of the load balance
 PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
 GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
+PLAIN_CYCLES = 5  # on the finest level, before the cycles are accelerated
 HALVINGS = 3  # of the damping on one level before it counts as diverged
 ORIGIN_CELLS = 32  # the origin is a node of the level with this many cells along x, and of all finer ones
 
@@ -102,15 +104,25 @@ class Attempt:
     finer_start: int = 0
     mesh_y: float = 1.0
     along_entrainment: bool = False  # turn the grid to it; only where it is not along a principal direction
+    long_only: bool = False  # only for ellipses whose longer axis lies along the grid's X
+    patience: int = 1  # factor on the number of cycles
+
+    def applies(self, contact: ScaledContact, turned: ScaledContact) -> bool:
+        """Whether the attempt is another one for this contact than those before it."""
+        if self.along_entrainment and contact.frame_angle == turned.frame_angle:
+            return False
+        return not self.long_only or contact.half_extent_x > contact.half_extent_y
 
 
 CAUTIOUS = replace(Damping().halved(), switch=1.5)
 ATTEMPTS = (
     Attempt(name="plain", damping=Damping()),
     Attempt(name="grid turned to the entrainment", damping=Damping(), along_entrainment=True),
+    Attempt(name="mesh doubled across the entrainment", damping=Damping(), mesh_y=2.0, long_only=True),
     Attempt(name="damping halved, less Gauss-Seidel", damping=CAUTIOUS),
     Attempt(name="mesh halved across the entrainment", damping=CAUTIOUS, mesh_y=0.5),
     Attempt(name="started one level finer", damping=CAUTIOUS.halved(), finer_start=1, mesh_y=0.5),
+    Attempt(name="three times the cycles", damping=CAUTIOUS, patience=3),
 )
 
 
@@ -127,14 +139,15 @@ def solve_with_fallbacks(
     """
     best = None
     for attempt in ATTEMPTS:
-        if attempt.along_entrainment and contacts[0].frame_angle == contacts[1].frame_angle:
+        contact = contacts[attempt.along_entrainment]
+        if not attempt.applies(*contacts):
             continue
         if best is not None:
             progress.fallbacks.append(attempt.name)
-        contact = contacts[attempt.along_entrainment]
         outcome = Outcome(state=contact_multigrid(contact, domain, options, attempt, flow_model))
         with suppress(DivergedError):
-            full_multigrid(outcome, options, progress, attempt.finer_start)
+            patient = replace(options, max_cycles=attempt.patience * options.max_cycles)
+            full_multigrid(outcome, patient, progress, attempt.finer_start)
         progress.deflected_nodes += outcome.state.deflected_nodes()
         if best is None or outcome.converged() or outcome.remaining_error() < best.remaining_error():
             best = outcome
@@ -245,6 +258,7 @@ def _finish(outcome: Outcome, films: Films, options: SolverOptions, progress: Pr
     state = outcome.state
     index, level = len(state.levels) - 1, state.levels[-1]
     outcome.film.append(film_values(level.grid, level.H))
+    acceleration, given = Acceleration(), (level.P.copy(), state.approach)
     for residual in _guarded_cycles(state, index, options.max_cycles, progress):
         film, before = film_values(level.grid, level.H), outcome.film[-1]
         outcome.film.append(film)
@@ -256,6 +270,10 @@ def _finish(outcome: Outcome, films: Films, options: SolverOptions, progress: Pr
         outcome.films = [*films, film]
         if outcome.converged():
             return
+        if len(outcome.changes) > PLAIN_CYCLES:
+            level.P, state.approach = acceleration.mixed(given, (level.P, state.approach))
+            update_film(state, index)
+        given = (level.P.copy(), state.approach)
 
 
 def central_film(grid: Grid, H: Array) -> float:

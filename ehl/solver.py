@@ -26,11 +26,13 @@ from .multigrid import Multigrid
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
 from .solution import ContactSolution, ConvergenceRecord, FilmValue
+from .thin_film import thin_film
 
 Array = NDArray[np.float64]
 
 RESOLVED = 5.0  # Hmin/(S hx^2) below this is reported as unresolved, S the gap's curvature along the entrainment
 PARABOLIC = 0.02  # a film above this share of Rx lies in a gap that is no paraboloid: reported as unresolved too
+THINNEST = 0.2  # minimum over central film, where only the latter is guessed
 PILOT_POINTS = 65
 TOLERANCE_START = 129  # points of the first solve when a tolerance is asked for
 EXTERIOR_SHARE = 0.06  # of the load; an open box is widened until less than this lies outside
@@ -58,7 +60,8 @@ def solve_contact(
     -------
     ContactSolution
         Fields, film values with uncertainties [-] and, for SI conditions, [m]; `converged` and `message` tell whether
-        to trust them. Failure to converge is a result, not an exception.
+        to trust them. Failure to converge is a result, not an exception. Films the mesh is too coarse for are
+        extrapolated over the load (`thin_film.py`), told in the message, and stay unresolved.
 
     Raises
     ------
@@ -68,6 +71,19 @@ def solve_contact(
     options = options or SolverOptions()
     if options.tolerance is not None:
         return _solve_to_tolerance(conditions, options, options.tolerance, flow_model)
+    outcome, solution = _solve(conditions, options, flow_model)
+    if not _too_thin(outcome) or options.domain is not None or flow_model is not None:
+        return solution
+    contact, grid = outcome.state.contact, outcome.state.levels[-1].grid
+    guess = THINNEST * contact.film_guess / (contact.curvature_x * grid.hx**2)  # where the film found is none
+    fineness = max(_fineness(outcome), guess) / RESOLVED
+    return thin_film(solution, fineness, lambda lighter: _solve(lighter, options, None)[1])
+
+
+def _solve(
+    conditions: ContactConditions | MoesConditions, options: SolverOptions, flow_model: FlowModel | None
+) -> tuple[Outcome, ContactSolution]:
+    """One contact on the number of points asked for."""
     contact, turned = scale_contact(conditions), scale_contact(conditions, along_entrainment=True)
     began, progress = time.perf_counter(), Progress()
     if options.domain is None:
@@ -85,7 +101,7 @@ def solve_contact(
         fallbacks=tuple(progress.fallbacks),
         wall_time=time.perf_counter() - began,
     )
-    return _solution(conditions, options, outcome, record)
+    return outcome, _solution(conditions, options, outcome, record)
 
 
 def _solve_to_tolerance(
@@ -211,9 +227,16 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
 
 
 def _fineness(outcome: Outcome) -> float:
-    """Hmin/(S hx^2): minimum film over twice what the gap rises within a mesh size [-]."""
+    """Hmin/(S hx^2): minimum film over twice what the gap rises within a mesh size [-]; zero after a runaway."""
+    if not outcome.films:
+        return 0.0
     curvature = outcome.state.contact.curvature_x
     return outcome.films[-1][1] / (curvature * outcome.state.levels[-1].grid.hx ** 2)
+
+
+def _too_thin(outcome: Outcome) -> bool:
+    """Whether the mesh is too coarse for the film, in a gap that is a paraboloid."""
+    return not outcome.films or (_fineness(outcome) < RESOLVED and _film_over_radius(outcome) <= PARABOLIC)
 
 
 def _film_over_radius(outcome: Outcome) -> float:

@@ -38,6 +38,7 @@ from ehl.full_multigrid import (
 from ehl.multigrid import Damping, cycle, start_level, update_film
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain
+from ehl.thin_film import FALLBACK
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
 CIRCULAR = MoesConditions(load_parameter=20.0, lubricant_parameter=10.0, lubricant=OIL)
@@ -405,3 +406,33 @@ def test_flow_factor_on_the_viscosity():
     thin = solve_contact(INNER_500N, options, Scaled(2.0, 1.0))
     slow = solve_contact(replace(INNER_500N, entrainment_speed=0.5 * INNER_500N.entrainment_speed), options)
     assert_allclose(thin.film_central, slow.film_central, rtol=2e-3)
+
+
+@pytest.mark.parametrize(("load", "lubricant_parameter"), [(1000.0, 10.0), (1000.0, 2.0), (400.0, 0.0)])
+def test_thin_films_are_extrapolated_within_their_bars(load, lubricant_parameter):
+    """129 points cannot resolve these films; the values extrapolated over the load cover those of 513 points."""
+    conditions = replace(CIRCULAR, load_parameter=load, lubricant_parameter=lubricant_parameter)
+    coarse, fine = (solve_contact(conditions, SolverOptions(points=n)) for n in (129, 513))
+    assert not coarse.resolved
+    assert fine.resolved
+    assert "thin-film extrapolation" in coarse.message
+    assert coarse.record.fallbacks[-1] == FALLBACK
+    for name in ("film_central_dimensionless", "film_minimum_dimensionless"):
+        ours, truth = getattr(coarse, name), getattr(fine, name)
+        assert abs(ours.value - truth.value) < ours.uncertainty + truth.uncertainty
+        assert abs(ours.value - truth.value) < abs(ours.finest - truth.value)  # better than what the mesh gave
+        assert ours.uncertainty < 0.8 * ours.value
+
+
+def test_long_ellipse_comes_to_rest_on_another_mesh():
+    """Entrainment along the longer axis at large L: needs the mesh doubled across it, and says so."""
+    oil = Lubricant(viscosity=0.0734, pressure_viscosity=26.5e-9, density_law=DensityLaw.INCOMPRESSIBLE)
+    conditions = MoesConditions(load_parameter=108.0, lubricant_parameter=22.2, radius_ratio=2.45, lubricant=oil)
+    solution = solve_contact(conditions, SolverOptions(points=129))
+    assert solution.converged
+    assert solution.record.fallbacks
+
+
+def test_every_attempt_is_on_record():
+    s = solve_contact(CIRCULAR, SolverOptions(points=65, domain=BOX, max_cycles=1))
+    assert s.record.fallbacks[-1] == ATTEMPTS[-1].name
