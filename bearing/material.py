@@ -1,4 +1,4 @@
-"""Elastic bodies: moduli, densities, and the reduced modulus of a pair."""
+"""Solid bodies: moduli, densities, thermal properties, and the reduced modulus of a pair."""
 
 from __future__ import annotations
 
@@ -8,8 +8,18 @@ from enum import Enum
 from functools import cache
 from importlib import resources
 from math import isfinite
+from typing import Any
 
 from .names import matching_name
+
+FIELDS = {  # field of Material: key of the data file and its unit in SI
+    "youngs_modulus": ("youngs_modulus_GPa", 1e9),
+    "poisson_ratio": ("poisson_ratio", 1.0),
+    "density": ("density_kg_m3", 1.0),
+    "thermal_expansion": ("thermal_expansion_um_m_K", 1e-6),
+    "thermal_conductivity": ("thermal_conductivity_W_m_K", 1.0),
+    "specific_heat": ("specific_heat_J_kg_K", 1.0),
+}
 
 
 class MaterialKind(Enum):
@@ -38,6 +48,12 @@ class Material:
     thermal_expansion : float or None
         Linear, mean from room temperature to that of operation [1/K]; None if not known.
     kind : MaterialKind
+    thermal_conductivity : float or None
+        k [W/(m K)]; None if not known.
+    specific_heat : float or None
+        c at constant pressure [J/(kg K)]; None if not known.
+    unverified : tuple of str
+        Fields whose values no source was read for.
     """
 
     name: str
@@ -47,10 +63,15 @@ class Material:
     source: str = ""
     thermal_expansion: float | None = None
     kind: MaterialKind = MaterialKind.OTHER
+    thermal_conductivity: float | None = None
+    specific_heat: float | None = None
+    unverified: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        for field in ("youngs_modulus", "density"):
+        for field in ("youngs_modulus", "density", "thermal_conductivity", "specific_heat"):
             value = getattr(self, field)
+            if value is None and field in ("thermal_conductivity", "specific_heat"):
+                continue
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
         if not 0.0 <= self.poisson_ratio < 0.5:
@@ -101,20 +122,35 @@ def load_material(name: str) -> Material:
     key = matching_name(name, table)
     if key is None:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
-    entry = table[key]
-    expansion = entry.get("thermal_expansion_um_m_K")
+    entry = material_data(key)
+    found = {field: entry[data]["value"] * unit for field, (data, unit) in FIELDS.items() if data in entry}
     return Material(
         name=key,
-        youngs_modulus=entry["youngs_modulus_GPa"]["value"] * 1e9,
-        poisson_ratio=entry["poisson_ratio"]["value"],
-        density=entry["density_kg_m3"]["value"],
         source="; ".join(f"{field}: {value['source']}" for field, value in entry.items() if field != "kind"),
-        thermal_expansion=None if expansion is None else expansion["value"] * 1e-6,
         kind=MaterialKind(entry.get("kind", "other")),
+        unverified=tuple(field for field, (data, _) in FIELDS.items() if not entry.get(data, {}).get("verified", True)),
+        **found,
     )
 
 
+def material_data(name: str) -> dict[str, Any]:
+    """What the data file says of a material: per number its value, range and source, in the units of its key.
+
+    Parameters
+    ----------
+    name : str
+        One of `list_materials()`.
+
+    Returns
+    -------
+    dict
+        `kind`, and per number a dict of `value`, `range`, `source` and, where no source was read, `verified` false.
+    """
+    entry = _table()[name]
+    return _table()[str(entry["same_as"])] if "same_as" in entry else entry
+
+
 @cache
-def _table() -> dict[str, dict[str, dict]]:
+def _table() -> dict[str, dict[str, Any]]:
     text = resources.files(__package__).joinpath("data/materials.toml").read_text(encoding="utf-8")
     return tomllib.loads(text)

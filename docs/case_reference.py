@@ -14,7 +14,7 @@ START, END = "<!-- tables: written by docs/case_reference.py -->", "<!-- end of 
 UNITS = {
     "_mm": "mm", "_um": "µm", "_deg": "deg", "_mrad": "mrad", "_N": "N", "_kN": "kN", "_N_mm": "N mm", "_rpm": "r/min",
     "_C": "°C", "_mPa_s": "mPa s", "_mm2_s": "mm²/s", "_kg_m3": "kg/m³", "_GPa": "GPa", "_MPa": "MPa", "_m_s": "m/s",
-    "_rad_s": "rad/s", "_1_GPa": "1/GPa", "_um_m_K": "µm/(m K)",
+    "_rad_s": "rad/s", "_1_GPa": "1/GPa", "_um_m_K": "µm/(m K)", "_W_m_K": "W/(m K)", "_J_kg_K": "J/(kg K)",
 }  # fmt: skip
 SPECIAL = {
     "force_N": "three numbers, ±1e8",

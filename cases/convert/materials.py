@@ -10,6 +10,12 @@ from .units import GPA, UM, rounded
 if TYPE_CHECKING:
     from bearing.material import Material
 
+THERMAL = {  # field: key of [materials.NAME] and its unit in SI
+    "thermal_expansion": ("thermal_expansion_um_m_K", UM),
+    "thermal_conductivity": ("thermal_conductivity_W_m_K", 1.0),
+    "specific_heat": ("specific_heat_J_kg_K", 1.0),
+}
+
 
 def materials(file: BearingFile | ContactFile, names: tuple[str, ...]) -> dict[str, Material]:
     """The named materials, the case's own before those of the library; modulus [Pa], density [kg/m^3]."""
@@ -23,33 +29,34 @@ def materials(file: BearingFile | ContactFile, names: tuple[str, ...]) -> dict[s
 
 
 def _material(name: str, table: MaterialTable) -> Material:
-    """A material of the case's own; kind and thermal expansion [1/K] of the library's where it has the name of one."""
+    """A material of the case's own; kind and thermal data of the library's where it has the name of one [1/K, SI]."""
     from bearing.material import Material, MaterialKind, list_materials, load_material
+    from bearing.names import matching_name
 
-    library = load_material(name) if name.strip().lower() in list_materials() else None
+    library = load_material(name) if matching_name(name, list_materials()) else None
     kind = MaterialKind(table.kind) if table.kind else library.kind if library else MaterialKind.OTHER
-    expansion = None if library is None else library.thermal_expansion
-    if table.thermal_expansion_um_m_K is not None:
-        expansion = table.thermal_expansion_um_m_K * UM
+    thermal: dict[str, Any] = {field: library and getattr(library, field) for field in THERMAL}
+    given = {field: (getattr(table, key), unit) for field, (key, unit) in THERMAL.items()}
+    thermal |= {field: value * unit for field, (value, unit) in given.items() if value is not None}
     return Material(
         name=name,
         youngs_modulus=table.youngs_modulus_GPa * GPA,
         poisson_ratio=table.poisson_ratio,
         density=table.density_kg_m3,
         source=table.source,
-        thermal_expansion=expansion,
         kind=kind,
+        **thermal,
     )
 
 
 def material_table(material: Material) -> dict[str, Any]:
     """A material as a [materials.NAME] table: youngs_modulus_GPa [GPa], density_kg_m3 [kg/m^3]."""
-    expansion = material.thermal_expansion
+    thermal = {key: (getattr(material, field), unit) for field, (key, unit) in THERMAL.items()}
     return {
         "youngs_modulus_GPa": rounded(material.youngs_modulus / GPA),
         "poisson_ratio": material.poisson_ratio,
         "density_kg_m3": rounded(material.density),
-        **({} if expansion is None else {"thermal_expansion_um_m_K": rounded(expansion / UM)}),
+        **{key: rounded(value / unit) for key, (value, unit) in thermal.items() if value is not None},
         "kind": material.kind.value,
         "source": material.source,
     }

@@ -56,6 +56,12 @@ class MaterialTable(Table):
     thermal_expansion_um_m_K: float | None = Field(
         None, ge=-100.0, le=1.0e3, description="linear thermal expansion; left out, that of the library's of this name"
     )
+    thermal_conductivity_W_m_K: float | None = Field(
+        None, gt=0.0, le=1.0e4, description="thermal conductivity; left out, that of the library's of this name"
+    )
+    specific_heat_J_kg_K: float | None = Field(
+        None, gt=0.0, le=1.0e5, description="specific heat capacity; left out, that of the library's of this name"
+    )
     kind: Literal["bearing steel", "silicon nitride", "other"] | None = Field(
         None, description='for the rating life; left out, that of the library\'s of this name, or "other"'
     )

@@ -1,0 +1,62 @@
+"""Materials: every number with source and range, thermal data, second names."""
+
+from __future__ import annotations
+
+import pytest
+
+from bearing import Material, MaterialKind, list_materials, load_material
+from bearing.material import FIELDS, material_data
+
+CAGES = ("brass", "bronze", "pa66", "pa66 glass filled", "peek", "phenolic", "pvx")
+
+
+@pytest.mark.parametrize("name", list_materials())
+def test_every_number_has_a_source_and_lies_in_its_range(name):
+    entry = material_data(name)
+    numbers = {key: value for key, value in entry.items() if key != "kind"}
+    assert set(numbers) <= {key for key, _ in FIELDS.values()}
+    for value in numbers.values():
+        low, high = value["range"]
+        assert low <= value["value"] <= high
+        assert value["source"]
+        assert value.get("verified", True) == (not value["source"].startswith("unverified"))
+
+
+def test_materials_of_rings_balls_and_cages_are_there():
+    wanted = {"52100", "100cr6", "m50", "cr4mo4v", "silicon nitride", "silicon nitride hp", "silicon nitride gps"}
+    assert wanted | {"zirconia"} | set(CAGES) <= set(list_materials())
+
+
+@pytest.mark.parametrize(
+    ("name", "conductivity", "heat"),
+    [("silicon nitride hp", 30.0, None), ("zirconia", 2.0, 500.0), ("brass", 120.0, 380.0), ("pvx", 0.82, 1100.0)],
+)
+def test_thermal_data_of_the_sources(name, conductivity, heat):
+    """Lily Bearing, Kientec, MakeItFrom, and Table 3 of Yao et al. (2022)."""
+    material = load_material(name)
+    assert material.thermal_conductivity == conductivity
+    assert heat is None or material.specific_heat == heat
+
+
+def test_what_is_not_known_is_left_out_and_what_is_not_read_is_named():
+    phenolic, pvx = load_material("phenolic"), load_material("PVX")
+    assert phenolic.thermal_conductivity is None
+    assert phenolic.specific_heat is None
+    assert phenolic.thermal_expansion is None
+    assert set(pvx.unverified) == {"poisson_ratio", "density"}
+    assert load_material("zirconia").unverified == ()
+
+
+@pytest.mark.parametrize(("second", "first"), [("100Cr6", "52100"), ("Cr4Mo4V", "M50")])
+def test_second_names(second, first):
+    one, other = load_material(second), load_material(first)
+    assert one.youngs_modulus == other.youngs_modulus
+    assert one.kind is other.kind is MaterialKind.BEARING_STEEL
+
+
+@pytest.mark.parametrize("field", ["thermal_conductivity", "specific_heat"])
+@pytest.mark.parametrize("value", [0.0, -1.0, float("nan")])
+def test_impossible_thermal_data_name_the_field(field, value):
+    data = {"name": "x", "youngs_modulus": 2e11, "poisson_ratio": 0.3, "density": 7800.0}
+    with pytest.raises(ValueError, match=field):
+        Material(**data, **{field: value})
