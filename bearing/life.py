@@ -34,6 +34,7 @@ from .quasistatic import QuasistaticSolution
 
 STEEPEST = radians(45.0)  # a steeper bearing is a thrust bearing in the standards
 LIFE_EXPONENT = 3.0  # of point contact [-]
+ROWS_EXPONENT = 0.7  # of the number of rows in C_r, ISO 281 [-]
 ROTATING, STATIONARY = 3.0, 10.0 / 3.0  # exponents of the equivalent ball load of a ring, relative to the load [-]
 KAPPA_LEAST, KAPPA_MOST, A_ISO_MOST = 0.1, 4.0, 50.0  # [-]
 A_ISO_PIECES = (  # kappa up to, constant, exponent [-]; continuous at 0.4 and 1
@@ -67,7 +68,7 @@ class LifeRating:
     static_safety : float or None
         (4200 MPa/p_max)^3 over the heaviest contact, steel on steel [-].
     static_rating, static_load : float or None
-        C_0 as given or computed, and P_0 of the external loads [N].
+        C_0 as given or computed, and P_0 of the external loads [N], of the row that carries most.
     static_safety_factor : float or None
         S_0 = C_0/P_0 [-].
     messages : tuple of str
@@ -114,9 +115,12 @@ def bearing_life(solution: QuasistaticSolution, lubricant: Lubricant, rating: Ra
     if why:
         return replace(known, messages=(*messages, f"life: basic and modified rating null, {why}"))
     capacity = rating.dynamic_rating or dynamic_rating(bearing, rating.nominal_contact_angle)
-    life = reference_life(solution, capacity, rating.nominal_contact_angle)
+    life, rows = reference_life(solution, capacity, rating.nominal_contact_angle), len(solution.rows)
+    capacity *= rows**ROWS_EXPONENT
     load = capacity / life ** (1.0 / LIFE_EXPONENT)
-    limit = fatigue_load_limit(bearing, rating.nominal_contact_angle)
+    limit = rows * fatigue_load_limit(bearing, rating.nominal_contact_angle)
+    if rows > 1:
+        messages.append(f"life: C_r, P and C_u are those of the {rows} rows together, C_r {rows}^0.7 times that of one")
     assert kappa is not None  # without rotation there is a reason above
     factor = _life_factor(kappa, limit / load, rating.contamination_factor)
     return replace(
@@ -159,8 +163,10 @@ def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRatin
         messages.append("life: static rating computed from the geometry, no basic_static_rating_kN was given")
     elif capacity is None:
         messages.append("life: static rating and S_0 null, give the basic_static_rating_kN of the hybrid")
-    axial, radial = abs(float(solution.ring_force[0])), hypot(*(float(f) for f in solution.ring_force[1:]))
-    load = static_equivalent_load(radial, axial, rating.nominal_contact_angle)
+    loads = []
+    for x, y, z in solution.row_load[:, :3]:
+        loads.append(static_equivalent_load(hypot(y, z), abs(float(x)), rating.nominal_contact_angle))
+    load = max((found for found in loads if found is not None), default=None)
     if load is None:
         messages.append("life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 to 40 deg")
     factor = capacity / load if capacity is not None and load else None
@@ -201,15 +207,15 @@ def _life_factor(kappa: float, limit_over_load: float, contamination: float | No
 def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle: float) -> float:
     """Basic reference rating life [10^6 revolutions], ISO 16281.
 
-    L_10r = [(Q_ci/Q_ei)^(-10/3) + (Q_ce/Q_ee)^(-10/3)]^(-9/10), Q_e = (sum Q_j^p/Z)^(1/p), p = 3 for a ring that turns
-    relative to the load and 10/3 for one that stands. The load stands in space.
+    L_10r = [sum over rows of (Q_ci/Q_ei)^(-10/3) + (Q_ce/Q_ee)^(-10/3)]^(-9/10), Q_e = (sum Q_j^p/Z)^(1/p), p = 3 for a
+    ring that turns relative to the load and 10/3 for one that stands. The load stands in space.
 
     Parameters
     ----------
     solution : QuasistaticSolution
         Ball loads [N].
     capacity : float
-        C_r [N].
+        C_r of one row [N].
     contact_angle : float
         Nominal contact angle [rad].
 
@@ -220,10 +226,12 @@ def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle
     """
     ratings = ball_ratings(solution.bearing, capacity, contact_angle)
     speeds = (solution.operation.inner_speed, solution.operation.outer_speed)
-    loads = (solution.inner_load, solution.outer_load)
+    rows = [solution.row(k) for k in range(len(solution.rows))]
+    races = tuple(zip(("inner_load", "outer_load"), speeds, ratings, strict=True))
     total = sum(
-        (rating / equivalent_ball_load(load, turning=speed != 0.0)) ** (-10.0 / 3.0)
-        for rating, load, speed in zip(ratings, loads, speeds, strict=True)
+        (equivalent_ball_load(getattr(row, name), turning=speed != 0.0) / rating) ** (10.0 / 3.0)
+        for row in rows
+        for name, speed, rating in races
     )
     return float(total**-0.9)
 

@@ -17,7 +17,7 @@ from pydantic import ValidationError
 from . import checks
 from .library_names import catalogue_values, with_library_names
 from .problems import MISSING, CaseError, Problem, nearest_name, resolved, schema_problems, shown
-from .schema import BearingFile, BearingTable, ContactFile, MaterialTable, OilTable, Table
+from .schema import BearingFile, BearingTable, ContactFile, MaterialTable, OilTable, RowTable, Table
 from .shipped import find_case
 from .toml_lines import key_lines
 
@@ -25,19 +25,20 @@ if TYPE_CHECKING:
     from bearing.clearance import ClearanceBudget
     from bearing.geometry import Bearing
     from bearing.operation import Model, Operation, RatingInput
+    from bearing.rows import Row
     from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 
     from .slip_plan import SlipPlan
 
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
-LATER_TABLES = ("cage", "dynamics", "rows", "load_cases")
+LATER_TABLES = ("cage", "dynamics", "load_cases")
 LATER_VALUES = {
     ("model", "ball_kinematics"): ("minimum dissipation", "traction equilibrium"),
     ("lubricant", "viscosity_law"): ("tait-doolittle", "yasutomi"),
     ("lubricant", "density_law"): ("tait",),
 }
-NAMED_TABLES: dict[str, type[Table]] = {"materials": MaterialTable, "lubricants": OilTable}
+NAMED_TABLES: dict[str, type[Table]] = {"materials": MaterialTable, "lubricants": OilTable, "rows": RowTable}
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
 
 
@@ -59,6 +60,7 @@ class Case:
     slip: SlipPlan | None = None  # maps of `oilfilm slip`
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
     clearance: ClearanceBudget | None = None  # where fits or temperatures change it; `bearing` has the operating one
+    rows: tuple[Row, ...] | None = None  # None: a single one
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -310,6 +312,7 @@ def _bearing_case(file: BearingFile) -> Case:
         slip=None if file.slip is None else convert.slip_plan(file.slip),
         rating=convert.rating(file),
         clearance=clearance,
+        rows=convert.rows(file),
     )
 
 

@@ -69,12 +69,13 @@ def run_case(
     from bearing.frequencies import bearing_frequencies
     from bearing.life import bearing_life
     from bearing.quasistatic import solve_quasistatic
+    from bearing.rows import SINGLE
     from postprocess.results import BearingResults
 
     notify = progress or (lambda done, total, state: None)
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
-    state = solve_quasistatic(case.bearing, case.operation, case.model)
+    state = solve_quasistatic(case.bearing, case.operation, case.model, rows=case.rows or SINGLE)
     contacts = contact_conditions(state, case.lubricant)
     timing = {"quasistatic": perf_counter() - start}
     wanted, messages = wanted_contacts(case, state, contacts)
@@ -152,9 +153,8 @@ def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
         return set()
     if case.film_maps == "loaded":
         return {c.ball for c in contacts if c.race.value == "inner" and c.load > 0.0}
-    azimuths = tuple(degrees(contact.azimuth) for contact in contacts)
-    found = [ball_at(degrees(azimuth), azimuths) for azimuth in case.film_maps if not isinstance(azimuth, str)]
-    return {contacts[index].ball for index in found if index is not None}
+    wanted = [degrees(azimuth) for azimuth in case.film_maps if not isinstance(azimuth, str)]
+    return {c.ball for c in contacts if any(ball_at(at, (degrees(c.azimuth),)) is not None for at in wanted)}
 
 
 def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:

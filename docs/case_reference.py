@@ -40,11 +40,12 @@ ORDER = (
     "surface",
     "fit",
     "temperatures",
+    "rows",
     "slip",
     "materials",
     "lubricants",
 )
-NAMED = {"materials": "materials.NAME", "lubricants": "lubricants.NAME"}
+NAMED = {"rows": "[rows]", "materials": "materials.NAME", "lubricants": "lubricants.NAME"}
 
 
 def unit(key: str) -> str:
@@ -92,10 +93,10 @@ def tables() -> str:
 
 
 def _content(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
-    """The table behind a key; of tables by name, the one they all are."""
+    """The table behind a key; of tables by name or in a list, the one they all are."""
     node = resolved(schema, node)
-    named = node.get("additionalProperties")
-    return resolved(schema, named) if isinstance(named, dict) else node
+    several = node.get("additionalProperties") or node.get("items")
+    return resolved(schema, several) if isinstance(several, dict) and "$ref" in several else node
 
 
 def page() -> str:

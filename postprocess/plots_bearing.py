@@ -29,9 +29,11 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from bearing.quasistatic import QuasistaticSolution
     from ehl import ContactSolution
 
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
+ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
 FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])  # of the central film, contour lines of small maps
 PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
 WIDE_LABEL = 8  # characters of azimuths that fit above a map
@@ -53,12 +55,15 @@ class BallColumn:
 
     azimuths: tuple[float, ...]  # [deg]
     views: dict[str, ContactView | None]  # by race
+    row: int | None  # of several, from 1
     window: tuple[float, float, float]  # ends along the rolling direction, half width, of every column [mm]
 
     @property
     def label(self) -> str:
         """Azimuths in words, on two lines if they are long."""
         words = [f"{a:.4g}°" for a in self.azimuths]
+        if self.row is not None:
+            words[-1] += f"\nrow {self.row}"
         return ", ".join(words) if sum(map(len, words)) <= WIDE_LABEL else ",\n".join(words)
 
 
@@ -74,16 +79,16 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
     tuple of BallColumn
         Azimuths in [deg], ascending; all views show one window.
     """
-    groups: dict[tuple[float, int, int], list[float]] = {}
-    pairs: dict[tuple[float, int, int], tuple[ContactSolution | None, ContactSolution | None]] = {}
+    groups: dict[tuple[float, int, int, int], list[float]] = {}
+    pairs: dict[tuple[float, int, int, int], tuple[ContactSolution | None, ContactSolution | None]] = {}
     for i in range(0, len(results.contacts), 2):
         azimuth = degrees(results.contacts[i].azimuth) % 360.0
         pair = results.solutions[i], results.solutions[i + 1]
-        key = (round(min(azimuth, 360.0 - azimuth), 6), id(pair[0]), id(pair[1]))
+        key = (round(min(azimuth, 360.0 - azimuth), 6), results.contacts[i].row, id(pair[0]), id(pair[1]))
         groups.setdefault(key, []).append(azimuth)
         pairs[key] = pair
     with_film = [key for key, pair in pairs.items() if pair != (None, None)]  # else no film was asked for
-    keys = sorted(with_film or groups, key=lambda key: groups[key][0])
+    keys = sorted(with_film or groups, key=lambda key: (groups[key][0], key[1]))
     chosen = np.unique(np.linspace(0, len(keys) - 1, min(COLUMNS, len(keys))).round().astype(int))
     distinct = {id(s): s for key in keys for s in pairs[key] if s is not None}
     window = _common_window([contact_view(s) for s in distinct.values()])
@@ -92,6 +97,7 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
         BallColumn(
             azimuths=tuple(sorted(groups[key])),
             views={race: views.get(id(s)) for race, s in zip(RACES, pairs[key], strict=True)},
+            row=key[1] if len(results.quasistatic.rows) > 1 else None,
             window=window,
         )
         for key in (keys[i] for i in chosen)
@@ -195,7 +201,7 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
     """Film with error bars, or pressure, of every contact over the azimuth."""
     for race in RACES:
         pairs = [
-            (degrees(c.azimuth) % 360.0, s)
+            (degrees(c.azimuth) % 360.0 + ROW_DODGE * (c.row - 0.5 * (1 + len(results.quasistatic.rows))), s)
             for c, s in zip(results.contacts, results.solutions, strict=True)
             if s is not None and c.race.value == race
         ]
@@ -211,7 +217,7 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
             axes.plot(azimuth, maximum, "o", color=COLOURS[race], markersize=4, label=f"{race} race, largest")
             axes.plot(azimuth, hertz, "_", color=COLOURS[race], markersize=9, label=f"{race} race, Hertz")
     axes.set_xlim(-12.0, 372.0)
-    balls = np.degrees(results.quasistatic.azimuth) % 360.0
+    balls = np.unique(np.round(np.degrees(results.quasistatic.azimuth) % 360.0, 6))
     axes.set_xticks(balls if len(balls) <= 12 else np.arange(0.0, 361.0, 30.0))
     axes.set_ylim(0.0, 1.12 * axes.get_ylim()[1])
     axes.set_xlabel("azimuth ψ from the load line [deg]")
@@ -240,9 +246,17 @@ def draw_load_zone(figure: Figure, results: BearingResults) -> None:
         Loads in [N].
     """
     state = results.quasistatic
-    figure.set_size_inches(0.5 * PAGE_WIDTH, 3.9)
+    rows = len(state.rows)
+    figure.set_size_inches(min(0.5 * rows, 1.0) * PAGE_WIDTH, 3.9 if rows == 1 else 4.3)
     figure.suptitle(str(results.case.get("title", "")), fontsize=7.5, wrap=True)
-    axes: Any = figure.add_subplot(projection="polar")
+    panels: Any = figure.subplots(1, rows, squeeze=False, subplot_kw={"projection": "polar"})
+    top = float(max(state.outer_load.max(), state.inner_load.max()))
+    for index, axes in enumerate(panels[0]):
+        _load_zone(axes, state.row(index), top, f"row {index + 1}: " if rows > 1 else "")
+
+
+def _load_zone(axes: Any, state: QuasistaticSolution, top: float, name: str) -> None:
+    """Contact loads of one row as bars, on a scale up to the largest load of all rows [N]."""
     axes.set_theta_zero_location("N")
     width = 0.55 * 2.0 * pi / len(state.azimuth)
     axes.bar(state.azimuth, state.outer_load, width, color=OUTER_COLOUR, alpha=0.35, label="outer race")
@@ -250,11 +264,12 @@ def draw_load_zone(figure: Figure, results: BearingResults) -> None:
     axes.set_xticks(state.azimuth, [f"{degrees(a) % 360.0:.4g}°" for a in state.azimuth])
     emptiest = int(np.argmin(state.outer_load + np.roll(state.outer_load, -1)))
     axes.set_rlabel_position(degrees(state.azimuth[emptiest] + pi / len(state.azimuth)) % 360.0)
-    axes.set_rticks([tick for tick in axes.get_yticks() if tick > 0.0][1::2])
+    axes.set_rlim(0.0, 1.05 * top if top > 0.0 else 1.0)
+    axes.set_rticks([tick for tick in axes.get_yticks() if 0.0 < tick <= top][1::2])
     axes.set_axisbelow(True)
     axes.grid(linewidth=0.3)
     axes.legend(
-        title="contact load [N] by azimuth ψ",
+        title=f"{name}contact load [N] by azimuth ψ",
         title_fontsize=7,
         ncols=2,
         loc="upper center",

@@ -29,6 +29,7 @@ SUMMARY_FILE, CONTACTS_FILE, FIELDS_FILE = "summary.json", "contacts.csv", "resu
 COMPRESSION = {"zlib": True, "complevel": 4, "shuffle": True, "dtype": "float32"}
 CONTACT_COLUMNS = (
     ("ball", "ball"),
+    ("row", "row"),
     ("azimuth_deg", "azimuth [deg]"),
     ("race", "race"),
     ("loaded", "loaded"),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from .messages import absent_films, lambda_ratio, ratio_messages
 from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
+from .rows import row_blocks, row_messages
 from .stress import stress_messages, stress_values
 from .summary_contact import NOT_COMPUTED, films, formulas, solution_messages
 from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE, MILLIRADIAN, NEWTON_MILLIMETRE, RPM
@@ -44,6 +45,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
             "iterations": state.iterations,
             "message": state.message,
         },
+        "rows": row_blocks(state),
         "cage_speed_rpm": state.cage_speed / RPM,
         "balls": [_ball(state, i) for i in range(len(state.azimuth))],
         "contacts": [
@@ -79,6 +81,7 @@ def _ring(state: QuasistaticSolution) -> dict[str, Any]:
 def _ball(state: QuasistaticSolution, i: int) -> dict[str, Any]:
     return {
         "ball": i + 1,
+        "row": int(state.row_of_ball[i]) + 1,
         "azimuth_deg": degrees(state.azimuth[i]),
         "centrifugal_force_N": state.centrifugal_force[i],
         "gyroscopic_moment_N_mm": state.gyroscopic_moment[i] / NEWTON_MILLIMETRE,
@@ -94,6 +97,7 @@ def _bearing_contact(
     hertz, conditions = contact.hertz, contact.conditions
     return {
         "ball": contact.ball,
+        "row": contact.row,
         "azimuth_deg": degrees(contact.azimuth),
         "race": contact.race.value,
         "loaded": contact.load > 0.0,
@@ -128,6 +132,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
         yield f"equilibrium of ring and balls: {state.message}"
     for group in distinct_contacts(results):
         yield from solution_messages(group.label, group.solution)
+    yield from row_messages(results)
     yield from absent_films(results)
     if any(c.conditions is None for c in results.contacts):
         yield "contacts: Hertz, speed and formula values null where a contact carries no load or no oil is entrained"

@@ -9,6 +9,7 @@ from .messages import lambda_ratio
 from .plot_style import value_with_error
 from .ratings import rating_rows
 from .results import BearingResults, ContactResults
+from .rows import row_lines
 from .units import GIGAPASCAL, MICROMETRE, RPM
 
 if TYPE_CHECKING:
@@ -69,7 +70,7 @@ def _bearing_table(results: BearingResults) -> Table:
         rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
     if not state.tilt.any():
         del rows["ring tilt"]
-    rows |= rating_rows(results)
+    rows |= row_lines(state) | rating_rows(results)
     table = _facts_table()
     for name, value in rows.items():
         table.add_row(name, Text(value))

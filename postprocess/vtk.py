@@ -198,19 +198,23 @@ def bodies(results: BearingResults) -> dict[str, Surface]:
         [state.ball_axial, state.ball_radial * np.cos(state.azimuth), state.ball_radial * np.sin(state.azimuth)], axis=1
     )
     middle = float(state.azimuth[int(np.argmax(state.outer_load))])
+    rows = range(1, len(state.rows) + 1)
+    inner = [ring_surface(bearing, True, _groove_axial(results, "inner", row), (middle, 0.0)) for row in rows]
+    outer = [ring_surface(bearing, False, _groove_axial(results, "outer", row), (middle, OPENING)) for row in rows]
     return {
         "balls": merge([ball_surface(centre, radius) for centre in centres]),
-        "inner ring": ring_surface(bearing, True, _groove_axial(results, "inner"), (middle, 0.0)),
-        "outer ring": ring_surface(bearing, False, _groove_axial(results, "outer"), (middle, OPENING)),
+        "inner ring": merge(inner),
+        "outer ring": merge(outer),
     }
 
 
-def _groove_axial(results: BearingResults, race: str) -> float:
+def _groove_axial(results: BearingResults, race: str, row: int) -> float:
     """Axial position of a race's groove centre [m]: from the contact point one groove radius back along the normal."""
     bearing = results.quasistatic.bearing
     radius = bearing.inner_groove_radius if race == "inner" else bearing.outer_groove_radius
-    found = [c.origin[0] - radius * c.normal[0] for c in results.contacts if c.race.value == race and c.load > 0.0]
-    return float(np.mean(found)) if found else 0.0
+    contacts = [c for c in results.contacts if c.race.value == race and c.row == row and c.load > 0.0]
+    found = [c.origin[0] - radius * c.normal[0] for c in contacts]
+    return float(np.mean(found)) if found else results.quasistatic.rows[row - 1].axial_position
 
 
 def structured_grid(points: Array) -> Any:

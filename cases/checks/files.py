@@ -9,6 +9,7 @@ from .bearing import ball_count, bearing_materials, boundary, clearance, grooves
 from .contact import contact_groups
 from .lubricant import lubricant
 from .operation import film_maps, loads, tilt
+from .rows import rows
 from .values import Names, Values, known
 
 
@@ -25,6 +26,7 @@ def bearing_problems(values: Values, names: Names) -> Iterator[Problem]:
         loads,
         tilt,
         film_maps,
+        rows,
     ):
         yield from check(values)
     yield from bearing_materials(values, names)

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..problems import Problem, shown
-from ..schema import FREE
+from ..schema import FREE, is_number
+from .rows import row_tables
 from .values import Values
 
 AZIMUTH_AGREEMENT_DEG = 0.05  # a ball's azimuth in film_maps may be rounded to a tenth
@@ -56,7 +57,8 @@ def film_maps(values: Values) -> Iterator[Problem]:
     )
     if wanted is None or isinstance(wanted, str) or balls is None or first is None:
         return
-    azimuths = ball_azimuths(balls, first)
+    firsts = [table.get("first_ball_azimuth_deg", first) for table in row_tables(values)] or [first]
+    azimuths = tuple(azimuth for start in firsts if is_number(start) for azimuth in ball_azimuths(balls, start))
     for azimuth in wanted:
         if ball_at(azimuth, azimuths) is None:
             nearest = min(azimuths, key=lambda known: _apart(azimuth, known))

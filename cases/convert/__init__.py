@@ -5,6 +5,7 @@ from .contact import contact, contact_defaults, solver_options
 from .lubricant import lubricant, lubricant_keys, temperature
 from .materials import material_table, materials, ring_materials, seat_materials
 from .operation import model, operation, slip_plan
+from .rows import rows
 
 __all__ = [
     "bearing",
@@ -19,6 +20,7 @@ __all__ = [
     "operation",
     "rating",
     "ring_materials",
+    "rows",
     "seat_materials",
     "slip_plan",
     "solver_options",

@@ -10,6 +10,7 @@ from .fields import FREE, Table, is_number
 from .files import BearingFile, CaseFile, ContactFile
 from .lubricant import LubricantTable, OilTable
 from .operation import ModelTable, OperationTable, SlipTable
+from .rows import RowTable
 from .sweep import HypercubeOptions, SensitivityTable, SweepFile
 
 __all__ = [
@@ -28,6 +29,7 @@ __all__ = [
     "ModelTable",
     "OilTable",
     "OperationTable",
+    "RowTable",
     "SensitivityTable",
     "SlipTable",
     "SurfaceTable",

@@ -9,6 +9,7 @@ from .contact import ContactEhlTable, ContactTable, EhlTable
 from .fields import Table
 from .lubricant import LubricantTable, OilTable
 from .operation import ModelTable, OperationTable, SlipTable
+from .rows import RowTable
 
 
 class CaseFile(Table):
@@ -33,6 +34,9 @@ class BearingFile(CaseFile):
     fit: FitTable | None = None
     temperatures: TemperaturesTable | None = None
     slip: SlipTable | None = None
+    rows: tuple[RowTable, ...] | None = Field(
+        None, strict=False, min_length=1, max_length=8, description="rows of balls on the one inner ring"
+    )
     lubricants: dict[str, OilTable] = Field({}, description="oils by name")
 
 

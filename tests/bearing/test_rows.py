@@ -13,9 +13,12 @@ from bearing import (
     BallKinematics,
     Model,
     Operation,
+    RatingInput,
     Row,
+    bearing_life,
     contact_conditions,
     duplex,
+    load_material,
     preloaded_row,
     solve_quasistatic,
 )
@@ -211,3 +214,35 @@ def test_a_neighbour_of_a_pair_is_a_start(bearings):
 def test_impossible_rows_are_refused(field):
     with pytest.raises(ValueError, match=field):
         Row(**{field: float("inf")})
+
+
+def test_life_of_equal_rows(bearings):
+    """Two rows that share a load have the P of one bearing with i = 2: L falls by 2^0.9 against one row under half."""
+    material = load_material("bearing steel")
+    steel = replace(bearings.b7008, ball_material=material, inner_ring_material=material, outer_ring_material=material)
+    rating, oil = (
+        RatingInput(nominal_contact_angle=np.radians(15.0)),
+        Lubricant(viscosity=0.03, pressure_viscosity=2e-8),
+    )
+    one = solve_quasistatic(steel, Operation(inner_speed=100.0, force=(500.0, 400.0, 0.0)))
+    rows = duplex(steel, Arrangement.TANDEM, WIDTH)
+    two = solve_quasistatic(steel, Operation(inner_speed=100.0, force=(1000.0, 800.0, 0.0)), rows=rows)
+    single, pair_life = (bearing_life(found, oil, rating) for found in (one, two))
+    assert pair_life.basic_life == pytest.approx(2.0**-0.9 * single.basic_life, rel=1e-6)
+    assert pair_life.equivalent_load == pytest.approx(2.0 * single.equivalent_load, rel=1e-6)
+    assert pair_life.static_safety_factor == pytest.approx(single.static_safety_factor, rel=1e-6)
+    assert any("2 rows together" in message for message in pair_life.messages)
+
+
+def test_a_row_without_load_does_not_shorten_life(bearings):
+    material = load_material("bearing steel")
+    steel = replace(bearings.b7008, ball_material=material, inner_ring_material=material, outer_ring_material=material)
+    rating, oil = (
+        RatingInput(nominal_contact_angle=np.radians(15.0)),
+        Lubricant(viscosity=0.03, pressure_viscosity=2e-8),
+    )
+    rows = duplex(steel, Arrangement.BACK_TO_BACK, WIDTH)
+    pair_state = solve_quasistatic(steel, Operation(inner_speed=0.1, force=(800.0, 0.0, 0.0)), rows=rows)
+    alone = solve_quasistatic(steel, Operation(inner_speed=0.1, force=(800.0, 0.0, 0.0)))
+    lives = [bearing_life(found, oil, rating).basic_life for found in (pair_state, alone)]
+    assert lives[0] == pytest.approx(lives[1], rel=1e-6)

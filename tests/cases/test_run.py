@@ -73,8 +73,8 @@ def test_no_films_without_equilibrium(solver, monkeypatch):
 
     solve = bearing.quasistatic.solve_quasistatic
 
-    def fail(*arguments):
-        return dataclasses.replace(solve(*arguments), converged=False, message="no equilibrium")
+    def fail(*arguments, **named):
+        return dataclasses.replace(solve(*arguments, **named), converged=False, message="no equilibrium")
 
     monkeypatch.setattr(bearing.quasistatic, "solve_quasistatic", fail)
     results = run_case(load_case(CASE))
@@ -138,13 +138,13 @@ def test_a_warning_of_the_library_reaches_the_results(solver, tmp_path):
 
 def test_the_lambda_ratio_of_a_case_with_roughness():
     """h_min over the rms roughness of race and ball, sqrt(0.03^2 + 0.04^2) = 0.05 um."""
-    from postprocess.summary_bearing import _lambda_ratio
+    from postprocess.messages import lambda_ratio
 
     surface = {"inner_ring_roughness_um": 0.03, "outer_ring_roughness_um": 0.0, "ball_roughness_um": 0.04}
     inner = SimpleNamespace(race=SimpleNamespace(value="inner"))
     outer = SimpleNamespace(race=SimpleNamespace(value="outer"))
     film = SimpleNamespace(film_minimum=0.2e-6)
-    assert _lambda_ratio(inner, film, surface) == pytest.approx(4.0)
-    assert _lambda_ratio(outer, film, surface) == pytest.approx(5.0)
-    assert _lambda_ratio(inner, None, surface) is None
-    assert _lambda_ratio(inner, film, None) is None
+    assert lambda_ratio(inner, film, surface) == pytest.approx(4.0)
+    assert lambda_ratio(outer, film, surface) == pytest.approx(5.0)
+    assert lambda_ratio(inner, None, surface) is None
+    assert lambda_ratio(inner, film, None) is None

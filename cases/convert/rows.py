@@ -1,0 +1,37 @@
+"""[[rows]]: where rows sit and how they are preloaded."""
+
+from __future__ import annotations
+
+from math import radians
+from typing import TYPE_CHECKING
+
+from ..schema import BearingFile
+from .bearing import bearing
+from .operation import model
+from .units import MM, UM
+
+if TYPE_CHECKING:
+    from bearing.rows import Row
+
+
+def rows(file: BearingFile) -> tuple[Row, ...] | None:
+    """Rows with positions and offsets [m], set with the clearance as delivered; None without [[rows]]."""
+    if file.rows is None:
+        return None
+    from dataclasses import replace
+
+    from bearing.preload import preloaded_row
+
+    given, found = bearing(file), []
+    for table in file.rows:
+        row = preloaded_row(
+            given,
+            table.axial_position_mm * MM,
+            1 if table.loaded_by == "+x" else -1,
+            preload_force=table.preload_N or 0.0,
+            preload_displacement=(table.preload_um or 0.0) * UM,
+            model=model(file),
+        )
+        first = table.first_ball_azimuth_deg
+        found.append(row if first is None else replace(row, first_ball_azimuth=radians(first)))
+    return tuple(found)
