@@ -78,6 +78,13 @@ def _replace(temporary: Path, directory: Path, files: list[str]) -> None:
         os.replace(temporary / name, directory / name)
 
 
+def add_to_manifest(directory: Path, name: str) -> None:
+    """Note a file made of results, so that a later run takes it away with them."""
+    earlier = _earlier_files(directory)
+    if earlier and name not in earlier:
+        (directory / MANIFEST).write_text(json.dumps(sorted([*earlier, name]), indent=1), encoding="utf-8")
+
+
 def _earlier_files(directory: Path) -> list[str]:
     try:
         names = json.loads((directory / MANIFEST).read_text(encoding="utf-8"))

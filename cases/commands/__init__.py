@@ -2,8 +2,10 @@
 
 from .app import app  # isort: skip
 from . import compute  # isort: skip
+from . import stiffness  # isort: skip
 from . import batch  # isort: skip
 from . import look  # isort: skip
+from . import pages  # isort: skip
 from . import files  # isort: skip
 
-__all__ = ["app", "batch", "compute", "files", "look"]
+__all__ = ["app", "batch", "compute", "files", "look", "pages", "stiffness"]

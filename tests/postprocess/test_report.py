@@ -1,0 +1,188 @@
+"""The HTML page: it says what the summary says, needs no other file, and fits a phone."""
+
+from __future__ import annotations
+
+import json
+import re
+import shutil
+import subprocess
+from html.parser import HTMLParser
+
+import pytest
+
+from postprocess import write_results
+from postprocess.named_units import unit_of, without_unit
+from postprocess.report import report_page, write_report
+from postprocess.report_html import number, text
+from postprocess.report_svg import stacked_bars
+from postprocess.results_io import SUMMARY_FILE
+
+VOID = {"meta", "img", "br", "rect", "line"}
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")
+TORQUE = {
+    "total": 36.4,
+    "models": {
+        "integrated": {"rolling": 20.1, "sliding": 15.2, "spin": 1.1, "total": 36.4},
+        "skf": {"rolling": 22.0, "sliding": 12.0, "seal": 0.0, "drag": 3.3, "total": 37.3},
+        "mixed signs": {"drive": 2.0, "brake": -1.0, "total": 1.0},
+        "yao": {"ME": None, "total": None},
+    },
+}
+
+
+class Page(HTMLParser):
+    """Tags that are closed in order, and what the page points at."""
+
+    def __init__(self, page):
+        super().__init__()
+        self.open, self.links, self.words, self.ids = [], [], [], set()
+        self.feed(page)
+        self.close()
+
+    def handle_starttag(self, tag, attrs):
+        if tag not in VOID:
+            self.open.append(tag)
+        self.links += [value for name, value in attrs if name in ("src", "href", "xlink:href")]
+        self.ids |= {value for name, value in attrs if name == "id"}
+
+    def handle_endtag(self, tag):
+        if tag not in VOID:
+            assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.words.append(data)
+
+
+@pytest.fixture(scope="module")
+def folder(bearing_results, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("results")
+    write_results(bearing_results, folder)
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    document["torque_N_mm"] = TORQUE
+    document["case"] |= {
+        "assumed": ["lubricant.viscosity_mPa_s", "materials.ours.density_kg_m3"],
+        "lubricant": {"viscosity_mPa_s": 26.1, "density_kg_m3": 870.0},
+        "materials": {"ours": {"density_kg_m3": 3250.0, "poisson_ratio": 0.26}},
+    }
+    document["messages"] += ["inner race, ball 1: not converged: <made up>", "life: null, no rating was asked for"]
+    document["later_block"] = {"wear_depth_um": 1.25}
+    (folder / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
+    return folder
+
+
+def test_the_page_is_whole_and_needs_no_other_file(folder):
+    page = report_page(folder)
+    parsed = Page(page)
+    assert parsed.open == []
+    assert parsed.links
+    assert all(link.startswith(("#", "data:image/png;base64,")) for link in parsed.links)
+    assert {link[1:] for link in parsed.links if link.startswith("#")} <= parsed.ids
+    assert not re.search(r"https?://(?!www\.w3\.org/2000/svg)|@import|url\(|<script", page)
+
+
+def test_the_page_says_what_the_summary_says(folder):
+    page = report_page(folder)
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    words = " ".join(Page(page).words)
+    contact = document["contacts"][0]
+    assert f"{contact['hertz_pressure_GPa']:.4g}" in words
+    assert "36.4 N mm" in words
+    assert "37.3 N mm" in words
+    assert "not converged: <made up>" in words
+    assert "wear depth" in words
+    assert "1.25" in words
+    assert "yao" not in words.lower()  # a model without a number has no bar
+    assert document["oilfilm"] in words
+
+
+def test_assumed_values_are_marked(folder):
+    page = report_page(folder)
+    marked = re.findall(r'<tr class="assumed"><td>([^<]*)<span', page)
+    assert [words.strip() for words in marked] == ["viscosity", "density"]
+    rows = re.findall(r'<tr class="assumed">.*?</tr>', page)
+    assert "3250" in rows[1]
+
+
+def test_parts_of_both_signs_are_not_stacked():
+    svg = stacked_bars([("both", {"drive": 2.0, "brake": -1.0}, 1.0), ("one", {"a": 1.0, "b": 3.0}, 4.0)], "N mm")
+    assert svg.count("<rect") == 1 + 2 + 4  # one bar, a stack of two, a legend of four
+    widths = [float(w) for w in re.findall(r'width="([\d.]+)" height="20"', svg)]
+    assert widths[0] == pytest.approx(widths[1], rel=0.01)
+    assert widths[2] == pytest.approx(3.0 * widths[1], rel=0.01)
+
+
+def test_a_single_contact_and_one_of_moes_groups(contact_results, moes_results, tmp_path):
+    for name, results in (("contact", contact_results), ("moes", moes_results)):
+        write_results(results, tmp_path / name)
+        page = Page(write_report(tmp_path / name).read_text(encoding="utf-8"))
+        assert page.open == []
+        assert "minimum film" in " ".join(page.words)
+
+
+def test_bad_folders_are_told(tmp_path):
+    with pytest.raises(ValueError, match="holds no results"):
+        write_report(tmp_path)
+    (tmp_path / SUMMARY_FILE).write_text("{")
+    with pytest.raises(ValueError, match="damaged"):
+        write_report(tmp_path)
+    (tmp_path / SUMMARY_FILE).write_text("{}")
+    with pytest.raises(ValueError, match="not a summary of oilfilm"):
+        write_report(tmp_path)
+
+
+def test_a_page_of_somebody_else_is_left_alone(folder):
+    path = write_report(folder)
+    assert write_report(folder) == path
+    path.write_text("<html>mine</html>")
+    with pytest.raises(ValueError, match="will not be replaced"):
+        write_report(folder)
+    path.unlink()
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        (None, "–"),
+        (True, "yes"),
+        (3, "3"),
+        (1234.5678, "1234.6"),
+        (-1.5e-7, "−1.5·10<sup>−7</sup>"),
+        ("<b>", "&lt;b&gt;"),
+        ([1e-12, 27.0], "0, 27"),
+        (float("nan"), "–"),
+    ],
+)
+def test_values_as_text(value, shown):
+    assert text(value) == shown
+
+
+def test_units_of_keys():
+    assert unit_of("torque_N_mm.models.skf.total") == "N mm"
+    assert unit_of("lubricant.pressure_viscosity_1_GPa") == "1/GPa"
+    assert unit_of("thermal_expansion_um_m_K") == "um/(m K)"
+    assert unit_of("balls") == ""
+    assert without_unit("entrainment_speed_m_s") == "entrainment speed"
+    assert number(0.0) == "0"
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium")
+@pytest.mark.parametrize("width", [400, 1280])
+def test_no_page_is_wider_than_its_window(folder, tmp_path, width):
+    """Only tables and pictures that are scrolled by themselves may be wider."""
+    page = report_page(folder)
+    script = "<script>document.title = document.documentElement.scrollWidth + ' of ' + window.innerWidth</script>"
+    (tmp_path / "page.html").write_text(page.replace("</body>", f"{script}</body>"), encoding="utf-8")
+    frame = f'<iframe id="f" src="page.html" width="{width}" height="900"></iframe>'
+    read = "f.onload = () => { document.title = f.contentDocument.title }"
+    (tmp_path / "frame.html").write_text(f"<body>{frame}<script>{read}</script></body>", encoding="utf-8")
+    words = [CHROMIUM, "--headless", "--no-sandbox", "--disable-gpu", "--allow-file-access-from-files", "--dump-dom"]
+    answer = subprocess.run(
+        [*words, "--virtual-time-budget=5000", f"--user-data-dir={tmp_path}/u", f"file://{tmp_path}/frame.html"],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        check=True,
+    )
+    found, window = map(int, re.search(r"<title>(\d+) of (\d+)</title>", answer.stdout).groups())
+    assert window == width
+    assert found <= window
