@@ -1,23 +1,47 @@
-"""Lubricants by name: viscosity, pressure-viscosity coefficient and density at a temperature."""
+"""Lubricants by name: viscosity, pressure-viscosity coefficient, density and thermal properties at a temperature."""
 
 from __future__ import annotations
 
 import tomllib
 import warnings
+from collections.abc import Callable
 from functools import cache
 from importlib import resources
 from itertools import pairwise
-from math import exp, log
+from math import exp, log, log10
 from typing import Any
 
-from ehl.lubricant import Lubricant
+from ehl.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
+from ehl.lubricant import ROELANDS_LOG_OFFSET, Lubricant, ThermalProperties, ViscosityLaw
 
 from .names import matching_name
+
+PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
+ZERO_CELSIUS = 273.15  # [K]
+STEP = 0.5  # of the differences that give the temperature coefficients [K]
+CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
 
 
 def list_lubricants() -> tuple[str, ...]:
     """Names of the shipped lubricants, in the order of the data file."""
     return tuple(_table())
+
+
+def lubricant_data(name: str) -> dict[str, Any]:
+    """What the data file says of an oil: range [degrees Celsius], and per property its law, constants and source.
+
+    Parameters
+    ----------
+    name : str
+        One of `list_lubricants()`.
+
+    Returns
+    -------
+    dict
+        `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units, `source`, and `verified`
+        false where the number was not read in a source.
+    """
+    return _table()[name]
 
 
 def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
@@ -35,6 +59,7 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     Returns
     -------
     Lubricant
+        With its thermal properties; -d(ln eta)/dT and the expansion are those of the laws at this temperature.
 
     Raises
     ------
@@ -54,16 +79,59 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
         raise ValueError(f"temperature must lie between 150 and 700 K, got {temperature!r}")
     entry = table[key]
     low, high = entry["range_C"]
-    if not low <= temperature - 273.15 <= high:
-        warnings.warn(f"lubricant {key!r}: {temperature - 273.15:.1f} C is outside {low} to {high} C", stacklevel=2)
-    density = _interpolate(entry["density"], temperature)
-    viscosity = LAWS[entry["viscosity"]["law"]](entry["viscosity"], temperature, density)
-    if entry["pressure_viscosity"]["law"] == "exponent":  # alpha = exp(a ln eta + b)/eta, eta in Pa s
-        a, b = entry["pressure_viscosity"]["a"], entry["pressure_viscosity"]["b"]
-        alpha = exp(a * log(viscosity) + b) / viscosity
-    else:
-        alpha = _alpha_hyperbola(entry["pressure_viscosity"], temperature)
-    return Lubricant(viscosity=viscosity, pressure_viscosity=alpha, density=density, name=key, **laws)
+    if not low <= temperature - ZERO_CELSIUS <= high:
+        message = f"lubricant {key!r}: {temperature - ZERO_CELSIUS:.1f} C is outside {low} to {high} C"
+        warnings.warn(message, stacklevel=2)
+    constants = _free_volume(entry, temperature)
+    alpha = pressure_viscosity(entry, temperature)
+    if laws.get("viscosity_law") is ViscosityLaw.TAIT_DOOLITTLE and constants:
+        alpha = pressure_viscosity_doolittle(constants["tait"], constants["doolittle"], temperature)
+    return Lubricant(
+        viscosity=dynamic_viscosity(entry, temperature),
+        pressure_viscosity=alpha,
+        density=oil_density(entry, temperature),
+        name=key,
+        temperature=temperature,
+        thermal=_thermal(entry, temperature),
+        **constants,
+        **laws,
+    )
+
+
+def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
+    def fall(law: Callable[[dict[str, Any], float], float]) -> float:
+        """-d(ln law)/dT by a central difference [1/K]."""
+        warmer, colder = law(entry, temperature + STEP), law(entry, temperature - STEP)
+        return log(colder / warmer) / (2.0 * STEP)
+
+    conductivity, heat = entry["conductivity"], entry["specific_heat"]
+    return ThermalProperties(
+        conductivity=_linear(conductivity, temperature),
+        specific_heat=_linear(heat, temperature),
+        viscosity_temperature=fall(dynamic_viscosity),
+        expansion=fall(oil_density),
+    )
+
+
+def _free_volume(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
+    """Constants of Tait and Doolittle, which hold at the temperature of operation; none if the oil has none."""
+    data = entry.get("doolittle")
+    if data is None:
+        return {}
+    tait = TaitVolume(
+        bulk_modulus=data["bulk_modulus_Pa"],
+        bulk_modulus_derivative=data["bulk_modulus_derivative"],
+        reference_temperature=temperature,
+    )
+    return {
+        "tait": tait,
+        "doolittle": DoolittleFreeVolume(factor=data["factor"], occupied_share=data["occupied_share"]),
+    }
+
+
+def dynamic_viscosity(entry: dict[str, Any], temperature: float) -> float:
+    """Dynamic viscosity [Pa s] of an oil's data at a temperature [K] and ambient pressure."""
+    return LAWS[entry["viscosity"]["law"]](entry["viscosity"], temperature, oil_density(entry, temperature))
 
 
 def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -> float:
@@ -83,7 +151,7 @@ def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -
     float
         Dynamic viscosity [Pa s].
     """
-    return float(1e-6 * density * entry["a_mm2_s"] * exp(entry["b_K"] / (temperature - 273.15 + entry["c_K"])))
+    return float(1e-6 * density * entry["a_mm2_s"] * exp(entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"])))
 
 
 def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) -> float:
@@ -97,14 +165,103 @@ def viscosity_walther(entry: dict[str, Any], temperature: float, _density: float
     return float(entry["c_Pa_s"] * (exp(exp(entry["a"] - entry["b"] * log(temperature))) - entry["d"]))
 
 
-LAWS = {"vogel": viscosity_vogel, "adore": viscosity_adore, "walther": viscosity_walther}
+def viscosity_astm_d341(entry: dict[str, Any], temperature: float, density: float) -> float:
+    """Dynamic viscosity [Pa s], rho nu, log10 log10(nu + 0.7) = A - B log10 T, nu in mm^2/s: ASTM D341.
+
+    Parameters
+    ----------
+    entry : dict
+        Two temperatures [K] and kinematic viscosities there [mm^2/s], through which A and B go.
+    temperature : float
+        Temperature [K].
+    density : float
+        Density [kg/m^3].
+
+    Returns
+    -------
+    float
+        Dynamic viscosity [Pa s].
+    """
+    return 1e-6 * density * _d341(entry["temperature_K"], entry["value_mm2_s"], temperature)
 
 
-def _alpha_hyperbola(entry: dict[str, Any], temperature: float) -> float:
-    """Pressure-viscosity coefficient [1/Pa]: a + b/(T - c), or interpolated in T [K]."""
-    if entry["law"] == "hyperbola":
-        return float(entry["a_1_Pa"] + entry["b_K_Pa"] / (temperature - entry["c_K"]))
-    return _interpolate(entry, temperature)
+def viscosity_dynamic_d341(entry: dict[str, Any], temperature: float, _density: float) -> float:
+    """Dynamic viscosity [Pa s], the form of ASTM D341 through two dynamic viscosities in mPa s; temperature in [K]."""
+    return 1e-3 * _d341(entry["temperature_K"], entry["value_mPa_s"], temperature)
+
+
+def _d341(temperatures: list[float], values: list[float], temperature: float) -> float:
+    (x0, x1), (y0, y1) = ((log10(t) for t in temperatures), (log10(log10(v + CUTOFF)) for v in values))
+    y = y0 + (y1 - y0) * (log10(temperature) - x0) / (x1 - x0)
+    return float(10.0 ** (10.0**y) - CUTOFF)
+
+
+LAWS = {
+    "vogel": viscosity_vogel,
+    "adore": viscosity_adore,
+    "walther": viscosity_walther,
+    "astm d341": viscosity_astm_d341,
+    "dynamic d341": viscosity_dynamic_d341,
+}
+
+
+def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
+    """Pressure-viscosity coefficient [1/Pa] of an oil's data at a temperature [K].
+
+    exponent: exp(a ln eta + b)/eta, eta in Pa s; hyperbola: a + b/(T - c); table: linear in T, held beyond its ends;
+    roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), which is Roelands' (1966) identity with z held.
+
+    Parameters
+    ----------
+    entry : dict
+        Data of the oil, `lubricant_data`.
+    temperature : float
+        Temperature [K].
+
+    Returns
+    -------
+    float
+        d(ln eta)/dp at ambient pressure [1/Pa].
+    """
+    data = entry["pressure_viscosity"]
+    if data["law"] == "exponent":
+        viscosity = dynamic_viscosity(entry, temperature)
+        return float(exp(data["a"] * log(viscosity) + data["b"]) / viscosity)
+    if data["law"] == "hyperbola":
+        return float(data["a_1_Pa"] + data["b_K_Pa"] / (temperature - data["c_K"]))
+    if data["law"] == "roelands":
+        here, there = (log(dynamic_viscosity(entry, t)) for t in (temperature, data["reference_K"]))
+        return float(data["value"] * (here + ROELANDS_LOG_OFFSET) / (there + ROELANDS_LOG_OFFSET))
+    return _interpolate(data, temperature)
+
+
+def oil_density(entry: dict[str, Any], temperature: float) -> float:
+    """Density [kg/m^3] of an oil's data at a temperature [K].
+
+    table: linear in T, continued beyond its ends; expansion: rho_r exp[-e (T - T_r)].
+
+    Parameters
+    ----------
+    entry : dict
+        Data of the oil, `lubricant_data`.
+    temperature : float
+        Temperature [K].
+
+    Returns
+    -------
+    float
+        Density at ambient pressure [kg/m^3].
+    """
+    data = entry["density"]
+    if data["law"] == "expansion":
+        return float(data["value"] * exp(-data["expansion_1_K"] * (temperature - data["reference_K"])))
+    points = list(zip(data["temperature_K"], data["value"], strict=True))
+    (t0, v0), (t1, v1) = next((p for p in pairwise(points) if temperature <= p[1][0]), (points[-2], points[-1]))
+    return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
+
+
+def _linear(data: dict[str, Any], temperature: float) -> float:
+    return float(data["value"] + data["slope"] * (temperature - data["reference_K"]))
 
 
 def _interpolate(entry: dict[str, Any], temperature: float) -> float:

@@ -16,6 +16,7 @@ from bearing import (
     load_material,
     reduced_modulus,
 )
+from bearing.lubricant_library import lubricant_data
 from ehl import DensityLaw
 
 
@@ -48,7 +49,8 @@ def test_unknown_names_list_the_known():
 
 @pytest.mark.parametrize("name", list_lubricants())
 def test_viscosity_falls_with_temperature(name):
-    oils = [library_lubricant(name, 273.15 + celsius) for celsius in (40.0, 60.0, 80.0, 100.0)]
+    low, high = lubricant_data(name)["range_C"]
+    oils = [library_lubricant(name, 273.15 + low + share * (high - low)) for share in (0.0, 0.3, 0.7, 1.0)]
     for cold, hot in zip(oils, oils[1:], strict=False):
         assert cold.viscosity > hot.viscosity
         assert cold.pressure_viscosity >= hot.pressure_viscosity

@@ -1,0 +1,163 @@
+"""Oils of the library: the numbers their sources print, laws against each other, thermal properties."""
+
+from __future__ import annotations
+
+from math import log, log10
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from bearing import library_lubricant, list_lubricants
+from bearing.lubricant_library import LAWS, PROPERTIES, lubricant_data
+from ehl import DensityLaw, ViscosityLaw
+from ehl.lubricant import density, viscosity
+
+VOGEL = {10: (0.1, 623.0), 22: (0.087, 748.0), 32: (0.0813, 808.0), 46: (0.0762, 866.0), 68: (0.071, 929.0)}
+VOGEL[100] = (0.0662, 990.0)
+POLYALPHAOLEFINS = {  # viscosity [mPa s], coefficient [1/GPa], density [kg/m^3], conductivity [W/(m K)]
+    4: (13.62, 14.8, 815.8, 0.1407),
+    10: (52.52, 17.1, 835.0, 0.16),
+    40: (345.8, 23.89, 843.4, 0.1641),
+    100: (1068.0, 23.06, 854.2, 0.165),
+}
+GRADES = (10, 15, 22, 32, 46, 68, 100, 150, 220)
+
+
+def kinematic(name, celsius):
+    """[mm^2/s]"""
+    oil = library_lubricant(name, celsius + 273.15)
+    return 1e6 * oil.viscosity / oil.density
+
+
+def test_the_oils_are_there():
+    wanted = {f"iso vg {grade}" for grade in GRADES} | {f"pao {grade}" for grade in (4, 10, 40, 100)}
+    assert wanted | {"mil-l-23699", "mil-l-7808", "squalane"} <= set(list_lubricants())
+
+
+@pytest.mark.parametrize("name", list_lubricants())
+def test_every_property_has_a_source(name):
+    data = lubricant_data(name)
+    for field in PROPERTIES:
+        assert data[field]["source"]
+        assert data[field].get("verified", True) == (not data[field]["source"].startswith("unverified"))
+    assert data["range_C"][0] < 40.0 <= data["range_C"][1]
+    assert data["viscosity"]["law"] in LAWS
+
+
+@pytest.mark.parametrize("grade", VOGEL)
+def test_vogel_of_the_mineral_oils(grade):
+    """nu = a exp(b/(t + 95)), constants printed by Thermca."""
+    a, b = VOGEL[grade]
+    for celsius in (20.0, 40.0, 70.0, 100.0):
+        assert kinematic(f"iso vg {grade}", celsius) == pytest.approx(a * np.exp(b / (celsius + 95.0)), rel=1e-12)
+
+
+def test_vogel_of_vg_32_as_printed():
+    assert_allclose([kinematic("iso vg 32", t) for t in (40.0, 70.0, 100.0)], [32.3, 10.9, 5.12], rtol=4e-3)
+
+
+@pytest.mark.parametrize("grade", [15, 150, 220])
+def test_grades_that_continue_the_series(grade):
+    """b of Vogel's law is a straight line over ln(grade) in the six printed ones, and the grade is met at 40 C."""
+    x = [log(kinematic(f"iso vg {g}", 40.0)) for g in VOGEL]
+    y = [lubricant_data(f"iso vg {g}")["viscosity"]["b_K"] for g in VOGEL]
+    line = np.polyfit(x, y, 1)
+    assert np.abs(np.polyval(line, x) - y).max() < 0.2
+    assert lubricant_data(f"iso vg {grade}")["viscosity"]["b_K"] == pytest.approx(np.polyval(line, log(grade)), abs=1.0)
+    assert kinematic(f"iso vg {grade}", 40.0) == pytest.approx(grade, rel=2e-3)
+
+
+@pytest.mark.parametrize(
+    ("grade", "celsius", "alpha"),
+    [(10, 60.0, 16.0), (32, 30.0, 28.0), (46, 100.0, 16.0), (68, 30.0, 23.7), (100, 60.0, 20.5), (220, 100.0, 17.6)],
+)
+def test_pressure_viscosity_of_the_mineral_oils(grade, celsius, alpha):
+    """Stachowiak and Batchelor, Table 2.3, at its own temperatures."""
+    oil = library_lubricant(f"iso vg {grade}", celsius + 273.15)
+    assert 1e9 * oil.pressure_viscosity == pytest.approx(alpha, rel=1e-12)
+
+
+@pytest.mark.parametrize("grade", POLYALPHAOLEFINS)
+def test_polyalphaolefins_as_printed(grade):
+    """At 40 C the printed set (five figures of nu), at 100 C the grade."""
+    viscosity_mPa_s, alpha, rho, conductivity = POLYALPHAOLEFINS[grade]
+    oil = library_lubricant(f"pao {grade}", 313.15)
+    assert 1e3 * oil.viscosity == pytest.approx(viscosity_mPa_s, rel=5e-5)
+    assert 1e9 * oil.pressure_viscosity == pytest.approx(alpha, rel=1e-12)
+    assert oil.density == rho
+    assert oil.thermal.conductivity == conductivity
+    assert kinematic(f"pao {grade}", 100.0) == pytest.approx(grade, rel=1e-12)
+
+
+def test_pao_10_beside_a_makers_sheet():
+    """Chevron Phillips, Synfluid PAO 10: 61.0 and 9.64 mm^2/s at 40 and 100 C; grades are rounded."""
+    assert kinematic("pao 10", 40.0) == pytest.approx(61.0, rel=0.04)
+    assert kinematic("pao 10", 100.0) == pytest.approx(9.64, rel=0.04)
+
+
+def test_astm_d341_is_a_straight_line():
+    """log10 log10(nu + 0.7) over log10 T."""
+    kelvin = np.array([290.0, 313.15, 350.0, 373.15])
+    y = [log10(log10(kinematic("pao 40", t - 273.15) + 0.7)) for t in kelvin]
+    slopes = np.diff(y) / np.diff(np.log10(kelvin))
+    assert_allclose(slopes, slopes[0], rtol=1e-9)
+
+
+def test_roelands_exponent_of_a_polyalphaolefin_is_the_same_at_every_temperature():
+    z = [library_lubricant("pao 40", t).exponent for t in (290.0, 313.15, 370.0)]
+    assert_allclose(z, z[0], rtol=1e-12)
+
+
+def test_mil_l_23699_and_7808_as_printed():
+    """Density and conductivity of the printed points."""
+    assert library_lubricant("mil-l-23699", 367.0).density == 922.0
+    assert library_lubricant("mil-l-23699", 366.67).thermal.conductivity == pytest.approx(0.14868, rel=1e-12)
+    hot = library_lubricant("mil-l-7808", 373.15)
+    assert hot.pressure_viscosity == pytest.approx(7.5808e-10 + 1.0742e-6 / (373.15 - 215.56), rel=1e-12)
+
+
+def test_squalane_at_pressure():
+    """Values computed for the constants of Liu et al. (2023): at 0.1, 0.3, 0.5, 0.8 and 1 GPa and 25 C."""
+    laws = {"viscosity_law": ViscosityLaw.TAIT_DOOLITTLE, "density_law": DensityLaw.TAIT}
+    oil = library_lubricant("squalane", 298.15, **laws)
+    p = np.array([0.1, 0.3, 0.5, 0.8, 1.0]) * 1e9
+    volume = [0.94674, 0.89291, 0.86128, 0.82958, 0.81388]
+    assert_allclose(864.0 / density(p, oil), volume, rtol=1e-5)
+    assert_allclose(viscosity(p, oil), [0.1933, 3.460, 39.18, 1126.0, 10033.0], rtol=5e-4)
+    default = library_lubricant("squalane", 298.15)
+    assert default.viscosity_law is ViscosityLaw.ROELANDS
+    assert default.pressure_viscosity == pytest.approx(oil.pressure_viscosity, rel=1e-3)
+
+
+@pytest.mark.parametrize("name", list_lubricants())
+def test_temperature_coefficients_are_the_slopes_of_the_laws(name):
+    """-d(ln eta)/dT and -d(ln rho)/dT against differences over 2 K; curvature of the laws enters with 1e-3."""
+    low, high = (t + 273.15 for t in lubricant_data(name)["range_C"])
+    middle = 0.5 * (low + high)
+    oil, cold, warm = (library_lubricant(name, t) for t in (middle, middle - 1.0, middle + 1.0))
+    assert oil.temperature == middle
+    assert oil.thermal.viscosity_temperature == pytest.approx(0.5 * log(cold.viscosity / warm.viscosity), rel=2e-3)
+    assert oil.thermal.expansion == pytest.approx(0.5 * log(cold.density / warm.density), rel=2e-3)
+    assert 0.01 < oil.thermal.viscosity_temperature < 0.1
+    assert 5e-4 < oil.thermal.expansion < 9e-4
+    assert 0.12 < oil.thermal.conductivity < 0.17
+    assert 1800.0 < oil.thermal.specific_heat < 2200.0
+
+
+@pytest.mark.parametrize(("name", "celsius"), [("pao 4", 130.0), ("squalane", 100.0), ("iso vg 220", 0.0)])
+def test_outside_its_range_an_oil_warns(name, celsius):
+    with pytest.warns(UserWarning, match="outside"):
+        library_lubricant(name, celsius + 273.15)
+
+
+@pytest.mark.parametrize("name", ["ISO-VG 150", "isovg150", "MIL-L-23699", "PAO-40", "Squalane"])
+def test_names_match_without_case_spaces_and_hyphens(name):
+    assert library_lubricant(name, 313.15).name in list_lubricants()
+
+
+def test_the_higher_the_grade_the_thicker():
+    for series in ([f"iso vg {g}" for g in GRADES], [f"pao {g}" for g in (4, 10, 40, 100)]):
+        for celsius in (40.0, 100.0):
+            values = [kinematic(name, celsius) for name in series]
+            assert values == sorted(values)
