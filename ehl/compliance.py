@@ -12,6 +12,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
+from .coating import ScaledCoating
+from .layered import point_compliance
+
 Array = NDArray[np.float64]
 SAMPLES = 4001  # of the density of nodes
 
@@ -101,6 +104,29 @@ def _line_compliance(x: Array, sources: Array, y: float) -> Array:
             hat = sign / area * (mixed - y0 * first_x - x0 * first_y + x0 * y0 * one)
             out[:, east : nx - 1 + east, north : ny - 1 + north] += hat
     return out
+
+
+def add_coating(
+    matrix: Array, coating: ScaledCoating, lines: tuple[Array, Array], weights: Array, symmetric: bool
+) -> None:
+    """Add what a coating changes to a compliance matrix, in place: it is smooth, a nodal quadrature will do.
+
+    Parameters
+    ----------
+    matrix : ndarray, shape (nx ny, nx ny)
+    coating : ScaledCoating
+    lines : tuple of ndarray
+        x and y as in `compliance_matrix` [-].
+    weights : ndarray, shape (nx ny,)
+        Integral of each node's function over the mesh [-].
+    symmetric : bool
+        Add the pressures of y < 0.
+    """
+    x, y = (values.ravel() for values in np.meshgrid(*lines, indexing="ij"))
+    for row in range(len(x)):
+        across = [y - y[row], y + y[row]] if symmetric else [y - y[row]]
+        for dy in across:
+            matrix[row] += weights * point_compliance(coating, np.hypot(x - x[row], dy))
 
 
 def near_field(matrix: Array, shape: tuple[int, int], reach: int) -> sparse.csr_matrix:

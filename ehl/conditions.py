@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import isfinite
 
+from .coating import Coating
 from .lubricant import Lubricant
 
 
@@ -35,6 +36,9 @@ class ContactConditions:
     mean_spin : float or None
         Angular speed (omega_1 + omega_2)/2 about the same normal, with which the entrainment turns from place to
         place [rad/s]; None: body 2 does not turn, and it is half the spin.
+    coating : Coating or None
+        Of one of the bodies; E' and all groups and scales made with it are then those of the uncoated half spaces, one
+        of them of the coating's material.
 
     Raises
     ------
@@ -53,6 +57,7 @@ class ContactConditions:
     lateral_slide_ratio: float = 0.0
     spin: float = 0.0
     mean_spin: float | None = None
+    coating: Coating | None = None
 
     def __post_init__(self) -> None:
         for field in ("load", "radius_x", "radius_y", "reduced_modulus", "entrainment_speed"):

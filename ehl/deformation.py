@@ -8,7 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
+from .coating import ScaledCoating
 from .grid import Grid
+from .layered import patch_compliance
 
 Array = NDArray[np.float64]
 LINES, NEAR = 4, 12  # part of the kernel handed to the line relaxation
@@ -52,12 +54,15 @@ def patch_corner(u: Array, v: Array) -> Array:
     return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
 
-def deflection_kernel(grid: Grid, deformation: float) -> DeflectionKernel:
+def deflection_kernel(grid: Grid, deformation: float, coating: ScaledCoating | None = None) -> DeflectionKernel:
     """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
     cells_x, cells_y = grid.nx - 1, (2 if grid.symmetric else 1) * (grid.ny - 1)
     x = grid.hx * (np.arange(cells_x + 2, dtype=np.float64) - 0.5)
     y = grid.hy * (np.arange(cells_y + 2, dtype=np.float64) - 0.5)
     quarter = deformation * np.diff(np.diff(patch_corner(x[None, :], y[:, None]), axis=0), axis=1)  # patch_integral
+    if coating is not None:
+        centres = (x[1:] - 0.5 * grid.hx, y[1:] - 0.5 * grid.hy)
+        quarter += deformation * patch_compliance(coating, *centres, grid.hx, grid.hy)
     # even in x and y: the cosine transform of the quarter is the real spectrum on the doubled, periodic grid
     spectrum = fft.dct(fft.dct(quarter, type=1, axis=1), type=1, axis=0)
     if grid.symmetric:

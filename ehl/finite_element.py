@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
-from .compliance import compliance_matrix, graded_nodes, near_field
+from .compliance import add_coating, compliance_matrix, graded_nodes, near_field
 from .conditions import ContactConditions, MoesConditions
 from .extrapolation import extrapolate
 from .far_field import FarField, exterior_load, far_field
@@ -205,6 +205,8 @@ def _level(
     """Mesh with `cells` along x, started from Hertz or from the coarser mesh."""
     X, Y = _lines(contact, domain, cells)
     space, compliance = film_space(X, Y), compliance_matrix(X, Y, contact.symmetric)
+    if contact.coating is not None:
+        add_coating(compliance, contact.coating, (X, Y), integral_weights(space), contact.symmetric)
     compliance *= contact.deformation
     x, y = (values.ravel() for values in np.meshgrid(X, Y, indexing="ij"))
     c = contact

@@ -107,7 +107,7 @@ def make_multigrid(
         levels.append(
             Level(
                 grid=grid,
-                kernel=deflection_kernel(grid, contact.deformation),
+                kernel=deflection_kernel(grid, contact.deformation, contact.coating),
                 gap=gap,
                 s=gap,
                 P=np.zeros(shape),
@@ -187,6 +187,14 @@ def flow(state: Multigrid, level: Level) -> None:
         level.slope_x *= factors.couette_x
     if factors.poiseuille is not None:
         level.eps *= factors.poiseuille
+    if factors.thinning is not None and factors.pressure is not None:
+        level.eps *= np.exp(factors.thinning * (log_viscosity(c, level.P) - log_viscosity(c, factors.pressure)))
+
+
+def log_viscosity(contact: ScaledContact, P: Array) -> Array:
+    """ln(eta/eta_0) at a pressure P, shape of `P` [-]."""
+    c = contact
+    return c.viscosity_slope * ((1.0 + c.viscosity_pressure * np.maximum(P, 0.0)) ** c.viscosity_exponent - 1.0)
 
 
 def relax(state: Multigrid, index: int) -> None:

@@ -7,9 +7,10 @@ kinds of conditions go the same way: SI -> (M, L, Rx/Ry, p_h) -> `ScaledContact`
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import atan2, cos, pi, sin, sqrt
 
+from .coating import ScaledCoating, scaled_coating
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
 from .film_formulas import moes_film_nijenbanning
 from .hertz import ellipse_ratio, hertz_coefficients
@@ -66,6 +67,7 @@ class ScaledContact:
     hertz_pressure: float  # p_h [Pa]
     semi_axis_x: float | None  # a [m]
     film_scale: float | None  # a^2/Rx [m]
+    coating: ScaledCoating | None = None
 
     @property
     def symmetric(self) -> bool:
@@ -103,7 +105,10 @@ def scale_contact(conditions: ContactConditions | MoesConditions, *, along_entra
     length = (f * load ** (1 / 3) * conditions.radius_x, conditions.radius_x)
     rotation = conditions.rotation * length[0] / conditions.entrainment_speed
     frame = _frame(d, conditions.entrainment_angle, rotation, along_entrainment)
-    return _scaled((m, l, d), pressure, conditions.lubricant, frame, length)
+    scaled = _scaled((m, l, d), pressure, conditions.lubricant, frame, length)
+    if conditions.coating is None:
+        return scaled
+    return replace(scaled, coating=scaled_coating(conditions.coating, conditions.reduced_modulus, length[0]))
 
 
 def _frame(d: float, angle: float, rotation: float, along_entrainment: bool) -> _Frame:

@@ -120,6 +120,8 @@ def _contact_messages(results: ContactResults) -> Iterator[str]:
     solution = results.solution
     yield from results.messages
     yield from solution_messages("contact", solution)
+    if isinstance(solution.conditions, ContactConditions) and solution.conditions.coating is not None:
+        yield "Hertz values, M, L and film formulas: those of bodies of the coating's material throughout"
     if not isinstance(solution.conditions, ContactConditions):
         yield "load_N, semi-axes, films in um: null, the case gives Moes' groups and no lengths"
     if not solution.hertz_pressure > 0.0:

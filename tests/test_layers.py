@@ -13,7 +13,7 @@ LAYERS = ("ehl", "bearing", "postprocess", "cases")
 MODULES = [path for layer in LAYERS for path in sorted((ROOT / layer).rglob("*.py"))]
 HOMES = {
     "numba": ("_kernels.py",),
-    "skfem": ("ehl/reynolds_fem.py", "ehl/subsurface.py"),
+    "skfem": ("ehl/reynolds_fem.py", "ehl/layered_fem.py", "ehl/subsurface.py"),
     "pyamg": ("ehl/linear_solvers.py",),
     "vtk": ("postprocess/vtk.py",),
     "vtkmodules": ("postprocess/vtk.py",),

@@ -10,6 +10,19 @@ from .values import Values
 KINEMATICS = ("slide_roll_ratio", "lateral_slide_ratio", "spin_rad_s", "mean_spin_rad_s")
 
 
+COATING = ("coating_thickness_um", "substrate_material")
+
+
+def coating(values: Values) -> Iterator[Problem]:
+    """Thickness, coating and substrate, all or none."""
+    given = [key for key in COATING if values.given("contact", key)]
+    if not given:
+        return
+    for key in (*COATING, "material_1", "material_2"):
+        if not values.given("contact", key):
+            yield Problem(path=("contact", key), found=MISSING, allowed=f"needed with {given[0]}")
+
+
 def contact_groups(values: Values) -> Iterator[Problem]:
     """Dimensions or Moes' groups, each complete, not both."""
     if values.get("contact") is None:
@@ -18,7 +31,7 @@ def contact_groups(values: Values) -> Iterator[Problem]:
     dimensional = ("load_N", "radius_x_mm", "radius_y_mm", "entrainment_speed_m_s")
     modulus = ("reduced_modulus_GPa", "material_1", "material_2")
     if has("moes_M") or has("moes_L") or has("radius_ratio"):
-        for key in (*dimensional, *modulus, *KINEMATICS):
+        for key in (*dimensional, *modulus, *KINEMATICS, *COATING):
             if has(key):
                 allowed = "allowed: dimensions, or Moes' groups, not both"
                 yield Problem(path=("contact", key), found="found together with Moes' groups", allowed=allowed)

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 from ..problems import Problem
 from .bearing import ball_count, bearing_materials, boundary, clearance, grooves, required_geometry, seats, shoulders
-from .contact import contact_groups
+from .contact import coating, contact_groups
 from .lubricant import lubricant
 from .operation import film_maps, loads, tilt
 from .rows import rows
@@ -38,6 +38,7 @@ def bearing_problems(values: Values, names: Names) -> Iterator[Problem]:
 def contact_problems(values: Values, names: Names) -> Iterator[Problem]:
     """Every conflict within a single-contact case."""
     yield from contact_groups(values)
-    for key in ("material_1", "material_2"):
+    yield from coating(values)
+    for key in ("material_1", "material_2", "substrate_material"):
         yield from known(("contact", key), values.get("contact", key), names.materials)
     yield from lubricant(values, names)

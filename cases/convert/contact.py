@@ -7,10 +7,11 @@ from typing import TYPE_CHECKING, Any
 
 from ..schema import ContactEhlTable, ContactFile
 from .materials import materials
-from .units import GPA, mm
+from .units import GPA, UM, mm
 
 if TYPE_CHECKING:
     from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
+    from ehl.coating import Coating
 
 
 def contact(file: ContactFile, oil: Lubricant) -> ContactConditions | MoesConditions:
@@ -40,6 +41,26 @@ def contact(file: ContactFile, oil: Lubricant) -> ContactConditions | MoesCondit
         lateral_slide_ratio=table.lateral_slide_ratio or 0.0,
         spin=table.spin_rad_s or 0.0,
         mean_spin=table.mean_spin_rad_s,
+        coating=_coating(file),
+    )
+
+
+def _coating(file: ContactFile) -> Coating | None:
+    """Coating of body 1: thickness [m], moduli [Pa]."""
+    from ehl.coating import Coating
+
+    table = file.contact
+    if table.coating_thickness_um is None:
+        return None
+    assert table.material_1 and table.substrate_material  # checked before
+    library = materials(file, (table.material_1, table.substrate_material))
+    coating, substrate = library[table.material_1], library[table.substrate_material]
+    return Coating(
+        thickness=table.coating_thickness_um * UM,
+        youngs_modulus=coating.youngs_modulus,
+        poisson_ratio=coating.poisson_ratio,
+        substrate_youngs_modulus=substrate.youngs_modulus,
+        substrate_poisson_ratio=substrate.poisson_ratio,
     )
 
 

@@ -59,6 +59,10 @@ class ContactTable(Table):
     )
     material_1: Name | None = Field(None, description="material of body 1, the ball")
     material_2: Name | None = Field(None, description="material of body 2, the race")
+    coating_thickness_um: float | None = Field(
+        None, gt=0.0, le=1.0e5, description="of body 1, whose material_1 is that of the coating; 0 if left out"
+    )
+    substrate_material: Name | None = Field(None, description="material below the coating; needs coating_thickness_um")
     entrainment_speed_m_s: float | None = Field(None, gt=0.0, le=1.0e4, description="u_m = (u1 + u2)/2")
     slide_roll_ratio: float | None = Field(None, ge=-1.0e6, le=1.0e6, description="(u1 - u2)/u_m; 0 if left out")
     lateral_slide_ratio: float | None = Field(

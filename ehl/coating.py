@@ -1,0 +1,70 @@
+"""A coated body: its surface answers a load as a half space of the coating would, and a smooth rest."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import isfinite
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Coating:
+    """Coating of one body of a contact; the contact's E' is that of the coating against the other body.
+
+    Attributes
+    ----------
+    thickness : float
+        t [m].
+    youngs_modulus, substrate_youngs_modulus : float
+        E of coating and substrate [Pa]; a substrate a thousand times stiffer is a rigid one.
+    poisson_ratio, substrate_poisson_ratio : float
+        Poisson's ratios [-].
+
+    Raises
+    ------
+    ValueError
+        If a value is out of its range; the message names the field.
+    """
+
+    thickness: float
+    youngs_modulus: float
+    poisson_ratio: float
+    substrate_youngs_modulus: float
+    substrate_poisson_ratio: float
+
+    def __post_init__(self) -> None:
+        for field in ("thickness", "youngs_modulus", "substrate_youngs_modulus"):
+            value = getattr(self, field)
+            if not (isfinite(value) and value > 0.0):
+                raise ValueError(f"coating {field} must be positive and finite, got {value!r}")
+        for field in ("poisson_ratio", "substrate_poisson_ratio"):
+            if not 0.0 <= getattr(self, field) < 0.49:
+                raise ValueError(f"coating {field} must lie in [0, 0.49), got {getattr(self, field)!r}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ScaledCoating:
+    """Compliance 1/r + share c(r/t)/t of both bodies together, lengths in units of a [-]."""
+
+    thickness: float  # t/a
+    share: float  # of the coated body in the compliance of the contact
+    ratio: float  # E of the substrate over that of the coating
+    poisson: tuple[float, float]  # of coating and substrate
+
+
+def scaled_coating(coating: Coating, reduced_modulus: float, semi_axis: float) -> ScaledCoating:
+    """Dimensionless form; E' [Pa] of the coating against the other body, a [m].
+
+    Raises
+    ------
+    ValueError
+        If E' is larger than the coating alone allows.
+    """
+    share = 0.5 * reduced_modulus * (1.0 - coating.poisson_ratio**2) / coating.youngs_modulus
+    if share > 1.0 + 1e-9:
+        raise ValueError("reduced_modulus exceeds that of the coating against a rigid body")
+    return ScaledCoating(
+        thickness=coating.thickness / semi_axis,
+        share=share,
+        ratio=coating.substrate_youngs_modulus / coating.youngs_modulus,
+        poisson=(coating.poisson_ratio, coating.substrate_poisson_ratio),
+    )

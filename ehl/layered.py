@@ -1,0 +1,52 @@
+"""Compliance of a contact one body of which is coated: 1/r, and a smooth rest from finite elements."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from math import ceil
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import CubicSpline
+
+from .coating import ScaledCoating
+
+Array = NDArray[np.float64]
+
+NEIGHBOURS = 6  # cells around the load in which the rest is averaged over the cell where the coating is thin
+MOST_PARTS = 12  # of such a cell in each direction
+
+
+def point_compliance(coating: ScaledCoating, r: Array) -> Array:
+    """share c(r/t)/t of unit point loads at distance `r`, the rest beside 1/r [-]."""
+    spline, reach, far = _table(coating.ratio, coating.poisson)
+    s = np.asarray(r, dtype=np.float64) / coating.thickness
+    c = np.where(s < reach, spline(np.arcsinh(np.minimum(s, reach))), far / np.maximum(s, reach))
+    return np.asarray(coating.share / coating.thickness * c)
+
+
+@lru_cache(maxsize=16)
+def _table(ratio: float, poisson: tuple[float, float]) -> tuple[CubicSpline, float, float]:
+    """c over asinh(r/t), the distance up to which it holds, and c r/t beyond."""
+    from .layered_fem import correction
+
+    r, c = correction(ratio, poisson)
+    inside = r < 0.3 * r[-1]
+    far = (1.0 - poisson[1] ** 2) / (1.0 - poisson[0] ** 2) / ratio - 1.0
+    return CubicSpline(np.arcsinh(r[inside]), c[inside]), float(r[inside][-1]), far
+
+
+def patch_compliance(coating: ScaledCoating, x: Array, y: Array, hx: float, hy: float) -> Array:
+    """Integral of the rest over patches of sides hx, hy around (x, y), shape (len(y), len(x)) [-].
+
+    Midpoint rule; in the cells around the load with as many parts as a thin coating asks for.
+    """
+    result = hx * hy * point_compliance(coating, np.hypot(x[None, :], y[:, None]))
+    parts = min(ceil(4.0 * max(hx, hy) / coating.thickness), MOST_PARTS)
+    if parts > 1:
+        near_x, near_y = x[:NEIGHBOURS], y[:NEIGHBOURS]
+        offsets = (np.arange(parts) + 0.5) / parts - 0.5
+        u = near_x[None, :, None, None] + hx * offsets[:, None]
+        v = near_y[:, None, None, None] + hy * offsets[None, :]
+        result[:NEIGHBOURS, :NEIGHBOURS] = hx * hy * point_compliance(coating, np.hypot(u, v)).mean(axis=(2, 3))
+    return result

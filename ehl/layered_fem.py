@@ -1,0 +1,109 @@
+r"""Surface compliance of a coated half space by axisymmetric finite elements, once for each pair of materials.
+
+The displacement under a point load is that of a half space of the coating, Boussinesq's (1885) u_B, and a smooth rest w
+
+.. math:: \int C(z) \varepsilon(w) : \varepsilon(v)\, r\,dr\,dz
+          = -\int_{z > t} (C_s - C_c)\, \varepsilon(u_B) : \varepsilon(v)\, r\,dr\,dz
+
+that has no singularity, since the source lies in the substrate only. Far away w is the difference of Boussinesq's
+solutions for substrate and coating, which is set on the outer edge.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from skfem import Basis, BilinearForm, ElementQuad2, ElementVector, LinearForm, MeshQuad, asm, condense, solve
+from skfem.helpers import ddot, grad, sym_grad
+
+Array = NDArray[np.float64]
+
+REACH = 150.0  # outer edge in thicknesses
+FINEST, GROWTH = 0.08, 1.14  # cell beside the load in thicknesses, and the growth of cells away from it
+LAYER_CELLS = 10  # across the coating
+
+
+def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array]:
+    """c(r/t) of the surface displacement (1 - nu_c^2)/(pi E_c) [1/r + c(r/t)/t] of a unit load.
+
+    Parameters
+    ----------
+    ratio : float
+        Young's modulus of the substrate over that of the coating [-].
+    poisson : tuple of float
+        Poisson's ratios of coating and substrate [-].
+
+    Returns
+    -------
+    r, c : ndarray, shape (n,)
+        Distance in thicknesses, and the correction [-].
+    """
+    r = _graded(0.0, FINEST, REACH)
+    z = np.concatenate((np.linspace(0.0, 1.0, LAYER_CELLS + 1), _graded(1.0, 1.0 / LAYER_CELLS, REACH)[1:]))
+    mesh = MeshQuad.init_tensor(r, z)
+    basis = Basis(mesh, ElementVector(ElementQuad2()), intorder=5)
+    below = np.nonzero(mesh.p[1][mesh.t].mean(axis=0) > 1.0)[0]
+    matrix = asm(_stiffness, basis, young=_by_cell(mesh, 1.0, ratio), nu=_by_cell(mesh, *poisson))
+    part = Basis(mesh, ElementVector(ElementQuad2()), intorder=5, elements=below)
+    nodes = np.where(basis.doflocs[1] >= 1.0 - 1e-9, _boussinesq(basis, 1.0, poisson[0]), 0.0)
+    field = part.interpolate(nodes)
+    load = -asm(_source, part, field=field, ratio=ratio, nu_c=poisson[0], nu_s=poisson[1])
+    edge = basis.get_dofs(lambda x: (x[0] > REACH * (1 - 1e-9)) | (x[1] > REACH * (1 - 1e-9))).all()
+    axis = basis.get_dofs(lambda x: x[0] < 1e-12).all("u^1")
+    known = np.where(np.isin(np.arange(basis.N), edge), _far(basis, ratio, poisson), 0.0)
+    known[axis] = 0.0
+    w = solve(*condense(matrix, load, x=known, D=np.union1d(edge, axis)))
+    surface = basis.get_dofs(lambda x: x[1] < 1e-12).all("u^2")
+    order = np.argsort(basis.doflocs[0][surface])
+    return basis.doflocs[0][surface][order], w[surface][order] * np.pi / (1.0 - poisson[0] ** 2)
+
+
+def _graded(start: float, first: float, end: float) -> Array:
+    """Lines from `start` to `end` with cells growing from `first`."""
+    count = int(np.ceil(np.log1p((end - start) * (GROWTH - 1.0) / first) / np.log(GROWTH)))
+    lines = np.concatenate(([0.0], np.cumsum(first * GROWTH ** np.arange(count))))
+    return start + lines * (end - start) / lines[-1]
+
+
+def _by_cell(mesh: MeshQuad, coating: float, substrate: float) -> Array:
+    """A property of each cell, shape (cells, 1)."""
+    return np.where(mesh.p[1][mesh.t].mean(axis=0) > 1.0, substrate, coating)[:, None]
+
+
+def _contraction(u: Any, v: Any, r: Any, young: Any, nu: Any) -> Any:
+    """C eps(u) : eps(v) with the hoop strain u_r/r, isotropic."""
+    mu, lame = young / (2.0 * (1.0 + nu)), young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
+    hoop_u, hoop_v = u[0] / r, v[0] / r
+    trace_u = grad(u)[0, 0] + grad(u)[1, 1] + hoop_u
+    trace_v = grad(v)[0, 0] + grad(v)[1, 1] + hoop_v
+    return 2.0 * mu * (ddot(sym_grad(u), sym_grad(v)) + hoop_u * hoop_v) + lame * trace_u * trace_v
+
+
+@BilinearForm
+def _stiffness(u, v, w):  # type: ignore[no-untyped-def]
+    return _contraction(u, v, w.x[0], w.young, w.nu) * w.x[0]
+
+
+@LinearForm
+def _source(v, w):  # type: ignore[no-untyped-def]
+    r = w.x[0]
+    substrate = _contraction(w["field"], v, r, w.ratio, w.nu_s)
+    return (substrate - _contraction(w["field"], v, r, 1.0, w.nu_c)) * r
+
+
+def _boussinesq(basis: Basis, young: float, nu: float) -> Array:
+    """Displacement at the degrees of freedom under a unit load on a half space, Boussinesq (1885)."""
+    r, z = basis.doflocs
+    distance = np.maximum(np.hypot(r, z), 1e-12)
+    scale = (1.0 + nu) / (2.0 * np.pi * young)
+    radial = scale * (r * z / distance**3 - (1.0 - 2.0 * nu) * r / (distance * (distance + z)))
+    axial = scale * (z**2 / distance**3 + 2.0 * (1.0 - nu) / distance)
+    is_axial = np.isin(np.arange(basis.N), basis.get_dofs(elements=True).all("u^2"))
+    return np.where(is_axial, axial, radial)
+
+
+def _far(basis: Basis, ratio: float, poisson: tuple[float, float]) -> Array:
+    """Boussinesq's solution for the substrate less that for the coating."""
+    return _boussinesq(basis, ratio, poisson[1]) - _boussinesq(basis, 1.0, poisson[0])
