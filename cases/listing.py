@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from .shipped import shipped_cases, title
 
@@ -28,8 +28,11 @@ def listing(kind: str) -> dict[str, str]:
     return {name: _oil(library_lubricant(name, 313.15)) for name in list_lubricants()}
 
 
-def _dimensions(entry: dict[str, object]) -> str:
-    return f"{entry.get('balls')} balls of {entry.get('ball_diameter_mm')} mm on {entry.get('pitch_diameter_mm')} mm"
+def _dimensions(entry: dict[str, Any]) -> str:
+    sizes = [entry.get(key) for key in ("bore_mm", "outside_diameter_mm", "width_mm")]
+    boundary = f"{' x '.join(f'{size:g}' for size in sizes)} mm, " if all(sizes) else ""
+    balls = f"{entry.get('balls')} balls of {entry.get('ball_diameter_mm')} mm on {entry.get('pitch_diameter_mm')} mm"
+    return f"{boundary}{balls}{', estimated' if 'balls' in entry.get('estimated', ()) else ''}"
 
 
 def _properties(material: Material) -> str:
