@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from .quasistatic import QuasistaticSolution, solve_quasistatic
     from .rows import Row
     from .slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
+    from .stiffness import StiffnessOverSpeed, ross_table, stiffness_over_speed
     from .stresses import ContactStress, Truncation, contact_stress
 
 __all__ = [
@@ -42,6 +43,7 @@ __all__ = [
     "RatingInput",
     "Row",
     "SlipStudy",
+    "StiffnessOverSpeed",
     "Truncation",
     "Warming",
     "bearing_frequencies",
@@ -64,9 +66,11 @@ __all__ = [
     "preloaded_row",
     "reduced_modulus",
     "reduced_radii",
+    "ross_table",
     "slip_factors",
     "slip_surface",
     "solve_quasistatic",
+    "stiffness_over_speed",
 ]
 
 _LAZY = {  # these need SciPy, which takes longer to import than a command line may take to answer
@@ -76,6 +80,9 @@ _LAZY = {  # these need SciPy, which takes longer to import than a command line 
     "Warming": "clearance",
     "clearance_budget": "clearance",
     "contact_conditions": "contacts",
+    "StiffnessOverSpeed": "stiffness",
+    "ross_table": "stiffness",
+    "stiffness_over_speed": "stiffness",
     "ContactStress": "stresses",
     "Truncation": "stresses",
     "contact_stress": "stresses",
