@@ -1,0 +1,1 @@
+"""Friction torque of a ball bearing, by several models side by side."""
