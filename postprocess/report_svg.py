@@ -8,7 +8,9 @@ from html import escape
 from .report_html import number
 
 WIDTH, LABEL, ROW, BAR, RIGHT = 860, 170, 34, 20, 110  # of a bar chart, in pixels
-COLOURS = ("#0b5394", "#c1440e", "#5b9a3c", "#8e5ea2", "#c99a2e", "#3a9aa8", "#7a6a5a", "#b3476a", "#4a7fc1", "#e08a5a", "#2f6b3a", "#b9a0cf")
+COLOURS = tuple(
+    "#0b5394 #c1440e #5b9a3c #8e5ea2 #c99a2e #3a9aa8 #7a6a5a #b3476a #4a7fc1 #e08a5a #2f6b3a #b9a0cf".split()
+)
 INK, LINE = "#1b1f24", "#d5dae1"
 FONT = 'font-family="system-ui, sans-serif"'
 

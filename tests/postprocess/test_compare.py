@@ -1,0 +1,169 @@
+"""Two results side by side, cuts through films, and interferograms."""
+
+from __future__ import annotations
+
+import csv
+import json
+
+import numpy as np
+import pytest
+from rich.console import Console
+from typer.testing import CliRunner
+
+from cases.cli import app
+from postprocess import open_results, write_results
+from postprocess.compare import compare, relative
+from postprocess.compare_table import comparison_table
+from postprocess.field_io import open_contact
+from postprocess.plots_interferogram import Optics, intensity, write_interferogram
+from postprocess.line_cut import write_line_cut
+from postprocess.results_io import SUMMARY_FILE
+
+
+@pytest.fixture(scope="module")
+def folder(bearing_results, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("results")
+    write_results(bearing_results, folder)
+    return folder
+
+
+@pytest.fixture
+def changed(folder, tmp_path):
+    """The same results but for a load, its films, a torque and an input."""
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    document["case"]["operation"] = {"radial_load_N": 2000.0}
+    contact = document["contacts"][0]
+    contact["load_N"] *= 0.9
+    contact["film_minimum_um"] += 0.5 * contact["film_minimum_uncertainty_um"]
+    contact["film_central_um"] *= 1.5
+    contact["points"] = [1, 2]
+    document["ring"]["displacement_um"][2] = 1e-14
+    document["torque_N_mm"]["total"] = 40.0
+    (tmp_path / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
+    return tmp_path
+
+
+def test_equal_results_are_equal(folder):
+    found = compare(folder, folder)
+    assert found.inputs == found.results == ()
+    assert found.largest == 0.0
+    assert all(d.first == d.second for d in found.main)
+
+
+def test_every_difference_is_found_and_nothing_else(folder, changed):
+    found = compare(folder, changed)
+    assert [d.path for d in found.inputs] == ["operation.radial_load_N"]
+    results = {d.path: d for d in found.results}
+    assert set(results) == {
+        "contacts.ball 1 inner.load_N",
+        "contacts.ball 1 inner.film_minimum_um",
+        "contacts.ball 1 inner.film_central_um",
+        "torque_N_mm.total",
+    }
+    assert results["contacts.ball 1 inner.load_N"].relative == pytest.approx(0.1)
+    assert results["contacts.ball 1 inner.film_minimum_um"].covered is True
+    assert results["contacts.ball 1 inner.film_central_um"].covered is False
+    assert results["torque_N_mm.total"].relative is None
+    assert found.largest == float("inf")
+    json.dumps(found.document(), allow_nan=False)
+
+
+def test_relative_differences():
+    assert relative(1.0, 1.0) == 0.0
+    assert relative(-1.0, 1.0) == 2.0
+    assert relative(0.0, 2.0) == 1.0
+    assert relative(True, 1.5) is None
+    assert relative(None, 1.0) is None
+
+
+def test_the_table_fits_the_terminal(folder, changed):
+    console = Console(width=80, record=True, file=open("/dev/null", "w", encoding="utf-8"))  # noqa: SIM115
+    console.print(comparison_table(compare(folder, changed)))
+    lines = console.export_text().splitlines()
+    assert max(map(len, lines)) <= 80
+    assert any("radial_load_N" in line for line in lines)
+    console.file.close()
+
+
+def test_exit_codes(folder, changed, tmp_path):
+    def code(*words):
+        return CliRunner().invoke(app, ["compare", *map(str, words)]).exit_code
+
+    assert code(folder, folder) == 0
+    assert code(folder, changed) == 0
+    assert code(folder, changed, "--within", "0.5") == 1
+    assert code(folder, tmp_path / "nowhere") == 2
+    document = json.loads((changed / SUMMARY_FILE).read_text(encoding="utf-8"))
+    (changed / SUMMARY_FILE).write_text(json.dumps(document | {"converged": False}), encoding="utf-8")
+    assert code(folder, changed) == 1
+
+
+def test_results_of_two_kinds_are_not_compared(folder, contact_results, tmp_path):
+    write_results(contact_results, tmp_path)
+    with pytest.raises(ValueError, match=r"of a bearing, .* of a contact"):
+        compare(folder, tmp_path)
+
+
+def rows(path):
+    with path.open(encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def test_a_cut_is_a_row_of_the_field(folder, tmp_path):
+    found = rows(write_line_cut(folder, tmp_path / "cut.csv"))
+    with open_results(folder) as tree:
+        contact = tree["contacts/ball01/inner"]
+        middle = int(np.abs(contact["y"].values).argmin())
+        assert contact["y"].values[middle] == pytest.approx(0.0, abs=1e-12)
+        film = contact["h"].values[:, middle]
+    assert [float(row["film [um]"]) for row in found] == pytest.approx(1e6 * film, rel=1e-6)
+    assert list(found[0]) == ["x [mm]", "film [um]", "pressure [GPa]"]
+
+
+def test_a_cut_beside_the_centre_has_the_hertz_pressure_there(folder, tmp_path):
+    found = rows(write_line_cut(folder, tmp_path / "cut.csv", "ball02/outer", "x", 0.6))
+    with open_results(folder) as tree:
+        hertz = tree["contacts/ball02/outer"].attrs["hertz_pressure"] / 1e9
+    largest = max(float(row["pressure [GPa]"]) for row in found)
+    assert largest == pytest.approx(0.8 * hertz, rel=1e-2)  # sqrt(1 - 0.6^2), linear over 0.14
+
+
+def test_wrong_contacts_and_lines_are_told(folder, tmp_path):
+    with pytest.raises(ValueError, match="did you mean 'ball01/inner'"):
+        open_contact(folder, "ball1/inner")
+    with pytest.raises(ValueError, match="outside the box"):
+        write_line_cut(folder, tmp_path / "cut.csv", at=50.0)
+    with pytest.raises(ValueError, match="axis must be"):
+        write_line_cut(folder, tmp_path / "cut.csv", axis="z")
+
+
+def test_fringes_lie_half_a_wavelength_of_film_apart():
+    optics = Optics(wavelengths=(600e-9,), refractive_index=1.5)
+    step = 600e-9 / (2.0 * 1.5)
+    orders = np.arange(5)
+    assert intensity(orders * step, optics) == pytest.approx(1.0)
+    assert intensity((orders + 0.5) * step, optics) == pytest.approx(0.0, abs=1e-12)
+    assert intensity(np.array([0.25 * step]), optics) == pytest.approx(0.5)
+    colours = intensity(np.zeros((3, 4)), Optics(wavelengths=(650e-9, 532e-9, 450e-9)))
+    assert colours.shape == (3, 4, 3)
+
+
+@pytest.mark.parametrize("bad", [{"wavelengths": (1.0,)}, {"wavelengths": (5e-7, 6e-7)}, {"refractive_index": 0.5}])
+def test_optics_that_do_not_exist(bad):
+    with pytest.raises(ValueError, match=next(iter(bad))):
+        Optics(**bad)
+
+
+def test_pictures_of_interferograms(folder, moes_results, tmp_path):
+    path = write_interferogram(folder, tmp_path / "fringes.png", "ball01/outer")
+    assert path.read_bytes()[:4] == b"\x89PNG"
+    answer = CliRunner().invoke(
+        app, ["interferogram", str(folder), "-o", str(tmp_path / "a.png"), "--wavelength-nm", "1"]
+    )
+    assert answer.exit_code == 2
+    write_results(moes_results, tmp_path / "moes")
+    with pytest.raises(ValueError, match="no dimension"):
+        write_interferogram(tmp_path / "moes", tmp_path / "b.png")
+    answer = CliRunner().invoke(app, ["cut", str(tmp_path / "moes"), "-o", str(tmp_path / "c.csv")])
+    assert answer.exit_code == 0, answer.output
+    assert list(rows(tmp_path / "c.csv")[0]) == ["x [a]", "film [a^2/Rx]", "pressure [GPa]"]
