@@ -1,0 +1,153 @@
+"""What brakes a bearing beside sliding: hysteresis of the contacts, the oil's rolling resistance, cage and churning."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, log, pi
+
+from scipy.special import ellipe
+
+from ehl import ContactConditions
+
+from ..contacts import BearingContact
+from ..geometry import Bearing
+from ..quasistatic import QuasistaticSolution
+
+SPHERE_DRAG = 0.44  # C_d of a sphere in Newton's range, 1e3 < Re < 2e5; unverified for balls behind each other
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cage:
+    """Guidance of the cage and friction in its pockets."""
+
+    pocket_friction: float  # Coulomb's mu of ball against pocket [-]
+    land_diameter: float | None = None  # of the guiding land [m]; None: guided by the balls
+    land_width: float | None = None  # both lands together [m]
+    land_clearance: float | None = None  # radial [m]
+    outer_guided: bool = True
+
+
+def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
+    """Moment that resists rolling in a lubricated contact, t [N m], Biboulet and Houpert (2010), elastohydrodynamic.
+
+    t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1 - (a_x/a_y)^2.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+    semi_axis_y, semi_axis_x : float
+        Hertz semi-axes across and along rolling [m].
+
+    Returns
+    -------
+    float
+        Its power is t times the rolling speed u_m/Rx [N m].
+    """
+    c = conditions
+    speed = c.lubricant.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
+    shape = min(semi_axis_x, semi_axis_y) / max(semi_axis_x, semi_axis_y)
+    beta = 4.0 / pi * float(ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
+    width = 2.0 * semi_axis_y / c.radius_x
+    return 1.8 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
+
+
+def rolling_power(contacts: Sequence[BearingContact]) -> float:
+    """Power of the oil's rolling resistance of all lubricated contacts [W]."""
+    power = 0.0
+    for contact in contacts:
+        c, hertz = contact.conditions, contact.hertz
+        if c is not None and hertz is not None:
+            power += rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x) * c.entrainment_speed / c.radius_x
+    return power
+
+
+def hysteresis_torque(solution: QuasistaticSolution, contacts: Sequence[BearingContact], loss: float) -> float:
+    """M_E = 1/4 D_pw [(1 - g_i^2) sum Phi_i + (1 - g_e^2) sum Phi_e] beta_a, Phi = 3/16 Q b/Rx [N m].
+
+    The energy stored in front of a rolling contact, of which the share `loss` is lost (Greenwood, Minshall and Tabor,
+    1961): Phi is the moment of the pressure ahead of the centre over the ball's radius; g = D cos(alpha)/D_pw.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    contacts : sequence of BearingContact
+    loss : float
+        beta_a [-].
+    """
+    pitch, torque = solution.bearing.pitch_diameter, 0.0
+    for contact in contacts:
+        if contact.hertz is not None:
+            phi = 3.0 / 16.0 * contact.load * contact.hertz.semi_axis_x / contact.hertz.radius_x
+            torque += 0.25 * pitch * (1.0 - _slope(solution, contact) ** 2) * phi * loss
+    return torque
+
+
+def _slope(solution: QuasistaticSolution, contact: BearingContact) -> float:
+    """g = D cos(alpha)/D_pw [-]."""
+    return solution.bearing.ball_diameter * cos(contact.contact_angle) / solution.bearing.pitch_diameter
+
+
+def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: float) -> float:
+    """Power sheared in the guiding lands, Petroff (1883): eta (w r)^2 2 pi r B/c [W]; zero if guided by the balls.
+
+    Parameters
+    ----------
+    cage : Cage
+    viscosity : float
+        Of the oil [Pa s].
+    ring_speed, cage_speed : float
+        Of the guiding ring and the cage [rad/s].
+    """
+    if cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
+        return 0.0
+    radius, slip = 0.5 * cage.land_diameter, abs(ring_speed - cage_speed)
+    return viscosity * (slip * radius) ** 2 * 2.0 * pi * radius * cage.land_width / cage.land_clearance
+
+
+def pocket_power(cage: Cage, bearing: Bearing, solution: QuasistaticSolution, drag_power: float) -> float:
+    """Power rubbed in the pockets by the forces that pull the cage against its land drag [W]; `drag_power` in [W]."""
+    slip = abs(solution.cage_speed)
+    if slip == 0.0:
+        return 0.0
+    force = drag_power / (slip * 0.5 * bearing.pitch_diameter)  # of all balls on the cage
+    turning = float(abs(solution.spin_speed).mean()) * 0.5 * bearing.ball_diameter
+    return cage.pocket_friction * force * turning
+
+
+def churning_power(solution: QuasistaticSolution, density: float, oil_fraction: float) -> float:
+    """Power of the balls' drag in the mixture of air and oil, Z C_d/2 rho X (pi D^2/4) v^3 [W].
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    density : float
+        Of the oil [kg/m^3].
+    oil_fraction : float
+        Share X of the bearing's cavity filled with oil [-].
+    """
+    bearing = solution.bearing
+    speeds = abs(solution.orbit_speed) * 0.5 * bearing.pitch_diameter
+    area = 0.25 * pi * bearing.ball_diameter**2
+    return float((0.5 * SPHERE_DRAG * density * oil_fraction * area * speeds**3).sum())
+
+
+def starved_share(inlet_ratio: float, ellipse_ratio: float) -> float:
+    """Central film of a starved contact over the flooded one, r/(1 + r^g)^(1/g), Chevalier et al. (1998).
+
+    Parameters
+    ----------
+    inlet_ratio : float
+        r, thickness of the oil layer at the inlet over the compressed flooded film [-].
+    ellipse_ratio : float
+        b/a, semi-axis across the entrainment over that along it [-]; g runs from 3 (circular) to 15 (wide, 8 and more,
+        Damiens et al., 2004), in proportion to the logarithm between.
+
+    Returns
+    -------
+    float
+        [-].
+    """
+    share = min(max(log(max(ellipse_ratio, 1.0)) / log(8.0), 0.0), 1.0)
+    g = 3.0 * (15.0 / 3.0) ** share
+    return inlet_ratio / (1.0 + inlet_ratio**g) ** (1.0 / g) if inlet_ratio < 1e6 else 1.0
