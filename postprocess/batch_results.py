@@ -107,6 +107,8 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
 
 def batch_summary(results: BatchResults) -> dict[str, Any]:
     """The document of a batch: each point with its keys and main results; what failed has its message."""
+    from .sensitivity import bands, sensitivities
+
     points = [
         {
             "point": point.number,
@@ -132,6 +134,8 @@ def batch_summary(results: BatchResults) -> dict[str, Any]:
         "messages": [*results.messages, *_messages(results)],
         "keys": list(results.keys),
         "points": points,
+        "sensitivity": sensitivities(results),
+        "bands": bands(results),
         "resumed": sum(point.resumed for point in results.points),
         "failed": sum(point.summary is None for point in results.points),
         "timing_s": results.timing,
@@ -203,7 +207,7 @@ def write_batch_netcdf(results: BatchResults, path: Path) -> None:
     Units are attributes, the input of every point is the variable `case`; NaN where a point has no value.
     """
     variables: Variables = {}
-    coordinates = {"point", *results.keys}
+    coordinates = {"point", *(key for key in results.keys if " " not in key)}  # netCDF lists them with spaces between
     for name, values in columns(results).items():
         variables[name] = (("point",), _array(values), _attributes(name))
     variables["message"] = (("point",), _array([point.message for point in results.points]), {})

@@ -6,9 +6,11 @@ from typing import TYPE_CHECKING, Any
 
 from .batch_results import BatchPoint, BatchResults, main_results
 from .named_units import unit_of, without_unit
+from .sensitivity import bands, sensitivities
 
 if TYPE_CHECKING:
     from rich.console import Group
+    from rich.table import Table
 
 MOST_ROWS = 40  # of the terminal's table; the files have all
 WIDTH = 80
@@ -63,7 +65,43 @@ def batch_table(results: BatchResults) -> Group:
         table.add_row(str(point.number), *values, *(_text(row.get(name)) for name in shown), _flag(point))
     flags = {_flag(point) for point in results.points}
     words = [word for flag, word in (("!", "! not converged"), ("x", "x failed, see the messages")) if flag in flags]
-    return Group(Text(results.title, style="bold"), table, *words)
+    return Group(Text(results.title, style="bold"), table, *words, *_uncertainties(results))
+
+
+def _uncertainties(results: BatchResults) -> list[Table]:
+    """Sensitivities to each key, and bands over sampled keys, of a few main results; nothing without such points."""
+    from rich import box
+    from rich.table import Table
+
+    found: list[Table] = []
+    style: dict[str, Any] = {"box": box.SIMPLE_HEAD, "pad_edge": False, "title_justify": "left"}
+    rows = sensitivities(results)
+    names = [name for name in SHOWN if any(name in row["results"] for row in rows)]
+    if rows:
+        table = Table(title="d ln(result)/d ln(key); ~: within the error bars", **style)
+        table.add_column("key", overflow="fold")
+        for name in names:
+            table.add_column(SHOWN[name], justify="right")
+        for row in rows:
+            cells = (row["results"].get(name) for name in names)
+            table.add_row(row["key"], *(_sensitivity(cell) for cell in cells))
+        found.append(table)
+    spread = bands(results)
+    if spread:
+        table = Table(title="over the sampled points", **style)
+        for name in ("", "5 %", "median", "95 %"):
+            table.add_column(name, justify="right" if name else "left")
+        for name, band in spread.items():
+            if name in SHOWN:
+                table.add_row(f"{SHOWN[name]} {_unit(name)}", *(f"{band[q]:.4g}" for q in ("q05", "q50", "q95")))
+        found.append(table)
+    return found
+
+
+def _sensitivity(cell: dict[str, Any] | None) -> str:
+    if cell is None:
+        return NOTHING
+    return ("~" if cell["resolved"] is False else "") + f"{cell['sensitivity']:+.3f}"
 
 
 def _name(key: str) -> str:

@@ -101,9 +101,10 @@ def draw_batch(figure: Figure, results: BatchResults, keys: list[str], shown: li
         axes.grid(linewidth=0.3, alpha=0.5)
     if mapped is not None:
         figure.colorbar(mapped, ax=panels, label=axis_label(keys[1]))
-    notes = ["error bars: uncertainty of the film"] if shown[0].startswith("film") else []
+    notes = ["error bars: uncertainty of the film"] if shown[0].startswith("film") and mapped is None else []
     notes += ["crosses: not converged"] if not results.converged else []
-    notes += [f"further keys vary: {', '.join(axis_label(key) for key in keys[2:])}"] if len(keys) > 2 else []
+    notes += [f"further keys vary: {', '.join(map(axis_label, keys[2:5]))}"] if 2 < len(keys) <= 5 else []
+    notes += [f"{len(keys) - 2} further keys vary"] if len(keys) > 5 else []
     figure.supxlabel("; ".join(notes), fontsize=6.5, color=REFERENCE)
 
 

@@ -34,6 +34,7 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
     ]
     yield "input", "Sweep", _sweep(summary)
     yield "plots", "Results over the keys", "".join(pictures)
+    yield "sensitivity", "What uncertain input does", _sensitivity(summary) + _bands(summary)
     yield "points", "Points", _points(summary)
     notes = [str(message) for message in summary["messages"]]
     yield "notes", "Notes", f'<div class="notes small">{items(notes)}</div>' if notes else ""
@@ -74,6 +75,42 @@ def _points(summary: dict[str, Any]) -> str:
         rows.append(("" if point["converged"] else "off", cells))
     more = f"<p>{len(points) - MOST_ROWS} more points are in batch.csv.</p>" if len(points) > MOST_ROWS else ""
     return table(head, rows, (len(head) - 1,)) + more
+
+
+def _sensitivity(summary: dict[str, Any]) -> str:
+    """Logarithmic sensitivities, key by key."""
+    rows = summary.get("sensitivity") or []
+    names = list(dict.fromkeys(name for row in rows for name in row["results"]))
+    if not rows:
+        return ""
+    lines = []
+    for row in rows:
+        cells = (row["results"].get(name) for name in names)
+        shown = [
+            NOTHING if c is None else number(c["sensitivity"], 3) + (" ~" if c["resolved"] is False else "")
+            for c in cells
+        ]
+        lines.append(("", [escape(row["key"]), text(row["value"]), *shown]))
+    head = [("key", ""), ("value", ""), *((name_text(name), "") for name in names)]
+    note = (
+        "Percent by which a result changes for one percent of the key, by finite differences; ~: within the error bars."
+    )
+    return table(head, lines, (0,)) + f'<p class="quiet small">{note}</p>'
+
+
+def _bands(summary: dict[str, Any]) -> str:
+    """Quantiles over the sampled points."""
+    spread = summary.get("bands") or {}
+    if not spread:
+        return ""
+    head = [("", ""), ("5 %", ""), ("median", ""), ("95 %", ""), ("mean", ""), ("standard deviation", "")]
+    names = ("q05", "q50", "q95", "mean", "standard_deviation")
+    rows = [
+        ("", [f"{name_text(key)} [{unit_text(key) or '–'}]", *(number(band[n], 4) for n in names)])
+        for key, band in spread.items()
+    ]
+    count = max(band["points"] for band in spread.values())
+    return f"<h3>Bands over {count} sampled points</h3>" + table(head, rows, (0,))
 
 
 def _figure(value: Any) -> str:

@@ -130,6 +130,18 @@ def test_sensitivity_varies_what_is_assumed():
         assert sum(point.values[key] != base.values[key] for key in sweep.keys) == 1
 
 
+def test_sensitivities_are_in_the_summary(tmp_path):
+    text = HEAD + '[fixed]\n"ehl.film_maps" = "none"\n[sensitivity]\n'
+    batch = run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool)
+    write_batch(gathered(batch), tmp_path / "out")
+    document = json.loads((tmp_path / "out" / "summary.json").read_text())
+    found = {row["key"]: row["results"] for row in document["sensitivity"]}
+    modulus = found["materials.silicon nitride.youngs_modulus_GPa"]["hertz_pressure_maximum_GPa"]
+    assert modulus["sensitivity"] == pytest.approx(2.0 / 3.0, abs=0.03)  # p_h ~ E^(2/3) at a given load
+    assert found["lubricant.viscosity_mPa_s"]["load_maximum_N"]["sensitivity"] == 0.0
+    assert any("model.ball_kinematics left out" in message for message in document["messages"])
+
+
 def test_a_bearing_and_an_oil_of_the_libraries(tmp_path):
     (tmp_path / "plain.toml").write_text(
         'schema_version = 1\n[bearing]\nname = "6208"\n[lubricant]\nname = "iso vg 46"\n'

@@ -15,8 +15,8 @@ from postprocess import open_results, write_results
 from postprocess.compare import compare, relative
 from postprocess.compare_table import comparison_table
 from postprocess.field_io import open_contact
-from postprocess.plots_interferogram import Optics, intensity, write_interferogram
 from postprocess.line_cut import write_line_cut
+from postprocess.plots_interferogram import Optics, intensity, write_interferogram
 from postprocess.results_io import SUMMARY_FILE
 
 
