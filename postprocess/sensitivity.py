@@ -73,8 +73,8 @@ def bands(results: BatchResults) -> dict[str, dict[str, float]]:
     Returns
     -------
     dict
-        For every main result `points` [-], `mean`, `standard_deviation` and the quantiles `q05`, `q50`, `q95`, in its unit;
-        empty with fewer than five points.
+        For every main result `points` [-], and in its unit `mean`, `standard_deviation` and the quantiles `q05`, `q50`,
+        `q95`; empty with fewer than five points.
     """
     rows = [main_results(p.summary) for p in results.points if p.block == "latin_hypercube" and p.converged]
     found = {}
