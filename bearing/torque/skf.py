@@ -166,9 +166,9 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
     }[operation.lubrication]
     geometry = bearing.constants.geometry
     replenished = exp(-starved * nu * n * (d + outside) * sqrt(geometry / (2.0 * (outside - d))))
-    boundary = exp(-2.6e-8 * (n * nu) ** 1.4 * mean)
     film = FULL_FILM_FRICTION[operation.oil] if operation.full_film_friction is None else operation.full_film_friction
-    friction = boundary * operation.boundary_friction + (1.0 - boundary) * film
+    share = boundary_share(operation.speed, operation.viscosity, bearing.mean_diameter)
+    friction = share * operation.boundary_friction + (1.0 - share) * film
     turning = n > 0.0
     return SkfTorque(
         rolling=inlet * replenished * rolling * (nu * n) ** 0.6 * N_MM if turning else 0.0,
@@ -179,6 +179,17 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
         replenishment_factor=replenished,
         friction_coefficient=friction,
     )
+
+
+def boundary_share(speed: float, viscosity: float, mean_diameter: float) -> float:
+    """phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m), share of boundary friction [-]; [rad/s], [m^2/s], [m]."""
+    return exp(-2.6e-8 * (abs(speed) / RPM * viscosity / MM2_S) ** 1.4 * mean_diameter / MM)
+
+
+def sliding_friction(speed: float, viscosity: float, mean_diameter: float, oil: str = "mineral") -> float:
+    """mu_sl = phi_bl mu_bl + (1 - phi_bl) mu_EHL [-]; [rad/s], [m^2/s], [m]."""
+    share = boundary_share(speed, viscosity, mean_diameter)
+    return share * BOUNDARY_FRICTION + (1.0 - share) * FULL_FILM_FRICTION[oil]
 
 
 def _load_factors(bearing: SkfBearing, operation: SkfOperation, mean: float, n: float) -> tuple[float, float]:
