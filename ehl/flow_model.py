@@ -7,11 +7,15 @@ With the factors f on the Poiseuille term and the velocities (u, v) of the Couet
 eps and rho those of the Newtonian oil at pressure P. The velocity field of the entrainment enters here, and so do the
 frozen coefficients of a generalized Reynolds equation (Yang and Wen, 1990): a `FlowModel` is asked for them before each
 multigrid cycle, on the grid being solved, and the coarser grids take them by injection.
+
+The viscosity of a thinned oil follows the pressure less than the Newtonian one does: with the share k of the change
+that it leaves out, a factor found at P_0 counts as f [eta(P)/eta(P_0)]^k while P changes within the cycle. Without that
+a frozen factor of 1e6 in a sliding contact turns a small error of the pressure into a large one of the flow.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Protocol
 
 import numpy as np
@@ -29,14 +33,15 @@ class FlowFactors:
     """Factors on the flow of a Newtonian oil at u = 1, v = 0, shape (ny, nx) [-]; None is 1, or 0 for v."""
 
     poiseuille: Array | None = None  # f, on eps
+    thinning: Array | None = None  # k, share of ln(eta) at `pressure` that the factor takes back as P changes
+    pressure: Array | None = None  # P_0, at which the factors were found; needed with `thinning`
     couette_x: Array | None = None  # u over u_m, the flow being rho u H
     couette_y: Array | None = None  # v over u_m; a grid of the upper half has none
 
     def coarsened(self) -> FlowFactors:
         """Those of the next coarser grid, by injection [-]."""
-        parts = (self.poiseuille, self.couette_x, self.couette_y)
-        poiseuille, x, y = (None if part is None else inject(part) for part in parts)
-        return FlowFactors(poiseuille=poiseuille, couette_x=x, couette_y=y)
+        parts = {field.name: getattr(self, field.name) for field in fields(self)}
+        return FlowFactors(**{name: None if part is None else inject(part) for name, part in parts.items()})
 
 
 class FlowModel(Protocol):

@@ -1,7 +1,8 @@
 """Columns of film, compiled: stress in the middle, and the integrals of the generalized Reynolds equation.
 
-The readable NumPy twins and the equations stand in `columns.py`. law, stress, exponent, breadth: as in
-`ehl.rheology._kernels`; nodes, weights, cumulative: those of a `Section`.
+The readable NumPy twins and the equations stand in `columns.py`. rheology: a `KernelRheology`; section: nodes, weights
+and cumulative matrix of a `Section`; work: rows for viscosity, density, 1/eta* and the tangent fluidity (xx, xy, yy) at
+the nodes of a column.
 """
 
 from __future__ import annotations
@@ -19,12 +20,14 @@ ACCEPTED = 1e-8
 OVERSHOOT = 0.5
 HALVINGS = 60
 CREEPING = 0.2
+ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY = 0, 1, 2, 3, 4, 5  # rows of the workspace
+ROWS = 6
 
 OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 
 
 @njit(**OPTIONS)
-def newtonian_stress(tau, limit, margin, law, stress, exponent, breadth):
+def newtonian_stress(tau, limit, margin, rheology):
     """eta times the rate, and its derivative by tau, at a stress magnitude; a tangent from the margin on."""
     slope, beyond = 1.0, 0.0
     if np.isfinite(limit):
@@ -32,6 +35,7 @@ def newtonian_stress(tau, limit, margin, law, stress, exponent, breadth):
         beyond = tau - share * limit
         slope = 1.0 / (1.0 - share)
         tau = -limit * np.log1p(-share)
+    law, stress, exponent, breadth = rheology[0], rheology[1], rheology[2], rheology[3]
     newtonian = shear_rate(tau, 1.0, np.inf, law, stress, exponent, breadth)
     if law == REE_EYRING:
         slope *= np.hypot(1.0, newtonian / stress)
@@ -42,20 +46,22 @@ def newtonian_stress(tau, limit, margin, law, stress, exponent, breadth):
 
 
 @njit(**OPTIONS)
-def limit_margin(eta, rate, limit, law, stress, exponent, breadth):
-    """Share of the limiting stress below it from which on the law follows its tangent."""
-    base = shear_stress(rate, eta.max(), np.inf, law, stress, exponent, breadth)
-    return LIMIT_EXCESS / max(base / limit, 1.0)
+def column_limit(p, temperature, eta, rate, rheology):
+    """Limiting stress of a column [Pa], and the share of it below it from which on the law follows its tangent."""
+    limit = limiting_stress(p, temperature, rheology[4], rheology[5], rheology[6], rheology[7], rheology[8])
+    base = shear_stress(rate, eta.max(), np.inf, rheology[0], rheology[1], rheology[2], rheology[3])
+    return limit, LIMIT_EXCESS / max(base / limit, 1.0)
 
 
 @njit(**OPTIONS)
-def _balance(tau_x, tau_y, rise_x, rise_y, eta, rate_x, rate_y, nodes, weights, limit, margin, law, stress, n, a):
+def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
     """Mean rate less the wanted one (2), its derivative by tau_m (xx, xy, yy), mean of its magnitude."""
-    f_x, f_y, j_xx, j_xy, j_yy, scale = -rate_x, -rate_y, 0.0, 0.0, 0.0, np.hypot(rate_x, rate_y)
+    nodes, weights, _ = section
+    f_x, f_y, j_xx, j_xy, j_yy, scale = -rate[0], -rate[1], 0.0, 0.0, 0.0, np.hypot(rate[0], rate[1])
     for k in range(nodes.size):
-        t_x, t_y = tau_x + (nodes[k] - 0.5) * rise_x, tau_y + (nodes[k] - 0.5) * rise_y
+        t_x, t_y = tau_x + (nodes[k] - 0.5) * rise[0], tau_y + (nodes[k] - 0.5) * rise[1]
         magnitude = np.hypot(t_x, t_y)
-        newtonian, slope = newtonian_stress(magnitude, limit, margin, law, stress, n, a)
+        newtonian, slope = newtonian_stress(magnitude, limit, margin, rheology)
         w = weights[k] / eta[k]
         if magnitude > 0.0:
             relative, e_x, e_y = newtonian / magnitude, t_x / magnitude, t_y / magnitude
@@ -71,16 +77,15 @@ def _balance(tau_x, tau_y, rise_x, rise_y, eta, rate_x, rate_y, nodes, weights, 
 
 
 @njit(**OPTIONS)
-def column_stress(tau_x, tau_y, rise_x, rise_y, eta, rate_x, rate_y, nodes, weights, limit, margin, law, stress, n, a):
-    """Stress in the middle of one column, from a first guess [Pa], and whether it is found.
+def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
+    """Stress in the middle of one column, from a first guess (tau_x, tau_y) [Pa], and whether it is found.
 
     rise: h grad p [Pa]; eta: viscosity at the nodes [Pa s]; rate: difference of the surface velocities over h [1/s].
     """
-    f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(
-        tau_x, tau_y, rise_x, rise_y, eta, rate_x, rate_y, nodes, weights, limit, margin, law, stress, n, a
-    )
+    tau_x, tau_y = start
+    f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology)
     size, creeping = np.hypot(f_x, f_y), False
-    wanted = np.hypot(rate_x, rate_y)
+    wanted = np.hypot(rate[0], rate[1])
     for _ in range(NEWTON_STEPS):
         if size <= TOLERANCE * scale:
             break
@@ -90,11 +95,10 @@ def column_stress(tau_x, tau_y, rise_x, rise_y, eta, rate_x, rate_y, nodes, weig
         before, share = f_x * d_x + f_y * d_y, 1.0
         if creeping:
             share = np.log(min(max(size / max(wanted, scale * TOLERANCE), np.e), 1e12))
+        t_x, t_y = tau_x, tau_y
         for _ in range(HALVINGS):
             t_x, t_y = tau_x + share * d_x, tau_y + share * d_y
-            f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(
-                t_x, t_y, rise_x, rise_y, eta, rate_x, rate_y, nodes, weights, limit, margin, law, stress, n, a
-            )
+            f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(t_x, t_y, rise, eta, rate, section, limit, margin, rheology)
             if f_x * d_x + f_y * d_y <= -OVERSHOOT * before:
                 break
             share *= 0.5
@@ -105,121 +109,125 @@ def column_stress(tau_x, tau_y, rise_x, rise_y, eta, rate_x, rate_y, nodes, weig
 
 
 @njit(**OPTIONS)
-def first_guess(eta, rate_x, rate_y, weights, limit, law, stress, n, a):
+def first_guess(eta, rate, section, limit, rheology):
     """Stress of the mean rate at the mean fluidity [Pa]."""
-    rate = np.hypot(rate_x, rate_y)
-    if rate == 0.0:
+    size = np.hypot(rate[0], rate[1])
+    if size == 0.0:
         return 0.0, 0.0
-    mean = 1.0 / (weights / eta).sum()
-    tau = shear_stress(rate, mean, limit, law, stress, n, a)
-    return tau * rate_x / rate, tau * rate_y / rate
+    mean = 1.0 / (section[1] / eta).sum()
+    tau = shear_stress(size, mean, limit, rheology[0], rheology[1], rheology[2], rheology[3])
+    return tau * rate[0] / size, tau * rate[1] / size
 
 
 @njit(**OPTIONS)
-def column_fluidity(tau_x, tau_y, rise_x, rise_y, eta, nodes, limit, margin, law, stress, n, a, fluidity):
-    """1/eta* at the nodes of a column [1/(Pa s)]."""
+def column_fluidity(middle, rise, section, limit, margin, rheology, work):
+    """1/eta*, and the tensor d(rate)/d(tau), at the nodes of a column [1/(Pa s)]."""
+    nodes, eta = section[0], work[ETA]
     for k in range(nodes.size):
-        t_x, t_y = tau_x + (nodes[k] - 0.5) * rise_x, tau_y + (nodes[k] - 0.5) * rise_y
+        t_x, t_y = middle[0] + (nodes[k] - 0.5) * rise[0], middle[1] + (nodes[k] - 0.5) * rise[1]
         magnitude = np.hypot(t_x, t_y)
-        newtonian, _ = newtonian_stress(magnitude, limit, margin, law, stress, n, a)
-        fluidity[k] = (newtonian / magnitude if magnitude > 0.0 else 1.0) / eta[k]
+        newtonian, slope = newtonian_stress(magnitude, limit, margin, rheology)
+        if magnitude > 0.0:
+            secant, e_x, e_y = newtonian / magnitude, t_x / magnitude, t_y / magnitude
+        else:
+            secant, e_x, e_y = 1.0, 0.0, 0.0
+        work[FLUIDITY, k] = secant / eta[k]
+        work[T_XX, k] = (secant + (slope - secant) * e_x * e_x) / eta[k]
+        work[T_XY, k] = (slope - secant) * e_x * e_y / eta[k]
+        work[T_YY, k] = (secant + (slope - secant) * e_y * e_y) / eta[k]
 
 
 @njit(**OPTIONS)
-def column_flow(fluidity, rho, nodes, weights, cumulative):
-    """(rho/eta)_e, rho'_e eta_e and rho_e of a column."""
-    mean = moment = first = second = dense = 0.0
-    for k in range(nodes.size):
-        mean += weights[k] * fluidity[k]
-        moment += weights[k] * nodes[k] * fluidity[k]
-        dense += weights[k] * rho[k]
-        to_here = to_here_z = 0.0
-        for m in range(nodes.size):
-            to_here += cumulative[k, m] * fluidity[m]
-            to_here_z += cumulative[k, m] * nodes[m] * fluidity[m]
-        first += weights[k] * rho[k] * to_here
-        second += weights[k] * rho[k] * to_here_z
-    return 12.0 * (moment / mean * first - second), first / mean, dense
-
-
-@njit(**OPTIONS)
-def column_properties(p, temperature, oil, weights, eta, rho):
+def column_properties(p, temperature, oil, section, work):
     """Viscosity [Pa s] and density over rho_0 at the nodes of a column; returns its mean temperature [K]."""
     mean = 0.0
-    for k in range(weights.size):
-        eta[k] = viscosity(p, temperature[k], oil)
-        rho[k] = density_ratio(p, temperature[k], oil)
-        mean += weights[k] * temperature[k]
+    for k in range(section[1].size):
+        work[ETA, k] = viscosity(p, temperature[k], oil)
+        work[RHO, k] = density_ratio(p, temperature[k], oil)
+        mean += section[1][k] * temperature[k]
     return mean
 
 
 @njit(**OPTIONS)
+def solve_column(p, temperature, start, rise, rate, oil, section, rheology, work):
+    """Stress in the middle of a column and whether it is found; fills the workspace.
+
+    start: first guess (tau_x, tau_y), not a number where there is none [Pa].
+    """
+    mean_temperature = column_properties(p, temperature, oil, section, work)
+    eta = work[ETA]
+    limit, margin = column_limit(p, mean_temperature, eta, np.hypot(rate[0], rate[1]), rheology)
+    if not np.isfinite(start[0] + start[1]):
+        start = first_guess(eta, rate, section, limit, rheology)
+    t_x, t_y, found = column_stress(start, rise, eta, rate, section, limit, margin, rheology)
+    column_fluidity((t_x, t_y), rise, section, limit, margin, rheology, work)
+    return t_x, t_y, found
+
+
+@njit(**OPTIONS)
+def column_integrals(f, rho, section):
+    """Integrals of f, of z f, of rho int f dz' and of rho int z' f dz' over a column of height 1."""
+    nodes, weights, cumulative = section
+    mean = moment = first = second = 0.0
+    for k in range(nodes.size):
+        mean += weights[k] * f[k]
+        moment += weights[k] * nodes[k] * f[k]
+        to_here = to_here_z = 0.0
+        for m in range(nodes.size):
+            to_here += cumulative[k, m] * f[m]
+            to_here_z += cumulative[k, m] * nodes[m] * f[m]
+        first += weights[k] * rho[k] * to_here
+        second += weights[k] * rho[k] * to_here_z
+    return mean, moment, first, second
+
+
+@njit(**OPTIONS)
+def column_tangent(section, work):
+    """Diagonal of the tangent of the flux, in the unit of (rho/eta)_e."""
+    a_xx, b_xx, c_xx, d_xx = column_integrals(work[T_XX], work[RHO], section)
+    a_xy, b_xy, c_xy, _ = column_integrals(work[T_XY], work[RHO], section)
+    a_yy, b_yy, c_yy, d_yy = column_integrals(work[T_YY], work[RHO], section)
+    determinant = a_xx * a_yy - a_xy * a_xy
+    m_xx, m_xy = (a_yy * b_xx - a_xy * b_xy) / determinant, (a_yy * b_xy - a_xy * b_yy) / determinant
+    m_yx, m_yy = (a_xx * b_xy - a_xy * b_xx) / determinant, (a_xx * b_yy - a_xy * b_xy) / determinant
+    return 12.0 * (c_xx * m_xx + c_xy * m_yx - d_xx), 12.0 * (c_xy * m_xy + c_yy * m_yy - d_yy)
+
+
+@njit(**OPTIONS)
 def flow_factors(
-    p,
-    h,
-    gradient,
-    speed_a,
-    speed_b,
-    temperature,
-    oil,
-    nodes,
-    weights,
-    cumulative,
-    law,
-    stress,
-    exponent,
-    breadth,
-    limit_coefficient,
-    limit_stress,
-    limit_slope,
-    limit_temperature,
-    limit_minimum,
-    middle,
-    poiseuille,
-    couette,
+    p, h, gradient, speed_a, speed_b, temperature, oil, section, rheology, middle, poiseuille, couette, tangent
 ):
     """Factors of every column of a grid; returns the number of columns whose stress was not found.
 
     p, h: shape (ny, nx) [Pa], [m]; gradient, speed_a, speed_b: (2, ny, nx) [Pa/m], [m/s]; temperature: (ny, nx, n) [K];
     middle: (2, ny, nx), first guess of the stress in the middle and its result [Pa], to be guessed here where it is not
-    a number; poiseuille: (rho/eta)_e over rho/eta at the temperature of operation; couette: (2, ny, nx), mass flux of
-    the surfaces over h and over that density [m/s]. Columns without a film keep 1 and the mean velocity.
+    a number. Results, all over rho/eta or rho at the temperature of operation: poiseuille, tangent (2, ny, nx): the
+    factor (rho/eta)_e and the tangent of the whole flux along x and y [-]; couette: (2, ny, nx), flux of the surfaces
+    over h [m/s]. Columns without a film keep 1 and the mean velocity.
     """
     ny, nx = p.shape
-    count, missed = nodes.size, 0
-    eta, rho, fluidity = np.empty(count), np.empty(count), np.empty(count)
+    missed, work = 0, np.empty((ROWS, section[0].size))
     for j in range(ny):
         for i in range(nx):
-            u, v = speed_a[0, j, i], speed_a[1, j, i]
+            height, u, v = h[j, i], speed_a[0, j, i], speed_a[1, j, i]
             du, dv = speed_b[0, j, i] - u, speed_b[1, j, i] - v
-            if h[j, i] <= 0.0:
-                poiseuille[j, i], couette[0, j, i], couette[1, j, i] = 1.0, u + 0.5 * du, v + 0.5 * dv
+            if height <= 0.0:
+                poiseuille[j, i] = tangent[0, j, i] = tangent[1, j, i] = 1.0
+                couette[0, j, i], couette[1, j, i] = u + 0.5 * du, v + 0.5 * dv
                 continue
-            mean_temperature = column_properties(p[j, i], temperature[j, i], oil, weights, eta, rho)
-            limit = limiting_stress(
-                p[j, i],
-                mean_temperature,
-                limit_coefficient,
-                limit_stress,
-                limit_slope,
-                limit_temperature,
-                limit_minimum,
-            )
-            r_x, r_y = du / h[j, i], dv / h[j, i]
-            margin = limit_margin(eta, np.hypot(r_x, r_y), limit, law, stress, exponent, breadth)
-            t_x, t_y = middle[0, j, i], middle[1, j, i]
-            if not np.isfinite(t_x + t_y):
-                t_x, t_y = first_guess(eta, r_x, r_y, weights, limit, law, stress, exponent, breadth)
-            g_x, g_y = h[j, i] * gradient[0, j, i], h[j, i] * gradient[1, j, i]
-            t_x, t_y, found = column_stress(
-                t_x, t_y, g_x, g_y, eta, r_x, r_y, nodes, weights, limit, margin, law, stress, exponent, breadth
+            rise, rate = (height * gradient[0, j, i], height * gradient[1, j, i]), (du / height, dv / height)
+            start = (middle[0, j, i], middle[1, j, i])
+            middle[0, j, i], middle[1, j, i], found = solve_column(
+                p[j, i], temperature[j, i], start, rise, rate, oil, section, rheology, work
             )
             missed += 0 if found else 1
-            middle[0, j, i], middle[1, j, i] = t_x, t_y
-            column_fluidity(t_x, t_y, g_x, g_y, eta, nodes, limit, margin, law, stress, exponent, breadth, fluidity)
-            flow, slide, dense = column_flow(fluidity, rho, nodes, weights, cumulative)
+            mean, moment, first, second = column_integrals(work[FLUIDITY], work[RHO], section)
             reference = density_ratio(p[j, i], oil[4], oil)
-            poiseuille[j, i] = flow / reference * viscosity(p[j, i], oil[4], oil)
-            couette[0, j, i] = (slide * du + dense * u) / reference
-            couette[1, j, i] = (slide * dv + dense * v) / reference
+            thick = viscosity(p[j, i], oil[4], oil) / reference
+            poiseuille[j, i] = 12.0 * (moment / mean * first - second) * thick
+            along, across = column_tangent(section, work)
+            tangent[0, j, i], tangent[1, j, i] = along * thick, across * thick
+            dense = (section[1] * work[RHO]).sum()
+            couette[0, j, i] = (first / mean * du + dense * u) / reference
+            couette[1, j, i] = (first / mean * dv + dense * v) / reference
     return missed

@@ -57,6 +57,7 @@ class ColumnFlow:
 
     poiseuille: Array  # (rho/eta)_e: the mass flux of the pressure is -(rho/eta)_e h^3/12 grad p [kg/(m^3 Pa s)]
     couette: Array  # mass flux of the surfaces over h [kg/(m^2 s)]
+    tangent: Array  # 12/h^3 times -d(mass flux)/d(grad p) at unchanged film, shape (m, 2, 2) [kg/(m^3 Pa s)]
 
 
 def _newtonian_stress(tau: Array, rheology: Rheology, limit: Array, margin: Array) -> tuple[Array, Array]:
@@ -186,7 +187,7 @@ def flow_integrals(columns: FilmColumns, section: Section, rheology: Rheology, m
     With 1/eta_e = (1/h) int dz/eta*, 1/eta'_e = (1/h^2) int z dz/eta*, rho_e = (1/h) int rho dz,
     rho'_e = (1/h^2) int rho int_0^z dz'/eta* dz, rho''_e = (1/h^3) int rho int_0^z z' dz'/eta* dz:
     (rho/eta)_e = 12 (eta_e rho'_e/eta'_e - rho''_e) [kg/(m^3 Pa s)], and the mass flux of the surfaces over h,
-    rho'_e eta_e (u_b - u_a) + rho_e u_a [kg/(m^2 s)], in both directions.
+    rho'_e eta_e (u_b - u_a) + rho_e u_a [kg/(m^2 s)], in both directions. The tangent is that of both parts together.
 
     Parameters
     ----------
@@ -197,7 +198,8 @@ def flow_integrals(columns: FilmColumns, section: Section, rheology: Rheology, m
         Stress in the middle of the film [Pa].
     """
     rate = (columns.speed_b - columns.speed_a) / columns.film[:, None]
-    fluidity, _ = fluidities(_stresses(middle, columns, section), columns, rheology, rate)
+    stress = _stresses(middle, columns, section)
+    fluidity, slope = fluidities(stress, columns, rheology, rate)
     w, z = section.weights, section.nodes
     mean, moment = fluidity @ w, fluidity @ (w * z)
     first = (columns.density * (fluidity @ section.cumulative.T)) @ w
@@ -206,4 +208,18 @@ def flow_integrals(columns: FilmColumns, section: Section, rheology: Rheology, m
     return ColumnFlow(
         poiseuille=12.0 * (moment / mean * first - second),
         couette=slide + (columns.density @ w)[:, None] * columns.speed_a,
+        tangent=_tangent(stress, fluidity, slope, columns.density, section),
     )
+
+
+def _tangent(stress: Array, fluidity: Array, slope: Array, density: Array, section: Section) -> Array:
+    """The integrals of Yang and Wen with the tangent fluidity d(rate)/d(tau), a tensor, in place of 1/eta*."""
+    magnitude = np.hypot(stress[..., 0], stress[..., 1])
+    unit = stress / np.where(magnitude > 0.0, magnitude, 1.0)[..., None]
+    tensor = (slope - fluidity)[..., None, None] * unit[..., :, None] * unit[..., None, :]
+    tensor = tensor + fluidity[..., None, None] * np.eye(2)
+    w, wz = section.weights, section.weights * section.nodes
+    mean, moment = np.einsum("k,mkcd->mcd", w, tensor), np.einsum("k,mkcd->mcd", wz, tensor)
+    inner = np.einsum("k,mk,kl,mlcd->mcd", w, density, section.cumulative, tensor, optimize=True)
+    inner_z = np.einsum("k,mk,kl,l,mlcd->mcd", w, density, section.cumulative, section.nodes, tensor, optimize=True)
+    return 12.0 * (inner @ np.linalg.solve(mean, moment) - inner_z)

@@ -22,6 +22,11 @@ class Section:
     cumulative: Array  # C @ f: integral of f from 0 to each node, shape (n, n) [-]
     derivative: Array  # D @ f: df/d(z/h) at each node, shape (n, n) [-]
 
+    @property
+    def integration(self) -> tuple[Array, Array, Array]:
+        """Nodes, weights and cumulative matrix, as kernels take them [-]."""
+        return self.nodes, self.weights, self.cumulative
+
 
 def film_section(count: int = NODES) -> Section:
     """Legendre-Gauss-Lobatto nodes on [0, 1] and their matrices [-].

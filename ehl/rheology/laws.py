@@ -80,7 +80,7 @@ class Rheology:
     limiting_stress: float = 0.0
     limiting_temperature_slope: float = 0.0
     reference_temperature: float = 313.15
-    limiting_minimum: float = 1e6
+    limiting_minimum: float = 5e6
 
     def __post_init__(self) -> None:
         if self.law is ShearLaw.REE_EYRING:

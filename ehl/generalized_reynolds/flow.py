@@ -1,0 +1,172 @@
+"""Flow model of an oil that thins under shear: factors of the generalized Reynolds equation on a grid.
+
+Yang and Wen's split of the flux into a Poiseuille and a Couette part cannot be iterated upon as it stands.
+
+Where sliding thins the oil the Couette part depends on the pressure gradient, too, and more strongly than the
+Poiseuille part does, by the ratio of tangent and secant fluidity (20 in Eyring sliding). The derivative D of the
+Couette flux by -grad p is therefore taken over into the Poiseuille coefficient, and D grad p given back to the Couette
+flux at the last iterate: Newton's linearisation. The two directions share one coefficient, that of the larger D.
+
+Where the pressure's own shear thins the oil, a factor that grows as the m-th power of the gradient would make an error
+grow m-fold in each turn. The Poiseuille factor is relaxed towards its new value by 1/(1 + m): Newton's step for the
+flux along the gradient. Both leave the equation what it is once the iteration has come to rest.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..conditions import ContactConditions
+from ..flow_model import FlowFactors, entrainment_factors
+from ..grid import Grid
+from ..lubricant import log_viscosity_ratio, viscosity
+from ..properties import oil_numbers
+from ..rheology import Rheology, kernel_rheology
+from ..scaling import ScaledContact
+from ..traction.kinematics import ContactKinematics, contact_kinematics
+from .section import Section, film_section
+
+Array = NDArray[np.float64]
+
+STEP = 0.02  # relative change of the gradient, and change of ln(eta) by pressure, for difference quotients
+LARGEST_POWER = 20.0  # m beyond which relaxation is not made stronger
+SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmFields:
+    """Pressure, film and surface velocities of a grid, SI; arrays of shape (ny, nx) or (2, ny, nx)."""
+
+    p: Array  # [Pa]
+    h: Array  # [m]; not positive: no film
+    gradient: Array  # [Pa/m]
+    speed_1: Array  # velocity of body 1, at z = 0 [m/s]
+    speed_2: Array  # velocity of body 2, at z = h [m/s]
+
+
+def film_fields(
+    contact: ScaledContact, grid: Grid, P: Array, H: Array, kinematics: ContactKinematics, entrainment_speed: float
+) -> FilmFields:
+    """Fields of a grid in SI: the mean velocity is the solver's own, the sliding that of the kinematics.
+
+    Parameters
+    ----------
+    contact : ScaledContact
+        With a length scale.
+    grid : Grid
+    P, H : ndarray, shape (ny, nx)
+        Pressure and film [-].
+    kinematics : ContactKinematics
+        In the frame of the grid.
+    entrainment_speed : float
+        u_m [m/s].
+    """
+    a, film_scale = contact.semi_axis_x, contact.film_scale
+    assert a is not None and film_scale is not None
+    p = np.maximum(P, 0.0) * contact.hertz_pressure
+    along_x = np.gradient(p, grid.hx * a, axis=1)
+    along_y = np.gradient(p, grid.hy * a, axis=0)
+    if grid.symmetric:
+        along_y[0] = 0.0
+    mean = entrainment_factors(contact, grid)
+    u = np.full_like(p, contact.velocity_x) if mean.couette_x is None else mean.couette_x
+    v = np.zeros_like(p) if mean.couette_y is None else mean.couette_y
+    ones = np.ones_like(p)
+    sliding = np.stack(kinematics.sliding(a * grid.X[None, :] * ones, a * grid.Y[:, None] * ones))
+    velocity = entrainment_speed * np.stack((u, v))
+    return FilmFields(
+        p=p,
+        h=H * film_scale,
+        gradient=np.stack((along_x, along_y)),
+        speed_1=velocity + 0.5 * sliding,
+        speed_2=velocity - 0.5 * sliding,
+    )
+
+
+@dataclass(slots=True, kw_only=True)
+class ShearThinningFlow:
+    """Flow model of an oil of uniform temperature with any rheology; keeps the stress it found on each grid.
+
+    Attributes
+    ----------
+    conditions : ContactConditions
+        The contact that is solved.
+    rheology : Rheology
+    section : Section
+        Nodes across the film.
+    missed : int
+        Columns whose stress was not found in the last turn [-].
+    """
+
+    conditions: ContactConditions
+    rheology: Rheology
+    section: Section = field(default_factory=film_section)
+    missed: int = 0
+    _middle: dict[tuple[int, ...], Array] = field(default_factory=dict)  # stress found last, a first guess [Pa]
+    _poiseuille: dict[tuple[int, ...], Array] = field(default_factory=dict)  # factor of the last turn [-]
+
+    @property
+    def symmetric(self) -> bool:
+        """Whether no surface slides across the entrainment."""
+        return self.conditions.lateral_slide_ratio == 0.0 and self.conditions.spin == 0.0
+
+    def factors(self, contact: ScaledContact, grid: Grid, P: Array, H: Array) -> FlowFactors:
+        """Factors at pressure and film, linearised there [-]."""
+        speed = self.conditions.entrainment_speed
+        kinematics = contact_kinematics(self.conditions, grid_angle=contact.frame_angle)
+        fields = film_fields(contact, grid, P, H, kinematics, speed)
+        middle = self._middle.setdefault(P.shape, np.full((2, *P.shape), np.nan))
+        poiseuille, couette, tangent = self._evaluate(fields, middle)
+        steeper, _, _ = self._evaluate(replace(fields, gradient=(1.0 + STEP) * fields.gradient), middle.copy())
+        power = np.clip(np.log(steeper / poiseuille) / np.log1p(STEP), 0.0, LARGEST_POWER)
+        hidden = np.maximum(tangent - (1.0 + power) * poiseuille, 0.0)
+        thinning = self._thinning(fields, middle, poiseuille)
+        last = self._poiseuille.get(P.shape)
+        if last is not None:
+            poiseuille = last * (poiseuille / last) ** (1.0 / (1.0 + power))
+        self._poiseuille[P.shape] = poiseuille
+        newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, self.conditions.lubricant))
+        flow = (couette + hidden * newtonian * fields.gradient) / speed
+        return FlowFactors(
+            poiseuille=poiseuille + hidden,
+            thinning=thinning,
+            pressure=P.copy(),
+            couette_x=flow[0],
+            couette_y=None if grid.symmetric else flow[1],
+        )
+
+    def _thinning(self, fields: FilmFields, middle: Array, poiseuille: Array) -> Array:
+        """Share of a change of ln(eta) by pressure that the factor takes back [-]."""
+        oil = self.conditions.lubricant
+        rise = STEP / max(oil.pressure_viscosity, SMALLEST_SLOPE)
+        pressed, _, _ = self._evaluate(replace(fields, p=fields.p + rise), middle.copy())
+        thicker = log_viscosity_ratio(fields.p + rise, oil) - log_viscosity_ratio(fields.p, oil)
+        return np.clip(np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE), 0.0, 1.0)
+
+    def _evaluate(self, fields: FilmFields, middle: Array) -> tuple[Array, Array, Array]:
+        """Poiseuille factor [-], Couette velocity [m/s], larger tangent [-]; `middle` is first guess, then result."""
+        from . import _kernels
+
+        shape, oil = fields.p.shape, self.conditions.lubricant
+        numbers = oil_numbers(oil)
+        temperature = np.full((*shape, self.section.nodes.size), numbers[4])
+        poiseuille, couette, tangent = np.empty(shape), np.empty((2, *shape)), np.empty((2, *shape))
+        self.missed = _kernels.flow_factors(
+            fields.p,
+            fields.h,
+            fields.gradient,
+            fields.speed_1,
+            fields.speed_2,
+            temperature,
+            numbers,
+            self.section.integration,
+            kernel_rheology(self.rheology),
+            middle,
+            poiseuille,
+            couette,
+            tangent,
+        )
+        return poiseuille, couette, tangent.max(axis=0)
