@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .shipped import shipped_cases, title
+from .shipped import shipped_cases, shipped_sweeps, title
 
 if TYPE_CHECKING:
     from bearing.material import Material
@@ -15,6 +15,8 @@ def listing(kind: str) -> dict[str, str]:
     """Names and remarks of one kind: cases, bearings, materials or lubricants."""
     if kind == "cases":
         return {name: title(path) for name, path in shipped_cases().items()}
+    if kind == "sweeps":
+        return {name: title(path) for name, path in shipped_sweeps().items()}
     if kind == "bearings":
         from bearing.catalogue import list_bearings, load_catalogue_entry
 

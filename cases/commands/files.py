@@ -18,6 +18,7 @@ class Listing(StrEnum):
     """What `oilfilm list` shows."""
 
     CASES = "cases"
+    SWEEPS = "sweeps"
     BEARINGS = "bearings"
     MATERIALS = "materials"
     LUBRICANTS = "lubricants"
@@ -29,7 +30,7 @@ def list_names(
     what: Annotated[Listing | None, typer.Argument(help="What to list; all if left out.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
-    """List shipped cases, bearings, materials and lubricants."""
+    """List shipped cases, sweeps, bearings, materials and lubricants."""
     from ..listing import listing
 
     names = {kind.value: listing(kind.value) for kind in (Listing if what is None else (what,))}
@@ -52,15 +53,11 @@ def validate(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")] = False,
 ) -> int:
-    """Check case files without running them."""
-    from ..case import read_text, validate_text
-    from ..shipped import find_case
-
+    """Check case and sweep files without running them."""
     errors: dict[str, list[str]] = {}
     for case in cases:
         try:
-            path = find_case(case)
-            validate_text(read_text(path), str(path))
+            _check(case)
             errors[case] = []
         except CaseError as error:
             errors[case] = list(error.messages)
@@ -76,20 +73,41 @@ def validate(
     return BAD_INPUT if any(errors.values()) else 0
 
 
+def _file(name: str) -> Path:
+    """The file of a case or of a sweep."""
+    from ..shipped import find_case, find_sweep, shipped_sweeps
+
+    return find_sweep(name) if name.removesuffix(".toml") in shipped_sweeps() else find_case(name)
+
+
+def _check(name: str) -> None:
+    """Check a case or a sweep; `CaseError` tells what is wrong."""
+    from ..case import SWEEP_TABLES, parse, read_text, validate_text
+
+    path = _file(name)
+    text = read_text(path)
+    document = parse(text, str(path))
+    if "case" in document or any(table in document for table in SWEEP_TABLES):
+        from ..batch.sweep import sweep_from_text
+
+        sweep_from_text(text, str(path), path.parent)
+    else:
+        validate_text(text, str(path))
+
+
 @app.command()
 @guarded
 def init(
     name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the new case file.")],
     template: Annotated[
-        str, typer.Option("--from", metavar="CASE", help="The case to start from.")
+        str, typer.Option("--from", metavar="CASE", help="The case or sweep to start from.")
     ] = "6208_full_ceramic",
 ) -> None:
     """Write a new case file to start from."""
     from ..case import read_text
-    from ..shipped import find_case
 
     path = Path(name if name.endswith(".toml") else f"{name}.toml")
-    text = read_text(find_case(template))
+    text = read_text(_file(template))
     try:
         with path.open("x", encoding="utf-8", newline="\n") as file:
             file.write(text)

@@ -483,6 +483,19 @@ def test_the_command(tmp_path, monkeypatch):
     assert answer.exit_code == 2
 
 
+def test_validate_init_and_list_know_sweeps(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert CliRunner().invoke(app, ["init", "mine", "--from", "6208_load_and_speed"]).exit_code == 0
+    assert CliRunner().invoke(app, ["validate", "mine.toml", "6208_load_and_speed"]).exit_code == 0
+    (tmp_path / "mine.toml").write_text(QUICK.replace("5000.0", "5e9"))
+    answer = CliRunner().invoke(app, ["validate", "mine.toml"])
+    assert answer.exit_code == 2
+    assert "mine.toml:4: sweep" in answer.stderr
+    assert "6208_load_and_speed" in CliRunner().invoke(app, ["list", "sweeps"]).stdout
+    answer = CliRunner().invoke(app, ["run", "mine.toml"])
+    assert "oilfilm batch" in answer.stderr
+
+
 def test_a_lost_point_is_the_machines_failure(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "quick.toml").write_text(QUICK)
