@@ -99,7 +99,7 @@ def write_interferogram(
 def _draw(figure: Figure, name: str, data: Any, optics: Optics) -> None:
     a = float(data.attrs["semi_axis_x"])
     kappa = float(data.attrs["semi_axis_y"]) / a
-    half_x, half_y = half_extents(float(data.attrs.get("frame_angle", data.attrs["entrainment_angle"])), kappa)
+    half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)
     x, y = data["x"].values, data["y"].values
     part = shown_part(x, y, data["P"].values, a * half_x, a * half_y)
     x, y, film = x[part[0]], y[part[1]], data["h"].values[part]

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from ehl import ContactSolution
 
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]  # dimensions, values, attributes by name
-FORMAT = 1  # of the netCDF file; raised when an older reader would misread it
+FORMAT = 2  # of the netCDF file; raised when an older reader would misread it. 1: x always along the entrainment
 SUMMARY_FILE, CONTACTS_FILE, FIELDS_FILE = "summary.json", "contacts.csv", "results.nc"
 COMPRESSION = {"zlib": True, "complevel": 4, "shuffle": True, "dtype": "float32"}
 CONTACT_COLUMNS = (
@@ -341,6 +341,14 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     if problem:
         tree.close()
         raise ValueError(f"{path} {problem}")
+    return _upgraded(tree)
+
+
+def _upgraded(tree: xarray.DataTree) -> xarray.DataTree:
+    """What an older format left out: in format 1 the grid's x lies along the entrainment."""
+    for node in tree.subtree if tree.attrs["oilfilm_format"] < FORMAT else ():
+        if "entrainment_angle" in node.attrs:
+            node.attrs.setdefault("frame_angle", node.attrs["entrainment_angle"])
     return tree
 
 

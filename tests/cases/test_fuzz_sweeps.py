@@ -84,7 +84,7 @@ def check(count, seed):
         except CaseError as error:
             assert error.messages
             for message in error.messages:
-                assert re.match(r"sweep\.toml:\d+: ", message), (message, text)
+                assert re.match(r"(sweep\.toml|\.\./\.\./etc/passwd):\d+: ", message), (message, text)
                 assert len(message) < 900, text
     assert count // 50 < sweeps < count  # the mutations are neither all harmless nor all fatal
 

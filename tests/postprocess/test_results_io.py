@@ -83,6 +83,23 @@ def test_foreign_file_is_refused(tmp_path):
         open_results(tmp_path)
 
 
+def test_the_first_format_is_read(contact_results, tmp_path):
+    """Written before a grid could lie at an angle to the entrainment."""
+    from postprocess.patch import Patch
+
+    write_netcdf(contact_results, tmp_path / "new.nc")
+    with xr.open_datatree(tmp_path / "new.nc", engine="h5netcdf") as tree:
+        old = tree.load()
+    old.attrs["oilfilm_format"] = 1
+    contact = old["contacts/contact"]
+    del contact.attrs["frame_angle"]
+    contact.attrs["entrainment_angle"] = 0.3
+    old.to_netcdf(tmp_path / "results.nc", engine="h5netcdf")
+    with open_results(tmp_path) as tree:
+        assert tree["contacts/contact"].attrs["frame_angle"] == 0.3
+        Patch.read(tree["contacts/contact"].to_dataset())
+
+
 def test_newer_format_is_refused(tmp_path):
     attrs = {"oilfilm_format": 99, "oilfilm": "9.0"}
     tree = xr.DataTree.from_dict({"/": xr.Dataset(attrs=attrs), "/contacts/contact": xr.Dataset()})
