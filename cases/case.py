@@ -26,13 +26,15 @@ if TYPE_CHECKING:
     from bearing.geometry import Bearing
     from bearing.operation import Model, Operation, RatingInput
     from bearing.rows import Row
+    from bearing.torque.breakdown import FrictionInput
     from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
+    from ehl.rheology import Rheology
 
     from .slip_plan import SlipPlan
 
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
-LATER_TABLES = ("cage", "dynamics", "load_cases")
+LATER_TABLES = ("dynamics", "load_cases")
 LATER_VALUES = {
     ("model", "ball_kinematics"): ("minimum dissipation", "traction equilibrium"),
     ("lubricant", "viscosity_law"): ("tait-doolittle", "yasutomi"),
@@ -58,6 +60,8 @@ class Case:
     document: dict[str, Any]  # the case file as run, defaults and library values filled in
     warnings: tuple[str, ...] = ()  # what the libraries have to say about their values
     slip: SlipPlan | None = None  # maps of `oilfilm slip`
+    friction: FrictionInput | None = None  # what the friction torque models need
+    rheology: Rheology | None = None  # how the oil shears
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
     clearance: ClearanceBudget | None = None  # where fits or temperatures change it; `bearing` has the operating one
     rows: tuple[Row, ...] | None = None  # None: a single one
@@ -73,6 +77,8 @@ class ContactCase:
     conditions: ContactConditions | MoesConditions
     solver: SolverOptions
     document: dict[str, Any]
+    rheology: Rheology | None = None  # how the oil shears; None with Moes' groups
+    temperature: float | None = None  # of the oil [K]
     warnings: tuple[str, ...] = ()
 
 
@@ -311,6 +317,8 @@ def _bearing_case(file: BearingFile) -> Case:
         document=document,
         slip=None if file.slip is None else convert.slip_plan(file.slip),
         rating=convert.rating(file),
+        friction=convert.friction(file),
+        rheology=convert.rheology(file, oil),
         clearance=clearance,
         rows=convert.rows(file),
     )
@@ -331,6 +339,8 @@ def _contact_case(file: ContactFile) -> ContactCase:
         conditions=convert.contact(file, oil),
         solver=convert.solver_options(file.ehl),
         document=document,
+        rheology=None if moes else convert.rheology(file, oil),
+        temperature=convert.temperature(file),
     )
 
 

@@ -17,7 +17,10 @@ from .version import version
 if TYPE_CHECKING:
     from bearing.contacts import BearingContact
     from bearing.quasistatic import QuasistaticSolution
+    from bearing.torque.breakdown import TorqueBreakdown
+    from bearing.traction_forces import ContactTraction
     from ehl import ContactConditions, ContactSolution, SolverOptions
+    from ehl.traction import TractionResult
     from postprocess.results import BearingResults, ContactResults
 
 Solve = Callable[["ContactConditions", "SolverOptions"], "ContactSolution"]
@@ -84,6 +87,7 @@ def run_case(
     timing |= {"contacts": perf_counter() - start, "total": sum(timing.values()) + perf_counter() - start}
     if interrupted:
         messages = (*messages, "interrupted: the films that were not finished are null")
+    tractions = _tractions(case, state, contacts, solutions)
     results = BearingResults(
         version=version(),
         case=case.document,
@@ -97,10 +101,47 @@ def run_case(
         timing=timing,
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
         clearance=case.clearance,
+        tractions=tractions,
+        torque=_torque(case, state, contacts, tractions),
     )
     if interrupted:
         raise Interrupted(results if any(solution is not None for solution in solutions) else None)
     return results
+
+
+def _tractions(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None],
+) -> tuple[ContactTraction | None, ...]:
+    """Shear of every contact that has a film."""
+    from bearing.traction_forces import contact_traction
+
+    rheology = case.rheology
+
+    def traction(contact: BearingContact, film: ContactSolution | None) -> ContactTraction | None:
+        if film is None or rheology is None or not film.converged:
+            return None
+        return contact_traction(state, contact, film, rheology)
+
+    return tuple(traction(contact, film) for contact, film in zip(contacts, solutions, strict=True))
+
+
+def _torque(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    tractions: Sequence[ContactTraction | None],
+) -> TorqueBreakdown | None:
+    """Friction torque by every model; the integrated one needs the shear of all lubricated contacts."""
+    from bearing.torque.breakdown import torque_breakdown
+
+    if case.friction is None or not state.converged:
+        return None
+    found = [t for t in tractions if t is not None]
+    complete = len(found) == sum(contact.loaded for contact in contacts) > 0
+    return torque_breakdown(state, contacts, case.lubricant, case.friction, found if complete else None)
 
 
 def run_contact(case: ContactCase, *, finite_element: bool = False) -> ContactResults:
@@ -118,8 +159,26 @@ def run_contact(case: ContactCase, *, finite_element: bool = False) -> ContactRe
         from ehl import solve_contact
     start = perf_counter()
     solution = solve_contact(case.conditions, case.solver)
-    timing = {"total": perf_counter() - start}
-    return ContactResults(version=version(), case=case.document, solution=solution, messages=messages, timing=timing)
+    traction = _contact_traction(case, solution)
+    return ContactResults(
+        version=version(),
+        case=case.document,
+        solution=solution,
+        messages=messages,
+        timing={"total": perf_counter() - start},
+        traction=traction,
+    )
+
+
+def _contact_traction(case: ContactCase, solution: ContactSolution) -> TractionResult | None:
+    """Shear of a single contact with lengths, None where the film did not converge."""
+    from ehl import ContactConditions
+    from ehl.traction import contact_kinematics, integrate_traction
+
+    if not isinstance(case.conditions, ContactConditions) or case.rheology is None or not solution.converged:
+        return None
+    motion = contact_kinematics(case.conditions, grid_angle=solution.frame_angle)
+    return integrate_traction(solution, motion, case.rheology, temperature=case.temperature)
 
 
 def wanted_contacts(

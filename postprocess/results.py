@@ -14,7 +14,10 @@ if TYPE_CHECKING:
     from bearing.frequencies import Frequencies
     from bearing.life import LifeRating
     from bearing.quasistatic import QuasistaticSolution
+    from bearing.torque.breakdown import TorqueBreakdown
+    from bearing.traction_forces import ContactTraction
     from ehl import ContactSolution, Lubricant
+    from ehl.traction import TractionResult
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,6 +42,10 @@ class BearingResults:
         Whether the run was stopped before all films were there.
     timing : dict of float
         Wall time by part of the run [s].
+    torque : TorqueBreakdown or None
+        None without an equilibrium.
+    tractions : tuple of ContactTraction or None
+        One per contact, None where there is no film; empty is None for all.
     life : LifeRating or None
     clearance : ClearanceBudget or None
         None where the clearance given is the operating one.
@@ -54,6 +61,8 @@ class BearingResults:
     messages: tuple[str, ...] = ()
     interrupted: bool = False
     timing: dict[str, float] = field(default_factory=dict)
+    torque: TorqueBreakdown | None = None
+    tractions: tuple[ContactTraction | None, ...] = ()
     life: LifeRating | None = None
     clearance: ClearanceBudget | None = None
 
@@ -72,6 +81,7 @@ class ContactResults:
     solution: ContactSolution
     messages: tuple[str, ...] = ()
     timing: dict[str, float] = field(default_factory=dict)
+    traction: TractionResult | None = None
 
     @property
     def converged(self) -> bool:

@@ -11,7 +11,8 @@ from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
 from .rows import row_blocks, row_messages
 from .stress import stress_messages, stress_values
-from .summary_contact import NOT_COMPUTED, films, formulas, solution_messages
+from .summary_contact import films, formulas, solution_messages
+from .torque import contact_traction_values, torque_block, torque_messages
 from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE, MILLIRADIAN, NEWTON_MILLIMETRE, RPM
 
 if TYPE_CHECKING:
@@ -20,14 +21,6 @@ if TYPE_CHECKING:
     from ehl import ContactSolution
 
 STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")
-TORQUE_MODELS = {
-    "integrated": ("total",),
-    "pure_rolling_lines": ("spin", "rotation", "orbit", "total"),
-    "skf": ("rolling", "sliding", "seal", "drag", "total"),
-    "houpert": ("total",),
-    "palmgren": ("total",),
-    "yao": ("ME", "MD", "MS", "MC", "ML", "total"),
-}
 
 
 def bearing_summary(results: BearingResults) -> dict[str, Any]:
@@ -49,8 +42,10 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "cage_speed_rpm": state.cage_speed / RPM,
         "balls": [_ball(state, i) for i in range(len(state.azimuth))],
         "contacts": [
-            _bearing_contact(c, s, results.case.get("surface")) | stress_values(state, c)
-            for c, s in zip(results.contacts, results.solutions, strict=True)
+            _bearing_contact(c, s, results.case.get("surface"))
+            | stress_values(state, c)
+            | contact_traction_values(results, i)
+            for i, (c, s) in enumerate(zip(results.contacts, results.solutions, strict=True))
         ],
         "clearance": clearance_block(results),
         "life": life_block(results),
@@ -58,7 +53,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
             name: getattr(results.frequencies, name)
             for name in ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin")
         },
-        "torque_N_mm": {"total": None, "models": {name: dict.fromkeys(parts) for name, parts in TORQUE_MODELS.items()}},
+        "torque_N_mm": torque_block(results),
         "timing_s": dict(results.timing),
     }
 
@@ -112,7 +107,6 @@ def _bearing_contact(
         "hirano_ratio": contact.hirano_ratio,
         **films(solution),
         "pressure_maximum_GPa": None if solution is None else solution.pressure_maximum / GIGAPASCAL,
-        "traction_coefficient": None,
         "lambda_ratio": lambda_ratio(contact, solution, surface),
         "converged": None if solution is None else solution.converged,
         "resolved": None if solution is None else solution.resolved,
@@ -139,5 +133,4 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from stress_messages(results)
     yield from ratio_messages(results)
     yield from rating_messages(results)
-    for part in ("contacts.traction_coefficient", "torque_N_mm"):
-        yield f"{part}: null, {NOT_COMPUTED}"
+    yield from torque_messages(results)

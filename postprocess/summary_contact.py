@@ -10,9 +10,9 @@ from ehl import ContactConditions, ContactSolution, ViscosityLaw, film_formulas
 
 from .messages import doubt_messages
 from .results import ContactResults
+from .torque import traction_values
 from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
-NOT_COMPUTED = "not computed by this version"
 ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
 FORMULAS = (
     "hamrock_dowson_central",
@@ -73,7 +73,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "approach_dimensionless": solution.approach_dimensionless,
         "pressure_centre_dimensionless": _centre(solution),
         "pressure_maximum_GPa": solution.pressure_maximum / GIGAPASCAL if pressure else None,
-        "traction_coefficient": None,
+        **traction_values(results.traction),
         "resolved": solution.resolved,
         "domain": list(solution.domain),
         "points": list(solution.P.shape),
@@ -126,4 +126,5 @@ def _contact_messages(results: ContactResults) -> Iterator[str]:
         yield "load_N, semi-axes, films in um: null, the case gives Moes' groups and no lengths"
     if not solution.hertz_pressure > 0.0:
         yield "hertz_pressure_GPa, pressure_maximum_GPa: null, without piezoviscosity the scale of pressure is open"
-    yield f"traction_coefficient: null, {NOT_COMPUTED}"
+    if results.traction is None:
+        yield "traction_coefficient: null, it needs a contact with lengths, and a film that converged"

@@ -29,9 +29,10 @@ class Cage:
 
 
 def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
-    """Moment that resists rolling in a lubricated contact, t [N m], Biboulet and Houpert (2010), elastohydrodynamic.
+    """Moment that resists rolling in a lubricated contact [N m], Biboulet and Houpert (2010), elastohydrodynamic limit.
 
-    t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1 - (a_x/a_y)^2.
+    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1 - (a_x/a_y)^2. t is Rx
+    times the force that the pressure flow pulls one body with, and both are pulled (checked against solved contacts).
 
     Parameters
     ----------
@@ -42,14 +43,14 @@ def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_
     Returns
     -------
     float
-        Its power is t times the rolling speed u_m/Rx [N m].
+        Its power is the moment times the rolling speed u_m/Rx [N m].
     """
     c = conditions
     speed = c.lubricant.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
     shape = min(semi_axis_x, semi_axis_y) / max(semi_axis_x, semi_axis_y)
     beta = 4.0 / pi * float(ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
     width = 2.0 * semi_axis_y / c.radius_x
-    return 1.8 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
+    return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
 
 
 def rolling_power(contacts: Sequence[BearingContact]) -> float:

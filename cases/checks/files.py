@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ..problems import Problem
 from .bearing import ball_count, bearing_materials, boundary, clearance, grooves, required_geometry, seats, shoulders
 from .contact import coating, contact_groups
+from .friction import friction
 from .lubricant import lubricant
 from .operation import film_maps, loads, tilt
 from .rows import rows
@@ -33,6 +34,7 @@ def bearing_problems(values: Values, names: Names) -> Iterator[Problem]:
     for key in ("shaft_material", "housing_material"):
         yield from known(("fit", key), values.get("fit", key), names.materials)
     yield from lubricant(values, names)
+    yield from friction(values)
 
 
 def contact_problems(values: Values, names: Names) -> Iterator[Problem]:

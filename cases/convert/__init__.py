@@ -2,6 +2,7 @@
 
 from .bearing import bearing, operating_bearing, rating
 from .contact import contact, contact_defaults, solver_options
+from .friction import friction, rheology
 from .lubricant import lubricant, lubricant_keys, temperature
 from .materials import material_table, materials, ring_materials, seat_materials
 from .operation import model, operation, slip_plan
@@ -11,6 +12,7 @@ __all__ = [
     "bearing",
     "contact",
     "contact_defaults",
+    "friction",
     "lubricant",
     "lubricant_keys",
     "material_table",
@@ -19,6 +21,7 @@ __all__ = [
     "operating_bearing",
     "operation",
     "rating",
+    "rheology",
     "ring_materials",
     "rows",
     "seat_materials",

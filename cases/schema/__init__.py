@@ -8,6 +8,7 @@ from .bearing import BearingTable, FitTable, MaterialTable, SurfaceTable, Temper
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .fields import FREE, Table, is_number
 from .files import BearingFile, CaseFile, ContactFile
+from .friction import CageTable, FrictionTable
 from .lubricant import LubricantTable, OilTable
 from .operation import ModelTable, OperationTable, SlipTable
 from .rows import RowTable
@@ -17,12 +18,14 @@ __all__ = [
     "FREE",
     "BearingFile",
     "BearingTable",
+    "CageTable",
     "CaseFile",
     "ContactEhlTable",
     "ContactFile",
     "ContactTable",
     "EhlTable",
     "FitTable",
+    "FrictionTable",
     "HypercubeOptions",
     "LubricantTable",
     "MaterialTable",

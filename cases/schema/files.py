@@ -7,6 +7,7 @@ from pydantic import Field
 from .bearing import BearingTable, FitTable, MaterialTable, SurfaceTable, TemperaturesTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .fields import Table
+from .friction import CageTable, FrictionTable
 from .lubricant import LubricantTable, OilTable
 from .operation import ModelTable, OperationTable, SlipTable
 from .rows import RowTable
@@ -34,6 +35,8 @@ class BearingFile(CaseFile):
     fit: FitTable | None = None
     temperatures: TemperaturesTable | None = None
     slip: SlipTable | None = None
+    friction: FrictionTable = FrictionTable()
+    cage: CageTable | None = None
     rows: tuple[RowTable, ...] | None = Field(
         None, strict=False, min_length=1, max_length=8, description="rows of balls on the one inner ring"
     )

@@ -32,6 +32,23 @@ class OilTable(Table):
     density_law: Literal["dowson-higginson", "incompressible"] | None = Field(
         None, description="pressure dependence of the density"
     )
+    rheology: Literal["newtonian", "ree-eyring", "carreau-yasuda"] | None = Field(
+        None, description="shear law of the friction; left out, Ree-Eyring with assumed constants"
+    )
+    eyring_stress_MPa: float | None = Field(
+        None, gt=0.0, le=1.0e3, description="Eyring's stress; left out, 2 Lambda/alpha, assumed"
+    )
+    limiting_stress_coefficient: float | None = Field(
+        None,
+        gt=0.0,
+        le=1.0,
+        description="Lambda of the limiting stress Lambda p; left out, assumed but for Newton's law",
+    )
+    carreau_modulus_MPa: float | None = Field(None, gt=0.0, le=1.0e3, description="G of Carreau's law")
+    carreau_exponent: float | None = Field(None, gt=0.0, le=1.0, description="n of Carreau's law")
+    yasuda_exponent: float | None = Field(
+        None, gt=0.0, le=10.0, description="a of Carreau and Yasuda's law; 2 if left out"
+    )
 
 
 class LubricantTable(OilTable):

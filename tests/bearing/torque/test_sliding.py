@@ -141,7 +141,7 @@ def test_rolling_moment_of_the_oil():
         load=20.0, radius_x=0.01, radius_y=0.01, reduced_modulus=226e9, entrainment_speed=1.0, lubricant=OIL
     )
     u = 0.0261 / (226e9 * 0.01)
-    expected = 1.8 * (2.0 * 1e-4 / 0.01) * (2.0 * u) ** 0.75 * 226e9 * 1e-6
+    expected = 2.0 * 1.8 * (2.0 * 1e-4 / 0.01) * (2.0 * u) ** 0.75 * 226e9 * 1e-6
     assert rolling_moment(c, 1e-4, 1e-4) == pytest.approx(expected, rel=1e-12)
 
 

@@ -1,0 +1,102 @@
+"""[friction], [cage] and the shear law of the oil."""
+
+from __future__ import annotations
+
+import re
+import warnings
+from typing import TYPE_CHECKING, Any
+
+from ..checks import oil_table
+from ..schema import BearingFile, ContactFile
+from .units import KN, MM, MPA, UM
+
+if TYPE_CHECKING:
+    from bearing.torque.breakdown import FrictionInput
+    from bearing.torque.resistance import Cage
+    from ehl import Lubricant
+    from ehl.rheology import Rheology
+
+LIMITING_COEFFICIENT = 0.047  # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
+OTHER_ANGULAR = "other single row"
+
+
+def friction(file: BearingFile) -> FrictionInput:
+    """What the friction models ask: ratings [N], lengths [m]."""
+    from bearing.torque.breakdown import FrictionInput
+    from bearing.torque.skf import Lubrication
+
+    table, rating = file.friction, file.bearing.basic_static_rating_kN
+    return FrictionInput(
+        coefficient=table.coefficient,
+        lubrication=Lubrication(table.lubrication),
+        oil=table.oil,
+        oil_level=table.oil_level_mm * MM,
+        sealed=table.sealed,
+        seal_diameter=None if table.seal_diameter_mm is None else table.seal_diameter_mm * MM,
+        series=file.bearing.skf_series or series_of(file.bearing.name or ""),
+        static_rating=None if rating is None else rating * KN,
+        hysteresis=table.hysteresis_loss,
+        cage=_cage(file),
+        oil_fraction=table.oil_fraction,
+    )
+
+
+def _cage(file: BearingFile) -> Cage | None:
+    """Friction of the cage [m]; None without a pocket's coefficient."""
+    from bearing.torque.resistance import Cage
+
+    table = file.cage
+    if table is None or table.pocket_friction is None:
+        return None
+    guided = table.guided_by != "balls"
+    lengths = (table.land_diameter_mm, table.land_width_mm, table.land_clearance_um)
+    diameter, width, clearance = (
+        None if value is None or not guided else value * unit for value, unit in zip(lengths, (MM, MM, UM), strict=True)
+    )
+    return Cage(
+        pocket_friction=table.pocket_friction,
+        land_diameter=diameter,
+        land_width=width,
+        land_clearance=clearance,
+        outer_guided=table.guided_by == "outer ring",
+    )
+
+
+def series_of(name: str) -> str | None:
+    """SKF's series by the designation of a bearing, None where it tells none [-]."""
+    found = re.match(r"^(6[0-4]|7[0-3]|16[01]|61[789])\d{2}\s*(AC|B|C|CD|ACD)?", name.strip().upper())
+    if found is None:
+        return None
+    series, suffix = found.groups()
+    if series.startswith("6") or series.startswith("16"):
+        return {"617": "617", "618": "618", "619": "619"}.get(series, series)
+    known = {("72", "B"): "72 B", ("73", "B"): "73 B", ("72", "AC"): "72 AC", ("73", "AC"): "73 AC"}
+    return known.get((series, suffix or ""), OTHER_ANGULAR)
+
+
+def rheology(file: BearingFile | ContactFile, oil: Lubricant) -> Rheology:
+    """How the oil shears: stresses [Pa]; what the case leaves out is assumed, and warned of."""
+    from ehl.rheology import Rheology, ShearLaw
+
+    keys, _ = oil_table(file.model_dump(exclude_none=True))
+    law = ShearLaw(keys.get("rheology", "ree-eyring"))
+    coefficient = keys.get("limiting_stress_coefficient")
+    assumed, eyring = [], keys.get("eyring_stress_MPa")
+    if law is ShearLaw.REE_EYRING and eyring is None and oil.pressure_viscosity == 0.0:
+        law = ShearLaw.NEWTONIAN  # nothing to take a stress from, nor a need of one
+    if coefficient is None and law is not ShearLaw.NEWTONIAN:
+        coefficient = LIMITING_COEFFICIENT
+        assumed.append(f"limiting_stress_coefficient = {coefficient:g} (paraffinic mineral oil, Arana et al., 2019)")
+    if law is ShearLaw.REE_EYRING and eyring is None:
+        eyring = 2.0 * LIMITING_COEFFICIENT / oil.pressure_viscosity / MPA
+        assumed.append(f"eyring_stress_MPa = {eyring:.3g} (2 Lambda/alpha, Arana et al., 2019)")
+    if assumed:
+        warnings.warn(f"lubricant: the shear of the oil is assumed: {', '.join(assumed)}", stacklevel=2)
+    constants: dict[str, Any] = {"limiting_coefficient": coefficient}
+    if eyring is not None and law is ShearLaw.REE_EYRING:
+        constants["eyring_stress"] = eyring * MPA
+    if law is ShearLaw.CARREAU_YASUDA:
+        constants["carreau_modulus"] = keys["carreau_modulus_MPa"] * MPA
+        constants["carreau_exponent"] = keys["carreau_exponent"]
+        constants["yasuda_exponent"] = keys.get("yasuda_exponent", 2.0)
+    return Rheology(law=law, **constants)

@@ -1,0 +1,48 @@
+"""[friction] and [cage]: what the friction torque models ask beyond the loads."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from .fields import LENGTH_MAXIMUM, Table
+
+
+class FrictionTable(Table):
+    """Friction torque; every key may be left out, and leaves out the models that need it."""
+
+    coefficient: float | None = Field(
+        None, gt=0.0, le=1.0, description="Coulomb's mu of the sliding models; left out, SKF's mu_sl"
+    )
+    lubrication: Literal["oil bath", "low oil bath", "oil jet", "grease", "oil air"] = Field(
+        "low oil bath", description="how the oil comes to the bearing, for SKF's model and Palmgren's"
+    )
+    oil: Literal["mineral", "synthetic", "transmission fluid"] = Field(
+        "mineral", description="kind of base oil, for SKF's mu_EHL"
+    )
+    oil_level_mm: float = Field(
+        0.0, ge=0.0, le=LENGTH_MAXIMUM, description="above the lowest contact point of the outer raceway; SKF's drag"
+    )
+    sealed: bool = Field(False, description="contact seals on both sides, for SKF's model")
+    seal_diameter_mm: float | None = Field(
+        None, gt=0.0, le=LENGTH_MAXIMUM, description="of the seal's lip; left out, the bore"
+    )
+    hysteresis_loss: float | None = Field(
+        None, ge=0.0, le=1.0, description="share of the elastic energy lost in rolling, beta_a; for the model yao"
+    )
+    oil_fraction: float | None = Field(
+        None, ge=0.0, le=1.0, description="share of the cavity filled with oil, for the drag of the balls"
+    )
+
+
+class CageTable(Table):
+    """The cage."""
+
+    pocket_friction: float | None = Field(
+        None, ge=0.0, le=1.0, description="Coulomb's mu of ball against pocket; left out, no friction of the cage"
+    )
+    guided_by: Literal["balls", "inner ring", "outer ring"] = Field("balls", description="what the cage runs on")
+    land_diameter_mm: float | None = Field(None, gt=0.0, le=LENGTH_MAXIMUM, description="of the guiding land")
+    land_width_mm: float | None = Field(None, gt=0.0, le=LENGTH_MAXIMUM, description="of both lands together")
+    land_clearance_um: float | None = Field(None, gt=0.0, le=1.0e4, description="radial, between cage and land")

@@ -1,0 +1,78 @@
+"""The block `torque_N_mm` of the summary: friction torque by every model."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from .units import NEWTON_MILLIMETRE
+
+if TYPE_CHECKING:
+    from bearing.torque.breakdown import TorqueBreakdown
+    from ehl.traction import TractionResult
+
+    from .results import BearingResults
+
+MODELS = {
+    "integrated": ("rolling", "sliding", "spin", "curvature", "cage", "drag"),
+    "pure_rolling_lines": ("spin", "rotation", "orbit"),
+    "skf": ("rolling", "sliding", "seal", "drag"),
+    "houpert": ("spin", "curvature", "hydrodynamic"),
+    "palmgren": ("viscous", "load"),
+    "yao": ("ME", "MD", "MS", "MC", "ML"),
+}
+
+
+def torque_block(results: BearingResults) -> dict[str, Any]:
+    """Torque of every model [N mm], None where it does not apply; `total` is that of the model named `model`."""
+    torque = results.torque
+    return {
+        "total": _shown(None if torque is None else torque.total),
+        "model": None if torque is None else torque.chosen,
+        "coulomb_coefficient": None if torque is None else torque.coefficient,
+        "models": {name: _model(torque, name) for name in MODELS},
+    }
+
+
+def _shown(value: float | None) -> float | None:
+    return None if value is None else value / NEWTON_MILLIMETRE
+
+
+def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]:
+    if torque is None:
+        return dict.fromkeys((*MODELS[name], "total"))
+    found = torque.models[name]
+    return {part: _shown(found.components.get(part)) for part in MODELS[name]} | {"total": _shown(found.total)}
+
+
+def traction_values(traction: TractionResult | None) -> dict[str, Any]:
+    """Traction of one contact: coefficient [-], force on body 1 along and across the grid's x [N], heat [W]."""
+    if traction is None:
+        return dict.fromkeys(("traction_coefficient", "traction_force_N", "traction_power_W", "spin_moment_N_mm"))
+    return {
+        "traction_coefficient": traction.coefficient,
+        "traction_force_N": [traction.force_x, traction.force_y],
+        "traction_power_W": traction.power_loss,
+        "spin_moment_N_mm": traction.spin_moment / NEWTON_MILLIMETRE,
+    }
+
+
+def contact_traction_values(results: BearingResults, index: int) -> dict[str, Any]:
+    """Traction of one contact of a bearing, as `traction_values`."""
+    traction = results.tractions[index] if results.tractions else None
+    return traction_values(None if traction is None else traction.result)
+
+
+def torque_messages(results: BearingResults) -> Iterator[str]:
+    """Why a torque or a traction coefficient is null."""
+    torque = results.torque
+    if not results.tractions or any(traction is None for traction in results.tractions):
+        yield "contacts.traction_coefficient: null where there is no film"
+    if torque is None:
+        yield "torque_N_mm: null, there is no equilibrium"
+        return
+    for name in MODELS:
+        if torque.models[name].total is None:
+            yield f"torque_N_mm.models.{name}: null, {torque.models[name].note}"
+    if torque.total is None:
+        yield "torque_N_mm.total: null, neither the integrated model nor SKF's applies"

@@ -1,0 +1,106 @@
+"""Friction torque in cases and summaries."""
+
+from __future__ import annotations
+
+import pytest
+
+from cases.case import case_from_text
+from cases.problems import CaseError
+from cases.run import run_case
+from postprocess import summary
+
+TEXT = """
+schema_version = 1
+[bearing]
+name = "6208"
+basic_static_rating_kN = 19.0
+inner_ring_material = "bearing steel"
+outer_ring_material = "bearing steel"
+ball_material = "bearing steel"
+bore_mm = 40.0
+outside_diameter_mm = 80.0
+[lubricant]
+kinematic_viscosity_mm2_s = 20.0
+density_kg_m3 = 870.0
+pressure_viscosity_1_GPa = 18.0
+[operation]
+inner_speed_rpm = 3000.0
+radial_load_N = 2000.0
+[ehl]
+points = 65
+"""
+
+
+def torque_of(text):
+    document = summary(run_case(case_from_text(text, "case.toml")))
+    return document["torque_N_mm"], document
+
+
+@pytest.fixture(scope="module")
+def radial():
+    return torque_of(TEXT)
+
+
+def test_every_model_stands_side_by_side(radial):
+    torque, document = radial
+    models = torque["models"]
+    assert models["skf"]["rolling"] == pytest.approx(47.77, abs=5e-3)  # the unit test of the model itself
+    assert models["skf"]["sliding"] == pytest.approx(17.70, abs=5e-3)
+    assert torque["model"] == "integrated"
+    for name in ("integrated", "pure_rolling_lines", "skf", "houpert", "palmgren"):
+        parts = [value for key, value in models[name].items() if key != "total"]
+        assert models[name]["total"] == pytest.approx(sum(parts), rel=1e-9)
+    assert models["yao"]["total"] is None
+    assert any(m.startswith("torque_N_mm.models.yao: null") for m in document["messages"])
+    assert any("shear of the oil is assumed" in m for m in document["messages"])
+    loaded = [c for c in document["contacts"] if c["loaded"]]
+    assert all(0.0 < c["traction_coefficient"] < 0.05 for c in loaded)
+
+
+def test_rolling_resistance_of_the_film_is_that_of_the_formula_within_a_half(radial):
+    models = radial[0]["models"]
+    assert models["integrated"]["rolling"] == pytest.approx(models["houpert"]["hydrodynamic"], rel=0.5)
+
+
+def test_the_five_terms_with_their_inputs():
+    more = "[friction]\nhysteresis_loss = 0.007\noil_fraction = 0.02\n[cage]\npocket_friction = 0.1\n"
+    torque, _ = torque_of(TEXT + more)
+    five = torque["models"]["yao"]
+    assert all(five[part] is not None for part in ("ME", "MD", "MS", "MC", "ML"))
+    assert five["ME"] > 0.0
+    assert five["MS"] == 0.0
+    assert torque["models"]["integrated"]["drag"] > 0.0
+
+
+def test_without_films_the_torque_is_that_of_skf():
+    torque, document = torque_of(TEXT.replace("points = 65", 'film_maps = "none"'))
+    assert torque["model"] == "skf"
+    assert torque["total"] == torque["models"]["skf"]["total"]
+    assert torque["models"]["integrated"]["total"] is None
+    assert all(c["traction_coefficient"] is None for c in document["contacts"])
+
+
+def test_at_rest_nothing_rubs():
+    torque, document = torque_of(TEXT.replace("inner_speed_rpm = 3000.0", "inner_speed_rpm = 0.0"))
+    assert torque["total"] is None
+    assert any("do not turn" in m for m in document["messages"])
+
+
+@pytest.mark.parametrize(
+    ("more", "expected"),
+    [
+        ('[cage]\npocket_friction = 0.1\nguided_by = "outer ring"\n', "cage.land_diameter_mm: missing"),
+        ("[friction]\ncoefficient = 2.0\n", "friction.coefficient: found 2.0"),
+    ],
+)
+def test_bad_friction(more, expected):
+    with pytest.raises(CaseError, match=expected):
+        case_from_text(TEXT + more, "case.toml")
+
+
+def test_carreau_needs_its_constants():
+    text = TEXT.replace("[operation]", 'rheology = "carreau-yasuda"\n[operation]')
+    with pytest.raises(CaseError, match="carreau_modulus_MPa: missing"):
+        case_from_text(text, "case.toml")
+    full = text.replace("[operation]", "carreau_modulus_MPa = 7.0\ncarreau_exponent = 0.46\n[operation]")
+    assert case_from_text(full, "case.toml").rheology.carreau_modulus == 7.0e6
