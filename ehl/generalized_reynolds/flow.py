@@ -15,6 +15,7 @@ flux along the gradient. Both leave the equation what it is once the iteration h
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +29,9 @@ from ..rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
 from ..traction.kinematics import ContactKinematics, contact_kinematics
 from .section import Section, film_section
+
+if TYPE_CHECKING:
+    from ..thermal.film_heat import FilmHeat
 
 Array = NDArray[np.float64]
 
@@ -87,14 +91,16 @@ def film_fields(
 
 
 @dataclass(slots=True, kw_only=True)
-class ShearThinningFlow:
-    """Flow model of an oil of uniform temperature with any rheology; keeps the stress it found on each grid.
+class GeneralizedFlow:
+    """Flow model of an oil with any rheology, with heat or at uniform temperature; keeps what it found on each grid.
 
     Attributes
     ----------
     conditions : ContactConditions
         The contact that is solved.
     rheology : Rheology
+    heat : FilmHeat or None
+        Heat of the film; None: uniform temperature.
     section : Section
         Nodes across the film.
     missed : int
@@ -103,6 +109,7 @@ class ShearThinningFlow:
 
     conditions: ContactConditions
     rheology: Rheology
+    heat: FilmHeat | None = None
     section: Section = field(default_factory=film_section)
     missed: int = 0
     _middle: dict[tuple[int, ...], Array] = field(default_factory=dict)  # stress found last, a first guess [Pa]
@@ -119,11 +126,14 @@ class ShearThinningFlow:
         kinematics = contact_kinematics(self.conditions, grid_angle=contact.frame_angle)
         fields = film_fields(contact, grid, P, H, kinematics, speed)
         middle = self._middle.setdefault(P.shape, np.full((2, *P.shape), np.nan))
-        poiseuille, couette, tangent = self._evaluate(fields, middle)
-        steeper, _, _ = self._evaluate(replace(fields, gradient=(1.0 + STEP) * fields.gradient), middle.copy())
+        temperature = self._temperature(contact, grid, fields, middle)
+        poiseuille, couette, tangent = self._evaluate(fields, middle, temperature)
+        steeper, _, _ = self._evaluate(
+            replace(fields, gradient=(1.0 + STEP) * fields.gradient), middle.copy(), temperature
+        )
         power = np.clip(np.log(steeper / poiseuille) / np.log1p(STEP), 0.0, LARGEST_POWER)
         hidden = np.maximum(tangent - (1.0 + power) * poiseuille, 0.0)
-        thinning = self._thinning(fields, middle, poiseuille)
+        thinning = self._thinning(fields, middle, temperature, poiseuille)
         last = self._poiseuille.get(P.shape)
         if last is not None:
             poiseuille = last * (poiseuille / last) ** (1.0 / (1.0 + power))
@@ -138,21 +148,27 @@ class ShearThinningFlow:
             couette_y=None if grid.symmetric else flow[1],
         )
 
-    def _thinning(self, fields: FilmFields, middle: Array, poiseuille: Array) -> Array:
+    def _temperature(self, contact: ScaledContact, grid: Grid, fields: FilmFields, middle: Array) -> Array:
+        """Temperature at the nodes across the film, shape (ny, nx, n) [K]."""
+        if self.heat is not None:
+            return self.heat.temperature(contact, grid, fields, middle, self.section, self.rheology)
+        operation = oil_numbers(self.conditions.lubricant)[4]
+        return np.full((*fields.p.shape, self.section.nodes.size), operation)
+
+    def _thinning(self, fields: FilmFields, middle: Array, temperature: Array, poiseuille: Array) -> Array:
         """Share of a change of ln(eta) by pressure that the factor takes back [-]."""
         oil = self.conditions.lubricant
         rise = STEP / max(oil.pressure_viscosity, SMALLEST_SLOPE)
-        pressed, _, _ = self._evaluate(replace(fields, p=fields.p + rise), middle.copy())
+        pressed, _, _ = self._evaluate(replace(fields, p=fields.p + rise), middle.copy(), temperature)
         thicker = log_viscosity_ratio(fields.p + rise, oil) - log_viscosity_ratio(fields.p, oil)
         return np.clip(np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE), 0.0, 1.0)
 
-    def _evaluate(self, fields: FilmFields, middle: Array) -> tuple[Array, Array, Array]:
+    def _evaluate(self, fields: FilmFields, middle: Array, temperature: Array) -> tuple[Array, Array, Array]:
         """Poiseuille factor [-], Couette velocity [m/s], larger tangent [-]; `middle` is first guess, then result."""
         from . import _kernels
 
         shape, oil = fields.p.shape, self.conditions.lubricant
         numbers = oil_numbers(oil)
-        temperature = np.full((*shape, self.section.nodes.size), numbers[4])
         poiseuille, couette, tangent = np.empty(shape), np.empty((2, *shape)), np.empty((2, *shape))
         self.missed = _kernels.flow_factors(
             fields.p,

@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized_reynolds.flow import ShearThinningFlow
+from ehl.generalized_reynolds.flow import GeneralizedFlow
 from ehl.rheology import Rheology, ShearLaw
 
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=2e-8)
@@ -30,7 +30,7 @@ COARSE = SolverOptions(points=129)
 
 
 def solve(conditions, rheology, options=COARSE):
-    solution = solve_contact(conditions, options, ShearThinningFlow(conditions=conditions, rheology=rheology))
+    solution = solve_contact(conditions, options, GeneralizedFlow(conditions=conditions, rheology=rheology))
     assert solution.converged
     return solution
 
