@@ -1,0 +1,277 @@
+"""Balls whose friction balances itself: force along the orbit and moments about the centre, at given contact loads.
+
+The unknowns of a ball are its orbit speed and the three components of its rotation, all contacts' sliding is linear in
+them, and the balance is the minimum of the friction power plus that of the gyroscopic couple (`contact_friction`):
+one convex problem a ball, solved for all balls together by Newton's method. The loads and contact angles are those of
+the quasi-static solution. A ball without load at the inner race keeps its orbit speed: the cage pushes it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..contacts import BearingContact
+from ..geometry import Array, Race
+from ..kinematics import ball_mass
+from ..quasistatic import QuasistaticSolution
+from ..traction_forces import BallMotion, ball_motion, bearing_kinematics, groove_curvature_radius
+from .contact_friction import TINY, Dissipation, Ellipses, coulomb_dissipation, line_dissipation
+
+Law = Callable[[Array, Ellipses], Dissipation]
+MAX_STEPS = 200
+RUNAWAY = 1.0e4  # speeds over those of curvature slip at which a ball counts as not held [-]
+COUPLE_STEPS = 3  # of the gyroscopic couple, which hardly depends on the balance [-]
+ROUNDING = 3.0e-3  # of Coulomb's law, over the largest sliding that the curvature of the contact makes [-]
+BALANCE_TOLERANCE = 1.0e-6  # residual force over mu Q that is accepted [-]
+BALANCE_TARGET = 1.0e-10  # residual at which iterating stops [-]
+PLANE = np.array([True, True, True, False])  # orbit, rotation about e_x and e_r: all that the line law knows
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BalancedFriction:
+    """Friction of all contacts, inner race then outer, ball by ball; arrays of shape (balls, 2) unless said.
+
+    Attributes
+    ----------
+    motions : tuple of BallMotion
+        Of each ball, speeds in [rad/s].
+    kinematics : ndarray, shape (balls, 2, 4)
+        S_x, S_y [m/s], spin and rolling speed [rad/s] of ball against race.
+    forces : ndarray, shape (balls, 2, 4)
+        F_x, F_y [N], spin moment and curvature moment [N m] on the ball.
+    ball_rolling : ndarray
+        Part of the rolling speed from the ball's own rotation [rad/s].
+    power : ndarray
+        Friction power [W].
+    shaft_power : float
+        Power that the two rings feed in, moments on them times their speeds [W].
+    residual : float
+        Largest force or moment (over the ball's radius) left on a ball, over the friction mu Q [-].
+    converged : bool
+    """
+
+    motions: tuple[BallMotion, ...]
+    kinematics: Array
+    forces: Array
+    ball_rolling: Array
+    power: Array
+    shaft_power: float
+    residual: float
+    converged: bool
+
+    @property
+    def energy_error(self) -> float:
+        """Shaft power less friction power, over the latter [-]; what the cage pushes is missing from the shaft's."""
+        total = float(self.power.sum())
+        return (self.shaft_power - total) / total if total > 0.0 else 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Problem:
+    """k = start + map z for all contacts, z scaled to speeds [m/s]; `couple` the gyroscopic one by z [N]."""
+
+    ellipses: Ellipses
+    start: Array  # (balls, 2, 4)
+    map: Array  # (balls, 2, 4, 4)
+    couple: Array  # (balls, 4)
+    free: NDArray[np.bool_]  # (balls, 4)
+    reach: Array  # (balls,) largest sliding that the curvature of a ball's contacts makes [m/s]
+
+
+def balanced_friction(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    friction: float | Array,
+    *,
+    lines: bool = False,
+    gyroscopic: bool = True,
+) -> BalancedFriction:
+    """Motion of all balls in balance under Coulomb friction, and what it costs.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    contacts : sequence of BearingContact
+        All of its contacts, inner then outer, ball by ball.
+    friction : float or ndarray, shape (contacts,)
+        Coulomb's mu [-].
+    lines : bool
+        Leave out the sliding across the rolling direction, as models by lines of pure rolling do; the gyroscopic
+        couple, which such a model cannot carry, is then left out too.
+    gyroscopic : bool
+        Whether the contacts have to hold the gyroscopic couple.
+
+    Returns
+    -------
+    BalancedFriction
+        In SI; not `converged` where the friction cannot hold a ball.
+    """
+    problem = _problem(solution, contacts, friction, lines=lines)
+    law: Law = line_dissipation if lines else coulomb_dissipation
+    z, residual = _minimise(problem, law, np.zeros(problem.couple.shape))
+    for _ in range(COUPLE_STEPS if gyroscopic and not lines else 0):
+        problem = replace(problem, couple=_couple(solution, z))
+        z, residual = _minimise(problem, law, z)
+    return _result(solution, contacts, problem, (z, residual, law))
+
+
+def _problem(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array, *, lines: bool
+) -> _Problem:
+    bearing, balls = solution.bearing, solution.azimuth.size
+    hertz = [c.hertz for c in contacts]
+    radius = np.array([groove_curvature_radius(bearing, c.race) for c in contacts])
+    ellipses = Ellipses(
+        rounding=np.zeros(radius.size),
+        load=np.array([0.0 if h is None else h.load for h in hertz]),
+        semi_axis_x=np.array([1e-6 if h is None else h.semi_axis_x for h in hertz]),
+        semi_axis_y=np.array([1e-6 if h is None else h.semi_axis_y for h in hertz]),
+        radius=radius,
+        friction=np.broadcast_to(np.asarray(friction, dtype=np.float64), radius.shape),
+    )
+    scales = np.array([2.0 / bearing.pitch_diameter, *(3 * (2.0 / bearing.ball_diameter,))])
+    start, slopes = np.zeros((2 * balls, 4)), np.zeros((2 * balls, 4, 4))
+    for i, contact in enumerate(contacts):
+        motion = ball_motion(solution, contact.ball - 1)
+        start[i] = _motion(solution, contact, motion)
+        for j in range(4):
+            slopes[i, :, j] = _motion(solution, contact, _moved(motion, j, scales[j])) - start[i]
+    bow = np.abs(start[:, 3]) * ellipses.semi_axis_y**2 / (2.0 * radius)
+    ellipses = replace(ellipses, rounding=ROUNDING * np.maximum(bow, TINY))
+    free = np.ones((balls, 4), dtype=np.bool_) if not lines else np.tile(PLANE, (balls, 1))
+    free[:, 0] &= solution.inner_load > 0.0
+    shape = (balls, 2)
+    return _Problem(
+        ellipses=ellipses,
+        start=start.reshape(*shape, 4),
+        map=slopes.reshape(*shape, 4, 4),
+        couple=np.zeros((balls, 4)),
+        free=free,
+        reach=np.maximum(bow.reshape(shape).max(axis=1), TINY),
+    )
+
+
+def _ring(solution: QuasistaticSolution, contact: BearingContact) -> float:
+    """Speed of the contact's ring [rad/s]."""
+    return solution.operation.inner_speed if contact.race is Race.INNER else solution.operation.outer_speed
+
+
+def _moved(motion: BallMotion, index: int, step: float) -> BallMotion:
+    """The motion with one of its four speeds changed [rad/s]."""
+    if index == 0:
+        return BallMotion(orbit_speed=motion.orbit_speed + step, rotation=motion.rotation)
+    return BallMotion(orbit_speed=motion.orbit_speed, rotation=motion.rotation + step * np.eye(3)[index - 1])
+
+
+def _motion(solution: QuasistaticSolution, contact: BearingContact, motion: BallMotion) -> Array:
+    k = bearing_kinematics(solution, contact, motion)
+    return np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
+
+
+def _evaluate(z: Array, problem: _Problem, law: Law) -> tuple[Array, Array, Array]:
+    """Power (balls,), gradient (balls, 4) and curvature (balls, 4, 4) by the scaled unknowns."""
+    k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
+    found = law(k.reshape(-1, 4), problem.ellipses)
+    shape = problem.start.shape[:2]
+    power = found.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", problem.couple, z)
+    gradient = np.einsum("bckj,bck->bj", problem.map, found.gradient.reshape(*shape, 4)) + problem.couple
+    curvature = found.curvature.reshape(*shape, 4, 4)
+    hessian = np.einsum("bcki,bckl,bclj->bij", problem.map, curvature, problem.map)
+    gradient = np.where(problem.free, gradient, 0.0)
+    both = problem.free[:, :, None] & problem.free[:, None, :]
+    return power, gradient, np.where(both, hessian, 0.0)
+
+
+def _couple(solution: QuasistaticSolution, z: Array) -> Array:
+    """Gyroscopic couple J w_m e_x x w by the scaled unknowns [N]; none on balls that the inner race does not hold."""
+    bearing = solution.bearing
+    inertia = 0.1 * ball_mass(bearing.ball_diameter, bearing.ball_material.density) * bearing.ball_diameter**2
+    found = np.zeros(z.shape)
+    for i in np.flatnonzero(solution.inner_load > 0.0):
+        motion = _shifted(solution, int(i), z[i])
+        _, radial, tangential = motion.rotation
+        found[i, 2:] = inertia * motion.orbit_speed * 2.0 / bearing.ball_diameter * np.array([-tangential, radial])
+    return found
+
+
+def _shifted(solution: QuasistaticSolution, index: int, z: Array) -> BallMotion:
+    """Motion of a ball at the scaled unknowns [m/s]."""
+    at, bearing = ball_motion(solution, index), solution.bearing
+    return BallMotion(
+        orbit_speed=at.orbit_speed + float(z[0]) * 2.0 / bearing.pitch_diameter,
+        rotation=at.rotation + z[1:] * 2.0 / bearing.ball_diameter,
+    )
+
+
+def _minimise(problem: _Problem, law: Law, start: Array) -> tuple[Array, Array]:
+    """Newton with Levenberg's damping, every ball by itself; returns z and the residual of each ball [-]."""
+    balls = problem.start.shape[0]
+    friction = (problem.ellipses.friction * problem.ellipses.load).reshape(balls, 2).max(axis=1) + 1e-300
+    z, damping = start, np.full(balls, 1e-6)
+    power, gradient, hessian = _evaluate(z, problem, law)
+    for _ in range(MAX_STEPS):
+        residual = np.abs(gradient).max(axis=1) / friction
+        active = (residual > BALANCE_TARGET) & (np.abs(z).max(axis=1) < RUNAWAY * problem.reach)
+        if not active.any() or not (damping < 1e12).any():
+            break
+        size = np.maximum(np.trace(hessian, axis1=1, axis2=2), friction / problem.reach)
+        step = -np.linalg.solve(hessian + (damping * size)[:, None, None] * np.eye(4), gradient[..., None])[..., 0]
+        trial = np.where(active[:, None], z + step, z)
+        new = _evaluate(trial, problem, law)
+        noise = 1e-13 * np.abs(power)
+        flatter = np.abs(new[1]).max(axis=1) < residual * friction
+        better = active & ((new[0] < power - noise) | ((new[0] <= power + noise) & flatter))
+        z = np.where(better[:, None], trial, z)
+        power = np.where(better, new[0], power)
+        gradient = np.where(better[:, None], new[1], gradient)
+        hessian = np.where(better[:, None, None], new[2], hessian)
+        damping = np.clip(np.where(better, 0.2 * damping, 6.0 * damping), 1e-14, 1e13)
+    return z, np.abs(gradient).max(axis=1) / friction
+
+
+def _result(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    problem: _Problem,
+    outcome: tuple[Array, Array, Law],
+) -> BalancedFriction:
+    z, residual, law = outcome
+    shape = problem.start.shape[:2]
+    k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
+    found = law(k.reshape(-1, 4), problem.ellipses)
+    forces = -found.gradient.reshape(*shape, 4)
+    power = -np.einsum("bck,bck->bc", forces, k)
+    motions = [_shifted(solution, i, z[i]) for i in range(shape[0])]
+    parts = [
+        _motion(solution, c, BallMotion(orbit_speed=_ring(solution, c), rotation=motions[c.ball - 1].rotation))[3]
+        for c in contacts
+    ]
+    loaded = problem.ellipses.load.reshape(shape).any(axis=1)
+    worst = float(residual[loaded].max(initial=0.0))
+    return BalancedFriction(
+        motions=tuple(motions),
+        kinematics=k,
+        forces=forces,
+        ball_rolling=np.array(parts).reshape(shape),
+        power=power,
+        shaft_power=_shaft_power(solution, contacts, motions, forces),
+        residual=worst,
+        converged=bool(solution.converged and worst <= BALANCE_TOLERANCE),
+    )
+
+
+def _shaft_power(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], motions: Sequence[BallMotion], forces: Array
+) -> float:
+    """Moments of the balls on both rings times the rings' speeds [W], from the forces, not from the heat."""
+    power = 0.0
+    for contact, force in zip(contacts, forces.reshape(-1, 4), strict=True):
+        motion, ring = motions[contact.ball - 1], _ring(solution, contact)
+        still = _motion(solution, contact, BallMotion(orbit_speed=motion.orbit_speed, rotation=motion.rotation))
+        faster = _motion(solution, contact, BallMotion(orbit_speed=motion.orbit_speed - ring, rotation=motion.rotation))
+        power -= float(np.dot(force, faster - still))  # motion of ball against race: minus that of the ring
+    return power

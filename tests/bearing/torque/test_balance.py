@@ -1,0 +1,137 @@
+"""Balls balanced by Coulomb friction: potentials against closed forms, equilibrium, energy."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+import pytest
+from scipy.special import ellipe
+
+from bearing import BallKinematics, Bearing, Material, Model, Operation, contact_conditions, solve_quasistatic
+from bearing.torque.balance import balanced_friction
+from bearing.torque.contact_friction import Ellipses, coulomb_dissipation, line_dissipation
+from bearing.torque.pure_rolling_lines import rolling_lines
+from bearing.torque.sliding import shaft_speed
+from ehl import Lubricant
+
+OIL = Lubricant(viscosity=0.0174, pressure_viscosity=18e-9)
+STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0, source="test")
+RPM = 2.0 * pi / 60.0
+B6206 = Bearing(
+    name="6206",
+    ball_diameter=9.525e-3,
+    pitch_diameter=46e-3,
+    balls=9,
+    inner_groove_radius=0.515 * 9.525e-3,
+    outer_groove_radius=0.525 * 9.525e-3,
+    diametral_clearance=0.0,
+    ball_material=STEEL,
+    inner_ring_material=STEEL,
+    outer_ring_material=STEEL,
+)
+HALF, OUTER = BallKinematics.HALF_AND_HALF, BallKinematics.OUTER_RACE_CONTROL
+
+
+def ellipses(ratio=8.0, rounding=1e-9):
+    """One contact: 500 N, a = 1 mm across, R = 6 mm, mu = 0.07."""
+    values = {"load": 500.0, "semi_axis_x": 1e-3 / ratio, "semi_axis_y": 1e-3, "radius": 6e-3, "friction": 0.07}
+    return Ellipses(rounding=np.array([rounding]), **{name: np.array([value]) for name, value in values.items()})
+
+
+def solved(axial, radial, speed, kinematics=HALF):
+    operation = Operation(inner_speed=speed * RPM, force=(axial, radial, 0.0))
+    state = solve_quasistatic(B6206, operation, Model(ball_kinematics=kinematics))
+    assert state.converged
+    return state, contact_conditions(state, OIL)
+
+
+@pytest.mark.parametrize("law", [line_dissipation, coulomb_dissipation])
+@pytest.mark.parametrize("motion", [(0.002, 0.0, 5.0, 300.0), (-0.01, 0.004, -20.0, 300.0), (0.02, 0.1, 40.0, -200.0)])
+def test_friction_is_the_slope_of_its_power_and_the_power_is_convex(law, motion):
+    k, e = np.array([motion]), ellipses(rounding=1e-4)
+    found = law(k, e)
+    for j, size in enumerate((1e-2, 1e-2, 10.0, 300.0)):
+        step = np.zeros((1, 4))
+        step[0, j] = 1e-5 * size
+        ahead, behind = law(k + step, e), law(k - step, e)
+        slope = (ahead.power - behind.power) / (2.0 * step[0, j])
+        scale = 0.07 * 500.0 * abs(np.array([1.0, 1.0, 1e-3, 1e-6 / 12e-3])[j])
+        assert slope[0] == pytest.approx(found.gradient[0, j], abs=1e-6 * scale)
+        bend = (ahead.gradient - behind.gradient)[0] / (2.0 * step[0, j])
+        assert bend == pytest.approx(found.curvature[0, j], rel=1e-4, abs=1e-6 * scale / size)
+    assert np.linalg.eigvalsh(found.curvature[0]).min() >= -1e-9 * np.abs(found.curvature).max()
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.1, 0.6, 1.5])
+def test_line_law_at_the_lines_of_no_force(ratio):
+    """Motion with the roots c_1 and -c_2 gives F = 0, m_s and S of `rolling_lines`."""
+    lines, a, radius, rolling = rolling_lines(ratio), 1e-3, 6e-3, 300.0
+    bend = rolling * a**2 / (2.0 * radius)
+    motion = np.array([[bend * lines.first * lines.second, 0.0, bend * (lines.second - lines.first) / a, rolling]])
+    force, _, spin, curvature = -line_dissipation(motion, ellipses()).gradient[0]
+    friction = 0.07 * 500.0
+    assert force == pytest.approx(0.0, abs=1e-12 * friction)
+    assert abs(spin) == pytest.approx(friction * a * lines.spin_moment, abs=1e-12 * friction * a)
+    assert abs(curvature) == pytest.approx(friction * a**2 / (2 * radius) * lines.curvature, rel=1e-9)
+
+
+def test_pure_spin_over_the_ellipse():
+    """3/8 mu Q a E(k), exact for Coulomb friction about the centre."""
+    for ratio in (1.0, 3.0, 10.0):
+        spin = -coulomb_dissipation(np.array([[0.0, 0.0, 100.0, 0.0]]), ellipses(ratio)).gradient[0, 2]
+        assert abs(spin) == pytest.approx(0.375 * 0.07 * 500.0 * 1e-3 * ellipe(1.0 - ratio**-2), rel=2e-3)
+
+
+def test_narrow_ellipse_is_the_line_law():
+    motion = np.array([[0.002, 0.0, 5.0, 300.0]])
+    exact = line_dissipation(motion, ellipses()).power[0]
+    shortfalls = [1.0 - exact / coulomb_dissipation(motion, ellipses(r, 2e-5)).power[0] for r in (3.0, 10.0, 100.0)]
+    assert shortfalls[0] > shortfalls[1] > shortfalls[2]
+    assert shortfalls[2] == pytest.approx(0.0, abs=2e-3)
+
+
+@pytest.mark.parametrize(("axial", "radial"), [(500.0, 0.0), (1000.0, 1000.0)])
+def test_balance_closes_the_energy_and_forgets_the_hypothesis(axial, radial):
+    """The rings' power is the heat; the motion does not depend on the race control that the loads were found with."""
+    torques = []
+    for kinematics in (HALF, OUTER):
+        state, contacts = solved(axial, radial, 500.0, kinematics)
+        for lines in (True, False):
+            found = balanced_friction(state, contacts, 0.1, lines=lines)
+            assert found.converged
+            assert found.energy_error == pytest.approx(0.0, abs=1e-6)
+            torques.append(found.power.sum() / shaft_speed(state))
+    assert torques[2] == pytest.approx(torques[0], rel=2e-4)
+    assert torques[3] == pytest.approx(torques[1], rel=2e-4)
+    assert 0.97 < torques[0] / torques[1] < 1.0  # lines leave out the sliding across
+
+
+def test_balance_with_gyroscopic_couple():
+    """At 15000 r/min the couple turns the balls across; the energy still closes, since it does no work."""
+    state, contacts = solved(500.0, 0.0, 15000.0)
+    held, free = (balanced_friction(state, contacts, 0.1, gyroscopic=g) for g in (True, False))
+    assert held.converged
+    assert held.energy_error == pytest.approx(0.0, abs=1e-5)
+    assert np.abs(held.kinematics[..., 1]).max() > 100.0 * np.abs(free.kinematics[..., 1]).max()
+    couple = 0.5 * B6206.ball_diameter * (held.forces[:, 1, 1] - held.forces[:, 0, 1])  # x runs opposite ways
+    assert couple == pytest.approx(state.gyroscopic_moment, rel=0.05)  # that of the hypothesis
+
+
+def test_friction_too_small_for_the_couple_is_told():
+    state, contacts = solved(500.0, 0.0, 15000.0)
+    assert not balanced_friction(state, contacts, 1e-4).converged
+
+
+def test_radial_load_splits_the_curvature_slip_in_balance():
+    """Without spin the force on each side of the ball is that of the two curvature moments, F D = m_i + m_o."""
+    state, contacts = solved(0.0, 1000.0, 10.0)
+    found = balanced_friction(state, contacts, 0.1, lines=True)
+    loaded = state.inner_load > 50.0
+    push = np.abs(found.forces[loaded, :, 0])
+    moments = np.abs(found.forces[loaded, :, 3]).sum(axis=1)
+    assert push[:, 0] == pytest.approx(push[:, 1], rel=1e-6)
+    assert push[:, 0] * B6206.ball_diameter == pytest.approx(moments, rel=2e-2)
+    doubled = balanced_friction(*solved(0.0, 2000.0, 10.0), 0.1, lines=True)
+    ratio = doubled.power.sum() / found.power.sum()
+    assert ratio == pytest.approx(2.0 ** (5 / 3), rel=3e-3)  # not exact: the force over mu Q grows with a^2
