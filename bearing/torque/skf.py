@@ -45,9 +45,9 @@ class SkfConstants:
 
     kind: Series
     series: str
-    rolling: tuple[float, ...]  # R1, R2 (, R3)
-    sliding: tuple[float, ...]  # S1, S2 (, S3)
-    geometry: float  # K_Z
+    rolling: tuple[float, ...]  # R1, R2 (, R3) [as printed]
+    sliding: tuple[float, ...]  # S1, S2 (, S3) [as printed]
+    geometry: float  # K_Z [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -79,8 +79,8 @@ class SkfOperation:
     lubrication: Lubrication = Lubrication.LOW_OIL_BATH
     oil: str = "mineral"
     oil_level: float = 0.0  # H above the lowest contact point of the outer raceway [m]; drag counts from it
-    boundary_friction: float = BOUNDARY_FRICTION
-    full_film_friction: float | None = None  # mu_EHL; None: by the kind of oil
+    boundary_friction: float = BOUNDARY_FRICTION  # mu_bl [-]
+    full_film_friction: float | None = None  # mu_EHL [-]; None: by the kind of oil
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
