@@ -5,9 +5,12 @@ Drawing happens in a process of its own, since a missing OpenGL library ends the
 
 from __future__ import annotations
 
+import asyncio
 import json
 import sys
 from dataclasses import asdict, dataclass
+from html import escape
+from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -16,9 +19,10 @@ from numpy.typing import NDArray
 
 from .geometry import Placement
 from .patch import Patch
-from .plot_style import COLOUR_MAPS, common_film_range, film_range
+from .plot_style import common_film_range, film_range
 from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
 from .results_io import atomic_path, open_results
+from .scene_parts import INK, add_bodies, add_colour_bar, add_field, add_labels, aim, frame
 from .units import MILLIMETRE
 from .vtk import COLLECTION_FILE
 
@@ -29,11 +33,11 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
-ROUND_OFF = 1e-6  # a radial load below this share of the axial one is noise of the equilibrium
 PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
+OFFLINE = """<meta http-equiv="Content-Security-Policy" content="img-src data: blob:; connect-src data: blob:">"""
 LINE_COLOURS = {"film": "white", "pressure": "black"}
 LABELS = {"film": "film thickness [µm]", "pressure": "pressure [GPa]"}
-BODY, EDGE, BACKGROUND, INK, LOAD_COLOUR = "#c9ced6", "#5b6470", "white", "#1b1f24", "#b3202c"
+BACKGROUND = "white"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,6 +59,11 @@ class SceneOptions:
     magnification: tuple[float, float] | None = None
     film_exaggeration: float = 0.0
     size: tuple[int, int] = (1600, 1200)
+
+    @property
+    def scale(self) -> float:
+        """Height of the picture over that for which sizes of type are chosen [-]."""
+        return self.size[1] / 1200.0
 
     def __post_init__(self) -> None:
         if self.quantity not in LABELS:
@@ -92,6 +101,32 @@ def screenshot(directory: str | Path, file: str | Path, options: SceneOptions | 
         _draw_elsewhere(directory, temporary, options or SceneOptions())
         if not temporary.stat().st_size:
             raise RenderingError(advice("no picture came out"))
+    return path
+
+
+def export_html(directory: str | Path, file: str | Path, options: SceneOptions | None = None) -> Path:
+    """Write the scene as one HTML page that is turned with the mouse, offline; arguments as `screenshot`.
+
+    The viewer (vtk.js) is inside the page. Azimuths and load stand in the picture only; colours are spread evenly over
+    the film, not over its logarithm.
+
+    Raises
+    ------
+    ValueError
+        If the directory holds no readable results, or the page is no .html file.
+    RenderingError
+        If the machine cannot draw, or the extra `html` (trame-pyvista) is not installed.
+    """
+    path = Path(file)
+    if path.suffix.lower() not in (".html", ".htm"):
+        raise ValueError(f"the page must be an .html file, got {path.name}")
+    if find_spec("trame_pyvista") is None:
+        raise RenderingError("the page needs the package trame-pyvista: pip install 'oilfilm[html]'")
+    _check(directory)
+    with atomic_path(path) as temporary:
+        _draw_elsewhere(directory, temporary, options or SceneOptions())
+        if not temporary.stat().st_size:
+            raise RenderingError(advice("no page came out"))
     return path
 
 
@@ -142,25 +177,26 @@ def bearing_scene(
     """
     _check(directory)
     require_rendering()
-    return _scene(Path(directory), options or SceneOptions(), off_screen)
+    return _scene(Path(directory), options or SceneOptions(), off_screen)[0]
 
 
-def _scene(directory: Path, options: SceneOptions, off_screen: bool) -> pyvista.Plotter:
+def _scene(directory: Path, options: SceneOptions, off_screen: bool) -> tuple[pyvista.Plotter, str, str]:
+    """Plotter, title and the note that states what is magnified."""
     import pyvista as pv
 
     tree = open_results(directory)
     try:
         plotter = pv.Plotter(off_screen=off_screen, window_size=list(options.size))
         plotter.set_background(BACKGROUND)
-        scale = options.size[1] / 1200.0
-        plotter.add_text(str(tree.attrs.get("title", "")), position="upper_left", font_size=int(17 * scale), color=INK)
+        scale, title = options.scale, str(tree.attrs.get("title", ""))
+        plotter.add_text(title, position="upper_left", font_size=int(17 * scale), color=INK)
         if tree.attrs["kind"] == "contact":
             note = _add_contact(plotter, tree["contacts/contact"].to_dataset(), options)
         else:
             note = _add_bearing(plotter, directory, tree, options)
         plotter.add_text(note, position="lower_left", font_size=int(13 * scale), color=INK)
         plotter.enable_anti_aliasing("ssaa")
-        return plotter
+        return plotter, title, note
     finally:
         tree.close()
 
@@ -174,7 +210,7 @@ def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: 
     patches = [Patch.read(node.to_dataset(inherit=False)) for node in nodes]
     radius = 0.5 * float(tree["ring"].attrs["ball_diameter"])
     placement = _placement(patches, radius, options)
-    _add_bodies(plotter, directory)
+    add_bodies(plotter, directory)
     limits, mapper = _limits(patches, options.quantity) if patches else (0.0, 1.0), None
     for patch in patches:
         mesh = pv.wrap(patch.mesh(radius, placement))
@@ -182,14 +218,14 @@ def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: 
             mesh = _within_scale(mesh, limits[1])
         if not mesh.n_points:  # a failed solution may have no film within the scale
             continue
-        mapper = _add_field(plotter, mesh, options.quantity, limits, logarithmic=len(patches) > 1)
+        mapper = add_field(plotter, mesh, options.quantity, limits, logarithmic=len(patches) > 1)
         lines = mesh.contour(patch.levels(options.quantity), scalars=options.quantity)
         if lines.n_points:
             plotter.add_mesh(lines, color=LINE_COLOURS[options.quantity], line_width=1.5, opacity=0.7)
     if mapper is not None:
-        _colour_bar(plotter, mapper, LABELS[options.quantity], options)
-    _add_labels(plotter, tree, options)
-    _aim(plotter, tree)
+        add_colour_bar(plotter, mapper, LABELS[options.quantity], options.scale)
+    add_labels(plotter, tree, options.scale)
+    aim(plotter, tree)
     return _note(placement) if patches else "no films in these results"
 
 
@@ -236,89 +272,6 @@ def _limits(patches: list[Patch], quantity: str) -> tuple[float, float]:
     return common_film_range([p.central for p in patches], [p.minimum for p in patches])
 
 
-def _add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float], logarithmic: bool = False) -> Any:
-    actor = plotter.add_mesh(
-        mesh,
-        scalars=quantity,
-        cmap=COLOUR_MAPS[quantity],
-        clim=limits,
-        log_scale=quantity == "film" and logarithmic,
-        show_scalar_bar=False,
-        ambient=0.6,
-        diffuse=0.45,
-        specular=0.0,
-        smooth_shading=True,
-    )
-    return actor.mapper
-
-
-def _add_bodies(plotter: Any, directory: Path) -> None:
-    """Balls like smoked glass, the inner ring whole, the outer one cut open, with their edges drawn."""
-    import pyvista as pv
-
-    bodies = pv.get_reader(directory / COLLECTION_FILE).read()[0]["bodies"]
-    balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
-    plotter.add_mesh(balls, color="#aab4c0", opacity=0.2, smooth_shading=True, specular=0.5, specular_power=30)
-    for name in ("inner ring", "outer ring"):
-        ring = bodies[name].clean()
-        solid = ring.compute_normals(consistent_normals=False, split_vertices=True, feature_angle=40.0)
-        plotter.add_mesh(solid, color=BODY, smooth_shading=True, specular=0.2, ambient=0.35, diffuse=0.7)
-        edges = ring.extract_feature_edges(feature_angle=50.0)
-        plotter.add_mesh(edges, color=EDGE, line_width=1.0)
-
-
-def _add_labels(plotter: Any, tree: xarray.DataTree, options: SceneOptions) -> None:
-    """Azimuths beside the balls, and the radial load on the inner ring as an arrow in the bore."""
-    import pyvista as pv
-
-    balls, ring = tree["balls"].to_dataset(), tree["ring"].to_dataset()
-    turn, diameter = balls["azimuth"].values, float(ring.attrs["ball_diameter"]) / MILLIMETRE
-    radius = balls["ball_radial"].values / MILLIMETRE + 1.05 * diameter
-    points = np.stack([np.zeros_like(turn), radius * np.cos(turn), radius * np.sin(turn)], axis=1)
-    style: dict[str, Any] = {
-        "font_size": int(22 * options.size[1] / 1200.0),
-        "text_color": INK,
-        "shape": None,
-        "show_points": False,
-        "always_visible": True,
-    }
-    plotter.add_point_labels(points, [f"{angle % 360.0:.4g}°" for angle in np.degrees(turn)], **style)
-    force = ring["force"].values[:3] * np.array([0.0, 1.0, 1.0])
-    size = float(np.linalg.norm(force))
-    if size > ROUND_OFF * float(np.abs(ring["force"].values).max()):
-        bore = 0.5 * float(ring.attrs["pitch_diameter"]) / MILLIMETRE - diameter
-        direction = force / size
-        arrow = pv.Arrow(
-            start=-0.65 * bore * direction,
-            direction=direction,
-            scale=1.3 * bore,
-            shaft_radius=0.025,
-            tip_radius=0.06,
-            tip_length=0.18,
-        )
-        plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4)
-        plotter.add_point_labels([-0.78 * bore * direction], [f"{size:.4g} N"], **style)
-
-
-def _aim(plotter: Any, tree: xarray.DataTree) -> None:
-    """Look from the side of +x down on the most loaded ball, which is up."""
-    balls = tree["balls"].to_dataset()
-    turn = float(balls["azimuth"].values[int(np.argmax(balls["outer_load"].values))])
-    radial, tangential = np.array([0.0, np.cos(turn), np.sin(turn)]), np.array([0.0, -np.sin(turn), np.cos(turn)])
-    direction = np.array([0.66, 0.0, 0.0]) + 0.70 * radial - 0.30 * tangential
-    plotter.camera.focal_point = (0.0, 0.0, 0.0)
-    plotter.camera.position = tuple(direction)
-    plotter.camera.up = tuple(radial)
-    _frame(plotter)
-
-
-def _frame(plotter: Any, zoom: float = 1.25) -> None:
-    """Fill the picture, with room for the colour bar at the right."""
-    plotter.reset_camera()
-    plotter.camera.zoom(zoom)
-    plotter.camera.SetWindowCenter(0.1, 0.0)
-
-
 def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions) -> str:
     """One contact as a surface whose height is the quantity; return what the height means."""
     import pyvista as pv
@@ -329,34 +282,16 @@ def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions) -> s
     limits = _limits([patch], options.quantity)
     if options.quantity == "film":
         mesh = _within_scale(mesh, limits[1])
-    mapper = _add_field(plotter, mesh, options.quantity, limits)
+    mapper = add_field(plotter, mesh, options.quantity, limits)
     unit = data["P" if options.quantity == "pressure" else "h"].attrs["units"]
     label = LABELS[options.quantity] if unit in ("m", "Pa") else f"{options.quantity} [{unit}]"
-    _colour_bar(plotter, mapper, label, options)
+    add_colour_bar(plotter, mapper, label, options.scale)
     plotter.camera.position, plotter.camera.focal_point, plotter.camera.up = (-0.75, -1.35, 1.3), (0, 0, 0), (0, 0, 1)
-    _frame(plotter, 1.0)
+    frame(plotter, 1.0)
     unit = data["x"].attrs["units"].replace("m", "mm")
     extent = f"{patch.x.min():.3g} ... {patch.x.max():.3g} by {patch.y.min():.3g} ... {patch.y.max():.3g} {unit}"
     cut = ", cut off at the end of the colour scale" if options.quantity == "film" else ""
     return f"height: {options.quantity}{cut}; shown: {extent}; oil moves to the right"
-
-
-def _colour_bar(plotter: Any, mapper: Any, label: str, options: SceneOptions) -> None:
-    scale = options.size[1] / 1200.0
-    plotter.add_scalar_bar(
-        title=f"{label}\n",
-        mapper=mapper,
-        vertical=True,
-        position_x=0.88,
-        position_y=0.2,
-        width=0.05,
-        height=0.6,
-        title_font_size=int(26 * scale),
-        label_font_size=int(24 * scale),
-        color=INK,
-        n_labels=6,
-        fmt="%.2f",
-    )
 
 
 def _main(request: str) -> None:
@@ -365,12 +300,29 @@ def _main(request: str) -> None:
     options = asked["options"]
     options["size"] = tuple(options["size"])
     options["magnification"] = options["magnification"] and tuple(options["magnification"])
-    plotter = _scene(Path(asked["directory"]), SceneOptions(**options), off_screen=asked["file"] is not None)
+    off_screen = asked["file"] is not None
+    plotter, title, note = _scene(Path(asked["directory"]), SceneOptions(**options), off_screen)
     if asked["file"] is None:
         plotter.show()
-    else:
+    elif asked["file"].endswith(".png"):
         plotter.screenshot(asked["file"])
+    else:
+        asyncio.run(_write_page(plotter, Path(asked["file"]), title, note))
     plotter.close()
+
+
+async def _write_page(plotter: Any, file: Path, title: str, note: str) -> None:
+    """The page of vtk.js, with the words that it leaves out of a scene laid over it."""
+    from trame_pyvista.jupyter import launch_server
+
+    await launch_server().ready  # of this process only, on the loopback interface: it serialises the scene
+    plotter.trame.export_html(str(file))
+    words = f"<b>{escape(title)}</b><br>{escape(note)}; turn, zoom and shift with the mouse"
+    style = f"position:fixed;left:12px;top:10px;font:15px system-ui,sans-serif;color:{INK};pointer-events:none"
+    over = json.dumps(f'<div style="{style}">{words}</div>').replace("<", "\\u003c")
+    script = f"<script>document.documentElement.insertAdjacentHTML('beforeend', {over})</script>"  # it empties the body
+    page = file.read_text(encoding="utf-8").replace("</body>", f"{script}</body>")
+    file.write_text(page.replace("<head>", f"<head>{OFFLINE}", 1), encoding="utf-8")
 
 
 if __name__ == "__main__":

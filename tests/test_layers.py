@@ -18,7 +18,7 @@ HOMES = {
     "vtk": ("postprocess/vtk.py",),
     "vtkmodules": ("postprocess/vtk.py",),
     "meshio": ("postprocess/vtk.py",),
-    "pyvista": ("postprocess/scene.py", "postprocess/vtk.py"),
+    "pyvista": ("postprocess/scene*.py", "postprocess/vtk.py"),
     "matplotlib": ("postprocess/plot*.py", "postprocess/scene.py"),
     "xarray": ("postprocess/results_io.py",),
     "h5netcdf": ("postprocess/results_io.py",),
@@ -26,6 +26,7 @@ HOMES = {
     "pydantic": ("cases/schema/*.py", "cases/case.py", "cases/problems.py", "cases/batch/sweep.py"),
     "pydantic_core": ("cases/schema/*.py",),
     "rich": ("cases/commands/*.py", "cases/terminal.py", "postprocess/*table.py", "postprocess/slip_results.py"),
+    "trame_pyvista": ("postprocess/scene.py",),
     "distributed": ("cases/batch/pools.py",),
 }
 FUNCTION_LINES, MODULE_LINES, ARGUMENTS = 40, 400, 7

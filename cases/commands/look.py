@@ -27,6 +27,9 @@ def view(
     screenshot: Annotated[
         Path | None, typer.Option(metavar="FILE.png", help="Write a picture, open no window.")
     ] = None,
+    html: Annotated[
+        Path | None, typer.Option(metavar="FILE.html", help="Write a page to turn in a browser, open no window.")
+    ] = None,
     quantity: Annotated[Quantity, typer.Option(help="What the colours show.")] = Quantity.FILM,
     magnification: Annotated[
         float | None, typer.Option(min=1.0, max=1e3, help="Of the patches; default: so that they can be seen.")
@@ -41,11 +44,12 @@ def view(
     factors = None if magnification is None else (magnification, magnification)
     options = scene.SceneOptions(quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration)
     try:
-        if screenshot is None:
+        if screenshot is not None:
+            say(f"picture in {scene.screenshot(directory, screenshot, options)}")
+        if html is not None:
+            say(f"page in {scene.export_html(directory, html, options)}")
+        if screenshot is None and html is None:
             scene.show(directory, options)
-        else:
-            scene.screenshot(directory, screenshot, options)
-            say(f"picture in {screenshot}")
     except ValueError as error:
         raise CaseError([str(error)]) from error
     except scene.RenderingError as error:

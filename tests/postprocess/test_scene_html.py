@@ -1,0 +1,58 @@
+"""The scene as a page: it opens offline and draws."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+
+import pytest
+
+from postprocess import write_results
+from postprocess.rendering import RenderingError, require_rendering
+from postprocess.scene import export_html
+
+CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")
+
+
+@pytest.fixture(scope="module")
+def page(contact_results, tmp_path_factory):
+    pytest.importorskip("trame_pyvista")
+    try:
+        require_rendering()
+    except RenderingError as error:
+        pytest.skip(str(error))
+    folder = tmp_path_factory.mktemp("scene")
+    write_results(contact_results, folder)
+    return export_html(folder, folder / "scene.html")
+
+
+def test_the_page_says_what_it_shows_and_asks_nobody(page):
+    text = page.read_text(encoding="utf-8")
+    assert "glass on steel" in text
+    assert "height: film" in text
+    assert "img-src data: blob:; connect-src data: blob:" in text
+    assert not re.search(r"<script[^>]+src=|<link[^>]+href=[\"']https?:", text.split("<script", 1)[0])
+    assert not re.search(r"<script[^>]+src=[\"']?https?:", text)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium")
+def test_a_browser_draws_it(page, tmp_path):
+    from matplotlib.image import imread
+
+    picture = tmp_path / "page.png"
+    flags = "--headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --window-size=800,600".split()
+    flags += ["--virtual-time-budget=15000", f"--user-data-dir={tmp_path}/u", f"--screenshot={picture}"]
+    subprocess.run([CHROMIUM, *flags, f"file://{page}"], capture_output=True, timeout=240, check=True)
+    pixels = imread(picture)[100:500, 100:650, :3]
+    spread = pixels.max(axis=2) - pixels.min(axis=2)
+    assert (spread > 0.2).mean() > 0.05  # coloured film, not an empty page
+
+
+def test_wrong_names_and_missing_packages_are_told(tmp_path, monkeypatch):
+    with pytest.raises(ValueError, match=r"must be an \.html file"):
+        export_html(tmp_path, tmp_path / "scene.txt")
+    monkeypatch.setattr("postprocess.scene.find_spec", lambda name: None)
+    with pytest.raises(RenderingError, match="pip install"):
+        export_html(tmp_path, tmp_path / "scene.html")
