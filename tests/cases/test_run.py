@@ -32,6 +32,13 @@ class Solver:
         return SimpleNamespace(conditions=conditions, options=options, converged=True)
 
 
+@pytest.fixture(autouse=True)
+def unsheared(monkeypatch):
+    """The stand-in's films have no fields to shear."""
+    monkeypatch.setattr("cases.run._tractions", lambda _case, _state, contacts, _films: (None,) * len(contacts))
+    monkeypatch.setattr("cases.run._contact_traction", lambda *_: None)
+
+
 @pytest.fixture
 def solver(monkeypatch):
     stand_in = Solver()
