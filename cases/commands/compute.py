@@ -95,6 +95,7 @@ def slip(
     if not isinstance(loaded, Case):
         raise CaseError([f"{case}: is a single contact; slip maps need a bearing"])
     directory = results_directory(case, output, as_json)
+    prepare()
     from ..slip import run_slip
 
     with progress_bar(quiet=quiet) as progress:

@@ -15,6 +15,7 @@ from ..output_directory import add_to_manifest
 from ..problems import CaseError
 from ..terminal import NOT_CONVERGED, guarded, print_lines, say
 from .app import app
+from .output import prepare
 
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
 Errors = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
@@ -119,6 +120,7 @@ def interferogram(
     index: Annotated[float, typer.Option("--refractive-index", metavar="X", help="Of the oil.")] = 1.5,
 ) -> None:
     """Draw the film of a contact as an optical interferometer would see it."""
+    prepare()
     from postprocess.plots_interferogram import NANOMETRE, SODIUM, Optics, write_interferogram
 
     with _as_case_errors(directory):

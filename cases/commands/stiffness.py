@@ -9,7 +9,7 @@ import typer
 from ..problems import CaseError
 from ..terminal import guarded
 from .app import CaseName, Json, Output, Quiet, app
-from .output import report, results_directory, save_with
+from .output import prepare, report, results_directory, save_with
 
 
 @app.command()
@@ -36,6 +36,7 @@ def stiffness(
     if not isinstance(loaded, Case):
         raise CaseError([f"{case}: is a single contact; a stiffness needs a bearing"])
     directory = results_directory(case, output, as_json)
+    prepare()
     from ..stiffness import run_stiffness
 
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
