@@ -112,6 +112,9 @@ def solve_contact_finite_element(
         the entrainment is left out.
     """
     options = options or SolverOptions()
+    if scale_contact(conditions).oil is not None:
+        laws = (conditions.lubricant.viscosity_law.value, conditions.lubricant.density_law.value)
+        raise ValueError(f"finite elements know Roelands, Barus, constant viscosity, not the laws {' and '.join(laws)}")
     began, progress = time.perf_counter(), Progress()
     contact = replace(scale_contact(conditions, along_entrainment=True), rotation=0.0)
     domain = options.domain

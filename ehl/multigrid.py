@@ -23,6 +23,8 @@ from .deformation import DeflectionKernel, deflect, deflection_kernel
 from .far_field import FarField, edge_pressure, exterior_load
 from .flow_model import FlowFactors, FlowModel, entrainment_factors
 from .grid import Grid
+from .lubricant import log_viscosity_ratio
+from .properties import oil_numbers
 from .scaling import ScaledContact
 from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
@@ -165,20 +167,8 @@ def refresh_factors(state: Multigrid, index: int) -> None:
 
 def flow(state: Multigrid, level: Level) -> None:
     """Flow coefficient, and density times velocity, of a level from its pressure and film."""
-    c, factors = state.contact, level.factors
-    _kernels.flow_properties(
-        level.P,
-        level.H,
-        c.viscosity_slope,
-        c.viscosity_pressure,
-        c.viscosity_exponent,
-        c.density_numerator,
-        c.density_denominator,
-        c.speed,
-        level.eps,
-        level.flow_x,
-        level.slope_x,
-    )
+    factors = level.factors
+    _oil(state.contact, level)
     if factors.couette_y is not None:
         np.multiply(level.flow_x, factors.couette_y, out=level.flow_y)
         np.multiply(level.slope_x, factors.couette_y, out=level.slope_y)
@@ -188,12 +178,28 @@ def flow(state: Multigrid, level: Level) -> None:
     if factors.poiseuille is not None:
         level.eps *= factors.poiseuille
     if factors.thinning is not None and factors.pressure is not None:
-        level.eps *= np.exp(factors.thinning * (log_viscosity(c, level.P) - log_viscosity(c, factors.pressure)))
+        thicker = log_viscosity(state.contact, level.P) - log_viscosity(state.contact, factors.pressure)
+        level.eps *= np.exp(factors.thinning * thicker)
+
+
+def _oil(c: ScaledContact, level: Level) -> None:
+    """eps, and rho and its slope in place of the flow, of a Newtonian oil of uniform temperature."""
+    out = (level.eps, level.flow_x, level.slope_x)
+    if c.oil is None:
+        viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
+        density = (c.density_numerator, c.density_denominator)
+        _kernels.flow_properties(level.P, level.H, *viscosity, *density, c.speed, *out)
+    else:
+        from .properties import _kernels as properties
+
+        properties.flow_properties(level.P, level.H, c.hertz_pressure, oil_numbers(c.oil), c.speed, *out)
 
 
 def log_viscosity(contact: ScaledContact, P: Array) -> Array:
     """ln(eta/eta_0) at a pressure P, shape of `P` [-]."""
     c = contact
+    if c.oil is not None:
+        return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
     return c.viscosity_slope * ((1.0 + c.viscosity_pressure * np.maximum(P, 0.0)) ** c.viscosity_exponent - 1.0)
 
 

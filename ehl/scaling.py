@@ -68,6 +68,7 @@ class ScaledContact:
     semi_axis_x: float | None  # a [m]
     film_scale: float | None  # a^2/Rx [m]
     coating: ScaledCoating | None = None
+    oil: Lubricant | None = None  # where a law is not one of the closed forms above, which are then not looked at
 
     @property
     def symmetric(self) -> bool:
@@ -142,8 +143,7 @@ def _scaled(
     ratio = ellipse_ratio(d)
     c, s = cos(frame.angle), sin(frame.angle)
     slope, relative_pressure, exponent = _viscosity_coefficients(g * l * m ** (1 / 3), pressure, lubricant)
-    if lubricant.density_law is DensityLaw.TAIT:
-        raise ValueError("density_law tait is not one that the contact solver knows")
+    closed = lubricant.viscosity_law in CLOSED_FORM_LAWS and lubricant.density_law is not DensityLaw.TAIT
     compressible = lubricant.density_law is DensityLaw.DOWSON_HIGGINSON
     return ScaledContact(
         curvature_x=c * c + d * s * s,
@@ -171,14 +171,14 @@ def _scaled(
         hertz_pressure=pressure,
         semi_axis_x=None if length is None else length[0],
         film_scale=None if length is None else length[0] ** 2 / length[1],
+        oil=None if closed else lubricant,
     )
 
 
 def _viscosity_coefficients(product: float, pressure: float, lubricant: Lubricant) -> tuple[float, float, float]:
     """(s, q, z) of ln(eta/eta_0) = s [(1 + q P)^z - 1]; Barus is z = 1, isoviscous s = 0; product = alpha p_h."""
-    if lubricant.viscosity_law not in CLOSED_FORM_LAWS:
-        raise ValueError(f"viscosity_law {lubricant.viscosity_law.value} is not one that the contact solver knows")
-    if lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS or product == 0.0:
+    isoviscous = lubricant.viscosity_law not in CLOSED_FORM_LAWS or lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS
+    if isoviscous or product == 0.0:
         return 0.0, 1.0, 1.0
     if lubricant.viscosity_law is ViscosityLaw.BARUS:
         return product, 1.0, 1.0

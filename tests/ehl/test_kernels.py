@@ -10,6 +10,8 @@ from ehl import Lubricant, MoesConditions, ViscosityLaw, _kernels, relaxation, r
 from ehl.deformation import deflection_kernel
 from ehl.grid import Grid
 from ehl.multigrid import Damping, make_multigrid, relax, start_level, update_film
+from ehl.properties import _kernels as properties
+from ehl.properties import oil_numbers
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
 ROUND_OFF = 1e-12  # relative; sums of a few terms in another order
@@ -127,3 +129,15 @@ def test_half_and_full_domain_sweeps_agree():
         relax(state, 0)
         pressures.append(level.P)
     assert_allclose(pressures[1][10:], pressures[0], rtol=0.0, atol=1e-12)
+
+
+@pytest.mark.parametrize("law", list(CLOSED_FORM_LAWS))
+def test_any_law_by_the_general_kernel(fields, law):
+    """The kernel for laws of any kind, and the one for closed forms, on laws that both know."""
+    _, P, H = fields
+    c = contact(law)
+    oil = Lubricant(viscosity=0.05, pressure_viscosity=18e-9, viscosity_law=law)
+    found = np.empty_like(P), np.empty_like(P), np.empty_like(P)
+    properties.flow_properties(P, H, c.hertz_pressure, oil_numbers(oil), c.speed, *found)
+    for ours, twin in zip(found, compiled_flow(c, P, H), strict=True):
+        assert_allclose(ours, twin, rtol=1e-11, atol=1e-300)

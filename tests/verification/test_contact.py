@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from bearing.lubricant_library import library_lubricant
 from ehl import (
     ContactConditions,
     DensityLaw,
@@ -436,3 +437,20 @@ def test_long_ellipse_comes_to_rest_on_another_mesh():
 def test_every_attempt_is_on_record():
     s = solve_contact(CIRCULAR, SolverOptions(points=65, domain=BOX, max_cycles=1))
     assert s.record.fallbacks[-1] == ATTEMPTS[-1].name
+
+
+def test_free_volume_laws_in_the_contact():
+    """Squalane by Tait and Doolittle: the film of the Roelands oil of equal viscosity and slope, within a tenth."""
+    laws = {"viscosity_law": ViscosityLaw.TAIT_DOOLITTLE, "density_law": DensityLaw.TAIT}
+    oils = library_lubricant("squalane", 298.15, **laws), library_lubricant("squalane", 298.15)
+    films = []
+    for oil in oils:
+        contact = replace(
+            INNER_500N, load=20.0, radius_x=12.7e-3, radius_y=12.7e-3, entrainment_speed=1.0, lubricant=oil
+        )
+        solution = solve_contact(contact, SolverOptions(points=129))
+        assert solution.converged
+        assert solution.record.fallbacks == ()
+        films.append(solution.film_central)
+    assert films[0] != pytest.approx(films[1], rel=0.005)
+    assert films[0] == pytest.approx(films[1], rel=0.1)
