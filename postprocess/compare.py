@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from .batch_results import main_results
+from .named_units import unit_of
 from .report import read_summary
 
 NOT_COMPARED = ("oilfilm", "case", "messages", "timing_s", "sweep", "file", "resumed", "key")
@@ -152,8 +153,8 @@ def _differences(first: dict[str, Any], second: dict[str, Any]) -> Iterator[Diff
     scales = _scales(first), _scales(second)
     for path in dict.fromkeys((*first, *second)):
         a, b = first.get(path), second.get(path)
-        noise = ROUND_OFF * max(scale.get(path.partition("[")[0], 0.0) for scale in scales)
-        if "[" in path and _is_number(a) and _is_number(b) and max(abs(a), abs(b)) <= noise:
+        noise = ROUND_OFF * max(scale.get(_group(path), 0.0) for scale in scales)
+        if _is_number(a) and _is_number(b) and max(abs(a), abs(b)) <= noise:
             continue
         yield Difference(
             path=path, first=a, second=b, relative=relative(a, b), covered=_covered(path, a, b, first, second)
@@ -161,13 +162,20 @@ def _differences(first: dict[str, Any], second: dict[str, Any]) -> Iterator[Diff
 
 
 def _scales(values: dict[str, Any]) -> dict[str, float]:
-    """Largest magnitude among the components of each vector and matrix."""
+    """Largest magnitude among the numbers of one unit that belong together."""
     found: dict[str, float] = {}
     for path, value in values.items():
-        name, bracket, _ = path.partition("[")
-        if bracket and _is_number(value):
-            found[name] = max(found.get(name, 0.0), abs(value))
+        if _is_number(value):
+            group = _group(path)
+            found[group] = max(found.get(group, 0.0), abs(value))
     return found
+
+
+def _group(path: str) -> str:
+    """What a number is a component of: its vector, or the block that has the unit, like the parts of a torque."""
+    name, bracket, _ = path.partition("[")
+    block, _, last = name.rpartition(".")
+    return name if bracket or unit_of(last) or not unit_of(block) else block
 
 
 def _is_number(value: Any) -> bool:

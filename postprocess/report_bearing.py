@@ -7,7 +7,19 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from .report_html import NOTHING, ROUND_OFF, card, facts, name_text, number, picture, table, text, unit_text
+from .report_html import (
+    NOTHING,
+    ROUND_OFF,
+    card,
+    facts,
+    name_text,
+    number,
+    picture,
+    table,
+    text,
+    unit_text,
+    without_noise,
+)
 from .report_svg import stacked_bars
 
 CONTACT_COLUMNS = (
@@ -229,7 +241,9 @@ def _torque(torque: dict[str, Any]) -> str:
     if not known:
         return ""
     numbers = {
-        name: {part: float(v) for part, v in parts.items() if part != "total" and isinstance(v, int | float)}
+        name: _without_noise(
+            {part: float(v) for part, v in parts.items() if part != "total" and isinstance(v, int | float)}
+        )
         for name, parts in known.items()
     }
     bars = stacked_bars([(_words(n), numbers[n], float(known[n]["total"])) for n in known], "N mm")
@@ -241,6 +255,11 @@ def _torque(torque: dict[str, Any]) -> str:
     figure = f'<figure><div class="scroll wide">{bars}</div><figcaption>{caption}</figcaption></figure>'
     rest = {key: v for key, v in torque.items() if not isinstance(v, dict | list) and v is not None}
     return figure + table([("model", ""), ("total", "N mm"), ("parts", "N mm")], rows, (0, 2)) + _alone(rest)
+
+
+def _without_noise(parts: dict[str, float]) -> dict[str, float]:
+    """Parts of a sum [N mm]; round-off beside the largest of them is 0."""
+    return dict(zip(parts, without_noise(list(parts.values())), strict=True))
 
 
 def _alone(values: dict[str, Any]) -> str:
@@ -260,7 +279,7 @@ def _convergence(summary: dict[str, Any]) -> str:
     for contact in summary.get("contacts") or ():
         if contact.get("film_minimum_um") is None:
             continue
-        key = (contact["race"], contact["film_minimum_um"], contact["film_central_um"], contact["load_N"])
+        key = (contact["race"], *(f"{contact[name]:.6g}" for name in ("film_minimum_um", "film_central_um", "load_N")))
         if key in seen:
             continue
         seen.add(key)

@@ -31,7 +31,7 @@ def stacked_bars(rows: Sequence[tuple[str, dict[str, float], float]], unit: str)
     """
     top = max((abs(total) for _, _, total in rows), default=0.0) or 1.0
     scale = (WIDTH - LABEL - RIGHT) / top
-    names = list(dict.fromkeys(part for _, parts, _ in rows for part in parts))
+    names = list(dict.fromkeys(part for _, parts, _ in rows for part, value in parts.items() if value))
     colours = {name: COLOURS[i % len(COLOURS)] for i, name in enumerate(names)}
     shapes = []
     for i, (name, parts, total) in enumerate(rows):
@@ -55,6 +55,8 @@ def _bar(parts: dict[str, float], total: float, y: float, scale: float, colours:
         return [_rectangle(LABEL, y, abs(total) * scale, "#9aa4b1", f"total {number(total)}")]
     shapes, x = [], float(LABEL)
     for name, value in parts.items():
+        if not value:
+            continue
         shapes.append(_rectangle(x, y, abs(value) * scale, colours[name], f"{name} {value:.4g}"))
         x += abs(value) * scale
     return shapes

@@ -68,6 +68,18 @@ def test_every_difference_is_found_and_nothing_else(folder, changed):
     json.dumps(found.document(), allow_nan=False)
 
 
+def test_round_off_is_no_difference(folder, tmp_path):
+    """A part of a torque that is zero but for round-off beside the other parts, and one that is small but real."""
+    document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
+    for name, sliding, spin in (("one", 2e-13, 1e-3), ("two", -3e-13, 2e-3)):
+        parts = {"rolling": 200.0, "sliding": sliding, "spin": spin, "total": 200.0}
+        (tmp_path / name).mkdir()
+        text = json.dumps(document | {"torque_N_mm": {"models": {"integrated": parts}}})
+        (tmp_path / name / SUMMARY_FILE).write_text(text, encoding="utf-8")
+    (found,) = compare(tmp_path / "one", tmp_path / "two").results
+    assert found.path == "torque_N_mm.models.integrated.spin"
+
+
 def test_relative_differences():
     assert relative(1.0, 1.0) == 0.0
     assert relative(-1.0, 1.0) == 2.0
