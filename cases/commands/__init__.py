@@ -7,5 +7,6 @@ from . import batch  # isort: skip
 from . import look  # isort: skip
 from . import pages  # isort: skip
 from . import files  # isort: skip
+from . import verify  # isort: skip
 
-__all__ = ["app", "batch", "compute", "files", "look", "pages", "stiffness"]
+__all__ = ["app", "batch", "compute", "files", "look", "pages", "stiffness", "verify"]

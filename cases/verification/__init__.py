@@ -1,0 +1,1 @@
+"""Tables and pictures of the verification page, and the sweep over random contacts."""

@@ -1,0 +1,139 @@
+"""Moes' diagram: solved films beside the four asymptotes of Nijenbanning, Venner and Moes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from math import log, nan
+
+from ehl import ContactSolution, SolverOptions, solve_contact
+from ehl.film_formulas import moes_film_nijenbanning
+from ehl.hertz import hertz_coefficients
+from postprocess.plots_verification import Curve, draw_moes
+
+from .contacts import OIL, WATER_LIKE, MoesConditions, moes
+from .page import Check, Picture, Section, Table, each, percent
+
+LUBRICANT = (0.0, 2.5, 5.0, 10.0, 20.0)  # L of the diagram
+TOLERANCE, ROUGH = 0.01, 0.03  # of the films of the regimes and of the diagram
+LOADS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)  # M of the diagram
+REGIMES = {  # M, L, Rx/Ry and the factor on M or L over which the power is taken
+    "RI": ((0.25, 0.0, 1.0), "M", 2.0),
+    "EI": ((150.0, 0.0, 1.0), "M", 2.0),
+    "RP": ((15.0, 30.0, 1.0), "L", 1.5),
+    "EP": ((500.0, 5.0, 1.0), "M", 2.0),
+}
+POWERS = {"RI": -2.0, "EI": -2.0 / 15.0, "RP": 2.0 / 3.0, "EP": -1.0 / 12.0}
+NAMES = {
+    "RI": "rigid isoviscous",
+    "EI": "elastic isoviscous",
+    "RP": "rigid piezoviscous",
+    "EP": "elastic piezoviscous",
+}
+TEXT = """\
+M and L deep in each of the four regimes of a circular contact; the power of M (of L for rigid-piezoviscous) is
+taken from two solutions, a factor of 2 (1.5) apart, and compared with that of the asymptote in the formula of
+Nijenbanning, Venner and Moes (1994, coefficients read second-hand). The powers follow from theory, the factors are
+their fits. No contact is wholly in one regime, least of all in the third, where Roelands' law weakens the power of
+L."""
+POWER_TOLERANCE = {"RI": 0.1, "EI": 0.05, "RP": 0.1, "EP": 0.05}
+
+
+def asymptotes(m: float, l: float, ratio: float) -> dict[str, float]:  # noqa: E741
+    """The four asymptotes (h/Rx)(2U)^(-1/2) [-], Nijenbanning, Venner and Moes (1994); entrainment along x."""
+    d = ratio
+    q = 1.0 + 0.006 * log(d) + 0.63 * d ** (4 / 7)
+    return {
+        "RI": 145.0 * (1.0 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2,
+        "EI": 3.18 * q ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15),
+        "RP": 1.29 * (1.0 + 0.691 * d) ** (-2 / 3) * l ** (2 / 3),
+        "EP": 1.48 * q ** (-7 / 20) * d ** (-1 / 24) * m ** (-1 / 12) * l**0.75,
+    }
+
+
+def film_unit(m: float, ratio: float) -> float:
+    """(h/Rx)(2U)^(-1/2) of a film of one a^2/Rx [-]."""
+    return hertz_coefficients(ratio)[0] ** 2 * m ** (2 / 3)
+
+
+def moes_film(solution: ContactSolution) -> float:
+    """Extrapolated central film (h/Rx)(2U)^(-1/2) [-]; without error bar."""
+    conditions = solution.conditions
+    assert isinstance(conditions, MoesConditions)
+    unit = film_unit(conditions.load_parameter, conditions.radius_ratio)
+    return unit * solution.film_central_dimensionless.value
+
+
+def _solve(job: tuple[float, float, float, int], tolerance: float = TOLERANCE) -> ContactSolution:
+    m, l, ratio, points = job  # noqa: E741
+    oil = OIL if l > 0.0 else WATER_LIKE
+    return solve_contact(moes(m, l, ratio, oil=oil), SolverOptions(points=points, tolerance=tolerance))
+
+
+def moes_diagram(quick: bool = False) -> Section:
+    """Film over load, and the powers and factors deep in each regime."""
+    points = 129 if quick else 1025
+    loads, lubricant = (LOADS[2:7:2], LUBRICANT[::2]) if quick else (LOADS, LUBRICANT)
+    jobs = [(m, l, 1.0, points) for l in lubricant for m in loads]  # noqa: E741
+    solutions = each(partial(_solve, tolerance=ROUGH), jobs)
+    curves = []
+    for l in lubricant:  # noqa: E741
+        shown = [
+            (j[0], moes_film(s))
+            for j, s in zip(jobs, solutions, strict=True)
+            if j[1] == l and s.converged and s.resolved
+        ]
+        fit = [moes_film_nijenbanning(m, l, 1.0) for m, _ in shown]
+        x = tuple(m for m, _ in shown)
+        curves.append(Curve(label=f"{l:g}", x=x, y=tuple(h for _, h in shown), reference=tuple(fit)))
+    table, checks = _regimes(points, ("RI", "RP") if quick else tuple(REGIMES))
+    caption = "Central film over load for five L: solved (dots), fit of Nijenbanning, Venner and Moes (lines)"
+    return Section(
+        title="Moes' asymptotes",
+        text=TEXT,
+        checks=checks,
+        tables=(table,),
+        pictures=(Picture(stem="verification_moes", caption=caption, draw=partial(draw_moes, curves=curves)),),
+    )
+
+
+def _regimes(points: int, names: Sequence[str]) -> tuple[Table, tuple[Check, ...]]:
+    jobs = []
+    for (m, l, ratio), varied, factor in (REGIMES[name] for name in names):  # noqa: E741
+        other = (factor * m, l, ratio) if varied == "M" else (m, factor * l, ratio)
+        jobs += [(m, l, ratio, points), (*other, points)]
+    solutions = each(_solve, jobs)
+    rows, checks = [], []
+    for i, name in enumerate(names):
+        (m, l, ratio), varied, factor = REGIMES[name]  # noqa: E741
+        pair = solutions[2 * i : 2 * i + 2]
+        first, second = (moes_film(s) for s in pair)
+        power, theory = log(second / first) / log(factor), POWERS[name]
+        asymptote, fit = asymptotes(m, l, ratio)[name], moes_film_nijenbanning(m, l, ratio)
+        bar = pair[0].film_central_dimensionless.uncertainty * film_unit(m, ratio)
+        rows.append(
+            (
+                NAMES[name],
+                f"{m:g}",
+                f"{l:g}",
+                f"{first:.4g} ± {bar:.1g}",
+                f"{asymptote:.4g}",
+                percent(asymptote / first - 1.0),
+                f"{fit:.4g}",
+                f"{power:.3f}",
+                f"{theory:.3f} ({varied})",
+            )
+        )
+        within = POWER_TOLERANCE[name]
+        known = all(s.converged and s.resolved for s in pair)
+        checks.append(
+            Check(
+                name=f"power of {varied}, {NAMES[name]}",
+                value=power if known else nan,
+                least=round(theory - within, 3),
+                most=round(theory + within, 3),
+            )
+        )
+    head = ("regime", "M", "L", "film, solved", "asymptote", "", "whole formula", "power", "of the asymptote")
+    caption = "(h/R_x)(2U)^(−1/2), circular contact:"
+    return Table(caption=caption, head=head, rows=tuple(rows)), tuple(checks)

@@ -1,0 +1,90 @@
+"""Random contacts over the ranges the solver is made for."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import degrees, exp, log, pi
+
+import numpy as np
+
+from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions
+from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
+
+from .contacts import from_groups
+
+LOAD, LARGEST_LOAD, LARGEST_LOAD_WIDE = 5.0, 3000.0, 10_000.0  # M; the last for Rx/Ry below WIDE
+WIDE = 0.3
+LUBRICANT = (0.0, 30.0)  # L
+RATIO = (0.005, 5.0)  # Rx/Ry
+LARGEST_PRESSURE, LARGEST_EXPONENT = 4e9, 80.0  # p_h [Pa] and alpha p_h [-]
+LARGEST_ROTATION = 0.5  # speed of the rotation at the end of the ellipse over u_m
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Draw:
+    """One random contact."""
+
+    number: int
+    conditions: ContactConditions
+    groups: MoesConditions
+    rotation: float  # speed at the end of the longer semi-axis over u_m [-]
+
+    @property
+    def kind(self) -> str:
+        """Of its entrainment: along a principal direction, at an angle, or turning from place to place."""
+        if self.rotation:
+            return "rotating"
+        return "at an angle" if self.groups.entrainment_angle else "straight"
+
+    @property
+    def text(self) -> str:
+        """The contact in a line."""
+        g = self.groups
+        turned = f", rotation {self.rotation:.2f}" if self.rotation else ""
+        return (
+            f"M {g.load_parameter:.0f}, L {g.lubricant_parameter:.1f}, R_x/R_y {g.radius_ratio:.4f}, "
+            f"{degrees(g.entrainment_angle):.0f}°{turned}, {g.lubricant.viscosity_law.value}"
+        )
+
+
+def draws(count: int, seed: int) -> list[Draw]:
+    """`count` contacts: M and Rx/Ry log-uniform, L uniform; a third at an angle, a third rotating, both independent.
+
+    Those with p_h above 4 GPa or alpha p_h above 80 are drawn again. The first contacts of a longer list are those of a
+    shorter one with the same seed.
+    """
+    random = np.random.default_rng(seed)
+    found: list[Draw] = []
+    while len(found) < count:
+        groups, rotation = _groups(random), _rotation(random)
+        pressure = scale_contact(groups).hertz_pressure
+        if pressure > LARGEST_PRESSURE or pressure * groups.lubricant.pressure_viscosity > LARGEST_EXPONENT:
+            continue
+        conditions = from_groups(groups, rotation)
+        found.append(Draw(number=len(found), conditions=conditions, groups=groups, rotation=rotation))
+    return found
+
+
+def _groups(random: np.random.Generator) -> MoesConditions:
+    ratio = exp(random.uniform(log(RATIO[0]), log(RATIO[1])))
+    largest = LARGEST_LOAD_WIDE if ratio < WIDE else LARGEST_LOAD
+    laws = list(CLOSED_FORM_LAWS)
+    oil = Lubricant(
+        viscosity=random.uniform(0.005, 0.1),
+        pressure_viscosity=random.uniform(8e-9, 30e-9),
+        viscosity_law=laws[random.choice(len(laws), p=[0.7, 0.2, 0.1])],
+    )
+    if random.random() < 0.2:
+        oil = replace(oil, density_law=DensityLaw.INCOMPRESSIBLE)
+    return MoesConditions(
+        load_parameter=exp(random.uniform(log(LOAD), log(largest))),
+        lubricant_parameter=max(random.uniform(*LUBRICANT), 1e-6),  # zero would leave the speed open
+        radius_ratio=ratio,
+        lubricant=oil,
+        entrainment_angle=random.uniform(0.0, 0.5 * pi) if random.random() < 1 / 3 else 0.0,
+    )
+
+
+def _rotation(random: np.random.Generator) -> float:
+    """Zero in two of three [-]."""
+    return float(random.uniform(0.0, LARGEST_ROTATION)) if random.random() < 1 / 3 else 0.0

@@ -1,0 +1,115 @@
+"""Parts of a page - checks, tables, pictures, sections - and the page in Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, TypeVar
+
+from ..run import cores
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Item = TypeVar("Item")
+Result = TypeVar("Result")
+
+PICTURES = "images"  # folder of the pictures, beside the page
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Check:
+    """One statement with the number found and the bounds it must keep; None: no bound on that side."""
+
+    name: str
+    value: float
+    least: float | None = None
+    most: float | None = None
+
+    @property
+    def passed(self) -> bool:
+        """Whether the number lies within its bounds; not a number does not."""
+        above = self.least is None or self.value >= self.least
+        below = self.most is None or self.value <= self.most
+        return above and below and self.value == self.value
+
+    @property
+    def bounds(self) -> str:
+        """The bounds in words."""
+        if self.least is None:
+            return f"at most {self.most:g}"
+        if self.most is None:
+            return f"at least {self.least:g}"
+        return f"{self.least:g} to {self.most:g}"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Table:
+    """Cells as text, the head first."""
+
+    caption: str
+    head: tuple[str, ...]
+    rows: tuple[tuple[str, ...], ...]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Picture:
+    """A picture by its stem, what stands below it, and what draws it into an empty figure."""
+
+    stem: str
+    caption: str
+    draw: Callable[[Figure], None]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Section:
+    """A part of the page."""
+
+    title: str
+    text: str
+    checks: tuple[Check, ...] = ()
+    tables: tuple[Table, ...] = ()
+    pictures: tuple[Picture, ...] = ()
+
+
+def each(function: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
+    """`function` of every item, in order, on all cores: the kernels release the interpreter's lock."""
+    with ThreadPoolExecutor(max_workers=cores()) as pool:
+        return list(pool.map(function, items))
+
+
+def with_bar(value: float, error: float) -> str:
+    """Value and error bar, to the bar's first digit [same unit]."""
+    from postprocess.plot_style import value_with_error
+
+    return value_with_error(value, error)
+
+
+def percent(share: float, digits: int = 1) -> str:
+    """A signed share in percent [-]."""
+    return f"{100.0 * share:+.{digits}f} %"
+
+
+def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
+    """The page."""
+    parts = [f"# {title}", introduction]
+    checks = [check for section in sections for check in section.checks]
+    if checks:
+        rows = tuple((c.name, f"{c.value:.4g}", c.bounds, "yes" if c.passed else "**no**") for c in checks)
+        table = Table(caption="What is checked:", head=("statement", "found", "wanted", "holds"), rows=rows)
+        parts += ["## Checks", _table(table)]
+    for section in sections:
+        parts += [f"## {section.title}", section.text]
+        parts += [_table(table) for table in section.tables]
+        parts += [f"![{picture.caption}]({PICTURES}/{picture.stem}.png)" for picture in section.pictures]
+    return "\n\n".join(part.strip() for part in parts if part.strip()) + "\n"
+
+
+def _table(table: Table) -> str:
+    lines = [_line(table.head), _line(["---"] * len(table.head)), *(_line(row) for row in table.rows)]
+    return f"{table.caption}\n\n" + "\n".join(lines)
+
+
+def _line(cells: Iterable[str]) -> str:
+    return "| " + " | ".join(cells) + " |"
