@@ -3,7 +3,7 @@
 The unknowns of a ball are its orbit speed and the three components of its rotation, all contacts' sliding is linear in
 them, and the balance is the minimum of the friction power plus that of the gyroscopic couple (`contact_friction`):
 one convex problem a ball, solved for all balls together by Newton's method. The loads and contact angles are those of
-the quasi-static solution. A ball without load at the inner race keeps its orbit speed: the cage pushes it.
+the quasi-static solution. A ball without load at the inner race goes with the cage, which the others push.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ from ..quasistatic import QuasistaticSolution
 from ..traction_forces import BallMotion, ball_motion, bearing_kinematics, groove_curvature_radius
 from .contact_friction import TINY, Dissipation, Ellipses, coulomb_dissipation, line_dissipation
 
-Law = Callable[[Array, Ellipses], Dissipation]
+Law = Callable[[Array], Dissipation]  # of the motion (N, 4) of all contacts
 MAX_STEPS = 200
 RUNAWAY = 1.0e4  # speeds over those of curvature slip at which a ball counts as not held [-]
-COUPLE_STEPS = 3  # of the gyroscopic couple, which hardly depends on the balance [-]
+CAGE_STEPS = 4  # of push and speed of the cage, which hardly depend on the balance [-]
 ROUNDING = 3.0e-3  # of Coulomb's law, over the largest sliding that the curvature of the contact makes [-]
 BALANCE_TOLERANCE = 1.0e-6  # residual force over mu Q that is accepted [-]
 BALANCE_TARGET = 1.0e-10  # residual at which iterating stops [-]
@@ -65,21 +65,24 @@ class BalancedFriction:
 
     @property
     def energy_error(self) -> float:
-        """Shaft power less friction power, over the latter [-]; what the cage pushes is missing from the shaft's."""
+        """Shaft power less friction power, over the latter [-]."""
         total = float(self.power.sum())
         return (self.shaft_power - total) / total if total > 0.0 else 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Problem:
-    """k = start + map z for all contacts, z scaled to speeds [m/s]; `couple` the gyroscopic one by z [N]."""
+    """k = start + map z for all contacts, z scaled to speeds [m/s]."""
 
-    ellipses: Ellipses
+    law: Law
     start: Array  # (balls, 2, 4)
     map: Array  # (balls, 2, 4, 4)
-    couple: Array  # (balls, 4)
+    couple: Array  # (balls, 4) gyroscopic one at the start [N]
+    turning: Array  # (balls, 4, 4) its change with z [N s/m]
+    cage: Array  # (balls,) push of the cage against the orbit of balls that drive it [N]
     free: NDArray[np.bool_]  # (balls, 4)
     reach: Array  # (balls,) largest sliding that the curvature of a ball's contacts makes [m/s]
+    strength: Array  # (balls,) friction that the residual is measured against [N]
 
 
 def balanced_friction(
@@ -110,29 +113,91 @@ def balanced_friction(
     BalancedFriction
         In SI; not `converged` where the friction cannot hold a ball.
     """
-    problem = _problem(solution, contacts, friction, lines=lines)
-    law: Law = line_dissipation if lines else coulomb_dissipation
-    z, residual = _minimise(problem, law, np.zeros(problem.couple.shape))
-    for _ in range(COUPLE_STEPS if gyroscopic and not lines else 0):
-        problem = replace(problem, couple=_couple(solution, z))
-        z, residual = _minimise(problem, law, z)
-    return _result(solution, contacts, problem, (z, residual, law))
+    found = contact_ellipses(solution, contacts, friction)
+    chosen = line_dissipation if lines else coulomb_dissipation
+    return balance_balls(
+        solution,
+        contacts,
+        lambda motion: chosen(motion, found),
+        found.friction * found.load,
+        plane=lines,
+        gyroscopic=gyroscopic,
+    )
+
+
+def contact_ellipses(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
+) -> Ellipses:
+    """The ellipses of all contacts under Coulomb's mu [-], lengths in [m]; friction rounded as `ROUNDING` says."""
+    hertz = [c.hertz for c in contacts]
+    radius = np.array([groove_curvature_radius(solution.bearing, c.race) for c in contacts])
+    transverse = np.array([1e-6 if h is None else h.semi_axis_y for h in hertz])
+    return Ellipses(
+        load=np.array([0.0 if h is None else h.load for h in hertz]),
+        semi_axis_x=np.array([1e-6 if h is None else h.semi_axis_x for h in hertz]),
+        semi_axis_y=transverse,
+        radius=radius,
+        friction=np.broadcast_to(np.asarray(friction, dtype=np.float64), radius.shape),
+        rounding=ROUNDING * _bow(solution, contacts),
+    )
+
+
+def _bow(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> Array:
+    """Largest sliding by the curvature of each contact, w a^2/(2 R) [m/s]."""
+    found = np.full(len(contacts), TINY)
+    for i, contact in enumerate(contacts):
+        if contact.hertz is not None:
+            k = bearing_kinematics(solution, contact)
+            found[i] = max(abs(k.rolling) * contact.hertz.semi_axis_y**2 / (2.0 * k.curvature_radius), TINY)
+    return found
+
+
+def balance_balls(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    law: Law,
+    strength: Array,
+    *,
+    plane: bool = False,
+    gyroscopic: bool = True,
+) -> BalancedFriction:
+    """Motion of all balls in which a law of friction balances itself on each of them.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    contacts : sequence of BearingContact
+        All of its contacts, inner then outer, ball by ball.
+    law : callable
+        Takes the motions (N, 4) of all contacts [m/s], [rad/s], gives a `Dissipation`; one that has no potential
+        gives zero power, and only its slope is looked at.
+    strength : ndarray, shape (N,)
+        Friction of each contact that a residual is measured against [N].
+    plane : bool
+        The law knows no sliding across the rolling direction: the balls then do not turn about the orbit's tangent, and
+        no gyroscopic couple is held.
+    gyroscopic : bool
+        Whether the contacts have to hold the gyroscopic couple.
+
+    Returns
+    -------
+    BalancedFriction
+    """
+    problem = _problem(solution, contacts, law, strength, plane=plane)
+    if gyroscopic and not plane:
+        problem = replace(problem, couple=_couple(solution))
+    z, residual = _minimise(problem, np.zeros(problem.couple.shape))
+    turning = _turning(solution) if gyroscopic and not plane else problem.turning
+    for _ in range(CAGE_STEPS):
+        problem = replace(problem, turning=turning, cage=_cage_force(solution, problem, z))
+        z, residual = _minimise(problem, _with_the_cage(solution, z))
+    return _result(solution, contacts, problem, z, residual)
 
 
 def _problem(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array, *, lines: bool
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], law: Law, strength: Array, *, plane: bool
 ) -> _Problem:
     bearing, balls = solution.bearing, solution.azimuth.size
-    hertz = [c.hertz for c in contacts]
-    radius = np.array([groove_curvature_radius(bearing, c.race) for c in contacts])
-    ellipses = Ellipses(
-        rounding=np.zeros(radius.size),
-        load=np.array([0.0 if h is None else h.load for h in hertz]),
-        semi_axis_x=np.array([1e-6 if h is None else h.semi_axis_x for h in hertz]),
-        semi_axis_y=np.array([1e-6 if h is None else h.semi_axis_y for h in hertz]),
-        radius=radius,
-        friction=np.broadcast_to(np.asarray(friction, dtype=np.float64), radius.shape),
-    )
     scales = np.array([2.0 / bearing.pitch_diameter, *(3 * (2.0 / bearing.ball_diameter,))])
     start, slopes = np.zeros((2 * balls, 4)), np.zeros((2 * balls, 4, 4))
     for i, contact in enumerate(contacts):
@@ -140,18 +205,19 @@ def _problem(
         start[i] = _motion(solution, contact, motion)
         for j in range(4):
             slopes[i, :, j] = _motion(solution, contact, _moved(motion, j, scales[j])) - start[i]
-    bow = np.abs(start[:, 3]) * ellipses.semi_axis_y**2 / (2.0 * radius)
-    ellipses = replace(ellipses, rounding=ROUNDING * np.maximum(bow, TINY))
-    free = np.ones((balls, 4), dtype=np.bool_) if not lines else np.tile(PLANE, (balls, 1))
+    free = np.tile(PLANE, (balls, 1)) if plane else np.ones((balls, 4), dtype=np.bool_)
     free[:, 0] &= solution.inner_load > 0.0
     shape = (balls, 2)
     return _Problem(
-        ellipses=ellipses,
+        law=law,
         start=start.reshape(*shape, 4),
         map=slopes.reshape(*shape, 4, 4),
         couple=np.zeros((balls, 4)),
+        turning=np.zeros((balls, 4, 4)),
+        cage=np.zeros(balls),
         free=free,
-        reach=np.maximum(bow.reshape(shape).max(axis=1), TINY),
+        reach=_bow(solution, contacts).reshape(shape).max(axis=1),
+        strength=strength.reshape(shape).max(axis=1),
     )
 
 
@@ -172,30 +238,63 @@ def _motion(solution: QuasistaticSolution, contact: BearingContact, motion: Ball
     return np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
 
 
-def _evaluate(z: Array, problem: _Problem, law: Law) -> tuple[Array, Array, Array]:
-    """Power (balls,), gradient (balls, 4) and curvature (balls, 4, 4) by the scaled unknowns."""
+def _evaluate(z: Array, problem: _Problem) -> tuple[Array, Array, Array]:
+    """Power (balls,), force left (balls, 4) and its slope (balls, 4, 4) by the scaled unknowns."""
     k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    found = law(k.reshape(-1, 4), problem.ellipses)
+    found = problem.law(k.reshape(-1, 4))
     shape = problem.start.shape[:2]
-    power = found.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", problem.couple, z)
-    gradient = np.einsum("bckj,bck->bj", problem.map, found.gradient.reshape(*shape, 4)) + problem.couple
+    fixed = problem.couple + problem.cage[:, None] * np.eye(4)[0]
+    power = found.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", fixed, z)
+    gradient = np.einsum("bckj,bck->bj", problem.map, found.gradient.reshape(*shape, 4)) + fixed
+    gradient += np.einsum("bij,bj->bi", problem.turning, z)
     curvature = found.curvature.reshape(*shape, 4, 4)
-    hessian = np.einsum("bcki,bckl,bclj->bij", problem.map, curvature, problem.map)
-    gradient = np.where(problem.free, gradient, 0.0)
+    slope = np.einsum("bcki,bckl,bclj->bij", problem.map, curvature, problem.map) + problem.turning
     both = problem.free[:, :, None] & problem.free[:, None, :]
-    return power, gradient, np.where(both, hessian, 0.0)
+    return power, np.where(problem.free, gradient, 0.0), np.where(both, slope, 0.0)
 
 
-def _couple(solution: QuasistaticSolution, z: Array) -> Array:
-    """Gyroscopic couple J w_m e_x x w by the scaled unknowns [N]; none on balls that the inner race does not hold."""
+def _inertia(solution: QuasistaticSolution) -> Array:
+    """2 J w_m/D, shape (balls,) [N s]; none of balls that the inner race does not hold."""
     bearing = solution.bearing
     inertia = 0.1 * ball_mass(bearing.ball_diameter, bearing.ball_material.density) * bearing.ball_diameter**2
-    found = np.zeros(z.shape)
-    for i in np.flatnonzero(solution.inner_load > 0.0):
-        motion = _shifted(solution, int(i), z[i])
-        _, radial, tangential = motion.rotation
-        found[i, 2:] = inertia * motion.orbit_speed * 2.0 / bearing.ball_diameter * np.array([-tangential, radial])
+    found = inertia * solution.orbit_speed * 2.0 / bearing.ball_diameter
+    return np.where(solution.inner_load > 0.0, found, 0.0)
+
+
+def _couple(solution: QuasistaticSolution) -> Array:
+    """Gyroscopic couple J w_m e_x x w = J w_m (w_r e_t - w_t e_r) at the start, by the scaled unknowns [N]."""
+    scale, found = _inertia(solution), np.zeros((solution.azimuth.size, 4))
+    found[:, 3] = scale * solution.spin_speed * np.sin(solution.attitude)
     return found
+
+
+def _turning(solution: QuasistaticSolution) -> Array:
+    """Change of the gyroscopic couple with the scaled unknowns [N s/m]; skew, hence without power."""
+    scale, found = _inertia(solution) * 2.0 / solution.bearing.ball_diameter, np.zeros((solution.azimuth.size, 4, 4))
+    found[:, 3, 2], found[:, 2, 3] = scale, -scale
+    return found
+
+
+def _cage_force(solution: QuasistaticSolution, problem: _Problem, z: Array) -> Array:
+    """What it takes to push the balls that the inner race does not drive, taken from the others by their load [N]."""
+    driving = solution.inner_load > 0.0
+    alone = replace(problem, free=np.ones_like(problem.free), cage=np.zeros_like(problem.cage))
+    _, force, _ = _evaluate(z, alone)
+    total = float(force[~driving, 0].sum())
+    return total * np.where(driving, solution.inner_load, 0.0) / max(float(solution.inner_load.sum()), TINY)
+
+
+def _with_the_cage(solution: QuasistaticSolution, z: Array) -> Array:
+    """The unknowns [m/s] with balls that the inner race does not drive at the mean orbit speed of those that do."""
+    driving, load = solution.inner_load > 0.0, solution.inner_load
+    if driving.all() or not driving.any():
+        return z
+    radius = 0.5 * solution.bearing.pitch_diameter
+    speeds = solution.orbit_speed * radius + z[:, 0]
+    mean = float((load * speeds)[driving].sum() / load[driving].sum())
+    moved = z.copy()
+    moved[~driving, 0] = mean - (solution.orbit_speed * radius)[~driving]
+    return moved
 
 
 def _shifted(solution: QuasistaticSolution, index: int, z: Array) -> BallMotion:
@@ -207,12 +306,13 @@ def _shifted(solution: QuasistaticSolution, index: int, z: Array) -> BallMotion:
     )
 
 
-def _minimise(problem: _Problem, law: Law, start: Array) -> tuple[Array, Array]:
+def _minimise(problem: _Problem, start: Array) -> tuple[Array, Array]:
     """Newton with Levenberg's damping, every ball by itself; returns z and the residual of each ball [-]."""
     balls = problem.start.shape[0]
-    friction = (problem.ellipses.friction * problem.ellipses.load).reshape(balls, 2).max(axis=1) + 1e-300
+    friction = problem.strength + TINY
     z, damping = start, np.full(balls, 1e-6)
-    power, gradient, hessian = _evaluate(z, problem, law)
+    power, gradient, hessian = _evaluate(z, problem)
+    descent = not problem.turning.any()  # there is a potential to go down in
     for _ in range(MAX_STEPS):
         residual = np.abs(gradient).max(axis=1) / friction
         active = (residual > BALANCE_TARGET) & (np.abs(z).max(axis=1) < RUNAWAY * problem.reach)
@@ -221,10 +321,12 @@ def _minimise(problem: _Problem, law: Law, start: Array) -> tuple[Array, Array]:
         size = np.maximum(np.trace(hessian, axis1=1, axis2=2), friction / problem.reach)
         step = -np.linalg.solve(hessian + (damping * size)[:, None, None] * np.eye(4), gradient[..., None])[..., 0]
         trial = np.where(active[:, None], z + step, z)
-        new = _evaluate(trial, problem, law)
+        new = _evaluate(trial, problem)
         noise = 1e-13 * np.abs(power)
         flatter = np.abs(new[1]).max(axis=1) < residual * friction
-        better = active & ((new[0] < power - noise) | ((new[0] <= power + noise) & flatter))
+        better = active & (
+            ((new[0] < power - noise) & descent) | ((new[0] <= power + noise) & flatter) | (flatter & (not descent))
+        )
         z = np.where(better[:, None], trial, z)
         power = np.where(better, new[0], power)
         gradient = np.where(better[:, None], new[1], gradient)
@@ -237,12 +339,12 @@ def _result(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     problem: _Problem,
-    outcome: tuple[Array, Array, Law],
+    z: Array,
+    residual: Array,
 ) -> BalancedFriction:
-    z, residual, law = outcome
     shape = problem.start.shape[:2]
     k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    found = law(k.reshape(-1, 4), problem.ellipses)
+    found = problem.law(k.reshape(-1, 4))
     forces = -found.gradient.reshape(*shape, 4)
     power = -np.einsum("bck,bck->bc", forces, k)
     motions = [_shifted(solution, i, z[i]) for i in range(shape[0])]
@@ -250,7 +352,7 @@ def _result(
         _motion(solution, c, BallMotion(orbit_speed=_ring(solution, c), rotation=motions[c.ball - 1].rotation))[3]
         for c in contacts
     ]
-    loaded = problem.ellipses.load.reshape(shape).any(axis=1)
+    loaded = problem.strength > 0.0
     worst = float(residual[loaded].max(initial=0.0))
     return BalancedFriction(
         motions=tuple(motions),
@@ -258,20 +360,22 @@ def _result(
         forces=forces,
         ball_rolling=np.array(parts).reshape(shape),
         power=power,
-        shaft_power=_shaft_power(solution, contacts, motions, forces),
+        shaft_power=_shaft_power(solution, contacts, forces),
         residual=worst,
         converged=bool(solution.converged and worst <= BALANCE_TOLERANCE),
     )
 
 
-def _shaft_power(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], motions: Sequence[BallMotion], forces: Array
-) -> float:
+def _shaft_power(solution: QuasistaticSolution, contacts: Sequence[BearingContact], forces: Array) -> float:
     """Moments of the balls on both rings times the rings' speeds [W], from the forces, not from the heat."""
-    power = 0.0
-    for contact, force in zip(contacts, forces.reshape(-1, 4), strict=True):
-        motion, ring = motions[contact.ball - 1], _ring(solution, contact)
-        still = _motion(solution, contact, BallMotion(orbit_speed=motion.orbit_speed, rotation=motion.rotation))
-        faster = _motion(solution, contact, BallMotion(orbit_speed=motion.orbit_speed - ring, rotation=motion.rotation))
-        power -= float(np.dot(force, faster - still))  # motion of ball against race: minus that of the ring
-    return power
+    return sum(
+        ring_power(solution, contact, force) for contact, force in zip(contacts, forces.reshape(-1, 4), strict=True)
+    )
+
+
+def ring_power(solution: QuasistaticSolution, contact: BearingContact, force: Array) -> float:
+    """Power that a contact's ring feeds into it [W], from the forces (4,) on the ball."""
+    motion = ball_motion(solution, contact.ball - 1)  # any: all sliding is linear in the speeds
+    faster = BallMotion(orbit_speed=motion.orbit_speed - _ring(solution, contact), rotation=motion.rotation)
+    change = _motion(solution, contact, faster) - _motion(solution, contact, motion)
+    return -float(np.dot(force, change))  # motion of ball against race: minus that of the ring

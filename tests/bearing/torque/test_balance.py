@@ -128,6 +128,7 @@ def test_radial_load_splits_the_curvature_slip_in_balance():
     state, contacts = solved(0.0, 1000.0, 10.0)
     found = balanced_friction(state, contacts, 0.1, lines=True)
     loaded = state.inner_load > 50.0
+    assert found.energy_error == pytest.approx(0.0, abs=1e-6)  # with the balls that the cage pushes
     push = np.abs(found.forces[loaded, :, 0])
     moments = np.abs(found.forces[loaded, :, 3]).sum(axis=1)
     assert push[:, 0] == pytest.approx(push[:, 1], rel=1e-6)
