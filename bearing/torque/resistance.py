@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, log, pi
+from math import cos, pi
 
 from scipy.special import ellipe
 
@@ -31,8 +31,8 @@ class Cage:
 def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
     """Moment that resists rolling in a lubricated contact [N m], Biboulet and Houpert (2010), elastohydrodynamic limit.
 
-    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1 - (a_x/a_y)^2. t is Rx
-    times the force that the pressure flow pulls one body with, and both are pulled (checked against solved contacts).
+    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1 - (a_x/a_y)^2. t is
+    Rx times the force that the pressure flow pulls one body with; both are pulled (checked against solved contacts).
 
     Parameters
     ----------
@@ -131,24 +131,3 @@ def churning_power(solution: QuasistaticSolution, density: float, oil_fraction: 
     speeds = abs(solution.orbit_speed) * 0.5 * bearing.pitch_diameter
     area = 0.25 * pi * bearing.ball_diameter**2
     return float((0.5 * SPHERE_DRAG * density * oil_fraction * area * speeds**3).sum())
-
-
-def starved_share(inlet_ratio: float, ellipse_ratio: float) -> float:
-    """Central film of a starved contact over the flooded one, r/(1 + r^g)^(1/g), Chevalier et al. (1998).
-
-    Parameters
-    ----------
-    inlet_ratio : float
-        r, thickness of the oil layer at the inlet over the compressed flooded film [-].
-    ellipse_ratio : float
-        b/a, semi-axis across the entrainment over that along it [-]; g runs from 3 (circular) to 15 (wide, 8 and more,
-        Damiens et al., 2004), in proportion to the logarithm between.
-
-    Returns
-    -------
-    float
-        [-].
-    """
-    share = min(max(log(max(ellipse_ratio, 1.0)) / log(8.0), 0.0), 1.0)
-    g = 3.0 * (15.0 / 3.0) ** share
-    return inlet_ratio / (1.0 + inlet_ratio**g) ** (1.0 / g) if inlet_ratio < 1e6 else 1.0

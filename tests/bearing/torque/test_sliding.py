@@ -17,7 +17,6 @@ from bearing.torque.resistance import (
     land_power,
     pocket_power,
     rolling_moment,
-    starved_share,
 )
 from bearing.torque.sliding import (
     SlidingContact,
@@ -170,11 +169,3 @@ def test_cage_and_churning():
     drag = churning_power(state, 870.0, 0.02)
     v = 0.023 * state.cage_speed
     assert drag == pytest.approx(9 * 0.5 * 0.44 * 870.0 * 0.02 * pi / 4 * 9.525e-3**2 * v**3, rel=1e-3)
-
-
-def test_starved_film():
-    """Little oil: the film is the layer; much oil: flooded; r = 1: 2^(-1/g), g 3 for a circle, 15 for wide ellipses."""
-    assert starved_share(0.01, 1.0) == pytest.approx(0.01, rel=1e-5)
-    assert starved_share(1e9, 3.0) == 1.0
-    assert starved_share(1.0, 1.0) == pytest.approx(2.0 ** (-1 / 3))
-    assert starved_share(1.0, 10.0) == pytest.approx(2.0 ** (-1 / 15))

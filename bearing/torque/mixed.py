@@ -1,0 +1,40 @@
+"""Mixed lubrication, first order: what part of a contact's friction comes from asperities that touch.
+
+The share of the load that asperities carry is a function of the lambda ratio alone, xi = 1 - erf(lambda), fitted to the
+electrical contact resistance of gear surfaces (Arana et al., 2019, after Clarke, Evans and Snidle, 2016). They rub with
+a boundary coefficient, the oil carries and shears the rest: mu = xi mu_b + (1 - xi) mu_film.
+"""
+
+from __future__ import annotations
+
+from math import erf
+
+import numpy as np
+
+from ..geometry import Array
+
+
+def asperity_share(lambda_ratio: float) -> float:
+    """xi = 1 - erf(lambda): share of the load on asperities, from the film over the rms roughness [-]."""
+    if lambda_ratio < 0.0:
+        raise ValueError(f"lambda_ratio must not be negative, got {lambda_ratio!r}")
+    return 1.0 - erf(lambda_ratio)
+
+
+def mixed_friction(lambda_ratio: Array, film: float, boundary: float) -> Array:
+    """xi mu_b + (1 - xi) mu_film of many contacts.
+
+    Parameters
+    ----------
+    lambda_ratio : ndarray
+        Film over roughness; infinite where there is none [-].
+    film, boundary : float
+        Coefficients of friction of the full film and of asperities [-].
+
+    Returns
+    -------
+    ndarray
+        [-].
+    """
+    share = np.array([asperity_share(float(value)) for value in np.ravel(lambda_ratio)]).reshape(np.shape(lambda_ratio))
+    return share * boundary + (1.0 - share) * film

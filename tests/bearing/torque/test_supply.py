@@ -1,0 +1,117 @@
+"""Starved films in a steady state, oil in the cavity, asperities, and the heat balance."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import erfc, exp, pi
+
+import numpy as np
+import pytest
+
+from bearing import Operation, contact_conditions, solve_quasistatic
+from bearing.torque.heat_balance import LARGEST_RISE, Cooling, heat_balance
+from bearing.torque.mixed import asperity_share, mixed_friction
+from bearing.torque.supply import (
+    Supply,
+    cavity_volume,
+    compression,
+    oil_fraction,
+    oil_fraction_parker,
+    starvation_exponent,
+    starved_share,
+    steady_share,
+    supplied_films,
+)
+from ehl import Lubricant
+from ehl.film_formulas import film_nijenbanning_central
+
+OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
+ML_MIN = 1e-6 / 60.0  # [m^3/s]
+
+
+def test_starved_film():
+    """Little oil: the film is the layer; much oil: flooded; r = 1: 2^(-1/g), g 3 for a circle, 15 for wide ellipses."""
+    assert starvation_exponent(1.0) == pytest.approx(3.0)
+    assert starvation_exponent(10.0) == pytest.approx(15.0)
+    assert 3.0 < starvation_exponent(3.0) < 15.0
+    assert starved_share(0.01, 3.0) == pytest.approx(0.01, rel=1e-5)
+    assert starved_share(1e9, 3.0) == 1.0
+    assert starved_share(1.0, 3.0) == pytest.approx(2.0 ** (-1 / 3))
+    assert starved_share(1.0, 15.0) == pytest.approx(2.0 ** (-1 / 15))
+
+
+@pytest.mark.parametrize("exponent", [3.0, 5.0, 15.0])
+def test_steady_film_is_where_many_balls_lead(exponent):
+    """Ball after ball the layer loses what is pressed out and gains what is added: the fixed point is the one found."""
+    for added in (0.003, 0.05, 0.4, 3.0):
+        layer = 5.0
+        for _ in range(20000):
+            layer = starved_share(layer, exponent) + added
+        assert steady_share(added, exponent) == pytest.approx(starved_share(layer, exponent), rel=1e-6)
+    assert steady_share(0.0, exponent) == 0.0
+    assert steady_share(1e9, exponent) == 1.0
+    few, many = steady_share(1e-6, exponent), steady_share(2e-6, exponent)
+    assert many / few == pytest.approx(2.0 ** (1.0 / (exponent + 1.0)), rel=1e-2)  # r^(g + 1)/g = added
+
+
+def test_films_of_a_bearing_over_the_supply(bearings):
+    state = solve_quasistatic(bearings.b6208, Operation(inner_speed=5000 * bearings.rpm, force=(0.0, 900.0, 0.0)))
+    contacts = contact_conditions(state, OIL)
+    flooded = [None if c.conditions is None else film_nijenbanning_central(c.conditions) for c in contacts]
+    supply = Supply(flow=0.2 * ML_MIN, track_share=0.5, residence_time=60.0)
+    films = [supplied_films(contacts, flooded, replace(supply, flow=f * ML_MIN), 9) for f in (0.2, 1.0, 5.0, 1e7)]
+    lubricated = np.array([c.conditions is not None for c in contacts])
+    for scarce, ample in zip(films, films[1:], strict=False):
+        assert np.all(scarce[lubricated] < ample[lubricated])
+    assert films[-1] == pytest.approx(1.0)
+    assert np.all(films[0][~lubricated] == 1.0)
+    assert 1.0 < compression(1e9, OIL) < 0.6 / 1.7 + 1.0
+
+
+def test_cavity_and_oil_in_it(bearings):
+    """Without balls a plain ring; Parker's regression by hand; a fraction never beyond 1."""
+    bearing = replace(bearings.b6208, width=0.018)
+    ring = 0.25 * pi * (0.068**2 - 0.052**2) * 0.018
+    assert 0.6 * ring < cavity_volume(bearing) < ring
+    supply = Supply(flow=1e-8, track_share=0.5, residence_time=60.0)
+    assert oil_fraction(supply, 2e-5) == pytest.approx(0.03)
+    assert oil_fraction(replace(supply, flow=1.0), 2e-5) == 1.0
+    assert oil_fraction_parker(1000 * ML_MIN, 10000 * bearings.rpm, 0.06) == pytest.approx(
+        1e3 * 1000**0.37 / (1e4 * 60**1.7), rel=1e-9
+    )
+    with pytest.raises(ValueError, match="width"):
+        cavity_volume(bearings.b6208)
+    with pytest.raises(ValueError, match="track_share"):
+        Supply(flow=1e-8, track_share=0.0, residence_time=1.0)
+
+
+def test_asperities():
+    assert asperity_share(0.0) == 1.0
+    assert asperity_share(1.0) == pytest.approx(erfc(1.0))
+    assert asperity_share(5.0) < 1e-11
+    assert mixed_friction(np.array([0.0, np.inf]), 0.05, 0.12) == pytest.approx([0.12, 0.05])
+
+
+def test_heat_balance_of_a_law_with_a_closed_form():
+    """M = m (2 - T/T_0) against h (T - T_0) alone: T - T_0 = m w/(h + m w/T_0)."""
+    m, w, h, t_0 = 0.2, 500.0, 2.0, 300.0
+    found = heat_balance(lambda t: m * (2.0 - t / t_0), w, Cooling(conductance=h, ambient=t_0))
+    assert found.converged
+    assert found.temperature - t_0 == pytest.approx(m * w / (h + m * w / t_0), abs=1e-3)
+    assert found.power == pytest.approx(h * (found.temperature - t_0), rel=1e-4)
+
+
+def test_oil_cools_and_a_hot_bearing_is_told():
+    def torque(temperature):
+        return 0.1 * exp(-0.02 * (temperature - 300.0))
+
+    dry = heat_balance(torque, 500.0, Cooling(conductance=1.0, ambient=300.0))
+    wet = heat_balance(torque, 500.0, Cooling(conductance=1.0, ambient=300.0, oil_flow=1.0, oil_supply=300.0))
+    assert wet.converged
+    assert 300.0 < wet.temperature < dry.temperature
+    assert wet.torque > dry.torque  # colder oil is thicker
+    burning = heat_balance(lambda t: 10.0, 500.0, Cooling(conductance=1.0, ambient=300.0))
+    assert not burning.converged
+    assert burning.temperature == 300.0 + LARGEST_RISE
+    with pytest.raises(ValueError, match="conductance and oil_flow"):
+        Cooling(conductance=0.0, ambient=300.0)
