@@ -22,6 +22,7 @@ from .patch import Patch
 from .plot_style import common_film_range, film_range
 from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
 from .results_io import atomic_path, open_results
+from .scene_motion import FACTS, add_controls, patch_facts, write_movie
 from .scene_parts import INK, add_bodies, add_colour_bar, add_field, add_labels, aim, frame
 from .units import MILLIMETRE
 from .vtk import COLLECTION_FILE
@@ -130,6 +131,19 @@ def export_html(directory: str | Path, file: str | Path, options: SceneOptions |
     return path
 
 
+def movie(directory: str | Path, file: str | Path, options: SceneOptions | None = None) -> Path:
+    """Write the scene as an animated GIF in which every azimuth comes to the top once; arguments as `screenshot`."""
+    path = Path(file)
+    if path.suffix.lower() != ".gif":
+        raise ValueError(f"the movie must be a .gif file, got {path.name}")
+    _check(directory)
+    with atomic_path(path) as temporary:
+        _draw_elsewhere(directory, temporary, options or SceneOptions(size=(800, 600)))
+        if not temporary.stat().st_size:
+            raise RenderingError(advice("no movie came out"))
+    return path
+
+
 def show(directory: str | Path, options: SceneOptions | None = None) -> None:
     """Open a window with the scene of a result directory, to be turned with the mouse; arguments as `screenshot`."""
     require_display()
@@ -218,6 +232,7 @@ def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: 
             mesh = _within_scale(mesh, limits[1])
         if not mesh.n_points:  # a failed solution may have no film within the scale
             continue
+        mesh.field_data[FACTS] = [patch_facts(patch)]
         mapper = add_field(plotter, mesh, options.quantity, limits, logarithmic=len(patches) > 1)
         lines = mesh.contour(patch.levels(options.quantity), scalars=options.quantity)
         if lines.n_points:
@@ -303,7 +318,10 @@ def _main(request: str) -> None:
     off_screen = asked["file"] is not None
     plotter, title, note = _scene(Path(asked["directory"]), SceneOptions(**options), off_screen)
     if asked["file"] is None:
+        add_controls(plotter)
         plotter.show()
+    elif asked["file"].endswith(".gif"):
+        write_movie(plotter, Path(asked["file"]))
     elif asked["file"].endswith(".png"):
         plotter.screenshot(asked["file"])
     else:

@@ -87,6 +87,11 @@ def aim(plotter: Any, tree: xarray.DataTree) -> None:
     """Look from the side of +x down on the most loaded ball, which is up."""
     balls = tree["balls"].to_dataset()
     turn = float(balls["azimuth"].values[int(np.argmax(balls["outer_load"].values))])
+    look_at(plotter, turn)
+
+
+def look_at(plotter: Any, turn: float) -> None:
+    """Put what lies at azimuth `turn` [rad] on top, seen from the side of +x."""
     radial, tangential = np.array([0.0, np.cos(turn), np.sin(turn)]), np.array([0.0, -np.sin(turn), np.cos(turn)])
     direction = np.array([0.66, 0.0, 0.0]) + 0.70 * radial - 0.30 * tangential
     plotter.camera.focal_point = (0.0, 0.0, 0.0)

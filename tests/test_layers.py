@@ -26,6 +26,7 @@ HOMES = {
     "pydantic": ("cases/schema/*.py", "cases/case.py", "cases/problems.py", "cases/batch/sweep.py"),
     "pydantic_core": ("cases/schema/*.py",),
     "rich": ("cases/commands/*.py", "cases/terminal.py", "postprocess/*table.py", "postprocess/slip_results.py"),
+    "PIL": ("postprocess/scene_motion.py",),
     "trame_pyvista": ("postprocess/scene.py",),
     "distributed": ("cases/batch/pools.py",),
 }

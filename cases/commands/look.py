@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -11,6 +12,8 @@ import typer
 from ..problems import CaseError
 from ..terminal import FAILED, guarded, say
 from .app import app
+
+MOVIE_SIZE = (800, 600)  # pixels
 
 
 class Quantity(StrEnum):
@@ -30,6 +33,7 @@ def view(
     html: Annotated[
         Path | None, typer.Option(metavar="FILE.html", help="Write a page to turn in a browser, open no window.")
     ] = None,
+    movie: Annotated[Path | None, typer.Option(metavar="FILE.gif", help="Write one turn, open no window.")] = None,
     quantity: Annotated[Quantity, typer.Option(help="What the colours show.")] = Quantity.FILM,
     magnification: Annotated[
         float | None, typer.Option(min=1.0, max=1e3, help="Of the patches; default: so that they can be seen.")
@@ -48,7 +52,9 @@ def view(
             say(f"picture in {scene.screenshot(directory, screenshot, options)}")
         if html is not None:
             say(f"page in {scene.export_html(directory, html, options)}")
-        if screenshot is None and html is None:
+        if movie is not None:
+            say(f"movie in {scene.movie(directory, movie, replace(options, size=MOVIE_SIZE))}")
+        if screenshot is None and html is None and movie is None:
             scene.show(directory, options)
     except ValueError as error:
         raise CaseError([str(error)]) from error

@@ -56,3 +56,55 @@ def test_wrong_names_and_missing_packages_are_told(tmp_path, monkeypatch):
     monkeypatch.setattr("postprocess.scene.find_spec", lambda name: None)
     with pytest.raises(RenderingError, match="pip install"):
         export_html(tmp_path, tmp_path / "scene.html")
+
+
+MOTION = """
+import json, sys
+from pathlib import Path
+import numpy as np
+from postprocess import scene, scene_motion, scene_parts
+plotter, _, _ = scene._scene(Path(sys.argv[1]), scene.SceneOptions(size=(320, 240)), True)
+scene_motion.add_controls(plotter)
+films = [a.mapper.dataset for a in plotter.actors.values() if scene_motion._facts(scene_motion._dataset(a))]
+scene_motion.show_facts(plotter, films[0])
+plotter.slider_widgets[0].GetRepresentation().SetValue(90.0)
+scene_parts.look_at(plotter, np.pi / 2)
+facts, up = scene_motion._facts(films[0]), list(plotter.camera.up)
+print(json.dumps({"facts": facts, "up": up, "words": "picked" in plotter.actors}))
+"""
+
+
+def test_a_click_tells_numbers_and_the_slider_turns(page, bearing_results, tmp_path):
+    import json
+    import sys
+
+    from postprocess.rendering import rendering_environment
+
+    write_results(bearing_results, tmp_path)
+    run = subprocess.run(
+        [sys.executable, "-c", MOTION, str(tmp_path)],
+        capture_output=True,
+        text=True,
+        env=rendering_environment(),
+        timeout=300,
+        check=False,
+    )
+    assert run.returncode == 0, run.stderr
+    found = json.loads(run.stdout.splitlines()[-1])
+    load = bearing_results.contacts[0].load
+    assert found["facts"].startswith("ball 1, inner race, azimuth 0 deg")
+    assert f"{load:.5g} N" in found["facts"]
+    assert found["up"] == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)  # azimuth 90 deg is z
+    assert found["words"]
+
+
+@pytest.mark.slow
+def test_a_movie_has_different_frames(page, tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    from postprocess.scene import SceneOptions, movie
+
+    file = movie(page.parent, tmp_path / "turn.gif", SceneOptions(size=(160, 120)))
+    with image.open(file) as frames:
+        assert frames.n_frames > 20
+    with pytest.raises(ValueError, match=r"must be a \.gif file"):
+        movie(page.parent, tmp_path / "turn.mp4")
