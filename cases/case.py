@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from . import checks
+from .film_model import NEWTONIAN, FilmPhysics
 from .library_names import catalogue_values, with_library_names
 from .problems import MISSING, CaseError, Problem, nearest_name, resolved, schema_problems, shown
 from .schema import BearingFile, BearingTable, ContactFile, MaterialTable, OilTable, RowTable, Table
@@ -37,8 +38,7 @@ NOT_SUPPORTED = "not supported by this version"
 LATER_TABLES = ("dynamics", "load_cases")
 LATER_VALUES = {
     ("model", "ball_kinematics"): ("minimum dissipation", "traction equilibrium"),
-    ("lubricant", "viscosity_law"): ("tait-doolittle", "yasutomi"),
-    ("lubricant", "density_law"): ("tait",),
+    ("lubricant", "viscosity_law"): ("yasutomi",),
 }
 NAMED_TABLES: dict[str, type[Table]] = {"materials": MaterialTable, "lubricants": OilTable, "rows": RowTable}
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
@@ -61,6 +61,7 @@ class Case:
     warnings: tuple[str, ...] = ()  # what the libraries have to say about their values
     slip: SlipPlan | None = None  # maps of `oilfilm slip`
     friction: FrictionInput | None = None  # what the friction torque models need
+    films: FilmPhysics = NEWTONIAN  # what the films are solved with
     rheology: Rheology | None = None  # how the oil shears
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
     clearance: ClearanceBudget | None = None  # where fits or temperatures change it; `bearing` has the operating one
@@ -77,6 +78,7 @@ class ContactCase:
     conditions: ContactConditions | MoesConditions
     solver: SolverOptions
     document: dict[str, Any]
+    films: FilmPhysics = NEWTONIAN  # what the film is solved with
     rheology: Rheology | None = None  # how the oil shears; None with Moes' groups
     temperature: float | None = None  # of the oil [K]
     warnings: tuple[str, ...] = ()
@@ -318,7 +320,8 @@ def _bearing_case(file: BearingFile) -> Case:
         slip=None if file.slip is None else convert.slip_plan(file.slip),
         rating=convert.rating(file),
         friction=convert.friction(file),
-        rheology=convert.rheology(file, oil),
+        films=convert.film_physics(file, shear := convert.rheology(file, oil)),
+        rheology=shear,
         clearance=clearance,
         rows=convert.rows(file),
     )
@@ -330,6 +333,7 @@ def _contact_case(file: ContactFile) -> ContactCase:
     oil = convert.lubricant(file)
     document = _document(file)
     moes = file.contact.moes_M is not None
+    shear = None if moes else convert.rheology(file, oil)
     document["contact"] = {**convert.contact_defaults(file), **document["contact"]}
     document["lubricant"] = _lubricant_document(document, convert.lubricant_keys(oil, moes=moes))
     return ContactCase(
@@ -339,7 +343,8 @@ def _contact_case(file: ContactFile) -> ContactCase:
         conditions=convert.contact(file, oil),
         solver=convert.solver_options(file.ehl),
         document=document,
-        rheology=None if moes else convert.rheology(file, oil),
+        films=convert.film_physics(file, shear),
+        rheology=shear,
         temperature=convert.temperature(file),
     )
 

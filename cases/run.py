@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from .case import Case, ContactCase
 from .checks import ball_at
+from .film_model import FilmModel
 from .version import version
 
 if TYPE_CHECKING:
@@ -83,7 +84,8 @@ def run_case(
     timing = {"quasistatic": perf_counter() - start}
     wanted, messages = wanted_contacts(case, state, contacts)
     start = perf_counter()
-    solutions, interrupted = _solve_contacts(wanted, case.solver, workers, notify, solve)
+    solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
+    solutions, interrupted = _solve_contacts(wanted, case.solver, workers, notify, solver)
     timing |= {"contacts": perf_counter() - start, "total": sum(timing.values()) + perf_counter() - start}
     if interrupted:
         messages = (*messages, "interrupted: the films that were not finished are null")
@@ -96,7 +98,7 @@ def run_case(
         contacts=contacts,
         solutions=solutions,
         frequencies=bearing_frequencies(state),
-        messages=(*case.warnings, *messages),
+        messages=(*case.warnings, *case.films.messages, *messages),
         interrupted=interrupted,
         timing=timing,
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
@@ -148,7 +150,7 @@ def run_contact(case: ContactCase, *, finite_element: bool = False) -> ContactRe
     """Solve a single contact, by multigrid or by finite elements; times in the result are in [s]."""
     from postprocess.results import ContactResults
 
-    messages = case.warnings
+    messages = (*case.warnings, *case.films.messages)
     if finite_element:
         from ehl.finite_element import solve_contact_finite_element as solve_contact
 
@@ -156,7 +158,7 @@ def run_contact(case: ContactCase, *, finite_element: bool = False) -> ContactRe
         if case.solver.tolerance is not None:
             messages = (*messages, "ehl.tolerance: not used by finite elements, the film is solved on ehl.points")
     else:
-        from ehl import solve_contact
+        solve_contact = _contact_solver(case)
     start = perf_counter()
     solution = solve_contact(case.conditions, case.solver)
     traction = _contact_traction(case, solution)
@@ -168,6 +170,14 @@ def run_contact(case: ContactCase, *, finite_element: bool = False) -> ContactRe
         timing={"total": perf_counter() - start},
         traction=traction,
     )
+
+
+def _contact_solver(case: ContactCase) -> Callable[..., ContactSolution]:
+    if case.films.model is FilmModel.NEWTONIAN:
+        from ehl import solve_contact
+
+        return solve_contact
+    return case.films.solve
 
 
 def _contact_traction(case: ContactCase, solution: ContactSolution) -> TractionResult | None:

@@ -44,3 +44,4 @@ def contact_problems(values: Values, names: Names) -> Iterator[Problem]:
     for key in ("material_1", "material_2", "substrate_material"):
         yield from known(("contact", key), values.get("contact", key), names.materials)
     yield from lubricant(values, names)
+    yield from friction(values)

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
-from ..problems import MISSING, Problem
+from ..problems import MISSING, Problem, shown
 from .lubricant import oil_table
 from .values import Values
 
@@ -21,7 +22,29 @@ def friction(values: Values) -> Iterator[Problem]:
     if values.get("lubricant") is None:
         return
     oil, _ = oil_table(values.document)
+    yield from _heat(values, oil)
     if oil.get("rheology") == "carreau-yasuda":
         for key in ("carreau_modulus_MPa", "carreau_exponent"):
             if key not in oil:
                 yield Problem(path=("lubricant", key), found=MISSING, allowed='needed with rheology = "carreau-yasuda"')
+
+
+def _heat(values: Values, oil: dict[str, Any]) -> Iterator[Problem]:
+    """A film with heat: bodies by material, an oil with thermal properties; lengths, not Moes' groups."""
+    keys = ("thermal_conductivity_W_m_K", "specific_heat_J_kg_K", "viscosity_temperature_1_K")
+    given = [key for key in keys if key in oil]
+    model = values.get("ehl", "film_model")
+    if model == "thermal" and "name" not in oil and not given:
+        given = ["film_model"]
+    for key in keys:
+        if given and key not in oil:
+            needed = 'needed with ehl.film_model = "thermal"' if given == ["film_model"] else f"needed with {given[0]}"
+            yield Problem(path=("lubricant", key), found=MISSING, allowed=needed)
+    if model in ("thermal", "shear-thinning") and values.given("contact", "moes_M"):
+        found, allowed = f"found {shown(model)} with Moes' groups", 'allowed: dimensions, or "newtonian"'
+        yield Problem(path=("ehl", "film_model"), found=found, allowed=allowed)
+    if model == "thermal" and values.given("contact", "reduced_modulus_GPa"):
+        found = "found reduced_modulus_GPa with film_model thermal"
+        yield Problem(
+            path=("contact", "reduced_modulus_GPa"), found=found, allowed="allowed: material_1 and material_2"
+        )

@@ -2,7 +2,7 @@
 
 from .bearing import bearing, operating_bearing, rating
 from .contact import contact, contact_defaults, solver_options
-from .friction import friction, rheology
+from .friction import film_physics, friction, rheology
 from .lubricant import lubricant, lubricant_keys, temperature
 from .materials import material_table, materials, ring_materials, seat_materials
 from .operation import model, operation, slip_plan
@@ -12,6 +12,7 @@ __all__ = [
     "bearing",
     "contact",
     "contact_defaults",
+    "film_physics",
     "friction",
     "lubricant",
     "lubricant_keys",

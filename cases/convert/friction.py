@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..checks import oil_table
 from ..schema import BearingFile, ContactFile
+from .materials import materials, ring_materials
 from .units import KN, MM, MPA, UM
 
 if TYPE_CHECKING:
@@ -15,6 +16,9 @@ if TYPE_CHECKING:
     from bearing.torque.resistance import Cage
     from ehl import Lubricant
     from ehl.rheology import Rheology
+    from ehl.thermal.solids import SolidThermal
+
+    from ..film_model import FilmPhysics
 
 LIMITING_COEFFICIENT = 0.047  # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
 OTHER_ANGULAR = "other single row"
@@ -72,6 +76,45 @@ def series_of(name: str) -> str | None:
         return {"617": "617", "618": "618", "619": "619"}.get(series, series)
     known = {("72", "B"): "72 B", ("73", "B"): "73 B", ("72", "AC"): "72 AC", ("73", "AC"): "73 AC"}
     return known.get((series, suffix or ""), OTHER_ANGULAR)
+
+
+def film_physics(file: BearingFile | ContactFile, shear: Rheology | None) -> FilmPhysics:
+    """Film model, with the thermal properties of ball and race where it needs them, SI.
+
+    Raises
+    ------
+    ValueError
+        If heat is asked for and the oil or a body has no thermal properties.
+    """
+    from ..film_model import FilmModel, FilmPhysics
+
+    model = FilmModel(file.ehl.film_model)
+    if model is not FilmModel.THERMAL:
+        return FilmPhysics(model=model, rheology=shear)
+    return FilmPhysics(model=model, rheology=shear, solids=_solids(file))
+
+
+def _solids(file: BearingFile | ContactFile) -> tuple[SolidThermal, SolidThermal]:
+    """Ball and race, the inner one where they differ."""
+    from ehl.thermal.solids import SolidThermal
+
+    if isinstance(file, BearingFile):
+        ball, race, _ = ring_materials(file.bearing)
+    else:
+        assert file.contact.material_1 and file.contact.material_2  # checked before
+        ball, race = file.contact.material_1, file.contact.material_2
+    library, bodies = materials(file, (ball, race)), []
+    for name in (ball, race):
+        body = library[name]
+        if body.thermal_conductivity is None or body.specific_heat is None:
+            raise ValueError(
+                f"materials.{name}: thermal_conductivity_W_m_K and specific_heat_J_kg_K are needed with "
+                'ehl.film_model = "thermal"'
+            )
+        bodies.append(
+            SolidThermal(conductivity=body.thermal_conductivity, density=body.density, specific_heat=body.specific_heat)
+        )
+    return bodies[0], bodies[1]
 
 
 def rheology(file: BearingFile | ContactFile, oil: Lubricant) -> Rheology:

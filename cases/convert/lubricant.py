@@ -10,6 +10,7 @@ from .units import GPA, MM2_S, MPA, MPA_S, ZERO_CELSIUS, rounded
 
 if TYPE_CHECKING:
     from ehl import Lubricant
+    from ehl.lubricant import ThermalProperties
 
 DENSITY = 870.0  # of an oil whose density is not given [kg/m^3]
 VISCOSITY_UNUSED = 1.0  # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
@@ -36,9 +37,28 @@ def lubricant(file: BearingFile | ContactFile) -> Lubricant:
     if library:
         from bearing.lubricant_library import library_lubricant
 
-        base = library_lubricant(given.pop("name"), temperature(file))
+        laws = {key: given[key] for key in ("viscosity_law", "density_law") if key in given}
+        base = library_lubricant(given.pop("name"), temperature(file), **laws)
         given = {field: getattr(base, field) for field in Lubricant.__dataclass_fields__} | given
+    given.setdefault("temperature", temperature(file))
+    thermal = _thermal(oil)
+    if thermal is not None:
+        given["thermal"] = thermal
     return Lubricant(**_with_viscosity(given, oil))
+
+
+def _thermal(oil: dict[str, Any]) -> ThermalProperties | None:
+    """Thermal properties given by the case: conductivity [W/(m K)], heat [J/(kg K)], beta and expansion [1/K]."""
+    from ehl.lubricant import ThermalProperties
+
+    if "thermal_conductivity_W_m_K" not in oil:
+        return None
+    return ThermalProperties(
+        conductivity=oil["thermal_conductivity_W_m_K"],
+        specific_heat=oil["specific_heat_J_kg_K"],
+        viscosity_temperature=oil["viscosity_temperature_1_K"],
+        expansion=oil.get("thermal_expansion_1_K", 0.0),
+    )
 
 
 def _with_viscosity(given: dict[str, Any], oil: dict[str, Any]) -> dict[str, Any]:

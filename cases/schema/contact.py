@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Literal
 
 from pydantic import Field, model_validator
 
@@ -21,6 +21,10 @@ class ContactEhlTable(Table):
     )
     domain: Domain | None = Field(
         None, description="[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses"
+    )
+
+    film_model: Literal["newtonian", "shear-thinning", "thermal"] = Field(
+        "newtonian", description="physics of the film: oil by [lubricant] rheology, and with heat"
     )
 
     @model_validator(mode="before")

@@ -22,16 +22,23 @@ class OilTable(Table):
         None, ge=0.0, le=100.0, description="d(ln eta)/dp at ambient pressure"
     )
     density_kg_m3: float | None = Field(None, gt=0.0, le=2.0e4, description="density at ambient pressure")
-    viscosity_law: Literal["roelands", "barus", "isoviscous"] | None = Field(
-        None, description="pressure dependence of the viscosity"
+    viscosity_law: Literal["roelands", "barus", "isoviscous", "tait-doolittle"] | None = Field(
+        None,
+        description="pressure dependence of the viscosity; tait-doolittle for oils with its constants",
     )
     roelands_z: float | None = Field(
         None, gt=0.0, le=2.0, description="Roelands' exponent; left out, from Roelands' identity"
     )
     roelands_pressure_MPa: float | None = Field(None, gt=0.0, le=1.0e4, description="Roelands' reference pressure")
-    density_law: Literal["dowson-higginson", "incompressible"] | None = Field(
-        None, description="pressure dependence of the density"
+    density_law: Literal["dowson-higginson", "incompressible", "tait"] | None = Field(
+        None, description="pressure dependence of the density; tait for oils with its constants"
     )
+    thermal_conductivity_W_m_K: float | None = Field(None, gt=0.0, le=10.0, description="for film_model thermal")
+    specific_heat_J_kg_K: float | None = Field(None, gt=0.0, le=1.0e4, description="for film_model thermal")
+    viscosity_temperature_1_K: float | None = Field(
+        None, ge=0.0, le=1.0, description="-d(ln eta)/dT, for film_model thermal"
+    )
+    thermal_expansion_1_K: float | None = Field(None, ge=0.0, le=0.01, description="for film_model thermal")
     rheology: Literal["newtonian", "ree-eyring", "carreau-yasuda"] | None = Field(
         None, description="shear law of the friction; left out, Ree-Eyring with assumed constants"
     )

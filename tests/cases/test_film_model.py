@@ -1,0 +1,111 @@
+"""Films of oils that thin under shear, with heat, and by laws of free volume, from case files."""
+
+from __future__ import annotations
+
+import pytest
+
+from cases.case import case_from_text
+from cases.film_model import FilmModel
+from cases.problems import CaseError
+from cases.run import run_case, run_contact
+from postprocess import summary
+
+CONTACT = """
+schema_version = 1
+[contact]
+load_N = 20.0
+radius_x_mm = 12.7
+radius_y_mm = 12.7
+material_1 = "bearing steel"
+material_2 = "bearing steel"
+entrainment_speed_m_s = 3.0
+slide_roll_ratio = 0.5
+[lubricant]
+name = "iso vg 32"
+[ehl]
+points = 65
+film_model = "newtonian"
+"""
+
+
+def solved(text):
+    return summary(run_contact(case_from_text(text, "case.toml")))
+
+
+@pytest.fixture(scope="module")
+def films():
+    return {m.value: solved(CONTACT.replace('"newtonian"', f'"{m.value}"')) for m in FilmModel}
+
+
+def test_sliding_thins_the_film(films):
+    """Half the entrainment speed in sliding, Eyring's stress 3.7 MPa: some per cent of the film, with heat, too."""
+    assert all(film["converged"] for film in films.values())
+    newtonian, thinned = films["newtonian"]["film_central_um"], films["shear-thinning"]["film_central_um"]
+    assert 0.6 * newtonian < thinned < 0.99 * newtonian
+    assert films["thermal"]["film_central_um"] < 0.99 * newtonian
+    assert films["thermal"]["film_central_um"] != pytest.approx(thinned, rel=1e-3)
+
+
+def test_the_model_is_told(films):
+    told = {name: " ".join(film["messages"]) for name, film in films.items()}
+    assert "generalized" not in told["newtonian"]
+    assert "uniform temperature" in told["shear-thinning"]
+    assert "with heat" in told["thermal"]
+    assert "without its own heat" in told["thermal"]
+
+
+def test_traction_coefficient_of_a_sliding_contact(films):
+    """Between a part of the limiting coefficient, 0.047, and that."""
+    assert 0.01 < films["newtonian"]["traction_coefficient"] < 0.047
+
+
+def test_free_volume_laws_of_a_library_oil():
+    text = CONTACT.replace("iso vg 32", "squalane").replace("[ehl]", 'viscosity_law = "tait-doolittle"\n[ehl]')
+    text = text.replace("slide_roll_ratio", "temperature_C = 25.0\nslide_roll_ratio")
+    assert solved(text)["converged"]
+    with pytest.raises(CaseError, match="tait-doolittle"):
+        solved(CONTACT.replace("[ehl]", 'viscosity_law = "tait-doolittle"\n[ehl]'))
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        (('material_1 = "bearing steel"', "reduced_modulus_GPa = 226.0"), "reduced_modulus_GPa with film_model"),
+        (('material_2 = "bearing steel"', 'material_2 = "phenolic"'), "thermal_conductivity_W_m_K"),
+        (
+            ('name = "iso vg 32"', "viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 20.0"),
+            "lubricant.thermal_conductivity_W_m_K: missing",
+        ),
+    ],
+)
+def test_what_heat_needs(change, expected):
+    text = CONTACT.replace('"newtonian"', '"thermal"').replace(*change)
+    if "reduced" in change[1]:
+        text = text.replace('material_2 = "bearing steel"\n', "")
+    with pytest.raises(CaseError, match=expected):
+        case_from_text(text, "case.toml")
+
+
+def test_moes_groups_have_no_lengths_to_shear():
+    text = CONTACT[: CONTACT.index("load_N")] + "moes_M = 20.0\nmoes_L = 10.0\n" + CONTACT[CONTACT.index("[lub") :]
+    with pytest.raises(CaseError, match="Moes' groups"):
+        case_from_text(text.replace('"newtonian"', '"shear-thinning"'), "case.toml")
+
+
+def test_a_bearing_with_a_thinning_oil():
+    text = """
+schema_version = 1
+[bearing]
+name = "7008"
+[lubricant]
+name = "iso vg 32"
+[operation]
+inner_speed_rpm = 10000.0
+axial_load_N = 300.0
+[ehl]
+points = 65
+film_model = "shear-thinning"
+"""
+    results = run_case(case_from_text(text, "case.toml"))
+    assert results.converged
+    assert any("uniform temperature" in message for message in results.messages)
