@@ -76,7 +76,7 @@ def store(path: Path, solution: ContactSolution) -> None:
             rest[item.name] = asdict(value) if is_dataclass(value) and not isinstance(value, type) else value
     try:
         header = json.dumps(rest, default=lambda scalar: scalar.item())  # NumPy's own
-    except (TypeError, AttributeError):
+    except (TypeError, AttributeError, ValueError):  # holds what a file of this kind cannot
         return
     size = sum(file.stat().st_size for file in path.parent.glob("*.npz"))
     if size > MOST_BYTES:

@@ -18,7 +18,7 @@ from .task import FAILED, LOST, Receipt, Task, failure
 
 Notify = Callable[[int, int, str], None]
 TICK = 1.0  # the time left is told anew at least as often [s]
-WITHOUT_EFFECT = ("surface", "slip", "cage", "dynamics")  # tables that leave the contacts as they are
+WITHOUT_EFFECT = ("surface", "slip", "friction", "cage", "dynamics")  # tables that leave the contacts as they are
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -120,7 +120,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     return Sweep(
         name=name,
         text=text,
-        title=file.title or str(base.get("title", "")),
+        title=file.title or _title(str(base.get("title") or file.case), keys),
         case=file.case,
         compute=file.compute,
         fields=file.fields,
@@ -129,6 +129,12 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         messages=tuple(notes),
         assumed=tuple(key for key in base.get("assumed", ()) if isinstance(key, str)),
     )
+
+
+def _title(case: str, keys: tuple[str, ...]) -> str:
+    """The title of the case and what is varied of it."""
+    words = [key.rpartition(".")[2] for key in keys]
+    return f"{case}; varied: {', '.join(words[:4])}{' ...' if len(words) > 4 else ''}"
 
 
 def _schema() -> dict[str, Any]:

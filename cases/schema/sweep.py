@@ -47,7 +47,7 @@ class SweepFile(Table):
     """A sweep: `oilfilm batch`."""
 
     schema_version: int = Field(1, ge=1, le=1, description="version of this format")
-    title: str = Field("", description="one line for tables and plots; that of the case if left out")
+    title: str = Field("", description="one line for tables and plots")
     case: Name = Field(description="a case file, relative to this file, or the name of a shipped case")
     compute: Literal["run", "slip"] = Field("run", description="what is computed at every point")
     fields: bool = Field(False, description="whether the film maps of every point are kept, too (netCDF)")

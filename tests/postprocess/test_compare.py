@@ -11,13 +11,20 @@ from rich.console import Console
 from typer.testing import CliRunner
 
 from cases.cli import app
-from postprocess import open_results, write_results
+from postprocess import open_results, summary
 from postprocess.compare import compare, relative
 from postprocess.compare_table import comparison_table
 from postprocess.field_io import open_contact
 from postprocess.line_cut import write_line_cut
 from postprocess.plots_interferogram import Optics, intensity, write_interferogram
-from postprocess.results_io import SUMMARY_FILE
+from postprocess.results_io import FIELDS_FILE, SUMMARY_FILE, write_json, write_netcdf
+
+
+def write_results(results, folder):
+    """The numbers and fields of a run, without its pictures."""
+    document = summary(results)
+    write_netcdf(results, folder / FIELDS_FILE, document)
+    write_json(document, folder / SUMMARY_FILE)
 
 
 @pytest.fixture(scope="module")
