@@ -10,6 +10,7 @@ from .plot_style import value_with_error
 from .ratings import rating_rows
 from .results import BearingResults, ContactResults
 from .rows import row_lines
+from .torque import torque_rows
 from .units import GIGAPASCAL, MICROMETRE, RPM
 
 if TYPE_CHECKING:
@@ -70,7 +71,7 @@ def _bearing_table(results: BearingResults) -> Table:
         rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
     if not state.tilt.any():
         del rows["ring tilt"]
-    rows |= row_lines(state) | rating_rows(results)
+    rows |= row_lines(state) | rating_rows(results) | torque_rows(results)
     table = _facts_table()
     for name, value in rows.items():
         table.add_row(name, Text(value))
@@ -137,13 +138,21 @@ def _contact_table(results: ContactResults) -> Table:
 
     solution = results.solution
     table = _facts_table()
-    for name, value in _contact_rows(solution).items():
+    for name, value in (_contact_rows(solution) | _traction_row(results)).items():
         table.add_row(name, Text(value))
     if not solution.converged:
         table.add_row("NOT CONVERGED", Text(solution.message))
     if not solution.resolved:
-        table.add_row("NOT RESOLVED", Text("take a larger [ehl] points"))
+        table.add_row("NOT RESOLVED", Text(f"{solution.message}; take a larger [ehl] points"))
     return table
+
+
+def _traction_row(results: ContactResults) -> dict[str, str]:
+    """Traction coefficient [-] and heat [W], where the surfaces slide."""
+    found = results.traction
+    if found is None or not found.sliding_loss > 0.0:
+        return {}
+    return {"traction": f"coefficient {found.coefficient:.4f}, heat {found.power_loss:.4g} W"}
 
 
 def _contact_rows(solution: ContactSolution) -> dict[str, str]:

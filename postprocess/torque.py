@@ -76,3 +76,17 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
             yield f"torque_N_mm.models.{name}: null, {torque.models[name].note}"
     if torque.total is None:
         yield "torque_N_mm.total: null, neither the integrated model nor SKF's applies"
+
+
+def torque_rows(results: BearingResults) -> dict[str, str]:
+    """The torque for the terminal: the chosen model, and the totals of the others beside it [N mm]."""
+    torque = results.torque
+    if torque is None or torque.total is None:
+        return {}
+    others = [
+        f"{name.replace('_', ' ')} {found.total / NEWTON_MILLIMETRE:.4g}"
+        for name, found in torque.models.items()
+        if found.total is not None and name != torque.chosen
+    ]
+    rows = {"friction torque": f"{torque.total / NEWTON_MILLIMETRE:.4g} N mm ({torque.chosen})"}
+    return rows | ({"other models": ", ".join(others)} if others else {})
