@@ -17,6 +17,7 @@ Array axes: contacts first.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -136,6 +137,7 @@ def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
     return Dissipation(np.sum(pull * speed**2, axis=1), gradient, curvature)
 
 
+@cache
 def _nodes() -> tuple[Array, Array, Array]:
     """Places u = y/a and t along the chord, and weights p dA/Q of the quadrature, shape (nodes,) [-]."""
     u, along = np.polynomial.legendre.leggauss(LINE_NODES)

@@ -20,11 +20,12 @@ from ehl.solution import ContactSolution
 from ehl.traction.shear import Cavitation, film_viscosity, sheared_width
 
 from ..contacts import BearingContact
-from ..geometry import Array
+from ..geometry import Array, Race
 from ..quasistatic import QuasistaticSolution
 from ..traction_forces import ContactTraction, bearing_kinematics, contact_traction
-from .balance import BalancedFriction, balance_balls, ring_power
-from .contact_friction import TINY, Dissipation
+from .balance import BalancedFriction, balance_balls, contact_ellipses, ring_power
+from .contact_friction import TINY, Dissipation, coulomb_dissipation
+from .mixed import asperity_share
 
 STRENGTH = 0.05  # traction coefficient that residual forces are measured against [-]
 SLOPE_STEP = 1.0e-4  # relative change of the shear rate for a difference quotient [-]
@@ -39,6 +40,8 @@ class IntegratedTorque:
     ----------
     rolling, sliding, spin, curvature : float
         Of the pressure flow, of sliding at the centres, of spin, of the surfaces' curvature [N m].
+    asperity : float
+        Of asperities that touch [N m]; the oil's shear is then the rest.
     shaft_power : float
         What the two rings feed into the contacts [W].
     heat : float
@@ -54,11 +57,12 @@ class IntegratedTorque:
     shaft_power: float
     heat: float
     per_ball: Array
+    asperity: float = 0.0
 
     @property
     def total(self) -> float:
-        """Sum of the four [N m]."""
-        return self.rolling + self.sliding + self.spin + self.curvature
+        """Sum of the five [N m]."""
+        return self.rolling + self.sliding + self.spin + self.curvature + self.asperity
 
     @property
     def imbalance(self) -> float:
@@ -66,7 +70,86 @@ class IntegratedTorque:
         return (self.shaft_power - self.heat) / self.heat if self.heat > 0.0 else 0.0
 
 
-def integrated_torque(solution: QuasistaticSolution, tractions: Sequence[ContactTraction]) -> IntegratedTorque:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SolvedShear:
+    """Shear of all films of a bearing: under the hypothesis of the ball's motion, and with the balls in balance.
+
+    Attributes
+    ----------
+    hypothesis : IntegratedTorque
+        At the motion that the equilibrium of the loads assumed.
+    balanced : IntegratedTorque or None
+        In traction equilibrium; None where it was not looked for or not found.
+    note : str
+        Why there is none.
+    """
+
+    hypothesis: IntegratedTorque
+    balanced: IntegratedTorque | None = None
+    note: str = ""
+
+    @property
+    def torque(self) -> IntegratedTorque:
+        """In traction equilibrium where it was found, else under the hypothesis [N m]."""
+        return self.hypothesis if self.balanced is None else self.balanced
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Asperities:
+    """What asperities that touch need: rms roughness of ball and race together [m], their friction mu_b [-]."""
+
+    inner_roughness: float
+    outer_roughness: float
+    boundary: float
+
+    def share(self, contact: BearingContact, film: ContactSolution) -> float:
+        """Part of a contact's load that they carry, by the minimum film [-]."""
+        roughness = self.inner_roughness if contact.race is Race.INNER else self.outer_roughness
+        if roughness <= 0.0 or film.film_minimum is None:
+            return 0.0
+        return asperity_share(max(film.film_minimum, 0.0) / roughness)
+
+
+def solved_shear(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Sequence[ContactSolution | None],
+    rheology: Rheology,
+    asperities: Asperities | None = None,
+) -> SolvedShear:
+    """Integrated torque under the hypothesis and in traction equilibrium.
+
+    Parameters
+    ----------
+    solution, contacts, films, rheology
+        As in `film_balance`; films of all lubricated contacts.
+    asperities : Asperities, optional
+        None: full films.
+
+    Returns
+    -------
+    SolvedShear
+        [N m].
+    """
+    pairs = [(c, film) for c, film in zip(contacts, films, strict=True) if film is not None]
+    shares = [0.0 if asperities is None else asperities.share(contact, film) for contact, film in pairs]
+    boundary = 0.0 if asperities is None else asperities.boundary
+    assumed = [contact_traction(solution, contact, film, rheology) for contact, film in pairs]
+    hypothesis = integrated_torque(solution, assumed, shares, boundary)
+    balance = film_balance(solution, contacts, films, rheology, asperities)
+    if not balance.converged:
+        note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"
+        return SolvedShear(hypothesis=hypothesis, note=note)
+    found = balanced_tractions(solution, contacts, films, rheology, balance)
+    return SolvedShear(hypothesis=hypothesis, balanced=integrated_torque(solution, found, shares, boundary))
+
+
+def integrated_torque(
+    solution: QuasistaticSolution,
+    tractions: Sequence[ContactTraction],
+    shares: Sequence[float] | None = None,
+    boundary: float = 0.0,
+) -> IntegratedTorque:
     """Torque of the shear of all lubricated contacts, at the motion the tractions were integrated for.
 
     Parameters
@@ -75,6 +158,10 @@ def integrated_torque(solution: QuasistaticSolution, tractions: Sequence[Contact
         With rings that turn against each other [rad/s].
     tractions : sequence of ContactTraction
         Of every lubricated contact.
+    shares : sequence of float, optional
+        Part of each contact's load on asperities [-]; the oil's sliding stress counts for the rest.
+    boundary : float
+        Friction of the asperities, mu_b [-].
 
     Returns
     -------
@@ -82,27 +169,40 @@ def integrated_torque(solution: QuasistaticSolution, tractions: Sequence[Contact
         [N m], [W].
     """
     speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
-    parts = np.zeros(4)
+    parts = np.zeros(5)
     balls, shaft = np.zeros(solution.azimuth.size), 0.0
-    for part in tractions:
+    for part, share in zip(tractions, shares or [0.0] * len(tractions), strict=True):
         k, r = part.kinematics, part.result
-        parts[0] += r.pumping_loss
-        parts[1] -= r.sliding_force_x * k.sliding_x + r.sliding_force_y * k.sliding_y
-        parts[2] -= r.spin_moment * k.spin
-        parts[3] -= r.curvature_moment * k.rolling
-        balls[part.contact.ball - 1] += r.power_loss / speed
-        force = np.array([r.force_x, r.force_y, r.spin_moment, r.rolling_moment_1])
-        shaft += ring_power(solution, part.contact, force)
-    rolling, sliding, spin, curvature = (float(power) / speed for power in parts)
+        oil = 1.0 - share
+        force = oil * np.array([r.sliding_force_x, r.sliding_force_y, r.spin_moment, r.curvature_moment])
+        asperity = _asperity_force(solution, part, share * boundary)
+        motion = np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
+        slid = np.array([-force[:2] @ motion[:2], -force[2] * k.spin, -force[3] * k.rolling])
+        powers = np.array([r.pumping_loss, *slid, -asperity @ motion])
+        parts += powers
+        balls[part.contact.ball - 1] += powers.sum() / speed
+        pumped = np.array([0.5 * k.curvature_difference, 0.0, 0.0, 1.0]) * r.hydrodynamic_moment
+        shaft += ring_power(solution, part.contact, force + asperity + pumped)
+    rolling, sliding, spin, curvature, rubbed = (float(power) / speed for power in parts)
     return IntegratedTorque(
         rolling=rolling,
         sliding=sliding,
         spin=spin,
         curvature=curvature,
+        asperity=rubbed,
         shaft_power=shaft,
         heat=float(parts.sum()),
         per_ball=balls,
     )
+
+
+def _asperity_force(solution: QuasistaticSolution, traction: ContactTraction, friction: float) -> Array:
+    """Forces and moments (4,) on the ball by Coulomb's mu [-] at the traction's motion."""
+    if friction == 0.0:
+        return np.zeros(4)
+    k = traction.kinematics
+    motion = np.array([[k.sliding_x, k.sliding_y, k.spin, k.rolling]])
+    return -coulomb_dissipation(motion, contact_ellipses(solution, [traction.contact], friction)).gradient[0]
 
 
 def film_balance(
@@ -110,6 +210,7 @@ def film_balance(
     contacts: Sequence[BearingContact],
     films: Sequence[ContactSolution | None],
     rheology: Rheology,
+    asperities: Asperities | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in which the shear of their films balances itself, films and loads held.
 
@@ -121,22 +222,27 @@ def film_balance(
     films : sequence of ContactSolution or None
         One per contact, None where there is no load.
     rheology : Rheology
+    asperities : Asperities, optional
+        None: full films.
 
     Returns
     -------
     BalancedFriction
         Its forces contain the hydrodynamic rolling moment.
     """
-    laws = [
-        None if film is None else _film_law(solution, contact, film, rheology)
-        for contact, film in zip(contacts, films, strict=True)
-    ]
+    pairs = list(zip(contacts, films, strict=True))
+    laws = [None if film is None else _film_law(solution, contact, film, rheology) for contact, film in pairs]
+    share = np.array([0.0 if f is None or asperities is None else asperities.share(c, f) for c, f in pairs])
+    rubbing = contact_ellipses(solution, contacts, share * (0.0 if asperities is None else asperities.boundary))
 
     def law(motion: Array) -> Dissipation:
         gradient, curvature = np.zeros((len(laws), 4)), np.zeros((len(laws), 4, 4))
         for i, contact in enumerate(laws):
             if contact is not None:
-                gradient[i], curvature[i] = contact(motion[i])
+                gradient[i], curvature[i] = contact(motion[i], 1.0 - share[i])
+        if share.any():
+            _, more, steeper = coulomb_dissipation(motion, rubbing)
+            gradient, curvature = gradient + more, curvature + steeper
         return Dissipation(np.zeros(len(laws)), gradient, curvature)
 
     load = np.array([0.0 if film is None else contact.load for contact, film in zip(contacts, films, strict=True)])
@@ -160,8 +266,8 @@ def balanced_tractions(
 
 def _film_law(
     solution: QuasistaticSolution, contact: BearingContact, film: ContactSolution, rheology: Rheology
-) -> Callable[[Array], tuple[Array, Array]]:
-    """Gradient (4,) and curvature (4, 4) of a film's friction by the motion, as `integrate_traction` sums it."""
+) -> Callable[[Array, float], tuple[Array, Array]]:
+    """Gradient (4,) and slope (4, 4) of a film's friction by motion and oil's share; sums of `integrate_traction`."""
     if film.x is None or film.y is None or film.film is None:
         raise ValueError("films must have dimensional conditions")
     x, y = np.broadcast_arrays(film.x[:, None], film.y[None, :])
@@ -178,7 +284,7 @@ def _film_law(
     zeros, ones = np.zeros_like(x), np.ones_like(x)
     along, across = np.stack([ones, zeros, -y, bow]), np.stack([zeros, ones, x, zeros])
 
-    def law(motion: Array) -> tuple[Array, Array]:
+    def law(motion: Array, oil: float) -> tuple[Array, Array]:
         s_x, s_y = motion @ along, motion @ across
         speed = np.sqrt(s_x**2 + s_y**2 + STILL**2)
         rate = speed / np.maximum(gap, TINY)
@@ -186,9 +292,9 @@ def _film_law(
         faster = shear_stress((1.0 + SLOPE_STEP) * rate, eta, pressure, rheology, temperature)
         secant, tangent = area * stress / speed, area * (faster - stress) / (SLOPE_STEP * speed)
         pull = s_x * along + s_y * across
-        gradient = pull @ secant + pumping
         curvature = (along * secant) @ along.T + (across * secant) @ across.T
-        return gradient, curvature + (pull * ((tangent - secant) / speed**2)) @ pull.T
+        curvature += (pull * ((tangent - secant) / speed**2)) @ pull.T
+        return oil * (pull @ secant) + pumping, oil * curvature
 
     return law
 

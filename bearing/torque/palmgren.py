@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
+import tomllib
 from dataclasses import dataclass
+from functools import cache
+from importlib.resources import files
 from math import pi
+from typing import Any
 
 MM, N_MM, MM2_S, RPM = 1e-3, 1e-3, 1e-6, 2.0 * pi / 60.0  # in SI
 BRANCH = 2000.0  # nu n [mm^2/s r/min] from which the viscous moment rises with the speed
-VISCOUS_FACTORS = {  # f_0, Jungnickel as quoted by Thermca; vertical shaft or injection twice, oil-air half
-    ("deep groove", "grease"): 1.0,
-    ("deep groove", "oil bath"): 2.0,
-    ("angular contact", "grease"): 2.0,
-    ("angular contact", "oil bath"): 3.3,
-}
-LOAD_FACTORS = {"deep groove": (0.0006, 0.0009, 0.55), "angular contact": (0.001, 0.001, 0.33)}  # unverified
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -29,6 +26,11 @@ class PalmgrenTorque:
         return self.viscous + self.load
 
 
+@cache
+def _data() -> dict[str, Any]:
+    return tomllib.loads((files("bearing") / "data" / "palmgren.toml").read_text(encoding="utf-8"))
+
+
 def viscous_factor(kind: str, lubrication: str) -> float:
     """f_0 of a kind of bearing and a way of lubrication [-].
 
@@ -39,13 +41,13 @@ def viscous_factor(kind: str, lubrication: str) -> float:
     lubrication : str
         "grease", "oil bath", "low oil bath" (as a bath), "oil jet" (twice the bath) or "oil air" (half of it) [-].
     """
-    factor = {"oil jet": 2.0, "oil air": 0.5}.get(lubrication, 1.0)
-    return factor * VISCOUS_FACTORS[kind, "grease" if lubrication == "grease" else "oil bath"]
+    factors = _data()["viscous"]
+    return float(factors.get(lubrication, 1.0) * factors[kind]["grease" if lubrication == "grease" else "oil bath"])
 
 
 def load_factor(kind: str, equivalent_static_load: float, static_rating: float) -> float:
-    """f_1 = z (P_0/C_0)^y, in the middle of the range printed for z [-]; loads in [N]."""
-    low, high, power = LOAD_FACTORS[kind]
+    """f_1 = z (P_0/C_0)^y, in the middle of the range for z (unverified) [-]; loads in [N]."""
+    low, high, power = _data()["load"][kind]
     return float(0.5 * (low + high) * (equivalent_static_load / static_rating) ** power)
 
 

@@ -7,7 +7,7 @@ functions here take and give SI, and convert at the first and the last line.
 from __future__ import annotations
 
 import tomllib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from functools import cache
 from importlib.resources import files
@@ -81,6 +81,7 @@ class SkfOperation:
     oil_level: float = 0.0  # H above the lowest contact point of the outer raceway [m]; drag counts from it
     boundary_friction: float = BOUNDARY_FRICTION  # mu_bl [-]
     full_film_friction: float | None = None  # mu_EHL [-]; None: by the kind of oil
+    drag_factor: float | None = None  # V_M [-]; None: digitised from the catalogue's diagram
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -186,10 +187,22 @@ def boundary_share(speed: float, viscosity: float, mean_diameter: float) -> floa
     return exp(-2.6e-8 * (abs(speed) / RPM * viscosity / MM2_S) ** 1.4 * mean_diameter / MM)
 
 
-def sliding_friction(speed: float, viscosity: float, mean_diameter: float, oil: str = "mineral") -> float:
+def sliding_friction(
+    speed: float, viscosity: float, mean_diameter: float, full_film: float, boundary: float = BOUNDARY_FRICTION
+) -> float:
     """mu_sl = phi_bl mu_bl + (1 - phi_bl) mu_EHL [-]; [rad/s], [m^2/s], [m]."""
     share = boundary_share(speed, viscosity, mean_diameter)
-    return share * BOUNDARY_FRICTION + (1.0 - share) * FULL_FILM_FRICTION[oil]
+    return share * boundary + (1.0 - share) * full_film
+
+
+def sliding_as_printed(bearing: SkfBearing, operation: SkfOperation) -> float:
+    """M_sl of a deep groove bearing with a slip of a paper: half of the radial part, added to the axial one [N m].
+
+    For comparison with its tables alone. The formula combines the loads under one root and takes the whole radial part.
+    """
+    axial = skf_torque(bearing, replace(operation, radial_load=0.0)).sliding if operation.axial_load else 0.0
+    radial = skf_torque(bearing, replace(operation, axial_load=0.0)).sliding if operation.radial_load else 0.0
+    return axial + 0.5 * radial
 
 
 def _load_factors(bearing: SkfBearing, operation: SkfOperation, mean: float, n: float) -> tuple[float, float]:
@@ -232,13 +245,14 @@ def _drag(bearing: SkfBearing, operation: SkfOperation, n: float, nu: float) -> 
     angle = 2.0 * acos(max(min((0.6 * mean - level) / (0.6 * mean), 1.0), -1.0))
     wetted = sin(0.5 * angle) if angle <= pi else 1.0
     surface = 0.36 * mean**2 * (angle - sin(angle)) * 0.05 * geometry * (outside + d) / (outside - d)
-    churning = 0.4 * _drag_factor(level / mean) * balls * mean**5 * n**2
+    stirred = drag_factor(level / mean) if operation.drag_factor is None else operation.drag_factor
+    churning = 0.4 * stirred * balls * mean**5 * n**2
     stirring = 1.093e-7 * n**2 * mean**3 * (n * mean**2 * wetted / nu) ** -1.379 * surface
     return (2.0 if operation.lubrication is Lubrication.OIL_JET else 1.0) * (churning + stirring)
 
 
-def _drag_factor(level: float) -> float:
-    """V_M at an oil level over the mean diameter, linear between the digitised points [-]."""
+def drag_factor(level: float) -> float:
+    """V_M at an oil level over the mean diameter [-], linear between points digitised by a third party (unverified)."""
     levels, values = _data()["drag"]["level"], _data()["drag"]["V_M"]
     for k in range(1, len(levels)):
         if level <= levels[k]:

@@ -1,0 +1,263 @@
+"""Every model of the friction torque, brought to one form: components that add up, or why there are none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from math import cos, pi, sin
+
+from ehl import Lubricant
+
+from ..contacts import BearingContact
+from ..geometry import Bearing
+from ..quasistatic import QuasistaticSolution
+from . import palmgren, skf, sliding
+from .balance import balanced_friction
+from .resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power, rolling_power
+
+ANGULAR_CONTACT = pi / 18.0  # free contact angle from which a bearing counts as one of angular contact [rad]
+CONSTANT_COULOMB = 0.07  # of Jones (1959), as quoted in the comparison of sliding friction torques [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FrictionInput:
+    """What the friction models ask beyond the loads, SI; None leaves out what needs it, or is filled in as said."""
+
+    coefficient: float | None = None  # Coulomb's mu of the sliding models [-]; None: SKF's, from speed and viscosity
+    lubrication: skf.Lubrication = skf.Lubrication.LOW_OIL_BATH
+    oil: str = "mineral"  # kind of base oil, of SKF's mu_EHL
+    oil_level: float = 0.0  # above the lowest contact point of the outer raceway [m]
+    boundary: float = skf.BOUNDARY_FRICTION  # mu_b of asperities, SKF's mu_bl [-]
+    full_film: float | None = None  # SKF's mu_EHL [-]; None: by the kind of oil
+    drag_factor: float | None = None  # SKF's V_M [-]; None: from the digitised diagram
+    viscous_factor: float | None = None  # Palmgren's f_0 [-]; None: by bearing and lubrication
+    load_factor: float | None = None  # Palmgren's f_1 [-]; None: by the load
+    sealed: bool = False  # contact seals on both sides
+    seal_diameter: float | None = None  # [m]
+    series: str | None = None  # of SKF's constants; None: no SKF model
+    static_rating: float | None = None  # C_0 [N]
+    hysteresis: float | None = None  # share of the elastic energy lost in rolling, beta_a [-]
+    cage: Cage | None = None
+    oil_fraction: float | None = None  # share of the cavity filled with oil [-]
+    as_printed: bool = False  # SKF's sliding moment also with the slip of the sliding friction paper
+
+    @property
+    def film_friction(self) -> float:
+        """mu_EHL [-]."""
+        return skf.FULL_FILM_FRICTION[self.oil] if self.full_film is None else self.full_film
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ModelTorque:
+    """One model's torque [N m]; `total` is None, and `note` says why, where it does not apply."""
+
+    components: dict[str, float] = field(default_factory=dict)
+    total: float | None = None
+    note: str = ""
+
+
+def summed(components: dict[str, float], note: str = "") -> ModelTorque:
+    """A model whose torque is the sum of its components [N m]."""
+    return ModelTorque(components=components, total=sum(components.values()), note=note)
+
+
+def mean_diameter(bearing: Bearing) -> float:
+    """(d + D)/2 where both are known, else the pitch diameter [m]."""
+    if bearing.bore is None or bearing.outside_diameter is None:
+        return bearing.pitch_diameter
+    return 0.5 * (bearing.bore + bearing.outside_diameter)
+
+
+def coulomb_coefficient(solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput) -> float:
+    """Coulomb's mu of the sliding models: as given, or SKF's mu_sl at the bearing's speed and viscosity [-]."""
+    if friction.coefficient is not None:
+        return friction.coefficient
+    speed, mean = sliding.shaft_speed(solution), mean_diameter(solution.bearing)
+    viscosity = lubricant.viscosity / lubricant.density
+    return skf.sliding_friction(speed, viscosity, mean, friction.film_friction, friction.boundary)
+
+
+def _kind(bearing: Bearing) -> skf.Series:
+    angular = bearing.free_contact_angle > ANGULAR_CONTACT
+    return skf.Series.ANGULAR_CONTACT if angular else skf.Series.DEEP_GROOVE
+
+
+def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
+    """Radial and axial load of the ring [N]."""
+    axial, y, z = (float(force) for force in solution.ring_force)
+    return (y * y + z * z) ** 0.5, abs(axial)
+
+
+def cage_and_drag(
+    solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput, speed: float
+) -> dict[str, float]:
+    """Torque of cage and churning [N m] at a shaft's speed [rad/s], zero for what is not given."""
+    cage = drag = 0.0
+    if friction.cage is not None:
+        ring = solution.operation.outer_speed if friction.cage.outer_guided else solution.operation.inner_speed
+        land = land_power(friction.cage, lubricant.viscosity, ring, solution.cage_speed)
+        cage = (land + pocket_power(friction.cage, solution.bearing, solution, land)) / speed
+    if friction.oil_fraction is not None:
+        drag = churning_power(solution, lubricant.density, friction.oil_fraction) / speed
+    return {"cage": cage, "drag": drag}
+
+
+def line_models(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
+) -> dict[str, ModelTorque]:
+    """Sliding by Coulomb's mu [-] at a shaft's speed [rad/s]: lines of pure rolling and what they are compared with."""
+    loaded = sliding.sliding_contacts(solution, contacts)
+    houpert = sliding.houpert_torque(loaded, speed, mu)
+    return {
+        "pure_rolling_lines": _slid(sliding.pure_rolling_line_torque(loaded, speed, mu)),
+        "balanced_lines": _balanced(solution, contacts, mu, speed),
+        "houpert": summed(
+            {
+                "spin": houpert.spin,
+                "curvature": houpert.rotation + houpert.orbit,
+                "hydrodynamic": rolling_power(contacts) / speed,
+            }
+        ),
+        "kakuta": _slid(sliding.kakuta_torque(loaded, speed, mu)),
+        "constant_coulomb": _slid(sliding.pure_rolling_line_torque(loaded, speed, CONSTANT_COULOMB)),
+        "coulomb": _coulomb(solution, contacts, mu, speed),
+    }
+
+
+def _slid(torque: sliding.SlidingTorque) -> ModelTorque:
+    return summed({"spin": torque.spin, "rotation": torque.rotation, "orbit": torque.orbit})
+
+
+def _balanced(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
+) -> ModelTorque:
+    """Lines in balance of force and moments on every ball."""
+    found = balanced_friction(solution, contacts, mu, lines=True)
+    if not found.converged:
+        return ModelTorque(note=f"no balance of the friction on the balls (residual {found.residual:.1e} of mu Q)")
+    k, f = found.kinematics, found.forces
+    rotation = -(f[..., 3] * found.ball_rolling).sum() / speed
+    spin = -(f[..., 2] * k[..., 2]).sum() / speed
+    return summed(
+        {"spin": float(spin), "rotation": float(rotation), "orbit": float(found.power.sum() / speed - spin - rotation)}
+    )
+
+
+def _coulomb(solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float) -> ModelTorque:
+    """The whole ellipse in balance of force and moments, with the gyroscopic couple."""
+    found = balanced_friction(solution, contacts, mu)
+    if not found.converged:
+        return ModelTorque(
+            note=f"Coulomb friction of {mu:.3g} does not hold the balls (residual {found.residual:.1e} of mu Q)"
+        )
+    k, f = found.kinematics, found.forces
+    spin, curvature = (-float((f[..., j] * k[..., j]).sum()) / speed for j in (2, 3))
+    slide = float(found.power.sum()) / speed - spin - curvature
+    return summed({"sliding": slide, "spin": spin, "curvature": curvature})
+
+
+def skf_model(solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput) -> dict[str, ModelTorque]:
+    """SKF's model, and where it is asked for its sliding moment as a paper printed it."""
+    bearing, names = solution.bearing, ("skf", "skf_as_printed") if friction.as_printed else ("skf",)
+    if friction.series is None or bearing.bore is None or bearing.outside_diameter is None:
+        return dict.fromkeys(names, ModelTorque(note="needs bearing.skf_series, bore_mm and outside_diameter_mm"))
+    radial, axial = ring_loads(solution)
+    kind = _kind(bearing)
+    if kind is skf.Series.DEEP_GROOVE and axial > 0.0 and friction.static_rating is None:
+        return dict.fromkeys(names, ModelTorque(note="needs bearing.basic_static_rating_kN under axial load"))
+    try:
+        constants = skf.skf_constants(kind, friction.series)
+    except ValueError as error:
+        return dict.fromkeys(names, ModelTorque(note=str(error)))
+    inner = skf.SkfBearing(
+        constants=constants,
+        bore=bearing.bore,
+        outside_diameter=bearing.outside_diameter,
+        static_rating=friction.static_rating,
+        sealed=friction.sealed,
+        seal_diameter=friction.seal_diameter,
+        rows=len(solution.rows),
+    )
+    at = skf.SkfOperation(
+        radial_load=radial,
+        axial_load=axial,
+        speed=sliding.shaft_speed(solution),
+        viscosity=lubricant.viscosity / lubricant.density,
+        lubrication=friction.lubrication,
+        oil=friction.oil,
+        oil_level=friction.oil_level,
+        boundary_friction=friction.boundary,
+        full_film_friction=friction.full_film,
+        drag_factor=friction.drag_factor,
+    )
+    torque = skf.skf_torque(inner, at)
+    parts = {"rolling": torque.rolling, "sliding": torque.sliding, "seal": torque.seal, "drag": torque.drag}
+    models = {"skf": summed(parts)}
+    if friction.as_printed:
+        models["skf_as_printed"] = summed({"sliding": skf.sliding_as_printed(inner, at)})
+    return models
+
+
+def palmgren_model(solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput) -> ModelTorque:
+    """Palmgren's model; needs a static rating unless f_1 is given."""
+    kind = _kind(solution.bearing).value.replace("_", " ")
+    radial, axial = ring_loads(solution)
+    factor = friction.load_factor
+    if factor is None:
+        if friction.static_rating is None:
+            return ModelTorque(note="needs bearing.basic_static_rating_kN or friction.palmgren_load_factor")
+        static = max(0.6 * radial + 0.5 * axial, radial)  # P_0 of ISO 76 for radial ball bearings
+        factor = palmgren.load_factor(kind, static, friction.static_rating)
+    viscous = friction.viscous_factor
+    if viscous is None:
+        viscous = palmgren.viscous_factor(kind, friction.lubrication.value)
+    torque = palmgren.palmgren_torque(
+        mean_diameter(solution.bearing),
+        sliding.shaft_speed(solution),
+        lubricant.viscosity / lubricant.density,
+        len(solution.rows) * viscous,
+        (factor, palmgren.directed_load(kind, radial, axial)),
+    )
+    return summed({"viscous": torque.viscous, "load": torque.load})
+
+
+def yao_model(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    lubricant: Lubricant,
+    friction: FrictionInput,
+    mu: float,
+) -> ModelTorque:
+    """The five terms of Yao et al. (2022), M_C and M_L by models of our own: those printed are no torques.
+
+    M_D = d_m/(2 D) [(1 - g_i^2) sum M_Di + (1 - g_e^2) sum M_De] f_s with M_D = 0.0806 Q a^2/R and
+    M_S = 3/8 f_s sum E(k) a Q sin(alpha), E(k) the complete elliptic integral; M_E is `hysteresis_torque`.
+    """
+    missing = [
+        key
+        for key, value in (
+            ("friction.hysteresis_loss", friction.hysteresis),
+            ("cage.pocket_friction", friction.cage),
+            ("friction.oil_fraction", friction.oil_fraction),
+        )
+        if value is None
+    ]
+    if friction.hysteresis is None or missing:
+        return ModelTorque(note=f"needs {', '.join(missing)}")
+    bearing, speed = solution.bearing, sliding.shaft_speed(solution)
+    rotation = spin = 0.0
+    for c in sliding.sliding_contacts(solution, contacts):
+        slope = bearing.ball_diameter * cos(c.angle) / bearing.pitch_diameter
+        curvature = 0.0806 * c.load * c.semi_axis**2 / c.radius
+        rotation += bearing.pitch_diameter / (2.0 * bearing.ball_diameter) * (1.0 - slope**2) * curvature * mu
+        spin += sliding.spin_moment(c, mu) * sin(abs(c.angle))
+    rest = cage_and_drag(solution, lubricant, friction, speed)
+    return summed(
+        {
+            "ME": hysteresis_torque(solution, contacts, friction.hysteresis),
+            "MD": rotation,
+            "MS": spin,
+            "MC": rest["cage"],
+            "ML": rolling_power(contacts) / speed + rest["drag"],
+        }
+    )
