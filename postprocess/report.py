@@ -12,12 +12,13 @@ from string import Template
 from typing import Any
 
 from . import report_batch, report_bearing
-from .report_html import facts, items, picture, section
+from .report_html import facts, is_large, items, name_text, picture, section, table, text, unit_text
 from .results_io import SUMMARY_FILE, atomic_path
 
 REPORT_FILE = "report.html"
 GENERATOR = '<meta name="generator" content="oilfilm'
 LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")
+MOST_ROWS = 500  # of a table that unfolds
 HEADER = 1000  # characters within which the generator stands
 
 
@@ -129,22 +130,29 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
 
 def _rest(summary: dict[str, Any]) -> str:
     """Blocks that no part of the page knows: whatever numbers they hold."""
-    blocks = {
-        key: value
-        for key, value in summary.items()
-        if key not in report_bearing.KNOWN and isinstance(value, dict | int | float | str)
-    }
-    alone = {key: value for key, value in blocks.items() if not isinstance(value, dict)}
-    shown = [facts("", alone)] if alone else []
+    blocks = {key: value for key, value in summary.items() if key not in report_bearing.KNOWN}
+    alone = {key: value for key, value in blocks.items() if not is_large(value)}
+    shown = [facts("", alone)] if alone and not report_bearing.is_single_contact(summary) else []
     for key, value in blocks.items():
         if isinstance(value, dict):
-            plain = {name: item for name, item in value.items() if not _is_large(item)}
+            plain = {name: item for name, item in value.items() if not is_large(item)}
             shown += [facts(key.replace("_", " "), plain)] if plain else []
-    return f'<div class="facts">{"".join(shown)}</div>' if shown else ""
+    lists = "".join(_rows(key, value) for key, value in blocks.items() if isinstance(value, list))
+    if "contacts" not in summary:
+        lists += _rows("balls", summary.get("balls") or [])
+    return (f'<div class="facts">{"".join(shown)}</div>' if shown else "") + lists
 
 
-def _is_large(value: Any) -> bool:
-    return isinstance(value, dict) or (isinstance(value, list) and len(value) > 6)
+def _rows(name: str, rows: list[Any]) -> str:
+    """A list of tables that all have single numbers, as one table that unfolds."""
+    if not rows or len(rows) > MOST_ROWS or not all(isinstance(row, dict) for row in rows):
+        return ""
+    keys = [key for key in rows[0] if not any(is_large(row.get(key)) for row in rows)]
+    if not keys:
+        return ""
+    lines = [("", [text(row.get(key)) for key in keys]) for row in rows]
+    body = table([(name_text(key), unit_text(key)) for key in keys], lines)
+    return f"<details><summary>{name_text(name)} ({len(rows)})</summary>{body}</details>"
 
 
 def _pictures(summary: dict[str, Any], folder: Path) -> str:

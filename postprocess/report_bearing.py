@@ -12,6 +12,7 @@ from .report_html import (
     ROUND_OFF,
     card,
     facts,
+    is_large,
     name_text,
     number,
     picture,
@@ -215,11 +216,17 @@ def known_pictures(summary: dict[str, Any]) -> set[str]:
     return {f"{name}.png" for name in ({"load_zone", "film_per_azimuth", "pressure_per_azimuth", "contact"} | names)}
 
 
+def is_single_contact(summary: dict[str, Any]) -> bool:
+    """Whether a summary is that of `oilfilm contact`."""
+    return "film_central_dimensionless" in summary
+
+
 def _films(summary: dict[str, Any], folder: Path) -> str:
     plots = folder / "plots"
     if "contacts" not in summary:
-        keys = [key for key in summary if key not in KNOWN and not isinstance(summary[key], dict)]
-        numbers = {key: summary[key] for key in keys}
+        if not is_single_contact(summary):
+            return ""
+        numbers = {key: value for key, value in summary.items() if key not in KNOWN and not is_large(value)}
         shown = picture(plots / "contact.png", "Film thickness and pressure of the contact")
         return shown + f'<div class="facts">{facts("Numbers", numbers)}</div>' if shown or numbers else ""
     shown = picture(plots / "film_per_azimuth.png", "Film thickness ball by ball, both races", wide=True)

@@ -23,6 +23,8 @@ SYMBOLS = {
 }
 DIGITS = 5
 ROUND_OFF = 1e-9  # of the largest component
+MOST_LISTED = 6  # entries of a list on one line
+LONGEST = 60  # characters of a value beside its key
 LONG = 28  # characters from which on a text may break
 
 
@@ -111,10 +113,20 @@ def facts(title: str, values: dict[str, Any], assumed: frozenset[str] = frozense
     for key, value in values.items():
         mark, style = (' <span class="mark">*</span>', ' class="assumed"') if f"{path}.{key}" in assumed else ("", "")
         unit = unit_text(key) if value is not None else ""
-        shown = f"{text(value)} {escape(unit)}".strip()
-        rows.append(f"<tr{style}><td>{name_text(key)}{mark}</td><td>{shown}</td></tr>")
+        shown = f"{text(value)}&nbsp;{escape(unit)}" if unit else text(value)
+        cells = f"<td>{name_text(key)}{mark}</td><td>{shown}</td>"
+        if len(shown) > LONGEST:  # words, such as a source
+            cells = f'<td colspan="2" class="small">{name_text(key)}{mark}: {shown}</td>'
+        rows.append(f"<tr{style}>{cells}</tr>")
     heading = f"<h3>{escape(title)}</h3>" if title else ""
     return f"<div>{heading}<table><tbody>{''.join(rows)}</tbody></table></div>"
+
+
+def is_large(value: Any) -> bool:
+    """Whether a value is too much for one line: a table, a long list, a list of tables."""
+    return isinstance(value, dict) or (
+        isinstance(value, list) and (len(value) > MOST_LISTED or any(isinstance(item, list | dict) for item in value))
+    )
 
 
 def card(name: str, value: str, unit: str = "") -> str:

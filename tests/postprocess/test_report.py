@@ -119,6 +119,27 @@ def test_a_single_contact_and_one_of_moes_groups(contact_results, moes_results, 
         assert "minimum film" in " ".join(page.words)
 
 
+def test_results_of_other_kinds_have_a_page(tmp_path):
+    """Whatever has a summary: numbers as facts, lists of rows as tables that unfold, nothing that floods the page."""
+    document = {
+        "oilfilm": "0.1.0",
+        "case": {"title": "later", "materials": {"steel": {"source": "words " * 40}}},
+        "converged": True,
+        "messages": [],
+        "limit": 10.0,
+        "curves": [{"speed_rpm": 100.0, "values": list(range(1000))}, {"speed_rpm": 200.0, "values": []}],
+        "operation": {"speed_rpm": 4000.0, "matrix": [[1.0]]},
+    }
+    (tmp_path / SUMMARY_FILE).write_text(json.dumps(document), encoding="utf-8")
+    page = Page(report_page(tmp_path))
+    words = " ".join(page.words)
+    assert page.open == []
+    assert "curves (2)" in words
+    assert "200" in words
+    assert "997" not in words
+    assert "minimum film" not in words
+
+
 def test_bad_folders_are_told(tmp_path):
     with pytest.raises(ValueError, match="holds no results"):
         write_report(tmp_path)
