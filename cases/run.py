@@ -104,7 +104,7 @@ def run_case(
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
         clearance=case.clearance,
         tractions=tractions,
-        torque=_torque(case, state, contacts, tractions),
+        torque=_torque(case, state, contacts, solutions),
     )
     if interrupted:
         raise Interrupted(results if any(solution is not None for solution in solutions) else None)
@@ -134,16 +134,23 @@ def _torque(
     case: Case,
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    tractions: Sequence[ContactTraction | None],
+    solutions: Sequence[ContactSolution | None],
 ) -> TorqueBreakdown | None:
-    """Friction torque by every model; the integrated one needs the shear of all lubricated contacts."""
+    """Friction torque by every model; the integrated one needs the films of all lubricated contacts."""
     from bearing.torque.breakdown import torque_breakdown
+    from bearing.torque.integrated import Asperities, solved_shear
 
     if case.friction is None or not state.converged:
         return None
-    found = [t for t in tractions if t is not None]
-    complete = len(found) == sum(contact.loaded for contact in contacts) > 0
-    return torque_breakdown(state, contacts, case.lubricant, case.friction, found if complete else None)
+    shear, rough = None, case.friction.roughness
+    solved = [film is not None and film.converged for film in solutions]
+    complete = all(film for film, contact in zip(solved, contacts, strict=True) if contact.loaded) and any(solved)
+    if complete and case.rheology is not None and state.operation.inner_speed != state.operation.outer_speed:
+        asperities = None
+        if rough is not None:
+            asperities = Asperities(inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary)
+        shear = solved_shear(state, contacts, solutions, case.rheology, asperities)
+    return torque_breakdown(state, contacts, case.lubricant, case.friction, shear=shear)
 
 
 def run_contact(case: ContactCase, *, finite_element: bool = False) -> ContactResults:

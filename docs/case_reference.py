@@ -40,6 +40,8 @@ ORDER = (
     "surface",
     "fit",
     "temperatures",
+    "friction",
+    "cage",
     "rows",
     "slip",
     "materials",

@@ -14,13 +14,19 @@ if TYPE_CHECKING:
     from .results import BearingResults
 
 MODELS = {
-    "integrated": ("rolling", "sliding", "spin", "curvature", "cage", "drag"),
+    "integrated": ("rolling", "sliding", "spin", "curvature", "asperity", "cage", "drag"),
     "pure_rolling_lines": ("spin", "rotation", "orbit"),
     "skf": ("rolling", "sliding", "seal", "drag"),
     "houpert": ("spin", "curvature", "hydrodynamic"),
     "palmgren": ("viscous", "load"),
     "yao": ("ME", "MD", "MS", "MC", "ML"),
+    "balanced_lines": ("spin", "rotation", "orbit"),
+    "coulomb": ("sliding", "spin", "curvature"),
+    "kakuta": ("spin", "rotation", "orbit"),
+    "constant_coulomb": ("spin", "rotation", "orbit"),
+    "skf_lambda": ("rolling", "sliding", "seal", "drag"),
 }
+AS_PRINTED = "skf_as_printed"  # only where a case asks for it
 
 
 def torque_block(results: BearingResults) -> dict[str, Any]:
@@ -30,8 +36,41 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
         "total": _shown(None if torque is None else torque.total),
         "model": None if torque is None else torque.chosen,
         "coulomb_coefficient": None if torque is None else torque.coefficient,
-        "models": {name: _model(torque, name) for name in MODELS},
+        "models": {name: _model(torque, name) for name in MODELS} | _as_printed(torque),
+        "power_balance": _power_balance(results),
+        "per_ball_N_mm": _per_ball(torque),
     }
+
+
+def _as_printed(torque: TorqueBreakdown | None) -> dict[str, Any]:
+    if torque is None or AS_PRINTED not in torque.models:
+        return {}
+    found = torque.models[AS_PRINTED]
+    return {AS_PRINTED: {"sliding": _shown(found.components.get("sliding")), "total": _shown(found.total)}}
+
+
+def _power_balance(results: BearingResults) -> dict[str, Any]:
+    """Rings' power and heat of the films [W], and how far they are apart, balanced and under the hypothesis."""
+    shear = None if results.torque is None else results.torque.shear
+    keys = ("shaft_W", "heat_W", "imbalance", "traction_equilibrium", "hypothesis")
+    if shear is None:
+        return dict.fromkeys((*keys, "hypothesis_torque_N_mm", "hypothesis_imbalance"))
+    return {
+        "shaft_W": shear.torque.shaft_power,
+        "heat_W": shear.torque.heat,
+        "imbalance": shear.torque.imbalance,
+        "traction_equilibrium": shear.balanced is not None,
+        "hypothesis": results.quasistatic.model.ball_kinematics.value,
+        "hypothesis_torque_N_mm": shear.hypothesis.total / NEWTON_MILLIMETRE,
+        "hypothesis_imbalance": shear.hypothesis.imbalance,
+    }
+
+
+def _per_ball(torque: TorqueBreakdown | None) -> list[float] | None:
+    """Share of each ball in the integrated torque of the contacts [N mm]."""
+    if torque is None or torque.shear is None:
+        return None
+    return [float(value) / NEWTON_MILLIMETRE for value in torque.shear.torque.per_ball]
 
 
 def _shown(value: float | None) -> float | None:
@@ -74,8 +113,22 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
     for name in MODELS:
         if torque.models[name].total is None:
             yield f"torque_N_mm.models.{name}: null, {torque.models[name].note}"
+    if torque.chosen == "integrated" and torque.shear is not None:
+        yield f"torque_N_mm.total: the integrated model{_balance_words(results)}"
+    elif torque.chosen is not None:
+        yield f"torque_N_mm.total: the model {torque.chosen}; power_balance and per_ball_N_mm null without films"
     if torque.total is None:
         yield "torque_N_mm.total: null, neither the integrated model nor SKF's applies"
+
+
+def _balance_words(results: BearingResults) -> str:
+    shear = results.torque.shear if results.torque is not None else None
+    if shear is None:
+        return ""
+    if shear.balanced is None:
+        return f"; {shear.note}: the rings' power differs from the heat by {shear.torque.imbalance:.0%} of it"
+    kinematics = results.quasistatic.model.ball_kinematics.value
+    return f", balls in traction equilibrium; '{kinematics}' holds for loads and films only"
 
 
 def torque_rows(results: BearingResults) -> dict[str, str]:

@@ -36,6 +36,7 @@ NAMES = (
     "coulomb",
     "kakuta",
     "constant_coulomb",
+    "skf_lambda",
 )
 NO_FILMS = "needs the film of every loaded contact and the oil's shear law"
 
@@ -101,10 +102,11 @@ def torque_breakdown(
     models = {
         INTEGRATED: _integrated(solution, lubricant, friction, shear, speed),
         **line_models(solution, contacts, mu, speed),
-        **skf_model(solution, lubricant, friction),
+        **skf_model(solution, lubricant, friction, None if shear is None else shear.asperity_share),
         "palmgren": palmgren_model(solution, lubricant, friction),
         "yao": yao_model(solution, contacts, lubricant, friction, mu),
     }
+    models.setdefault("skf_lambda", ModelTorque(note="needs the films and their roughness, [surface]"))
     order = [*NAMES, *(name for name in models if name not in NAMES)]
     return TorqueBreakdown(models={name: models[name] for name in order}, coefficient=mu, shear=shear)
 

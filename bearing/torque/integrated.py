@@ -80,12 +80,15 @@ class SolvedShear:
         At the motion that the equilibrium of the loads assumed.
     balanced : IntegratedTorque or None
         In traction equilibrium; None where it was not looked for or not found.
+    asperity_share : float or None
+        Part of the sum of all loads on asperities [-]; None without roughness.
     note : str
-        Why there is none.
+        Why there is no balanced one.
     """
 
     hypothesis: IntegratedTorque
     balanced: IntegratedTorque | None = None
+    asperity_share: float | None = None
     note: str = ""
 
     @property
@@ -134,14 +137,19 @@ def solved_shear(
     pairs = [(c, film) for c, film in zip(contacts, films, strict=True) if film is not None]
     shares = [0.0 if asperities is None else asperities.share(contact, film) for contact, film in pairs]
     boundary = 0.0 if asperities is None else asperities.boundary
+    loads = sum(contact.load for contact, _ in pairs)
+    mean = None
+    if asperities is not None and loads > 0.0:
+        mean = sum(s * contact.load for s, (contact, _) in zip(shares, pairs, strict=True)) / loads
     assumed = [contact_traction(solution, contact, film, rheology) for contact, film in pairs]
     hypothesis = integrated_torque(solution, assumed, shares, boundary)
     balance = film_balance(solution, contacts, films, rheology, asperities)
     if not balance.converged:
         note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"
-        return SolvedShear(hypothesis=hypothesis, note=note)
+        return SolvedShear(hypothesis=hypothesis, asperity_share=mean, note=note)
     found = balanced_tractions(solution, contacts, films, rheology, balance)
-    return SolvedShear(hypothesis=hypothesis, balanced=integrated_torque(solution, found, shares, boundary))
+    balanced = integrated_torque(solution, found, shares, boundary)
+    return SolvedShear(hypothesis=hypothesis, balanced=balanced, asperity_share=mean)
 
 
 def integrated_torque(

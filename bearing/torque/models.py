@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import cos, pi, sin
 
 from ehl import Lubricant
@@ -39,6 +39,7 @@ class FrictionInput:
     hysteresis: float | None = None  # share of the elastic energy lost in rolling, beta_a [-]
     cage: Cage | None = None
     oil_fraction: float | None = None  # share of the cavity filled with oil [-]
+    roughness: tuple[float, float] | None = None  # rms of inner race and balls, outer race and balls [m]
     as_printed: bool = False  # SKF's sliding moment also with the slip of the sliding friction paper
 
     @property
@@ -156,9 +157,16 @@ def _coulomb(solution: QuasistaticSolution, contacts: Sequence[BearingContact], 
     return summed({"sliding": slide, "spin": spin, "curvature": curvature})
 
 
-def skf_model(solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput) -> dict[str, ModelTorque]:
-    """SKF's model, and where it is asked for its sliding moment as a paper printed it."""
-    bearing, names = solution.bearing, ("skf", "skf_as_printed") if friction.as_printed else ("skf",)
+def skf_model(
+    solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput, asperity_share: float | None = None
+) -> dict[str, ModelTorque]:
+    """SKF's model, and beside it its variants.
+
+    "skf_lambda" takes the share of boundary friction from the films [-] instead of speed and viscosity, where it is
+    given; "skf_as_printed" has the sliding moment as a paper printed it, where that is asked for.
+    """
+    bearing, names = solution.bearing, ["skf"]
+    names += ["skf_lambda"] * (asperity_share is not None) + ["skf_as_printed"] * friction.as_printed
     if friction.series is None or bearing.bore is None or bearing.outside_diameter is None:
         return dict.fromkeys(names, ModelTorque(note="needs bearing.skf_series, bore_mm and outside_diameter_mm"))
     radial, axial = ring_loads(solution)
@@ -190,12 +198,16 @@ def skf_model(solution: QuasistaticSolution, lubricant: Lubricant, friction: Fri
         full_film_friction=friction.full_film,
         drag_factor=friction.drag_factor,
     )
-    torque = skf.skf_torque(inner, at)
-    parts = {"rolling": torque.rolling, "sliding": torque.sliding, "seal": torque.seal, "drag": torque.drag}
-    models = {"skf": summed(parts)}
+    models = {"skf": _skf(skf.skf_torque(inner, at))}
+    if asperity_share is not None:
+        models["skf_lambda"] = _skf(skf.skf_torque(inner, replace(at, boundary_share=asperity_share)))
     if friction.as_printed:
         models["skf_as_printed"] = summed({"sliding": skf.sliding_as_printed(inner, at)})
     return models
+
+
+def _skf(torque: skf.SkfTorque) -> ModelTorque:
+    return summed({"rolling": torque.rolling, "sliding": torque.sliding, "seal": torque.seal, "drag": torque.drag})
 
 
 def palmgren_model(solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput) -> ModelTorque:

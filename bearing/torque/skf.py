@@ -81,6 +81,7 @@ class SkfOperation:
     oil_level: float = 0.0  # H above the lowest contact point of the outer raceway [m]; drag counts from it
     boundary_friction: float = BOUNDARY_FRICTION  # mu_bl [-]
     full_film_friction: float | None = None  # mu_EHL [-]; None: by the kind of oil
+    boundary_share: float | None = None  # phi_bl [-]; None: SKF's, from speed and viscosity
     drag_factor: float | None = None  # V_M [-]; None: digitised from the catalogue's diagram
 
 
@@ -168,7 +169,9 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
     geometry = bearing.constants.geometry
     replenished = exp(-starved * nu * n * (d + outside) * sqrt(geometry / (2.0 * (outside - d))))
     film = FULL_FILM_FRICTION[operation.oil] if operation.full_film_friction is None else operation.full_film_friction
-    share = boundary_share(operation.speed, operation.viscosity, bearing.mean_diameter)
+    share = operation.boundary_share
+    if share is None:
+        share = boundary_share(operation.speed, operation.viscosity, bearing.mean_diameter)
     friction = share * operation.boundary_friction + (1.0 - share) * film
     turning = n > 0.0
     return SkfTorque(

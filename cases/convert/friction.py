@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import warnings
+from math import hypot
 from typing import TYPE_CHECKING, Any
 
 from ..checks import oil_table
@@ -42,7 +43,24 @@ def friction(file: BearingFile) -> FrictionInput:
         hysteresis=table.hysteresis_loss,
         cage=_cage(file),
         oil_fraction=table.oil_fraction,
+        boundary=table.boundary_coefficient,
+        full_film=table.full_film_coefficient,
+        drag_factor=table.drag_factor,
+        viscous_factor=table.palmgren_viscous_factor,
+        load_factor=table.palmgren_load_factor,
+        roughness=_roughness(file),
+        as_printed=table.as_printed,
     )
+
+
+def _roughness(file: BearingFile) -> tuple[float, float] | None:
+    """Root mean square of race and balls together, inner and outer [m]."""
+    surface = file.surface
+    if surface is None:
+        return None
+    rings = (surface.inner_ring_roughness_um, surface.outer_ring_roughness_um)
+    inner, outer = (hypot(ring, surface.ball_roughness_um) * UM for ring in rings)
+    return inner, outer
 
 
 def _cage(file: BearingFile) -> Cage | None:

@@ -44,7 +44,9 @@ class BearingTable(Table):
     basic_static_rating_kN: float | None = Field(
         None, gt=0.0, le=1.0e6, description="C_0 of the catalogue for the static safety; left out, from the geometry"
     )
-    skf_series: Name | None = Field(None, description="recorded only")
+    skf_series: Name | None = Field(
+        None, description="of SKF's friction constants; left out, from the designation in name"
+    )
 
 
 class MaterialTable(Table):

@@ -21,8 +21,17 @@ class FrictionTable(Table):
     oil: Literal["mineral", "synthetic", "transmission fluid"] = Field(
         "mineral", description="kind of base oil, for SKF's mu_EHL"
     )
+    boundary_coefficient: float = Field(
+        0.12, gt=0.0, le=1.0, description="of asperities that touch: SKF's mu_bl, and of the films with [surface]"
+    )
+    full_film_coefficient: float | None = Field(
+        None, gt=0.0, le=1.0, description="SKF's mu_EHL; left out, by the kind of oil"
+    )
     oil_level_mm: float = Field(
         0.0, ge=0.0, le=LENGTH_MAXIMUM, description="above the lowest contact point of the outer raceway; SKF's drag"
+    )
+    drag_factor: float | None = Field(
+        None, ge=0.0, le=1.0, description="SKF's V_M; left out, from a third party's digitised diagram (unverified)"
     )
     sealed: bool = Field(False, description="contact seals on both sides, for SKF's model")
     seal_diameter_mm: float | None = Field(
@@ -33,6 +42,15 @@ class FrictionTable(Table):
     )
     oil_fraction: float | None = Field(
         None, ge=0.0, le=1.0, description="share of the cavity filled with oil, for the drag of the balls"
+    )
+    palmgren_viscous_factor: float | None = Field(
+        None, ge=0.0, le=100.0, description="f_0; left out, by bearing and lubrication"
+    )
+    palmgren_load_factor: float | None = Field(
+        None, ge=0.0, le=1.0, description="f_1; left out, from the load with unverified constants"
+    )
+    as_printed: bool = Field(
+        False, description="SKF's sliding moment also with half of its radial part, as one paper's tables have it"
     )
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from math import pi
+
 import pytest
 
 from cases.case import case_from_text
@@ -50,11 +52,53 @@ def test_every_model_stands_side_by_side(radial):
     for name in ("integrated", "pure_rolling_lines", "skf", "houpert", "palmgren"):
         parts = [value for key, value in models[name].items() if key != "total"]
         assert models[name]["total"] == pytest.approx(sum(parts), rel=1e-9)
+    for name in ("balanced_lines", "coulomb", "kakuta", "constant_coulomb"):
+        assert models[name]["total"] > 0.0
+    assert models["skf_lambda"]["total"] is None
+    assert models["constant_coulomb"]["total"] == pytest.approx(
+        0.07 / torque["coulomb_coefficient"] * models["pure_rolling_lines"]["total"], rel=1e-9
+    )
     assert models["yao"]["total"] is None
     assert any(m.startswith("torque_N_mm.models.yao: null") for m in document["messages"])
     assert any("shear of the oil is assumed" in m for m in document["messages"])
     loaded = [c for c in document["contacts"] if c["loaded"]]
     assert all(0.0 < c["traction_coefficient"] < 0.05 for c in loaded)
+
+
+def test_the_shaft_feeds_what_the_films_turn_into_heat(radial):
+    """Balls in traction equilibrium: to 1e-6 of the heat; under the hypothesis the balance is far off, and is told."""
+    torque, document = radial
+    balance = torque["power_balance"]
+    assert balance["traction_equilibrium"]
+    assert balance["imbalance"] == pytest.approx(0.0, abs=1e-6)
+    assert balance["shaft_W"] == pytest.approx(balance["heat_W"], rel=1e-6)
+    assert abs(balance["hypothesis_imbalance"]) > 1.0
+    speed = 3000.0 * 2.0 * pi / 60.0
+    assert sum(torque["per_ball_N_mm"]) == pytest.approx(torque["total"], rel=1e-9)
+    assert 1e-3 * torque["total"] * speed == pytest.approx(balance["heat_W"], rel=1e-9)
+    assert max(torque["per_ball_N_mm"]) == torque["per_ball_N_mm"][0]
+    assert any("balls in traction equilibrium" in message for message in document["messages"])
+
+
+def test_asperities_of_rough_surfaces_rub():
+    surface = "[surface]\ninner_ring_roughness_um = 0.5\nouter_ring_roughness_um = 0.5\nball_roughness_um = 0.1\n"
+    torque, _ = torque_of(TEXT + surface)
+    models = torque["models"]
+    assert models["integrated"]["asperity"] > 0.0
+    assert models["skf_lambda"]["sliding"] > models["skf"]["sliding"]
+    assert models["skf_lambda"]["rolling"] == models["skf"]["rolling"]
+    assert torque["power_balance"]["imbalance"] == pytest.approx(0.0, abs=1e-6)
+
+
+def test_factors_of_the_case_go_before_those_of_the_libraries():
+    more = "[friction]\npalmgren_viscous_factor = 1.0\npalmgren_load_factor = 0.001\nfull_film_coefficient = 0.04\n"
+    text = TEXT.replace("points = 65", 'film_maps = "none"') + more + "as_printed = true\n"
+    torque, _ = torque_of(text)
+    models = torque["models"]
+    assert models["palmgren"]["load"] == pytest.approx(0.001 * 2000.0 * 60.0)
+    assert models["palmgren"]["viscous"] == pytest.approx(1e-7 * 60000.0 ** (2 / 3) * 60.0**3)
+    assert torque["coulomb_coefficient"] == pytest.approx(0.04, abs=1e-4)
+    assert models["skf_as_printed"]["sliding"] == pytest.approx(0.5 * models["skf"]["sliding"])
 
 
 def test_rolling_resistance_of_the_film_is_that_of_the_formula_within_a_half(radial):
