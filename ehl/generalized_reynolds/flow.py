@@ -15,6 +15,7 @@ flux along the gradient. Both leave the equation what it is once the iteration h
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
+from math import inf
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -105,6 +106,10 @@ class GeneralizedFlow:
         Nodes across the film.
     missed : int
         Columns whose stress was not found in the last turn [-].
+    change : float
+        Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure [-].
+    stresses : dict
+        Stress in the middle of the film, shape (2, ny, nx), of each grid by the shape of its arrays [Pa].
     """
 
     conditions: ContactConditions
@@ -112,7 +117,8 @@ class GeneralizedFlow:
     heat: FilmHeat | None = None
     section: Section = field(default_factory=film_section)
     missed: int = 0
-    _middle: dict[tuple[int, ...], Array] = field(default_factory=dict)  # stress found last, a first guess [Pa]
+    change: float = inf
+    stresses: dict[tuple[int, ...], Array] = field(default_factory=dict)
     _poiseuille: dict[tuple[int, ...], Array] = field(default_factory=dict)  # factor of the last turn [-]
 
     @property
@@ -125,7 +131,7 @@ class GeneralizedFlow:
         speed = self.conditions.entrainment_speed
         kinematics = contact_kinematics(self.conditions, grid_angle=contact.frame_angle)
         fields = film_fields(contact, grid, P, H, kinematics, speed)
-        middle = self._middle.setdefault(P.shape, np.full((2, *P.shape), np.nan))
+        middle = self.stresses.setdefault(P.shape, np.full((2, *P.shape), np.nan))
         temperature = self._temperature(contact, grid, fields, middle)
         poiseuille, couette, tangent = self._evaluate(fields, middle, temperature)
         steeper, _, _ = self._evaluate(
@@ -136,6 +142,8 @@ class GeneralizedFlow:
         thinning = self._thinning(fields, middle, temperature, poiseuille)
         last = self._poiseuille.get(P.shape)
         if last is not None:
+            weight = fields.p / max(float(fields.p.sum()), 1.0)
+            self.change = float((weight * np.abs(np.log(poiseuille / last))).sum())
             poiseuille = last * (poiseuille / last) ** (1.0 / (1.0 + power))
         self._poiseuille[P.shape] = poiseuille
         newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, self.conditions.lubricant))

@@ -15,7 +15,7 @@ DOWSON_HIGGINSON_NUMERATOR = 0.6e-9
 DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9
 V, T = 7, 16  # as `numbers.VISCOSITY_START`, `numbers.TAIT_START`
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
-SLOPE_STEP = 1e-3  # [K], of the difference quotient in `viscosity_softening`
+SLOPE_STEP = 1e-3  # [K], of difference quotients by temperature
 
 OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 
@@ -102,6 +102,13 @@ def density_ratio(pressure, temperature, oil):
     else:
         ratio = 1.0
     return ratio * np.exp(-oil[6] * above)
+
+
+@njit(**OPTIONS)
+def thermal_expansion(pressure, temperature, oil):
+    """-d(ln rho)/dT [1/K], central difference."""
+    cold = density_ratio(pressure, temperature - SLOPE_STEP, oil)
+    return np.log(cold / density_ratio(pressure, temperature + SLOPE_STEP, oil)) / (2.0 * SLOPE_STEP)
 
 
 @njit(**OPTIONS)

@@ -1,7 +1,8 @@
 """Temperature of the film, compiled: columns one after the other along the flow.
 
 The equations and the readable twin of one column stand in `columns.py`, those of the bodies in `solids.py`.
-rheology, section, work: as in `ehl.generalized_reynolds._kernels`; derivatives: D and D @ D of a `Section`.
+rheology, section, work: as in `ehl.generalized_reynolds._kernels`; differences: slopes at both walls and curvature of
+`columns.wall_slopes` and `columns.curvature`.
 """
 
 from __future__ import annotations
@@ -10,11 +11,13 @@ import numpy as np
 from numba import njit
 
 from ..generalized_reynolds._kernels import FLUIDITY, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
-from ..properties._kernels import viscosity_softening
+from ..properties._kernels import thermal_expansion, viscosity_softening
 
 COLUMN_STEPS = 40  # Newton steps of one column
-COLUMN_TOLERANCE = 1e-4  # [K]
+CAREFUL_AFTER = 12  # steps from which on only half of each is taken, then a quarter
+COLUMN_TOLERANCE = 1e-2  # [K]
 LARGEST_STEP = 40.0  # [K] of one Newton step
+COLDEST, HOTTEST = 150.0, 2000.0  # [K], bounds of iterates
 U, V, RATE_X, RATE_Y, CROSSING, INFLOW, CARRIED, SOURCE = 0, 1, 2, 3, 4, 5, 6, 7  # rows of the flow's workspace
 FLOW_ROWS = 8
 
@@ -49,24 +52,40 @@ def solve_dense(matrix, right):
 
 @njit(**OPTIONS)
 def column_temperature(
-    film, conductivity, inflow, carried, crossing, source, slope, compression, last, history, response, derivatives, out
+    film,
+    conductivity,
+    inflow,
+    carried,
+    crossing,
+    source,
+    slope,
+    compression,
+    last,
+    history,
+    response,
+    nodes,
+    differences,
+    out,
 ):
     """Temperature at the nodes of a column, its source linearised at the last one [K]."""
-    first, second = derivatives
+    below, above, curvature = differences
     n = last.size
     matrix = np.empty((n, n))
-    spread = conductivity / (film * film)
-    for k in range(n):
+    spread, flux = conductivity / (film * film), conductivity / film
+    for k in range(1, n - 1):
         right = carried[k] + source[k]
         for m in range(n):
-            matrix[k, m] = crossing[k] * first[k, m] - slope[k, m] - spread * second[k, m]
+            matrix[k, m] = -slope[k, m] - spread * curvature[k, m]
             right -= slope[k, m] * last[m]
         matrix[k, k] += inflow[k] - compression[k]
+        m = k - 1 if crossing[k] >= 0.0 else k
+        steep = crossing[k] / (nodes[m + 1] - nodes[m])
+        matrix[k, m] -= steep
+        matrix[k, m + 1] += steep
         out[k] = right
-    flux = conductivity / film
     for m in range(n):
-        matrix[0, m] = -response[0] * flux * first[0, m]
-        matrix[n - 1, m] = response[1] * flux * first[n - 1, m]
+        matrix[0, m] = -response[0] * flux * below[m]
+        matrix[n - 1, m] = response[1] * flux * above[m]
     matrix[0, 0] += 1.0
     matrix[n - 1, n - 1] += 1.0
     out[0], out[n - 1] = history[0], history[1]
@@ -149,17 +168,31 @@ def column_transport(j, i, mesh, symmetric, heat_density, temperature, inlet, ma
 
 
 @njit(**OPTIONS)
+def change_temperature(temperature, wanted, share):
+    """Go a share of the way to the wanted temperatures, in bounds; returns the largest change [K]."""
+    largest = 0.0
+    for k in range(wanted.size):
+        if not np.isfinite(wanted[k]):
+            return np.inf
+    for k in range(wanted.size):
+        step = min(max(share * (wanted[k] - temperature[k]), -LARGEST_STEP), LARGEST_STEP)
+        largest = max(largest, abs(step))
+        temperature[k] = min(max(temperature[k] + step, COLDEST), HOTTEST)
+    return largest
+
+
+@njit(**OPTIONS)
 def solve_heat_column(
-    j, i, p, height, rise, rate, speed, mesh, symmetric, oil, heat, section, derivatives, rheology,
+    j, i, p, height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences, rheology,
     temperature, inlet, history, response, middle, mass, work, flow, slope, out
 ):  # fmt: skip
     """Temperature and stress of one column together; returns heat of shear [W/m^2] and whether it came to rest.
 
-    heat: conductivity, rho_0 c and thermal expansion of the oil.
+    heat: conductivity and rho_0 c of the oil.
     """
     n, found, dissipated = section[0].size, False, 0.0
     compression = np.empty(n)
-    for _ in range(COLUMN_STEPS):
+    for turn in range(COLUMN_STEPS):
         t_x, t_y, solved = solve_column(
             p, temperature[j, i], (middle[0, j, i], middle[1, j, i]), rise, rate, oil, section, rheology, work
         )
@@ -168,16 +201,13 @@ def solve_heat_column(
         column_transport(j, i, mesh, symmetric, heat[1], temperature, inlet, mass, height, section, work, flow)
         source_slope(p, temperature[j, i], (t_x, t_y), rise, rate, oil, section, work, flow, slope)
         for k in range(n):
-            compression[k] = heat[2] * (flow[U, k] * rise[0] + flow[V, k] * rise[1]) / height
+            expansion = thermal_expansion(p, temperature[j, i, k], oil)
+            compression[k] = expansion * (flow[U, k] * rise[0] + flow[V, k] * rise[1]) / height
         column_temperature(
             height, heat[0], flow[INFLOW], flow[CARRIED], flow[CROSSING], flow[SOURCE], slope, compression,
-            temperature[j, i], history, response, derivatives, out,
+            temperature[j, i], history, response, section[0], differences, out,
         )  # fmt: skip
-        largest = 0.0
-        for k in range(n):
-            step = min(max(out[k] - temperature[j, i, k], -LARGEST_STEP), LARGEST_STEP)
-            largest = max(largest, abs(step))
-            temperature[j, i, k] += step
+        largest = change_temperature(temperature[j, i], out, 0.5 ** (turn // CAREFUL_AFTER))
         if largest < COLUMN_TOLERANCE:
             found = solved
             break
@@ -188,7 +218,7 @@ def solve_heat_column(
 
 @njit(**OPTIONS)
 def heat_sweep(
-    p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, derivatives, rheology,
+    p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences, rheology,
     inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation
 ):  # fmt: skip
     """Columns of all lines one after the other along x, or against it; returns how many did not come to rest.
@@ -216,15 +246,22 @@ def heat_sweep(
             rate = ((speed_2[0, j, i] - speed_1[0, j, i]) / height, (speed_2[1, j, i] - speed_1[1, j, i]) / height)
             answer = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
             speed = (speed_1[0, j, i], speed_1[1, j, i])
-            dissipation[j, i], found = solve_heat_column(
-                j, i, p[j, i], height, rise, rate, speed, mesh, symmetric, oil, heat, section, derivatives, rheology,
-                temperature, inlet, (past_1, past_2), answer, middle, mass, work, flow, slope, out,
-            )  # fmt: skip
+            before = i - 1 if forward else i + 1
+            found = False
+            for attempt in range(2):
+                if attempt == 1 and 0 <= before < nx:  # what was left there may be absurd: start from the neighbour
+                    temperature[j, i], middle[:, j, i] = temperature[j, before], np.nan
+                dissipation[j, i], found = solve_heat_column(
+                    j, i, p[j, i], height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences,
+                    rheology, temperature, inlet, (past_1, past_2), answer, middle, mass, work, flow, slope, out,
+                )  # fmt: skip
+                if found:
+                    break
             missed += 0 if found else 1
             gain_1 = gain_2 = 0.0
             for k in range(n):
-                gain_1 += derivatives[0][0, k] * temperature[j, i, k]
-                gain_2 -= derivatives[0][n - 1, k] * temperature[j, i, k]
+                gain_1 += differences[0][k] * temperature[j, i, k]
+                gain_2 -= differences[1][k] * temperature[j, i, k]
             flux[0, j, i], flux[1, j, i] = heat[0] / height * gain_1, heat[0] / height * gain_2
     return missed
 

@@ -14,14 +14,13 @@ from ..grid import Grid
 from ..properties import oil_numbers
 from ..rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
+from .columns import curvature, wall_slopes
 from .solids import SolidThermal, history_weights, response_factor
 
 if TYPE_CHECKING:
     from ..generalized_reynolds.flow import FilmFields
 
 Array = NDArray[np.float64]
-
-FIRST_SWEEPS = 2  # on a grid that starts from a uniform temperature
 
 
 @dataclass(slots=True, kw_only=True)
@@ -49,7 +48,7 @@ class FilmHeat:
     missed : int
         Columns that did not come to rest in the last sweep [-].
     change : float
-        Largest change of a temperature in the last sweep [K].
+        Largest change of a temperature in the last turn [K].
     states : dict
         State of each grid by the shape of its arrays.
     """
@@ -88,7 +87,9 @@ class FilmHeat:
         section: Section,
         rheology: Rheology,
     ) -> Array:
-        """Temperature of the film after one more sweep along the flow, shape (ny, nx, n) [K].
+        """Temperature of the film after one more sweep against and one along the flow, shape (ny, nx, n) [K].
+
+        The one against it carries heat up the recirculation of the inlet.
 
         Parameters
         ----------
@@ -110,10 +111,11 @@ class FilmHeat:
                 dissipation=np.zeros(shape),
             )
         state = self.states[shape]
-        for _ in range(FIRST_SWEEPS if fresh else 1):
-            before = state.temperature.copy()
-            self._sweep(contact, grid, fields, (middle, state), section, rheology)
-            self.change = float(np.abs(state.temperature - before).max())
+        before = state.temperature.copy()
+        along = contact.velocity_x >= 0.0
+        for forward in (along, not along, along) if fresh else (not along, along):
+            self._sweep(contact, grid, fields, (middle, state), (section, rheology), forward)
+        self.change = float(np.abs(state.temperature - before).max())
         return state.temperature
 
     def _uniform(self, shape: tuple[int, ...], section: Section) -> Array:
@@ -128,16 +130,17 @@ class FilmHeat:
         grid: Grid,
         fields: FilmFields,
         found: tuple[Array, HeatState],
-        section: Section,
-        rheology: Rheology,
+        across: tuple[Section, Rheology],
+        forward: bool,
     ) -> None:
         from . import _kernels
 
-        oil, (middle, state), a = self.conditions.lubricant, found, contact.semi_axis_x
+        oil, (middle, state), (section, rheology) = self.conditions.lubricant, found, across
+        a = contact.semi_axis_x
         assert a is not None and oil.thermal is not None
         speeds = (fields.speed_1, fields.speed_2)
         response = [response_factor(u[0], s, a) for u, s in zip(speeds, self.solids, strict=True)]
-        heat = (oil.thermal.conductivity, oil.density * oil.thermal.specific_heat, oil.thermal.expansion)
+        heat = (oil.thermal.conductivity, oil.density * oil.thermal.specific_heat)
         self.missed = _kernels.heat_sweep(
             fields.p,
             fields.h,
@@ -145,11 +148,11 @@ class FilmHeat:
             *speeds,
             (grid.hx * a, grid.hy * a),
             grid.symmetric,
-            contact.velocity_x >= 0.0,
+            forward,
             oil_numbers(oil),
             heat,
             section.integration,
-            (section.derivative, section.derivative @ section.derivative),
+            (*wall_slopes(section), curvature(section)),
             kernel_rheology(rheology),
             self.inlet,
             self.bulk,

@@ -196,6 +196,19 @@ def test_kernels_agree(oil):
             assert_allclose(softening, np.log(cold / hot) / 0.02, rtol=1e-4, atol=1e-9)
 
 
+def test_thermal_expansion(oil):
+    """Constant with Dowson and Higginson's law; with Tait's own coefficients it falls under pressure."""
+    if oil.temperature is None:
+        return
+    numbers = oil_numbers(oil)
+    for p in (0.0, 1e9):
+        t = oil.temperature + 5.0
+        slope = np.log(density(p, oil, t - 0.1) / density(p, oil, t + 0.1)) / 0.2
+        assert_allclose(_kernels.thermal_expansion(p, t, numbers), slope, rtol=1e-5)
+    if oil is WARM_SQUALANE:
+        assert _kernels.thermal_expansion(1e9, 320.0, numbers) < 0.5 * _kernels.thermal_expansion(0.0, 320.0, numbers)
+
+
 def test_density_slope(oil):
     """Against a central difference over 20 kPa."""
     numbers = oil_numbers(oil)

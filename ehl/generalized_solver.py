@@ -1,0 +1,154 @@
+"""Contacts with an oil that thins under shear and warms: the contact solver with a generalized Reynolds equation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .conditions import ContactConditions
+from .generalized_reynolds.flow import GeneralizedFlow
+from .options import SolverOptions
+from .rheology import Rheology
+from .solution import ContactSolution
+from .solver import solve_contact
+from .thermal.film_heat import FilmHeat
+from .thermal.solids import SolidThermal
+
+Array = NDArray[np.float64]
+
+SETTLED = 0.03  # change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure
+MISSED = 0.005  # share of the columns that may be without a solution: they lie where hardly anything flows
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class GeneralizedSolution:
+    """One contact with its oil's rheology and heat; fields on the grid of `contact`, shape (nx, ny) or as told.
+
+    Attributes
+    ----------
+    contact : ContactSolution
+        Pressure and film; `converged` and `message` include shear and heat.
+    rheology : Rheology
+    nodes : ndarray, shape (n,)
+        Places z/h across the film, from body 1 to body 2 [-].
+    mid_stress : ndarray, shape (2, nx, ny), or None
+        Stress in the middle of the film along x and y [Pa]; None: Newtonian and of uniform temperature.
+    temperature : ndarray, shape (nx, ny, n), or None
+        Of the oil at the nodes, walls included [K]; None: solved without heat.
+    heat_flux : ndarray, shape (2, nx, ny), or None
+        Into body 1 and body 2 [W/m^2].
+    dissipation : ndarray, shape (nx, ny), or None
+        Heat of shear over the film [W/m^2].
+    change : float
+        Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure [-].
+    missed : int
+        Columns of the last turn without a solution [-].
+    """
+
+    contact: ContactSolution
+    rheology: Rheology
+    nodes: Array
+    mid_stress: Array | None = None
+    temperature: Array | None = None
+    heat_flux: Array | None = None
+    dissipation: Array | None = None
+    change: float = 0.0
+    missed: int = 0
+
+    @property
+    def mean_temperature(self) -> Array | None:
+        """Of the oil over the film thickness, shape (nx, ny) [K]."""
+        if self.temperature is None:
+            return None
+        z, t = self.nodes, self.temperature
+        return np.asarray(np.trapezoid(t, z, axis=-1), dtype=np.float64)
+
+
+def solve_generalized(
+    conditions: ContactConditions,
+    rheology: Rheology,
+    *,
+    solids: tuple[SolidThermal, SolidThermal] | None = None,
+    oil_temperature: float | None = None,
+    options: SolverOptions | None = None,
+) -> GeneralizedSolution:
+    """Pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen (1990).
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+        With heat, its lubricant has a temperature and thermal properties.
+    rheology : Rheology
+    solids : tuple of SolidThermal, optional
+        Body 1 and body 2; None: uniform temperature. Newtonian and uniform is `solve_contact` itself.
+    oil_temperature : float, optional
+        Of the oil that flows in [K]; None: the lubricant's temperature of operation.
+    options : SolverOptions, optional
+
+    Returns
+    -------
+    GeneralizedSolution
+        Fields of the last turn of shear and heat, one multigrid cycle behind pressure and film.
+
+    Raises
+    ------
+    ValueError
+        If properties that are needed are missing; the message names them.
+    """
+    heat = None if solids is None else FilmHeat(conditions=conditions, solids=solids, oil_temperature=oil_temperature)
+    flow = GeneralizedFlow(conditions=conditions, rheology=rheology, heat=heat)
+    if rheology.newtonian and heat is None:
+        return GeneralizedSolution(
+            contact=solve_contact(conditions, options), rheology=rheology, nodes=flow.section.nodes
+        )
+    contact = solve_contact(conditions, options, flow)
+    nx, ny = contact.P.shape
+    shape = next((s for s in ((ny, nx), (ny // 2 + 1, nx)) if s in flow.stresses), None)
+    solution = GeneralizedSolution(
+        contact=_judged(contact, flow),
+        rheology=rheology,
+        nodes=flow.section.nodes,
+        change=flow.change,
+        missed=_missed(flow),
+    )
+    if shape is None:
+        return solution
+    solution = replace(solution, mid_stress=_whole(flow.stresses[shape], ny, (1.0, -1.0)))
+    if heat is None:
+        return solution
+    state = heat.states[shape]
+    return replace(
+        solution,
+        temperature=np.moveaxis(_whole(np.moveaxis(state.temperature, -1, 0), ny), 0, -1),
+        heat_flux=_whole(state.flux, ny),
+        dissipation=_whole(state.dissipation, ny),
+    )
+
+
+def _missed(flow: GeneralizedFlow) -> int:
+    return flow.missed + (0 if flow.heat is None else flow.heat.missed)
+
+
+def _judged(contact: ContactSolution, flow: GeneralizedFlow) -> ContactSolution:
+    """The solution with what shear and heat say about its convergence."""
+    if not contact.converged:
+        return contact
+    if not flow.change <= SETTLED:
+        said = f"not converged: shear and heat changed the flow by {flow.change:.1e} in the last cycle"
+    elif _missed(flow) > MISSED * contact.P.size:
+        said = f"not converged: {_missed(flow)} columns of film without a solution of shear and heat"
+    else:
+        return contact
+    return replace(contact, converged=False, message=f"{said}; try more cycles")
+
+
+def _whole(values: Array, ny: int, signs: tuple[float, ...] = ()) -> Array:
+    """Fields of shape (..., rows, nx) of a grid as (..., nx, ny), the lower half mirrored where it was left out."""
+    if values.shape[-2] != ny:
+        mirror = values[..., :0:-1, :]
+        if signs:
+            mirror = mirror * np.array(signs)[:, None, None]
+        values = np.concatenate((mirror, values), axis=-2)
+    return np.ascontiguousarray(np.swapaxes(values, -1, -2))

@@ -1,0 +1,239 @@
+"""Heat of the film: columns and bodies against closed forms, kernels against their NumPy twins.
+
+Couette flow heated by shear with equal walls and eta = eta_0 exp(-beta (T - T_w)): Nahme's solution as in Bird,
+Armstrong and Hassager (1987), re-derived: with N = beta eta_0 U^2/k the largest rise is ln(1 + N/8)/beta and the stress
+eta_0 U/h asinh(sqrt(N/8))/sqrt(N/8 (1 + N/8)).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from ehl import ContactConditions, Lubricant, ViscosityLaw
+from ehl.generalized_reynolds import film_section
+from ehl.lubricant import DensityLaw, ThermalProperties
+from ehl.properties import oil_numbers
+from ehl.rheology import Rheology, kernel_rheology
+from ehl.thermal import SolidThermal, _kernels, film_reduction_gupta, thermal_loading
+from ehl.thermal.columns import HeatColumn, column_temperature, curvature, wall_slopes
+from ehl.thermal.film_heat import FilmHeat
+from ehl.thermal.solids import history_weights, response_factor
+
+SECTION = film_section()
+DIFFERENCES = (*wall_slopes(SECTION), curvature(SECTION))
+HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.04, expansion=7e-4)
+OIL = Lubricant(
+    viscosity=0.05,
+    pressure_viscosity=2e-8,
+    viscosity_law=ViscosityLaw.ISOVISCOUS,
+    density_law=DensityLaw.INCOMPRESSIBLE,
+    temperature=313.15,
+    thermal=replace(HEAT, expansion=0.0),
+)
+STEEL = SolidThermal(conductivity=46.0, density=7850.0, specific_heat=460.0)
+COLD = SolidThermal(conductivity=1e9, density=1e4, specific_heat=1e3)  # takes up any heat without warming
+INSULATOR = SolidThermal(conductivity=1e-9, density=1.0, specific_heat=1e-3)
+T_0 = 313.15
+
+
+def still_column(**changes):
+    """A column without convection or coupling of its source."""
+    n = SECTION.nodes.size
+    zero = np.zeros(n)
+    plain = HeatColumn(
+        film=3e-7,
+        conductivity=0.14,
+        inflow=zero,
+        carried=zero,
+        crossing=zero,
+        source=zero,
+        slope=np.zeros((n, n)),
+        compression=zero,
+        last=np.full(n, T_0),
+        history=(T_0, T_0),
+        response=(0.0, 0.0),
+    )
+    return replace(plain, **changes)
+
+
+def test_uniform_heat_gives_a_parabola():
+    """T - T_w = Q h^2/(2 k) z (1 - z); three-point differences are exact for it."""
+    heat = 1e15
+    t = column_temperature(still_column(source=np.full(SECTION.nodes.size, heat)), SECTION)
+    z = SECTION.nodes
+    assert_allclose(t - T_0, heat * 9e-14 / 0.28 * z * (1.0 - z), atol=1e-9 * t.max())
+
+
+def test_heat_leaves_through_the_walls():
+    """Equal walls with a response: each takes half of Q h and warms by R Q h/2."""
+    heat, response = 1e15, 1e-7
+    t = column_temperature(
+        still_column(source=np.full(SECTION.nodes.size, heat), response=(response, response)), SECTION
+    )
+    assert_allclose(t[[0, -1]] - T_0, response * heat * 3e-7 / 2.0, rtol=1e-9)
+
+
+def test_column_kernel_agrees():
+    random, n = np.random.default_rng(60217), SECTION.nodes.size
+    column = still_column(
+        inflow=1e9 * random.random(n),
+        carried=3e11 * random.random(n),
+        crossing=1e9 * random.standard_normal(n),
+        source=1e13 * random.random(n),
+        slope=1e9 * random.standard_normal((n, n)),
+        compression=1e7 * random.standard_normal(n),
+        response=(1e-7, 3e-7),
+        history=(320.0, 330.0),
+    )
+    out = np.empty(n)
+    fields = (column.inflow, column.carried, column.crossing, column.source, column.slope, column.compression)
+    walls = (column.history, column.response)
+    _kernels.column_temperature(
+        column.film, column.conductivity, *fields, column.last, *walls, SECTION.nodes, DIFFERENCES, out
+    )
+    assert_allclose(out, column_temperature(column, SECTION), rtol=1e-9)
+
+
+def test_dense_solver():
+    random = np.random.default_rng(91822)
+    matrix, right = random.standard_normal((9, 9)), random.standard_normal(9)
+    matrix[0, 0] = 0.0  # needs a pivot
+    wanted = np.linalg.solve(matrix, right)
+    _kernels.solve_dense(matrix.copy(), right)
+    assert_allclose(right, wanted, rtol=1e-10)
+
+
+def test_uniform_flux_into_a_moving_body():
+    """T - T_b = 2 q sqrt(x)/(sqrt(pi u) e) behind the edge of a uniform flux, Carslaw and Jaeger (1959).
+
+    The weights take q as linear between nodes, so that the edge is a ramp one mesh long: error mesh/(4 x).
+    """
+    mesh, count, flux, speed = 1e-6, 200, 1e8, 5.0
+    weights = history_weights(count, mesh)
+    rise = np.cumsum(weights) * flux * response_factor(np.array(speed), STEEL, 1.0)
+    x = mesh * (np.arange(count) + 0.5)  # from the middle of the ramp
+    exact = 2.0 * flux * np.sqrt(x) / (np.sqrt(np.pi * speed) * STEEL.effusivity)
+    assert_allclose(rise[5:], exact[5:], rtol=5e-3)
+    assert_allclose(rise[100:], exact[100:], rtol=2e-5)
+
+
+def test_linear_flux_into_a_moving_body_is_exact():
+    """q = q' x gives int q/sqrt = (4/3) q' x^1.5, to round-off."""
+    weights, q = history_weights(50, 2e-6), np.arange(50) * 2e-6
+    ours = [np.dot(weights[: i + 1][::-1], q[: i + 1]) for i in range(50)]
+    assert_allclose(ours, 4.0 / 3.0 * q**1.5, rtol=1e-12)
+    forward = [_kernels.body_history(q, i, 1.0, weights) + weights[0] * q[i] for i in range(50)]
+    assert_allclose(forward, ours, rtol=1e-12)
+    backward = [_kernels.body_history(q[::-1].copy(), i, -1.0, weights) + weights[0] * q[49 - i] for i in range(50)]
+    assert_allclose(backward[::-1], ours, rtol=1e-12)
+
+
+def test_body_at_rest():
+    """A circle of radius a under uniform flux reaches q a/k in the middle of a body at rest: 2 q sqrt(2 a) R."""
+    radius = 2e-4
+    factor = response_factor(np.array(0.0), STEEL, radius)
+    assert_allclose(2.0 * np.sqrt(2.0 * radius) * factor, radius / STEEL.conductivity, rtol=1e-12)
+
+
+def sweep(oil, solids, speeds, *, nx=60, film=3e-7, p=None, mesh=2e-6, turns=3, inlet=T_0):
+    """March one line of a film of uniform thickness; returns temperature, fluxes, dissipation and misses."""
+    shape, n = (1, nx), SECTION.nodes.size
+    p = np.zeros(shape) if p is None else p
+    gradient = np.stack((np.gradient(p, mesh, axis=1), np.zeros(shape)))
+    speed = [np.stack((np.full(shape, u), np.zeros(shape))) for u in speeds]
+    response = np.stack([response_factor(s[0], body, 1.0) for s, body in zip(speed, solids, strict=True)])
+    temperature, middle = np.full((*shape, n), T_0), np.full((2, *shape), np.nan)
+    mass, flux, dissipation = np.zeros((*shape, n)), np.zeros((2, *shape)), np.zeros(shape)
+    heat = (oil.thermal.conductivity, oil.density * oil.thermal.specific_heat)
+    for _ in range(turns):
+        missed = _kernels.heat_sweep(
+            *(p, np.full(shape, film), gradient, *speed, (mesh, 1.0), True, True, oil_numbers(oil), heat),
+            *(SECTION.integration, DIFFERENCES, kernel_rheology(Rheology()), inlet, (T_0, T_0), response),
+            *(history_weights(nx, mesh), temperature, middle, mass, flux, dissipation),
+        )
+    return temperature[0], flux[:, 0], dissipation[0], missed, middle[:, 0]
+
+
+@pytest.mark.parametrize("slip", [1.0, 6.0, 20.0])
+def test_couette_flow_heated_by_shear(slip):
+    """Nahme's solution far downstream between walls that keep their temperature, N up to 5.7 [2nd order in 1/n]."""
+    temperature, _, _, missed, middle = sweep(OIL, (COLD, COLD), (0.1 + slip, 0.1), nx=120)
+    number = 0.04 * 0.05 * slip**2 / 0.14
+    assert missed == 0
+    assert_allclose(temperature[-1].max() - T_0, np.log1p(number / 8.0) / 0.04, rtol=0.01)
+    ratio = number / 8.0
+    stress = 0.05 * slip / 3e-7 * np.arcsinh(np.sqrt(ratio)) / np.sqrt(ratio * (1.0 + ratio))
+    assert_allclose(abs(middle[0, -1]), stress, rtol=0.01)
+
+
+def test_heat_is_conserved_along_a_line():
+    """Shear heat = heat into the bodies + enthalpy carried out, in a parallel film between moving steel bodies.
+
+    Upwind differences carry exactly what they take where the velocities are uniform along x; the sum over the nodes
+    across is a quadrature of a three-point solution, right to a per cent.
+    """
+    oil = replace(OIL, thermal=replace(OIL.thermal, viscosity_temperature=0.0))
+    temperature, flux, dissipation, missed, _ = sweep(oil, (STEEL, STEEL), (6.0, 4.0))
+    assert missed == 0
+    mesh, z = 2e-6, SECTION.nodes
+    carried = 870.0 * 2000.0 * 3e-7 * SECTION.weights @ ((6.0 - 2.0 * z) * (temperature[-1] - T_0))
+    assert_allclose(dissipation, 0.05 * 4.0 / 3e-7, rtol=1e-10)
+    assert_allclose((dissipation - flux.sum(axis=0)).sum() * mesh, carried, rtol=0.01)
+    assert flux.min() > 0.0
+
+
+def test_column_balance():
+    """Of one column: what shear heats, less convection, is what the walls take [1 %, three-point walls]."""
+    oil = replace(OIL, thermal=replace(OIL.thermal, viscosity_temperature=0.0))
+    temperature, flux, dissipation, _, _ = sweep(oil, (STEEL, STEEL), (6.0, 4.0))
+    z, mesh = SECTION.nodes, 2e-6
+    u = 6.0 - 2.0 * z
+    convected = 870.0 * 2000.0 * 3e-7 / mesh * ((u * np.diff(temperature, axis=0)) @ SECTION.weights)
+    assert_allclose(dissipation[1:] - convected, flux[:, 1:].sum(axis=0), rtol=0.01)
+
+
+def test_adiabatic_compression():
+    """A plug between insulators: T = T_0 exp[eps dp/(rho c)]; upwind, first order in the mesh."""
+    oil = replace(OIL, thermal=replace(HEAT, viscosity_temperature=0.0), density_law=DensityLaw.INCOMPRESSIBLE)
+    p = np.linspace(0.0, 5e7, 200)[None]
+    temperature = sweep(oil, (INSULATOR, INSULATOR), (5.0, 5.0), nx=200, p=p, film=5e-8, turns=1)[0]
+    exact = T_0 * np.exp(7e-4 * p[0] / (870.0 * 2000.0))
+    middle = SECTION.nodes.size // 2
+    assert_allclose(temperature[-1, middle] - T_0, exact[-1] - T_0, rtol=0.02)
+
+
+def test_less_effusive_bodies_are_hotter():
+    """Zirconia against silicon nitride against steel: wall temperatures by effusivity."""
+    nitride = SolidThermal(conductivity=30.0, density=3290.0, specific_heat=740.0)
+    zirconia = SolidThermal(conductivity=2.0, density=6040.0, specific_heat=450.0)
+    walls = [sweep(OIL, (body, body), (6.0, 4.0))[0][-1, 0] for body in (STEEL, nitride, zirconia)]
+    assert walls[0] < walls[1] < walls[2]
+
+
+def test_gupta_formula_by_hand():
+    """p_h/E' = 0.005, L_T = 1, S = 1: (1 - 0.066)/(1 + 0.213 * 3.23)."""
+    assert_allclose(film_reduction_gupta(0.005, 1.0, 1.0), 0.934 / 1.68799, rtol=1e-6)
+    assert film_reduction_gupta(0.005, 0.0, 1.0) == 1.0
+    contact = ContactConditions(
+        load=20.0, radius_x=0.01, radius_y=0.01, reduced_modulus=2e11, entrainment_speed=2.0, lubricant=OIL
+    )
+    assert_allclose(thermal_loading(contact), 0.05 * 0.04 * 4.0 / 0.14, rtol=1e-12)
+
+
+def test_what_is_missing_is_named():
+    cold = replace(OIL, thermal=None)
+    contact = ContactConditions(
+        load=20.0, radius_x=0.01, radius_y=0.01, reduced_modulus=2e11, entrainment_speed=2.0, lubricant=cold
+    )
+    with pytest.raises(ValueError, match="thermal"):
+        FilmHeat(conditions=contact, solids=(STEEL, STEEL))
+    with pytest.raises(ValueError, match="thermal"):
+        thermal_loading(contact)
+    with pytest.raises(ValueError, match="conductivity"):
+        SolidThermal(conductivity=0.0, density=1.0, specific_heat=1.0)
+    with pytest.raises(ValueError, match="specific_heat"):
+        replace(HEAT, specific_heat=-1.0)
