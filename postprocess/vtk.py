@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 COLLECTION_FILE, STRESS_FILE, BLOCK_FOLDER = "fields.pvd", "subsurface.pvd", "vtk"
+AZIMUTH_FILE = "azimuth.pvd"
 FILM, PRESSURE = "film thickness [um]", "pressure [GPa]"
 OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
 
@@ -80,9 +81,10 @@ def write_collection(
         blocks["bodies"] = {
             name: _write_body(surface, directory, name.replace(" ", "_")) for name, surface in bodies(results).items()
         }
+        _write_azimuths(results, directory, blocks)
     _write_text(directory / BLOCK_FOLDER / "fields.vtm", _multiblock(blocks))
     collection = directory / COLLECTION_FILE
-    _write_text(collection, _collection(f"{BLOCK_FOLDER}/fields.vtm"))
+    _write_text(collection, collection_text({0.0: f"{BLOCK_FOLDER}/fields.vtm"}))
     return collection
 
 
@@ -113,7 +115,7 @@ def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
             ball, _ = contact_name(contact.ball, race).split("/")
             blocks.setdefault(ball, {})[race] = _write_grid(volume_grid(volume), directory, f"{ball}_{race}_stress")
     _write_text(directory / BLOCK_FOLDER / "subsurface.vtm", _multiblock(blocks))
-    _write_text(directory / STRESS_FILE, _collection(f"{BLOCK_FOLDER}/subsurface.vtm"))
+    _write_text(directory / STRESS_FILE, collection_text({0.0: f"{BLOCK_FOLDER}/subsurface.vtm"}))
     return directory / STRESS_FILE
 
 
@@ -312,9 +314,34 @@ def _multiblock(blocks: dict[str, dict[str, str]]) -> str:
     return "\n".join([*lines, "</vtkMultiBlockDataSet>", "</VTKFile>", ""])
 
 
-def _collection(file: str) -> str:
-    """XML of a .pvd file with one step."""
-    return (
-        '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n<Collection>\n'
-        f'<DataSet timestep="0" group="" part="0" file={quoteattr(file)}/>\n</Collection>\n</VTKFile>\n'
+def collection_text(steps: dict[float, str]) -> str:
+    """XML of a .pvd file: what ParaView shows at each time, or at what else a step is named after.
+
+    Parameters
+    ----------
+    steps : dict
+        Relative path of a file by its step, such as the time [s] or an azimuth [deg].
+    """
+    sets = "".join(
+        f'<DataSet timestep="{step!r}" group="" part="0" file={quoteattr(file)}/>\n'
+        for step, file in sorted(steps.items())
     )
+    head = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n<Collection>\n'
+    return f"{head}{sets}</Collection>\n</VTKFile>\n"
+
+
+def _write_azimuths(results: BearingResults, directory: Path, blocks: dict[str, dict[str, str]]) -> None:
+    """A collection that goes around the bearing: the films at an azimuth [deg], with the bodies, are one step."""
+    steps: dict[float, dict[str, dict[str, str]]] = {}
+    for contact in results.contacts:
+        ball = contact_name(contact.ball, contact.race.value).split("/")[0]
+        if ball in blocks:
+            azimuth = round(degrees(contact.azimuth) % 360.0, 6) % 360.0
+            steps.setdefault(azimuth, {"bodies": blocks["bodies"]})[ball] = blocks[ball]
+    files = {}
+    for azimuth, shown in steps.items():
+        first = next(name for name in shown if name != "bodies")
+        files[azimuth] = f"{BLOCK_FOLDER}/azimuth_{first}.vtm"
+        _write_text(directory / files[azimuth], _multiblock(shown))
+    if files:
+        _write_text(directory / AZIMUTH_FILE, collection_text(files))

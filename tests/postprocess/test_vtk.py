@@ -12,7 +12,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from postprocess.geometry import ContactFrame, Placement, place_patch, ring_surface
-from postprocess.vtk import FILM, PRESSURE, write_collection, write_subsurface
+from postprocess.vtk import FILM, PRESSURE, collection_text, write_collection, write_subsurface
 
 pv = pytest.importorskip("pyvista")
 
@@ -30,6 +30,27 @@ def test_one_block_per_ball_and_race(collection, bearing_results):
     names = {(g, b) for g in collection.keys() for b in collection[g].keys()}  # noqa: SIM118
     solved = {(f"ball{c.ball:02d}", c.race.value) for c in bearing_results.contacts if c.conditions is not None}
     assert names == solved | {("bodies", n) for n in ("balls", "inner ring", "outer ring")}
+
+
+def test_steps_of_the_azimuth_hold_the_films_there(bearing_results, tmp_path):
+    write_collection(bearing_results, tmp_path)
+    reader = pv.get_reader(tmp_path / "azimuth.pvd")
+    azimuths = sorted({round(float(np.degrees(c.azimuth)) % 360.0, 6) for c in bearing_results.contacts})
+    assert_allclose(reader.time_values, azimuths)
+    reader.set_active_time_value(azimuths[1])
+    shown = reader.read()[0]
+    assert set(shown.keys()) == {"ball02", "bodies"}
+    assert set(shown["ball02"].keys()) == {"inner", "outer"}
+    radius = np.hypot(*shown["ball02"]["outer"].center[1:])
+    turn = np.arctan2(shown["ball02"]["outer"].center[2], shown["ball02"]["outer"].center[1])
+    assert radius > 30.0  # [mm]
+    assert np.degrees(turn) == pytest.approx(azimuths[1], abs=1.0)
+
+
+def test_collections_name_their_steps():
+    text = collection_text({2.5e-3: "b.vtm", 0.0: "a.vtm"})
+    assert text.index("a.vtm") < text.index("b.vtm")
+    assert 'timestep="0.0025"' in text
 
 
 def test_fields_carry_units_and_values(collection, bearing_results):

@@ -11,7 +11,7 @@ from postprocess import write_results
 def test_all_files_are_written(bearing_results, tmp_path):
     assert write_results(bearing_results, tmp_path / "out") == ()
     names = {p.name for p in (tmp_path / "out").iterdir()}
-    assert names == {"summary.json", "contacts.csv", "results.nc", "fields.pvd", "plots", "vtk"}
+    assert names == {"summary.json", "contacts.csv", "results.nc", "azimuth.pvd", "fields.pvd", "plots", "vtk"}
 
 
 def test_single_contact_files(moes_results, tmp_path):
