@@ -1,0 +1,82 @@
+"""Random contacts, Newtonian and with shear thinning and heat: how many converge, and what the film loses.
+
+python benchmarks/robustness_shear_heat.py [count] [seed]
+"""
+
+from __future__ import annotations
+
+import sys
+from time import perf_counter
+
+import numpy as np
+
+from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from ehl.generalized_solver import solve_generalized
+from ehl.lubricant import ThermalProperties
+from ehl.rheology import Rheology, ShearLaw
+from ehl.thermal import SolidThermal
+
+STEEL = SolidThermal(conductivity=46.0, density=7850.0, specific_heat=460.0)
+HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.035, expansion=7e-4)
+EYRING = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
+CARREAU = Rheology(law=ShearLaw.CARREAU_YASUDA, carreau_modulus=2e6, carreau_exponent=0.5)
+LIMITED = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6, limiting_coefficient=0.08)
+MODELS = {
+    "eyring": (EYRING, None),
+    "carreau": (CARREAU, None),
+    "eyring, limited": (LIMITED, None),
+    "newtonian, heat": (Rheology(), (STEEL, STEEL)),
+    "eyring, heat": (EYRING, (STEEL, STEEL)),
+}
+
+
+def random_contact(random: np.random.Generator) -> ContactConditions:
+    """A rolling contact of a bearing, steel or ceramic, with slip in both directions and spin."""
+    radius = 10 ** random.uniform(-3, -1.8)
+    oil = Lubricant(
+        viscosity=10 ** random.uniform(-2.3, -0.7),
+        pressure_viscosity=random.uniform(12e-9, 24e-9),
+        roelands_z=random.uniform(0.5, 0.7),
+        temperature=333.0,
+        thermal=HEAT,
+    )
+    sliding = random.choice([0.0, 10 ** random.uniform(-3, 0.2)])
+    return ContactConditions(
+        load=10 ** random.uniform(0.7, 3),
+        radius_x=radius,
+        radius_y=radius * 10 ** random.uniform(0, 1.7),
+        reduced_modulus=random.uniform(2e11, 3.4e11),
+        entrainment_speed=10 ** random.uniform(-0.5, 1.3),
+        lubricant=oil,
+        slide_roll_ratio=sliding,
+        lateral_slide_ratio=random.choice([0.0, 0.02]),
+        spin=random.choice([0.0, 10 ** random.uniform(1, 3)]),
+    )
+
+
+def main(count: int, seed: int) -> None:
+    """Solve them all and print one line each."""
+    random = np.random.default_rng(seed)
+    solved = dict.fromkeys(MODELS, 0)
+    newtonian = 0
+    for index in range(count):
+        contact = random_contact(random)
+        options = SolverOptions(points=129)
+        plain = solve_contact(contact, options)
+        newtonian += plain.converged
+        line = f"{index:3d} p_h {plain.hertz_pressure / 1e9:.2f} u {contact.entrainment_speed:5.2f} "
+        line += f"S {contact.slide_roll_ratio:.3f} {'ok' if plain.converged else '--'}"
+        for name, (rheology, solids) in MODELS.items():
+            began = perf_counter()
+            solution = solve_generalized(contact, rheology, solids=solids, options=options).contact
+            solved[name] += solution.converged and plain.converged
+            ratio = solution.film_central_dimensionless.finest / plain.film_central_dimensionless.finest
+            mark = f"{ratio:.3f}" if solution.converged else f"-- ({solution.message[:40]})"
+            line += f" | {name} {mark} {perf_counter() - began:.1f} s"
+        print(line, flush=True)
+    print(f"newtonian {newtonian} of {count}; of these " + ", ".join(f"{name} {n}" for name, n in solved.items()))
+
+
+if __name__ == "__main__":
+    arguments = [int(a) for a in sys.argv[1:]]
+    main(*(arguments + [12, 40213][len(arguments) :]))

@@ -1,0 +1,20 @@
+"""Cost per unknown from 65 to 2049 points, cycles, memory, all contacts of the 6208: `python benchmarks/scaling.py`.
+
+The section on cost of `oilfilm verify`; times are also given in deflections of the same run. `--quick`: to 257 points.
+"""
+
+from __future__ import annotations
+
+import sys
+
+from cases.verification.costs import costs
+from cases.verification.page import markdown
+
+
+def main(quick):
+    """Print the tables."""
+    print(markdown("Cost", "", [costs(quick)]))
+
+
+if __name__ == "__main__":
+    main("--quick" in sys.argv[1:])
