@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from math import ceil, cos, floor, hypot, inf, log10, pi, sin
+from math import ceil, cos, degrees, floor, hypot, inf, log10, pi, sin
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -72,6 +72,8 @@ class ContactView:
     length_unit, film_unit, pressure_unit : str
     whole : tuple of float
         Ends of the computed box along the entrainment, in units of half_x [-].
+    oblique : float
+        Angle of the entrainment to the axis x, towards y [deg]; zero along it.
     doubt : str
         "not converged" or "not resolved"; empty for a sound solution.
     """
@@ -95,6 +97,14 @@ class ContactView:
     pressure_unit: str
     whole: tuple[float, float]
     doubt: str
+    oblique: float = 0.0
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """Of the axes: rolling and transverse direction, or plain principal directions [-]."""
+        if self.oblique:
+            return "principal direction $x$", "principal direction $y$"
+        return "rolling direction $x$", "transverse $y$"
 
     @property
     def stretched(self) -> bool:
@@ -157,8 +167,15 @@ def contact_view(solution: ContactSolution, window: tuple[float, float, float] |
         film_unit="$a^2/R_x$" if solution.film_scale is None else "µm",
         pressure_unit="GPa" if solution.hertz_pressure > 0.0 else "$p_h$",
         whole=(float(solution.X[0] / half_x), float(solution.X[-1] / half_x)),
+        oblique=oblique_angle(solution),
         doubt="not converged" if not solution.converged else "" if solution.resolved else "not resolved",
     )
+
+
+def oblique_angle(solution: ContactSolution) -> float:
+    """Angle of the entrainment to the grid's x [deg], zero where it is noise."""
+    angle = degrees(solution.conditions.entrainment_angle - solution.frame_angle)
+    return angle if abs(angle) > 1e-6 else 0.0
 
 
 def _ellipse(angle: float, kappa: float) -> Array:

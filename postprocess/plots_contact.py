@@ -73,10 +73,15 @@ def _footnote(view: ContactView) -> str:
     )
     ends = [end / view.half_x for end in (view.x[0], view.x[-1])]
     return (
-        f"Oil moves to the right; {scale}\n"
+        f"{_movement(view)}; {scale}\n"
         f"shown is x/a = {ends[0]:.2g} ... {ends[1]:.2g} of the computed {view.whole[0]:.2g} ... {view.whole[1]:.2g}; "
         "film beyond the colour scale is grey"
     )
+
+
+def _movement(view: ContactView) -> str:
+    """Where the oil goes."""
+    return f"Oil moves at {view.oblique:.3g}° from x towards y" if view.oblique else "Oil moves to the right"
 
 
 def draw_map(
@@ -127,8 +132,8 @@ def draw_map(
     axes.plot(*view.ellipse, color="black", linestyle=(0, (4, 2)), linewidth=0.8)
     axes.set_xlim(view.x[0], view.x[-1])
     axes.set_ylim(view.y[0], view.y[-1])
-    axes.set_xlabel(f"rolling direction $x$ [{view.length_unit}]")
-    axes.set_ylabel(f"transverse $y$ [{view.length_unit}]")
+    axes.set_xlabel(f"{view.names[0]} [{view.length_unit}]")
+    axes.set_ylabel(f"{view.names[1]} [{view.length_unit}]")
     return image
 
 
@@ -198,7 +203,7 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     )
     axes.set_ylim(0.0, 1.08 * view.pressure_top)
     axes.set_xlim(s[0], s[-1])
-    name = "rolling direction $x$" if along else "transverse $y$"
+    name = view.names[0 if along else 1]
     axes.set_xlabel(f"{name} [{view.length_unit}], at ${'y' if along else 'x'}$ = 0")
     axes.set_ylabel(f"pressure [{view.pressure_unit}]", color=PRESSURE_COLOUR)
     film = axes.twinx()
