@@ -241,7 +241,8 @@ def test_not_converged_is_written_flagged_and_told(monkeypatch, tmp_path):
     solve = bearing.quasistatic.solve_quasistatic
 
     def fail(*arguments, **options):
-        return dataclasses.replace(solve(*arguments, **options), converged=False, message="the load exceeds every capacity")
+        solved = solve(*arguments, **options)
+        return dataclasses.replace(solved, converged=False, message="the load exceeds every capacity")
 
     monkeypatch.setattr(bearing.quasistatic, "solve_quasistatic", fail)
     answer = oilfilm("run", AT_REST, "-o", "out", "--quiet")
