@@ -1,0 +1,122 @@
+r"""How a lubricated contact answers to the approach of its bodies: stiffness and squeeze damping.
+
+With h_0 the constant of the film equation (minus the approach), the load is F(h_0) when the bodies stand still and, to
+first order in its rate, F(h_0) + F' dh_0/dt when they move: stiffness k = -dF/dh_0, damping c = -F'. Both come from
+the solver: a little more load gives k and the change of the film with h_0; the squeeze term of Reynolds' equation,
+
+.. math:: \frac{\partial(\rho h)}{\partial t} = \frac{\partial(\rho h)}{\partial h_0}\Big|_{steady} \dot h_0,
+
+in which the film follows the approach as slowly as in a row of steady states (the approximation: an approach slow
+against the time a/u_m that oil takes through the contact), then gives another h_0 under the same load, and c.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..conditions import ContactConditions
+from ..full_multigrid import ATTEMPTS, Attempt, contact_multigrid
+from ..lubricant import Lubricant, density
+from ..multigrid import Multigrid, cycle, start_level
+from ..options import SolverOptions
+from ..scaling import scale_contact
+from ..solution import ContactSolution
+
+Array = NDArray[np.float64]
+
+LOAD_STEP = 0.02  # relative; the film's change is then a hundred times what the iteration leaves of an error
+SQUEEZE_STEP = 0.02  # dH_0/dT over the central film, T in a/u_m; small against 1
+CYCLES = 8  # of each step, from the neighbouring solution
+CAREFUL = ATTEMPTS[:2]  # ways of damping, one after the other; the second with twice the cycles
+CHANGE = 0.03  # of H_0 in the last cycle over its whole step: above it the answer is not converged
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NormalResponse:
+    """Stiffness and squeeze damping of a contact in the direction of its normal."""
+
+    stiffness: float  # -dF/dh_0 [N/m]
+    damping: float  # -dF/d(dh_0/dt) [N s/m]
+    converged: bool
+
+
+def normal_response(solution: ContactSolution) -> NormalResponse:
+    """Stiffness [N/m] and damping [N s/m] of a solved contact in a box of the solver's choice.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        Of dimensional conditions, Newtonian and isothermal.
+
+    Returns
+    -------
+    NormalResponse
+    """
+    for damped, attempt in enumerate(CAREFUL):
+        with np.errstate(all="ignore"):  # a runaway is looked at, not warned of
+            found = _response(solution, attempt, CYCLES << damped)
+        if found.converged:
+            break
+    return found
+
+
+def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> NormalResponse:
+    conditions, scale, a = solution.conditions, solution.film_scale, solution.semi_axis_x
+    if not isinstance(conditions, ContactConditions) or scale is None or a is None:
+        raise ValueError("solution: stiffness and damping need dimensional conditions")
+    state, index = _state(solution, attempt)
+    level, oil = state.levels[index], conditions.lubricant
+    _settle(state, cycles)
+    start, pressure, content, load = state.approach, level.P.copy(), _content(state, oil), state.contact.load
+    state.contact = replace(state.contact, load=(1.0 + LOAD_STEP) * load)
+    steady = _settle(state, cycles)
+    softer = state.approach - start
+    follow = (_content(state, oil) - content) / softer
+    state.contact = replace(state.contact, load=load)
+    state.approach = start
+    start_level(state, index, pressure)
+    rate = SQUEEZE_STEP * solution.film_central_dimensionless.value
+    level.f = rate * follow
+    steady = _settle(state, cycles) and steady
+    stiffness = -LOAD_STEP * conditions.load / (softer * scale)
+    damping = -stiffness * (state.approach - start) / (rate * conditions.entrainment_speed / a)
+    return NormalResponse(
+        stiffness=float(stiffness),
+        damping=float(damping),
+        converged=bool(steady and stiffness > 0.0 and damping > 0.0 and np.isfinite(damping)),
+    )
+
+
+def _state(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int]:
+    """The solver's levels with a solution on the finest of them."""
+    contact = replace(scale_contact(solution.conditions), film_guess=solution.film_central_dimensionless.value)
+    options = SolverOptions(points=solution.X.size)
+    state = contact_multigrid(contact, solution.domain, options, attempt)
+    index = len(state.levels) - 1
+    pressure = solution.P.T
+    if state.levels[index].grid.symmetric:
+        pressure = pressure[pressure.shape[0] // 2 :]
+    if pressure.shape != state.levels[index].P.shape:
+        raise ValueError("solution: its grid is not the one the solver chooses for its box")
+    state.approach = solution.approach_dimensionless
+    start_level(state, index, pressure)
+    return state, index
+
+
+def _settle(state: Multigrid, cycles: int) -> bool:
+    """Cycle on the finest level; whether H_0 has come to rest, measured by its whole step."""
+    begin, last = state.approach, state.approach
+    for _ in range(cycles):
+        last = state.approach
+        cycle(state, len(state.levels) - 1)
+    return abs(state.approach - last) <= CHANGE * abs(state.approach - begin)
+
+
+def _content(state: Multigrid, oil: Lubricant) -> Array:
+    """rho H over the density at ambient pressure, on the finest level [-]."""
+    level = state.levels[-1]
+    ratio: Array = density(level.P * state.contact.hertz_pressure, oil) / oil.density
+    return ratio * level.H

@@ -1,0 +1,46 @@
+"""Uniform cubic B-splines through values on a grid: coefficients, and weights at a place (de Boor, 1978).
+
+With n nodes there are n + 2 coefficients; on the interval i the spline is
+sum c_(i+k) w_k(t), w = ((1-t)^3, 4 - 6 t^2 + 3 t^3, 4 - 6 (1-t)^2 + 3 (1-t)^3, t^3)/6. The two conditions left are the
+continuity of the third derivative at the second and the last but one node.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+SMALLEST = 4  # nodes that the end conditions need
+
+
+def spline_matrix(nodes: int) -> Array:
+    """Linear map from values at the nodes to coefficients [-], shape (nodes + 2, nodes)."""
+    if nodes < SMALLEST:
+        raise ValueError(f"nodes must be at least {SMALLEST}, got {nodes}")
+    system = np.zeros((nodes + 2, nodes + 2))
+    for k in range(nodes):
+        system[k, k : k + 3] = np.array([1.0, 4.0, 1.0]) / 6.0
+    fourth = np.array([1.0, -4.0, 6.0, -4.0, 1.0])
+    first = min(5, nodes + 2)
+    system[nodes, :first] = fourth[:first]
+    system[nodes + 1, -5:] = fourth
+    matrix: Array = np.linalg.solve(system, np.eye(nodes + 2)[:, :nodes])
+    return matrix
+
+
+def spline_coefficients(values: Array, axes: tuple[int, ...]) -> Array:
+    """Coefficients of values [same unit] along the given axes, each of which grows by two."""
+    for axis in axes:
+        matrix = spline_matrix(values.shape[axis])
+        values = np.moveaxis(np.tensordot(matrix, values, axes=(1, axis)), 0, axis)
+    return np.ascontiguousarray(values)
+
+
+def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
+    """First coefficient and weights [-], shape (4,), at a place counted in nodes from the first [-]."""
+    i = min(max(int(np.floor(place)), 0), nodes - 2)
+    t = place - i
+    r = 1.0 - t
+    return i, np.array([r**3, 4.0 - 6.0 * t**2 + 3.0 * t**3, 4.0 - 6.0 * r**2 + 3.0 * r**3, t**3]) / 6.0

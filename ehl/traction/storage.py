@@ -1,0 +1,144 @@
+"""Traction tables on disk: one npz file that knows its format, its inputs and its own content.
+
+The inputs are stored as text (JSON of the dataclasses) with their SHA-256; so is the digest of the arrays. A file that
+is no such table, of another format, damaged, or made for other inputs than asked for is refused.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import zipfile
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from hashlib import sha256
+from importlib import import_module
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .table import TableContact, TableRange, TractionTable
+
+FORMAT = "oilfilm traction table"
+FORMAT_VERSION = 1
+ARRAYS = ("axes", "scalars", "values")
+PLAIN = ("points", "kappa_max", "films", "converged", "message")
+
+
+def inputs_digest(contact: TableContact, limits: TableRange, points: int) -> str:
+    """SHA-256 of what a table is made from, as 64 hexadecimal digits."""
+    text = json.dumps([_plain(contact), _plain(limits), points], sort_keys=True)
+    return sha256(text.encode()).hexdigest()
+
+
+def save_table(table: TractionTable, path: Path) -> None:
+    """Write a table; the file appears under its name only when it is complete.
+
+    Parameters
+    ----------
+    table : TractionTable
+    path : Path
+    """
+    document = {
+        "format": FORMAT,
+        "format_version": FORMAT_VERSION,
+        "contact": _plain(table.contact),
+        "range": _plain(table.range),
+        "error": _plain(table.error),
+        "inputs": inputs_digest(table.contact, table.range, table.points),
+        "content": _content(table),
+        **{name: getattr(table, name) for name in PLAIN},
+    }
+    partial = path.with_name(path.name + ".partial")
+    with partial.open("wb") as file:
+        np.savez_compressed(
+            file, document=np.array(json.dumps(document)), axes=table.axes, scalars=table.scalars, values=table.values
+        )
+    os.replace(partial, path)
+
+
+def load_table(path: Path, expected: str | None = None) -> TractionTable:
+    """Read a table.
+
+    Parameters
+    ----------
+    path : Path
+    expected : str, optional
+        `inputs_digest` of the contact, range and points it must be made for.
+
+    Returns
+    -------
+    TractionTable
+
+    Raises
+    ------
+    ValueError
+        If the file is no table, of another format, damaged, or made for other inputs; the message says which.
+    """
+    try:
+        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
+            document = json.loads(str(file["document"]))
+            arrays = {name: file[name] for name in ARRAYS}
+    except (zipfile.BadZipFile, KeyError, ValueError, EOFError, OSError, zipfile.LargeZipFile) as problem:
+        if isinstance(problem, FileNotFoundError):
+            raise
+        raise ValueError(f"{path}: no traction table, or a damaged one ({type(problem).__name__})") from problem
+    if not isinstance(document, dict) or document.get("format") != FORMAT:
+        raise ValueError(f"{path}: no traction table")
+    if document.get("format_version") != FORMAT_VERSION:
+        raise ValueError(
+            f"{path}: format version {document.get('format_version')}, this program reads {FORMAT_VERSION}"
+        )
+    try:
+        parts = {name: _restored(document[name]) for name in ("contact", "range", "error")}
+        table = TractionTable(**parts, **arrays, **{name: document[name] for name in PLAIN})
+    except (KeyError, TypeError, AttributeError, ImportError, ValueError) as problem:
+        raise ValueError(f"{path}: damaged, or written by another version of this program") from problem
+    digest = inputs_digest(table.contact, table.range, table.points)
+    if document.get("content") != _content(table) or document.get("inputs") != digest:
+        raise ValueError(f"{path}: damaged: its content is not what was written")
+    if expected is not None and expected != digest:
+        raise ValueError(f"{path}: made for another contact, oil, temperature or range; make it again")
+    return table
+
+
+def _content(table: TractionTable) -> str:
+    digest = sha256()
+    for name in ARRAYS:
+        digest.update(np.ascontiguousarray(getattr(table, name), dtype="<f8").tobytes())
+    return digest.hexdigest()
+
+
+def _plain(value: Any) -> Any:
+    """Dataclasses and enumerations as tables that name their type, infinities as text."""
+    kind = f"{type(value).__module__}:{type(value).__qualname__}"
+    if isinstance(value, Enum):
+        return {"type": kind, "value": value.value}
+    if is_dataclass(value) and not isinstance(value, type):
+        return {"type": kind, **{field.name: _plain(getattr(value, field.name)) for field in fields(value)}}
+    if isinstance(value, tuple | list):
+        return [_plain(part) for part in value]
+    return str(value) if isinstance(value, float) and not isfinite(value) else value
+
+
+def _restored(value: Any) -> Any:
+    """The inverse of `_plain`; only types of this package are made."""
+    if isinstance(value, list):
+        return tuple(_restored(part) for part in value)
+    if value in ("inf", "-inf"):
+        return float(value)
+    if not isinstance(value, dict):
+        return value
+    module, _, name = value["type"].partition(":")
+    root = __name__.partition(".")[0]
+    if not module.startswith(f"{root}."):
+        raise ValueError(f"a table holds no {value['type']}")
+    kind: Any = getattr(import_module(module), name)
+    if issubclass(kind, Enum):
+        return kind(value["value"])
+    if not is_dataclass(kind):
+        raise ValueError(f"a table holds no {value['type']}")
+    make: Any = kind
+    return make(**{key: _restored(part) for key, part in value.items() if key != "type"})

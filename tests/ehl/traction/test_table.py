@@ -1,0 +1,273 @@
+"""Traction tables: lookups against their twins and against shear in the films, range, storage, normal response.
+
+The four constants follow from (kappa_0, kappa_max at s_max, kappa_inf) = (0, 0.05 at 0.03, 0.03); the line model of
+curvature slip under constant friction as in test_shear.
+"""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+import ehl
+from ehl.rheology import Rheology, ShearLaw
+from ehl.traction import (
+    ContactKinematics,
+    CoulombLaw,
+    FourConstantLaw,
+    TableContact,
+    TableOptions,
+    TableRange,
+    build_table,
+    contact_kinematics,
+    four_constants,
+    inputs_digest,
+    integrate_traction,
+    load_table,
+    normal_response,
+    save_table,
+)
+from ehl.traction.laws import ContactShape
+from ehl.traction.quadrature import film_nodes, sliding_forces, sliding_forces_twin
+from ehl.traction.splines import spline_coefficients, spline_weights
+
+RHEOLOGY = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=2.0 * 0.047 / 18e-9, limiting_coefficient=0.047)
+CIRCLE = TableContact(
+    radius_x=10e-3,
+    radius_y=10e-3,
+    reduced_modulus=226e9,
+    lubricant=ehl.Lubricant(viscosity=0.04, pressure_viscosity=18e-9),
+    rheology=RHEOLOGY,
+    temperature=313.15,
+    curvature_radius=0.5,
+    curvature_difference=50.0,
+)
+LIMITS = TableRange(load=(40.0, 80.0), speed=(1.0, 2.0), slide_x=0.5, slide_y=0.3, spin=0.3)
+OPTIONS = TableOptions(points=65, tolerance=0.02, check_films=3, check_motions=40, rounds=2, workers=2)
+
+
+@pytest.fixture(scope="module")
+def table():
+    return build_table(CIRCLE, LIMITS, OPTIONS)
+
+
+def motions(count, seed):
+    rng = np.random.default_rng(seed)
+    for share in rng.uniform(-1.0, 1.0, (count, 5)):
+        load, speed = 60.0 + 19.0 * share[0], 1.5 + 0.49 * share[1]
+        yield load, speed, 0.4 * share[2] ** 3 * speed, 0.3 * share[3] ** 3 * speed, 0.3 * share[4] ** 3 * speed / 10e-3
+
+
+def test_compiled_lookup_agrees_with_its_twin(table):
+    for motion in motions(40, 71934):
+        assert_allclose(table.forces(*motion)[:8], table.forces_twin(*motion), rtol=1e-9, atol=1e-12)
+
+
+def test_lookup_agrees_with_shear_in_a_film_solved_there(table):
+    """Within the error that the table states, for a load and motions that are not in it."""
+    load, speed = 53.0, 1.37
+    solution = ehl.solve_contact(CIRCLE.conditions(load, speed), ehl.SolverOptions(points=65))
+    largest = table.largest(load, speed)
+    errors = []
+    for _, other, *motion_at_other in motions(40, 88123):
+        slide_x, slide_y, spin = (part * speed / other for part in motion_at_other)
+        motion = replace(
+            contact_kinematics(CIRCLE.conditions(load, speed), curvature_radius=0.5),
+            sliding_x=slide_x,
+            sliding_y=slide_y,
+            spin=spin,
+            curvature_difference=50.0,
+            rolling=speed / 10e-3 - 25.0 * slide_x,
+        )
+        wanted = integrate_traction(solution, motion, RHEOLOGY, temperature=313.15)
+        found = table.forces(load, speed, slide_x, slide_y, spin)
+        assert found.outside == ()
+        errors.append(np.hypot(found.force_x - wanted.force_x, found.force_y - wanted.force_y) / largest[0])
+        assert_allclose(found.rolling_moment, wanted.rolling_moment_1, rtol=0.05)
+        assert found.power_loss > 0.0
+    assert np.quantile(errors, 0.95) < 0.03
+    assert_allclose(found.film, solution.film_central, rtol=0.01)
+
+
+def test_table_states_its_error(table):
+    error = table.error
+    assert error.rms < error.quantile < error.largest
+    assert (error.films, error.motions) == (3, 40)
+    assert table.converged == (error.quantile <= 0.02)
+
+
+def test_mirror_image_in_y(table):
+    for load, speed, slide_x, slide_y, spin in motions(10, 30291):
+        one, other = (
+            table.forces(load, speed, slide_x, slide_y, spin),
+            table.forces(load, speed, slide_x, -slide_y, -spin),
+        )
+        assert_allclose(
+            [other.force_x, -other.force_y, -other.spin_moment, other.rolling_moment],
+            [one.force_x, one.force_y, one.spin_moment, one.rolling_moment],
+            rtol=1e-9,
+        )
+
+
+@pytest.mark.parametrize(
+    ("motion", "outside"),
+    [
+        ((39.0, 1.5, 0.0, 0.0, 0.0), "load below"),
+        ((60.0, 2.1, 0.0, 0.0, 0.0), "speed above"),
+        ((60.0, 1.5, 0.9, 0.0, 0.0), "slide_x"),
+        ((60.0, 1.5, 0.0, -0.6, 0.0), "slide_y"),
+        ((60.0, 1.5, 0.0, 0.0, -60.0), "spin"),
+    ],
+)
+def test_what_lies_outside_is_told(table, motion, outside):
+    assert outside in table.forces(*motion).outside
+
+
+def test_below_its_smallest_load_forces_fall_with_the_load(table):
+    edge, below = table.forces(40.0, 1.5, 0.1, 0.0, 0.0), table.forces(20.0, 1.5, 0.1, 0.0, 0.0)
+    assert_allclose(below.force_x, 0.5 * edge.force_x, rtol=1e-12)
+
+
+def test_saved_table_is_the_same(table, tmp_path):
+    save_table(table, tmp_path / "table.npz")
+    read = load_table(tmp_path / "table.npz", inputs_digest(CIRCLE, LIMITS, 65))
+    assert read.contact == table.contact
+    assert read.error == table.error
+    motion = (50.0, 1.2, 0.1, -0.02, 3.0)
+    assert read.forces(*motion) == table.forces(*motion)
+    assert [path.name for path in tmp_path.iterdir()] == ["table.npz"]
+
+
+def test_damaged_or_foreign_files_are_refused(table, tmp_path):
+    path = tmp_path / "table.npz"
+    save_table(table, path)
+    with pytest.raises(ValueError, match="made for another"):
+        load_table(path, inputs_digest(replace(CIRCLE, temperature=333.15), LIMITS, 65))
+    whole = path.read_bytes()
+    path.write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(ValueError, match="damaged"):
+        load_table(path)
+    path.write_text("no archive")
+    with pytest.raises(ValueError, match="no traction table"):
+        load_table(path)
+    np.savez(path, document=np.array(json.dumps({"format": "else"})), axes=0.0, scalars=0.0, values=0.0)
+    with pytest.raises(ValueError, match="no traction table"):
+        load_table(path)
+
+
+def test_changed_content_is_noticed(table, tmp_path):
+    path = tmp_path / "table.npz"
+    save_table(table, path)
+    with np.load(path) as file:
+        parts = {name: file[name] for name in file.files}
+    parts["scalars"] = parts["scalars"] + 1e-6
+    np.savez(path, **parts)
+    with pytest.raises(ValueError, match="damaged"):
+        load_table(path)
+
+
+def test_spline_passes_through_its_values_and_reproduces_cubics():
+    nodes = np.arange(7.0)
+    coefficients = spline_coefficients(nodes**3 - 2.0 * nodes, (0,))
+    for place in (0.0, 0.3, 2.5, 5.9, 6.0):
+        first, weights = spline_weights(place, 7)
+        assert_allclose(weights @ coefficients[first : first + 4], place**3 - 2.0 * place, atol=1e-10)
+
+
+def test_sums_over_film_nodes(solution):
+    """The kernel agrees with NumPy, and its thinned nodes with the integrals over the whole grid."""
+    nodes = film_nodes(solution, RHEOLOGY, 30.0)
+    motion = ContactKinematics(
+        entrainment_speed=15.08, sliding_x=0.15, sliding_y=0.05, spin=50.0, rolling=3142.0, curvature_radius=6.08e-3
+    )
+    slide = tuple(np.array([value]) for value in (0.15, 0.05, 50.0))
+    found = sliding_forces(nodes, slide, np.array([3142.0]), 0.5 / 6.08e-3)[0]
+    assert_allclose(found, sliding_forces_twin(nodes, motion), rtol=1e-10)
+    whole = integrate_traction(solution, motion, RHEOLOGY)
+    assert_allclose(found[:2], [whole.sliding_force_x, whole.sliding_force_y], atol=3e-3 * 0.047 * 500.0)
+
+
+@pytest.mark.parametrize("load", [15.0, 500.0])
+def test_stiffness_is_that_of_neighbouring_loads(conditions, load):
+    """-dF/dh_0 between loads 5 % apart, 6 %: their boxes differ; far below Hertz' in the thick film of 15 N."""
+    options = ehl.SolverOptions(points=129)
+    low, middle, high = (
+        ehl.solve_contact(replace(conditions, load=part * load), options) for part in (1 / 1.05, 1.0, 1.05)
+    )
+    response = normal_response(middle)
+    h_0 = [s.approach_dimensionless * s.film_scale for s in (low, high)]
+    assert response.converged
+    assert response.damping > 0.0
+    assert_allclose(response.stiffness, (1.05 - 1 / 1.05) * load / (h_0[0] - h_0[1]), rtol=0.06)
+
+
+SHAPE = ContactShape(semi_axis_x=1e-4, semi_axis_y=6e-4, radius_x=4.8e-3, curvature_radius=6e-3)
+
+
+@pytest.mark.parametrize(
+    ("given", "expected"),
+    [
+        ((0.05, 0.03, 0.03), (-0.03, 3.64488, 45.9363, 0.03)),
+        ((0.05, 1.0, 0.036), (-0.036, 0.10178, 1.5473, 0.036)),
+    ],
+)
+def test_four_constants_from_a_traction_curve(given, expected):
+    constants = four_constants(*given)
+    assert_allclose(constants, expected, rtol=5e-5)
+    law = FourConstantLaw(SHAPE, *constants)
+    slides = np.linspace(0.5, 1.5, 2001) * given[1]
+    assert_allclose(law.coefficient(slides, 1.0).max(), given[0], rtol=1e-6)
+
+
+@pytest.mark.parametrize("zero", [0.01, 0.03, 0.04])
+def test_four_constants_with_friction_at_no_slide(zero):
+    a, b, c, d = four_constants(0.05, 0.03, 0.03, zero)
+    assert_allclose(a + d, zero, atol=1e-12)
+    assert_allclose((a + b * 0.03) * np.exp(-c * 0.03) + d, 0.05)
+    assert_allclose(b, c * (a + b * 0.03))
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        CoulombLaw(SHAPE, friction=0.05, slide_none=0.01, slide_full=0.1),
+        FourConstantLaw(SHAPE, -0.03, 3.64, 45.9, 0.03),
+    ],
+    ids=["coulomb", "four constants"],
+)
+def test_compiled_law_agrees_with_its_twin(law):
+    for motion in motions(20, 11773):
+        assert_allclose(law.forces(*motion)[:4], law.forces_twin(*motion), rtol=1e-9, atol=1e-14)
+
+
+def test_coulomb_law_on_the_ellipse():
+    """Sliding as a whole mu Q; below the dead band nothing; curvature slip as the line model, 3 % of its quadrature."""
+    flat = CoulombLaw(replace(SHAPE, curvature_radius=np.inf), friction=0.05, slide_none=1e-3, slide_full=2e-3)
+    assert_allclose(flat.forces(500.0, 15.0, -1.0, 0.0, 0.0).force_x, 25.0)
+    assert flat.forces(500.0, 15.0, 5e-4, 0.0, 0.0).force_x == 0.0
+    law = CoulombLaw(SHAPE, friction=0.05, slide_full=1e-9)
+    b = 6e-4 * 500.0 ** (1 / 3)
+    slide = 15.0 / 4.8e-3 * (0.347296 * b) ** 2 / (2.0 * 6e-3)
+    found = law.forces(500.0, 15.0, slide, 0.0, 0.0)
+    assert abs(found.force_x) < 0.03 * 25.0
+    assert_allclose(found.rolling_moment, -25.0 * b**2 / (2.0 * 6e-3) * 0.161142, rtol=0.03)
+
+
+@pytest.mark.parametrize(
+    ("make", "field"),
+    [
+        (lambda: CoulombLaw(SHAPE, friction=-1.0), "friction"),
+        (lambda: CoulombLaw(SHAPE, slide_none=2.0, slide_full=1.0), "slide_full"),
+        (lambda: FourConstantLaw(SHAPE, dead_band=0.0), "dead_band"),
+        (lambda: four_constants(0.02, 0.03, 0.03), "largest"),
+        (lambda: TableRange(load=(0.0, 1.0), speed=(1.0, 2.0)), "load"),
+        (lambda: TableRange(load=(1.0, 2.0), speed=(1.0, 2.0), spin=0.0), "spin"),
+    ],
+)
+def test_bad_input_names_the_field(make, field):
+    with pytest.raises(ValueError, match=field):
+        make()
