@@ -3,7 +3,8 @@
 The unknowns of a ball are its orbit speed and the three components of its rotation, all contacts' sliding is linear in
 them, and the balance is the minimum of the friction power plus that of the gyroscopic couple (`contact_friction`):
 one convex problem a ball, solved for all balls together by Newton's method. The loads and contact angles are those of
-the quasi-static solution. A ball without load at the inner race goes with the cage, which the others push.
+the quasi-static solution. A ball without load at the inner race rolls on the outer one with the cage, and what this
+costs the other balls push into the cage.
 """
 
 from __future__ import annotations
@@ -83,6 +84,7 @@ class _Problem:
     free: NDArray[np.bool_]  # (balls, 4)
     reach: Array  # (balls,) largest sliding that the curvature of a ball's contacts makes [m/s]
     strength: Array  # (balls,) friction that the residual is measured against [N]
+    ring: Array  # (balls, 2, 4) change of the motion by the rings' speeds [m/s], [rad/s]
 
 
 def balanced_friction(
@@ -206,7 +208,7 @@ def _problem(
         for j in range(4):
             slopes[i, :, j] = _motion(solution, contact, _moved(motion, j, scales[j])) - start[i]
     free = np.tile(PLANE, (balls, 1)) if plane else np.ones((balls, 4), dtype=np.bool_)
-    free[:, 0] &= solution.inner_load > 0.0
+    free &= (solution.inner_load > 0.0)[:, None]
     shape = (balls, 2)
     return _Problem(
         law=law,
@@ -218,6 +220,7 @@ def _problem(
         free=free,
         reach=_bow(solution, contacts).reshape(shape).max(axis=1),
         strength=strength.reshape(shape).max(axis=1),
+        ring=np.array([_ring_motion(solution, contact) for contact in contacts]).reshape(*shape, 4),
     )
 
 
@@ -276,12 +279,16 @@ def _turning(solution: QuasistaticSolution) -> Array:
 
 
 def _cage_force(solution: QuasistaticSolution, problem: _Problem, z: Array) -> Array:
-    """What it takes to push the balls that the inner race does not drive, taken from the others by their load [N]."""
+    """Push into the cage by the balls that the inner race drives, shared by their load [N]: what the others cost."""
     driving = solution.inner_load > 0.0
-    alone = replace(problem, free=np.ones_like(problem.free), cage=np.zeros_like(problem.cage))
-    _, force, _ = _evaluate(z, alone)
-    total = float(force[~driving, 0].sum())
-    return total * np.where(driving, solution.inner_load, 0.0) / max(float(solution.inner_load.sum()), TINY)
+    if driving.all() or not driving.any():
+        return np.zeros(driving.size)
+    k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
+    force = problem.law(k.reshape(-1, 4)).gradient.reshape(k.shape)
+    wanted = np.einsum("bck,bck->b", force, k - problem.ring)[~driving].sum()  # heat less what a ring pays [W]
+    speed = solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter + z[:, 0]
+    load = np.where(driving, solution.inner_load, 0.0)
+    return load * wanted / max(abs(float((load * speed).sum())), TINY) * np.sign((load * speed).sum())
 
 
 def _with_the_cage(solution: QuasistaticSolution, z: Array) -> Array:
@@ -289,11 +296,15 @@ def _with_the_cage(solution: QuasistaticSolution, z: Array) -> Array:
     driving, load = solution.inner_load > 0.0, solution.inner_load
     if driving.all() or not driving.any():
         return z
-    radius = 0.5 * solution.bearing.pitch_diameter
-    speeds = solution.orbit_speed * radius + z[:, 0]
-    mean = float((load * speeds)[driving].sum() / load[driving].sum())
+    bearing, outer = solution.bearing, solution.operation.outer_speed
+    radius = 0.5 * bearing.pitch_diameter
+    mean = float((load * (solution.orbit_speed + z[:, 0] / radius))[driving].sum() / load[driving].sum())
     moved = z.copy()
-    moved[~driving, 0] = mean - (solution.orbit_speed * radius)[~driving]
+    for i in np.flatnonzero(~driving):
+        own = float(solution.orbit_speed[i])
+        faster = (mean - outer) / (own - outer) - 1.0 if own != outer else 0.0  # rolling goes with the orbit
+        moved[i, 0] = radius * (mean - own)
+        moved[i, 1:] = 0.5 * bearing.ball_diameter * faster * ball_motion(solution, int(i)).rotation
     return moved
 
 
@@ -360,22 +371,19 @@ def _result(
         forces=forces,
         ball_rolling=np.array(parts).reshape(shape),
         power=power,
-        shaft_power=_shaft_power(solution, contacts, forces),
+        shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring)),
         residual=worst,
         converged=bool(solution.converged and worst <= BALANCE_TOLERANCE),
     )
 
 
-def _shaft_power(solution: QuasistaticSolution, contacts: Sequence[BearingContact], forces: Array) -> float:
-    """Moments of the balls on both rings times the rings' speeds [W], from the forces, not from the heat."""
-    return sum(
-        ring_power(solution, contact, force) for contact, force in zip(contacts, forces.reshape(-1, 4), strict=True)
-    )
-
-
 def ring_power(solution: QuasistaticSolution, contact: BearingContact, force: Array) -> float:
     """Power that a contact's ring feeds into it [W], from the forces (4,) on the ball."""
+    return -float(np.dot(force, _ring_motion(solution, contact)))
+
+
+def _ring_motion(solution: QuasistaticSolution, contact: BearingContact) -> Array:
+    """Change of a contact's motion by the speed of its ring, (4,) [m/s], [rad/s]: minus that of the race."""
     motion = ball_motion(solution, contact.ball - 1)  # any: all sliding is linear in the speeds
     faster = BallMotion(orbit_speed=motion.orbit_speed - _ring(solution, contact), rotation=motion.rotation)
-    change = _motion(solution, contact, faster) - _motion(solution, contact, motion)
-    return -float(np.dot(force, change))  # motion of ball against race: minus that of the ring
+    return _motion(solution, contact, faster) - _motion(solution, contact, motion)
