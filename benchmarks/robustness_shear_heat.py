@@ -42,7 +42,7 @@ def random_contact(random: np.random.Generator) -> ContactConditions:
     )
     sliding = random.choice([0.0, 10 ** random.uniform(-3, 0.2)])
     return ContactConditions(
-        load=10 ** random.uniform(0.7, 3),
+        load=10 ** random.uniform(0.5, 2.5),
         radius_x=radius,
         radius_y=radius * 10 ** random.uniform(0, 1.7),
         reduced_modulus=random.uniform(2e11, 3.4e11),
@@ -64,16 +64,20 @@ def main(count: int, seed: int) -> None:
         options = SolverOptions(points=129)
         plain = solve_contact(contact, options)
         newtonian += plain.converged
-        line = f"{index:3d} p_h {plain.hertz_pressure / 1e9:.2f} u {contact.entrainment_speed:5.2f} "
-        line += f"S {contact.slide_roll_ratio:.3f} {'ok' if plain.converged else '--'}"
+        print(f"{index:3d} F {contact.load:.0f} D {contact.radius_x / contact.radius_y:.3f}", end=" ")
+        print(f"p_h {plain.hertz_pressure / 1e9:.2f} u {contact.entrainment_speed:5.2f}", end=" ")
+        print(f"S {contact.slide_roll_ratio:.3f} {'ok' if plain.converged else '--'}", end="", flush=True)
+        if not plain.converged:
+            print()
+            continue
         for name, (rheology, solids) in MODELS.items():
             began = perf_counter()
             solution = solve_generalized(contact, rheology, solids=solids, options=options).contact
-            solved[name] += solution.converged and plain.converged
+            solved[name] += solution.converged
             ratio = solution.film_central_dimensionless.finest / plain.film_central_dimensionless.finest
             mark = f"{ratio:.3f}" if solution.converged else f"-- ({solution.message[:40]})"
-            line += f" | {name} {mark} {perf_counter() - began:.1f} s"
-        print(line, flush=True)
+            print(f" | {name} {mark} {perf_counter() - began:.1f} s", end="", flush=True)
+        print()
     print(f"newtonian {newtonian} of {count}; of these " + ", ".join(f"{name} {n}" for name, n in solved.items()))
 
 

@@ -15,7 +15,7 @@ from ..properties._kernels import thermal_expansion, viscosity_softening
 
 COLUMN_STEPS = 40  # Newton steps of one column
 CAREFUL_AFTER = 12  # steps from which on only half of each is taken, then a quarter
-COLUMN_TOLERANCE = 1e-2  # [K]
+COLUMN_TOLERANCE = 0.05  # [K] of the last step; convergence is quadratic
 LARGEST_STEP = 40.0  # [K] of one Newton step
 COLDEST, HOTTEST = 150.0, 2000.0  # [K], bounds of iterates
 U, V, RATE_X, RATE_Y, CROSSING, INFLOW, CARRIED, SOURCE = 0, 1, 2, 3, 4, 5, 6, 7  # rows of the flow's workspace
