@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from .plot_style import RC, ContactView, contact_view, save
 from .plots_bearing import draw_load_zone, draw_per_azimuth
 from .plots_contact import draw_contact, film_text
+from .plots_torque import draw_torque
 from .results import BearingResults, ContactResults, DistinctContact, distinct_contacts
 
 if TYPE_CHECKING:
@@ -61,6 +62,8 @@ def _contact_figures(results: ContactResults) -> Iterator[NamedFigure]:
 
 def _bearing_figures(results: BearingResults) -> Iterator[NamedFigure]:
     yield "load_zone", partial(draw_load_zone, results=results)
+    if results.torque is not None and results.torque.total is not None:
+        yield "torque", partial(draw_torque, results=results)
     groups = distinct_contacts(results)
     for quantity in ("film", "pressure") if groups else ():
         yield f"{quantity}_per_azimuth", partial(draw_per_azimuth, results=results, quantity=quantity)

@@ -1,0 +1,66 @@
+"""Figure of the friction torque: every component has a colour, bars are as long as the torques."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from bearing.torque.breakdown import NAMES, TorqueBreakdown
+from bearing.torque.integrated import IntegratedTorque, SolvedShear
+from bearing.torque.models import ModelTorque, summed
+from postprocess.plots_torque import KINDS, LABELS, draw_models, draw_torque
+from postprocess.torque import MODELS
+
+
+def test_every_model_has_a_label_and_every_component_one_colour():
+    assert set(LABELS) == {*NAMES, "skf_as_printed"}
+    assert set(MODELS) == set(NAMES)
+    parts = [part for _, _, members in KINDS for part in members]
+    assert len(parts) == len(set(parts))
+    assert {part for members in MODELS.values() for part in members} <= set(parts)
+
+
+def test_bars_end_where_the_components_do():
+    models = {
+        "skf": summed({"rolling": 0.03, "sliding": 0.02, "seal": 0.0, "drag": 0.0}),
+        "coulomb": summed({"sliding": -0.005, "spin": 0.01, "curvature": 0.02}),
+    }
+    axes = Figure().subplots()
+    draw_models(axes, models, "skf")
+    ends = sorted(round(bar.get_x() + bar.get_width(), 9) for bar in axes.patches if bar.get_width() != 0.0)
+    assert ends == [-5.0, 10.0, 30.0, 30.0, 50.0]
+    assert {text.get_text().strip() for text in axes.texts} == {"50", "25"}
+
+
+def test_figure_with_and_without_the_balls():
+    names = dict.fromkeys(NAMES, ModelTorque(note="left out"))
+    names["skf"] = summed({"rolling": 0.03, "sliding": 0.02})
+    torque = TorqueBreakdown(models=names, coefficient=0.05)
+    state = SimpleNamespace(azimuth=np.radians([0.0, 120.0, 240.0]))
+    results = SimpleNamespace(torque=torque, case={"title": "three balls"}, quasistatic=state)
+    figure = Figure()
+    draw_torque(figure, results)
+    assert len(figure.axes) == 1
+    part = IntegratedTorque(
+        rolling=0.01,
+        sliding=0.0,
+        spin=0.0,
+        curvature=0.0,
+        shaft_power=1.0,
+        heat=1.0,
+        per_ball=np.array([6e-3, 2e-3, 2e-3]),
+    )
+    results.torque = replace(torque, shear=SolvedShear(hypothesis=part))
+    figure = Figure()
+    draw_torque(figure, results)
+    heights = [bar.get_height() for bar in figure.axes[1].patches]
+    assert heights == pytest.approx([6.0, 2.0, 2.0])
+    centres = [bar.get_x() + 0.5 * bar.get_width() for bar in figure.axes[1].patches]
+    assert centres == pytest.approx([0.0, 120.0, -120.0])
+    results.torque = None
+    with pytest.raises(ValueError, match="no torque"):
+        draw_torque(Figure(), results)
