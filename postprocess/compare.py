@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import hypot, inf
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeGuard
 
 from .batch_results import main_results
 from .named_units import unit_of
@@ -178,7 +178,7 @@ def _group(path: str) -> str:
     return name if bracket or unit_of(last) or not unit_of(block) else block
 
 
-def _is_number(value: Any) -> bool:
+def _is_number(value: Any) -> TypeGuard[float]:
     return isinstance(value, int | float) and not isinstance(value, bool)
 
 
