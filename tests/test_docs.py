@@ -26,6 +26,12 @@ def test_the_comparison_of_slip_is_up_to_date():
     assert validation.PAGE.read_text(encoding="utf-8") == validation.page()
 
 
+def test_the_comparison_of_sliding_friction_is_up_to_date():
+    """Printed to three or four figures, likewise."""
+    validation = load("validation_004")
+    assert validation.PAGE.read_text(encoding="utf-8") == validation.page()
+
+
 def test_the_page_of_commands_names_every_command_and_option():
     from typer.main import get_command
 
