@@ -1,0 +1,1 @@
+"""Time simulation of a ball bearing: rings, balls and cage under contact, friction, drag and impact."""

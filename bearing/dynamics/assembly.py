@@ -1,0 +1,149 @@
+"""From bearing, operation and model to the arrays of the compiled equations."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+
+from ehl.hertz import contact_stiffness
+
+from ..geometry import Bearing, Race, contact_modulus, reduced_radii
+from ..kinematics import ball_mass
+from ..operation import Operation
+from .bodies import free_coordinates, load_type
+from .inputs import CageBody, DynamicsModel, Guidance, NormalContact, NormalLaw
+from .laws import damping_factor
+from .problem import ACCUMULATORS, MOTION_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Array, Constants, Problem
+
+HERTZ_EXPONENT = 1.5
+NO_CAGE = CageBody(mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0)
+GUIDES = {Guidance.BALLS: 0, Guidance.INNER_RING: 1, Guidance.OUTER_RING: 2}
+
+
+def assemble(bearing: Bearing, operation: Operation, model: DynamicsModel, angles: tuple[float, float]) -> Problem:
+    """The problem in numbers.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    operation : Operation
+    model : DynamicsModel
+    angles : tuple of float
+        Contact angles, inner and outer, at which stiffnesses are taken [rad].
+
+    Returns
+    -------
+    Problem
+    """
+    cage, n = model.cage, bearing.balls
+    kind = model.options.equations or load_type(operation, model)
+    free = [np.array(part, dtype=np.float64) for part in free_coordinates(kind, operation)]
+    return Problem(
+        constants=constants(bearing, model),
+        normal=normal_laws(bearing, model.normal, cage, angles),
+        friction_kind=model.friction.kind,
+        friction_inner=model.friction.data(Race.INNER),
+        friction_outer=model.friction.data(Race.OUTER),
+        free=np.concatenate([free[0], free[1] if cage is not None else np.zeros(6), free[2]]),
+        pocket_angle=np.asarray(bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)),
+        schedule=schedule_rows(operation, model),
+        memory=np.full(3 * n + 2, model.normal.impact_floor),
+        bodies=np.zeros((3, 12)),
+        given=np.zeros(32),
+        motion=np.zeros((2, n, MOTION_COLUMNS)),
+        friction=np.zeros((2, n, 8)),
+        forces=np.zeros((n, 6)),
+        race_out=np.zeros((2, n, RACE_COLUMNS)),
+        pocket_out=np.zeros((n, POCKET_COLUMNS)),
+        land_out=np.full((2, 2), -1.0),
+        power=np.zeros(ACCUMULATORS),
+        loads=np.zeros((2, 6)),
+    )
+
+
+def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
+    """Numbers of ball, ring, cage, lands, drag and weight [SI]."""
+    cage, ring, radius = model.cage or NO_CAGE, model.ring, 0.5 * bearing.ball_diameter
+    mass = ball_mass(bearing.ball_diameter, bearing.ball_material.density)
+    return Constants(
+        balls=bearing.balls,
+        ball_mass=mass,
+        ball_inertia=0.4 * mass * radius**2,
+        ball_radius=radius,
+        inner_centre=bearing.inner_centre_radius,
+        outer_centre=bearing.outer_centre_radius,
+        inner_groove=bearing.inner_groove_radius,
+        outer_groove=bearing.outer_groove_radius,
+        squeeze=int(model.normal.law is NormalLaw.LUBRICATED),
+        ring_mass=ring.mass,
+        ring_transverse=ring.transverse_inertia,
+        ring_polar=ring.polar_inertia,
+        ring_damping=ring.damping,
+        unbalance=ring.unbalance,
+        unbalance_phase=ring.unbalance_phase,
+        cage_mass=0.0 if model.cage is None else cage.mass,
+        cage_transverse=cage.transverse_inertia,
+        cage_polar=cage.polar_inertia,
+        pocket_play=0.5 * cage.pocket_clearance,
+        pocket_friction=cage.pocket_friction,
+        friction_ramp=model.friction_ramp,
+        pocket_shear=cage.film_area * model.film_viscosity,
+        film_least=cage.film_least,
+        guide=GUIDES[cage.guidance],
+        land_radius=cage.land_radius,
+        land_clearance=cage.land_clearance,
+        land_width=cage.land_width,
+        land_offset=cage.land_offset,
+        land_viscosity=model.film_viscosity,
+        land_friction=cage.land_friction,
+        drag=model.options.drag,
+        gravity_x=model.options.gravity[0],
+        gravity_y=model.options.gravity[1],
+        gravity_z=model.options.gravity[2],
+        floor=model.normal.impact_floor,
+    )
+
+
+def normal_laws(bearing: Bearing, normal: NormalContact, cage: CageBody | None, angles: tuple[float, float]) -> Array:
+    """Stiffness [N/m^n], exponent and damping factor [-] of inner race, outer race, pocket, land, shape (4, 3)."""
+    chi = damping_factor(normal.law, normal.restitution)
+    rows = []
+    for race, angle, given in zip(
+        (Race.INNER, Race.OUTER), angles, (normal.inner_stiffness, normal.outer_stiffness), strict=True
+    ):
+        hertz = contact_stiffness(*reduced_radii(bearing, race, angle), contact_modulus(bearing, race))
+        rows.append((given or hertz, HERTZ_EXPONENT, chi))
+    # a lubricated race leaves pocket and land to Lankarani and Nikravesh's law
+    other_law = NormalLaw.LANKARANI_NIKRAVESH if normal.law is NormalLaw.LUBRICATED else normal.law
+    other = damping_factor(other_law, normal.restitution)
+    rows.append((0.0 if cage is None else cage.pocket_stiffness, HERTZ_EXPONENT, other))
+    rows.append((0.0 if cage is None else cage.land_stiffness, 1.0, other))
+    return np.array(rows)
+
+
+def schedule_rows(operation: Operation, model: DynamicsModel) -> Array:
+    """Rows of time, speeds, force, moment for the kernel; a load on a coordinate that is held counts nothing."""
+    if model.schedule is None:
+        loads = [0.0 if value is None else value for value in operation.loads]
+        rows = np.array([[0.0, operation.inner_speed, operation.outer_speed, *loads]])
+    else:
+        rows = np.column_stack([model.schedule.time, np.array(model.schedule.values)])
+    return np.ascontiguousarray(rows, dtype=np.float64)
+
+
+def scales(problem: Problem, load: float) -> Array:
+    """Size of a coordinate's and a speed's error that counts as one, shape (mechanical,) [m, rad, m/s, rad/s].
+
+    Lengths: the approach of a ball on a race under `load` [N]; speeds: that of the vibration with this amplitude;
+    angles of bodies: over the pitch radius, of balls: over their radius.
+    """
+    stiffness = float(problem.normal[:2, 0].min())
+    length = (load / stiffness) ** (1.0 / HERTZ_EXPONENT)
+    speed = length * np.sqrt(2.0 * HERTZ_EXPONENT * load / length / problem.constants.ball_mass)
+    pitch = 0.5 * (problem.constants.inner_centre + problem.constants.outer_centre)
+    n = 3 * problem.constants.balls
+    ring, cage = [1.0] * 3 + [1.0 / pitch] * 2, [1.0] * 3 + [1.0 / pitch] * 3
+    place = np.array([*ring, *cage, *[1.0] * n])
+    motion = np.array([*ring, *cage, *[1.0] * n, *[1.0 / problem.constants.ball_radius] * n])
+    return np.concatenate([length * place, speed * motion])

@@ -1,0 +1,1 @@
+"""Forces between two bodies of a bearing: normal laws, friction, lubricated lands."""

@@ -1,0 +1,146 @@
+"""Friction of balls on races for the compiled equations: none, a coefficient over the ellipse, or a traction table."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..geometry import Bearing, Race, contact_modulus, reduced_radii
+from ..traction_forces import groove_curvature_radius
+from .problem import COEFFICIENT, FRICTIONLESS, TABLE, Array, FrictionData
+
+if TYPE_CHECKING:
+    from ehl.traction.laws import ContactShape, CoulombLaw, FourConstantLaw
+    from ehl.traction.table import TractionTable
+
+    Law = CoulombLaw | FourConstantLaw
+
+RINGS, RAYS = 4, 12  # of the quadrature over the ellipse in the equations of motion
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RaceFriction:
+    """Friction of both races: laws of a coefficient, or tables, or none.
+
+    Attributes
+    ----------
+    inner, outer : CoulombLaw, FourConstantLaw, TractionTable or None
+        Of `ehl.traction`; None: frictionless.
+    at_centre : bool
+        A coefficient counts at the contact's centre alone: no spin moment, no slip by curvature.
+    """
+
+    inner: CoulombLaw | FourConstantLaw | TractionTable | None = None
+    outer: CoulombLaw | FourConstantLaw | TractionTable | None = None
+    at_centre: bool = False
+
+    def __post_init__(self) -> None:
+        if type(self.inner) is not type(self.outer):
+            raise ValueError("friction: inner and outer race need the same kind of law")
+
+    @property
+    def kind(self) -> int:
+        """Of the friction, as the kernel knows it."""
+        if self.inner is None:
+            return FRICTIONLESS
+        return COEFFICIENT if hasattr(self.inner, "kernel_law") else TABLE
+
+    def data(self, race: Race) -> FrictionData:
+        """Arrays of one race for the kernel [SI]."""
+        law = self.inner if race is Race.INNER else self.outer
+        empty, grid = np.zeros(1), np.zeros((1, 1, 1))
+        values = np.zeros((1, 1, 1, 1, 1, 1))
+        disc = np.array([[0.0], [0.0], [1.0]]) if self.at_centre else ellipse_points(RINGS, RAYS)
+        if law is None:
+            return FrictionData(disc, empty, np.zeros(5), np.zeros((5, 3)), empty, grid, values)
+        if self.kind == COEFFICIENT:
+            found: Array = law.kernel_law()  # type: ignore[union-attr]
+            shape = law.shape.constants  # type: ignore[union-attr]
+            return FrictionData(disc, found, shape, np.zeros((5, 3)), empty, grid, values)
+        table: TractionTable = law  # type: ignore[assignment]
+        return FrictionData(disc, empty, np.zeros(5), table.axes, table.constants, table.scalars, table.values)
+
+
+def ellipse_points(rings: int, rays: int) -> Array:
+    """x/a, y/b and share of the load of quadrature points over an ellipse with Hertz' pressure, shape (3, n) [-].
+
+    Gauss-Legendre in the share of the load outside a radius, t = (1 - r^2)^(3/2), evenly spaced around, each ring
+    turned by half a step against the next.
+    """
+    nodes, weights = np.polynomial.legendre.leggauss(rings)
+    radius = np.sqrt(1.0 - (0.5 * (nodes + 1.0)) ** (2.0 / 3.0))[:, None]
+    turn = 0.5 * (np.arange(rings) % 2)[:, None] + 0.25
+    angle = 2.0 * np.pi * (np.arange(rays)[None, :] + turn) / rays
+    share = np.repeat(0.5 * weights / rays, rays)
+    return np.stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), share])
+
+
+def contact_shape(bearing: Bearing, race: Race, contact_angle: float) -> ContactShape:
+    """Ellipse at 1 N and curvatures of the contact of a ball with a race at a contact angle [rad]."""
+    from ehl.hertz import hertz_contact
+    from ehl.traction.laws import ContactShape
+
+    radius_x, radius_y = reduced_radii(bearing, race, contact_angle)
+    hertz = hertz_contact(1.0, radius_x, radius_y, contact_modulus(bearing, race))
+    return ContactShape(
+        semi_axis_x=hertz.semi_axis_x,
+        semi_axis_y=hertz.semi_axis_y,
+        radius_x=radius_x,
+        curvature_radius=groove_curvature_radius(bearing, race),
+        curvature_difference=1.0 / radius_x - 4.0 / bearing.ball_diameter,
+    )
+
+
+def coulomb_friction(
+    bearing: Bearing,
+    angles: tuple[float, float],
+    coefficient: float,
+    ramp: tuple[float, float],
+    *,
+    at_centre: bool = False,
+) -> RaceFriction:
+    """Coulomb friction with dead band and ramp (Ambrosio 2003) on both races.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    angles : tuple of float
+        Contact angles, inner and outer [rad].
+    coefficient : float
+        mu [-].
+    ramp : tuple of float
+        v_0 and v_1: none below, all of it above [m/s].
+    at_centre : bool
+        See `RaceFriction`.
+
+    Returns
+    -------
+    RaceFriction
+    """
+    from ehl.traction.laws import CoulombLaw
+
+    laws = [
+        CoulombLaw(contact_shape(bearing, race, angle), friction=coefficient, slide_none=ramp[0], slide_full=ramp[1])
+        for race, angle in zip((Race.INNER, Race.OUTER), angles, strict=True)
+    ]
+    return RaceFriction(inner=laws[0], outer=laws[1], at_centre=at_centre)
+
+
+def four_constant_friction(
+    bearing: Bearing,
+    angles: tuple[float, float],
+    constants: tuple[float, float, float, float],
+    *,
+    at_centre: bool = False,
+) -> RaceFriction:
+    """mu = (A + B s) exp(-C s) + D on both races; contact angles inner and outer [rad], constants [-]."""
+    from ehl.traction.laws import FourConstantLaw
+
+    a, b, c, d = constants
+    laws = [
+        FourConstantLaw(contact_shape(bearing, race, angle), a=a, b=b, c=c, d=d)
+        for race, angle in zip((Race.INNER, Race.OUTER), angles, strict=True)
+    ]
+    return RaceFriction(inner=laws[0], outer=laws[1], at_centre=at_centre)

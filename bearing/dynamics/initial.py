@@ -1,0 +1,190 @@
+"""The state from which a simulation starts: the quasi-static equilibrium, or balls on the outer race."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from ..geometry import Bearing
+from ..kinematics import centrifugal_force
+from ..operation import Model, Operation
+from ..quasistatic import QuasistaticSolution, solve_quasistatic
+from .bodies import free_coordinates, load_type
+from .inputs import DynamicsModel, LoadType, Start
+from .layout import CAGE_ROTATION, Layout
+from .problem import Array, Problem
+
+LEAST_CREEP = 1.0e-3  # share of the speed at which an equilibrium is sought for a start at rest [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StartingPoint:
+    """What a simulation starts from.
+
+    Attributes
+    ----------
+    kind : LoadType
+        Equations of motion.
+    angles : tuple of float
+        Mean contact angles, inner and outer, by load [rad].
+    equilibrium : QuasistaticSolution or None
+        Where it was asked for and found.
+    messages : tuple of str
+    """
+
+    kind: LoadType
+    angles: tuple[float, float]
+    equilibrium: QuasistaticSolution | None
+    messages: tuple[str, ...]
+
+
+def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel) -> StartingPoint:
+    """Equations, contact angles and equilibrium of the schedule's first row.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    operation : Operation
+    model : DynamicsModel
+
+    Returns
+    -------
+    StartingPoint
+        Angles in [rad]. Where no equilibrium is found the free contact angle stands in, and a message says so.
+    """
+    kind = model.options.equations or load_type(operation, model)
+    first = first_operation(operation, model, kind)
+    free = bearing.free_contact_angle if first.force[0] else 0.0
+    axial = kind is not LoadType.RADIAL and any(abs(row[2]) > 0.0 for row in _rows(operation, model))
+    nominal = (bearing.free_contact_angle, bearing.free_contact_angle) if axial else (free, free)
+    if model.options.start is Start.ROLLING:
+        return StartingPoint(kind=kind, angles=nominal, equilibrium=None, messages=())
+    solution = _solve(bearing, first)
+    if solution is None or not solution.converged:
+        reason = "no equilibrium" if solution is None else solution.message
+        text = f"dynamics: no quasi-static start ({reason}); started with the balls rolling on the outer race"
+        return StartingPoint(kind=kind, angles=nominal, equilibrium=None, messages=(text,))
+    angles = mean_angles(solution, nominal)
+    return StartingPoint(kind=kind, angles=angles, equilibrium=solution, messages=())
+
+
+def _solve(bearing: Bearing, operation: Operation) -> QuasistaticSolution | None:
+    try:
+        return solve_quasistatic(bearing, operation, Model())
+    except (ValueError, ArithmeticError, np.linalg.LinAlgError):
+        return None
+
+
+def _rows(operation: Operation, model: DynamicsModel) -> list[tuple[float, ...]]:
+    """Rows of the schedule, or the one of the operation: speeds and loads."""
+    if model.schedule is not None:
+        return [tuple(row) for row in model.schedule.values]
+    loads = (0.0 if value is None else value for value in operation.loads)
+    return [(operation.inner_speed, operation.outer_speed, *loads)]
+
+
+def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) -> Operation:
+    """The operation at time zero, what the equations hold fixed held [SI]."""
+    first, last = _rows(operation, model)[0], _rows(operation, model)[-1]
+    inner, outer = (a or LEAST_CREEP * b for a, b in zip(first[:2], last[:2], strict=True))
+    ring = free_coordinates(kind, operation)[0]
+    loads: list[Any] = [load if free else None for load, free in zip(first[2:], ring, strict=True)]
+    given = [0.0 if value is None else value for value in operation.displacements]
+    places: list[Any] = [None if free else value for value, free in zip(given, ring, strict=True)]
+    return replace(
+        operation,
+        inner_speed=inner,
+        outer_speed=outer,
+        force=tuple(loads[:3]),
+        moment=tuple(loads[3:]),
+        displacement=tuple(places[:3]),
+        tilt=tuple(places[3:]),
+    )
+
+
+def mean_angles(solution: QuasistaticSolution, nominal: tuple[float, float]) -> tuple[float, float]:
+    """Contact angles of an equilibrium, weighted by the loads; the nominal one where nothing is loaded [rad]."""
+    pairs = (
+        (solution.inner_contact_angle, solution.inner_load, nominal[0]),
+        (solution.outer_contact_angle, solution.outer_load, nominal[1]),
+    )
+    found = [
+        float(np.sum(angle * load) / np.sum(load)) if np.sum(load) > 0.0 else other for angle, load, other in pairs
+    ]
+    return found[0], found[1]
+
+
+def kinematic_cage_speed(bearing: Bearing, inner: float, outer: float, angle: float) -> float:
+    """Speed of the cage without sliding [rad/s], (1 - g cos a) inner/2 + (1 + g cos a) outer/2, g = D/d_m.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    inner, outer : float
+        Speeds of the rings [rad/s].
+    angle : float
+        Contact angle [rad].
+
+    Returns
+    -------
+    float
+        [rad/s].
+    """
+    gamma = bearing.ball_diameter / bearing.pitch_diameter * float(np.cos(angle))
+    return 0.5 * ((1.0 - gamma) * inner + (1.0 + gamma) * outer)
+
+
+def initial_state(bearing: Bearing, problem: Problem, point: StartingPoint, start: Start) -> Array:
+    """State vector at time zero.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    problem : Problem
+    point : StartingPoint
+    start : Start
+
+    Returns
+    -------
+    ndarray
+        See `layout` [m, rad, m/s, rad/s].
+    """
+    layout = Layout(bearing.balls)
+    y = np.zeros(layout.size)
+    inner, outer = problem.schedule[0, 1:3]
+    cosines, sines = np.cos(problem.pocket_angle), np.sin(problem.pocket_angle)
+    if point.equilibrium is None or start is Start.ROLLING:
+        axial, radial, orbit, spin = _rolling(bearing, problem, point.angles, (inner, outer))
+    else:
+        s = point.equilibrium
+        y[layout.ring] = np.concatenate([s.displacement, s.tilt])
+        axial, radial, orbit = s.ball_axial, s.ball_radial, s.orbit_speed
+        spin = np.stack([orbit - s.spin_speed * np.cos(s.attitude), s.spin_speed * np.sin(s.attitude)])
+    if start is Start.REST or not (inner or outer):
+        orbit, spin = 0.0 * orbit, 0.0 * spin
+    y[layout.ball] = np.stack([axial, radial * cosines, radial * sines], axis=1).ravel()
+    speed = orbit * radial
+    free = problem.free[11:]
+    y[layout.ball_speed] = (np.stack([0.0 * speed, -speed * sines, speed * cosines], axis=1) * free[:3]).ravel()
+    turns = np.stack([spin[0], spin[1] * cosines, spin[1] * sines], axis=1)
+    y[layout.ball_turn] = (turns * free[3:]).ravel()
+    if problem.constants.cage_mass > 0.0:
+        y[layout.cage_speed.start + CAGE_ROTATION] = float(np.mean(orbit))
+    return y
+
+
+def _rolling(bearing: Bearing, problem: Problem, angles: tuple[float, float], speeds: tuple[float, float]) -> Any:
+    """Balls on the outer race at the kinematic speed, pressed by their centrifugal force."""
+    n = bearing.balls
+    orbit = kinematic_cage_speed(bearing, *speeds, angles[1])
+    gamma = bearing.ball_diameter / bearing.pitch_diameter * np.cos(angles[1])
+    force = centrifugal_force(problem.constants.ball_mass, bearing.pitch_diameter, np.asarray(orbit))
+    approach = (float(force) / problem.normal[1, 0]) ** (1.0 / problem.normal[1, 1])
+    reach = bearing.outer_groove_radius - 0.5 * bearing.ball_diameter + approach
+    axial = reach * np.sin(angles[1])
+    radial = bearing.outer_centre_radius + reach * np.cos(angles[1])
+    roll = (orbit - speeds[1]) * (1.0 + gamma) / gamma
+    turn = np.array([orbit - roll * np.cos(angles[1]), roll * np.sin(angles[1])])
+    return np.full(n, axial), np.full(n, radial), np.full(n, orbit), np.repeat(turn[:, None], n, axis=1)

@@ -1,0 +1,260 @@
+"""What a time simulation is asked: cage, laws of the contacts, drag, schedule, accuracy; frozen, SI."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import Enum
+from math import isfinite, pi
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Mapping
+
+    from .friction import RaceFriction
+
+IMPACT_FLOOR = 0.05  # [m/s], see `NormalContact.impact_floor`
+TOLERANCE = 1.0e-3  # of the error of a step in units of `scales` [-]; see docs/dynamics.md
+SPHERE_DRAG = 0.47  # drag coefficient of a smooth sphere, Re 1e3 to 2e5 (Hoerner 1965) [-]
+
+
+class NormalLaw(Enum):
+    """Normal force of a contact, K d^n (1 + chi v/v_0), by the restitution e that fixes chi; never adhesive.
+
+    HERTZ: elastic; LANKARANI_NIKRAVESH (1990): 3 (1 - e^2)/4; HUNT_CROSSLEY (1975): 3 (1 - e)/2; FLORES (2011):
+    8 (1 - e)/(5 e); LUBRICATED: elastic, and the squeeze damping of the film from the traction table.
+    """
+
+    HERTZ = "hertz"
+    LANKARANI_NIKRAVESH = "lankarani-nikravesh"
+    HUNT_CROSSLEY = "hunt-crossley"
+    FLORES = "flores"
+    LUBRICATED = "lubricated"
+
+
+class Guidance(Enum):
+    """What guides the cage."""
+
+    BALLS = "balls"
+    INNER_RING = "inner ring"
+    OUTER_RING = "outer ring"
+
+
+class Start(Enum):
+    """State from which the simulation starts: equilibrium, rolling on the outer race, or at rest on it."""
+
+    QUASI_STATIC = "quasi-static"
+    ROLLING = "rolling"
+    REST = "rest"
+
+
+class LoadType(Enum):
+    """Equations of motion after Ma et al. (2023), by the load; GENERAL has every degree of freedom."""
+
+    RADIAL = "radial"
+    AXIAL = "axial"
+    COMBINED = "combined"
+    GENERAL = "general"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NormalContact:
+    """Normal law of all contacts.
+
+    Attributes
+    ----------
+    law : NormalLaw
+    restitution : float
+        e [-]: what the law is given; what comes back from an impact is in `laws.restitution_returned`.
+    impact_floor : float
+        Least v_0, so that a lasting contact that began without an impact is damped as if by this speed [m/s].
+    inner_stiffness, outer_stiffness : float or None
+        K of a ball on a race [N/m^1.5]; None: Hertz' of the grooved race.
+    """
+
+    law: NormalLaw = NormalLaw.LANKARANI_NIKRAVESH
+    restitution: float = 0.9
+    impact_floor: float = IMPACT_FLOOR
+    inner_stiffness: float | None = None
+    outer_stiffness: float | None = None
+
+    def __post_init__(self) -> None:
+        if not 0.0 < self.restitution <= 1.0:
+            raise ValueError(f"restitution must lie in (0, 1], got {self.restitution!r}")
+        _positive("impact_floor", self.impact_floor)
+        for name in ("inner_stiffness", "outer_stiffness"):
+            if getattr(self, name) is not None:
+                _positive(name, getattr(self, name))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CageBody:
+    """The cage as a rigid body with cylindrical pockets, their axes radial.
+
+    Attributes
+    ----------
+    mass, polar_inertia, transverse_inertia : float
+        [kg], [kg m^2].
+    pocket_clearance : float
+        Diametral, pocket less ball [m].
+    pocket_stiffness : float
+        K of ball against pocket [N/m^1.5].
+    pocket_friction : float
+        Coulomb's mu [-].
+    film_area, film_least : float
+        Wetted area of one side of a pocket [m^2] and its least film [m].
+    guidance : Guidance
+    land_radius, land_clearance, land_width, land_offset : float
+        Of each of the two guiding lands: radius, radial clearance, width, distance from the middle [m].
+    land_stiffness : float
+        Of a land without a film [N/m].
+    land_friction : float
+        Coulomb's mu without a film [-].
+    assumed : tuple of str
+        What was estimated rather than given.
+    """
+
+    mass: float
+    polar_inertia: float
+    transverse_inertia: float
+    pocket_clearance: float
+    pocket_stiffness: float
+    pocket_friction: float = 0.0
+    film_area: float = 0.0
+    film_least: float = 1.0e-6
+    guidance: Guidance = Guidance.BALLS
+    land_radius: float = 0.0
+    land_clearance: float = 0.0
+    land_width: float = 0.0
+    land_offset: float = 0.0
+    land_stiffness: float = 0.0
+    land_friction: float = 0.0
+    assumed: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name in ("mass", "polar_inertia", "transverse_inertia", "pocket_clearance", "pocket_stiffness"):
+            _positive(name, getattr(self, name))
+        if self.guidance is not Guidance.BALLS:
+            for name in ("land_radius", "land_clearance", "land_width", "land_stiffness"):
+                _positive(name, getattr(self, name))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RingBody:
+    """The inner ring, with what turns with it: mass [kg], inertias [kg m^2], and the damping of its support [N s/m]."""
+
+    mass: float
+    polar_inertia: float
+    transverse_inertia: float
+    damping: float = 0.0
+    unbalance: float = 0.0  # mass times eccentricity [kg m]
+    unbalance_phase: float = 0.0  # from +y at time zero [rad]
+    assumed: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        for name in ("mass", "polar_inertia", "transverse_inertia"):
+            _positive(name, getattr(self, name))
+        if not self.damping >= 0.0:
+            raise ValueError(f"damping must not be negative, got {self.damping!r}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Schedule:
+    """Speeds and loads over time, linear between the rows, the last one kept.
+
+    Attributes
+    ----------
+    time : tuple of float
+        [s], rising.
+    values : tuple of tuple of float
+        At each: speed of inner and of outer ring [rad/s], force along x, y, z [N], moment about y, z [N m].
+    """
+
+    time: tuple[float, ...]
+    values: tuple[tuple[float, ...], ...]
+
+    def __post_init__(self) -> None:
+        if not self.time or len(self.time) != len(self.values) or any(len(row) != 7 for row in self.values):
+            raise ValueError("schedule: needs a row of seven values for each time")
+        if any(b <= a for a, b in zip(self.time, self.time[1:], strict=False)):
+            raise ValueError(f"schedule: times must rise, got {self.time}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DynamicsOptions:
+    """How to simulate.
+
+    Attributes
+    ----------
+    end_time : float
+        [s].
+    sample_interval : float
+        Between rows of the history [s].
+    start : Start
+    equations : LoadType or None
+        None: by the load (`load_type`).
+    tolerance : float
+        Of a step's error in units of contact approach and of speed in its vibration [-].
+    gravity : tuple of float
+        Along x, y, z [m/s^2].
+    drag : float
+        Of a ball over the square of its speed, C_D rho A/2 [N s^2/m^2].
+    longest_step : float or None
+        [s]; None: a part of the vibration of a loaded ball (`simulation.STEP_ANGLE`).
+    """
+
+    end_time: float
+    sample_interval: float
+    start: Start = Start.QUASI_STATIC
+    equations: LoadType | None = None
+    tolerance: float = TOLERANCE
+    gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    drag: float = 0.0
+    longest_step: float | None = None
+
+    def __post_init__(self) -> None:
+        for name in ("end_time", "sample_interval", "tolerance"):
+            _positive(name, getattr(self, name))
+        if self.sample_interval > self.end_time:
+            raise ValueError(f"sample_interval must not exceed end_time {self.end_time}, got {self.sample_interval}")
+        if not self.drag >= 0.0:
+            raise ValueError(f"drag must not be negative, got {self.drag!r}")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DynamicsModel:
+    """Everything beside bearing and operation that a simulation takes."""
+
+    options: DynamicsOptions
+    ring: RingBody
+    friction: RaceFriction
+    cage: CageBody | None = None
+    normal: NormalContact = field(default_factory=NormalContact)
+    schedule: Schedule | None = None  # None: the operation's speeds and loads throughout
+    film_viscosity: float = 0.0  # of the oil in pockets and lands [Pa s]
+    friction_ramp: float = 0.01  # sliding speed up to which friction of pockets and lands rises [m/s]
+    notes: Mapping[str, str] = field(default_factory=dict)
+
+
+def drag_of_mixture(density: float, ball_diameter: float, coefficient: float = SPHERE_DRAG) -> float:
+    """Drag of a ball over the square of its speed, C_D rho (pi/4) D^2/2 [N s^2/m^2].
+
+    Parameters
+    ----------
+    density : float
+        Of the mixture of oil and air, at rest [kg/m^3].
+    ball_diameter : float
+        [m].
+    coefficient : float
+        C_D [-].
+
+    Returns
+    -------
+    float
+        [N s^2/m^2].
+    """
+    return 0.5 * coefficient * density * 0.25 * pi * ball_diameter**2
+
+
+def _positive(name: str, value: float) -> None:
+    if not (isfinite(value) and value > 0.0):
+        raise ValueError(f"{name} must be positive and finite, got {value!r}")

@@ -1,0 +1,96 @@
+"""The implicit way: SciPy's LSODA with the Jacobian of the compiled equations, where friction is too steep."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from scipy.integrate import LSODA
+
+from ..problem import Array
+from . import _kernels
+from .explicit import control_of
+
+if TYPE_CHECKING:
+    from ..simulation import Record, Simulation
+
+DONE, TOO_SMALL = 0, 1
+ACCUMULATED = 1.0e-6  # tolerance of the accumulators, of themselves [-]
+
+
+def advance_implicit(simulation: Simulation, times: Array) -> tuple[int, Record]:
+    """Move a simulation on to the given times [s]; 0 or 1 (the step became too small), and the rows reached."""
+    from ..simulation import Record, empty_record
+
+    record = empty_record(times, simulation.bearing.balls)
+    history = _history(simulation)
+    status, rows = DONE, 0
+    for rows, time in enumerate(times):
+        status = _to(simulation, float(time))
+        if status != DONE:
+            break
+        _kernels.sample(simulation.state.y, simulation.problem, history, tuple(record[1:]), rows)
+    else:
+        rows = times.size
+    parts: list[Any] = [part[:rows] for part in record]
+    return status, Record(*parts)
+
+
+def _history(simulation: Simulation) -> tuple[Array, Any, Array, Array]:
+    state = simulation.state
+    return state.onset, state.contact_state, state.shares, state.attitude
+
+
+def _to(simulation: Simulation, end: float) -> int:
+    """Steps of LSODA up to `end` [s], the memory of the impacts brought up to date after each."""
+    state, problem = simulation.state, simulation.problem
+    solver = _solver(simulation, end)
+    rates, before = np.zeros_like(state.y), state.y.copy()
+    while solver.status == "running":
+        try:
+            message = solver.step()
+        except ValueError:  # LSODA's own complaint about a state that is not finite
+            return TOO_SMALL
+        if solver.status == "failed" or message or not np.all(np.isfinite(solver.y)):
+            return TOO_SMALL
+        step = solver.t - solver.t_old
+        state.y[:] = solver.y
+        _kernels.derivative(solver.t, state.y, problem, rates)
+        _kernels.turn_balls(before, state.y, step, problem.constants.balls, state.attitude)
+        onset, states, shares, _ = _history(simulation)
+        _kernels.remember(problem, solver.t, step, onset, states, shares)
+        before[:] = state.y
+        state.counters[_kernels.STEPS] += 1
+        state.time, state.step = solver.t, step
+    state.counters[_kernels.EVALUATIONS] += solver.nfev
+    return DONE
+
+
+def _solver(simulation: Simulation, end: float) -> LSODA:
+    state, problem, scale = simulation.state, simulation.problem, simulation.scale
+    size, mechanical = simulation.layout.size, simulation.layout.mechanical
+
+    def rates(t: float, y: Array) -> Array:
+        out = np.zeros(size)
+        _kernels.derivative(t, y, problem, out)
+        return out
+
+    def slopes(t: float, y: Array) -> Array:
+        out = np.zeros((size, size))
+        part = np.zeros((mechanical, mechanical))
+        _kernels.jacobian(t, y, problem, scale, part)
+        out[:mechanical, :mechanical] = part
+        return out
+
+    energy = np.maximum(np.abs(state.y[mechanical:]), 1.0) * ACCUMULATED
+    return LSODA(
+        rates,
+        state.time,
+        state.y.copy(),
+        end,
+        first_step=min(state.step, end - state.time),
+        max_step=max(control_of(simulation)[1], end - state.time),
+        rtol=1e-12,
+        atol=np.concatenate([scale, energy]),
+        jac=slopes,
+    )

@@ -1,0 +1,240 @@
+"""The time simulation: steps to each sample, hands records on in pieces, keeps the energies."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from time import perf_counter
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..geometry import Bearing
+from ..operation import Operation
+from .assembly import assemble, scales
+from .bodies import equation_counts
+from .initial import StartingPoint, initial_state, starting_point
+from .inputs import DynamicsModel
+from .laws import vibration_frequency
+from .layout import Layout
+from .problem import POCKET_COLUMNS, RACE_COLUMNS, Array, Problem
+
+PIECE = 128  # samples handed on at a time
+LEAST_STEP = 1.0e-12  # over the end time, below which a step has failed [-]
+STIFF_STEP = 0.02  # of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
+REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
+HEAVIEST = 5.0  # load of the heaviest ball over the mean one, Stribeck (1901) [-]
+STEP_ANGLE = 0.8  # longest step times the frequency of a loaded ball: at the limit of stability it would ring [-]
+MESSAGES = {
+    1: "dynamics: not converged: the step became too small at t = {t:.6g} s; try a larger tolerance or friction ramp",
+    3: "dynamics: not converged: the state is not finite at t = {t:.6g} s",
+}
+
+
+class Record(NamedTuple):
+    """Rows of the history; states [SI], contacts (`problem.RACE_NAMES`), pockets, energies [J], loads [N, N m]."""
+
+    time: Array  # (m,) [s]
+    state: Array  # (m, size)
+    races: Array  # (m, 2, Z, RACE_COLUMNS)
+    pockets: Array  # (m, Z, POCKET_COLUMNS)
+    energy: Array  # kinetic, elastic, potential (m, 3) [J]
+    loads: Array  # on ring and cage (m, 12) [N], [N m]
+    contact_state: NDArray[np.int8]  # 0 free, 1 contact, 2 impact (m, 2, Z)
+    attitude: Array  # of the balls, quaternion w, x, y, z (m, Z, 4) [-]
+
+
+@dataclass(slots=True, kw_only=True)
+class SimulationState:
+    """Where a simulation stands; all that a restart needs.
+
+    Attributes
+    ----------
+    time, step : float
+        [s].
+    y : ndarray
+        State vector [SI].
+    memory, onset : ndarray, shape (3 Z + 2,)
+        Speeds [m/s] and times [s] of the beginnings of the contacts.
+    contact_state : ndarray, shape (2, Z)
+    shares : ndarray, shape (2, Z, 3)
+        Time spent free, in contact, in an impact [s].
+    attitude : ndarray, shape (Z, 4)
+        Quaternions of the balls [-].
+    counters : ndarray
+        Steps, rejected steps, of the test for stiffness, evaluations [-].
+    stiff : bool
+        Whether the rest goes to LSODA.
+    """
+
+    time: float
+    step: float
+    y: Array
+    memory: Array
+    onset: Array
+    contact_state: NDArray[np.int8]
+    shares: Array
+    attitude: Array
+    counters: NDArray[np.int64]
+    stiff: bool = False
+
+
+@dataclass(slots=True, kw_only=True)
+class Simulation:
+    """A bearing in motion: `pieces` moves it on and hands out records."""
+
+    bearing: Bearing
+    operation: Operation
+    model: DynamicsModel
+    problem: Problem
+    point: StartingPoint
+    state: SimulationState
+    start_energy: float  # [J]
+    converged: bool = True
+    messages: list[str] = field(default_factory=list)
+    wall: float = 0.0  # time spent stepping [s]
+
+    @property
+    def layout(self) -> Layout:
+        """Where what stands in the state vector."""
+        return Layout(self.bearing.balls)
+
+    @property
+    def equations(self) -> dict[str, int]:
+        """Counts of equations [-]."""
+        return equation_counts(self.point.kind, self.bearing.balls, self.operation)
+
+    @property
+    def scale(self) -> Array:
+        """Errors that count as one: `assembly.scales` under the mean load times the tolerance [SI]."""
+        return scales(self.problem, self.reference_load) * self.model.options.tolerance
+
+    @property
+    def reference_load(self) -> float:
+        """Largest load over the number of balls, at least `REFERENCE_LOAD` [N]."""
+        rows = self.problem.schedule[:, 3:6]
+        return max(REFERENCE_LOAD, float(np.linalg.norm(rows, axis=1).max()) / self.bearing.balls)
+
+    @property
+    def frequency(self) -> float:
+        """Angular frequency of the heaviest loaded ball between the races [rad/s]."""
+        stiffness, mass = float(self.problem.normal[:2, 0].max()), self.problem.constants.ball_mass
+        return vibration_frequency(stiffness, HEAVIEST * self.reference_load, mass)
+
+    def sample_times(self) -> Array:
+        """Times of the samples still to come [s]."""
+        options = self.model.options
+        count = round(options.end_time / options.sample_interval)
+        times = np.linspace(0.0, options.end_time, count + 1)[1:]
+        return times[times > self.state.time * (1.0 + 1e-12)]
+
+    def pieces(self) -> Iterator[Record]:
+        """Move on to the end; a record after each piece. Stops early, `converged` False, where a step fails."""
+        times = self.sample_times()
+        for first in range(0, times.size, PIECE):
+            began = perf_counter()
+            record = self._advance(times[first : first + PIECE])
+            self.wall += perf_counter() - began
+            if record.time.size:
+                yield record
+            if not self.converged:
+                return
+
+    def _advance(self, times: Array) -> Record:
+        from .integration.explicit import advance_explicit
+
+        status, record = 2, None
+        if not self.state.stiff:
+            status, record = advance_explicit(self, times)
+            if status == 2:
+                self.state.stiff = True
+                self.messages.append(f"dynamics: stiff from t = {self.state.time:.6g} s on; LSODA took over")
+        if self.state.stiff:
+            from .integration.implicit import advance_implicit
+
+            done = 0 if record is None else record.time.size
+            status, rest = advance_implicit(self, times[done:])
+            record = rest if record is None else join(record, rest)
+        if status != 0:
+            self.converged = False
+            self.messages.append(MESSAGES[status].format(t=self.state.time))
+        assert record is not None
+        return record
+
+
+def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> Simulation:
+    """A simulation at its start.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    operation : Operation
+        Speeds [rad/s], loads [N, N m] of the inner ring.
+    model : DynamicsModel
+
+    Returns
+    -------
+    Simulation
+    """
+    point = starting_point(bearing, operation, model)
+    problem = assemble(bearing, operation, model, point.angles)
+    y = initial_state(bearing, problem, point, model.options.start)
+    return from_state(bearing, operation, model, (point, problem, y))
+
+
+def from_state(
+    bearing: Bearing, operation: Operation, model: DynamicsModel, start: tuple[StartingPoint, Problem, Array]
+) -> Simulation:
+    """A simulation from a state vector [SI]."""
+    from ._kernels import derivative, energies
+
+    point, problem, y = start
+    n = bearing.balls
+    attitude = np.zeros((n, 4))
+    attitude[:, 0] = 1.0
+    state = SimulationState(
+        time=0.0,
+        step=1.0e-9,
+        y=y,
+        memory=problem.memory,
+        onset=np.full(3 * n + 2, -np.inf),
+        contact_state=np.zeros((2, n), dtype=np.int8),
+        shares=np.zeros((2, n, 3)),
+        attitude=attitude,
+        counters=np.zeros(5, dtype=np.int64),
+    )
+    out = np.zeros(3)
+    derivative(0.0, y, problem, np.zeros_like(y))
+    energies(y, problem, out)
+    return Simulation(
+        bearing=bearing,
+        operation=operation,
+        model=model,
+        problem=problem,
+        point=point,
+        state=state,
+        start_energy=float(out.sum()),
+        messages=list(point.messages),
+    )
+
+
+def empty_record(times: Array, balls: int) -> Record:
+    """Room for a row at each time [s]."""
+    m = times.size
+    return Record(
+        time=times.copy(),
+        state=np.zeros((m, Layout(balls).size)),
+        races=np.zeros((m, 2, balls, RACE_COLUMNS)),
+        pockets=np.zeros((m, balls, POCKET_COLUMNS)),
+        energy=np.zeros((m, 3)),
+        loads=np.zeros((m, 12)),
+        contact_state=np.zeros((m, 2, balls), dtype=np.int8),
+        attitude=np.zeros((m, balls, 4)),
+    )
+
+
+def join(first: Record, second: Record) -> Record:
+    """Two records one after the other."""
+    parts: list[Any] = [np.concatenate((a, b)) for a, b in zip(first, second, strict=True)]  # type: ignore[arg-type]
+    return Record(*parts)
