@@ -59,9 +59,9 @@ program uses it nowhere else.
 *lines*: no net force in the rolling direction, spin by the hypothesis "half and half"; *balanced*: force and moments
 in balance on every ball, the study's equilibrium without its shortcuts; *Coulomb*: the same over the whole ellipse with
 sliding across, and the gyroscopic couple. Nothing was calibrated: with the assumed grooves ours lies {least:.1f} and
-{most:.1f} % below the printed values under axial and combined load at 500 r/min. Radially the printed value is half again: ours is
-{radial:.0f} % of it and {true_radial:.0f} % of the true SKF value. No physical geometry gives all three printed numbers
-at once (axial, radial, combined).
+{most:.1f} % below the printed values under axial and combined load at 500 r/min. Radially the printed value is half
+again: ours is {radial:.0f} % of it and {true_radial:.0f} % of the true SKF value. No physical geometry gives all three
+printed numbers at once (axial, radial, combined).
 
 ## Error of the line model
 
