@@ -18,7 +18,7 @@ from .thermal.solids import SolidThermal
 
 Array = NDArray[np.float64]
 
-SETTLED = 0.03  # change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure
+SETTLED = 0.03  # change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's flow
 MISSED = 0.005  # share of the columns that may be without a solution: they lie where hardly anything flows
 
 
@@ -42,7 +42,7 @@ class GeneralizedSolution:
     dissipation : ndarray, shape (nx, ny), or None
         Heat of shear over the film [W/m^2].
     change : float
-        Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure [-].
+        Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's own flow [-].
     missed : int
         Columns of the last turn without a solution [-].
     """

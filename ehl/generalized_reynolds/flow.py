@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 STEP = 0.02  # relative change of the gradient, and change of ln(eta) by pressure, for difference quotients
+TINY = 1e-300  # keeps a quotient finite
 LARGEST_POWER = 20.0  # m beyond which relaxation is not made stronger
 SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
 
@@ -107,7 +108,7 @@ class GeneralizedFlow:
     missed : int
         Columns whose stress was not found in the last turn [-].
     change : float
-        Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure [-].
+        Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's own flow [-].
     stresses : dict
         Stress in the middle of the film, shape (2, ny, nx), of each grid by the shape of its arrays [Pa].
     """
@@ -140,13 +141,13 @@ class GeneralizedFlow:
         power = np.clip(np.log(steeper / poiseuille) / np.log1p(STEP), 0.0, LARGEST_POWER)
         hidden = np.maximum(tangent - (1.0 + power) * poiseuille, 0.0)
         thinning = self._thinning(fields, middle, temperature, poiseuille)
+        newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, self.conditions.lubricant))
         last = self._poiseuille.get(P.shape)
         if last is not None:
-            weight = fields.p / max(float(fields.p.sum()), 1.0)
-            self.change = float((weight * np.abs(np.log(poiseuille / last))).sum())
+            weight = poiseuille * newtonian * np.hypot(*fields.gradient)
+            self.change = float((weight * np.abs(np.log(poiseuille / last))).sum() / max(float(weight.sum()), TINY))
             poiseuille = last * (poiseuille / last) ** (1.0 / (1.0 + power))
         self._poiseuille[P.shape] = poiseuille
-        newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, self.conditions.lubricant))
         flow = (couette + hidden * newtonian * fields.gradient) / speed
         return FlowFactors(
             poiseuille=poiseuille + hidden,

@@ -50,6 +50,7 @@ def test_high_eyring_stress_is_newtonian(conditions, slip):
     assert_allclose(thin.film_central, solve_contact(conditions, COARSE).film_central, rtol=1e-6)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("conditions", [CIRCULAR, WIDE], ids=["circular", "wide"])
 @pytest.mark.parametrize("rheology", [EYRING, CARREAU], ids=["eyring", "carreau"])
 def test_thinning_takes_film_away_and_sliding_more(conditions, rheology):

@@ -56,6 +56,7 @@ def test_an_oil_that_does_not_feel_heat():
     assert_allclose(hot.contact.H, solve_contact(conditions, COARSE).H, rtol=1e-9)
 
 
+@pytest.mark.slow
 def test_heat_thins_the_film_and_bodies_matter():
     """Isothermal > steel > silicon nitride > zirconia, and their surfaces the hotter."""
     conditions = replace(CIRCULAR, slide_roll_ratio=0.5)
