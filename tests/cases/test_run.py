@@ -36,6 +36,7 @@ class Solver:
 def unsheared(monkeypatch):
     """The stand-in's films have no fields to shear."""
     monkeypatch.setattr("cases.run._tractions", lambda _case, _state, contacts, _films: (None,) * len(contacts))
+    monkeypatch.setattr("cases.run._torque", lambda *_: None)
     monkeypatch.setattr("cases.run._contact_traction", lambda *_: None)
 
 
