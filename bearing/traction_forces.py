@@ -93,6 +93,7 @@ def bearing_kinematics(
         rolling=float(ball_turn[1] - race_turn[1]),
         mean_rolling=float(0.5 * (ball_turn[1] + race_turn[1])),
         curvature_radius=groove_curvature_radius(bearing, contact.race),
+        curvature_width=np.inf if contact.hertz is None else contact.hertz.semi_axis_y,
         curvature_difference=0.0 if along is None else 1.0 / along - 2.0 * ball_curvature,
     )
 

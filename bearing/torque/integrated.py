@@ -286,7 +286,7 @@ def _film_law(
     x, y, area = x[chosen], y[chosen], (area * width)[chosen]
     gap, pressure, eta = film.film[chosen], film.pressure[chosen], film_viscosity(film)[chosen]
     kinematics = bearing_kinematics(solution, contact)
-    bow = -kinematics.curvature * y**2
+    bow = kinematics.bow(y)
     pumping = -hydrodynamic * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
     temperature = solution.operation.temperature
     zeros, ones = np.zeros_like(x), np.ones_like(x)

@@ -18,15 +18,16 @@ BELOW_LOAD, ABOVE_LOAD, BELOW_SPEED, ABOVE_SPEED, SLIDE_X, SLIDE_Y, SPIN = 1, 2,
 
 
 @njit(**OPTIONS)
-def sliding_sums(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, out):
+def sliding_sums(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out):
     """Forces and moments on body 1 by sliding: F_x, F_y, M_n, M_y.
 
-    nodes, shape (6, n): x, y, area times width, film, viscosity, limiting stress.
+    nodes, shape (6, n): x, y, area times sheared width, film, viscosity, limiting stress. curvature: 1/(2R) of the
+    surface over +-width across.
     """
     f_x = f_y = m_n = m_y = 0.0
     for k in range(nodes.shape[1]):
         x, y = nodes[0, k], nodes[1, k]
-        bend = curvature * y * y
+        bend = curvature * min(y * y, width * width)
         s_x = slide_x - spin * y - rolling * bend
         s_y = slide_y + spin * x
         s = np.sqrt(s_x * s_x + s_y * s_y)
@@ -43,11 +44,11 @@ def sliding_sums(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, 
 
 
 @njit(**OPTIONS)
-def sliding_sums_many(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, out):
+def sliding_sums_many(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out):
     """`sliding_sums` for each of n motions given as arrays, out of shape (n, 4)."""
     for k in range(slide_x.size):
         sliding_sums(
-            nodes, law, stress, exponent, breadth, slide_x[k], slide_y[k], spin[k], rolling[k], curvature, out[k]
+            nodes, law, stress, exponent, breadth, slide_x[k], slide_y[k], spin[k], rolling[k], curvature, width, out[k]
         )
 
 

@@ -9,6 +9,9 @@ of body 1 relative to body 2, omega (about y) and Omega (about n), body 1 slides
 .. math::
     s_x = S_x - \Omega y - \omega y^2/(2R), \qquad s_y = S_y + \Omega x .
 
+Off the ellipse the surfaces part and the radius is none of both; a flooded gap sheared by y^2 there would drag in
+proportion to the area of the box. So y^2 is not let grow beyond the ellipse's width (`curvature_width`).
+
 What rolling does in the direction of n closes and opens the gap and is no sliding.
 """
 
@@ -23,6 +26,8 @@ from numpy.typing import NDArray
 from ..conditions import ContactConditions
 
 Array = NDArray[np.float64]
+
+MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,6 +48,9 @@ class ContactKinematics:
     curvature_radius : float
         Radius R of the loaded surface in the plane of y and n, positive if body 1 is the convex one [m]; infinite:
         no curvature slip.
+    curvature_width : float
+        Half the width over which the surface is curved like that, the transverse semi-axis [m]; beyond it curvature
+        slip stays what it is at this distance.
     mean_spin, mean_rolling : float
         Half the sum of the angular speeds of both bodies about n and y [rad/s].
     entrainment_lateral : float
@@ -63,6 +71,7 @@ class ContactKinematics:
     spin: float = 0.0
     rolling: float = 0.0
     curvature_radius: float = inf
+    curvature_width: float = inf
     mean_spin: float = 0.0
     mean_rolling: float = 0.0
     entrainment_lateral: float = 0.0
@@ -71,24 +80,31 @@ class ContactKinematics:
     def __post_init__(self) -> None:
         for field in fields(self):
             value = getattr(self, field.name)
-            if not isfinite(value) and not (field.name == "curvature_radius" and value == inf):
+            if not isfinite(value) and not (field.name in MAY_BE_INFINITE and value == inf):
                 raise ValueError(f"{field.name} must be finite, got {value!r}")
         if self.curvature_radius == 0.0:
             raise ValueError("curvature_radius must not be zero")
+        if not self.curvature_width > 0.0:
+            raise ValueError(f"curvature_width must be positive, got {self.curvature_width!r}")
 
     @property
     def curvature(self) -> float:
         """1/(2 R) of the loaded surface across the entrainment [1/m]."""
         return 0.5 / self.curvature_radius
 
+    def bow(self, y: Array) -> Array:
+        """Height -y^2/(2R) of the loaded surface at distances y across, that of its rim beyond it [m]."""
+        height: Array = -self.curvature * np.minimum(y * y, self.curvature_width**2)
+        return height
+
     def sliding(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Velocity of body 1 relative to body 2 along x and y [m/s] at places x, y [m]."""
-        s_x = self.sliding_x - self.spin * y - self.rolling * self.curvature * y * y + 0.0 * x
+        s_x = self.sliding_x - self.spin * y + self.rolling * self.bow(y) + 0.0 * x
         return s_x, self.sliding_y + self.spin * x + 0.0 * y
 
     def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Mean velocity of both surfaces along x and y [m/s] at places x, y [m]; it carries the oil."""
-        u = self.entrainment_speed - self.mean_spin * y - self.mean_rolling * self.curvature * y * y + 0.0 * x
+        u = self.entrainment_speed - self.mean_spin * y + self.mean_rolling * self.bow(y) + 0.0 * x
         return u, self.entrainment_lateral + self.mean_spin * x + 0.0 * y
 
     def surface_velocities(self, x: Array, y: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
@@ -98,7 +114,11 @@ class ContactKinematics:
 
 
 def contact_kinematics(
-    conditions: ContactConditions, *, curvature_radius: float = inf, grid_angle: float | None = None
+    conditions: ContactConditions,
+    *,
+    curvature_radius: float = inf,
+    curvature_width: float = inf,
+    grid_angle: float | None = None,
 ) -> ContactKinematics:
     """Motion that a contact's conditions describe, in the frame of the grid its film is solved on.
 
@@ -107,6 +127,8 @@ def contact_kinematics(
     conditions : ContactConditions
     curvature_radius : float
         Of the loaded surface across the entrainment [m]; infinite: no curvature slip.
+    curvature_width : float
+        Half its width, the transverse semi-axis [m].
     grid_angle : float, optional
         Direction of the grid's x from the principal direction x, `frame_angle` of a solution [rad]; None: that of
         the entrainment.
@@ -129,4 +151,5 @@ def contact_kinematics(
         mean_spin=c.rotation,
         rolling=c.entrainment_speed * curvature,
         curvature_radius=curvature_radius,
+        curvature_width=curvature_width,
     )

@@ -28,10 +28,13 @@ class FilmNodes:
     ----------
     nodes : ndarray, shape (6, n)
         x, y [m], area times sheared width [m^2], film [m], viscosity [Pa s], limiting stress [Pa].
+    half_width : float
+        Transverse semi-axis, beyond which curvature slip does not grow [m].
     rheology : Rheology
     """
 
     nodes: Array
+    half_width: float
     rheology: Rheology
 
 
@@ -76,7 +79,8 @@ def film_nodes(
     counts = counts.reshape(strength.shape) & (area > 0.0)
     fields = np.stack(np.broadcast_arrays(x[:, None], y[None, :], area * counts, gap, eta, limit))
     near = p > HERTZ_SHARE * p.max()
-    return FilmNodes(nodes=_merged(fields, near), rheology=rheology)
+    half_width = float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio
+    return FilmNodes(nodes=_merged(fields, near), half_width=half_width, rheology=rheology)
 
 
 def _stride(solution: ContactSolution) -> int:
@@ -136,7 +140,7 @@ def sliding_forces(film: FilmNodes, slide: tuple[Array, Array, Array], rolling: 
     r = kernel_rheology(film.rheology)
     out = np.empty((slide[0].size, _kernels.COLUMNS))
     law = (r.law, r.stress, r.exponent, r.breadth)
-    _kernels.sliding_sums_many(film.nodes, *law, *slide, rolling, curvature, out)
+    _kernels.sliding_sums_many(film.nodes, *law, *slide, rolling, curvature, film.half_width, out)
     return out
 
 
@@ -157,4 +161,4 @@ def sliding_forces_twin(film: FilmNodes, kinematics: ContactKinematics) -> Array
     tau = np.where(finite, -np.where(finite, limit, 1.0) * np.expm1(-tau / np.where(finite, limit, 1.0)), tau)
     pull = area * tau / np.where(speed > 0.0, speed, 1.0)
     t_x, t_y = pull * s_x, pull * s_y
-    return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), (kinematics.curvature * y**2 * t_x).sum()])
+    return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), -(kinematics.bow(y) * t_x).sum()])

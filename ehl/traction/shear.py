@@ -221,7 +221,7 @@ def integrate_traction(
     sliding = -integral(fields.couette_x), -integral(fields.couette_y)
     pump = (0.5 * integral(fields.body_1_x + fields.body_2_x), 0.5 * integral(fields.body_1_y + fields.body_2_y))
     hydrodynamic = integral(X * p)
-    curved = kinematics.curvature * integral(Y**2 * fields.couette_x)
+    curved = -integral(kinematics.bow(Y) * fields.couette_x)
     spin = integral(Y * fields.couette_x - X * fields.couette_y)
     heat = integral(fields.heat)
     k = kinematics

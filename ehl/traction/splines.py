@@ -26,8 +26,7 @@ def spline_matrix(nodes: int) -> Array:
     first = min(5, nodes + 2)
     system[nodes, :first] = fourth[:first]
     system[nodes + 1, -5:] = fourth
-    matrix: Array = np.linalg.solve(system, np.eye(nodes + 2)[:, :nodes])
-    return matrix
+    return np.asarray(np.linalg.solve(system, np.eye(nodes + 2)[:, :nodes]), dtype=np.float64)
 
 
 def spline_coefficients(values: Array, axes: tuple[int, ...]) -> Array:

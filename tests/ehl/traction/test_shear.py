@@ -70,6 +70,11 @@ def test_bad_kinematics_name_the_field(field):
         ContactKinematics(**{"entrainment_speed": 1.0, field: float("nan")})
 
 
+def test_curvature_slip_ends_at_the_width_of_the_ellipse():
+    motion = ContactKinematics(entrainment_speed=1.0, rolling=2.0, curvature_radius=0.5, curvature_width=0.3)
+    assert_allclose(motion.sliding(np.zeros(3), np.array([0.1, 0.3, -0.7]))[0], [-0.02, -0.18, -0.18])
+
+
 def test_couette_flow_between_parallel_walls(hertzian):
     """F = eta S A/h and heat = F S; the ball is held back where it is the faster one."""
     film, slide = 2e-6, np.array([0.3, -0.4])

@@ -76,7 +76,9 @@ def test_lookup_agrees_with_shear_in_a_film_solved_there(table):
     for _, other, *motion_at_other in motions(40, 88123):
         slide_x, slide_y, spin = (part * speed / other for part in motion_at_other)
         motion = replace(
-            contact_kinematics(CIRCLE.conditions(load, speed), curvature_radius=0.5),
+            contact_kinematics(
+                CIRCLE.conditions(load, speed), curvature_radius=0.5, curvature_width=solution.semi_axis_x
+            ),
             sliding_x=slide_x,
             sliding_y=slide_y,
             spin=spin,
@@ -182,7 +184,13 @@ def test_sums_over_film_nodes(solution):
     """The kernel agrees with NumPy, and its thinned nodes with the integrals over the whole grid."""
     nodes = film_nodes(solution, RHEOLOGY, 30.0)
     motion = ContactKinematics(
-        entrainment_speed=15.08, sliding_x=0.15, sliding_y=0.05, spin=50.0, rolling=3142.0, curvature_radius=6.08e-3
+        entrainment_speed=15.08,
+        sliding_x=0.15,
+        sliding_y=0.05,
+        spin=50.0,
+        rolling=3142.0,
+        curvature_radius=6.08e-3,
+        curvature_width=nodes.half_width,
     )
     slide = tuple(np.array([value]) for value in (0.15, 0.05, 50.0))
     found = sliding_forces(nodes, slide, np.array([3142.0]), 0.5 / 6.08e-3)[0]
