@@ -9,13 +9,14 @@ from __future__ import annotations
 import json
 import os
 import zipfile
+import zlib
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from hashlib import sha256
 from importlib import import_module
 from math import isfinite
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numpy as np
 
@@ -41,6 +42,14 @@ def save_table(table: TractionTable, path: Path) -> None:
     table : TractionTable
     path : Path
     """
+    partial = path.with_name(path.name + ".partial")
+    with partial.open("wb") as file:
+        write_table(table, file)
+    os.replace(partial, path)
+
+
+def write_table(table: TractionTable, file: IO[bytes]) -> None:
+    """Write a table to an open file."""
     document = {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
@@ -51,12 +60,8 @@ def save_table(table: TractionTable, path: Path) -> None:
         "content": _content(table),
         **{name: getattr(table, name) for name in PLAIN},
     }
-    partial = path.with_name(path.name + ".partial")
-    with partial.open("wb") as file:
-        np.savez_compressed(
-            file, document=np.array(json.dumps(document)), axes=table.axes, scalars=table.scalars, values=table.values
-        )
-    os.replace(partial, path)
+    arrays = {name: getattr(table, name) for name in ARRAYS}
+    np.savez_compressed(file, document=np.array(json.dumps(document)), **arrays)
 
 
 def load_table(path: Path, expected: str | None = None) -> TractionTable:
@@ -77,13 +82,17 @@ def load_table(path: Path, expected: str | None = None) -> TractionTable:
     ValueError
         If the file is no table, of another format, damaged, or made for other inputs; the message says which.
     """
+    with path.open("rb") as stream:
+        return read_table(stream, str(path), expected)
+
+
+def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> TractionTable:
+    """Read a table from an open file that messages call `path`; otherwise as `load_table`."""
     try:
-        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
+        with np.load(stream, allow_pickle=False) as file:
             document = json.loads(str(file["document"]))
             arrays = {name: file[name] for name in ARRAYS}
-    except (zipfile.BadZipFile, KeyError, ValueError, EOFError, OSError, zipfile.LargeZipFile) as problem:
-        if isinstance(problem, FileNotFoundError):
-            raise
+    except (zipfile.BadZipFile, zlib.error, KeyError, ValueError, EOFError, OSError) as problem:
         raise ValueError(f"{path}: no traction table, or a damaged one ({type(problem).__name__})") from problem
     if not isinstance(document, dict) or document.get("format") != FORMAT:
         raise ValueError(f"{path}: no traction table")

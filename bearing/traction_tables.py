@@ -1,0 +1,148 @@
+"""Traction tables of a bearing's two races, in one file.
+
+The rolling radius of a race changes little from ball to ball with the contact angle: the table takes that of its
+heaviest loaded contact. Loads reach from below the lightest ball (which carries its centrifugal force only) to above
+the heaviest one at either race, speeds from half to 1.25 times the entrainment speeds of the case.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+from ehl.lubricant import Lubricant
+from ehl.rheology import Rheology
+from ehl.traction.sampling import TableOptions, build_table
+from ehl.traction.storage import inputs_digest, read_table, write_table
+from ehl.traction.table import TableContact, TableRange, TractionTable
+
+from .contacts import BearingContact, contact_conditions
+from .geometry import Race
+from .quasistatic import QuasistaticSolution
+from .traction_forces import bearing_kinematics
+
+LOAD_MARGIN = (0.7, 1.5)  # below the lightest and above the heaviest contact
+SPEED_MARGIN = (0.5, 1.25)
+LOAD_SPAN = 300.0  # largest over smallest load of a table at most
+Progress = Callable[[int, int, str], None]
+Tables = dict[Race, TractionTable]
+
+
+def table_contacts(solution: QuasistaticSolution, lubricant: Lubricant, rheology: Rheology) -> dict[Race, TableContact]:
+    """What the table of each race is made for, by its heaviest loaded contact.
+
+    Raises
+    ------
+    ValueError
+        If no contact of a race is loaded and entrains oil.
+    """
+    contacts = contact_conditions(solution, lubricant)
+    found = {}
+    for race in Race:
+        heaviest = max(_loaded(contacts, race), key=lambda contact: contact.load)
+        c, motion = heaviest.conditions, bearing_kinematics(solution, heaviest)
+        assert c is not None  # of a loaded contact
+        found[race] = TableContact(
+            radius_x=c.radius_x,
+            radius_y=c.radius_y,
+            reduced_modulus=c.reduced_modulus,
+            lubricant=lubricant,
+            rheology=rheology,
+            temperature=solution.operation.temperature,
+            curvature_radius=motion.curvature_radius,
+            curvature_difference=motion.curvature_difference,
+        )
+    return found
+
+
+def table_range(solution: QuasistaticSolution, lubricant: Lubricant) -> TableRange:
+    """Loads [N] and speeds [m/s] around those of a bearing's contacts, the same for both races."""
+    contacts = [c for c in contact_conditions(solution, lubricant) if c.conditions is not None]
+    if not contacts:
+        raise ValueError("no contact is loaded and entrains oil: there is nothing to make a table for")
+    loads = [contact.load for contact in contacts]
+    speeds = [c.conditions.entrainment_speed for c in contacts if c.conditions is not None]
+    highest = LOAD_MARGIN[1] * max(loads)
+    return TableRange(
+        load=(max(LOAD_MARGIN[0] * min(loads), highest / LOAD_SPAN), highest),
+        speed=(SPEED_MARGIN[0] * min(speeds), SPEED_MARGIN[1] * max(speeds)),
+    )
+
+
+def build_race_tables(
+    solution: QuasistaticSolution,
+    lubricant: Lubricant,
+    rheology: Rheology,
+    options: TableOptions | None = None,
+    progress: Progress | None = None,
+) -> Tables:
+    """Traction tables of both races around a quasi-static solution.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    lubricant : Lubricant
+    rheology : Rheology
+    options : TableOptions, optional
+    progress : callable, optional
+        Called with films done, films wanted so far, and a word.
+    """
+    limits, tables = table_range(solution, lubricant), {}
+    for race, contact in table_contacts(solution, lubricant, rheology).items():
+
+        def told(done: int, total: int, state: str, race: Race = race) -> None:
+            if progress is not None:
+                progress(done, total, f"{race.value} race: {state}")
+
+        tables[race] = build_table(contact, limits, options, told)
+    return tables
+
+
+def _loaded(contacts: tuple[BearingContact, ...], race: Race) -> list[BearingContact]:
+    found = [contact for contact in contacts if contact.race is race and contact.conditions is not None]
+    if not found:
+        raise ValueError(f"no contact of the {race.value} race is loaded and entrains oil")
+    return found
+
+
+def save_race_tables(tables: Tables, path: Path) -> None:
+    """Write the tables of both races into one file; it appears under its name only when it is complete."""
+    partial = path.with_name(path.name + ".partial")
+    with zipfile.ZipFile(partial, "w") as archive:
+        for race, table in tables.items():
+            stream = io.BytesIO()
+            write_table(table, stream)
+            archive.writestr(f"{race.value}.npz", stream.getvalue())
+    os.replace(partial, path)
+
+
+def load_race_tables(path: Path, expected: Tables | None = None) -> Tables:
+    """Read the tables of both races.
+
+    Parameters
+    ----------
+    path : Path
+    expected : dict of TractionTable, optional
+        Tables with whose inputs those of the file must agree.
+
+    Raises
+    ------
+    ValueError
+        If the file is none of this kind, damaged, or made for other inputs; the message says which.
+    """
+    tables = {}
+    try:
+        with zipfile.ZipFile(path) as archive:
+            parts = {race: archive.read(f"{race.value}.npz") for race in Race}
+    except (zipfile.BadZipFile, KeyError) as problem:
+        raise ValueError(f"{path}: no traction tables of a bearing, or damaged ones") from problem
+    for race, part in parts.items():
+        digest = None
+        if expected is not None:
+            wanted = expected[race]
+            digest = inputs_digest(wanted.contact, wanted.range, wanted.points)
+        tables[race] = read_table(io.BytesIO(part), str(path), digest)
+    return tables
