@@ -34,16 +34,11 @@ class FilmPhysics:
 
         if self.model is FilmModel.NEWTONIAN or self.rheology is None:
             return solve_contact(conditions, options)
-        from ehl.generalized_reynolds.flow import GeneralizedFlow
+        from ehl.generalized_solver import solve_generalized
 
-        heat = None
-        if self.model is FilmModel.THERMAL and self.solids is not None:
-            from ehl.thermal.film_heat import FilmHeat
-
-            heat = FilmHeat(conditions=conditions, solids=self.solids)
         unlimited = replace(self.rheology, limiting_coefficient=None)  # at the limit the flow has no finite tangent
-        flow = GeneralizedFlow(conditions=conditions, rheology=unlimited, heat=heat)
-        return solve_contact(conditions, options, flow)
+        solids = self.solids if self.model is FilmModel.THERMAL else None
+        return solve_generalized(conditions, unlimited, solids=solids, options=options).contact
 
     @property
     def messages(self) -> tuple[str, ...]:
