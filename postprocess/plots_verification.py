@@ -22,12 +22,11 @@ MARKERS = "os^Dv<>P"
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Curve:
-    """Points of one curve, dimensionless unless the picture says otherwise, and a reference at the same x."""
+    """Points of one curve, dimensionless unless the picture says otherwise."""
 
     label: str
     x: tuple[float, ...]
     y: tuple[float, ...]
-    reference: tuple[float, ...] = ()
 
 
 def draw_pictures(pictures: Sequence[tuple[str, Callable[[Figure], None]]], directory: Path) -> None:
@@ -102,12 +101,12 @@ def draw_hertz(figure: Figure, curves: Sequence[Curve]) -> None:
     axes.legend(loc="upper left")
 
 
-def draw_moes(figure: Figure, curves: Sequence[Curve]) -> None:
-    """Central film (h/Rx)(2U)^(-1/2) [-] over M [-], one curve each L; the fit as lines."""
+def draw_moes(figure: Figure, curves: Sequence[Curve], fits: Sequence[Curve]) -> None:
+    """Central film (h/Rx)(2U)^(-1/2) [-] over M [-], one curve each L; fits as lines."""
     figure.set_size_inches(0.8 * PAGE_WIDTH, 3.8)
     axes: Axes = figure.subplots()
-    for number, (colour, curve) in enumerate(zip(_colours(len(curves)), curves, strict=True)):
-        axes.loglog(curve.x, curve.reference, color=colour, linewidth=0.9)
+    for number, (colour, curve, fit) in enumerate(zip(_colours(len(curves)), curves, fits, strict=True)):
+        axes.loglog(fit.x, fit.y, color=colour, linewidth=0.9)
         axes.loglog(curve.x, curve.y, MARKERS[number], color=colour, markersize=4, label=f"L = {curve.label}")
     axes.set_xlabel("load parameter $M$ [-]")
     axes.set_ylabel("$(h_c/R_x)\\,(2U)^{-1/2}$ [-]")

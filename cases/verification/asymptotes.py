@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from functools import partial
 from math import log, nan
 
+import numpy as np
+
 from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.film_formulas import moes_film_nijenbanning
 from ehl.hertz import hertz_coefficients
@@ -35,7 +37,8 @@ M and L deep in each of the four regimes of a circular contact; the power of M (
 taken from two solutions, a factor of 2 (1.5) apart, and compared with that of the asymptote in the formula of
 Nijenbanning, Venner and Moes (1994, coefficients read second-hand). The powers follow from theory, the factors are
 their fits. No contact is wholly in one regime, least of all in the third, where Roelands' law weakens the power of
-L."""
+L. Around M 4 and at L of 10 and more the film is thinner than at M 10, which no formula shows and the finite
+elements below confirm: the pressure is not yet high enough to thicken the oil."""
 POWER_TOLERANCE = {"RI": 0.1, "EI": 0.05, "RP": 0.1, "EP": 0.05}
 
 
@@ -76,16 +79,13 @@ def moes_diagram(quick: bool = False) -> Section:
     loads, lubricant = (LOADS[2:7:2], LUBRICANT[::2]) if quick else (LOADS, LUBRICANT)
     jobs = [(m, l, 1.0, points) for l in lubricant for m in loads]  # noqa: E741
     solutions = each(partial(_solve, tolerance=ROUGH), jobs)
-    curves = []
+    curves, fits = [], []
     for l in lubricant:  # noqa: E741
-        shown = [
-            (j[0], moes_film(s))
-            for j, s in zip(jobs, solutions, strict=True)
-            if j[1] == l and s.converged and s.resolved
-        ]
-        fit = [moes_film_nijenbanning(m, l, 1.0) for m, _ in shown]
-        x = tuple(m for m, _ in shown)
-        curves.append(Curve(label=f"{l:g}", x=x, y=tuple(h for _, h in shown), reference=tuple(fit)))
+        some = [(job[0], s) for job, s in zip(jobs, solutions, strict=True) if job[1] == l]
+        shown = [(m, moes_film(s)) for m, s in some if s.converged and s.resolved]
+        dense = tuple(float(m) for m in np.geomspace(loads[0], loads[-1], 200))
+        curves.append(Curve(label=f"{l:g}", x=tuple(m for m, _ in shown), y=tuple(h for _, h in shown)))
+        fits.append(Curve(label="fit", x=dense, y=tuple(moes_film_nijenbanning(m, l, 1.0) for m in dense)))
     table, checks = _regimes(points, ("RI", "RP") if quick else tuple(REGIMES))
     caption = "Central film over load for five L: solved (dots), fit of Nijenbanning, Venner and Moes (lines)"
     return Section(
@@ -93,7 +93,9 @@ def moes_diagram(quick: bool = False) -> Section:
         text=TEXT,
         checks=checks,
         tables=(table,),
-        pictures=(Picture(stem="verification_moes", caption=caption, draw=partial(draw_moes, curves=curves)),),
+        pictures=(
+            Picture(stem="verification_moes", caption=caption, draw=partial(draw_moes, curves=curves, fits=fits)),
+        ),
     )
 
 

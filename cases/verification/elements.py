@@ -13,6 +13,7 @@ CONTACTS = (
     Named(name="M 20, L 2", conditions=moes(20.0, 2.0, oil=OIL), box=CIRCULAR_BOX),
     Named(name="M 100, L 10, R_x/R_y 0.1", conditions=moes(100.0, 10.0, 0.1, oil=OIL)),
     CIRCULAR_200_10,
+    Named(name="M 5, L 10", conditions=moes(5.0, 10.0, oil=OIL)),
 )
 TEXT = """\
 The solution by finite elements shares with the multigrid the dimensionless problem and the box, and neither mesh,
