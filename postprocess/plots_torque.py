@@ -26,6 +26,7 @@ LABELS = {
     "constant_coulomb": "lines, µ = 0.07",
     "kakuta": "Kakuta",
     "houpert": "Houpert",
+    "starved": "by oil supply",
     "skf": "SKF",
     "skf_lambda": "SKF, λ of the films",
     "skf_as_printed": "SKF, as printed",
@@ -36,7 +37,7 @@ OIL, SLIDING, SPIN, CURVATURE, ORBIT = "#4c78a8", "#d67b1f", "#b23a3a", "#e0b35a
 CAGE, DRAG, SEAL, ASPERITY, LOAD = "#5a8f5a", "#79b7c9", "#9a9a9a", "#4d3b2f", "#a65e7d"
 KINDS = (  # what one colour stands for, and the components of the models that are of this kind
     ("oil: rolling resistance", OIL, ("rolling", "hydrodynamic", "viscous", "ML")),
-    ("sliding", SLIDING, ("sliding",)),
+    ("sliding", SLIDING, ("sliding", "film")),
     ("spin", SPIN, ("spin", "MS")),
     ("curvature slip, ball rotation", CURVATURE, ("curvature", "rotation", "MD")),
     ("curvature slip, orbit", ORBIT, ("orbit",)),

@@ -25,6 +25,7 @@ MODELS = {
     "kakuta": ("spin", "rotation", "orbit"),
     "constant_coulomb": ("spin", "rotation", "orbit"),
     "skf_lambda": ("rolling", "sliding", "seal", "drag"),
+    "starved": ("rolling", "film", "asperity", "cage", "drag"),
 }
 AS_PRINTED = "skf_as_printed"  # only where a case asks for it
 

@@ -23,6 +23,7 @@ from .models import (
     summed,
     yao_model,
 )
+from .starved_torque import starved_torque
 
 INTEGRATED, SKF = "integrated", "skf"
 NAMES = (
@@ -37,6 +38,7 @@ NAMES = (
     "kakuta",
     "constant_coulomb",
     "skf_lambda",
+    "starved",
 )
 NO_FILMS = "needs the film of every loaded contact and the oil's shear law"
 
@@ -103,6 +105,7 @@ def torque_breakdown(
         INTEGRATED: _integrated(solution, lubricant, friction, shear, speed),
         **line_models(solution, contacts, mu, speed),
         **skf_model(solution, lubricant, friction, None if shear is None else shear.asperity_share),
+        "starved": _starved(solution, contacts, lubricant, friction),
         "palmgren": palmgren_model(solution, lubricant, friction),
         "yao": yao_model(solution, contacts, lubricant, friction, mu),
     }
@@ -124,3 +127,22 @@ def _integrated(
     torque: IntegratedTorque = shear.torque
     parts = {name: getattr(torque, name) for name in ("rolling", "sliding", "spin", "curvature", "asperity")}
     return summed(parts | cage_and_drag(solution, lubricant, friction, speed), shear.note)
+
+
+def _starved(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], lubricant: Lubricant, friction: FrictionInput
+) -> ModelTorque:
+    """Torque at the oil supply given, first order."""
+    missing = [
+        name
+        for name, value in (
+            ("friction.supply_mL_min", friction.supply),
+            ("[surface]", friction.roughness),
+            ("bearing.width_mm", solution.bearing.width),
+        )
+        if value is None
+    ]
+    if friction.supply is None or missing:
+        return ModelTorque(note=f"needs {', '.join(missing)}")
+    found = starved_torque(solution, contacts, lubricant, friction, friction.supply)
+    return summed({name: getattr(found, name) for name in ("rolling", "film", "asperity", "cage", "drag")})

@@ -14,6 +14,7 @@ from ..quasistatic import QuasistaticSolution
 from . import palmgren, skf, sliding
 from .balance import balanced_friction
 from .resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power, rolling_power
+from .supply import Supply
 
 ANGULAR_CONTACT = pi / 18.0  # free contact angle from which a bearing counts as one of angular contact [rad]
 CONSTANT_COULOMB = 0.07  # of Jones (1959), as quoted in the comparison of sliding friction torques [-]
@@ -40,6 +41,7 @@ class FrictionInput:
     cage: Cage | None = None
     oil_fraction: float | None = None  # share of the cavity filled with oil [-]
     roughness: tuple[float, float] | None = None  # rms of inner race and balls, outer race and balls [m]
+    supply: Supply | None = None  # flow of oil and what is assumed of it
     as_printed: bool = False  # SKF's sliding moment also with the slip of the sliding friction paper
 
     @property

@@ -2,13 +2,14 @@ r"""Oil supply, first order: how much film a small flow leaves, and how much oil
 
 Film: a contact that finds an oil layer of r times its compressed flooded film builds a film of
 :math:`r/(1 + r^\gamma)^{1/\gamma}` times the flooded one (Chevalier et al., 1998; Damiens et al., 2004) and presses the
-rest out of the track. The layer it leaves meets the next ball. In the steady state what is pressed out is what the
-supply adds between two balls,
+rest out of the track. The layer it leaves loses a share on the way to the next ball, and the supply adds to it. In the
+steady state
 
-    r - r/(1 + r^gamma)^(1/gamma) = added layer/(density ratio times flooded film).
+    r = (1 - loss) r/(1 + r^gamma)^(1/gamma) + added layer/(density ratio times flooded film).
 
 **Assumed** (no source): of the flow a given share lands on the two tracks, half on each, and spreads evenly over the
-width of the contact's ellipse; no oil flows back between two balls; each contact is taken as if all were alike.
+width of the contact's ellipse; the share of the layer that is flung off or pulled away between two balls is given, too;
+each contact is taken as if all were alike.
 
 Drag: the oil stays in the bearing for a **given residence time**, fills that share of its cavity, and the balls plough
 through a mixture of that density. Both numbers are inputs of a test rig, not constants of nature.
@@ -42,6 +43,8 @@ class Supply:
         Volume supplied [m^3/s].
     track_share : float
         Share of it that lands on the tracks [-]; assumed.
+    loss : float
+        Share of the layer on a track that is lost between two balls [-]; assumed.
     residence_time : float
         Mean time that oil stays in the bearing [s]; assumed.
     exponent : float or None
@@ -52,12 +55,15 @@ class Supply:
     track_share: float
     residence_time: float
     exponent: float | None = None
+    loss: float = 0.0
 
     def __post_init__(self) -> None:
         if not (isfinite(self.flow) and self.flow >= 0.0):
             raise ValueError(f"flow must be zero or positive and finite, got {self.flow!r} m^3/s")
         if not 0.0 < self.track_share <= 1.0:
             raise ValueError(f"track_share must lie in (0, 1], got {self.track_share!r}")
+        if not 0.0 <= self.loss <= 1.0:
+            raise ValueError(f"loss must lie in [0, 1], got {self.loss!r}")
         if not (isfinite(self.residence_time) and self.residence_time >= 0.0):
             raise ValueError(f"residence_time must be zero or positive, got {self.residence_time!r} s")
 
@@ -93,8 +99,8 @@ def starved_share(inlet_ratio: float, exponent: float) -> float:
     return inlet_ratio / (1.0 + inlet_ratio**exponent) ** (1.0 / exponent) if inlet_ratio < LARGEST else 1.0
 
 
-def steady_share(added_ratio: float, exponent: float) -> float:
-    """Film over the flooded one where every ball finds what the last one left and what was added.
+def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> float:
+    """Film over the flooded one where every ball finds what is left of the last one's and what was added.
 
     Parameters
     ----------
@@ -102,6 +108,8 @@ def steady_share(added_ratio: float, exponent: float) -> float:
         Layer added between two balls over the compressed flooded film [-].
     exponent : float
         g [-].
+    loss : float
+        Share of the layer lost between two balls [-].
 
     Returns
     -------
@@ -115,7 +123,7 @@ def steady_share(added_ratio: float, exponent: float) -> float:
 
     def surplus(log_r: float) -> float:
         r = exp(log_r)
-        return log(max(r - starved_share(r, exponent), 1e-300)) - log(added_ratio)
+        return log(max(r - (1.0 - loss) * starved_share(r, exponent), 1e-300)) - log(added_ratio)
 
     log_r = brentq(surplus, log(added_ratio) - 1e-9, log(added_ratio + 1.0) + 1e-9, xtol=1e-12)
     return starved_share(exp(log_r), exponent)
@@ -146,7 +154,7 @@ def supplied_films(
         exponent = supply.exponent
         if exponent is None:
             exponent = starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x)
-        shares[i] = steady_share(layer / compressed, exponent)
+        shares[i] = steady_share(layer / compressed, exponent, supply.loss)
     return shares
 
 

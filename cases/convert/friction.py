@@ -15,12 +15,14 @@ from .units import KN, MM, MPA, UM
 if TYPE_CHECKING:
     from bearing.torque.breakdown import FrictionInput
     from bearing.torque.resistance import Cage
+    from bearing.torque.supply import Supply
     from ehl import Lubricant
     from ehl.rheology import Rheology
     from ehl.thermal.solids import SolidThermal
 
     from ..film_model import FilmPhysics
 
+ML_MIN = 1e-6 / 60.0  # mL/min [m^3/s]
 LIMITING_COEFFICIENT = 0.047  # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
 OTHER_ANGULAR = "other single row"
 
@@ -49,7 +51,23 @@ def friction(file: BearingFile) -> FrictionInput:
         viscous_factor=table.palmgren_viscous_factor,
         load_factor=table.palmgren_load_factor,
         roughness=_roughness(file),
+        supply=_supply(file),
         as_printed=table.as_printed,
+    )
+
+
+def _supply(file: BearingFile) -> Supply | None:
+    """Flow of oil [m^3/s] and what is assumed of it."""
+    from bearing.torque.supply import Supply
+
+    table = file.friction
+    if table.supply_mL_min is None:
+        return None
+    return Supply(
+        flow=table.supply_mL_min * ML_MIN,
+        track_share=table.supply_track_share,
+        loss=table.supply_loss,
+        residence_time=table.supply_residence_s,
     )
 
 

@@ -43,6 +43,21 @@ class FrictionTable(Table):
     oil_fraction: float | None = Field(
         None, ge=0.0, le=1.0, description="share of the cavity filled with oil, for the drag of the balls"
     )
+    supply_mL_min: float | None = Field(
+        None, ge=0.0, le=1.0e6, description="oil supplied, for the model starved, with [surface] and bearing.width_mm"
+    )
+    supply_track_share: float = Field(
+        0.5, gt=0.0, le=1.0, description="share of it that lands on the tracks; an assumption without a source"
+    )
+    supply_loss: float = Field(
+        0.05,
+        ge=0.0,
+        le=1.0,
+        description="share of the layer on a track lost between two balls; an assumption, likewise",
+    )
+    supply_residence_s: float = Field(
+        20.0, ge=0.0, le=1.0e6, description="mean time that oil stays in the bearing; an assumption, likewise"
+    )
     palmgren_viscous_factor: float | None = Field(
         None, ge=0.0, le=100.0, description="f_0; left out, by bearing and lubrication"
     )

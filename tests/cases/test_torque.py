@@ -116,6 +116,22 @@ def test_the_five_terms_with_their_inputs():
     assert torque["models"]["integrated"]["drag"] > 0.0
 
 
+def test_torque_over_the_supply_has_a_minimum_that_moves_with_the_speed():
+    """Below it asperities, above it rolling resistance and churning; more speed needs more oil."""
+    base = TEXT.replace("points = 65", 'film_maps = "none"').replace("radial_load_N = 2000.0", "radial_load_N = 3000.0")
+    base += "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
+    flows, lowest = (0.1, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.3, 3.0, 10.0), []
+    for speed in (5000.0, 10000.0):
+        totals = []
+        for flow in flows:
+            text = base.replace("3000.0\nradial", f"{speed}\nradial") + f"[friction]\nsupply_mL_min = {flow}\n"
+            models = torque_of(text)[0]["models"]
+            totals.append(models["starved"]["total"])
+            assert sum(v for k, v in models["starved"].items() if k != "total") == pytest.approx(totals[-1])
+        lowest.append(flows[totals.index(min(totals))])
+    assert flows[0] < lowest[0] < lowest[1] < flows[-1]
+
+
 def test_without_films_the_torque_is_that_of_skf():
     torque, document = torque_of(TEXT.replace("points = 65", 'film_maps = "none"'))
     assert torque["model"] == "skf"

@@ -41,13 +41,18 @@ def test_starved_film():
 
 
 @pytest.mark.parametrize("exponent", [3.0, 5.0, 15.0])
-def test_steady_film_is_where_many_balls_lead(exponent):
+@pytest.mark.parametrize("loss", [0.0, 0.05, 1.0])
+def test_steady_film_is_where_many_balls_lead(exponent, loss):
     """Ball after ball the layer loses what is pressed out and gains what is added: the fixed point is the one found."""
     for added in (0.003, 0.05, 0.4, 3.0):
         layer = 5.0
         for _ in range(20000):
-            layer = starved_share(layer, exponent) + added
-        assert steady_share(added, exponent) == pytest.approx(starved_share(layer, exponent), rel=1e-6)
+            layer = (1.0 - loss) * starved_share(layer, exponent) + added
+        assert steady_share(added, exponent, loss) == pytest.approx(starved_share(layer, exponent), rel=1e-6)
+
+
+@pytest.mark.parametrize("exponent", [3.0, 5.0, 15.0])
+def test_steady_film_at_the_ends(exponent):
     assert steady_share(0.0, exponent) == 0.0
     assert steady_share(1e9, exponent) == 1.0
     few, many = steady_share(1e-6, exponent), steady_share(2e-6, exponent)
