@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from cases.shipped import shipped_cases
+from cases.shipped import shipped_cases, shipped_sweeps
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -58,7 +58,7 @@ def test_the_commands_of_the_tour_exist():
         options = {name for parameter in commands[words[1]].params for name in parameter.opts}
         assert {word for word in words if word.startswith("-")} <= options
         cases = [word for word in words[2:] if word.startswith(("6208", "moes", "ball")) and "results" not in word]
-        assert set(cases) <= set(shipped_cases())
+        assert set(cases) <= {*shipped_cases(), *shipped_sweeps()}
 
 
 @pytest.mark.parametrize("code", blocks("python"))
