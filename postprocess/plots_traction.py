@@ -46,7 +46,7 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
         loads = np.geomspace(1.5 * table.range.load[0], table.range.load[1], len(COLOURS))
         for load, colour in zip(loads, COLOURS, strict=True):
             forces = [table.forces(load, speed, ratio * speed, 0.0, 0.0).force_x for ratio in ratios]
-            axes.plot(ratios, -np.array(forces) / load, color=colour, linewidth=1.1, label=f"{load:.3g} N")
+            axes.plot(ratios, -np.array(forces) / load, color=colour, linewidth=1.1, label=f"{load:.0f} N")
         axes.set_xscale("symlog", linthresh=1e-3, linscale=0.6)
         ticks = [-1.0, -1e-1, -1e-2, -1e-3, 0.0, 1e-3, 1e-2, 1e-1, 1.0]
         axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks], rotation=45)
@@ -55,7 +55,7 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
         axes.set_title(f"{race.value} race, u = {speed:.3g} m/s", fontsize=8)
         axes.grid(linewidth=0.3, alpha=0.5)
         axes.axhline(0.0, color="black", linewidth=0.5)
-    panels[0].set_ylabel("traction coefficient, −Fx/Q [-]")
+    panels[0].set_ylabel("tangential force on the ball, rolling included, −Fx/Q [-]")
     panels[0].legend(loc="upper left", title="load")
 
 
@@ -79,7 +79,7 @@ def draw_traction_map(figure: Figure, results: TractionResults) -> None:
             _colour_bar(figure, image, axes)
         row[0].set_ylabel("slide-roll ratio across [-]")
         row[1].set_ylabel("spin over rolling, Ω Rx/u [-]")
-        name = f"{race.value} race, {load:.3g} N, {speed:.3g} m/s"
+        name = f"{race.value} race, {load:.0f} N, {speed:.3g} m/s"
         row[0].set_title(f"{name}, no spin", fontsize=8)
         row[1].set_title("no sliding across", fontsize=8)
 

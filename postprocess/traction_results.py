@@ -1,15 +1,12 @@
-"""Traction tables of a case: their file, summary, terminal table and plots."""
+"""Traction tables of a case: their file, summary and plots."""
 
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from bearing.traction_tables import Tables, save_race_tables
-
-if TYPE_CHECKING:
-    from rich.console import Group
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,29 +51,6 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
         "tables": races,
         "timing_s": results.timing,
     }
-
-
-def traction_table(results: TractionResults) -> Group:
-    """What a run prints: range and error of each race's table."""
-    from rich.console import Group
-    from rich.table import Table
-
-    found = Table(title=str(results.case.get("title", "")), title_justify="left")
-    for name in ("race", "load [N]", "speed [m/s]", "films", "largest µ", "error 95 %", "largest"):
-        found.add_column(name, justify="left" if name == "race" else "right")
-    for race, table in results.tables.items():
-        low, high = table.range.load
-        slow, fast = table.range.speed
-        found.add_row(
-            race.value,
-            f"{low:.3g} to {high:.4g}",
-            f"{slow:.3g} to {fast:.3g}",
-            str(table.films),
-            f"{table.kappa_max:.4f}",
-            f"{table.error.quantile:.2%}",
-            f"{table.error.largest:.2%}",
-        )
-    return Group(found, *(f"  {message}" for message in traction_summary(results)["messages"]))
 
 
 def write_traction(results: TractionResults, path: Path) -> None:

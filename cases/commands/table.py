@@ -41,7 +41,8 @@ def table(
 
     with progress_bar(quiet=quiet) as progress:
         results = run_table(loaded, points, workers, progress)
-    from postprocess.traction_results import traction_summary, traction_table, write_traction
+    from postprocess.traction_results import traction_summary, write_traction
+    from postprocess.traction_table import traction_table
 
     if path is not None:
         write_traction(results, path)

@@ -1,0 +1,61 @@
+"""`oilfilm table`: its file, plots, summary and exit codes; the physics is tested in tests/ehl/traction."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+from typer.testing import CliRunner
+
+from bearing.geometry import Race
+from bearing.traction_tables import load_race_tables
+from cases.cli import app
+from ehl.traction.sampling import TableOptions
+
+
+def call(*arguments):
+    return CliRunner().invoke(app, ["table", *arguments])
+
+
+@pytest.fixture
+def quick(monkeypatch):
+    """Few films and motions, an easy tolerance."""
+    monkeypatch.setattr("ehl.traction.sampling.START", (5, 4, 9, 5, 9))
+
+    def few(**chosen):
+        return TableOptions(**{**chosen, "tolerance": 0.5, "check_films": 2, "check_motions": 20, "rounds": 1})
+
+    monkeypatch.setattr("ehl.traction.sampling.TableOptions", few)
+
+
+@pytest.mark.slow
+def test_table_plots_and_summary(quick, tmp_path):
+    path = tmp_path / "table.zip"
+    found = call("6208_full_ceramic", "-o", str(path), "--points", "65", "--json")
+    assert found.exit_code == 0, found.stderr
+    assert {file.name for file in tmp_path.iterdir()} == {"table.zip", "table_curves.png", "table_map.png"}
+    document = json.loads(found.stdout)
+    assert document["converged"]
+    assert any("assumed" in message for message in document["messages"])
+    for race, table in load_race_tables(path).items():
+        told = document["tables"][race.value]
+        assert told["films"] == table.films == 22
+        assert told["load_N"] == list(table.range.load)
+        assert 0.0 < told["error"]["rms"] < told["error"]["largest"]
+    assert set(document["tables"]) == {race.value for race in Race}
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (("ball_on_disc",), "is a single contact"),
+        (("6208_full_ceramic", "--points", "100"), "2^k + 1"),
+        (("6208_full_ceramic", "-o", "no/such/folder/table.zip"), "cannot be written"),
+    ],
+)
+def test_bad_input(arguments, told, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    found = call(*arguments)
+    assert found.exit_code == 2
+    assert told in found.stderr
+    assert list(tmp_path.iterdir()) == []
