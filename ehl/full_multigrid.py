@@ -41,6 +41,7 @@ LOAD_TOLERANCE = 1e-4  # relative error of the load balance
 PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
 GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
 PLAIN_CYCLES = 5  # on the finest level, before the cycles are accelerated
+STEP_CYCLES = 5  # under each lighter load, where the load is reached in steps
 HALVINGS = 3  # of the damping on one level before it counts as diverged
 ORIGIN_CELLS = 32  # the origin is a node of the level with this many cells along x, and of all finer ones
 
@@ -106,6 +107,7 @@ class Attempt:
     along_entrainment: bool = False  # turn the grid to it; only where it is not along a principal direction
     long_only: bool = False  # only for ellipses whose longer axis lies along the grid's X
     patience: int = 1  # factor on the number of cycles
+    from_lighter: bool = False  # reach the load in steps on the level the full multigrid starts from
 
     def applies(self, contact: ScaledContact, turned: ScaledContact) -> bool:
         """Whether the attempt is another one for this contact than those before it."""
@@ -118,6 +120,7 @@ CAUTIOUS = replace(Damping().halved(), switch=1.5)
 ATTEMPTS = (
     Attempt(name="plain", damping=Damping()),
     Attempt(name="grid turned to the entrainment", damping=Damping(), along_entrainment=True),
+    Attempt(name="load reached in steps", damping=Damping(), from_lighter=True),
     Attempt(name="mesh doubled across the entrainment", damping=Damping(), mesh_y=2.0, long_only=True),
     Attempt(name="damping halved, less Gauss-Seidel", damping=CAUTIOUS),
     Attempt(name="mesh halved across the entrainment", damping=CAUTIOUS, mesh_y=0.5),
@@ -132,10 +135,12 @@ def solve_with_fallbacks(
     options: SolverOptions,
     progress: Progress,
     flow_model: FlowModel | None = None,
+    lighter: tuple[ScaledContact, ...] = (),
 ) -> Outcome:
     """Go down the list of attempts until one converges; the one that came nearest is kept if none does.
 
-    `contacts` are the same contact, on a grid along a principal direction and on one along the entrainment.
+    `contacts` are the same contact, on a grid along a principal direction and on one along the entrainment; `lighter`
+    the first under rising loads below its own.
     """
     best = None
     for attempt in ATTEMPTS:
@@ -147,7 +152,8 @@ def solve_with_fallbacks(
         outcome = Outcome(state=contact_multigrid(contact, domain, options, attempt, flow_model))
         with suppress(DivergedError):
             patient = replace(options, max_cycles=attempt.patience * options.max_cycles)
-            full_multigrid(outcome, patient, progress, attempt.finer_start)
+            steps = lighter if attempt.from_lighter else ()
+            full_multigrid(outcome, patient, progress, attempt.finer_start, steps)
         progress.deflected_nodes += outcome.state.deflected_nodes()
         if best is None or outcome.converged() or outcome.remaining_error() < best.remaining_error():
             best = outcome
@@ -179,8 +185,14 @@ def contact_multigrid(
     return state
 
 
-def full_multigrid(outcome: Outcome, options: SolverOptions, progress: Progress, finer: int = 0) -> None:
-    """Solve level after level.
+def full_multigrid(
+    outcome: Outcome,
+    options: SolverOptions,
+    progress: Progress,
+    finer: int = 0,
+    lighter: tuple[ScaledContact, ...] = (),
+) -> None:
+    """Solve level after level; the load on the first of them is reached through those of `lighter`.
 
     Raises
     ------
@@ -190,7 +202,7 @@ def full_multigrid(outcome: Outcome, options: SolverOptions, progress: Progress,
     state, films = outcome.state, []
     finest = len(state.levels) - 1
     first = _starting_level(state, finer)
-    _start(state, first)
+    _start_in_steps(state, first, lighter, progress)
     for index in range(first, finest + 1):
         if index > first:
             below = state.levels[index - 1]
@@ -221,6 +233,26 @@ def _start(state: Multigrid, index: int) -> None:
     start_level(state, index, np.sqrt(np.maximum(1.0 - along**2 - across**2, 0.0)))
     state.approach = contact.film_guess - central_film(grid, state.levels[index].H)
     update_film(state, index)
+
+
+def _start_in_steps(state: Multigrid, index: int, lighter: tuple[ScaledContact, ...], progress: Progress) -> None:
+    """Start a level from the solution under a lighter load, that from a lighter one still; Hertz if there is none.
+
+    In the scales of each load's own Hertz contact grid and kernel are the same.
+    """
+    wanted, pressure = state.contact, None
+    for contact in (*lighter, wanted):
+        state.contact = contact
+        if pressure is None:
+            _start(state, index)
+        else:
+            start_level(state, index, pressure)
+            state.approach += contact.film_guess - central_film(state.levels[index].grid, state.levels[index].H)
+            update_film(state, index)
+        if contact is not wanted:
+            for _ in _guarded_cycles(state, index, STEP_CYCLES, progress):
+                pass
+            pressure = state.levels[index].P.copy()
 
 
 def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress) -> Iterator[float]:

@@ -26,13 +26,14 @@ from .multigrid import Multigrid
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
 from .solution import ContactSolution, ConvergenceRecord, FilmValue
-from .thin_film import thin_film
+from .thin_film import at_load, thin_film
 
 Array = NDArray[np.float64]
 
 RESOLVED = 5.0  # Hmin/(S hx^2) below this is reported as unresolved, S the gap's curvature along the entrainment
 PARABOLIC = 0.02  # a film above this share of Rx lies in a gap that is no paraboloid: reported as unresolved too
 THINNEST = 0.2  # minimum over central film, where only the latter is guessed
+LOAD_STEPS = (1.0 / 16.0, 0.25)  # shares of the load through which a fallback reaches it
 PILOT_POINTS = 65
 TOLERANCE_START = 129  # points of the first solve when a tolerance is asked for
 EXTERIOR_SHARE = 0.06  # of the load; an open box is widened until less than this lies outside
@@ -91,7 +92,8 @@ def _solve(
         contact, turned = replace(contact, film_guess=film), replace(turned, film_guess=film)
     else:
         domain = options.domain
-    outcome = solve_with_fallbacks((contact, turned), domain, options, progress, flow_model)
+    lighter = tuple(scale_contact(at_load(conditions, share)) for share in LOAD_STEPS)
+    outcome = solve_with_fallbacks((contact, turned), domain, options, progress, flow_model, lighter)
     record = ConvergenceRecord(
         residual=tuple(outcome.residual),
         force_error=tuple(outcome.load),

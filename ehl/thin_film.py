@@ -48,7 +48,7 @@ def thin_film(
         loads = [factor * share for factor in LOADS]
         if 1.0 / loads[0] > FARTHEST or solution.moes_load * loads[-1] < LIGHTEST:
             return solution
-        solved = [solve(_at_load(solution.conditions, factor)) for factor in loads]
+        solved = [solve(at_load(solution.conditions, factor)) for factor in loads]
         if all(s.converged and s.resolved for s in solved):
             break
         share *= 0.5
@@ -67,7 +67,8 @@ def thin_film(
     )
 
 
-def _at_load(conditions: Conditions, factor: float) -> Conditions:
+def at_load(conditions: Conditions, factor: float) -> Conditions:
+    """The contact under `factor` times its load [-]."""
     if isinstance(conditions, MoesConditions):
         return replace(conditions, load_parameter=factor * conditions.load_parameter)
     return replace(conditions, load=factor * conditions.load)

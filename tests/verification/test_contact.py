@@ -454,3 +454,14 @@ def test_free_volume_laws_in_the_contact():
         films.append(solution.film_central)
     assert films[0] != pytest.approx(films[1], rel=0.005)
     assert films[0] == pytest.approx(films[1], rel=0.1)
+
+
+def test_load_reached_in_steps_leads_to_the_same_film(monkeypatch):
+    """The fallback's way from a sixteenth of the load over a quarter ends where the plain one does."""
+    plain = solve_contact(CIRCULAR, SolverOptions(points=129))
+    steps = next(attempt for attempt in ATTEMPTS if attempt.from_lighter)
+    monkeypatch.setattr("ehl.full_multigrid.ATTEMPTS", (steps,))
+    stepped = solve_contact(CIRCULAR, SolverOptions(points=129))
+    assert stepped.converged
+    for name in ("film_central_dimensionless", "film_minimum_dimensionless"):
+        assert_allclose(getattr(stepped, name).finest, getattr(plain, name).finest, rtol=1e-3)  # iterations to 4e-4
