@@ -17,6 +17,7 @@ from .laws import damping_factor
 from .problem import ACCUMULATORS, MOTION_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Array, Constants, Problem
 
 HERTZ_EXPONENT = 1.5
+RAMP_PART = 0.01  # of the ramp of the friction that an error of speed may make up [-]
 NO_CAGE = CageBody(mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0)
 GUIDES = {Guidance.BALLS: 0, Guidance.INNER_RING: 1, Guidance.OUTER_RING: 2}
 
@@ -132,11 +133,26 @@ def schedule_rows(operation: Operation, model: DynamicsModel) -> Array:
     return np.ascontiguousarray(rows, dtype=np.float64)
 
 
-def scales(problem: Problem, load: float) -> Array:
+def scales(problem: Problem, load: float, tolerance: float, ramp: float) -> Array:
     """Size of a coordinate's and a speed's error that counts as one, shape (mechanical,) [m, rad, m/s, rad/s].
 
-    Lengths: the approach of a ball on a race under `load` [N]; speeds: that of the vibration with this amplitude;
-    angles of bodies: over the pitch radius, of balls: over their radius.
+    Lengths: a part of the approach of a ball on a race under a load; speeds: the same part of that of the vibration
+    with this amplitude, but no more than a part of the ramp of the friction; angles of bodies: over the pitch radius,
+    of balls: over their radius.
+
+    Parameters
+    ----------
+    problem : Problem
+    load : float
+        [N].
+    tolerance : float
+        The part of approach and speed [-].
+    ramp : float
+        Sliding speed within which friction turns [m/s].
+
+    Returns
+    -------
+    ndarray
     """
     stiffness = float(problem.normal[:2, 0].min())
     length = (load / stiffness) ** (1.0 / HERTZ_EXPONENT)
@@ -146,4 +162,4 @@ def scales(problem: Problem, load: float) -> Array:
     ring, cage = [1.0] * 3 + [1.0 / pitch] * 2, [1.0] * 3 + [1.0 / pitch] * 3
     place = np.array([*ring, *cage, *[1.0] * n])
     motion = np.array([*ring, *cage, *[1.0] * n, *[1.0 / problem.constants.ball_radius] * n])
-    return np.concatenate([length * place, speed * motion])
+    return np.concatenate([tolerance * length * place, min(tolerance * speed, RAMP_PART * ramp) * motion])

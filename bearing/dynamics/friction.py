@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import inf
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -46,6 +47,12 @@ class RaceFriction:
         if self.inner is None:
             return FRICTIONLESS
         return COEFFICIENT if hasattr(self.inner, "kernel_law") else TABLE
+
+    @property
+    def ramp(self) -> float:
+        """Sliding speed within which the friction turns, infinite where it does so gently [m/s]."""
+        ends = [getattr(law, "slide_full", inf) - getattr(law, "slide_none", 0.0) for law in (self.inner, self.outer)]
+        return float(min(ends))
 
     def data(self, race: Race) -> FrictionData:
         """Arrays of one race for the kernel [SI]."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import exp, sqrt
+from math import sqrt
 
 import numpy as np
 from scipy.optimize import brentq
@@ -64,7 +64,7 @@ def restitution_returned(damping: float) -> float:
     def potential(w: float) -> float:
         return w / damping - np.log1p(damping * w) / damping**2
 
-    lowest = -min(1.0, (1.0 - exp(-40.0)) / damping)
+    lowest = max(-1.0, -(1.0 - 1e-14) / damping)
     return -float(brentq(lambda w: potential(w) - potential(1.0), lowest, -1e-9, xtol=1e-14))
 
 

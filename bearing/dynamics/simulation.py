@@ -107,8 +107,9 @@ class Simulation:
 
     @property
     def scale(self) -> Array:
-        """Errors that count as one: `assembly.scales` under the mean load times the tolerance [SI]."""
-        return scales(self.problem, self.reference_load) * self.model.options.tolerance
+        """Errors that count as one, `assembly.scales` [SI]."""
+        tolerance = self.model.options.tolerance
+        return scales(self.problem, self.reference_load, tolerance, self.model.friction.ramp)
 
     @property
     def reference_load(self) -> float:

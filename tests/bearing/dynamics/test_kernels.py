@@ -1,0 +1,106 @@
+"""The compiled equations of motion against their NumPy twin at random states."""
+
+from __future__ import annotations
+
+from math import radians
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from bearing import Race
+from bearing.dynamics import _kernels
+from bearing.dynamics.friction import coulomb_friction, ellipse_points, four_constant_friction
+from bearing.dynamics.inputs import Guidance, LoadType
+from bearing.dynamics.reference import accelerations
+from bearing.dynamics.simulation import simulation
+
+LAND = {"land_diameter": 50e-3, "land_width": 4e-3, "land_clearance": 0.1e-3, "land_friction": 0.08}
+
+
+def shaken(sim, random):
+    """The starting state with every coordinate moved by the size of its play, every speed by some of it."""
+    layout, y = sim.layout, sim.state.y.copy()
+    y[layout.ring] += random.normal(0.0, 1.0, 5) * [4e-6, 4e-6, 4e-6, 2e-4, 2e-4]
+    y[layout.cage] += random.normal(0.0, 1.0, 6) * [5e-5, 8e-5, 8e-5, 3e-3, 1e-3, 1e-3]
+    y[layout.ball] += random.normal(0.0, 3e-6, 3 * layout.balls)
+    y[layout.ring_speed] += random.normal(0.0, 0.1, 5)
+    y[layout.cage_speed] += random.normal(0.0, 1.0, 6) * [0.1, 0.1, 0.1, 5.0, 3.0, 3.0]
+    y[layout.ball_speed] += random.normal(0.0, 0.2, 3 * layout.balls)
+    y[layout.ball_turn] += random.normal(0.0, 30.0, 3 * layout.balls)
+    return y
+
+
+@pytest.mark.parametrize("guidance", [None, Guidance.BALLS, Guidance.INNER_RING, Guidance.OUTER_RING])
+@pytest.mark.parametrize("law", ["none", "coulomb", "four constants"])
+def test_kernel_agrees_with_its_twin(setup, guidance, law):
+    bearing = setup.bearing_7008(7)
+    angles = (radians(16.0), radians(14.0))
+    friction = {
+        "none": None,
+        "coulomb": coulomb_friction(bearing, angles, 0.08, (0.001, 0.02)),
+        "four constants": four_constant_friction(bearing, angles, (-0.03, 3.6, 46.0, 0.03)),
+    }[law]
+    model = setup.model(
+        bearing,
+        friction,
+        cage=guidance is not None,
+        cage_options={} if guidance in (None, Guidance.BALLS) else LAND | {"guidance": guidance},
+        ring_options={"damping": 30.0},
+        equations=LoadType.GENERAL,
+        gravity=(0.5, -9.81, 1.0),
+        drag=0.01,
+        film_viscosity=0.03,
+    )
+    operation = setup.operation(5000.0, 100.0, 60.0, outer_speed=-80.0, moment=(0.01, -0.02), tilt=(None, None))
+    sim = simulation(bearing, operation, model)
+    random, p = np.random.default_rng(271828), sim.problem
+    layout, dy = sim.layout, np.zeros(sim.layout.size)
+    for _ in range(20):
+        y = shaken(sim, random)
+        p.memory[:] = random.uniform(0.05, 0.5, p.memory.size)
+        _kernels.derivative(0.0, y, p, dy)
+        twin = accelerations(p, y, np.array([operation.inner_speed, -80.0, 100.0, 60.0, 0.0, 0.01, -0.02]))
+        got = dy[layout.positions : layout.mechanical]
+        assert_allclose(got, twin, rtol=1e-9, atol=1e-9 * np.abs(twin).max())
+        assert_allclose(dy[: layout.positions], y[layout.positions : 2 * layout.positions])
+
+
+def test_a_reduced_model_moves_what_it_has(setup):
+    bearing = setup.bearing_7008(5)
+    friction = four_constant_friction(bearing, (0.0, 0.0), (-0.03, 3.6, 46.0, 0.03))
+    sim = simulation(bearing, setup.operation(5000.0, 0.0, 80.0), setup.model(bearing, friction))
+    dy, layout = np.zeros(sim.layout.size), sim.layout
+    y = shaken(sim, np.random.default_rng(9001))
+    y[layout.cage][3] = 6e-3  # the pockets push
+    _kernels.derivative(0.0, y, sim.problem, dy)
+    moving = dy[layout.positions : layout.mechanical] != 0.0
+    assert sim.equations["dynamic"] == 1 + 1 + 3 * 5
+    assert not moving[[0, 2, 3, 4]].any()  # of the ring only y
+    assert moving[5:11].tolist() == [False, False, False, True, False, False]
+
+
+def test_schedule_is_linear_between_its_rows():
+    rows = np.array([[0.0, 0, 0, 0, 0, 0, 0, 0], [0.1, 100, 10, 1, 2, 3, 4, 5], [0.3, 50, 10, 1, 2, 3, 4, 5.0]])
+    out = np.zeros(7)
+    assert _kernels.schedule_at(rows, 0.05, out) == pytest.approx(1000.0)
+    assert_allclose(out, [50.0, 5.0, 0.5, 1.0, 1.5, 2.0, 2.5])
+    assert _kernels.schedule_at(rows, 0.2, out) == pytest.approx(-250.0)
+    assert_allclose(out[0], 75.0)
+    assert _kernels.schedule_at(rows, 1.0, out) == 0.0
+    assert_allclose(out[0], 50.0)
+
+
+def test_the_light_quadrature_holds_the_full_one(setup):
+    """48 points over the ellipse against 512: force within 1 % of mu Q, spin moment within 2 % of mu Q b."""
+    from ehl.traction._kernels import hertz_friction
+    from ehl.traction.laws import hertz_disc
+
+    bearing = setup.bearing_7008()
+    data = four_constant_friction(bearing, (radians(15.0),) * 2, (-0.03, 3.6, 46.0, 0.03)).data(Race.INNER)
+    for slide_x, slide_y, spin in ((0.1, 0.0, 0.0), (0.02, 0.05, 400.0), (0.0, 0.0, 800.0), (2.0, 0.1, 200.0)):
+        found = np.zeros((2, 8))
+        for row, disc in enumerate((ellipse_points(4, 12), hertz_disc())):
+            hertz_friction(disc, data.law, data.shape, 20.0, 6.0, slide_x, slide_y, spin, found[row])
+        assert_allclose(found[0, :2], found[1, :2], atol=0.01 * 0.05 * 20.0)
+        assert_allclose(found[0, 2], found[1, 2], atol=0.02 * 0.05 * 20.0 * data.shape[1] * 20.0 ** (1 / 3))

@@ -1,0 +1,90 @@
+"""Normal laws, the planar stiffness of Shan et al. (2023), and restitution."""
+
+from __future__ import annotations
+
+from math import pi
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from bearing import Race
+from bearing.dynamics.contact import _kernels
+from bearing.dynamics.inputs import NormalContact, NormalLaw, Schedule
+from bearing.dynamics.laws import (
+    damping_factor,
+    normal_force,
+    planar_stiffness,
+    planar_stiffness_as_printed,
+    restitution_returned,
+)
+
+E_6304 = 210e9 / (1.0 - 0.3**2)
+
+
+def test_planar_stiffness_of_shan_2023():
+    """Its Table 1 gives 9.103e9 and, with the sign of a hollow, 1.1935e10 N/m^1.5."""
+    assert_allclose(planar_stiffness(4.76e-3, 13.24e-3, E_6304, Race.INNER), 9.103e9, rtol=5e-4)
+    assert_allclose(planar_stiffness(4.76e-3, 22.77e-3, E_6304, Race.OUTER), 1.1935e10, rtol=5e-4)
+    assert planar_stiffness_as_printed(4.76e-3, 22.77e-3, E_6304) < 1.0e10
+
+
+def test_restitution_returned():
+    """0.9 into Lankarani and Nikravesh's law gives 0.913 back; to first order in 1 - e all but Flores' are exact."""
+    returned = [restitution_returned(damping_factor(NormalLaw.LANKARANI_NIKRAVESH, e)) for e in (0.9, 0.5)]
+    assert_allclose(returned[0], 0.913, atol=5e-4)
+    assert returned[1] > 0.5
+    for law, loss in (
+        (NormalLaw.LANKARANI_NIKRAVESH, 1.0),
+        (NormalLaw.HUNT_CROSSLEY, 1.0),
+        (NormalLaw.FLORES, 16 / 15),
+    ):
+        assert_allclose(1.0 - restitution_returned(damping_factor(law, 0.999)), 0.001 * loss, rtol=0.005)
+    assert restitution_returned(0.0) == 1.0
+
+
+def test_flores_holds_for_soft_impacts():
+    """Flores' factor grows without bound as e falls: little comes back, where Lankarani and Nikravesh's return half."""
+    low = restitution_returned(damping_factor(NormalLaw.FLORES, 0.1))
+    assert low < 0.15
+    assert restitution_returned(damping_factor(NormalLaw.LANKARANI_NIKRAVESH, 0.1)) > 0.4
+
+
+def test_kernel_agrees_with_its_twin_and_never_adheres():
+    random = np.random.default_rng(618033)
+    law = np.array([1.2e10, 1.5, 0.3])
+    approach, speed = random.uniform(-2e-6, 5e-6, 300), random.uniform(-2.0, 2.0, 300)
+    twin = normal_force(law, approach, speed, np.full(300, 0.3))
+    assert_allclose([_kernels.normal_force(law, d, v, 0.3) for d, v in zip(approach, speed, strict=True)], twin)
+    assert twin.min() == 0.0
+
+
+def film_pressure(eps, turn, squeeze):
+    """Force along and across the eccentricity over scale by quadrature of the short film's positive pressure."""
+    theta = (np.arange(200000) + 0.5) / 200000 * 2.0 * pi
+    p = (turn * np.sin(theta) - squeeze * np.cos(theta)) / (1.0 + eps * np.cos(theta)) ** 3
+    p[(theta > pi) if turn >= 0.0 else (theta < pi)] = 0.0
+    return 2.0 * pi * np.mean(p * np.cos(theta)), 2.0 * pi * np.mean(p * np.sin(theta))
+
+
+@pytest.mark.parametrize(("e", "v"), [(0.3, (0.0, 0.0)), (0.6, (0.02, 0.01)), (0.8, (-0.03, -0.4))])
+def test_land_film_is_the_integral_of_its_pressure(e, v):
+    """Ocvirk's closed forms against the integral over half the circumference; journal moved along +y."""
+    radius, clearance, width, viscosity, mean = 0.03, 1e-4, 3e-3, 0.02, 300.0
+    fy, fz, factor = _kernels.land_film(radius, clearance, width, viscosity, e * clearance, 0.0, *v, mean)
+    along, across = film_pressure(e, mean * e - v[1] / clearance, v[0] / clearance)
+    scale = viscosity * radius * width**3 / clearance**2
+    assert_allclose([fy, fz], [scale * along, scale * across], rtol=1e-4)
+    assert_allclose(factor, (1.0 - e * e) ** -0.5)
+    assert _kernels.land_film(radius, clearance, width, viscosity, 0.0, 0.0, 0.0, 0.0, mean) == (0.0, 0.0, 1.0)
+
+
+def test_input_is_checked():
+    with pytest.raises(ValueError, match="restitution"):
+        NormalContact(restitution=0.0)
+    with pytest.raises(ValueError, match="impact_floor"):
+        NormalContact(impact_floor=-1.0)
+    with pytest.raises(ValueError, match="rise"):
+        Schedule(time=(0.0, 0.0), values=((0.0,) * 7, (1.0,) * 7))
+    with pytest.raises(ValueError, match="seven"):
+        Schedule(time=(0.0,), values=((0.0,) * 6,))
