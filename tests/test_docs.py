@@ -5,6 +5,8 @@ from __future__ import annotations
 import importlib.util
 from pathlib import Path
 
+import pytest
+
 DOCS = Path(__file__).parents[1] / "docs"
 
 
@@ -29,6 +31,13 @@ def test_the_comparison_of_slip_is_up_to_date():
 def test_the_comparison_of_sliding_friction_is_up_to_date():
     """Printed to three or four figures, likewise."""
     validation = load("validation_004")
+    assert validation.PAGE.read_text(encoding="utf-8") == validation.page()
+
+
+@pytest.mark.slow
+def test_the_comparison_of_friction_over_the_supply_is_up_to_date():
+    """Printed to three or four figures, likewise."""
+    validation = load("validation_002_torque")
     assert validation.PAGE.read_text(encoding="utf-8") == validation.page()
 
 

@@ -15,6 +15,7 @@ from math import isfinite
 from scipy.optimize import brentq
 
 LARGEST_RISE = 300.0  # [K] above the warmer of ambient and supply that is looked at
+FIRST_RISE = 10.0  # first temperature looked at above the rest; doubled until the cooling wins [K]
 TOLERANCE = 1.0e-4  # of the temperature [K]
 
 
@@ -113,15 +114,17 @@ def heat_balance(torque: Callable[[float], float], speed: float, cooling: Coolin
         seen[temperature] = torque(temperature)
         return seen[temperature] * abs(speed) - cooling.heat(temperature)
 
-    low = cooling.rest
-    high, found = low + LARGEST_RISE, low
-    at_low = surplus(low)
+    low = high = found = cooling.rest
     message = "converged"
-    if at_low <= 0.0:
+    rise, warmer = FIRST_RISE, surplus(low)
+    if warmer <= 0.0:
         message = "converged: no friction to speak of"
-    elif surplus(high) > 0.0:
+    while warmer > 0.0 and high < cooling.rest + LARGEST_RISE:
+        low, high = high, min(cooling.rest + rise, cooling.rest + LARGEST_RISE)
+        rise, warmer = 2.0 * rise, surplus(high)
+    if warmer > 0.0:
         found, message = high, f"no balance: friction exceeds the cooling up to {LARGEST_RISE:g} K above the rest"
-    else:
+    elif high > low:
         found = float(brentq(surplus, low, high, xtol=TOLERANCE))
         if found not in seen:
             surplus(found)
