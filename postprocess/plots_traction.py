@@ -55,7 +55,7 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
         axes.set_title(f"{race.value} race, u = {speed:.3g} m/s", fontsize=8)
         axes.grid(linewidth=0.3, alpha=0.5)
         axes.axhline(0.0, color="black", linewidth=0.5)
-    panels[0].set_ylabel("tangential force on the ball, rolling included, −Fx/Q [-]")
+    panels[0].set_ylabel("force on the ball, −Fx/Q [-]")
     panels[0].legend(loc="upper left", title="load")
 
 
