@@ -142,7 +142,9 @@ def mid_stress(
             break
         step = -np.linalg.solve(jacobian, residual[..., None])[..., 0] * open_ones[:, None]
         before = (residual * step).sum(axis=1)
-        share = np.where(creeping, np.log(np.clip(size / np.maximum(wanted, scale * TOLERANCE), np.e, 1e12)), 1.0)
+        share = np.where(
+            creeping, np.log(np.clip(size / np.maximum(wanted, scale * TOLERANCE), np.exp(1.0), 1e12)), 1.0
+        )
         for _ in range(HALVINGS):
             trial = middle + share[:, None] * step
             residual, jacobian, scale = _balance(trial, columns, section, rheology, rate)
