@@ -22,7 +22,7 @@ from ..quasistatic import QuasistaticSolution
 from ..traction_forces import BallMotion, ball_motion, bearing_kinematics, groove_curvature_radius
 from .contact_friction import TINY, Dissipation, Ellipses, coulomb_dissipation, line_dissipation
 
-Law = Callable[[Array], Dissipation]  # of the motion (N, 4) of all contacts
+Law = Callable[[Array, NDArray[np.int64]], Dissipation]  # of the motion (N, 4) of contacts with these numbers
 MAX_STEPS = 200
 RUNAWAY = 1.0e4  # speeds over those of curvature slip at which a ball counts as not held [-]
 CAGE_STEPS = 4  # of push and speed of the cage, which hardly depend on the balance [-]
@@ -120,7 +120,7 @@ def balanced_friction(
     return balance_balls(
         solution,
         contacts,
-        lambda motion: chosen(motion, found),
+        lambda motion, numbers: chosen(motion, found.some(numbers)),
         found.friction * found.load,
         plane=lines,
         gyroscopic=gyroscopic,
@@ -171,8 +171,8 @@ def balance_balls(
     contacts : sequence of BearingContact
         All of its contacts, inner then outer, ball by ball.
     law : callable
-        Takes the motions (N, 4) of all contacts [m/s], [rad/s], gives a `Dissipation`; one that has no potential
-        gives zero power, and only its slope is looked at.
+        Takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers, gives a `Dissipation`; one that has no
+        potential gives zero power, and only its slope is looked at.
     strength : ndarray, shape (N,)
         Friction of each contact that a residual is measured against [N].
     plane : bool
@@ -190,7 +190,8 @@ def balance_balls(
         problem = replace(problem, couple=_couple(solution))
     z, residual = _minimise(problem, np.zeros(problem.couple.shape))
     turning = _turning(solution) if gyroscopic and not plane else problem.turning
-    for _ in range(CAGE_STEPS):
+    alone = not (solution.inner_load > 0.0).all()  # balls that go with the cage
+    for _ in range(CAGE_STEPS if alone else 1):
         problem = replace(problem, turning=turning, cage=_cage_force(solution, problem, z))
         z, residual = _minimise(problem, _with_the_cage(solution, z))
     return _result(solution, contacts, problem, z, residual)
@@ -241,19 +242,24 @@ def _motion(solution: QuasistaticSolution, contact: BearingContact, motion: Ball
     return np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
 
 
-def _evaluate(z: Array, problem: _Problem) -> tuple[Array, Array, Array]:
-    """Power (balls,), force left (balls, 4) and its slope (balls, 4, 4) by the scaled unknowns."""
-    k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    found = problem.law(k.reshape(-1, 4))
-    shape = problem.start.shape[:2]
-    fixed = problem.couple + problem.cage[:, None] * np.eye(4)[0]
+def _evaluate(z: Array, problem: _Problem, balls: NDArray[np.int64]) -> tuple[Array, Array, Array]:
+    """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls with these numbers."""
+    move, free = problem.map[balls], problem.free[balls]
+    k = problem.start[balls] + np.einsum("bckj,bj->bck", move, z)
+    found = problem.law(k.reshape(-1, 4), _contacts_of(balls))
+    shape = k.shape[:2]
+    fixed = problem.couple[balls] + problem.cage[balls, None] * np.eye(4)[0]
     power = found.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", fixed, z)
-    gradient = np.einsum("bckj,bck->bj", problem.map, found.gradient.reshape(*shape, 4)) + fixed
-    gradient += np.einsum("bij,bj->bi", problem.turning, z)
+    gradient = np.einsum("bckj,bck->bj", move, found.gradient.reshape(*shape, 4)) + fixed
+    gradient += np.einsum("bij,bj->bi", problem.turning[balls], z)
     curvature = found.curvature.reshape(*shape, 4, 4)
-    slope = np.einsum("bcki,bckl,bclj->bij", problem.map, curvature, problem.map) + problem.turning
-    both = problem.free[:, :, None] & problem.free[:, None, :]
-    return power, np.where(problem.free, gradient, 0.0), np.where(both, slope, 0.0)
+    slope = np.einsum("bcki,bckl,bclj->bij", move, curvature, move, optimize=True) + problem.turning[balls]
+    return power, np.where(free, gradient, 0.0), np.where(free[:, :, None] & free[:, None, :], slope, 0.0)
+
+
+def _contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
+    """Numbers of the contacts of balls, inner then outer [-]."""
+    return (2 * balls[:, None] + np.arange(2)).ravel()
 
 
 def _inertia(solution: QuasistaticSolution) -> Array:
@@ -284,7 +290,7 @@ def _cage_force(solution: QuasistaticSolution, problem: _Problem, z: Array) -> A
     if driving.all() or not driving.any():
         return np.zeros(driving.size)
     k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    force = problem.law(k.reshape(-1, 4)).gradient.reshape(k.shape)
+    force = problem.law(k.reshape(-1, 4), _contacts_of(np.arange(driving.size))).gradient.reshape(k.shape)
     wanted = np.einsum("bck,bck->b", force, k - problem.ring)[~driving].sum()  # heat less what a ring pays [W]
     speed = solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter + z[:, 0]
     load = np.where(driving, solution.inner_load, 0.0)
@@ -319,30 +325,28 @@ def _shifted(solution: QuasistaticSolution, index: int, z: Array) -> BallMotion:
 
 def _minimise(problem: _Problem, start: Array) -> tuple[Array, Array]:
     """Newton with Levenberg's damping, every ball by itself; returns z and the residual of each ball [-]."""
-    balls = problem.start.shape[0]
+    balls = np.arange(problem.start.shape[0])
     friction = problem.strength + TINY
-    z, damping = start, np.full(balls, 1e-6)
-    power, gradient, hessian = _evaluate(z, problem)
+    z, damping = start.copy(), np.full(balls.size, 1e-6)
+    power, gradient, hessian = _evaluate(z, problem, balls)
     descent = not problem.turning.any()  # there is a potential to go down in
     for _ in range(MAX_STEPS):
         residual = np.abs(gradient).max(axis=1) / friction
-        active = (residual > BALANCE_TARGET) & (np.abs(z).max(axis=1) < RUNAWAY * problem.reach)
-        if not active.any() or not (damping < 1e12).any():
+        going = (residual > BALANCE_TARGET) & (np.abs(z).max(axis=1) < RUNAWAY * problem.reach) & (damping < 1e12)
+        at = np.flatnonzero(going)
+        if at.size == 0:
             break
-        size = np.maximum(np.trace(hessian, axis1=1, axis2=2), friction / problem.reach)
-        step = -np.linalg.solve(hessian + (damping * size)[:, None, None] * np.eye(4), gradient[..., None])[..., 0]
-        trial = np.where(active[:, None], z + step, z)
-        new = _evaluate(trial, problem)
-        noise = 1e-13 * np.abs(power)
-        flatter = np.abs(new[1]).max(axis=1) < residual * friction
-        better = active & (
-            ((new[0] < power - noise) & descent) | ((new[0] <= power + noise) & flatter) | (flatter & (not descent))
-        )
-        z = np.where(better[:, None], trial, z)
-        power = np.where(better, new[0], power)
-        gradient = np.where(better[:, None], new[1], gradient)
-        hessian = np.where(better[:, None, None], new[2], hessian)
-        damping = np.clip(np.where(better, 0.2 * damping, 6.0 * damping), 1e-14, 1e13)
+        size = np.maximum(np.trace(hessian[at], axis1=1, axis2=2), friction[at] / problem.reach[at])
+        damped = hessian[at] + (damping[at] * size)[:, None, None] * np.eye(4)
+        trial = z[at] - np.linalg.solve(damped, gradient[at][..., None])[..., 0]
+        new = _evaluate(trial, problem, at)
+        noise = 1e-13 * np.abs(power[at])
+        flatter = np.abs(new[1]).max(axis=1) < residual[at] * friction[at]
+        lower = (new[0] < power[at] - noise) | ((new[0] <= power[at] + noise) & flatter)
+        better = lower if descent else flatter
+        kept = at[better]
+        z[kept], power[kept], gradient[kept], hessian[kept] = trial[better], *(part[better] for part in new)
+        damping[at] = np.clip(np.where(better, 0.2, 6.0) * damping[at], 1e-14, 1e13)
     return z, np.abs(gradient).max(axis=1) / friction
 
 
@@ -355,7 +359,7 @@ def _result(
 ) -> BalancedFriction:
     shape = problem.start.shape[:2]
     k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    found = problem.law(k.reshape(-1, 4))
+    found = problem.law(k.reshape(-1, 4), _contacts_of(np.arange(shape[0])))
     forces = -found.gradient.reshape(*shape, 4)
     power = -np.einsum("bck,bck->bc", forces, k)
     motions = [_shifted(solution, i, z[i]) for i in range(shape[0])]

@@ -16,11 +16,12 @@ Array axes: contacts first.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..geometry import Array
 
@@ -52,6 +53,10 @@ class Ellipses:
     radius: Array
     friction: Array
     rounding: Array
+
+    def some(self, numbers: NDArray[np.int64]) -> Ellipses:
+        """Those with these numbers [-]."""
+        return Ellipses(**{field.name: getattr(self, field.name)[numbers] for field in fields(self)})
 
 
 class Dissipation(NamedTuple):

@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ehl.rheology import Rheology, shear_stress
 from ehl.solution import ContactSolution
@@ -243,15 +244,16 @@ def film_balance(
     share = np.array([0.0 if f is None or asperities is None else asperities.share(c, f) for c, f in pairs])
     rubbing = contact_ellipses(solution, contacts, share * (0.0 if asperities is None else asperities.boundary))
 
-    def law(motion: Array) -> Dissipation:
-        gradient, curvature = np.zeros((len(laws), 4)), np.zeros((len(laws), 4, 4))
-        for i, contact in enumerate(laws):
+    def law(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
+        gradient, curvature = np.zeros((numbers.size, 4)), np.zeros((numbers.size, 4, 4))
+        for row, number in enumerate(numbers):
+            contact = laws[number]
             if contact is not None:
-                gradient[i], curvature[i] = contact(motion[i], 1.0 - share[i])
-        if share.any():
-            _, more, steeper = coulomb_dissipation(motion, rubbing)
+                gradient[row], curvature[row] = contact(motion[row], 1.0 - share[number])
+        if share[numbers].any():
+            _, more, steeper = coulomb_dissipation(motion, rubbing.some(numbers))
             gradient, curvature = gradient + more, curvature + steeper
-        return Dissipation(np.zeros(len(laws)), gradient, curvature)
+        return Dissipation(np.zeros(numbers.size), gradient, curvature)
 
     load = np.array([0.0 if film is None else contact.load for contact, film in zip(contacts, films, strict=True)])
     return balance_balls(solution, contacts, law, STRENGTH * load)
