@@ -56,6 +56,8 @@ program uses it nowhere else.
 |---|---|---|---|---|---|---|---|
 {lines}
 
+![Sliding friction torque over speed](images/sliding_friction_6206.png)
+
 *lines*: no net force in the rolling direction, spin by the hypothesis "half and half"; *balanced*: force and moments
 in balance on every ball, the study's equilibrium without its shortcuts; *Coulomb*: the same over the whole ellipse with
 sliding across, and the gyroscopic couple. Nothing was calibrated: with the assumed grooves ours lies {least:.1f} and

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from math import degrees
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .plot_style import INK, PAGE_WIDTH, REFERENCE
-from .units import NEWTON_MILLIMETRE
+from .units import NEWTON_MILLIMETRE, RPM
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -93,6 +95,38 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
     shown = [(label, colour) for label, colour, parts in KINDS if used & set(parts)]
     handles = [axes.barh(0.0, 0.0, color=colour, label=label) for label, colour in shown]
     axes.legend(handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.42, 1.0))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Curve:
+    """One line over speed: values [N m] with speeds [rad/s]; points alone where `points` is set."""
+
+    label: str
+    speeds: np.ndarray
+    values: np.ndarray
+    colour: str
+    style: str = "-"
+    points: bool = False
+
+
+def draw_over_speed(axes: Axes, curves: Sequence[Curve], title: str) -> None:
+    """Torques over speed, values printed elsewhere as points.
+
+    Parameters
+    ----------
+    axes : Axes
+    curves : sequence of Curve
+        Speeds in [rad/s], torques in [N m]; drawn in r/min and N mm.
+    title : str
+    """
+    for curve in curves:
+        line = {"linestyle": "none", "marker": "o", "markersize": 3.5} if curve.points else {"linestyle": curve.style}
+        axes.plot(curve.speeds / RPM, curve.values / NEWTON_MILLIMETRE, color=curve.colour, label=curve.label, **line)
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlabel("inner ring, r/min")
+    axes.set_ylabel("torque, N mm")
+    axes.set_title(title)
+    axes.spines[["top", "right"]].set_visible(False)
 
 
 def _draw_bar(axes: Axes, row: int, model: ModelTorque, least: float) -> None:
