@@ -33,6 +33,7 @@ def draw_frame(figure: Figure, state: QuasistaticSolution) -> None:
         Angles [rad], loads [N], places [m].
     """
     figure.set_size_inches(PAGE_WIDTH, 2.9)
+    figure.set_layout_engine("none")
     panels = [figure.add_axes((k / 3.0, 0.01, 1.0 / 3.0, 0.84)) for k in range(3)]
     for axes, draw, title in zip(
         panels,
