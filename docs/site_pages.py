@@ -14,7 +14,7 @@ from typing import Any
 ROOT = Path(__file__).parents[1]
 TUTORIALS = ("tutorial.md",)
 GUIDES = ("commands.md", "cases.md", "results.md", "batch.md", "report.md", "compare.md", "deployment.md")
-CHECKS = ("validation", "verification", "benchmark")
+CHECKS = ("validation", "verification", "robustness", "benchmark")
 
 
 def on_config(config: Any) -> Any:

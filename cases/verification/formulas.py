@@ -22,7 +22,7 @@ from .page import Check, Picture, Section, Table, each, percent
 LOADS = (5.0, 15.0, 50.0, 150.0, 500.0, 1500.0)  # M
 LUBRICANT = (2.0, 5.0, 10.0, 20.0)  # L
 RATIOS = (1.0, 0.2, 0.04)  # Rx/Ry
-TOLERANCE = 0.01  # of the solved films, beyond which a point is left out
+TOLERANCE = 0.02  # of the solved films, beyond which a point is left out
 Formula = Callable[[ContactConditions], float]
 FORMULAS: dict[str, tuple[str, Formula]] = {
     "Hamrock–Dowson, central": ("central", film_hamrock_dowson_central),
@@ -32,7 +32,7 @@ FORMULAS: dict[str, tuple[str, Formula]] = {
 }
 TEXT = """\
 Formula over solved film, less one. Steel (E′ 226 GPa), oil of 20 1/GPa after Roelands, entrainment along the short
-axis; error bars of the solved films below 1 %, by points doubled up to 1025. The formulas were fitted to moderate
+axis; error bars of the solved films below 2 %, by points doubled up to 1025. The formulas were fitted to moderate
 loads: read them within their ranges, and not at all for balls that carry centrifugal force only. Hamrock and
 Dowson's minimum is the worst of them, since the side lobes of a heavily loaded contact thin faster than its centre."""
 
@@ -40,7 +40,7 @@ Dowson's minimum is the worst of them, since the side lobes of a heavily loaded 
 def formulas(quick: bool = False) -> Section:
     """Deviation of the formulas over M, L and Rx/Ry."""
     loads, lubricant, ratios = ((15.0, 150.0), (5.0, 10.0), (1.0,)) if quick else (LOADS, LUBRICANT, RATIOS)
-    options = SolverOptions(points=257 if quick else 1025, tolerance=5.0 * TOLERANCE if quick else TOLERANCE)
+    options = SolverOptions(points=257 if quick else 1025, tolerance=2.5 * TOLERANCE if quick else TOLERANCE)
     jobs = [(ratio, l, m) for ratio in ratios for l in lubricant for m in loads]  # noqa: E741
     contacts = [from_groups(moes(m, l, ratio)) for ratio, l, m in jobs]  # noqa: E741
     solutions = dict(zip(jobs, each(lambda c: solve_contact(c, options), contacts), strict=True))

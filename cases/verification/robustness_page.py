@@ -99,16 +99,23 @@ def _kinds(finished: Sequence[Finished]) -> Table:
 def _unsolved(finished: Sequence[Finished]) -> Table:
     rows = [
         (
+            str(f.number),
             f.text,
             f"{f.hertz_pressure / 1e9:.2f}",
-            f"{f.fineness:.2g}" if f.fineness is not None else "ran away",
+            _fineness(f.fineness),
             f.message,
         )
         for f in finished
         if f.outcome != OUTCOMES[0]
     ]
-    head = ("contact", "p_h, GPa", "H_min/(S h_x²)", "message")
+    head = ("number", "contact", "p_h, GPa", "H_min/(S h_x²)", "message")
     return Table(caption="All that did not end converged and resolved:", head=head, rows=tuple(rows))
+
+
+def _fineness(value: float | None) -> str:
+    if value is None:
+        return "ran away"
+    return f"{value:.2g}" if value > 0.0 else "film negative"
 
 
 def _map_point(f: Finished) -> MapPoint:
