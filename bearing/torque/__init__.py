@@ -9,8 +9,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .balance import BalancedFriction, balanced_friction
+    from .balance import BalancedFriction
     from .breakdown import TorqueBreakdown, torque_breakdown
+    from .coulomb import balanced_friction
     from .heat_balance import Cooling, HeatBalance
     from .integrated import Asperities, IntegratedTorque, SolvedShear, film_balance, solved_shear
     from .models import FrictionInput, ModelTorque
@@ -41,7 +42,8 @@ __all__ = [
 ]
 
 _LAZY = {  # these need SciPy
-    "balance": ("BalancedFriction", "balanced_friction"),
+    "balance": ("BalancedFriction",),
+    "coulomb": ("balanced_friction",),
     "breakdown": ("TorqueBreakdown", "torque_breakdown"),
     "heat_balance": ("Cooling", "HeatBalance"),
     "integrated": ("Asperities", "IntegratedTorque", "SolvedShear", "film_balance", "solved_shear"),

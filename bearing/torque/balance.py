@@ -19,17 +19,40 @@ from ..contacts import BearingContact
 from ..geometry import Array, Race
 from ..kinematics import ball_mass
 from ..quasistatic import QuasistaticSolution
-from ..traction_forces import BallMotion, ball_motion, bearing_kinematics, groove_curvature_radius
-from .contact_friction import TINY, Dissipation, Ellipses, coulomb_dissipation, line_dissipation
+from ..traction_forces import BallMotion, ball_motion, bearing_kinematics
+from .contact_friction import TINY, Dissipation
 
-Law = Callable[[Array, NDArray[np.int64]], Dissipation]  # of the motion (N, 4) of contacts with these numbers
 MAX_STEPS = 200
+SKID = 0.3  # sliding over entrainment from which a ball is taken along by the cage instead of driven [-]
+SKID_ROUNDS = 4  # of taking balls out
 RUNAWAY = 1.0e4  # speeds over those of curvature slip at which a ball counts as not held [-]
-CAGE_STEPS = 4  # of push and speed of the cage, which hardly depend on the balance [-]
-ROUNDING = 3.0e-3  # of Coulomb's law, over the largest sliding that the curvature of the contact makes [-]
+CAGE_STEPS, CAGE_TOLERANCE = 20, 1.0e-9  # of push and speed of the cage, which hardly depend on the balance [-]
 BALANCE_TOLERANCE = 1.0e-6  # residual force over mu Q that is accepted [-]
 BALANCE_TARGET = 1.0e-10  # residual at which iterating stops [-]
 PLANE = np.array([True, True, True, False])  # orbit, rotation about e_x and e_r: all that the line law knows
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactLaw:
+    """Friction of the contacts of a bearing, numbered inner race then outer, ball by ball.
+
+    Attributes
+    ----------
+    dissipation : callable
+        Takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers (N,), gives a `Dissipation`.
+    strength : ndarray, shape (contacts,)
+        Friction of each contact that residual forces are measured against [N].
+    plane : bool
+        It knows no sliding across the rolling direction: balls then do not turn about the orbit's tangent, and no
+        gyroscopic couple is held.
+    potential : bool
+        Whether the power is the potential of the forces; if not, only these are looked at.
+    """
+
+    dissipation: Callable[[Array, NDArray[np.int64]], Dissipation]
+    strength: Array
+    plane: bool = False
+    potential: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,6 +75,8 @@ class BalancedFriction:
         Power that the two rings feed in, moments on them times their speeds [W].
     residual : float
         Largest force or moment (over the ball's radius) left on a ball, over the friction mu Q [-].
+    driven : ndarray of bool, shape (balls,)
+        Balls that the inner race drives; the others go with the cage.
     converged : bool
     """
 
@@ -62,6 +87,7 @@ class BalancedFriction:
     power: Array
     shaft_power: float
     residual: float
+    driven: NDArray[np.bool_]
     converged: bool
 
     @property
@@ -75,7 +101,7 @@ class BalancedFriction:
 class _Problem:
     """k = start + map z for all contacts, z scaled to speeds [m/s]."""
 
-    law: Law
+    law: ContactLaw
     start: Array  # (balls, 2, 4)
     map: Array  # (balls, 2, 4, 4)
     couple: Array  # (balls, 4) gyroscopic one at the start [N]
@@ -84,67 +110,11 @@ class _Problem:
     free: NDArray[np.bool_]  # (balls, 4)
     reach: Array  # (balls,) largest sliding that the curvature of a ball's contacts makes [m/s]
     strength: Array  # (balls,) friction that the residual is measured against [N]
+    driven: NDArray[np.bool_]  # (balls,) by the inner race
     ring: Array  # (balls, 2, 4) change of the motion by the rings' speeds [m/s], [rad/s]
 
 
-def balanced_friction(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    friction: float | Array,
-    *,
-    lines: bool = False,
-    gyroscopic: bool = True,
-) -> BalancedFriction:
-    """Motion of all balls in balance under Coulomb friction, and what it costs.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-    contacts : sequence of BearingContact
-        All of its contacts, inner then outer, ball by ball.
-    friction : float or ndarray, shape (contacts,)
-        Coulomb's mu [-].
-    lines : bool
-        Leave out the sliding across the rolling direction, as models by lines of pure rolling do; the gyroscopic
-        couple, which such a model cannot carry, is then left out too.
-    gyroscopic : bool
-        Whether the contacts have to hold the gyroscopic couple.
-
-    Returns
-    -------
-    BalancedFriction
-        In SI; not `converged` where the friction cannot hold a ball.
-    """
-    found = contact_ellipses(solution, contacts, friction)
-    chosen = line_dissipation if lines else coulomb_dissipation
-    return balance_balls(
-        solution,
-        contacts,
-        lambda motion, numbers: chosen(motion, found.some(numbers)),
-        found.friction * found.load,
-        plane=lines,
-        gyroscopic=gyroscopic,
-    )
-
-
-def contact_ellipses(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
-) -> Ellipses:
-    """The ellipses of all contacts under Coulomb's mu [-], lengths in [m]; friction rounded as `ROUNDING` says."""
-    hertz = [c.hertz for c in contacts]
-    radius = np.array([groove_curvature_radius(solution.bearing, c.race) for c in contacts])
-    transverse = np.array([1e-6 if h is None else h.semi_axis_y for h in hertz])
-    return Ellipses(
-        load=np.array([0.0 if h is None else h.load for h in hertz]),
-        semi_axis_x=np.array([1e-6 if h is None else h.semi_axis_x for h in hertz]),
-        semi_axis_y=transverse,
-        radius=radius,
-        friction=np.broadcast_to(np.asarray(friction, dtype=np.float64), radius.shape),
-        rounding=ROUNDING * _bow(solution, contacts),
-    )
-
-
-def _bow(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> Array:
+def curvature_slip(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> Array:
     """Largest sliding by the curvature of each contact, w a^2/(2 R) [m/s]."""
     found = np.full(len(contacts), TINY)
     for i, contact in enumerate(contacts):
@@ -154,14 +124,34 @@ def _bow(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> A
     return found
 
 
+def balance_driven_balls(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], law: ContactLaw
+) -> BalancedFriction:
+    """As `balance_balls`, with balls that would skid given to the cage.
+
+    Where the oil's resistance asks more traction than a light contact has, the ball would slide at speeds for which its
+    film was not solved; beyond `SKID` of the entrainment it counts as one that the inner race does not drive. SI.
+    """
+    speed = np.array([np.inf if c.conditions is None else c.conditions.entrainment_speed for c in contacts])
+    driven = solution.inner_load > 0.0
+    found = balance_balls(solution, contacts, law, driven=driven)
+    for _ in range(SKID_ROUNDS):
+        slide = np.hypot(found.kinematics[..., 0], found.kinematics[..., 1]) / speed.reshape(-1, 2)
+        skidding = driven & (slide.max(axis=1) > SKID)
+        if not skidding.any():
+            break
+        driven = driven & ~skidding
+        found = balance_balls(solution, contacts, law, driven=driven)
+    return found
+
+
 def balance_balls(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    law: Law,
-    strength: Array,
+    law: ContactLaw,
     *,
-    plane: bool = False,
     gyroscopic: bool = True,
+    driven: NDArray[np.bool_] | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in which a law of friction balances itself on each of them.
 
@@ -170,35 +160,36 @@ def balance_balls(
     solution : QuasistaticSolution
     contacts : sequence of BearingContact
         All of its contacts, inner then outer, ball by ball.
-    law : callable
-        Takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers, gives a `Dissipation`; one that has no
-        potential gives zero power, and only its slope is looked at.
-    strength : ndarray, shape (N,)
-        Friction of each contact that a residual is measured against [N].
-    plane : bool
-        The law knows no sliding across the rolling direction: the balls then do not turn about the orbit's tangent, and
-        no gyroscopic couple is held.
+    law : ContactLaw
     gyroscopic : bool
         Whether the contacts have to hold the gyroscopic couple.
+    driven : ndarray of bool, shape (balls,), optional
+        Balls that the inner race drives, the others going with the cage; None: those with load there.
 
     Returns
     -------
     BalancedFriction
+        Speeds in [rad/s], forces in [N].
     """
-    problem = _problem(solution, contacts, law, strength, plane=plane)
-    if gyroscopic and not plane:
-        problem = replace(problem, couple=_couple(solution))
+    loaded = solution.inner_load > 0.0
+    problem = _problem(solution, contacts, law, loaded if driven is None else driven & loaded)
+    turned = gyroscopic and not law.plane
+    if turned:
+        problem = replace(problem, couple=_couple(solution, problem.driven))
     z, residual = _minimise(problem, np.zeros(problem.couple.shape))
-    turning = _turning(solution) if gyroscopic and not plane else problem.turning
-    alone = not (solution.inner_load > 0.0).all()  # balls that go with the cage
+    turning = _turning(solution, problem.driven) if turned else problem.turning
+    alone = not problem.driven.all()  # balls that go with the cage
     for _ in range(CAGE_STEPS if alone else 1):
-        problem = replace(problem, turning=turning, cage=_cage_force(solution, problem, z))
-        z, residual = _minimise(problem, _with_the_cage(solution, z))
+        before, push = problem.cage, _cage_force(solution, problem, z)
+        problem = replace(problem, turning=turning, cage=push)
+        z, residual = _minimise(problem, _with_the_cage(solution, problem.driven, z))
+        if np.abs(push - before).max() <= CAGE_TOLERANCE * np.abs(push).max() and push.any():
+            break
     return _result(solution, contacts, problem, z, residual)
 
 
 def _problem(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], law: Law, strength: Array, *, plane: bool
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], law: ContactLaw, driven: NDArray[np.bool_]
 ) -> _Problem:
     bearing, balls = solution.bearing, solution.azimuth.size
     scales = np.array([2.0 / bearing.pitch_diameter, *(3 * (2.0 / bearing.ball_diameter,))])
@@ -208,8 +199,8 @@ def _problem(
         start[i] = _motion(solution, contact, motion)
         for j in range(4):
             slopes[i, :, j] = _motion(solution, contact, _moved(motion, j, scales[j])) - start[i]
-    free = np.tile(PLANE, (balls, 1)) if plane else np.ones((balls, 4), dtype=np.bool_)
-    free &= (solution.inner_load > 0.0)[:, None]
+    free = np.tile(PLANE, (balls, 1)) if law.plane else np.ones((balls, 4), dtype=np.bool_)
+    free &= driven[:, None]
     shape = (balls, 2)
     return _Problem(
         law=law,
@@ -219,8 +210,9 @@ def _problem(
         turning=np.zeros((balls, 4, 4)),
         cage=np.zeros(balls),
         free=free,
-        reach=_bow(solution, contacts).reshape(shape).max(axis=1),
-        strength=strength.reshape(shape).max(axis=1),
+        reach=curvature_slip(solution, contacts).reshape(shape).max(axis=1),
+        strength=law.strength.reshape(shape).max(axis=1),
+        driven=driven,
         ring=np.array([_ring_motion(solution, contact) for contact in contacts]).reshape(*shape, 4),
     )
 
@@ -246,7 +238,7 @@ def _evaluate(z: Array, problem: _Problem, balls: NDArray[np.int64]) -> tuple[Ar
     """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls with these numbers."""
     move, free = problem.map[balls], problem.free[balls]
     k = problem.start[balls] + np.einsum("bckj,bj->bck", move, z)
-    found = problem.law(k.reshape(-1, 4), _contacts_of(balls))
+    found = problem.law.dissipation(k.reshape(-1, 4), _contacts_of(balls))
     shape = k.shape[:2]
     fixed = problem.couple[balls] + problem.cage[balls, None] * np.eye(4)[0]
     power = found.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", fixed, z)
@@ -262,44 +254,45 @@ def _contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
     return (2 * balls[:, None] + np.arange(2)).ravel()
 
 
-def _inertia(solution: QuasistaticSolution) -> Array:
+def _inertia(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
     """2 J w_m/D, shape (balls,) [N s]; none of balls that the inner race does not hold."""
     bearing = solution.bearing
     inertia = 0.1 * ball_mass(bearing.ball_diameter, bearing.ball_material.density) * bearing.ball_diameter**2
     found = inertia * solution.orbit_speed * 2.0 / bearing.ball_diameter
-    return np.where(solution.inner_load > 0.0, found, 0.0)
+    return np.where(driven, found, 0.0)
 
 
-def _couple(solution: QuasistaticSolution) -> Array:
+def _couple(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
     """Gyroscopic couple J w_m e_x x w = J w_m (w_r e_t - w_t e_r) at the start, by the scaled unknowns [N]."""
-    scale, found = _inertia(solution), np.zeros((solution.azimuth.size, 4))
+    scale, found = _inertia(solution, driven), np.zeros((solution.azimuth.size, 4))
     found[:, 3] = scale * solution.spin_speed * np.sin(solution.attitude)
     return found
 
 
-def _turning(solution: QuasistaticSolution) -> Array:
+def _turning(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
     """Change of the gyroscopic couple with the scaled unknowns [N s/m]; skew, hence without power."""
-    scale, found = _inertia(solution) * 2.0 / solution.bearing.ball_diameter, np.zeros((solution.azimuth.size, 4, 4))
+    scale = _inertia(solution, driven) * 2.0 / solution.bearing.ball_diameter
+    found = np.zeros((driven.size, 4, 4))
     found[:, 3, 2], found[:, 2, 3] = scale, -scale
     return found
 
 
 def _cage_force(solution: QuasistaticSolution, problem: _Problem, z: Array) -> Array:
     """Push into the cage by the balls that the inner race drives, shared by their load [N]: what the others cost."""
-    driving = solution.inner_load > 0.0
+    driving = problem.driven
     if driving.all() or not driving.any():
         return np.zeros(driving.size)
     k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    force = problem.law(k.reshape(-1, 4), _contacts_of(np.arange(driving.size))).gradient.reshape(k.shape)
+    force = problem.law.dissipation(k.reshape(-1, 4), _contacts_of(np.arange(driving.size))).gradient.reshape(k.shape)
     wanted = np.einsum("bck,bck->b", force, k - problem.ring)[~driving].sum()  # heat less what a ring pays [W]
     speed = solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter + z[:, 0]
     load = np.where(driving, solution.inner_load, 0.0)
     return load * wanted / max(abs(float((load * speed).sum())), TINY) * np.sign((load * speed).sum())
 
 
-def _with_the_cage(solution: QuasistaticSolution, z: Array) -> Array:
+def _with_the_cage(solution: QuasistaticSolution, driving: NDArray[np.bool_], z: Array) -> Array:
     """The unknowns [m/s] with balls that the inner race does not drive at the mean orbit speed of those that do."""
-    driving, load = solution.inner_load > 0.0, solution.inner_load
+    load = solution.inner_load
     if driving.all() or not driving.any():
         return z
     bearing, outer = solution.bearing, solution.operation.outer_speed
@@ -329,7 +322,7 @@ def _minimise(problem: _Problem, start: Array) -> tuple[Array, Array]:
     friction = problem.strength + TINY
     z, damping = start.copy(), np.full(balls.size, 1e-6)
     power, gradient, hessian = _evaluate(z, problem, balls)
-    descent = not problem.turning.any()  # there is a potential to go down in
+    descent = problem.law.potential and not problem.turning.any()  # there is a potential to go down in
     for _ in range(MAX_STEPS):
         residual = np.abs(gradient).max(axis=1) / friction
         going = (residual > BALANCE_TARGET) & (np.abs(z).max(axis=1) < RUNAWAY * problem.reach) & (damping < 1e12)
@@ -359,7 +352,7 @@ def _result(
 ) -> BalancedFriction:
     shape = problem.start.shape[:2]
     k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    found = problem.law(k.reshape(-1, 4), _contacts_of(np.arange(shape[0])))
+    found = problem.law.dissipation(k.reshape(-1, 4), _contacts_of(np.arange(shape[0])))
     forces = -found.gradient.reshape(*shape, 4)
     power = -np.einsum("bck,bck->bc", forces, k)
     motions = [_shifted(solution, i, z[i]) for i in range(shape[0])]
@@ -377,6 +370,7 @@ def _result(
         power=power,
         shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring)),
         residual=worst,
+        driven=problem.driven,
         converged=bool(solution.converged and worst <= BALANCE_TOLERANCE),
     )
 

@@ -24,8 +24,9 @@ from ..contacts import BearingContact
 from ..geometry import Array, Race
 from ..quasistatic import QuasistaticSolution
 from ..traction_forces import ContactTraction, bearing_kinematics, contact_traction
-from .balance import BalancedFriction, balance_balls, contact_ellipses, ring_power
+from .balance import BalancedFriction, ContactLaw, balance_driven_balls, ring_power
 from .contact_friction import TINY, Dissipation, coulomb_dissipation
+from .coulomb import contact_ellipses
 from .mixed import asperity_share
 
 STRENGTH = 0.05  # traction coefficient that residual forces are measured against [-]
@@ -83,6 +84,8 @@ class SolvedShear:
         In traction equilibrium; None where it was not looked for or not found.
     asperity_share : float or None
         Part of the sum of all loads on asperities [-]; None without roughness.
+    carried : tuple of int
+        Numbers of balls, from 1, that go with the cage although their inner race carries load: it cannot drive them.
     note : str
         Why there is no balanced one.
     """
@@ -90,6 +93,7 @@ class SolvedShear:
     hypothesis: IntegratedTorque
     balanced: IntegratedTorque | None = None
     asperity_share: float | None = None
+    carried: tuple[int, ...] = ()
     note: str = ""
 
     @property
@@ -150,7 +154,14 @@ def solved_shear(
         return SolvedShear(hypothesis=hypothesis, asperity_share=mean, note=note)
     found = balanced_tractions(solution, contacts, films, rheology, balance)
     balanced = integrated_torque(solution, found, shares, boundary)
-    return SolvedShear(hypothesis=hypothesis, balanced=balanced, asperity_share=mean)
+    return SolvedShear(
+        hypothesis=hypothesis, balanced=balanced, asperity_share=mean, carried=carried_balls(solution, balance)
+    )
+
+
+def carried_balls(solution: QuasistaticSolution, balance: BalancedFriction) -> tuple[int, ...]:
+    """Numbers of balls, from 1, loaded at the inner race but not driven by it [-]."""
+    return tuple(int(i) + 1 for i in np.flatnonzero((solution.inner_load > 0.0) & ~balance.driven))
 
 
 def integrated_torque(
@@ -256,7 +267,8 @@ def film_balance(
         return Dissipation(np.zeros(numbers.size), gradient, curvature)
 
     load = np.array([0.0 if film is None else contact.load for contact, film in zip(contacts, films, strict=True)])
-    return balance_balls(solution, contacts, law, STRENGTH * load)
+    friction = ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False)
+    return balance_driven_balls(solution, contacts, friction)
 
 
 def balanced_tractions(

@@ -12,7 +12,7 @@ from ..contacts import BearingContact
 from ..geometry import Bearing
 from ..quasistatic import QuasistaticSolution
 from . import palmgren, skf, sliding
-from .balance import balanced_friction
+from .coulomb import balanced_friction
 from .resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power, rolling_power
 from .supply import Supply
 

@@ -18,9 +18,9 @@ from ..contacts import BearingContact
 from ..geometry import Array, Race
 from ..quasistatic import QuasistaticSolution
 from ..traction_forces import bearing_kinematics
-from .balance import BalancedFriction, balance_balls, ring_power
+from .balance import BalancedFriction, ContactLaw, balance_driven_balls, ring_power
 from .contact_friction import Dissipation
-from .integrated import STRENGTH, IntegratedTorque, SolvedShear
+from .integrated import STRENGTH, IntegratedTorque, SolvedShear, carried_balls
 
 STEPS = (1.0e-5, 1.0e-5, 1.0e-5)  # of slide_x, slide_y over u, and spin over u/R_x, for difference quotients [-]
 
@@ -53,7 +53,7 @@ def tabulated_torque(
         note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"
         return SolvedShear(hypothesis=hypothesis, note=note)
     found = _torque(solution, contacts, balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4))
-    return SolvedShear(hypothesis=hypothesis, balanced=found)
+    return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried_balls(solution, balance))
 
 
 def law_balance(
@@ -70,7 +70,8 @@ def law_balance(
         return Dissipation(np.zeros(numbers.size), gradient, slope)
 
     load = np.array([contact.load if contact.conditions is not None else 0.0 for contact in contacts])
-    return balance_balls(solution, contacts, law, STRENGTH * load)
+    friction = ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False)
+    return balance_driven_balls(solution, contacts, friction)
 
 
 def _motion(solution: QuasistaticSolution, contact: BearingContact) -> Array:
