@@ -31,11 +31,12 @@ if TYPE_CHECKING:
     from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
     from ehl.rheology import Rheology
 
+    from .dynamics_plan import DynamicsPlan
     from .slip_plan import SlipPlan
 
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
-LATER_TABLES = ("dynamics", "load_cases")
+LATER_TABLES = ("load_cases",)
 LATER_VALUES = {
     ("model", "ball_kinematics"): ("minimum dissipation", "traction equilibrium"),
     ("lubricant", "viscosity_law"): ("yasutomi",),
@@ -60,6 +61,7 @@ class Case:
     document: dict[str, Any]  # the case file as run, defaults and library values filled in
     warnings: tuple[str, ...] = ()  # what the libraries have to say about their values
     slip: SlipPlan | None = None  # maps of `oilfilm slip`
+    dynamics: DynamicsPlan | None = None  # the time simulation
     friction: FrictionInput | None = None  # what the friction torque models need
     films: FilmPhysics = NEWTONIAN  # what the films are solved with
     rheology: Rheology | None = None  # how the oil shears
@@ -318,6 +320,7 @@ def _bearing_case(file: BearingFile) -> Case:
         film_maps=maps if isinstance(maps, str) else tuple(radians(azimuth) for azimuth in maps),
         document=document,
         slip=None if file.slip is None else convert.slip_plan(file.slip),
+        dynamics=None if file.dynamics is None else convert.dynamics_plan(file),
         rating=convert.rating(file),
         friction=convert.friction(file),
         films=convert.film_physics(file, shear := convert.rheology(file, oil)),

@@ -15,6 +15,8 @@ UNITS = {
     "_mm": "mm", "_um": "µm", "_deg": "deg", "_mrad": "mrad", "_N": "N", "_kN": "kN", "_N_mm": "N mm", "_rpm": "r/min",
     "_C": "°C", "_mPa_s": "mPa s", "_mm2_s": "mm²/s", "_kg_m3": "kg/m³", "_GPa": "GPa", "_MPa": "MPa", "_m_s": "m/s",
     "_rad_s": "rad/s", "_1_GPa": "1/GPa", "_um_m_K": "µm/(m K)", "_W_m_K": "W/(m K)", "_J_kg_K": "J/(kg K)",
+    "_s": "s", "_us": "µs", "_g": "g", "_kg": "kg", "_g_mm": "g mm", "_g_mm2": "g mm²",
+    "_N_s_m": "N s/m", "_m_s2": "m/s²",
 }  # fmt: skip
 SPECIAL = {
     "force_N": "three numbers, ±1e8",
@@ -28,6 +30,9 @@ SPECIAL = {
     "axial_loads_N": "two numbers, 0 < first < last",
     "critical_radial_loads_N": "two numbers, 0 <= first < last",
     "critical_speeds_rpm": "up to six numbers > 0 and <= 1e6",
+    "speed_table_rpm": "rows of time in s and a number",
+    "load_table_N": "rows of time in s and three numbers",
+    "gravity_m_s2": "three numbers",
     "assumed": "list of `table.key`",
 }
 ORDER = (
@@ -42,6 +47,7 @@ ORDER = (
     "temperatures",
     "friction",
     "cage",
+    "dynamics",
     "rows",
     "slip",
     "materials",

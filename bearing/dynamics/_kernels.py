@@ -20,6 +20,7 @@ from .contact._kernels import (
     point_velocity,
     race_friction,
     ramped,
+    wall_shear,
 )
 from .problem import (
     CHURNING,
@@ -198,7 +199,7 @@ def pocket_forces(c, body, law, memory, angles, y, k, forces, load, power, pocke
         slide, rate, approach = k[9], k[10], k[11]
         push = normal_force(law, approach, rate, memory[2 * c.balls + j])
         pocket_out[j, 0], pocket_out[j, 1], pocket_out[j, 2] = push, approach, rate
-        pull = c.pocket_shear / max(c.film_least, -approach)  # film area times viscosity over the film [N s/m]
+        pull = c.pocket_shear * wall_shear(c.ball_radius, max(c.film_least, -approach))
         if slide > 0.0:
             pull += push * ramped(c.pocket_friction, slide, c.friction_ramp) / slide
         power[POCKET_DAMPING] += (push - elastic_force(law, approach)) * rate

@@ -89,7 +89,7 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         pocket_play=0.5 * cage.pocket_clearance,
         pocket_friction=cage.pocket_friction,
         friction_ramp=model.friction_ramp,
-        pocket_shear=cage.film_area * model.film_viscosity,
+        pocket_shear=6.0 * pi * model.film_viscosity * radius,
         film_least=cage.film_least,
         guide=GUIDES[cage.guidance],
         land_radius=cage.land_radius,

@@ -101,7 +101,6 @@ def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | 
         pocket_clearance=clearance,
         pocket_stiffness=contact_stiffness(across, 0.5 * ball, modulus),
         pocket_friction=_number(values, "pocket_friction", 0.0),
-        film_area=0.5 * ball * thickness,
         film_least=_number(values, "film_least", 1.0e-6),
         guidance=guidance if isinstance(guidance, Guidance) else Guidance.BALLS,
         land_radius=0.5 * _number(values, "land_diameter", 0.0),
@@ -142,6 +141,7 @@ FREE = {  # ring x, y, z, tilt y, tilt z; cage x, y, z, rotation, tilt y, tilt z
     LoadType.RADIAL: ((0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (0, 1, 1, 1, 0, 0)),
     LoadType.AXIAL: ((1, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 1, 1, 1, 1, 1)),
     LoadType.COMBINED: ((1, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 1, 1, 1, 1, 1)),
+    LoadType.PLANAR: ((0, 1, 1, 0, 0), (0, 1, 1, 1, 0, 0), (0, 1, 1, 1, 0, 0)),
     LoadType.GENERAL: ((1, 1, 1, 1, 1), (1, 1, 1, 1, 1, 1), (1, 1, 1, 1, 1, 1)),
 }
 
@@ -154,13 +154,14 @@ def free_coordinates(kind: LoadType, operation: Operation) -> tuple[tuple[int, .
 
 
 def equation_counts(kind: LoadType, balls: int, operation: Operation) -> dict[str, int]:
-    """Unknowns of the static, quasi-static and dynamic model, Ma et al. (2023), Table 1; general: what we add [-]."""
+    """Unknowns of the static, quasi-static and dynamic model, Ma et al. (2023), Table 1; planar, general: ours [-]."""
     ring, cage, ball = (sum(part) for part in free_coordinates(kind, operation))
-    static = {LoadType.RADIAL: 1, LoadType.AXIAL: 1, LoadType.COMBINED: 2, LoadType.GENERAL: ring}[kind]
+    static = ring
     quasi = {
         LoadType.RADIAL: 1 + balls,
         LoadType.AXIAL: 1 + 2,
         LoadType.COMBINED: 2 + 2 * balls,
+        LoadType.PLANAR: 2 + balls,
         LoadType.GENERAL: ring + 2 * balls,
     }[kind]
     return {"static": static, "quasi_static": quasi, "ring": ring, "cage": cage, "balls": ball * balls} | {

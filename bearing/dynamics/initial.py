@@ -57,7 +57,7 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     kind = model.options.equations or load_type(operation, model)
     first = first_operation(operation, model, kind)
     free = bearing.free_contact_angle if first.force[0] else 0.0
-    axial = kind is not LoadType.RADIAL and any(abs(row[2]) > 0.0 for row in _rows(operation, model))
+    axial = kind not in (LoadType.RADIAL, LoadType.PLANAR) and any(abs(row[2]) > 0.0 for row in _rows(operation, model))
     nominal = (bearing.free_contact_angle, bearing.free_contact_angle) if axial else (free, free)
     if model.options.start is Start.ROLLING:
         return StartingPoint(kind=kind, angles=nominal, equilibrium=None, messages=())

@@ -48,11 +48,15 @@ class Start(Enum):
 
 
 class LoadType(Enum):
-    """Equations of motion after Ma et al. (2023), by the load; GENERAL has every degree of freedom."""
+    """Equations of motion after Ma et al. (2023), by the load.
+
+    PLANAR: everything that moves across the axis, as Shan et al. (2023); GENERAL: every degree of freedom.
+    """
 
     RADIAL = "radial"
     AXIAL = "axial"
     COMBINED = "combined"
+    PLANAR = "planar"
     GENERAL = "general"
 
 
@@ -100,8 +104,8 @@ class CageBody:
         K of ball against pocket [N/m^1.5].
     pocket_friction : float
         Coulomb's mu [-].
-    film_area, film_least : float
-        Wetted area of one side of a pocket [m^2] and its least film [m].
+    film_least : float
+        Least film between ball and pocket [m].
     guidance : Guidance
     land_radius, land_clearance, land_width, land_offset : float
         Of each of the two guiding lands: radius, radial clearance, width, distance from the middle [m].
@@ -119,7 +123,6 @@ class CageBody:
     pocket_clearance: float
     pocket_stiffness: float
     pocket_friction: float = 0.0
-    film_area: float = 0.0
     film_least: float = 1.0e-6
     guidance: Guidance = Guidance.BALLS
     land_radius: float = 0.0

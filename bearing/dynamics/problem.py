@@ -76,7 +76,7 @@ class Constants(NamedTuple):
     pocket_play: float  # radial [m]
     pocket_friction: float  # mu [-]
     friction_ramp: float  # of pockets and lands [m/s]
-    pocket_shear: float  # film area times viscosity [N s]
+    pocket_shear: float  # 6 pi viscosity R, Stokes' drag of a ball [N s/m]
     film_least: float  # [m]
     guide: int  # 0 balls, 1 inner ring, 2 outer ring
     land_radius: float  # [m]

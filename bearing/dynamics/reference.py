@@ -145,7 +145,8 @@ def pocket_pair(problem: Problem, body: Body, rotation: float, balls: Balls) -> 
     memory = problem.memory[2 * c.balls : 3 * c.balls, None]
     push = normal_force(problem.normal[POCKET], approach, rate, memory)
     mu = c.pocket_friction * np.minimum(speed / c.friction_ramp, 1.0)
-    pull = c.pocket_shear / np.maximum(c.film_least, -approach) + push * mu / speed
+    ratio = np.maximum(c.ball_radius / np.maximum(c.film_least, -approach), 1.0)
+    pull = c.pocket_shear * (8.0 / 15.0 * np.log(ratio) + 0.9588) + push * mu / speed
     force = -pull * slide
     return Pair(force - push * n, 0.0 * n, np.cross(arm, force), balls.position + arm)
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ..problems import Problem
 from .bearing import ball_count, bearing_materials, boundary, clearance, grooves, required_geometry, seats, shoulders
 from .contact import coating, contact_groups
+from .dynamics import dynamics
 from .friction import friction
 from .lubricant import lubricant
 from .operation import film_maps, loads, tilt
@@ -28,6 +29,7 @@ def bearing_problems(values: Values, names: Names) -> Iterator[Problem]:
         tilt,
         film_maps,
         rows,
+        dynamics,
     ):
         yield from check(values)
     yield from bearing_materials(values, names)

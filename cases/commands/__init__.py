@@ -4,10 +4,11 @@ from .app import app  # isort: skip
 from . import compute  # isort: skip
 from . import stiffness  # isort: skip
 from . import table  # isort: skip
+from . import dynamics  # isort: skip
 from . import batch  # isort: skip
 from . import look  # isort: skip
 from . import pages  # isort: skip
 from . import files  # isort: skip
 from . import verify  # isort: skip
 
-__all__ = ["app", "batch", "compute", "files", "look", "pages", "stiffness", "table", "verify"]
+__all__ = ["app", "batch", "compute", "dynamics", "files", "look", "pages", "stiffness", "table", "verify"]

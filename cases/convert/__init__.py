@@ -2,6 +2,7 @@
 
 from .bearing import bearing, operating_bearing, rating
 from .contact import contact, contact_defaults, solver_options
+from .dynamics import dynamics_plan
 from .friction import film_physics, friction, rheology
 from .lubricant import lubricant, lubricant_keys, temperature
 from .materials import material_table, materials, ring_materials, seat_materials
@@ -12,6 +13,7 @@ __all__ = [
     "bearing",
     "contact",
     "contact_defaults",
+    "dynamics_plan",
     "film_physics",
     "friction",
     "lubricant",

@@ -6,6 +6,7 @@ turns the values into SI, once. What several keys must satisfy together stands i
 
 from .bearing import BearingTable, FitTable, MaterialTable, SurfaceTable, TemperaturesTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
+from .dynamics import DynamicsTable
 from .fields import FREE, Table, is_number
 from .files import BearingFile, CaseFile, ContactFile
 from .friction import CageTable, FrictionTable
@@ -23,6 +24,7 @@ __all__ = [
     "ContactEhlTable",
     "ContactFile",
     "ContactTable",
+    "DynamicsTable",
     "EhlTable",
     "FitTable",
     "FrictionTable",

@@ -6,6 +6,7 @@ from pydantic import Field
 
 from .bearing import BearingTable, FitTable, MaterialTable, SurfaceTable, TemperaturesTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
+from .dynamics import DynamicsTable
 from .fields import Table
 from .friction import CageTable, FrictionTable
 from .lubricant import LubricantTable, OilTable
@@ -37,6 +38,7 @@ class BearingFile(CaseFile):
     slip: SlipTable | None = None
     friction: FrictionTable = FrictionTable()
     cage: CageTable | None = None
+    dynamics: DynamicsTable | None = None
     rows: tuple[RowTable, ...] | None = Field(
         None, strict=False, min_length=1, max_length=8, description="rows of balls on the one inner ring"
     )

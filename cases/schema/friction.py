@@ -79,3 +79,19 @@ class CageTable(Table):
     land_diameter_mm: float | None = Field(None, gt=0.0, le=LENGTH_MAXIMUM, description="of the guiding land")
     land_width_mm: float | None = Field(None, gt=0.0, le=LENGTH_MAXIMUM, description="of both lands together")
     land_clearance_um: float | None = Field(None, gt=0.0, le=1.0e4, description="radial, between cage and land")
+    land_friction: float = Field(
+        0.0, ge=0.0, le=1.0, description="Coulomb's mu where the film of the land is used up; for the dynamics"
+    )
+    pocket_clearance_mm: float | None = Field(
+        None, gt=0.0, le=100.0, description="diametral, pocket less ball; for the dynamics, estimated if left out"
+    )
+    thickness_mm: float | None = Field(
+        None, gt=0.0, le=LENGTH_MAXIMUM, description="radial; for the dynamics, estimated if left out"
+    )
+    width_mm: float | None = Field(
+        None, gt=0.0, le=LENGTH_MAXIMUM, description="axial; for the dynamics, estimated if left out"
+    )
+    mass_g: float | None = Field(None, gt=0.0, le=1.0e6, description="for the dynamics; left out, from the dimensions")
+    polar_inertia_g_mm2: float | None = Field(
+        None, gt=0.0, le=1.0e15, description="about the bearing's axis, for the dynamics; left out, from the dimensions"
+    )

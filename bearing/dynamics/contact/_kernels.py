@@ -46,6 +46,12 @@ def ramped(friction, slide, ramp):
 
 
 @njit(**OPTIONS)
+def wall_shear(radius, film):
+    """Drag of a sphere sliding along a wall over that in free flow, Goldman, Cox and Brenner (1967)."""
+    return 8.0 / 15.0 * np.log(max(radius / film, 1.0)) + 0.9588
+
+
+@njit(**OPTIONS)
 def point_velocity(body, x, y, z):
     """Velocity of the point of a body at x, y, z."""
     w0, w1, w2 = cross(body[9], body[10], body[11], x - body[0], y - body[1], z - body[2])

@@ -1,0 +1,160 @@
+"""What a simulation amounts to: energies, speeds over its last third, contact states, loads."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .initial import kinematic_cage_speed
+from .layout import CAGE_ROTATION, Layout
+from .problem import Array
+from .simulation import Record, Simulation
+
+LAST_PART = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
+MECHANISMS = (
+    "drive_inner",
+    "drive_outer",
+    "loads",
+    "friction_inner",
+    "friction_outer",
+    "race_damping",
+    "pocket_damping",
+    "pocket_friction",
+    "land_friction",
+    "churning",
+    "support",
+)  # in the order of the accumulators
+INPUTS = 3  # of them put energy in
+
+
+@dataclass(slots=True)
+class Tally:
+    """What is kept of every record while the history itself goes to disk."""
+
+    balls: int
+    time: list[Array] = field(default_factory=list)
+    cage_rotation: list[Array] = field(default_factory=list)  # [rad]
+    orbit_speed: list[Array] = field(default_factory=list)  # mean of the balls [rad/s]
+    load_sum: Array = field(default_factory=lambda: np.zeros(0))  # [N]
+    load_largest: Array = field(default_factory=lambda: np.zeros(0))  # [N]
+    pocket_largest: Array = field(default_factory=lambda: np.zeros(0))  # [N]
+    residual: float = 0.0  # largest of the energies [J]
+    rows: int = 0
+
+    def add(self, record: Record, start_energy: float) -> None:
+        """Take a record in; start energy in [J]."""
+        layout = Layout(self.balls)
+        self.time.append(record.time)
+        self.cage_rotation.append(record.state[:, layout.cage][:, CAGE_ROTATION].copy())
+        self.orbit_speed.append(orbit_speeds(record.state, layout).mean(axis=1))
+        loads, pockets = record.races[..., 0], record.pockets[..., 0]
+        if not self.rows:
+            self.load_sum, self.load_largest = np.zeros(loads.shape[1:]), np.zeros(loads.shape[1:])
+            self.pocket_largest = np.zeros(self.balls)
+        self.load_sum += loads.sum(axis=0)
+        self.load_largest = np.maximum(self.load_largest, loads.max(axis=0))
+        self.pocket_largest = np.maximum(self.pocket_largest, pockets.max(axis=0))
+        work = record.state[:, layout.energy]
+        change = record.energy.sum(axis=1) - start_energy
+        error = change - work[:, :INPUTS].sum(axis=1) + work[:, INPUTS:].sum(axis=1)
+        self.residual = max(self.residual, float(np.abs(error).max()))
+        self.rows += record.time.size
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Outcome:
+    """Numbers of a simulation.
+
+    Attributes
+    ----------
+    simulated, wall : float
+        [s].
+    cage_speed, orbit_speed, kinematic_speed : float
+        Means over the last third, of the cage and of the balls, and the kinematic speed of the same time [rad/s].
+    work : dict of float
+        Put in and lost, by mechanism [J].
+    stored : float
+        Change of kinetic, elastic and potential energy [J].
+    energy_error : float
+        Largest residual over the total input or, where that is less, over what was lost [-].
+    shares : ndarray, shape (2, Z, 3)
+        Of the time free, in contact, in an impact; inner and outer race [-].
+    mean_load, largest_load : ndarray, shape (2, Z)
+        [N].
+    largest_pocket_load : ndarray, shape (Z,)
+        [N].
+    """
+
+    simulated: float
+    wall: float
+    cage_speed: float
+    orbit_speed: float
+    kinematic_speed: float
+    work: dict[str, float]
+    stored: float
+    energy_error: float
+    shares: Array
+    mean_load: Array
+    largest_load: Array
+    largest_pocket_load: Array
+
+
+def orbit_speeds(states: Array, layout: Layout) -> Array:
+    """Angular speeds of the balls' centres about the axis [rad/s], shape (m, Z), from rows of states."""
+    place = states[:, layout.ball].reshape(len(states), -1, 3)
+    speed = states[:, layout.ball_speed].reshape(len(states), -1, 3)
+    turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
+    result: Array = turn / (place[..., 1] ** 2 + place[..., 2] ** 2)
+    return result
+
+
+def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
+    """Sum a simulation up; None where not one sample was reached.
+
+    Parameters
+    ----------
+    simulation : Simulation
+    tally : Tally
+
+    Returns
+    -------
+    Outcome or None
+    """
+    if not tally.rows:
+        return None
+    time, state = np.concatenate(tally.time), simulation.state
+    late = time >= time[-1] - LAST_PART * (time[-1] - time[0])
+    late[-2:] = True
+    cage = np.concatenate(tally.cage_rotation)[late]
+    orbit = np.concatenate(tally.orbit_speed)[late]
+    span = float(time[late][-1] - time[late][0])
+    has_cage = simulation.problem.constants.cage_mass > 0.0 and span > 0.0
+    work = state.y[simulation.layout.energy]
+    put_in, lost = float(np.sum(work[:INPUTS])), float(np.sum(work[INPUTS:]))
+    return Outcome(
+        simulated=state.time,
+        wall=simulation.wall,
+        cage_speed=float(cage[-1] - cage[0]) / span if has_cage else float(orbit.mean()),
+        orbit_speed=float(orbit.mean()),
+        kinematic_speed=_kinematic(simulation, time[late]),
+        work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
+        stored=put_in - lost,
+        energy_error=tally.residual / max(abs(put_in), abs(lost), 1e-300),
+        shares=state.shares / max(state.time, 1e-300),
+        mean_load=tally.load_sum / tally.rows,
+        largest_load=tally.load_largest,
+        largest_pocket_load=tally.pocket_largest,
+    )
+
+
+def nominal_angle(simulation: Simulation) -> float:
+    """Contact angle of the kinematic speed [rad]: the free one under an axial load, else zero."""
+    axial = np.any(simulation.problem.schedule[:, 3])
+    return simulation.bearing.free_contact_angle if axial else 0.0
+
+
+def _kinematic(simulation: Simulation, times: Array) -> float:
+    rows = simulation.problem.schedule
+    inner, outer = (float(np.interp(times, rows[:, 0], rows[:, column]).mean()) for column in (1, 2))
+    return kinematic_cage_speed(simulation.bearing, inner, outer, nominal_angle(simulation))

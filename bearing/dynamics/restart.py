@@ -1,0 +1,72 @@
+"""A simulation on disk, to go on from where it stood."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import zipfile
+from pathlib import Path
+
+import numpy as np
+
+from .simulation import Simulation
+
+FORMAT = 1
+ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counters")
+
+
+def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
+    """Write the state of a simulation; the file appears under its name when it is complete.
+
+    Parameters
+    ----------
+    simulation : Simulation
+    path : Path
+    case : str
+        What the simulation was made from, compared when it is read.
+    """
+    state = simulation.state
+    head = {
+        "format": FORMAT,
+        "case": case,
+        "time": state.time,
+        "step": state.step,
+        "stiff": state.stiff,
+        "start_energy": simulation.start_energy,
+    }
+    stream = io.BytesIO()
+    np.savez(stream, head=np.array(json.dumps(head)), **{name: getattr(state, name) for name in ARRAYS})
+    partial = path.with_name(path.name + ".partial")
+    partial.write_bytes(stream.getvalue())
+    os.replace(partial, path)
+
+
+def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
+    """Put a simulation where a file left it.
+
+    Parameters
+    ----------
+    simulation : Simulation
+        Freshly made from the same case.
+    path : Path
+    case : str
+        What it was made from.
+
+    Raises
+    ------
+    ValueError
+        If the file is damaged, or of another case.
+    """
+    try:
+        with np.load(path, allow_pickle=False) as data:
+            head = json.loads(str(data["head"]))
+            arrays = {name: data[name] for name in ARRAYS}
+    except (OSError, ValueError, KeyError, zipfile.BadZipFile, EOFError) as error:
+        raise ValueError(f"{path}: no restart file, or a damaged one") from error
+    if head.get("format") != FORMAT or head.get("case") != case:
+        raise ValueError(f"{path}: is of another case")
+    for name, value in arrays.items():
+        getattr(simulation.state, name)[...] = value
+    simulation.state.time, simulation.state.step = head["time"], head["step"]
+    simulation.state.stiff, simulation.start_energy = head["stiff"], head["start_energy"]

@@ -1,0 +1,80 @@
+"""Command: dynamics."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..problems import CaseError
+from ..terminal import guarded, progress_bar, say
+from .app import CaseName, Json, Output, Quiet, app
+from .output import prepare, report, results_directory, save_with
+
+if TYPE_CHECKING:
+    from bearing.dynamics.simulation import Simulation
+    from postprocess.dynamics_results import DynamicsResults
+
+    from ..case import Case
+
+Restart = Annotated[
+    Path | None, typer.Option("--restart", metavar="FILE", help="Go on from the restart file of an interrupted run.")
+]
+Tables = Annotated[
+    Path | None, typer.Option("--table", metavar="FILE", help="Traction tables that 'oilfilm table' made of the case.")
+]
+
+
+@app.command()
+@guarded
+def dynamics(
+    case: CaseName,
+    output: Output = None,
+    restart: Restart = None,
+    table: Tables = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Simulate a bearing over time: balls, cage and inner ring under contact, friction, drag and impact."""
+    from ..case import Case, load_case
+
+    loaded = load_case(case)
+    if not isinstance(loaded, Case):
+        raise CaseError([f"{case}: is a single contact; a simulation needs a bearing"])
+    directory = results_directory(case, output, as_json)
+    prepare()
+    from ..dynamics import Interrupted, run_dynamics
+
+    home = None if directory is None else directory.absolute().parent  # the history may be large: not in /tmp
+    with tempfile.TemporaryDirectory(prefix=".oilfilm-", dir=home) as folder:
+        history = Path(folder) / "history.nc"
+        try:
+            with progress_bar(quiet=quiet) as progress:
+                results = run_dynamics(loaded, case, history, restart, table, progress)
+        except Interrupted as stop:
+            _keep(loaded, stop.results, stop.simulation, directory)
+            raise KeyboardInterrupt from None
+        from postprocess.dynamics_results import dynamics_summary, write_dynamics
+        from postprocess.dynamics_table import dynamics_table
+
+        save_with(lambda target: write_dynamics(results, target), directory)
+        document = dynamics_summary(results)
+        return report(document, lambda: dynamics_table(document), directory, as_json=as_json, quiet=quiet)
+
+
+def _keep(case: Case, results: DynamicsResults, simulation: Simulation, directory: Path | None) -> None:
+    """Write what an interrupted simulation has so far, and the file to go on from."""
+    if directory is None:
+        return
+    from bearing.dynamics.restart import save_restart
+    from postprocess.dynamics_results import write_dynamics
+
+    from ..dynamics import case_key
+
+    path = directory.with_name(f"{directory.name}_restart.npz")
+    save_restart(simulation, path, case_key(case))
+    kept = directory if not directory.exists() else directory.with_name(f"{directory.name}_interrupted")
+    save_with(lambda target: write_dynamics(results, target, pictures=False), kept)
+    say(f"history so far in {kept}; go on with --restart {path}")

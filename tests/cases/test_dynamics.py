@@ -1,0 +1,188 @@
+"""Command dynamics: a short simulation, its files, its errors, interruption and restart."""
+
+from __future__ import annotations
+
+import json
+import math
+import shutil
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+from cases import load_case
+from cases.cli import app
+from cases.dynamics import Interrupted, case_key, run_dynamics
+from cases.problems import CaseError
+from cases.shipped import find_case
+from postprocess.history_io import open_history
+
+SHORT = "end_time_s = 0.004\noutput_interval_us = 50.0\n"
+PICTURES = ("speeds", "forces", "sliding", "states", "orbits", "spectrum", "energy")
+
+
+def run(*arguments):
+    return CliRunner().invoke(app, ["dynamics", *map(str, arguments)])
+
+
+def short(path, name="7008_combined", *changes):
+    """A shipped case with a short end time and replacements of its text."""
+    text = find_case(name).read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if not line.startswith(("end_time_s", "output_interval_us"))]
+    text = "\n".join(lines).replace("[dynamics]\n", "[dynamics]\n" + SHORT)
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    path.write_text(text + "\n", encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("dynamics")
+    found = run(short(folder / "case.toml"), "-o", folder / "out")
+    assert found.exit_code == 0, found.output
+    return folder / "out", found
+
+
+def numbers(node):
+    if isinstance(node, dict):
+        node = list(node.values())
+    if isinstance(node, list):
+        return [value for child in node for value in numbers(child)]
+    return [node] if isinstance(node, float) else []
+
+
+def test_summary_has_the_keys_of_the_contract(folder):
+    document = json.loads((folder[0] / "summary.json").read_text(encoding="utf-8"))
+    wanted = {
+        "simulated_s", "wall_s", "steps", "equations", "cage_speed_rpm", "cage_speed_ratio", "energy_balance_error",
+        "converged", "messages", "case",
+    }  # fmt: skip
+    assert wanted <= document.keys()
+    assert document["equations"] == 2 + 1 + 6 * 18
+    assert document["simulated_s"] == pytest.approx(0.004)
+    assert document["energy_balance_error"] < 1e-3
+    assert document["converged"]
+    assert all(math.isfinite(value) for value in numbers(document))
+    for ball in document["balls"]:
+        for race in ("inner", "outer"):
+            assert sum(ball[race][state] for state in ("free", "contact", "impact")) == pytest.approx(1.0, abs=1e-6)
+
+
+def test_history_has_named_quantities_with_units(folder):
+    with open_history(folder[0]) as data:
+        assert data.sizes["time"] == 80
+        assert data["contact_load"].dims == ("time", "race", "ball")
+        assert data["contact_load"].attrs["units"] == "N"
+        assert float(data["contact_load"].sel(race="outer").min()) > 0.0
+        speed = data["cage_velocity"].sel(cage_coordinate="rotation")
+        assert float(speed[-1]) == pytest.approx(2180.0 * np.pi / 30.0, rel=0.02)
+        quaternion = data["ball_attitude"].to_numpy()
+        assert np.abs(np.linalg.norm(quaternion, axis=-1) - 1.0).max() < 1e-6
+        assert (np.diff(data["time"]) > 0.0).all()
+
+
+def test_pictures_and_table(folder):
+    for name in PICTURES:
+        assert (folder[0] / f"{name}.png").stat().st_size > 10_000
+    text = folder[1].output
+    assert "111 (combined: 2 ring + 1 cage + 108 balls)" in text
+    assert max(len(line.rstrip()) for line in text.splitlines() if "results in" not in line) <= 80
+
+
+def test_json_alone_writes_nothing(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    case = short(tmp_path / "case.toml", "7008_axial", ("end_time_s = 0.004", "end_time_s = 0.0002"))
+    found = CliRunner().invoke(app, ["dynamics", str(case), "--json"])
+    assert found.exit_code == 0
+    document = json.loads(found.stdout)
+    assert document["load_type"] == "axial"
+    assert [path.name for path in tmp_path.iterdir()] == ["case.toml"]
+
+
+def test_an_interrupted_run_goes_on(tmp_path):
+    """The restart file leads to the end that an uninterrupted run reaches."""
+    case = load_case(
+        short(tmp_path / "case.toml", "7008_axial", ("output_interval_us = 50.0", "output_interval_us = 5.0"))
+    )
+    whole = run_dynamics(case, "case", tmp_path / "whole.nc")
+
+    def stop(done, total, state):
+        if done:
+            raise KeyboardInterrupt
+
+    with pytest.raises(Interrupted) as caught:
+        run_dynamics(case, "case", tmp_path / "part.nc", progress=stop)
+    from bearing.dynamics.restart import save_restart
+
+    part = caught.value.simulation
+    assert 0.0 < part.state.time < 0.004
+    save_restart(part, tmp_path / "restart.npz", case_key(case))
+    rest = run_dynamics(case, "case", tmp_path / "rest.nc", restart=tmp_path / "restart.npz")
+    assert rest.simulation.state.time == whole.simulation.state.time
+    np.testing.assert_array_equal(rest.simulation.state.y, whole.simulation.state.y)
+    with open_history(tmp_path / "part.nc") as first, open_history(tmp_path / "rest.nc") as second:
+        assert float(first["time"][-1]) < float(second["time"][0])
+    other = load_case(short(tmp_path / "other.toml", "7008_radial"))
+    with pytest.raises(CaseError, match="another case"):
+        run_dynamics(other, "other", tmp_path / "x.nc", restart=tmp_path / "restart.npz")
+    (tmp_path / "bad.npz").write_bytes(b"no archive")
+    with pytest.raises(CaseError, match="no restart file"):
+        run_dynamics(case, "case", tmp_path / "y.nc", restart=tmp_path / "bad.npz")
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ([("ball_drag_N = 0.3", "ball_drag_N = 0.3\nmixture_density_kg_m3 = 9.0")], "mixture_density_kg_m3"),
+        ([("friction_limit = 0.03", "friction_limit = 0.06")], "below friction_maximum"),
+        ([("output_interval_us = 50.0", "output_interval_us = 1e-6")], "rows"),
+        ([("restitution = 0.9", 'contact_law = "lubricated"')], 'friction = "table"'),
+        ([("restitution = 0.9", "speed_table_rpm = [[0.0, 1.0], [0.0, 2.0]]")], "rising"),
+        ([("restitution = 0.9", "load_table_N = [[0.0, 1.0]]")], "rows of 4 numbers"),
+        ([("restitution = 0.9", "gravity_m_s2 = [0.0, 9.81]")], "three numbers"),
+        ([("pocket_friction = 0.05", 'guided_by = "outer ring"')], "land_diameter_mm"),
+    ],
+)
+def test_errors_name_line_and_key(tmp_path, changes, words):
+    found = run(short(tmp_path / "case.toml", "7008_combined", *changes), "--json")
+    assert found.exit_code == 2
+    assert words in found.stderr
+    assert "case.toml:" in found.stderr
+
+
+def test_errors_without_a_line(tmp_path):
+    assert run("6208_full_ceramic", "--json").exit_code == 2
+    assert "[dynamics]" in run("6208_full_ceramic", "--json").stderr
+    assert run("ball_on_disc", "--json").exit_code == 2
+    case = short(tmp_path / "case.toml", "7008_axial", ("inner_speed_rpm = 5000.0", "inner_speed_rpm = 0.0"))
+    found = run(case, "--json")
+    assert found.exit_code == 2
+    assert "ball_drag_N" in found.stderr
+    without = short(tmp_path / "bare.toml", "7008_axial", ("bore_mm = 40.0\n", ""))
+    assert "bore" in run(without, "--json").stderr
+
+
+def test_tables_over_time_and_planar_equations(tmp_path):
+    """A run-up with a load that grows: the schedule reaches ring and balls; the cage is estimated, and named so."""
+    changes = [
+        (
+            "[[0.0, 0.0], [0.3, 8000.0]]",
+            "[[0.0, 0.0], [0.002, 800.0]]\nload_table_N = [[0.0, 0, 50, 0], [0.004, 0, 90, 0]]",
+        ),
+        ("pocket_clearance_mm = 0.2\n", ""),
+    ]
+    case = load_case(short(tmp_path / "case.toml", "6304_planar", *changes))
+    results = run_dynamics(case, "case", tmp_path / "h.nc")
+    assert results.simulation.equations["dynamic"] == 2 + 3 + 3 * 7
+    assert any("cage.pocket_clearance" in message for message in results.messages)
+    with open_history(tmp_path / "h.nc") as data:
+        assert float(data["ring_rotation"][-1]) == pytest.approx(0.003 * 800.0 * np.pi / 30.0, rel=1e-6)
+
+
+def test_shipped_cases_are_copied_whole(tmp_path):
+    """Every shipped simulation is a case that validates."""
+    for name in ("7008_axial", "7008_radial", "7008_combined", "6304_planar"):
+        copied = shutil.copy(find_case(name), tmp_path)
+        assert load_case(copied).dynamics is not None
