@@ -7,8 +7,8 @@ from statistics import median
 from time import process_time
 
 from bearing import contact_conditions, solve_quasistatic
-from bearing.torque.coulomb import balanced_friction
 from bearing.torque.breakdown import torque_breakdown
+from bearing.torque.coulomb import balanced_friction
 from cases import load_case
 
 REPEATS = 15

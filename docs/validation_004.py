@@ -10,8 +10,8 @@ from math import pi
 from pathlib import Path
 
 from bearing import BallKinematics, Bearing, contact_conditions, solve_quasistatic
-from bearing.torque.coulomb import balanced_friction
 from bearing.torque.breakdown import torque_breakdown
+from bearing.torque.coulomb import balanced_friction
 from bearing.torque.models import FrictionInput
 from bearing.torque.sliding import shaft_speed, sliding_contacts
 from cases import Case, load_case

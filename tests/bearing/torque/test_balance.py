@@ -9,8 +9,8 @@ import pytest
 from scipy.special import ellipe
 
 from bearing import BallKinematics, Bearing, Material, Model, Operation, contact_conditions, solve_quasistatic
-from bearing.torque.coulomb import balanced_friction
 from bearing.torque.contact_friction import Ellipses, coulomb_dissipation, line_dissipation
+from bearing.torque.coulomb import balanced_friction
 from bearing.torque.pure_rolling_lines import rolling_lines
 from bearing.torque.sliding import shaft_speed
 from ehl import Lubricant

@@ -9,8 +9,8 @@ import pytest
 
 from bearing import Operation, Race, contact_conditions, reduced_radii, solve_quasistatic
 from bearing.geometry import contact_modulus
-from bearing.torque.coulomb import balanced_friction
 from bearing.torque.breakdown import torque_breakdown
+from bearing.torque.coulomb import balanced_friction
 from bearing.torque.models import FrictionInput
 from bearing.torque.sliding import shaft_speed
 from bearing.torque.tabulated import tabulated_torque
