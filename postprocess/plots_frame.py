@@ -38,7 +38,7 @@ def draw_frame(figure: Figure, state: QuasistaticSolution) -> None:
     for axes, draw, title in zip(
         panels,
         (_section, _forces, _front),
-        ("section through a ball, angles and\nnormals as solved", "forces on the ball as solved", "seen against x"),
+        ("section through a ball:\nangles, normals, spin", "forces on the ball", "seen against x (x to the reader)"),
         strict=True,
     ):
         axes.set_aspect("equal")
@@ -57,7 +57,6 @@ def _direction(angle: float) -> Array:
 def _arrow(axes: Any, start: Array, step: Array, label: str, place: tuple[float, float], colour: str = INK) -> None:
     style = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", xy=start + step, xytext=start, arrowprops=style)
-    axes.plot(*(start + 1.1 * step), alpha=0.0)  # the limits of the axes follow lines, not arrows
     axes.annotate(label, start + step, place, textcoords="offset points", color=colour, fontsize=8, ha="center")
 
 
@@ -97,11 +96,11 @@ def _section(axes: Any, state: QuasistaticSolution) -> None:
     axes.plot([0.0, 0.0], [-1.0, 1.0], color=REFERENCE, linewidth=0.6)
     beta = float(state.attitude[0])
     axis = np.array([-cos(beta), sin(beta)])
-    _arrow(axes, -0.75 * axis, 1.5 * axis, r"$\omega_R$", (-6.0, 3.0), FORCE_COLOUR)
+    _arrow(axes, -0.75 * axis, 1.5 * axis, r"$\omega_R$", (-2.0, 4.0), FORCE_COLOUR)
     _arc(axes, origin, 0.42, (-0.5 * pi, beta - 0.5 * pi), color=FORCE_COLOUR, linewidth=0.8)
     axes.plot([-0.8, 0.0], [0.0, 0.0], color=REFERENCE, linewidth=0.6)
     axes.text(-0.56, 0.17, r"$\beta$", color=FORCE_COLOUR, fontsize=8)
-    corner = np.array([-2.0, -2.0])
+    corner = np.array([-1.95, -1.95])
     _arrow(axes, corner, np.array([0.8, 0.0]), "$x$", (6.0, -3.0))
     _arrow(axes, corner, np.array([0.0, 0.8]), "$e_r$", (0.0, 3.0))
 
@@ -117,10 +116,10 @@ def _forces(axes: Any, state: QuasistaticSolution) -> None:
     n_outer, n_inner = _direction(outer), -_direction(inner)
     _arrow(axes, n_outer + loads[0] * scale * n_outer, -loads[0] * scale * n_outer, "$Q_o$", (30.0, 20.0), OUTER_COLOUR)
     _arrow(
-        axes, n_inner + loads[1] * scale * n_inner, -loads[1] * scale * n_inner, "$Q_i$", (-22.0, -26.0), INNER_COLOUR
+        axes, n_inner + loads[1] * scale * n_inner, -loads[1] * scale * n_inner, "$Q_i$", (-40.0, -16.0), INNER_COLOUR
     )
     force = float(state.centrifugal_force[0]) * scale
-    _arrow(axes, np.zeros(2), np.array([0.0, force]), "$F_c$", (8.0, -4.0), FORCE_COLOUR)
+    _arrow(axes, np.zeros(2), np.array([0.0, force]), "$F_c$", (9.0, -9.0), FORCE_COLOUR)
     part = INNER_PART[state.model.ball_kinematics]
     friction = 10.0 * float(state.gyroscopic_moment[0]) / state.bearing.ball_diameter * scale
     if part < 2.0:
@@ -129,10 +128,10 @@ def _forces(axes: Any, state: QuasistaticSolution) -> None:
     if part > 0.0:
         step = part * friction * np.array([cos(inner), -sin(inner)])
         _arrow(axes, n_inner, step, r"$\lambda_i M_g/D$", (14.0, -10.0), INNER_COLOUR)
-    _arc(axes, np.zeros(2), 0.3, (2.2, -2.2), color=INK, linewidth=1.0)
-    tip, turn = 0.3 * _direction(-2.2), np.array([0.07, -0.05])
+    _arc(axes, np.zeros(2), 0.5, (2.2, -2.2), color=INK, linewidth=1.0)
+    tip, turn = 0.5 * _direction(-2.2), np.array([0.07, -0.05])
     _arrow(axes, tip - turn, turn, "", (0.0, 0.0))
-    axes.text(0.36, -0.28, "$M_g$", fontsize=8)
+    axes.text(0.44, -0.44, "$M_g$", fontsize=8)
     axes.text(0.0, -2.05, "friction drawn ten times as large", fontsize=6.5, color=REFERENCE, ha="center")
 
 
@@ -140,26 +139,28 @@ def _front(axes: Any, state: QuasistaticSolution) -> None:
     """y up, z to the left, x towards the reader; azimuths counter-clockwise."""
     from matplotlib.patches import Circle
 
-    size = 2.0 / state.bearing.pitch_diameter
+    pitch = WINDOW / 1.45
+    size = 2.0 * pitch / state.bearing.pitch_diameter
     ball = 0.5 * state.bearing.ball_diameter * size
     for azimuth in state.azimuth:
-        place = (-sin(azimuth), cos(azimuth))
+        place = (-pitch * sin(azimuth), pitch * cos(azimuth))
         axes.add_patch(Circle(place, ball, facecolor=BALL_COLOUR, edgecolor=INK, linewidth=0.5))
-    for radius, colour in ((1.0 - 1.9 * ball, INNER_COLOUR), (1.0 + 1.9 * ball, OUTER_COLOUR)):
+    for radius, colour in ((pitch - 1.7 * ball, INNER_COLOUR), (pitch + 1.5 * ball, OUTER_COLOUR)):
         axes.add_patch(Circle((0.0, 0.0), radius, fill=False, edgecolor=colour, linewidth=1.4))
     psi = float(state.azimuth[2])
     radial, tangential = np.array([-sin(psi), cos(psi)]), np.array([-cos(psi), -sin(psi)])
-    axes.plot([0.0, 0.0], [0.0, 1.0], color=REFERENCE, linewidth=0.6)
-    axes.plot([0.0, radial[0]], [0.0, radial[1]], color=REFERENCE, linewidth=0.6)
-    _arc(axes, np.zeros(2), 0.55, (0.0, -psi), color=INK, linewidth=0.9)
-    axes.text(*(0.68 * np.array([-sin(0.5 * psi), cos(0.5 * psi)])), r"$\psi$", fontsize=9, ha="center", va="center")
-    _arrow(axes, radial, 0.45 * radial, "$e_r$", (-6.0, 3.0), FORCE_COLOUR)
-    _arrow(axes, radial, 0.45 * tangential, "$e_t$", (-5.0, -8.0), FORCE_COLOUR)
-    _arrow(axes, np.zeros(2), np.array([0.0, 0.42]), "$y$", (6.0, -3.0))
-    _arrow(axes, np.zeros(2), np.array([-0.42, 0.0]), "$z$", (0.0, -10.0))
+    for end in (np.array([0.0, pitch]), pitch * radial):
+        axes.plot([0.0, end[0]], [0.0, end[1]], color=REFERENCE, linewidth=0.6)
+    _arc(axes, np.zeros(2), 0.75 * pitch, (0.0, -psi), color=INK, linewidth=0.9)
+    axes.text(*(0.62 * pitch * _direction(-0.5 * psi)), r"$\psi$", fontsize=9, ha="center", va="center")
+    _arrow(axes, pitch * radial, 0.6 * radial, "$e_r$", (-7.0, 2.0), FORCE_COLOUR)
+    _arrow(axes, pitch * radial, 0.6 * tangential, "$e_t$", (-2.0, -11.0), FORCE_COLOUR)
+    _arrow(axes, np.zeros(2), np.array([0.0, 0.6]), "$y$", (6.0, -5.0))
+    _arrow(axes, np.zeros(2), np.array([-0.6, 0.0]), "$z$", (0.0, -11.0))
     axes.plot(0.0, 0.0, "o", markersize=6, markerfacecolor="white", markeredgecolor=INK)
     axes.plot(0.0, 0.0, ".", markersize=2, color=INK)
-    axes.text(0.08, -0.16, "$x$", fontsize=8)
-    told = "azimuth ψ counter-clockwise from the load line\na radial load along +y loads the ball at ψ = 0"
-    axes.text(0.0, -2.1, told, fontsize=6.5, color=REFERENCE, ha="center")
-    _arc(axes, np.zeros(2), 0.42, (pi + 0.6, pi - 0.6), color=INNER_COLOUR, linewidth=1.0)
+    axes.text(0.12, -0.25, "$x$", fontsize=8)
+    _arc(axes, np.zeros(2), 0.8, (pi + 0.7, pi - 0.55), color=INNER_COLOUR, linewidth=1.0)
+    tip = 0.8 * _direction(pi - 0.55)
+    _arrow(axes, tip, np.array([0.08, 0.07]), r"$\Omega > 0$", (-19.0, 2.0), INNER_COLOUR)
+    axes.text(0.0, -2.1, "a radial load along +y loads the ball at ψ = 0", fontsize=6.5, color=REFERENCE, ha="center")
