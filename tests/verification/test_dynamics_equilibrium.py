@@ -1,0 +1,97 @@
+"""The steady motion under an axial load against the traction equilibrium of the quasi-static model.
+
+Two programs for one state: here the equations of motion with the friction law run until nothing changes; there the
+loads of the quasi-static equilibrium are kept and the friction forces and moments on every ball are balanced.
+"""
+
+from __future__ import annotations
+
+from math import pi, radians
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from bearing import (
+    Bearing,
+    Material,
+    Operation,
+    Race,
+    contact_angle_to_clearance,
+    contact_conditions,
+    solve_quasistatic,
+)
+from bearing.dynamics.bodies import ring_body
+from bearing.dynamics.friction import RaceFriction, four_constant_friction
+from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
+from bearing.dynamics.simulation import join, simulation
+from bearing.torque.tabulated import law_balance
+from ehl import Lubricant
+from ehl.traction.laws import four_constants
+
+STEEL = Material(name="test steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
+OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)  # makes contact conditions; the friction is a law's
+BEARING = Bearing(
+    name="7008 with three balls",
+    ball_diameter=7e-3,
+    pitch_diameter=54e-3,
+    balls=3,
+    inner_groove_radius=3.99e-3,
+    outer_groove_radius=3.78e-3,
+    diametral_clearance=contact_angle_to_clearance(radians(15.0), 3.99e-3, 3.78e-3, 7e-3),
+    ball_material=STEEL,
+    inner_ring_material=STEEL,
+    outer_ring_material=STEEL,
+    bore=40e-3,
+    width=15e-3,
+)
+
+
+def settled(operation, friction):
+    """Last row of a simulation without cage and drag, its layout, and the friction power of its second half [W]."""
+    options = DynamicsOptions(end_time=0.04, sample_interval=1e-3, tolerance=1e-5, longest_step=2e-6)
+    model = DynamicsModel(options=options, ring=ring_body(BEARING), friction=friction)
+    made, record = simulation(BEARING, operation, model), None
+    for piece in made.pieces():
+        record = piece if record is None else join(record, piece)
+    assert made.converged
+    lost = record.state[:, made.layout.energy][:, 3:].sum(axis=1)
+    half = record.time.size // 2
+    return record, made.layout, (lost[-1] - lost[half]) / (record.time[-1] - record.time[half])
+
+
+def motion(state, layout):
+    """Orbit speed, then rotation along x, radius and orbit in the frame that goes round with ball 1 [rad/s]."""
+    place, speed, turn = (state[part][:3] for part in (layout.ball, layout.ball_speed, layout.ball_turn))
+    radius = np.hypot(place[1], place[2])
+    out = place[1:] / radius
+    orbit = (place[1] * speed[2] - place[2] * speed[1]) / radius**2
+    return np.array([orbit, turn[0] - orbit, turn[1:] @ out, turn[2] * out[0] - turn[1] * out[1]])
+
+
+@pytest.mark.parametrize("axial", [pytest.param(30.0, marks=pytest.mark.slow), 150.0])
+def test_steady_motion_is_the_traction_equilibrium(axial):
+    """Sliding, spin, friction forces and power to 1 %, speeds to 0.1 %: contact angles of the law differ by as much."""
+    operation = Operation(inner_speed=5000.0 * pi / 30.0, force=(axial, 0.0, 0.0))
+    still = simulation(BEARING, operation, DynamicsModel(
+        options=DynamicsOptions(end_time=1.0, sample_interval=1.0), ring=ring_body(BEARING), friction=RaceFriction()
+    ))  # fmt: skip
+    friction = four_constant_friction(BEARING, still.point.angles, four_constants(0.05, 0.03, 0.03))
+    record, layout, power = settled(operation, friction)
+
+    quasistatic = solve_quasistatic(BEARING, operation)
+    laws = {Race.INNER: friction.inner, Race.OUTER: friction.outer}
+    balance = law_balance(quasistatic, contact_conditions(quasistatic, OIL), laws)
+    assert balance.converged
+
+    expected = balance.motions[0]
+    found = motion(record.state[-1], layout)
+    assert_allclose(found[0], expected.orbit_speed, rtol=1e-4)
+    assert_allclose(found[1:3], expected.rotation[:2], rtol=1e-3)
+    assert_allclose(found[3], expected.rotation[2], rtol=0.01)
+    races = record.races[-1, :, 0]  # columns as `bearing.dynamics.problem.RACE_NAMES`
+    assert_allclose(races[:, 0], [quasistatic.inner_load[0], quasistatic.outer_load[0]], rtol=1e-3)
+    assert_allclose(races[:, 5:8], balance.kinematics[0, :, :3], rtol=0.01)
+    assert_allclose(races[:, 9], balance.forces[0, :, 1], rtol=0.01)
+    assert_allclose(races[:, 8], balance.forces[0, :, 0], rtol=0.02)  # a small difference of large moments
+    assert_allclose(power, balance.power.sum(), rtol=0.01)
