@@ -89,7 +89,7 @@ def run_case(
     timing |= {"contacts": perf_counter() - start, "total": sum(timing.values()) + perf_counter() - start}
     if interrupted:
         messages = (*messages, "interrupted: the films that were not finished are null")
-    tractions = _tractions(case, state, contacts, solutions)
+    tractions, torque = _friction(case, state, contacts, solutions, timing)
     results = BearingResults(
         version=version(),
         case=case.document,
@@ -104,11 +104,29 @@ def run_case(
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
         clearance=case.clearance,
         tractions=tractions,
-        torque=_torque(case, state, contacts, solutions),
+        torque=torque,
     )
     if interrupted:
         raise Interrupted(results if any(solution is not None for solution in solutions) else None)
     return results
+
+
+def _friction(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None],
+    timing: dict[str, float],
+) -> tuple[tuple[ContactTraction | None, ...], TorqueBreakdown | None]:
+    """Shear of the contacts, with the balls in traction equilibrium where that was found, and the friction torque."""
+    start = perf_counter()
+    torque = _torque(case, state, contacts, solutions)
+    tractions = _tractions(case, state, contacts, solutions)
+    if torque is not None and torque.shear is not None:
+        known = {(t.contact.ball, t.contact.race): t for t in torque.shear.tractions}
+        tractions = tuple(t and known.get((t.contact.ball, t.contact.race), t) for t in tractions)
+    timing |= {"torque": perf_counter() - start, "total": timing["total"] + perf_counter() - start}
+    return tractions, torque
 
 
 def _tractions(
@@ -117,7 +135,7 @@ def _tractions(
     contacts: Sequence[BearingContact],
     solutions: Sequence[ContactSolution | None],
 ) -> tuple[ContactTraction | None, ...]:
-    """Shear of every contact that has a film."""
+    """Shear of every contact that has a film, at the motion of the equilibrium."""
     from bearing.traction_forces import contact_traction
 
     rheology = case.rheology

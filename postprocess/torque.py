@@ -130,7 +130,9 @@ def _balance_words(results: BearingResults) -> str:
         return f"; {shear.note}: the rings' power differs from the heat by {shear.torque.imbalance:.0%} of it"
     kinematics = results.quasistatic.model.ball_kinematics.value
     carried = ", ".join(str(ball) for ball in shear.carried)
-    words = f", balls in traction equilibrium; '{kinematics}' holds for loads and films only"
+    words = (
+        f", balls in traction equilibrium, as traction of the contacts; '{kinematics}' holds for loads and films only"
+    )
     return words + (f"; balls {carried} go with the cage, their inner contacts cannot drive them" if carried else "")
 
 

@@ -86,6 +86,8 @@ class SolvedShear:
         Part of the sum of all loads on asperities [-]; None without roughness.
     carried : tuple of int
         Numbers of balls, from 1, that go with the cage although their inner race carries load: it cannot drive them.
+    tractions : tuple of ContactTraction
+        Of every contact with a film, at the motion of `torque`.
     note : str
         Why there is no balanced one.
     """
@@ -94,6 +96,7 @@ class SolvedShear:
     balanced: IntegratedTorque | None = None
     asperity_share: float | None = None
     carried: tuple[int, ...] = ()
+    tractions: tuple[ContactTraction, ...] = ()
     note: str = ""
 
     @property
@@ -151,11 +154,15 @@ def solved_shear(
     balance = film_balance(solution, contacts, films, rheology, asperities)
     if not balance.converged:
         note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"
-        return SolvedShear(hypothesis=hypothesis, asperity_share=mean, note=note)
+        return SolvedShear(hypothesis=hypothesis, asperity_share=mean, tractions=tuple(assumed), note=note)
     found = balanced_tractions(solution, contacts, films, rheology, balance)
     balanced = integrated_torque(solution, found, shares, boundary)
     return SolvedShear(
-        hypothesis=hypothesis, balanced=balanced, asperity_share=mean, carried=carried_balls(solution, balance)
+        hypothesis=hypothesis,
+        balanced=balanced,
+        asperity_share=mean,
+        carried=carried_balls(solution, balance),
+        tractions=found,
     )
 
 
