@@ -37,7 +37,7 @@ M and L deep in each of the four regimes of a circular contact; the power of M (
 taken from two solutions, a factor of 2 (1.5) apart, and compared with that of the asymptote in the formula of
 Nijenbanning, Venner and Moes (1994, coefficients read second-hand). The powers follow from theory, the factors are
 their fits. No contact is wholly in one regime, least of all in the third, where Roelands' law weakens the power of
-L. Around M 4 and at L of 10 and more the film is thinner than at M 10, which no formula shows and the finite
+L. Around M 4 and at L of 5 and more the film is thinner than at M 10, which no formula shows and the finite
 elements below confirm: the pressure is not yet high enough to thicken the oil."""
 POWER_TOLERANCE = {"RI": 0.1, "EI": 0.05, "RP": 0.1, "EP": 0.05}
 
