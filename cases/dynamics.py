@@ -24,6 +24,17 @@ if TYPE_CHECKING:
     from .run import Progress
 
 CAGE_MATERIAL = "pa66"  # where a case names none
+DIMENSIONS = (
+    "ball_diameter",
+    "pitch_diameter",
+    "inner_groove_radius",
+    "outer_groove_radius",
+    "diametral_clearance",
+    "first_ball_azimuth",
+    "bore",
+    "outside_diameter",
+    "width",
+)
 MILLISECONDS = 1000.0  # the progress counts in these
 
 
@@ -106,7 +117,7 @@ def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> Dy
 
     began, tally = perf_counter(), Tally(case.bearing.balls)
     end, first = made.model.options.end_time, made.state.time
-    attributes: dict[str, str | float] = {"oilfilm": version(), "case": case_key(case), "title": case.title}
+    attributes = _attributes(case)
 
     def results() -> DynamicsResults:
         return DynamicsResults(
@@ -131,6 +142,16 @@ def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> Dy
         except KeyboardInterrupt:
             raise Interrupted(results(), made) from None
     return results()
+
+
+def _attributes(case: Case) -> dict[str, str | float]:
+    """Of the history: what it is of, and the dimensions a picture of it needs [m], [rad]."""
+    attributes: dict[str, str | float] = {"oilfilm": version(), "case": case_key(case), "title": case.title}
+    for name in DIMENSIONS:
+        value = getattr(case.bearing, name)
+        if value is not None:
+            attributes[name] = float(value)
+    return attributes
 
 
 def _assumed(model: DynamicsModel) -> tuple[str, ...]:

@@ -18,7 +18,7 @@ HOMES = {
     "vtk": ("postprocess/vtk.py",),
     "vtkmodules": ("postprocess/vtk.py",),
     "meshio": ("postprocess/vtk.py",),
-    "pyvista": ("postprocess/scene*.py", "postprocess/vtk.py"),
+    "pyvista": ("postprocess/scene*.py", "postprocess/vtk.py", "postprocess/animation.py"),
     "matplotlib": ("postprocess/plot*.py", "postprocess/scene.py"),
     "xarray": ("postprocess/results_io.py", "postprocess/history_io.py"),
     "h5netcdf": ("postprocess/results_io.py", "postprocess/history_io.py"),
@@ -27,7 +27,7 @@ HOMES = {
     "pydantic": ("cases/schema/*.py", "cases/case.py", "cases/problems.py", "cases/batch/sweep.py"),
     "pydantic_core": ("cases/schema/*.py",),
     "rich": ("cases/commands/*.py", "cases/terminal.py", "postprocess/*table.py", "postprocess/slip_results.py"),
-    "PIL": ("postprocess/scene_motion.py",),
+    "PIL": ("postprocess/scene_motion.py", "postprocess/animation.py"),
     "trame_pyvista": ("postprocess/scene.py",),
     "distributed": ("cases/batch/pools.py",),
 }

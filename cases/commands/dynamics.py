@@ -26,6 +26,10 @@ Tables = Annotated[
     Path | None, typer.Option("--table", metavar="FILE", help="Traction tables that 'oilfilm table' made of the case.")
 ]
 
+Animation = Annotated[
+    Path | None, typer.Option("--animate", metavar="FILE", help="The motion as a .gif, and as steps for ParaView.")
+]
+
 
 @app.command()
 @guarded
@@ -34,6 +38,7 @@ def dynamics(
     output: Output = None,
     restart: Restart = None,
     table: Tables = None,
+    animation: Animation = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
@@ -44,6 +49,8 @@ def dynamics(
     if not isinstance(loaded, Case):
         raise CaseError([f"{case}: is a single contact; a simulation needs a bearing"])
     directory = results_directory(case, output, as_json)
+    if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
+        raise CaseError([f"--animate {animation}: allowed: a .gif file, and results that are written (-o)"])
     prepare()
     from ..dynamics import Interrupted, run_dynamics
 
@@ -61,7 +68,20 @@ def dynamics(
 
         save_with(lambda target: write_dynamics(results, target), directory)
         document = dynamics_summary(results)
+        if animation is not None and directory is not None:
+            _animate(directory, animation)
         return report(document, lambda: dynamics_table(document), directory, as_json=as_json, quiet=quiet)
+
+
+def _animate(directory: Path, file: Path) -> None:
+    """Draw the motion; a machine that cannot draw is told of, and the results stay."""
+    from postprocess.animation import animate
+    from postprocess.rendering import RenderingError
+
+    try:
+        animate(directory, file)
+    except (RenderingError, OSError) as problem:
+        say(f"oilfilm: {problem}")
 
 
 def _keep(case: Case, results: DynamicsResults, simulation: Simulation, directory: Path | None) -> None:
