@@ -26,7 +26,7 @@ MAX_STEPS = 200
 SKID = 0.3  # sliding over entrainment from which a ball is taken along by the cage instead of driven [-]
 SKID_ROUNDS = 4  # of taking balls out
 RUNAWAY = 1.0e4  # speeds over those of curvature slip at which a ball counts as not held [-]
-CAGE_STEPS, CAGE_TOLERANCE = 20, 1.0e-9  # of push and speed of the cage, which hardly depend on the balance [-]
+CAGE_STEPS, CAGE_TOLERANCE = 20, 1.0e-8  # of push and speed of the cage, which hardly depend on the balance [-]
 BALANCE_TOLERANCE = 1.0e-6  # residual force over mu Q that is accepted [-]
 BALANCE_TARGET = 1.0e-10  # residual at which iterating stops [-]
 PLANE = np.array([True, True, True, False])  # orbit, rotation about e_x and e_r: all that the line law knows
@@ -77,6 +77,8 @@ class BalancedFriction:
         Largest force or moment (over the ball's radius) left on a ball, over the friction mu Q [-].
     driven : ndarray of bool, shape (balls,)
         Balls that the inner race drives; the others go with the cage.
+    unknowns, cage : ndarray, shape (balls, 4) and (balls,)
+        Change of the motion, scaled to speeds [m/s], and push of the cage [N], from where another search may begin.
     converged : bool
     """
 
@@ -88,6 +90,8 @@ class BalancedFriction:
     shaft_power: float
     residual: float
     driven: NDArray[np.bool_]
+    unknowns: Array
+    cage: Array
     converged: bool
 
     @property
@@ -152,6 +156,7 @@ def balance_balls(
     *,
     gyroscopic: bool = True,
     driven: NDArray[np.bool_] | None = None,
+    near: BalancedFriction | None = None,
 ) -> BalancedFriction:
     """Motion of all balls in which a law of friction balances itself on each of them.
 
@@ -165,6 +170,8 @@ def balance_balls(
         Whether the contacts have to hold the gyroscopic couple.
     driven : ndarray of bool, shape (balls,), optional
         Balls that the inner race drives, the others going with the cage; None: those with load there.
+    near : BalancedFriction, optional
+        Of a law nearby with the same balls driven, from where the search begins.
 
     Returns
     -------
@@ -176,7 +183,10 @@ def balance_balls(
     turned = gyroscopic and not law.plane
     if turned:
         problem = replace(problem, couple=_couple(solution, problem.driven))
-    z, residual = _minimise(problem, np.zeros(problem.couple.shape))
+    if near is None:
+        z, residual = _minimise(problem, np.zeros(problem.couple.shape))
+    else:
+        z, problem = near.unknowns, replace(problem, cage=near.cage)
     turning = _turning(solution, problem.driven) if turned else problem.turning
     alone = not problem.driven.all()  # balls that go with the cage
     for _ in range(CAGE_STEPS if alone else 1):
@@ -371,6 +381,8 @@ def _result(
         shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring)),
         residual=worst,
         driven=problem.driven,
+        unknowns=z,
+        cage=problem.cage,
         converged=bool(solution.converged and worst <= BALANCE_TOLERANCE),
     )
 

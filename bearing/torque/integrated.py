@@ -12,6 +12,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,13 +25,16 @@ from ..contacts import BearingContact
 from ..geometry import Array, Race
 from ..quasistatic import QuasistaticSolution
 from ..traction_forces import ContactTraction, bearing_kinematics, contact_traction
-from .balance import BalancedFriction, ContactLaw, balance_driven_balls, ring_power
+from .balance import BalancedFriction, ContactLaw, balance_balls, balance_driven_balls, ring_power
 from .contact_friction import TINY, Dissipation, coulomb_dissipation
 from .coulomb import contact_ellipses
 from .mixed import asperity_share
 
+FilmLaw = Callable[[Array, float], tuple[Array, Array]]
 STRENGTH = 0.05  # traction coefficient that residual forces are measured against [-]
 SLOPE_STEP = 1.0e-4  # relative change of the shear rate for a difference quotient [-]
+NEGLIGIBLE = 1.0e-2  # part of the shear of a contact in nodes that are left out of a first balance [-]
+LITTLE = 1.0e-2  # sliding over entrainment at which it is weighed [-]
 STILL = 1.0e-9  # [m/s] sliding below which the stress counts as proportional to it
 
 
@@ -258,11 +262,14 @@ def film_balance(
         Its forces contain the hydrodynamic rolling moment.
     """
     pairs = list(zip(contacts, films, strict=True))
-    laws = [None if film is None else _film_law(solution, contact, film, rheology) for contact, film in pairs]
+    coarse, fine = (
+        [None if film is None else _film_law(solution, c, film, rheology, left_out) for c, film in pairs]
+        for left_out in (NEGLIGIBLE, 0.0)
+    )
     share = np.array([0.0 if f is None or asperities is None else asperities.share(c, f) for c, f in pairs])
     rubbing = contact_ellipses(solution, contacts, share * (0.0 if asperities is None else asperities.boundary))
 
-    def law(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
+    def dissipation(laws: Sequence[FilmLaw | None], motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
         gradient, curvature = np.zeros((numbers.size, 4)), np.zeros((numbers.size, 4, 4))
         for row, number in enumerate(numbers):
             contact = laws[number]
@@ -273,9 +280,13 @@ def film_balance(
             gradient, curvature = gradient + more, curvature + steeper
         return Dissipation(np.zeros(numbers.size), gradient, curvature)
 
-    load = np.array([0.0 if film is None else contact.load for contact, film in zip(contacts, films, strict=True)])
-    friction = ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False)
-    return balance_driven_balls(solution, contacts, friction)
+    load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
+    first, exact = (
+        ContactLaw(dissipation=partial(dissipation, laws), strength=STRENGTH * load, potential=False)
+        for laws in (coarse, fine)
+    )
+    near = balance_driven_balls(solution, contacts, first)
+    return balance_balls(solution, contacts, exact, driven=near.driven, near=near if near.converged else None)
 
 
 def balanced_tractions(
@@ -294,9 +305,12 @@ def balanced_tractions(
 
 
 def _film_law(
-    solution: QuasistaticSolution, contact: BearingContact, film: ContactSolution, rheology: Rheology
-) -> Callable[[Array, float], tuple[Array, Array]]:
-    """Gradient (4,) and slope (4, 4) of a film's friction by motion and oil's share; sums of `integrate_traction`."""
+    solution: QuasistaticSolution, contact: BearingContact, film: ContactSolution, rheology: Rheology, left_out: float
+) -> FilmLaw:
+    """Gradient (4,) and slope (4, 4) of a film's friction by motion and oil's share; sums of `integrate_traction`.
+
+    Without the weakest nodes, which make `left_out` [-] of the friction at little sliding.
+    """
     if film.x is None or film.y is None or film.film is None:
         raise ValueError("films must have dimensional conditions")
     x, y = np.broadcast_arrays(film.x[:, None], film.y[None, :])
@@ -304,19 +318,22 @@ def _film_law(
     area = _weights(film.x)[:, None] * _weights(film.y)[None, :]
     hydrodynamic = float(np.sum(area * x * film.pressure))
     chosen = width > 0.0
-    x, y, area = x[chosen], y[chosen], (area * width)[chosen]
-    gap, pressure, eta = film.film[chosen], film.pressure[chosen], film_viscosity(film)[chosen]
     kinematics = bearing_kinematics(solution, contact)
+    temperature = solution.operation.temperature
+    gap, eta = np.maximum(film.film, TINY), film_viscosity(film)
+    stress = shear_stress(LITTLE * abs(kinematics.entrainment_speed) / gap, eta, film.pressure, rheology, temperature)
+    chosen &= _counting(area * width * stress, left_out)
+    x, y, area = x[chosen], y[chosen], (area * width)[chosen]
+    gap, pressure, eta = gap[chosen], film.pressure[chosen], eta[chosen]
     bow = kinematics.bow(y)
     pumping = -hydrodynamic * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
-    temperature = solution.operation.temperature
     zeros, ones = np.zeros_like(x), np.ones_like(x)
     along, across = np.stack([ones, zeros, -y, bow]), np.stack([zeros, ones, x, zeros])
 
     def law(motion: Array, oil: float) -> tuple[Array, Array]:
         s_x, s_y = motion @ along, motion @ across
         speed = np.sqrt(s_x**2 + s_y**2 + STILL**2)
-        rate = speed / np.maximum(gap, TINY)
+        rate = speed / gap
         stress = shear_stress(rate, eta, pressure, rheology, temperature)
         faster = shear_stress((1.0 + SLOPE_STEP) * rate, eta, pressure, rheology, temperature)
         secant, tangent = area * stress / speed, area * (faster - stress) / (SLOPE_STEP * speed)
@@ -326,6 +343,14 @@ def _film_law(
         return oil * (pull @ secant) + pumping, oil * curvature
 
     return law
+
+
+def _counting(parts: Array, left_out: float) -> NDArray[np.bool_]:
+    """All but the smallest parts, which together make `left_out` of the sum [-]."""
+    order = np.argsort(parts, axis=None)
+    counting = np.ones(parts.size, dtype=np.bool_)
+    counting[order[np.cumsum(parts.ravel()[order]) < left_out * parts.sum()]] = False
+    return counting.reshape(parts.shape)
 
 
 def _weights(nodes: Array) -> Array:
