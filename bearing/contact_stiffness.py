@@ -72,5 +72,5 @@ def stiffness_at(series: Array, cosine: Numbers) -> Numbers:
     """
     c = np.clip(cosine.real, 0.0, 1.0)
     polynomials = np.cos(np.arange(TERMS) * np.arccos(2.0 * c - 1.0)[..., None])
-    log_value, slope = np.moveaxis(polynomials @ series, -1, 0)
-    return np.exp(log_value) * (1.0 + slope * (cosine - c))
+    both = polynomials @ series
+    return np.exp(both[..., 0]) * (1.0 + both[..., 1] * (cosine - c))

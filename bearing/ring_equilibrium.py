@@ -137,15 +137,12 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
 def _point(q: Array, u_start: Array | None, ring: Ring, problem: BallProblem) -> RingPoint:
     row = solve_balls(ring.position(q), u_start, problem)
     force = np.einsum("qfz,fz->q", ring.gather, row.values[2:])
-    stiffness = -np.einsum("qfz,fvz,vpz->qp", ring.gather, row.ring_dV, ring.movement, optimize=PATH)
+    stiffness = -np.einsum("qfz,fpz->qp", ring.gather, np.einsum("fvz,vpz->fpz", row.ring_dV, ring.movement))
     unbalance = np.abs(force + ring.load)[ring.free]
     largest = max(np.abs(ring.load).max(), np.hypot(row.values[2], row.values[3]).max())
     residual = float(unbalance.max() / largest) if unbalance.size and largest > 0.0 else 0.0
     noise = ROUND_OFF * ring.distance * float(np.abs(stiffness).max()) / largest if largest > 0.0 else 0.0
     return RingPoint(q, row, force, stiffness, max(residual, float(row.residual.max())), max(noise, row.noise))
-
-
-PATH = ["einsum_path", (0, 1), (0, 1)]
 
 
 def _step(point: RingPoint, ring: Ring, problem: BallProblem) -> Array:
@@ -175,9 +172,8 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
 
     slope, size, factor = along(point), norm(point), 1.0
     for _ in range(MAX_CUTS):
-        predicted = point.row.u + np.einsum(
-            "uvz,vqz,q->uz", point.row.du_dV, ring.movement, factor * step, optimize=PATH
-        )
+        moved = np.einsum("vqz,q->vz", ring.movement, factor * step)
+        predicted = point.row.u + np.einsum("uvz,vz->uz", point.row.du_dV, moved)
         trial = _point(point.q + factor * step, predicted, ring, problem)
         if trial.row.residual.max() <= max(RESIDUAL_TOLERANCE, trial.noise):
             if norm(trial) < (1.0 - 1e-4 * factor) * size or along(trial) > 0.0:
