@@ -383,7 +383,7 @@ def _result(
         driven=problem.driven,
         unknowns=z,
         cage=problem.cage,
-        converged=bool(solution.converged and worst <= BALANCE_TOLERANCE),
+        converged=bool(solution.converged and problem.driven.any() and worst <= BALANCE_TOLERANCE),
     )
 
 

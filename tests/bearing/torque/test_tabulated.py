@@ -61,6 +61,17 @@ def test_coulomb_as_a_law_of_the_tables_is_coulomb_over_the_ellipse(axial):
     assert np.ptp(found.torque.per_ball) < 1e-6 * found.torque.total
 
 
+def test_a_law_that_is_too_sharp_for_the_search_is_told(bearings):
+    """Coulomb's without a potential under radial load: no balance is claimed where there is none."""
+    state = solve_quasistatic(bearings.b6208, Operation(inner_speed=500.0, force=(0.0, 3000.0, 0.0)))
+    contacts = contact_conditions(state, OIL)
+    found = tabulated_torque(state, contacts, coulomb_laws(state, contacts, 1e-9))
+    if found.balanced is None:
+        assert "no traction equilibrium" in found.note
+    else:
+        assert found.balanced.imbalance == pytest.approx(0.0, abs=1e-6)
+
+
 def test_a_table_makes_the_integrated_model(axial):
     state, contacts = axial
     shear = tabulated_torque(state, contacts, coulomb_laws(state, contacts, 1e-4))
