@@ -24,6 +24,7 @@ from .rows import SINGLE, Row, per_ball, row_directions
 RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
 RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
 REGULARISATION = 1.0e-12  # of the tangent, relative to its largest entry: a ring that nothing holds must not fly [-]
+THRUST_FIRST = 2.0  # radial over axial load below which the search starts from the thrust alone [-]
 MAX_RING_STEPS = 80
 MAX_CUTS = 15
 PATIENCE = 30  # steps without a new best residual after which the search is given up [-]
@@ -185,7 +186,7 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
 
 
 def _guess(ring: Ring, problem: BallProblem) -> Array:
-    """Ring position from the loads: all balls alike along the axis, else Stribeck's 5 F/Z on the load line [m].
+    """Ring position from the loads: all balls alike under a thrust, else Stribeck's 5 F/Z on the load line [m].
 
     Rows set against each other hold the ring near its place: no displacement.
     """
@@ -197,7 +198,7 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
     )
     q = np.where(ring.free, 0.0, ring.prescribed)
     axial, radial = ring.load[0], hypot(ring.load[1], ring.load[2])
-    if radial == 0.0 and axial != 0.0 and ring.free[0]:
+    if axial != 0.0 and radial < THRUST_FIRST * abs(axial) and ring.free[0]:
         low, high = ring.free_axial, ring.free_axial + ring.distance
         for _ in range(40):  # F = Z K (|V| - A)^1.5 sin(angle), increasing in x
             x = 0.5 * (low + high)
