@@ -40,8 +40,11 @@ def assemble(bearing: Bearing, operation: Operation, model: DynamicsModel, angle
     cage, n = model.cage, bearing.balls
     kind = model.options.equations or load_type(operation, model)
     free = [np.array(part, dtype=np.float64) for part in free_coordinates(kind, operation)]
+    numbers = constants(bearing, model)
+    if cage is not None and cage.guidance is Guidance.BALLS and any(free[1][:3]):
+        numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)  # else nothing would centre the cage
     return Problem(
-        constants=constants(bearing, model),
+        constants=numbers,
         normal=normal_laws(bearing, model.normal, cage, angles),
         friction_kind=model.friction.kind,
         friction_inner=model.friction.data(Race.INNER),
@@ -87,6 +90,7 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         cage_transverse=cage.transverse_inertia,
         cage_polar=cage.polar_inertia,
         pocket_play=0.5 * cage.pocket_clearance,
+        pocket_circle=0.0,
         pocket_friction=cage.pocket_friction,
         friction_ramp=model.friction_ramp,
         pocket_shear=6.0 * pi * model.film_viscosity * radius,

@@ -171,6 +171,7 @@ def initial_state(bearing: Bearing, problem: Problem, point: StartingPoint, star
     turns = np.stack([spin[0], spin[1] * cosines, spin[1] * sines], axis=1)
     y[layout.ball_turn] = (turns * free[3:]).ravel()
     if problem.constants.cage_mass > 0.0:
+        y[layout.cage.start] = float(np.mean(axial))
         y[layout.cage_speed.start + CAGE_ROTATION] = float(np.mean(orbit))
     return y
 

@@ -74,6 +74,7 @@ class Constants(NamedTuple):
     cage_transverse: float  # inertia [kg m^2]
     cage_polar: float
     pocket_play: float  # radial [m]
+    pocket_circle: float  # radius of the centres of spherical pockets [m]; 0: cylindrical ones, along the radius
     pocket_friction: float  # mu [-]
     friction_ramp: float  # of pockets and lands [m/s]
     pocket_shear: float  # 6 pi viscosity R, Stokes' drag of a ball [N s/m]

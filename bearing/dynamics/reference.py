@@ -131,9 +131,12 @@ def pocket_pair(problem: Problem, body: Body, rotation: float, balls: Balls) -> 
     angle = problem.pocket_angle + rotation
     e = np.stack([0.0 * angle, np.cos(angle), np.sin(angle)], axis=1)
     e = e - dots(e, body.axis) * body.axis
-    around = np.cross(body.axis, e / np.linalg.norm(e, axis=1, keepdims=True))
+    e = e / np.linalg.norm(e, axis=1, keepdims=True)
+    around = np.cross(body.axis, e)
     s = balls.position - body.centre
     offset = dots(s, around) * around + dots(s, body.axis) * body.axis
+    if c.pocket_circle > 0.0:
+        offset = s - c.pocket_circle * e
     size = np.linalg.norm(offset, axis=1, keepdims=True)
     n = offset / size
     arm = c.ball_radius * n
