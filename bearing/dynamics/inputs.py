@@ -92,7 +92,7 @@ class NormalContact:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CageBody:
-    """The cage as a rigid body: its pockets are cylinders along the radius; spheres where balls guide it and it may move.
+    """The cage as a rigid body; its pockets are cylinders along the radius, or spheres where balls guide it.
 
     Attributes
     ----------
