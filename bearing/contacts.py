@@ -19,7 +19,7 @@ from .operation import Curvature
 from .quasistatic import QuasistaticSolution
 from .rows import row_directions
 
-STANDSTILL = 1.0e-12  # entrainment speed over the speed of the rings below which there is none [-]
+STANDSTILL = 1.0e-12  # entrainment or rolling over the speed of the rings below which there is none [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -156,7 +156,7 @@ def _contact(solution: QuasistaticSolution, index: int, race: Race, lubricant: L
         hertz=hertz,
         load=load,
         contact_angle=angle,
-        spin_roll_ratio=abs(spin) / rolling if rolling > 0.0 else None,
+        spin_roll_ratio=abs(spin) / rolling if rolling > STANDSTILL * _fastest(solution) else None,
         hirano_ratio=load * abs(float(np.sin(angle))) / centrifugal if inner and centrifugal > 0.0 else None,
         origin=origin,
         axis_x=axes[0],
@@ -182,9 +182,7 @@ def _conditions(
     if hertz is None:
         return None, "unloaded"
     speed, spin = abs(motion[0]), motion[1]
-    operation = solution.operation
-    fastest = max(abs(operation.inner_speed), abs(operation.outer_speed)) * solution.bearing.pitch_diameter
-    if speed <= STANDSTILL * fastest:
+    if speed <= STANDSTILL * _fastest(solution) * solution.bearing.pitch_diameter:
         return None, "no entrainment: ball and race move as one"
     return ContactConditions(
         load=hertz.load,
@@ -196,6 +194,11 @@ def _conditions(
         spin=spin,
         mean_spin=motion[2],
     ), ""
+
+
+def _fastest(solution: QuasistaticSolution) -> float:
+    """Speed of the faster ring [rad/s]."""
+    return max(abs(solution.operation.inner_speed), abs(solution.operation.outer_speed))
 
 
 def _placement(solution: QuasistaticSolution, index: int, race: Race, speed: float) -> tuple[Array, Array]:

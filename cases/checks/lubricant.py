@@ -9,6 +9,10 @@ from typing import Any
 from ..problems import MISSING, Problem, shown
 from .values import Names, Values, known
 
+LIBRARY_TEMPERATURE_C = (
+    426.85  # 700 K, below which bearing.lubricant_library has its laws; the schema keeps the lower end
+)
+
 
 def oil_table(document: dict[str, Any]) -> tuple[dict[str, Any], bool]:
     """The lubricant's keys, those of [lubricants.NAME] filled in, and whether the name is left to the library."""
@@ -34,10 +38,21 @@ def lubricant(values: Values, names: Names) -> Iterator[Problem]:
     if values.get("lubricant") is None or (values.given("lubricants") and not values.get("lubricants")):
         return
     oil, library = oil_table(values.document)
-    if not library:
+    if library:
+        yield from _library_temperature(values)
+    else:
         yield from _oil_is_complete(oil, moes=values.given("contact", "moes_M"))
     yield from _roelands(oil, values)
     yield from _moes_pressure_scale(oil, values)
+
+
+def _library_temperature(values: Values) -> Iterator[Problem]:
+    """The laws of the library's oils end at a temperature."""
+    for table in ("operation", "contact"):
+        given = values.get(table, "temperature_C")
+        if given is not None and given >= LIBRARY_TEMPERATURE_C:
+            allowed = f"allowed with an oil of the library: below {LIBRARY_TEMPERATURE_C:g}"
+            yield Problem(path=(table, "temperature_C"), found=f"found {shown(given)}", allowed=allowed)
 
 
 def _moes_pressure_scale(oil: dict[str, Any], values: Values) -> Iterator[Problem]:

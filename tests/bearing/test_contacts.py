@@ -143,3 +143,10 @@ def test_spin_and_mean_spin_are_those_of_the_bodies(bearings, outer_speed):
         found = (contact.conditions.spin, contact.conditions.mean_spin)
         expected = ((ball - race) @ contact.normal, 0.5 * (ball + race) @ contact.normal)
         assert_allclose(found, expected, rtol=1e-9, atol=1e-9)
+
+
+def test_rings_that_turn_as_one_leave_no_spin_to_roll_ratio(bearings):
+    """0/0 in exact arithmetic: noise must not be reported."""
+    together = Operation(inner_speed=420.0, outer_speed=420.0, force=(2000.0, 300.0, 0.0))
+    for contact in contact_conditions(solve_quasistatic(bearings.b7008, together), OIL):
+        assert contact.spin_roll_ratio is None

@@ -217,3 +217,11 @@ def test_moes_lubricant_parameter_needs_a_scale_of_pressure():
         assert any("contact.moes_L: found 10.0 without a pressure_viscosity_1_GPa above 0" in m for m in found), found
         validate_text(text.format(0.0, key), "case.toml")
     validate_text(text.format(10.0, "pressure_viscosity_1_GPa = 20.0"), "case.toml")
+
+
+def test_an_oil_of_the_library_ends_at_a_temperature():
+    own = BEARING.replace("radial_load_N", "temperature_C = 450.0\nradial_load_N")
+    named = own.replace("viscosity_mPa_s = 26.1\npressure_viscosity_1_GPa = 18.0", 'name = "iso vg 68"')
+    (error,) = messages(named)
+    assert "operation.temperature_C: found 450.0; allowed with an oil of the library: below 426.85" in error
+    validate_text(own, "case.toml")
