@@ -15,13 +15,14 @@ from numpy.typing import NDArray
 
 from ehl.hertz import hertz_contact
 
-from .ball_equilibrium import EDGE_COSINE, BallRow, BallState, ball_problem, ball_state
+from .ball_equilibrium import EDGE_COSINE, BallProblem, BallRow, BallState, ball_problem, ball_state
 from .geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from .operation import DEGREES_OF_FREEDOM, Model, Operation
 from .ring_equilibrium import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring
 from .rows import SINGLE, Row, per_ball, row_azimuths
 
 SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct solve fails [-]
+LIGHT_LOAD = 0.1  # load over the centrifugal forces of all balls below which these may leave no equilibrium [-]
 SINGULAR = 1.0e-9  # smallest over largest stiffness below which a direction counts as undetermined [-]
 
 
@@ -183,7 +184,7 @@ def solve_quasistatic(
             point = start or point
     w = ring.position(point.q) - point.row.u
     state = ball_state(point.row.u, w, problem)
-    converged, message = _verdict(bearing, ring, point, state, iterations)
+    converged, message = _verdict(problem, bearing, ring, point, state, iterations)
     return _solution((bearing, operation, model, rows), ring, point, state, (iterations, converged, message))
 
 
@@ -195,7 +196,9 @@ def _near(solution: QuasistaticSolution, ring: Ring) -> RingStart:
     return RingStart(np.where(ring.free, q, ring.prescribed), u)
 
 
-def _verdict(bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, iterations: int) -> tuple[bool, str]:
+def _verdict(
+    problem: BallProblem, bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, iterations: int
+) -> tuple[bool, str]:
     """Whether the point is an equilibrium, and in words why not or what is left undetermined."""
     loaded = state.inner_load > 0.0
     beyond = (loaded & (state.inner.cos < EDGE_COSINE)) | (state.outer.cos < EDGE_COSINE)
@@ -203,12 +206,7 @@ def _verdict(bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, i
         return False, "no equilibrium: a contact angle passes 80 degrees, the balls leave the grooves"
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         worst = float(np.max(point.row.residual))
-        overloaded = _ellipse_share(bearing, state) > 1.0
-        advice = (
-            "contact ellipses came out wider than the ball, take smaller loads or speeds"
-            if overloaded
-            else "check the loads for a direction in which nothing holds the ring"
-        )
+        advice = _advice(problem, bearing, ring, state)
         return False, (
             f"no equilibrium found in {iterations} iterations: relative residual {point.residual:.1e} "
             f"(balls {worst:.1e}); {advice}"
@@ -225,6 +223,24 @@ def _verdict(bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, i
             f"converged in {iterations} iterations; without stiffness, hence arbitrary: {', '.join(undetermined)}",
         )
     return True, f"converged in {iterations} iterations"
+
+
+def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState) -> str:
+    """What most likely keeps balls and ring from a balance, and what to change."""
+    if _ellipse_share(bearing, state) > 1.0:
+        return "contact ellipses came out wider than the ball, take smaller loads or speeds"
+    share = float(np.linalg.norm(ring.load[:3])) / max(state.inner_load.size * problem.nominal_force, 1e-300)
+    if problem.nominal_force > 0.0 and share < LIGHT_LOAD and ring.free[0]:
+        return (
+            f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to hold them in the grooves "
+            "under this hypothesis: take more thrust or less speed"
+        )
+    if problem.inner_speed * problem.outer_speed < 0.0:
+        return (
+            "rings turning against each other make the balls spin fast, and this ball hypothesis may have no steady "
+            "state: try another one, or less speed"
+        )
+    return "check the loads for a direction in which nothing holds the ring"
 
 
 def _ellipse_share(bearing: Bearing, state: BallState) -> float:

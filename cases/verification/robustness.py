@@ -121,7 +121,8 @@ def sweep(count: int, seed: int, file: Path, progress: Progress, points: tuple[i
     """
     head = {"seed": seed, "points": list(points)}
     done = {finished.number: finished for finished in _take_over(file, head)}
-    waiting = [draw for draw in draws(count, seed) if draw.number not in done]
+    last = max(done, default=-1)  # draws before it were begun when the sweep was stopped: the longest, taken last
+    waiting = sorted((d for d in draws(count, seed) if d.number not in done), key=lambda d: (d.number < last, d.number))
     lock = threading.Lock()
     progress(len(done), count, "random contacts")
     pool = ThreadPoolExecutor(max_workers=cores())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import asin, pi, radians
 
 import numpy as np
@@ -11,6 +12,7 @@ from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
 from bearing import (
+    Arrangement,
     BallKinematics,
     Bearing,
     Curvature,
@@ -18,7 +20,9 @@ from bearing import (
     Model,
     Operation,
     Race,
+    Row,
     contact_angle_to_clearance,
+    duplex,
     reduced_radii,
     solve_quasistatic,
 )
@@ -113,6 +117,57 @@ def test_random_bearings_are_in_equilibrium_or_say_why_not(seed):
     rng = np.random.default_rng(seed)
     bearing = random_bearing(rng)
     check(solve_quasistatic(bearing, random_operation(rng, bearing, 3e6), random_model(rng)))
+
+
+def wide_bearing(rng):
+    """Three balls and more, conformities 0.505 to 0.56, interference to 60 degrees of free angle."""
+    plain = random_bearing(rng)
+    ball = plain.ball_diameter
+    inner, outer = rng.uniform(0.505, 0.56, 2) * ball
+    balls = int(min(rng.integers(3, 40), np.floor(pi / asin(ball / plain.pitch_diameter))))
+    play = rng.uniform(-0.02, 1.0) * (inner + outer - ball)
+    if rng.random() < 0.5:
+        play = contact_angle_to_clearance(radians(rng.uniform(5.0, 45.0)), inner, outer, ball)
+    return replace(plain, balls=balls, inner_groove_radius=inner, outer_groove_radius=outer, diametral_clearance=play)
+
+
+def random_rows(rng, bearing):
+    """One row, or every fourth time a pair with a preload of a 1 GPa contact or less."""
+    if rng.random() < 0.75:
+        return (Row(),)
+    arrangement, distance = rng.choice(list(Arrangement)), rng.uniform(1.2, 6.0) * bearing.ball_diameter
+    force = 0.1 * 10.0 ** rng.uniform(-1.0, 0.0) * load_at(bearing, 1e9) * bearing.balls
+    return duplex(bearing, arrangement, distance, preload_force=force)
+
+
+OUTSIDE = ("passes 80 degrees", "wider than the ball", "floats")
+EXPLAINED = ("of the centrifugal forces of the balls", "rings turning against each other", "wider than the ball")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", [3301, 87215, 60091])
+def test_five_hundred_wide_bearings(seed):
+    """Any outer-ring speed, pairs, and geometries no one makes: 19 of 20 converge, each of the others says why.
+
+    No balance is found (1 %) only for loads far below the centrifugal forces and for rings turning against each other;
+    the rest lies outside the model: beyond 80 degrees, or ellipses wider than the ball.
+    """
+    rng = np.random.default_rng(seed)
+    lost, outside = [], 0
+    for _ in range(500):
+        bearing = wide_bearing(rng)
+        operation = random_operation(rng, bearing, 3e6)
+        if rng.random() < 0.4:
+            operation = replace(operation, outer_speed=rng.uniform(-1.0, 1.0) * operation.inner_speed)
+        model, rows = random_model(rng), random_rows(rng, bearing)
+        solution = solve_quasistatic(bearing, operation, model, rows=rows)
+        check(solution)
+        if not solution.converged:
+            outside += any(words in solution.message for words in OUTSIDE)
+            lost += [solution.message] if "equilibrium found" in solution.message else []
+    assert all(any(words in message for words in EXPLAINED) for message in lost), lost
+    assert len(lost) <= 10
+    assert outside <= 30
 
 
 @pytest.mark.slow

@@ -52,7 +52,7 @@ def test_the_load_picks_the_equations(setup):
 
 @pytest.mark.parametrize(("axial", "load"), [(20.0, 3.69), (100.0, 19.80), (200.0, 39.58)])
 def test_loads_of_the_7008_at_5000_rpm(setup, axial, load):
-    """The numbers of the check hold with the gyroscopic couple at the outer race; friction settles between the races."""
+    """The checked loads hold with the gyroscopic couple at the outer race; friction settles between the races."""
     bearing = setup.bearing_7008()
     held = Operation(inner_speed=5000.0 * setup.RPM, force=(axial, None, None), displacement=(None, 0.0, 0.0))
     by_control = [
