@@ -77,7 +77,7 @@ def test_history_has_named_quantities_with_units(folder):
         assert data["contact_load"].attrs["units"] == "N"
         assert float(data["contact_load"].sel(race="outer").min()) > 0.0
         speed = data["cage_velocity"].sel(cage_coordinate="rotation")
-        assert float(speed[-1]) == pytest.approx(2180.0 * np.pi / 30.0, rel=0.02)
+        assert float(speed[-1]) == pytest.approx(2180.0 * np.pi / 30.0, rel=0.05)
         quaternion = data["ball_attitude"].to_numpy()
         assert np.abs(np.linalg.norm(quaternion, axis=-1) - 1.0).max() < 1e-6
         assert (np.diff(data["time"]) > 0.0).all()
@@ -135,7 +135,7 @@ def test_an_interrupted_run_goes_on(tmp_path):
 @pytest.mark.parametrize(
     ("changes", "words"),
     [
-        ([("ball_drag_N = 0.3", "ball_drag_N = 0.3\nmixture_density_kg_m3 = 9.0")], "mixture_density_kg_m3"),
+        ([("ball_drag_N = 1.4", "ball_drag_N = 1.4\nmixture_density_kg_m3 = 9.0")], "mixture_density_kg_m3"),
         ([("friction_limit = 0.03", "friction_limit = 0.06")], "below friction_maximum"),
         ([("output_interval_us = 50.0", "output_interval_us = 1e-6")], "rows"),
         ([("restitution = 0.9", 'contact_law = "lubricated"')], 'friction = "table"'),

@@ -1,0 +1,52 @@
+"""Time of two simulations on one core: `python benchmarks/dynamics.py`.
+
+7008 with 18 balls and cage, 0.1 s, four-constant friction over the ellipse (add the traction tables that
+`oilfilm table 7008_axial -o FILE` made as an argument to use them instead); 6304 in its plane, 1 s.
+"""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+from time import perf_counter, process_time
+
+from bearing.dynamics.simulation import simulation
+from cases import Case, load_case
+from cases.dynamics import build_model
+
+
+def timed(case: Case, tables: Path | None) -> str:
+    """Steps, evaluations and time of a case, compiled code warm."""
+    assert case.dynamics is not None
+    model = build_model(case, case.dynamics, tables, lambda done, total, state: None)
+    short = replace(model, options=replace(model.options, end_time=1e-4, sample_interval=1e-5))
+    for _ in simulation(case.bearing, case.operation, short).pieces():
+        pass
+    made, began, used = simulation(case.bearing, case.operation, model), perf_counter(), process_time()
+    for _ in made.pieces():
+        pass
+    steps, evaluations = int(made.state.counters[0]), int(made.state.counters[4])
+    wall, cpu = perf_counter() - began, process_time() - used
+    each = 1e6 * cpu / max(evaluations, 1)
+    time = f"{made.state.time:g} s in {wall:.1f} s, {cpu:.1f} s of CPU"
+    return f"{time}: {steps} steps, {evaluations} evaluations of {each:.1f} us"
+
+
+def main() -> None:
+    """Both simulations."""
+    tables = Path(sys.argv[1]) if len(sys.argv) > 1 else None
+    axial = load_case("7008_axial")
+    assert isinstance(axial, Case)
+    print("7008, four constants:", timed(axial, None))
+    if tables is not None:
+        assert axial.dynamics is not None
+        tabled = replace(axial, dynamics=replace(axial.dynamics, friction="table"))
+        print("7008, traction tables:", timed(tabled, tables))
+    planar = load_case("6304_planar")
+    assert isinstance(planar, Case)
+    print("6304, planar:", timed(planar, None))
+
+
+if __name__ == "__main__":
+    main()
