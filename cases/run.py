@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
-from dataclasses import fields
+from dataclasses import fields, replace
 from math import degrees, isclose
 from time import perf_counter
 from typing import TYPE_CHECKING
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
     from ehl.traction import TractionResult
     from postprocess.results import BearingResults, ContactResults
 
+LARGE_CONTACT = 513  # points from which several threads solve one contact faster than one does [-]
 Solve = Callable[["ContactConditions", "SolverOptions"], "ContactSolution"]
 Progress = Callable[[int, int, str], None]  # contacts done, contacts in all, what is being done
 EQUAL = 1e-9  # relative difference below which two contacts count as one [-]
@@ -171,8 +172,11 @@ def _torque(
     return torque_breakdown(state, contacts, case.lubricant, case.friction, shear=shear)
 
 
-def run_contact(case: ContactCase, *, finite_element: bool = False) -> ContactResults:
-    """Solve a single contact, by multigrid or by finite elements; times in the result are in [s]."""
+def run_contact(case: ContactCase, *, finite_element: bool = False, workers: int = 1) -> ContactResults:
+    """Solve a single contact, by multigrid or by finite elements; times in the result are in [s].
+
+    A large contact is shared by as many threads as there are `workers` [-].
+    """
     from postprocess.results import ContactResults
 
     messages = (*case.warnings, *case.films.messages)
@@ -185,7 +189,7 @@ def run_contact(case: ContactCase, *, finite_element: bool = False) -> ContactRe
     else:
         solve_contact = _contact_solver(case)
     start = perf_counter()
-    solution = solve_contact(case.conditions, case.solver)
+    solution = solve_contact(case.conditions, _shared(case.solver, workers))
     traction = _contact_traction(case, solution)
     return ContactResults(
         version=version(),
@@ -278,6 +282,11 @@ def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
     return [members for _, members in groups]
 
 
+def _shared(options: SolverOptions, threads: int) -> SolverOptions:
+    """The options with so many threads a contact, if it is large enough to gain by them."""
+    return replace(options, threads=threads) if threads > 1 and options.points >= LARGE_CONTACT else options
+
+
 def _solve_contacts(
     conditions: Sequence[ContactConditions | None],
     options: SolverOptions,
@@ -285,16 +294,20 @@ def _solve_contacts(
     notify: Progress,
     solve: Solve | None,
 ) -> tuple[tuple[ContactSolution | None, ...], bool]:
-    """Films of the distinct contacts, several at a time: the kernels release the interpreter's lock."""
+    """Films of the distinct contacts, several at a time: the kernels release the interpreter's lock.
+
+    Only if they are large, and fewer than half the workers, does each get several threads.
+    """
     solutions: list[ContactSolution | None] = [None] * len(conditions)
     groups = _groups(conditions)
     if not groups:
         return tuple(solutions), False
     from ehl import solve_contact
 
-    solver = solve or solve_contact
+    solver, workers = solve or solve_contact, workers or cores()
+    options = _shared(options, workers // len(groups))
     notify(0, len(groups), "films")
-    pool = ThreadPoolExecutor(max_workers=min(workers or cores(), len(groups)))
+    pool = ThreadPoolExecutor(max_workers=min(workers, len(groups)))
     try:
         jobs: dict[Future[ContactSolution], list[int]] = {}
         for members in groups:

@@ -20,10 +20,10 @@ OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "nump
 
 
 @njit(**OPTIONS)
-def flow_properties(P, H, slope, pressure, exponent, dense_1, dense_2, speed, eps, rho, rho_slope):
-    """eps = rho H^3/(eta lambda), rho and d(rho)/dP at every node."""
-    ny, nx = P.shape
-    for j in range(ny):
+def flow_properties(P, H, slope, pressure, exponent, dense_1, dense_2, speed, eps, rho, rho_slope, first, stop):
+    """eps = rho H^3/(eta lambda), rho and d(rho)/dP at every node of the lines from `first` to before `stop`."""
+    nx = P.shape[1]
+    for j in range(first, stop):
         for i in range(nx):
             p = P[j, i]
             h = max(H[j, i], 0.0)
@@ -206,53 +206,43 @@ def _solve_band(band, rhs):
 
 
 @njit(**OPTIONS)
-def _apply_line(j, P, eps, kind, delta, wx, wy, damping, relief, symmetric, change):
-    """Changes of a line from its solution: at Gauss-Seidel nodes into P at once, elsewhere into `change`.
+def _apply_line(j, P, eps, kind, delta, wx, relief, spread):
+    """A line's solution: its Jacobi part is kept to be spread, the changes of Gauss-Seidel nodes go into P at once.
 
     The solution is turned into changes of pressure before it is damped: beside a zone of the other kind it may be far
     larger than the changes, and unequal damping of its parts would not cancel.
     """
     n = kind.size
+    for i in range(n):
+        spread[j, i] = delta[i] if kind[i] == JACOBI else 0.0
     for i in range(1, n - 1):
-        step = delta[i]
-        if kind[i - 1] == JACOBI:
-            step -= wx * delta[i - 1]
-        if kind[i + 1] == JACOBI:
-            step -= wx * delta[i + 1]
         if kind[i] == GAUSS_SEIDEL:
+            step = delta[i] - wx * (spread[j, i - 1] + spread[j, i + 1])
             e = eps[j, i]
             P[j, i] = max(P[j, i] + relief * (0.4 + 0.6 * e / (e + 1.0)) * step, 0.0)
-        else:
-            change[j, i] += damping * step
-        if kind[i] == JACOBI:
-            share = wy * damping * delta[i]
-            change[j + 1, i] -= share
-            if j > 0:
-                change[j - 1, i] -= share
-                if symmetric and j == 1:
-                    change[0, i] -= share
 
 
 @njit(**OPTIONS)
 def relax_lines(
-    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, damping, relief, switch, change
-):
-    """One hybrid line sweep over P; the film stays as it is.
+    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, relief, switch, kinds, spread,
+    first, stop,
+):  # fmt: skip
+    """First part of a hybrid line sweep: every second line from `first` to before `stop`; the film stays as it is.
 
     near[r, m]: deflection at distance m hx in the r-th next line from a unit pressure. flow_x, flow_y: density times
     the velocity of the Couette flow, slope_x, slope_y: their derivatives by P; those of y are looked at if `lateral`.
+    kinds, spread: what became of each node, and the changes `spread_changes` has yet to make. Lines of one colour,
+    even or odd, do not see each other.
     """
-    ny, nx = P.shape
+    nx = P.shape[1]
     cx, cy = 0.5 / (hx * hx), 0.5 / (hy * hy)
-    wx = 0.5 * np.sqrt(hy) / (np.sqrt(hx) + np.sqrt(hy))
-    wy = 0.5 - wx
+    wx, wy = _neighbour_weights(hx, hy)
     influence = np.zeros((3, 3, 2 * REACH + 1))
     _influences(near, wx, wy, influence)
     threshold = 2.0 * switch * near[0, 0] / hx
-    band, delta, kinds = np.zeros((nx, WIDTH)), np.zeros(nx), np.zeros(nx + 2 * LOWER, dtype=np.int8)
-    kind = kinds[LOWER : LOWER + nx]
-    change[:, :] = 0.0
-    for j in range(0 if symmetric else 1, ny - 1):
+    band, delta, padded = np.zeros((nx, WIDTH)), np.zeros(nx), np.zeros(nx + 2 * LOWER, dtype=np.int8)
+    kind = padded[LOWER : LOWER + nx]
+    for j in range(first, stop, 2):
         s = j - 1 if j > 0 else 1
         for i in range(1, nx - 1):
             delta[i] = f[j, i] - _operator(
@@ -265,12 +255,33 @@ def relax_lines(
             if kind[i] == FIXED:
                 delta[i] = 0.0
         _line_system(
-            eps[j], eps[j + 1], eps[s], flow_x[j], slope_x[j], H[j], kinds, influence, cx, cy, hx, wx, wy, band
+            eps[j], eps[j + 1], eps[s], flow_x[j], slope_x[j], H[j], padded, influence, cx, cy, hx, wx, wy, band
         )
         if lateral:
-            _add_lateral(j, flow_y, slope_y, H, kinds, influence, hy, band)
+            _add_lateral(j, flow_y, slope_y, H, padded, influence, hy, band)
         _solve_band(band, delta)
-        _apply_line(j, P, eps, kind, delta, wx, wy, damping, relief, symmetric, change)
-    for j in range(0 if symmetric else 1, ny - 1):
-        for i in range(1, nx - 1):
-            P[j, i] = max(P[j, i] + change[j, i], 0.0)
+        _apply_line(j, P, eps, kind, delta, wx, relief, spread)
+        kinds[j] = kind
+
+
+@njit(**OPTIONS)
+def _neighbour_weights(hx, hy):
+    """Weights of a distributive change, as `relaxation.neighbour_weights`."""
+    wx = 0.5 * np.sqrt(hy) / (np.sqrt(hx) + np.sqrt(hy))
+    return wx, 0.5 - wx
+
+
+@njit(**OPTIONS)
+def spread_changes(P, kinds, spread, hx, hy, damping, first, stop):
+    """Second part of a sweep: P += damping (d - wx d of either side - wy d of the next lines), P >= 0.
+
+    Gauss-Seidel nodes had the changes of their own line already. Row -1 is the mirror image of row 1.
+    """
+    wx, wy = _neighbour_weights(hx, hy)
+    for j in range(first, stop):
+        s = j - 1 if j > 0 else 1
+        for i in range(1, P.shape[1] - 1):
+            change = -wy * (spread[s, i] + spread[j + 1, i])
+            if kinds[j, i] != GAUSS_SEIDEL:
+                change += spread[j, i] - wx * (spread[j, i - 1] + spread[j, i + 1])
+            P[j, i] = max(P[j, i] + damping * change, 0.0)

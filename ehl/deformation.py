@@ -77,7 +77,7 @@ def deflection_kernel(grid: Grid, deformation: float, coating: ScaledCoating | N
     )
 
 
-def deflect(kernel: DeflectionKernel, pressure: Array) -> Array:
+def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Array:
     """Deflection sum_kl K(i-k, j-l) P_kl, one forward and one inverse FFT.
 
     Parameters
@@ -85,12 +85,17 @@ def deflect(kernel: DeflectionKernel, pressure: Array) -> Array:
     kernel : DeflectionKernel
     pressure : ndarray, shape (ny, nx)
         Pressure [-].
+    threads : int
+        Threads of the FFT [-].
 
     Returns
     -------
     ndarray, shape (ny, nx)
         Deflection [-].
     """
+    if threads > 1:
+        with fft.set_workers(threads):
+            return deflect(kernel, pressure)
     rows = fft.rfft(pressure, n=kernel.length_x, axis=1)
     if kernel.symmetric:
         lines = _convolve_even(rows, kernel.spectrum)

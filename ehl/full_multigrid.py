@@ -27,6 +27,7 @@ from .multigrid import (
 )
 from .options import SolverOptions
 from .scaling import ScaledContact
+from .team import Team
 from .transfer import interpolate_cubic
 
 Array = NDArray[np.float64]
@@ -181,7 +182,7 @@ def contact_multigrid(
     symmetric = contact.symmetric and (flow_model is None or flow_model.symmetric)
     grids = grid_hierarchy(options.points, (x_in, x_out, y_half * contact.half_extent_y), aspect, levels, symmetric)
     state = make_multigrid(contact, grids, far_field(contact) if is_open else None, attempt.damping)
-    state.flow_model = flow_model
+    state.flow_model, state.team = flow_model, Team(options.threads)
     return state
 
 

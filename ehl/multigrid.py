@@ -13,7 +13,10 @@ weighted, corrections interpolated bilinearly.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +29,7 @@ from .grid import Grid
 from .lubricant import log_viscosity_ratio
 from .properties import oil_numbers
 from .scaling import ScaledContact
+from .team import Team
 from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 Array = NDArray[np.float64]
@@ -73,7 +77,8 @@ class Level:
     slope_x: Array  # u d(rho)/dP
     flow_y: Array  # rho v; empty if nothing flows along Y
     slope_y: Array
-    scratch: Array
+    scratch: Array  # always zero on the edge
+    kinds: NDArray[np.int8]  # of the nodes in the last sweep
     factors: FlowFactors
     start: Array | None = None  # pressure that s already holds the deflection of; below the level being solved
     load: float = 0.0
@@ -88,6 +93,7 @@ class Multigrid:
     levels: tuple[Level, ...]  # coarsest first
     damping: Damping
     flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
+    team: Team = field(default_factory=Team)
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load carried outside the box
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
@@ -121,6 +127,7 @@ def make_multigrid(
                 flow_y=np.zeros((0, 0) if grid.symmetric else shape),
                 slope_y=np.zeros((0, 0) if grid.symmetric else shape),
                 scratch=np.zeros(shape),
+                kinds=np.zeros(shape, dtype=np.int8),
                 factors=entrainment_factors(contact, grid),
             )
         )
@@ -145,7 +152,8 @@ def update_film(state: Multigrid, index: int) -> None:
     Below it s holds the film injected from above, and only the change of pressure is deflected.
     """
     level = state.levels[index]
-    level.H = deflect(level.kernel, level.P if level.start is None else level.P - level.start)
+    pressure = level.P if level.start is None else level.P - level.start
+    level.H = deflect(level.kernel, pressure, state.team.threads_for(pressure.size))
     level.H += level.s
     level.H += state.approach
     state.deflections[index] = state.deflections.get(index, 0) + 1
@@ -168,7 +176,7 @@ def refresh_factors(state: Multigrid, index: int) -> None:
 def flow(state: Multigrid, level: Level) -> None:
     """Flow coefficient, and density times velocity, of a level from its pressure and film."""
     factors = level.factors
-    _oil(state.contact, level)
+    _oil(state, level)
     if factors.couette_y is not None:
         np.multiply(level.flow_x, factors.couette_y, out=level.flow_y)
         np.multiply(level.slope_x, factors.couette_y, out=level.slope_y)
@@ -182,17 +190,23 @@ def flow(state: Multigrid, level: Level) -> None:
         level.eps *= np.exp(factors.thinning * thicker)
 
 
-def _oil(c: ScaledContact, level: Level) -> None:
+def _oil(state: Multigrid, level: Level) -> None:
     """eps, and rho and its slope in place of the flow, of a Newtonian oil of uniform temperature."""
-    out = (level.eps, level.flow_x, level.slope_x)
+    c, out = state.contact, (level.eps, level.flow_x, level.slope_x)
     if c.oil is None:
         viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
         density = (c.density_numerator, c.density_denominator)
-        _kernels.flow_properties(level.P, level.H, *viscosity, *density, c.speed, *out)
+        _on_lines(state, level, _kernels.flow_properties, level.P, level.H, *viscosity, *density, c.speed, *out)
     else:
         from .properties import _kernels as properties
 
-        properties.flow_properties(level.P, level.H, c.hertz_pressure, oil_numbers(c.oil), c.speed, *out)
+        law = (c.hertz_pressure, oil_numbers(c.oil), c.speed)
+        _on_lines(state, level, properties.flow_properties, level.P, level.H, *law, *out)
+
+
+def _on_lines(state: Multigrid, level: Level, kernel: Callable[..., None], *arguments: Any) -> None:
+    """Call a kernel for all lines of a level; its last arguments are the first line and the one after the last."""
+    state.team.share(partial(kernel, *arguments), range(level.grid.ny), level.P.size)
 
 
 def log_viscosity(contact: ScaledContact, P: Array) -> Array:
@@ -204,28 +218,20 @@ def log_viscosity(contact: ScaledContact, P: Array) -> Array:
 
 
 def relax(state: Multigrid, index: int) -> None:
-    """One line sweep and the film that belongs to it."""
+    """One line sweep, even lines before odd ones, and the film that belongs to it."""
     level, damping = state.levels[index], state.damping
+    P, grid = level.P, level.grid
     flow(state, level)
-    _kernels.relax_lines(
-        level.P,
-        level.H,
-        level.eps,
-        level.flow_x,
-        level.slope_x,
-        level.flow_y,
-        level.slope_y,
-        level.factors.couette_y is not None,
-        level.f,
-        level.kernel.near,
-        level.grid.hx,
-        level.grid.hy,
-        level.grid.symmetric,
-        damping.jacobi,
-        damping.gauss_seidel,
-        damping.switch * max(1.0, level.grid.hy / level.grid.hx) ** 1.5,
-        level.scratch,
-    )
+    switch = damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5
+    couette = (level.flow_x, level.slope_x, level.flow_y, level.slope_y, level.factors.couette_y is not None)
+    mesh = (level.kernel.near, grid.hx, grid.hy, grid.symmetric)
+    numbers = (damping.gauss_seidel, switch, level.kinds, level.scratch)
+    lines = partial(_kernels.relax_lines, P, level.H, level.eps, *couette, level.f, *mesh, *numbers)
+    first = 0 if grid.symmetric else 1
+    for colour in (first, first + 1):
+        state.team.share(lines, range(colour, grid.ny - 1, 2), P.size)
+    changes = partial(_kernels.spread_changes, P, level.kinds, level.scratch, grid.hx, grid.hy, damping.jacobi)
+    state.team.share(changes, range(first, grid.ny - 1), P.size)
     update_film(state, index)
 
 

@@ -180,7 +180,7 @@ def relax_lines(
     kernel: DeflectionKernel,
     damping: tuple[float, float, float],
 ) -> Array:
-    """One hybrid line sweep at fixed film; returns the new pressure, shape (ny, nx) [-].
+    """One hybrid line sweep at fixed film, even lines before odd ones; the new pressure, shape (ny, nx) [-].
 
     Parameters
     ----------
@@ -194,33 +194,39 @@ def relax_lines(
     """
     P, eps = P.copy(), flow.eps
     jacobi, relief, switch = damping
-    (wx, wy), change = neighbour_weights(grid.hx, grid.hy), np.zeros_like(P)
+    wx, wy = neighbour_weights(grid.hx, grid.hy)
     threshold = 2.0 * switch * kernel.near[0, 0] / grid.hx
-    for j in range(0 if grid.symmetric else 1, grid.ny - 1):
-        south = abs(j - 1)
-        line = Line(
-            eps=eps[j],
-            eps_north=eps[j + 1],
-            eps_south=eps[south],
-            flow=flow.flow_x[j],
-            slope=flow.slope_x[j],
-            H=H[j],
-            lateral=_lateral(flow, j),
-        )
+    first, kinds, spread = 0 if grid.symmetric else 1, np.zeros(P.shape, dtype=np.int8), np.zeros_like(P)
+    for j in (*range(first, grid.ny - 1, 2), *range(first + 1, grid.ny - 1, 2)):
+        line = _line(flow, H, j)
         couette = (flow.flow_x, flow.flow_y)
         residual = (f - reynolds_operator(P, H, eps, couette, (grid.hx, grid.hy), grid.symmetric))[j]
-        kinds = line_kinds(P[j], residual, line, grid, threshold)
-        delta = solve(line_matrix(line, kinds, grid, kernel), np.where(kinds == FIXED, 0.0, residual))
-        spread = np.where(kinds == JACOBI, delta, 0.0)
-        step = delta.copy()
-        step[:-1] -= wx * spread[1:]
-        step[1:] -= wx * spread[:-1]
-        gauss_seidel = relief * (0.4 + 0.6 * eps[j] / (eps[j] + 1.0)) * step
-        P[j] = np.where(kinds == GAUSS_SEIDEL, np.maximum(P[j] + gauss_seidel, 0.0), P[j])
-        change[j] += np.where(kinds == GAUSS_SEIDEL, 0.0, jacobi * step)
-        change[j + 1] -= wy * jacobi * spread
-        if j > 0:
-            change[j - 1] -= wy * jacobi * spread * (2.0 if grid.symmetric and j == 1 else 1.0)
-    rows = slice(0 if grid.symmetric else 1, -1)
-    P[rows, 1:-1] = np.maximum(P + change, 0.0)[rows, 1:-1]
+        kinds[j] = line_kinds(P[j], residual, line, grid, threshold)
+        delta = solve(line_matrix(line, kinds[j], grid, kernel), np.where(kinds[j] == FIXED, 0.0, residual))
+        spread[j] = np.where(kinds[j] == JACOBI, delta, 0.0)
+        gauss_seidel = relief * (0.4 + 0.6 * eps[j] / (eps[j] + 1.0)) * (delta - wx * _sides(spread[j]))
+        P[j] = np.where(kinds[j] == GAUSS_SEIDEL, np.maximum(P[j] + gauss_seidel, 0.0), P[j])
+    above = np.vstack((spread[1:], 0.0 * spread[:1]))
+    below = np.vstack((spread[1:2] if grid.symmetric else 0.0 * spread[:1], spread[:-1]))
+    change = -wy * (above + below) + np.where(kinds == GAUSS_SEIDEL, 0.0, spread - wx * _sides(spread))
+    rows = slice(first, -1)
+    P[rows, 1:-1] = np.maximum(P + jacobi * change, 0.0)[rows, 1:-1]
     return P
+
+
+def _sides(values: Array) -> Array:
+    """Sum of the two neighbours along the line, zero beyond its ends."""
+    padded = np.pad(values, [(0, 0)] * (values.ndim - 1) + [(1, 1)])
+    return padded[..., :-2] + padded[..., 2:]
+
+
+def _line(flow: Flow, H: Array, j: int) -> Line:
+    return Line(
+        eps=flow.eps[j],
+        eps_north=flow.eps[j + 1],
+        eps_south=flow.eps[abs(j - 1)],
+        flow=flow.flow_x[j],
+        slope=flow.slope_x[j],
+        H=H[j],
+        lateral=_lateral(flow, j),
+    )

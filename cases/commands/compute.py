@@ -70,11 +70,11 @@ def contact(
         raise CaseError([f"{case}: is a bearing; run it with 'oilfilm run {case}'"])
     directory = results_directory(case, output, as_json)
     prepare()
-    from ..run import run_contact
+    from ..run import cores, run_contact
 
     with progress_bar(quiet=quiet) as progress:
         progress(0, 1, "film")
-        results = run_contact(loaded, finite_element=method is Method.FINITE_ELEMENT)
+        results = run_contact(loaded, finite_element=method is Method.FINITE_ELEMENT, workers=cores())
         save(results, directory, progress)
     return finish(results, directory, as_json=as_json, quiet=quiet)
 

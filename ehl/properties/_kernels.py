@@ -127,10 +127,13 @@ def density_slope(pressure, oil):
 
 
 @njit(**OPTIONS)
-def flow_properties(P, H, hertz_pressure, oil, speed, eps, rho, rho_slope):
-    """eps = rho H^3/(eta lambda), rho and d(rho)/dP at every node [-], any law at the temperature of operation."""
-    ny, nx = P.shape
-    for j in range(ny):
+def flow_properties(P, H, hertz_pressure, oil, speed, eps, rho, rho_slope, first, stop):
+    """eps = rho H^3/(eta lambda), rho and d(rho)/dP [-] of the lines from `first` to before `stop`, any law.
+
+    At the temperature of operation.
+    """
+    nx = P.shape[1]
+    for j in range(first, stop):
         for i in range(nx):
             h = max(H[j, i], 0.0)
             p = max(P[j, i], 0.0) * hertz_pressure

@@ -45,7 +45,7 @@ def compiled_flow(c, P, H):
     eps, rho, slope = np.empty_like(P), np.empty_like(P), np.empty_like(P)
     viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
     density = (c.density_numerator, c.density_denominator)
-    _kernels.flow_properties(P, H, *viscosity, *density, c.speed, eps, rho, slope)
+    _kernels.flow_properties(P, H, *viscosity, *density, c.speed, eps, rho, slope, 0, len(P))
     return eps, rho, slope
 
 
@@ -92,9 +92,14 @@ def test_relax_lines(fields):
     kernel = deflection_kernel(g, contact().deformation)
     f = 0.01 * np.random.default_rng(5519).standard_normal(P.shape)
     for flow in couette_flows(g, P, H):
-        ours, change = P.copy(), np.empty_like(P)
+        ours, spread, kinds = P.copy(), np.zeros_like(P), np.zeros(P.shape, dtype=np.int8)
         couette = (flow.flow_x, flow.slope_x, *compiled_lateral(flow))
-        _kernels.relax_lines(ours, H, flow.eps, *couette, f, kernel.near, *mesh(g), 0.3, 0.8, 0.7, change)
+        first = 0 if g.symmetric else 1
+        for colour in (first, first + 1):
+            ends = (colour, g.ny - 1)
+            sweep = (*couette, f, kernel.near, *mesh(g), 0.8, 0.7, kinds, spread, *ends)
+            _kernels.relax_lines(ours, H, flow.eps, *sweep)
+        _kernels.spread_changes(ours, kinds, spread, g.hx, g.hy, 0.3, first, g.ny - 1)
         twin = relaxation.relax_lines(P, H, flow, f, g, kernel, (0.3, 0.8, 0.7))
         assert np.abs(twin - P).max() > 1e-3  # the sweep did something
         assert_allclose(ours, twin, rtol=0.0, atol=1e-9)  # elimination without and with pivoting
@@ -138,6 +143,6 @@ def test_any_law_by_the_general_kernel(fields, law):
     c = contact(law)
     oil = Lubricant(viscosity=0.05, pressure_viscosity=18e-9, viscosity_law=law)
     found = np.empty_like(P), np.empty_like(P), np.empty_like(P)
-    properties.flow_properties(P, H, c.hertz_pressure, oil_numbers(oil), c.speed, *found)
+    properties.flow_properties(P, H, c.hertz_pressure, oil_numbers(oil), c.speed, *found, 0, len(P))
     for ours, twin in zip(found, compiled_flow(c, P, H), strict=True):
         assert_allclose(ours, twin, rtol=1e-11, atol=1e-300)
