@@ -69,6 +69,8 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
     elif found.energy_error > ENERGY_LIMIT:
         text = f"dynamics: not converged: the energies are off by {found.energy_error:.2g} of the work; lower tolerance"
         messages.append(text)
+    if found is not None and found.cage_interval is None:
+        messages.append("dynamics: fewer than 60 samples: no confidence interval of the speeds")
     counts, counters = made.equations, made.state.counters
     return {
         "oilfilm": results.version,
@@ -94,14 +96,17 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
 
 
 def _speeds(found: Outcome | None) -> dict[str, float | None]:
-    """Means over the last third [r/min], and over the kinematic speed [-]."""
+    """Means over the last third [r/min] with half widths of their 95 % intervals, and over the kinematic speed [-]."""
     if found is None:
         names = ("cage_speed_rpm", "ball_orbit_speed_rpm", "kinematic_cage_speed_rpm", "cage_speed_ratio")
-        return dict.fromkeys((*names, "cage_slip_ratio"))
+        intervals = ("cage_speed_interval_rpm", "ball_orbit_speed_interval_rpm")
+        return dict.fromkeys((*names, *intervals, "cage_slip_ratio"))
     ratio = found.cage_speed / found.kinematic_speed if found.kinematic_speed else None
     return {
         "cage_speed_rpm": found.cage_speed / RPM,
+        "cage_speed_interval_rpm": None if found.cage_interval is None else found.cage_interval / RPM,
         "ball_orbit_speed_rpm": found.orbit_speed / RPM,
+        "ball_orbit_speed_interval_rpm": None if found.orbit_interval is None else found.orbit_interval / RPM,
         "kinematic_cage_speed_rpm": found.kinematic_speed / RPM,
         "cage_speed_ratio": ratio,
         "cage_slip_ratio": None if ratio is None else 1.0 - ratio,

@@ -44,7 +44,9 @@ def _facts(document: dict[str, Any]) -> list[tuple[str, str]]:
         return facts
     ratio = document["cage_speed_ratio"]
     of_kinematic = "" if ratio is None else f", {ratio:.4f} of the kinematic {document['kinematic_cage_speed_rpm']:.2f}"
-    facts.append(("cage", f"{document['cage_speed_rpm']:.2f} r/min{of_kinematic}"))
+    width = document["cage_speed_interval_rpm"]
+    within = "" if width is None else f" ± {width:.2g}"
+    facts.append(("cage", f"{document['cage_speed_rpm']:.2f}{within} r/min{of_kinematic}"))
     lost = document["energy"]["dissipated_J"]
     put_in = sum(document["energy"]["input_J"].values())
     largest = sorted(lost, key=lambda name: -abs(lost[name]))[:3]

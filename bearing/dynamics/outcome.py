@@ -10,6 +10,7 @@ from .initial import kinematic_cage_speed
 from .layout import CAGE_ROTATION, Layout
 from .problem import Array
 from .simulation import Record, Simulation
+from .statistics import batch_interval
 
 LAST_PART = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
 MECHANISMS = (
@@ -72,6 +73,8 @@ class Outcome:
         [s].
     cage_speed, orbit_speed, kinematic_speed : float
         Means over the last third, of the cage and of the balls, and the kinematic speed of the same time [rad/s].
+    cage_interval, orbit_interval : float or None
+        Half widths of the 95 % confidence intervals of the first two, `batch_interval` [rad/s].
     work : dict of float
         Put in and lost, by mechanism [J].
     stored : float
@@ -91,6 +94,8 @@ class Outcome:
     cage_speed: float
     orbit_speed: float
     kinematic_speed: float
+    cage_interval: float | None
+    orbit_interval: float | None
     work: dict[str, float]
     stored: float
     energy_error: float
@@ -138,6 +143,8 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
         cage_speed=float(cage[-1] - cage[0]) / span if has_cage else float(orbit.mean()),
         orbit_speed=float(orbit.mean()),
         kinematic_speed=_kinematic(simulation, time[late]),
+        cage_interval=batch_interval(np.diff(cage) / np.diff(time[late]) if has_cage else orbit),
+        orbit_interval=batch_interval(orbit),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
         stored=put_in - lost,
         energy_error=tally.residual / max(abs(put_in), abs(lost), 1e-300),
