@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from .problem import Array
 
 BATCHES = 10  # fewest of the ten to thirty of Schmeiser (1982), Operations Research 30, 556
