@@ -28,6 +28,7 @@ from .geometry import Array, Bearing, Race
 from .kinematics import (
     INNER_PART,
     Direction,
+    HeldBalls,
     Motion,
     Numbers,
     attitude,
@@ -67,6 +68,7 @@ class BallProblem:
     outer_series: Array
     nominal_force: float  # centrifugal force at the free contact angle [N]
     nominal_couple: float  # largest gyroscopic couple, J w_m w_R, at the free contact angle [N m]
+    held: HeldBalls | None = None  # motion and friction that are known; None: those of the hypothesis
 
     @property
     def gamma(self) -> float:
@@ -75,7 +77,7 @@ class BallProblem:
 
 
 class BallState(NamedTuple):
-    """Everything about the balls at given positions; loads [N], moment [N m], speeds [rad/s]."""
+    """Everything about the balls at given positions; loads and friction [N], moment [N m], speeds [rad/s]."""
 
     inner_load: Numbers
     outer_load: Numbers
@@ -84,8 +86,8 @@ class BallState(NamedTuple):
     motion: Motion
     centrifugal_force: Numbers
     gyroscopic_moment: Numbers
-    inner_share: Numbers
-    outer_share: Numbers
+    inner_friction: Numbers
+    outer_friction: Numbers
 
 
 class BallRow(NamedTuple):
@@ -153,11 +155,19 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
         np.where(near, inner_distance, 0.0) - problem.inner_length
     )
     inner_load = inner_load * _smooth_step(inner.cos, EDGE_COSINE)
-    share, motion = _shared_motion(outer, inner, (inner_load, outer_load), problem)
+    held = problem.held
+    if held is None:
+        share, motion = _shared_motion(outer, inner, (inner_load, outer_load), problem)
+    else:
+        motion = held.motion
     force = centrifugal_force(problem.mass, problem.pitch_diameter, motion.orbit_speed)
     moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
-    inner_share = INNER_PART[problem.kinematics] * share
-    return BallState(inner_load, outer_load, inner, outer, motion, force, moment, inner_share, 2.0 - inner_share)
+    if held is None:
+        inner_part = INNER_PART[problem.kinematics] * share
+        friction = (inner_part * moment / problem.ball_diameter, (2.0 - inner_part) * moment / problem.ball_diameter)
+    else:
+        friction = (held.inner_friction + 0.0 * inner_load, held.outer_friction + 0.0 * inner_load)
+    return BallState(inner_load, outer_load, inner, outer, motion, force, moment, *friction)
 
 
 def _shared_motion(
@@ -201,8 +211,7 @@ def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
         Force on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on the inner ring about e_t [N m]: the
         friction acts at the contact, r_i away from the groove's centre where the normal force passes.
     """
-    friction = state.gyroscopic_moment / problem.ball_diameter
-    inner_friction, outer_friction = state.inner_share * friction, state.outer_share * friction
+    inner_friction, outer_friction = state.inner_friction, state.outer_friction
     from_inner_x = state.inner_load * state.inner.sin + inner_friction * state.inner.cos
     from_inner_r = state.inner_load * state.inner.cos - inner_friction * state.inner.sin
     from_outer_x = -state.outer_load * state.outer.sin - outer_friction * state.outer.cos

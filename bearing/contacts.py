@@ -15,7 +15,7 @@ from ehl.hertz import HertzContact, hertz_contact
 from ehl.lubricant import Lubricant
 
 from .geometry import Array, Race, contact_modulus, reduced_radii
-from .operation import Curvature
+from .operation import BallKinematics, Curvature
 from .quasistatic import QuasistaticSolution
 from .rows import row_directions
 
@@ -110,7 +110,8 @@ def rolling_and_spin(solution: QuasistaticSolution, index: int, race: Race) -> t
     Returns
     -------
     speed : float
-        Surface speed common to ball and race at the contact's centre in the frame of the orbit, along +e_t [m/s].
+        Surface speed of the race at the contact's centre in the frame of the orbit, along +e_t [m/s]; under a
+        hypothesis that of the ball as well.
     rolling : float
         Relative angular speed about the transverse direction, magnitude [rad/s].
     spin : float
@@ -129,6 +130,21 @@ def rolling_and_spin(solution: QuasistaticSolution, index: int, race: Race) -> t
     return float(relative * radius), float(rolling), float(spin)
 
 
+def sliding(solution: QuasistaticSolution, index: int, race: Race) -> tuple[float, float]:
+    """Speed of the ball over the race at a contact's centre along +e_t and along e_t x n [m/s].
+
+    The ball's surface moves by omega x n D/2. Zero under a hypothesis, which lets nothing slide there.
+    """
+    if solution.model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
+        return 0.0, 0.0
+    inner = race is Race.INNER
+    angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
+    side, radius = -1.0 if inner else 1.0, 0.5 * solution.bearing.ball_diameter
+    turning = float(solution.spin_speed[index]) * np.cos(float(solution.attitude[index]) - angle)
+    along = -side * radius * turning - rolling_and_spin(solution, index, race)[0]
+    return float(along), radius * float(solution.pivot_speed[index])
+
+
 def mean_spin(solution: QuasistaticSolution, index: int, race: Race) -> float:
     """Mean angular speed of ball and race about the normal into the race, in the frame of the orbit [rad/s]."""
     inner, operation = race is Race.INNER, solution.operation
@@ -143,9 +159,12 @@ def _contact(solution: QuasistaticSolution, index: int, race: Race, lubricant: L
     inner = race is Race.INNER
     load = float((solution.inner_load if inner else solution.outer_load)[index])
     angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
-    speed, rolling, spin = rolling_and_spin(solution, index, race)
+    raced, rolling, spin = rolling_and_spin(solution, index, race)
+    slide, across = sliding(solution, index, race)
+    speed = raced + 0.5 * slide
     hertz = _hertz(solution, race, load, angle)
-    conditions, note = _conditions(solution, hertz, (speed, spin, mean_spin(solution, index, race)), lubricant)
+    motion = (speed, spin, mean_spin(solution, index, race), slide, -np.sign(speed) * across)
+    conditions, note = _conditions(solution, hertz, motion, lubricant)
     origin, axes = _placement(solution, index, race, speed)
     centrifugal = float(solution.centrifugal_force[index])
     return BearingContact(
@@ -177,7 +196,7 @@ def _hertz(solution: QuasistaticSolution, race: Race, load: float, angle: float)
 
 
 def _conditions(
-    solution: QuasistaticSolution, hertz: HertzContact | None, motion: tuple[float, float, float], lubricant: Lubricant
+    solution: QuasistaticSolution, hertz: HertzContact | None, motion: tuple[float, ...], lubricant: Lubricant
 ) -> tuple[ContactConditions | None, str]:
     if hertz is None:
         return None, "unloaded"
@@ -193,6 +212,8 @@ def _conditions(
         lubricant=lubricant,
         spin=spin,
         mean_spin=motion[2],
+        slide_roll_ratio=motion[3] / motion[0],
+        lateral_slide_ratio=motion[4] / speed,
     ), ""
 
 

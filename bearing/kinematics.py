@@ -16,11 +16,13 @@ differentiates them to round-off.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from .geometry import Array
 from .operation import BallKinematics
 
 Numbers = NDArray[Any]  # float64 or, under a complex step, complex128
@@ -39,6 +41,36 @@ class Motion(NamedTuple):
     orbit_speed: Numbers
     spin_speed: Numbers
     attitude: Direction
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeldBalls:
+    """Motion of the balls and friction on them as a balance of traction gives them; each of shape (Z,).
+
+    Attributes
+    ----------
+    orbit_speed, spin_speed, pivot_speed : ndarray
+        About the axis, about the ball's own in the axial plane, about the tangent of the orbit [rad/s].
+    attitude : ndarray
+        Of the spin axis in the axial plane [rad].
+    inner_friction, outer_friction : ndarray
+        Across the rolling direction, positive as those of a positive gyroscopic couple [N].
+    inner_drive : ndarray
+        Of the ball on the inner ring along the tangent of the orbit [N].
+    """
+
+    orbit_speed: Array
+    spin_speed: Array
+    pivot_speed: Array
+    attitude: Array
+    inner_friction: Array
+    outer_friction: Array
+    inner_drive: Array
+
+    @property
+    def motion(self) -> Motion:
+        """Orbit and spin [rad/s]."""
+        return Motion(self.orbit_speed, self.spin_speed, Direction(np.sin(self.attitude), np.cos(self.attitude)))
 
 
 def direction(sin: Numbers, cos: Numbers) -> Direction:

@@ -5,6 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from enum import Enum
 from math import isfinite, pi
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from .torque.traction_source import BallTraction
 
 DEGREES_OF_FREEDOM = ("x", "y", "z", "tilt y", "tilt z")
 
@@ -14,11 +18,16 @@ class BallKinematics(Enum):
 
     OUTER_RACE_CONTROL: no spin at the outer race, which takes the whole couple; INNER_RACE_CONTROL: likewise inner;
     HALF_AND_HALF: the ball spins about the mean contact angle and each race takes half of the couple.
+    TRACTION_EQUILIBRIUM: no hypothesis; the friction of ball on race balances itself on every ball (`BallTraction`).
     """
 
     OUTER_RACE_CONTROL = "outer race control"
     INNER_RACE_CONTROL = "inner race control"
     HALF_AND_HALF = "half and half"
+    TRACTION_EQUILIBRIUM = "traction equilibrium"
+
+
+HYPOTHESES = (BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL, BallKinematics.HALF_AND_HALF)
 
 
 class Curvature(Enum):
@@ -30,10 +39,15 @@ class Curvature(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Model:
-    """Assumptions of the bearing model."""
+    """Assumptions of the bearing model; `traction` is what traction equilibrium takes and nothing else does."""
 
     ball_kinematics: BallKinematics = BallKinematics.HALF_AND_HALF
     curvature: Curvature = Curvature.OPERATING
+    traction: BallTraction | None = None
+
+    def __post_init__(self) -> None:
+        if self.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM and self.traction is None:
+            raise ValueError("traction: traction equilibrium needs the friction of ball on race, found none")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

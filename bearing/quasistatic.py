@@ -17,9 +17,10 @@ from ehl.hertz import hertz_contact
 
 from .ball_equilibrium import EDGE_COSINE, BallProblem, BallRow, BallState, ball_problem, ball_state
 from .geometry import Array, Bearing, Race, contact_modulus, reduced_radii
-from .operation import DEGREES_OF_FREEDOM, Model, Operation
+from .kinematics import HeldBalls
+from .operation import DEGREES_OF_FREEDOM, BallKinematics, Model, Operation
 from .ring_equilibrium import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring
-from .rows import SINGLE, Row, per_ball, row_azimuths
+from .rows import SINGLE, Row, per_ball, row_azimuths, row_directions
 
 SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct solve fails [-]
 LIGHT_LOAD = 0.1  # load over the centrifugal forces of all balls below which these may leave no equilibrium [-]
@@ -57,6 +58,13 @@ class QuasistaticSolution:
         Of the ball centre about the axis, and of the ball about its own in the frame of the orbit [rad/s].
     attitude : ndarray
         Angle beta of the spin axis [rad].
+    pivot_speed : ndarray
+        Of the ball about the tangent of its orbit, by which it gives way to the gyroscopic couple [rad/s].
+    inner_friction, outer_friction : ndarray
+        Of the races on the ball across the rolling direction, positive as those that hold a positive gyroscopic
+        couple [N].
+    inner_drive : ndarray
+        Friction of the ball on the inner ring along the tangent of the orbit; not asked for under a hypothesis [N].
     cage_speed : float
         Mean orbit speed of the balls loaded at the inner race, of all balls where there are none [rad/s].
     residual : float
@@ -89,6 +97,10 @@ class QuasistaticSolution:
     orbit_speed: Array
     spin_speed: Array
     attitude: Array
+    pivot_speed: Array
+    inner_friction: Array
+    outer_friction: Array
+    inner_drive: Array
     cage_speed: float
     residual: float
     iterations: int
@@ -130,6 +142,10 @@ BALL_ARRAYS = (
     "orbit_speed",
     "spin_speed",
     "attitude",
+    "pivot_speed",
+    "inner_friction",
+    "outer_friction",
+    "inner_drive",
 )
 
 
@@ -166,12 +182,14 @@ def solve_quasistatic(
         With `converged` False and a `message` where there is no equilibrium or none was found.
     """
     model = model or Model()
-    rows = tuple(rows)
-    ring = ring_of(bearing, operation, rows)
+    if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        from .traction_equilibrium import solve_traction_equilibrium
+
+        return solve_traction_equilibrium(bearing, operation, model, near, tuple(rows))
+    inputs = (bearing, operation, model, tuple(rows))
+    ring = ring_of(bearing, operation, inputs[3])
     problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
-    point, iterations = solve_ring(ring, problem, None if near is None else _near(near, ring))
-    if near is not None and point.residual > max(RESIDUAL_TOLERANCE, point.noise):
-        point, iterations = solve_ring(ring, problem, None)
+    point, iterations = _from_near(ring, problem, near)
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         start = None
         for factor in SPEED_STEPS:
@@ -182,10 +200,54 @@ def solve_quasistatic(
                 break
         else:
             point = start or point
-    w = ring.position(point.q) - point.row.u
-    state = ball_state(point.row.u, w, problem)
-    converged, message = _verdict(problem, bearing, ring, point, state, iterations)
-    return _solution((bearing, operation, model, rows), ring, point, state, (iterations, converged, message))
+    return _solution(inputs, ring, problem, point, iterations)
+
+
+def solve_held_balls(
+    bearing: Bearing, operation: Operation, model: Model, near: QuasistaticSolution, held: HeldBalls
+) -> QuasistaticSolution:
+    """Equilibrium of balls and inner ring with motion and friction of the balls given, and what these do to the ring.
+
+    Parameters
+    ----------
+    bearing, operation, model
+        As in `solve_quasistatic`.
+    near : QuasistaticSolution
+        From where the search begins; the friction along the orbit acts at its inner contacts [rad].
+    held : HeldBalls
+        Speeds in [rad/s], forces in [N].
+
+    Returns
+    -------
+    QuasistaticSolution
+    """
+    inputs = (bearing, operation, model, near.rows)
+    ring = ring_of(bearing, operation, near.rows)
+    drive = _drive_loads(ring, near, held.inner_drive)
+    ring = ring._replace(load=ring.load + drive.sum(axis=0), drive=drive)
+    problem = replace(ball_problem(bearing, operation.inner_speed, operation.outer_speed, model), held=held)
+    point, iterations = _from_near(ring, problem, near)
+    return _solution(inputs, ring, problem, point, iterations)
+
+
+def _from_near(ring: Ring, problem: BallProblem, near: QuasistaticSolution | None) -> tuple[RingPoint, int]:
+    """Balance from a solution nearby, and from a guess where there is none or it does not help."""
+    point, iterations = solve_ring(ring, problem, None if near is None else _near(near, ring))
+    if near is not None and point.residual > max(RESIDUAL_TOLERANCE, point.noise):
+        return solve_ring(ring, problem, None)
+    return point, iterations
+
+
+def _drive_loads(ring: Ring, at: QuasistaticSolution, drive: Array) -> Array:
+    """Load of friction along the orbit on the ring, row by row, shape (rows, 5) [N], moments over R_i.
+
+    F e_t at the axial distance x_c makes the moment -F x_c e_r.
+    """
+    c, s = row_directions(at.bearing, at.rows)
+    centre = per_ball(at.bearing, [row.axial_position for row in at.rows])
+    arm = (centre - at.bearing.inner_groove_radius * np.sin(at.inner_contact_angle)) / ring.scale[3]
+    each = drive * np.array([np.zeros_like(c), -s, c, -arm * c, -arm * s])
+    return each.reshape(5, -1, at.bearing.balls).sum(axis=2).T
 
 
 def _near(solution: QuasistaticSolution, ring: Ring) -> RingStart:
@@ -272,17 +334,18 @@ def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
 def _solution(
     inputs: tuple[Bearing, Operation, Model, tuple[Row, ...]],
     ring: Ring,
+    problem: BallProblem,
     point: RingPoint,
-    state: BallState,
-    outcome: tuple[int, bool, str],
+    iterations: int,
 ) -> QuasistaticSolution:
     bearing, operation, model, rows = inputs
-    iterations, converged, message = outcome
     row: BallRow = point.row
-    scale = ring.scale
-    load = -point.force * scale
-    movement = point.q / scale
-    orbit = state.motion.orbit_speed
+    state = ball_state(row.u, ring.position(point.q) - row.u, problem)
+    converged, message = _verdict(problem, bearing, ring, point, state, iterations)
+    scale, movement = ring.scale, point.q / ring.scale
+    row_load = -(ring.loads(row, bearing.balls) + ring.drive) * scale
+    held, none = problem.held, np.zeros(row.u.shape[1])
+    load = -(point.force + ring.drive.sum(axis=0)) * scale
     return QuasistaticSolution(
         bearing=bearing,
         operation=operation,
@@ -293,22 +356,33 @@ def _solution(
         ring_moment=load[3:],
         stiffness=point.stiffness * np.outer(scale, scale),
         azimuth=row_azimuths(bearing, rows),
-        inner_load=state.inner_load,
-        outer_load=state.outer_load,
-        inner_contact_angle=np.arctan2(state.inner.sin, state.inner.cos),
-        outer_contact_angle=np.arctan2(state.outer.sin, state.outer.cos),
+        **_ball_arrays(state),
         ball_axial=row.u[0] + per_ball(bearing, [part.outer_plane for part in rows]),
         ball_radial=bearing.outer_centre_radius + row.u[1],
-        centrifugal_force=state.centrifugal_force,
-        gyroscopic_moment=state.gyroscopic_moment,
-        orbit_speed=orbit,
-        spin_speed=state.motion.spin_speed,
-        attitude=np.arctan2(state.motion.attitude.sin, state.motion.attitude.cos),
-        cage_speed=_cage_speed(orbit, state.inner_load),
+        pivot_speed=none if held is None else held.pivot_speed,
+        inner_drive=none if held is None else held.inner_drive,
+        cage_speed=_cage_speed(state.motion.orbit_speed, state.inner_load),
         residual=point.residual,
         iterations=iterations,
         converged=converged,
         message=message,
         rows=rows,
-        row_load=-ring.loads(row, bearing.balls) * scale,
+        row_load=row_load,
     )
+
+
+def _ball_arrays(state: BallState) -> dict[str, Array]:
+    """Loads and friction [N], angles [rad], body forces [N], [N m] and speeds [rad/s] of the balls."""
+    return {
+        "inner_load": state.inner_load,
+        "outer_load": state.outer_load,
+        "inner_contact_angle": np.arctan2(state.inner.sin, state.inner.cos),
+        "outer_contact_angle": np.arctan2(state.outer.sin, state.outer.cos),
+        "centrifugal_force": state.centrifugal_force,
+        "gyroscopic_moment": state.gyroscopic_moment,
+        "inner_friction": state.inner_friction,
+        "outer_friction": state.outer_friction,
+        "orbit_speed": state.motion.orbit_speed,
+        "spin_speed": state.motion.spin_speed,
+        "attitude": np.arctan2(state.motion.attitude.sin, state.motion.attitude.cos),
+    }

@@ -43,6 +43,7 @@ class Ring(NamedTuple):
     offset: Array  # (Z,) axial distance from outer to inner groove centres, ring undisplaced [m]
     movement: Array  # (2, 5, Z) d(V)/dq [-]
     gather: Array  # (5, 3, Z) ring load from (x, r) forces [-] and couple about e_t [1/m]
+    drive: Array  # (rows, 5) part of the load by friction of the balls along their orbits [N]
 
     def position(self, q: Array) -> Array:
         """Distances (x, r) from outer to inner groove centres, shape (2, Z) [m], at ring position `q` [m]."""
@@ -91,7 +92,8 @@ def ring_of(bearing: Bearing, operation: Operation, rows: Sequence[Row] = SINGLE
     distance = bearing.curvature_centre_distance
     facing = distance - 0.5 * bearing.diametral_clearance
     offset = per_ball(bearing, [row.offset for row in rows])
-    return Ring(free, load, prescribed, scale, distance, facing, bearing.free_axial_position, offset, movement, gather)
+    place = (distance, facing, bearing.free_axial_position, offset, movement, gather)
+    return Ring(free, load, prescribed, scale, *place, np.zeros((len(rows), 5)))
 
 
 def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tuple[RingPoint, int]:

@@ -40,7 +40,8 @@ class BallMotion:
 def ball_motion(solution: QuasistaticSolution, index: int) -> BallMotion:
     """Motion that an equilibrium gives a ball (by number from 0), speeds in [rad/s]."""
     spin, attitude = float(solution.spin_speed[index]), float(solution.attitude[index])
-    rotation = spin * np.array([-np.cos(attitude), np.sin(attitude), 0.0])
+    pivot = float(solution.pivot_speed[index])
+    rotation = np.array([-spin * np.cos(attitude), spin * np.sin(attitude), pivot])
     return BallMotion(orbit_speed=float(solution.orbit_speed[index]), rotation=rotation)
 
 

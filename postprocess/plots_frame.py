@@ -107,8 +107,6 @@ def _section(axes: Any, state: QuasistaticSolution) -> None:
 
 def _forces(axes: Any, state: QuasistaticSolution) -> None:
     """Arrows as long as the forces; the friction ten times."""
-    from bearing.kinematics import INNER_PART
-
     outer, inner = float(state.outer_contact_angle[0]), float(state.inner_contact_angle[0])
     loads = (float(state.outer_load[0]), float(state.inner_load[0]))
     scale = LONGEST / max(loads)
@@ -120,13 +118,12 @@ def _forces(axes: Any, state: QuasistaticSolution) -> None:
     )
     force = float(state.centrifugal_force[0]) * scale
     _arrow(axes, np.zeros(2), np.array([0.0, force]), "$F_c$", (9.0, -9.0), FORCE_COLOUR)
-    part = INNER_PART[state.model.ball_kinematics]
-    friction = 10.0 * float(state.gyroscopic_moment[0]) / state.bearing.ball_diameter * scale
-    if part < 2.0:
-        step = (2.0 - part) * friction * np.array([-cos(outer), sin(outer)])
+    outer_friction, inner_friction = (10.0 * scale * float(f[0]) for f in (state.outer_friction, state.inner_friction))
+    if outer_friction > 0.0:
+        step = outer_friction * np.array([-cos(outer), sin(outer)])
         _arrow(axes, n_outer, step, r"$\lambda_o M_g/D$", (-16.0, 5.0), OUTER_COLOUR)
-    if part > 0.0:
-        step = part * friction * np.array([cos(inner), -sin(inner)])
+    if inner_friction > 0.0:
+        step = inner_friction * np.array([cos(inner), -sin(inner)])
         _arrow(axes, n_inner, step, r"$\lambda_i M_g/D$", (14.0, -10.0), INNER_COLOUR)
     _arc(axes, np.zeros(2), 0.5, (2.2, -2.2), color=INK, linewidth=1.0)
     tip, turn = 0.5 * _direction(-2.2), np.array([0.07, -0.05])

@@ -9,7 +9,7 @@ costs the other balls push into the cage.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,39 +20,14 @@ from ..geometry import Array, Race
 from ..kinematics import ball_mass
 from ..quasistatic import QuasistaticSolution
 from ..traction_forces import BallMotion, ball_motion, bearing_kinematics
-from .contact_friction import TINY, Dissipation
+from .balance_newton import BALANCE_TOLERANCE, ContactLaw, MotionProblem, contacts_of, minimise, settle
+from .contact_friction import TINY
+from .resistance import FREE, Resistance
 
-MAX_STEPS = 200
 SKID = 0.3  # sliding over entrainment from which a ball is taken along by the cage instead of driven [-]
 SKID_ROUNDS = 4  # of taking balls out
-RUNAWAY = 1.0e4  # speeds over those of curvature slip at which a ball counts as not held [-]
 CAGE_STEPS, CAGE_TOLERANCE = 20, 1.0e-8  # of push and speed of the cage, which hardly depend on the balance [-]
-BALANCE_TOLERANCE = 1.0e-6  # residual force over mu Q that is accepted [-]
-BALANCE_TARGET = 1.0e-10  # residual at which iterating stops [-]
 PLANE = np.array([True, True, True, False])  # orbit, rotation about e_x and e_r: all that the line law knows
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ContactLaw:
-    """Friction of the contacts of a bearing, numbered inner race then outer, ball by ball.
-
-    Attributes
-    ----------
-    dissipation : callable
-        Takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers (N,), gives a `Dissipation`.
-    strength : ndarray, shape (contacts,)
-        Friction of each contact that residual forces are measured against [N].
-    plane : bool
-        It knows no sliding across the rolling direction: balls then do not turn about the orbit's tangent, and no
-        gyroscopic couple is held.
-    potential : bool
-        Whether the power is the potential of the forces; if not, only these are looked at.
-    """
-
-    dissipation: Callable[[Array, NDArray[np.int64]], Dissipation]
-    strength: Array
-    plane: bool = False
-    potential: bool = True
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,6 +48,8 @@ class BalancedFriction:
         Friction power [W].
     shaft_power : float
         Power that the two rings feed in, moments on them times their speeds [W].
+    resisted : float
+        Power that the balls give to the oil around them and to the cage's guidance [W].
     residual : float
         Largest force or moment (over the ball's radius) left on a ball, over the friction mu Q [-].
     driven : ndarray of bool, shape (balls,)
@@ -88,6 +65,7 @@ class BalancedFriction:
     ball_rolling: Array
     power: Array
     shaft_power: float
+    resisted: float
     residual: float
     driven: NDArray[np.bool_]
     unknowns: Array
@@ -96,26 +74,9 @@ class BalancedFriction:
 
     @property
     def energy_error(self) -> float:
-        """Shaft power less friction power, over the latter [-]."""
-        total = float(self.power.sum())
+        """Shaft power less friction power and what drag and cage take, over these [-]."""
+        total = float(self.power.sum()) + self.resisted
         return (self.shaft_power - total) / total if total > 0.0 else 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Problem:
-    """k = start + map z for all contacts, z scaled to speeds [m/s]."""
-
-    law: ContactLaw
-    start: Array  # (balls, 2, 4)
-    map: Array  # (balls, 2, 4, 4)
-    couple: Array  # (balls, 4) gyroscopic one at the start [N]
-    turning: Array  # (balls, 4, 4) its change with z [N s/m]
-    cage: Array  # (balls,) push of the cage against the orbit of balls that drive it [N]
-    free: NDArray[np.bool_]  # (balls, 4)
-    reach: Array  # (balls,) largest sliding that the curvature of a ball's contacts makes [m/s]
-    strength: Array  # (balls,) friction that the residual is measured against [N]
-    driven: NDArray[np.bool_]  # (balls,) by the inner race
-    ring: Array  # (balls, 2, 4) change of the motion by the rings' speeds [m/s], [rad/s]
 
 
 def curvature_slip(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> Array:
@@ -129,24 +90,32 @@ def curvature_slip(solution: QuasistaticSolution, contacts: Sequence[BearingCont
 
 
 def balance_driven_balls(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], law: ContactLaw
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    law: ContactLaw,
+    resistance: Resistance = FREE,
 ) -> BalancedFriction:
     """As `balance_balls`, with balls that would skid given to the cage.
 
     Where the oil's resistance asks more traction than a light contact has, the ball would slide at speeds for which its
     film was not solved; beyond `SKID` of the entrainment it counts as one that the inner race does not drive. SI.
     """
-    speed = np.array([np.inf if c.conditions is None else c.conditions.entrainment_speed for c in contacts])
     driven = solution.inner_load > 0.0
-    found = balance_balls(solution, contacts, law, driven=driven)
+    found = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
     for _ in range(SKID_ROUNDS):
-        slide = np.hypot(found.kinematics[..., 0], found.kinematics[..., 1]) / speed.reshape(-1, 2)
-        skidding = driven & (slide.max(axis=1) > SKID)
+        skidding = driven & (sliding_ratio(found, contacts) > SKID)
         if not skidding.any():
             break
         driven = driven & ~skidding
-        found = balance_balls(solution, contacts, law, driven=driven)
+        found = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
     return found
+
+
+def sliding_ratio(found: BalancedFriction, contacts: Sequence[BearingContact]) -> Array:
+    """Larger sliding over entrainment of the two contacts of each ball, shape (balls,) [-]."""
+    speed = np.array([np.inf if c.conditions is None else c.conditions.entrainment_speed for c in contacts])
+    slide = np.hypot(found.kinematics[..., 0], found.kinematics[..., 1]) / speed.reshape(-1, 2)
+    return np.asarray(slide.max(axis=1))
 
 
 def balance_balls(
@@ -157,6 +126,7 @@ def balance_balls(
     gyroscopic: bool = True,
     driven: NDArray[np.bool_] | None = None,
     near: BalancedFriction | None = None,
+    resistance: Resistance = FREE,
 ) -> BalancedFriction:
     """Motion of all balls in which a law of friction balances itself on each of them.
 
@@ -172,6 +142,8 @@ def balance_balls(
         Balls that the inner race drives, the others going with the cage; None: those with load there.
     near : BalancedFriction, optional
         Of a law nearby with the same balls driven, from where the search begins.
+    resistance : Resistance, optional
+        Drag of the oil around the balls and of the cage's guidance.
 
     Returns
     -------
@@ -180,27 +152,28 @@ def balance_balls(
     """
     loaded = solution.inner_load > 0.0
     problem = _problem(solution, contacts, law, loaded if driven is None else driven & loaded)
+    problem = replace(problem, drag=resistance.drag(_speeds(solution)))
     turned = gyroscopic and not law.plane
     if turned:
         problem = replace(problem, couple=_couple(solution, problem.driven))
     if near is None:
-        z, residual = _minimise(problem, np.zeros(problem.couple.shape))
+        z, residual = minimise(problem, np.zeros(problem.couple.shape))
     else:
         z, problem = near.unknowns, replace(problem, cage=near.cage)
     turning = _turning(solution, problem.driven) if turned else problem.turning
-    alone = not problem.driven.all()  # balls that go with the cage
-    for _ in range(CAGE_STEPS if alone else 1):
-        before, push = problem.cage, _cage_force(solution, problem, z)
+    pushed = not problem.driven.all() or resistance.land > 0.0  # the cage takes balls along, or is held back
+    for _ in range(CAGE_STEPS if pushed else 1):
+        before, push = problem.cage, _cage_force(solution, problem, z, resistance)
         problem = replace(problem, turning=turning, cage=push)
-        z, residual = _minimise(problem, _with_the_cage(solution, problem.driven, z))
+        z, residual = settle(problem, _with_the_cage(solution, problem.driven, z))
         if np.abs(push - before).max() <= CAGE_TOLERANCE * np.abs(push).max() and push.any():
             break
-    return _result(solution, contacts, problem, z, residual)
+    return _result(solution, contacts, problem, (z, residual), resistance)
 
 
 def _problem(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], law: ContactLaw, driven: NDArray[np.bool_]
-) -> _Problem:
+) -> MotionProblem:
     bearing, balls = solution.bearing, solution.azimuth.size
     scales = np.array([2.0 / bearing.pitch_diameter, *(3 * (2.0 / bearing.ball_diameter,))])
     start, slopes = np.zeros((2 * balls, 4)), np.zeros((2 * balls, 4, 4))
@@ -212,13 +185,14 @@ def _problem(
     free = np.tile(PLANE, (balls, 1)) if law.plane else np.ones((balls, 4), dtype=np.bool_)
     free &= driven[:, None]
     shape = (balls, 2)
-    return _Problem(
+    return MotionProblem(
         law=law,
         start=start.reshape(*shape, 4),
         map=slopes.reshape(*shape, 4, 4),
         couple=np.zeros((balls, 4)),
         turning=np.zeros((balls, 4, 4)),
         cage=np.zeros(balls),
+        drag=np.zeros(balls),
         free=free,
         reach=curvature_slip(solution, contacts).reshape(shape).max(axis=1),
         strength=law.strength.reshape(shape).max(axis=1),
@@ -244,26 +218,6 @@ def _motion(solution: QuasistaticSolution, contact: BearingContact, motion: Ball
     return np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
 
 
-def _evaluate(z: Array, problem: _Problem, balls: NDArray[np.int64]) -> tuple[Array, Array, Array]:
-    """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls with these numbers."""
-    move, free = problem.map[balls], problem.free[balls]
-    k = problem.start[balls] + np.einsum("bckj,bj->bck", move, z)
-    found = problem.law.dissipation(k.reshape(-1, 4), _contacts_of(balls))
-    shape = k.shape[:2]
-    fixed = problem.couple[balls] + problem.cage[balls, None] * np.eye(4)[0]
-    power = found.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", fixed, z)
-    gradient = np.einsum("bckj,bck->bj", move, found.gradient.reshape(*shape, 4)) + fixed
-    gradient += np.einsum("bij,bj->bi", problem.turning[balls], z)
-    curvature = found.curvature.reshape(*shape, 4, 4)
-    slope = np.einsum("bcki,bckl,bclj->bij", move, curvature, move, optimize=True) + problem.turning[balls]
-    return power, np.where(free, gradient, 0.0), np.where(free[:, :, None] & free[:, None, :], slope, 0.0)
-
-
-def _contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
-    """Numbers of the contacts of balls, inner then outer [-]."""
-    return (2 * balls[:, None] + np.arange(2)).ravel()
-
-
 def _inertia(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
     """2 J w_m/D, shape (balls,) [N s]; none of balls that the inner race does not hold."""
     bearing = solution.bearing
@@ -276,6 +230,7 @@ def _couple(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
     """Gyroscopic couple J w_m e_x x w = J w_m (w_r e_t - w_t e_r) at the start, by the scaled unknowns [N]."""
     scale, found = _inertia(solution, driven), np.zeros((solution.azimuth.size, 4))
     found[:, 3] = scale * solution.spin_speed * np.sin(solution.attitude)
+    found[:, 2] = -scale * solution.pivot_speed
     return found
 
 
@@ -287,17 +242,35 @@ def _turning(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
     return found
 
 
-def _cage_force(solution: QuasistaticSolution, problem: _Problem, z: Array) -> Array:
-    """Push into the cage by the balls that the inner race drives, shared by their load [N]: what the others cost."""
+def _speeds(solution: QuasistaticSolution) -> Array:
+    """Of the balls' centres along the orbit [m/s]."""
+    return solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter
+
+
+def _cage_force(solution: QuasistaticSolution, problem: MotionProblem, z: Array, resistance: Resistance) -> Array:
+    """Push into the cage by the balls that the inner race drives, shared by their load [N].
+
+    What the other balls cost, and the drag of the cage's guidance.
+    """
     driving = problem.driven
-    if driving.all() or not driving.any():
-        return np.zeros(driving.size)
-    k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    force = problem.law.dissipation(k.reshape(-1, 4), _contacts_of(np.arange(driving.size))).gradient.reshape(k.shape)
-    wanted = np.einsum("bck,bck->b", force, k - problem.ring)[~driving].sum()  # heat less what a ring pays [W]
-    speed = solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter + z[:, 0]
     load = np.where(driving, solution.inner_load, 0.0)
-    return load * wanted / max(abs(float((load * speed).sum())), TINY) * np.sign((load * speed).sum())
+    speed = _speeds(solution) + z[:, 0]
+    pushing = float((load * speed).sum())
+    if pushing == 0.0:
+        return np.zeros(driving.size)
+    wanted = resistance.cage_power(solution, _cage_speed(solution, load, z))
+    if not driving.all():
+        k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
+        found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(np.arange(driving.size)))
+        force = found.gradient.reshape(k.shape)
+        cost = np.einsum("bck,bck->b", force, k - problem.ring) + problem.drag * speed  # heat less what a ring pays [W]
+        wanted += float(cost[~driving].sum())
+    return load * wanted / max(abs(pushing), TINY) * np.sign(pushing)
+
+
+def _cage_speed(solution: QuasistaticSolution, load: Array, z: Array) -> float:
+    """Mean orbit speed of the balls that drive the cage, by load [rad/s]."""
+    return float((load * (solution.orbit_speed + z[:, 0] * 2.0 / solution.bearing.pitch_diameter)).sum() / load.sum())
 
 
 def _with_the_cage(solution: QuasistaticSolution, driving: NDArray[np.bool_], z: Array) -> Array:
@@ -307,7 +280,7 @@ def _with_the_cage(solution: QuasistaticSolution, driving: NDArray[np.bool_], z:
         return z
     bearing, outer = solution.bearing, solution.operation.outer_speed
     radius = 0.5 * bearing.pitch_diameter
-    mean = float((load * (solution.orbit_speed + z[:, 0] / radius))[driving].sum() / load[driving].sum())
+    mean = _cage_speed(solution, np.where(driving, load, 0.0), z)
     moved = z.copy()
     for i in np.flatnonzero(~driving):
         own = float(solution.orbit_speed[i])
@@ -326,43 +299,16 @@ def _shifted(solution: QuasistaticSolution, index: int, z: Array) -> BallMotion:
     )
 
 
-def _minimise(problem: _Problem, start: Array) -> tuple[Array, Array]:
-    """Newton with Levenberg's damping, every ball by itself; returns z and the residual of each ball [-]."""
-    balls = np.arange(problem.start.shape[0])
-    friction = problem.strength + TINY
-    z, damping = start.copy(), np.full(balls.size, 1e-6)
-    power, gradient, hessian = _evaluate(z, problem, balls)
-    descent = problem.law.potential and not problem.turning.any()  # there is a potential to go down in
-    for _ in range(MAX_STEPS):
-        residual = np.abs(gradient).max(axis=1) / friction
-        going = (residual > BALANCE_TARGET) & (np.abs(z).max(axis=1) < RUNAWAY * problem.reach) & (damping < 1e12)
-        at = np.flatnonzero(going)
-        if at.size == 0:
-            break
-        size = np.maximum(np.trace(hessian[at], axis1=1, axis2=2), friction[at] / problem.reach[at])
-        damped = hessian[at] + (damping[at] * size)[:, None, None] * np.eye(4)
-        trial = z[at] - np.linalg.solve(damped, gradient[at][..., None])[..., 0]
-        new = _evaluate(trial, problem, at)
-        noise = 1e-13 * np.abs(power[at])
-        flatter = np.abs(new[1]).max(axis=1) < residual[at] * friction[at]
-        lower = (new[0] < power[at] - noise) | ((new[0] <= power[at] + noise) & flatter)
-        better = lower if descent else flatter
-        kept = at[better]
-        z[kept], power[kept], gradient[kept], hessian[kept] = trial[better], *(part[better] for part in new)
-        damping[at] = np.clip(np.where(better, 0.2, 6.0) * damping[at], 1e-14, 1e13)
-    return z, np.abs(gradient).max(axis=1) / friction
-
-
 def _result(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    problem: _Problem,
-    z: Array,
-    residual: Array,
+    problem: MotionProblem,
+    found_at: tuple[Array, Array],
+    resistance: Resistance,
 ) -> BalancedFriction:
-    shape = problem.start.shape[:2]
+    (z, residual), shape = found_at, problem.start.shape[:2]
     k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    found = problem.law.dissipation(k.reshape(-1, 4), _contacts_of(np.arange(shape[0])))
+    found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(np.arange(shape[0])))
     forces = -found.gradient.reshape(*shape, 4)
     power = -np.einsum("bck,bck->bc", forces, k)
     motions = [_shifted(solution, i, z[i]) for i in range(shape[0])]
@@ -372,6 +318,10 @@ def _result(
     ]
     loaded = problem.strength > 0.0
     worst = float(residual[loaded].max(initial=0.0))
+    load = np.where(problem.driven, solution.inner_load, 0.0)
+    resisted = float((problem.drag * (_speeds(solution) + z[:, 0])).sum())
+    if load.any():
+        resisted += resistance.cage_power(solution, _cage_speed(solution, load, z))
     return BalancedFriction(
         motions=tuple(motions),
         kinematics=k,
@@ -379,6 +329,7 @@ def _result(
         ball_rolling=np.array(parts).reshape(shape),
         power=power,
         shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring)),
+        resisted=resisted,
         residual=worst,
         driven=problem.driven,
         unknowns=z,

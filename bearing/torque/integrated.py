@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -261,32 +260,52 @@ def film_balance(
     BalancedFriction
         Its forces contain the hydrodynamic rolling moment.
     """
-    pairs = list(zip(contacts, films, strict=True))
-    coarse, fine = (
-        [None if film is None else _film_law(solution, c, film, rheology, left_out) for c, film in pairs]
-        for left_out in (NEGLIGIBLE, 0.0)
+    first, exact = (
+        film_law(solution, contacts, films, rheology, asperities, left_out=left_out) for left_out in (NEGLIGIBLE, 0.0)
     )
+    near = balance_driven_balls(solution, contacts, first)
+    return balance_balls(solution, contacts, exact, driven=near.driven, near=near if near.converged else None)
+
+
+def film_law(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Sequence[ContactSolution | None],
+    rheology: Rheology,
+    asperities: Asperities | None = None,
+    *,
+    left_out: float = 0.0,
+    scale: Array | None = None,
+) -> ContactLaw:
+    """Friction of all contacts by the shear of their films; arguments as in `film_balance`.
+
+    Parameters
+    ----------
+    left_out : float
+        Part of the friction in the weakest nodes, left out [-].
+    scale : ndarray, shape (contacts,), optional
+        Load of each contact over that of its film, by which the film's friction is multiplied [-].
+    """
+    pairs = list(zip(contacts, films, strict=True))
+    laws = [None if film is None else _film_law(solution, c, film, rheology, left_out) for c, film in pairs]
     share = np.array([0.0 if f is None or asperities is None else asperities.share(c, f) for c, f in pairs])
     rubbing = contact_ellipses(solution, contacts, share * (0.0 if asperities is None else asperities.boundary))
+    times = np.ones(len(laws)) if scale is None else scale
 
-    def dissipation(laws: Sequence[FilmLaw | None], motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
+    def dissipation(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
         gradient, curvature = np.zeros((numbers.size, 4)), np.zeros((numbers.size, 4, 4))
         for row, number in enumerate(numbers):
-            contact = laws[number]
-            if contact is not None:
-                gradient[row], curvature[row] = contact(motion[row], 1.0 - share[number])
+            law = laws[number]
+            if law is not None:
+                gradient[row], curvature[row] = law(motion[row], 1.0 - share[number])
+        gradient, curvature = gradient * times[numbers, None], curvature * times[numbers, None, None]
         if share[numbers].any():
             _, more, steeper = coulomb_dissipation(motion, rubbing.some(numbers))
             gradient, curvature = gradient + more, curvature + steeper
         return Dissipation(np.zeros(numbers.size), gradient, curvature)
 
     load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
-    first, exact = (
-        ContactLaw(dissipation=partial(dissipation, laws), strength=STRENGTH * load, potential=False)
-        for laws in (coarse, fine)
-    )
-    near = balance_driven_balls(solution, contacts, first)
-    return balance_balls(solution, contacts, exact, driven=near.driven, near=near if near.converged else None)
+    return ContactLaw(dissipation=dissipation, strength=STRENGTH * load, potential=False)
 
 
 def balanced_tractions(

@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from math import cos, pi
 
+import numpy as np
 from scipy.special import ellipe
 
 from ehl import ContactConditions
 
 from ..contacts import BearingContact
-from ..geometry import Bearing
+from ..geometry import Array, Bearing
 from ..quasistatic import QuasistaticSolution
 
 SPHERE_DRAG = 0.44  # C_d of a sphere in Newton's range, 1e3 < Re < 2e5; unverified for balls behind each other
@@ -26,6 +27,61 @@ class Cage:
     land_width: float | None = None  # both lands together [m]
     land_clearance: float | None = None  # radial [m]
     outer_guided: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Resistance:
+    """What holds the balls back on their orbits beside the races.
+
+    Attributes
+    ----------
+    ball : float
+        Drag of the oil over the square of a ball's speed [N s^2/m^2].
+    land : float
+        Torque of the cage's guiding land over its slip, Petroff (1883) [N m s].
+    outer_guided : bool
+        The land runs on the outer ring, else on the inner one.
+    """
+
+    ball: float = 0.0
+    land: float = 0.0
+    outer_guided: bool = True
+
+    def drag(self, speed: Array) -> Array:
+        """Of each ball against its motion along the orbit at a speed [m/s], in [N]."""
+        return self.ball * speed * np.abs(speed)
+
+    def cage_power(self, solution: QuasistaticSolution, cage_speed: float) -> float:
+        """Power [W] that the balls give to a cage that turns at a speed [rad/s] against the drag of its land."""
+        operation = solution.operation
+        ring = operation.outer_speed if self.outer_guided else operation.inner_speed
+        return self.land * (cage_speed - ring) * cage_speed
+
+
+FREE = Resistance()
+
+
+def resistance_of(
+    cage: Cage | None, bearing: Bearing, viscosity: float, density: float, oil_fraction: float | None
+) -> Resistance:
+    """Drag of the balls as `churning_power` has it, of the land as `land_power`; friction in the pockets is left out.
+
+    Parameters
+    ----------
+    cage : Cage or None
+    bearing : Bearing
+    viscosity, density : float
+        Of the oil [Pa s], [kg/m^3].
+    oil_fraction : float or None
+        Share of the cavity filled with oil [-].
+    """
+    area = 0.25 * pi * bearing.ball_diameter**2
+    ball = 0.5 * SPHERE_DRAG * density * (oil_fraction or 0.0) * area
+    if cage is None or cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
+        return Resistance(ball=ball)
+    radius = 0.5 * cage.land_diameter
+    land = viscosity * 2.0 * pi * radius**3 * cage.land_width / cage.land_clearance
+    return Resistance(ball=ball, land=land, outer_guided=cage.outer_guided)
 
 
 def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:

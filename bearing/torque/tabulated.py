@@ -45,7 +45,7 @@ def tabulated_torque(
     """
     motion = np.array([_motion(solution, contact) for contact in contacts])
     forces = np.array(
-        [_forces(laws, c, k) if c.conditions else np.zeros(4) for c, k in zip(contacts, motion, strict=True)]
+        [_forces(laws[c.race], c, k) if c.conditions else np.zeros(4) for c, k in zip(contacts, motion, strict=True)]
     )
     hypothesis = _torque(solution, contacts, motion, forces)
     balance = law_balance(solution, contacts, laws)
@@ -60,18 +60,22 @@ def law_balance(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], laws: Mapping[Race, FrictionLaw]
 ) -> BalancedFriction:
     """Motion of all balls in which the laws' forces balance themselves; arguments as in `tabulated_torque`, SI."""
+    return balance_driven_balls(solution, contacts, contact_law(contacts, [laws[contact.race] for contact in contacts]))
+
+
+def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]) -> ContactLaw:
+    """Friction [N] of all contacts by a law each, where they are lubricated."""
 
     def law(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
         gradient, slope = np.zeros((numbers.size, 4)), np.zeros((numbers.size, 4, 4))
         for row, number in enumerate(numbers):
             contact = contacts[number]
             if contact.conditions is not None:
-                gradient[row], slope[row] = _gradient(laws, contact, motion[row])
+                gradient[row], slope[row] = _gradient(laws[number], contact, motion[row])
         return Dissipation(np.zeros(numbers.size), gradient, slope)
 
     load = np.array([contact.load if contact.conditions is not None else 0.0 for contact in contacts])
-    friction = ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False)
-    return balance_driven_balls(solution, contacts, friction)
+    return ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False)
 
 
 def _motion(solution: QuasistaticSolution, contact: BearingContact) -> Array:
@@ -79,24 +83,24 @@ def _motion(solution: QuasistaticSolution, contact: BearingContact) -> Array:
     return np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
 
 
-def _forces(laws: Mapping[Race, FrictionLaw], contact: BearingContact, motion: Array) -> Array:
+def _forces(law: FrictionLaw, contact: BearingContact, motion: Array) -> Array:
     """Forces and moments (4,) on the ball; the entrainment is that which belongs to the rolling speed."""
     c = contact.conditions
     assert c is not None  # of a lubricated contact
-    found = laws[contact.race].forces(c.load, c.entrainment_speed, float(motion[0]), float(motion[1]), float(motion[2]))
+    found = law.forces(c.load, c.entrainment_speed, float(motion[0]), float(motion[1]), float(motion[2]))
     return np.array(found[:4])
 
 
-def _gradient(laws: Mapping[Race, FrictionLaw], contact: BearingContact, motion: Array) -> tuple[Array, Array]:
+def _gradient(law: FrictionLaw, contact: BearingContact, motion: Array) -> tuple[Array, Array]:
     """Minus the forces (4,), and their slope (4, 4) by sliding and spin."""
     c = contact.conditions
     assert c is not None  # of a lubricated contact
     u = c.entrainment_speed
-    here, slope = _forces(laws, contact, motion), np.zeros((4, 4))
+    here, slope = _forces(law, contact, motion), np.zeros((4, 4))
     for j, step in enumerate((STEPS[0] * u, STEPS[1] * u, STEPS[2] * u / c.radius_x)):
         moved = motion.copy()
         moved[j] += step
-        slope[:, j] = -(_forces(laws, contact, moved) - here) / step
+        slope[:, j] = -(_forces(law, contact, moved) - here) / step
     return -here, slope
 
 

@@ -8,6 +8,7 @@ from numpy.testing import assert_allclose
 
 from bearing import BallKinematics
 from bearing.kinematics import Direction, attitude, blend, rolling_motion
+from bearing.operation import HYPOTHESES
 
 GAMMA = 0.2
 INNER, OUTER = 1100.0, -300.0  # [rad/s]
@@ -19,7 +20,7 @@ def motion_of(kinematics, inner=0.75, outer=0.5):
     return rolling_motion(ao, ai, beta, GAMMA, INNER, OUTER), ai, ao
 
 
-@pytest.mark.parametrize("kinematics", BallKinematics)
+@pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_no_sliding_at_either_centre(kinematics):
     """Velocities of ball and races at the contacts, cross products in (x, r, t), D = 0.2 and d_m = 1."""
     motion, ai, ao = motion_of(kinematics)

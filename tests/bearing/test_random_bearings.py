@@ -13,7 +13,6 @@ from numpy.testing import assert_allclose
 
 from bearing import (
     Arrangement,
-    BallKinematics,
     Bearing,
     Curvature,
     Material,
@@ -27,6 +26,7 @@ from bearing import (
     solve_quasistatic,
 )
 from bearing.geometry import contact_modulus
+from bearing.operation import HYPOTHESES
 from ehl.hertz import hertz_coefficients
 
 SMALLEST, LARGEST = 3e-3, 30e-3  # ball diameters [m]
@@ -94,7 +94,7 @@ def random_operation(rng, bearing, highest_dn):
 
 
 def random_model(rng):
-    return Model(ball_kinematics=rng.choice(list(BallKinematics)), curvature=rng.choice(list(Curvature)))
+    return Model(ball_kinematics=rng.choice(list(HYPOTHESES)), curvature=rng.choice(list(Curvature)))
 
 
 def check(solution):

@@ -10,7 +10,6 @@ from numpy.testing import assert_allclose
 
 from bearing import (
     Arrangement,
-    BallKinematics,
     Model,
     Operation,
     RatingInput,
@@ -22,6 +21,7 @@ from bearing import (
     preloaded_row,
     solve_quasistatic,
 )
+from bearing.operation import HYPOTHESES
 from ehl import Lubricant
 
 WIDTH = 16e-3  # [m]
@@ -121,7 +121,7 @@ def test_rows_in_one_plane_are_the_sum(bearings):
     assert_allclose(two.stiffness, 2.0 * one.stiffness, rtol=1e-9, atol=1.0)
 
 
-@pytest.mark.parametrize("kinematics", BallKinematics)
+@pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_stiffness_of_a_pair_is_the_derivative_of_its_load(bearings, kinematics):
     """As for one row: central differences, 1e-6 of the largest entry, turning, tilted, all balls loaded."""
     bearing, model, rows = bearings.b7008, Model(ball_kinematics=kinematics), pair(bearings.b7008, force=1500.0)

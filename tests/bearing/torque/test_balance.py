@@ -118,9 +118,19 @@ def test_balance_with_gyroscopic_couple():
     assert couple == pytest.approx(state.gyroscopic_moment, rel=0.05)  # that of the hypothesis
 
 
-def test_friction_too_small_for_the_couple_is_told():
+def test_friction_too_small_for_the_couple_turns_the_axis_until_there_is_none():
+    """The ball then turns about an axis parallel to the bearing's: J w_m w_R sin(beta) is what the friction holds."""
     state, contacts = solved(500.0, 0.0, 15000.0)
-    assert not balanced_friction(state, contacts, 1e-4).converged
+    found = balanced_friction(state, contacts, 1e-4)
+    assert found.converged
+    assert found.energy_error == pytest.approx(0.0, abs=1e-5)
+    turn = np.array([motion.rotation for motion in found.motions])
+    orbit = np.array([motion.orbit_speed for motion in found.motions])
+    assert np.abs(turn[:, 1] / turn[:, 0]).max() < 1e-3
+    inertia = pi / 60.0 * B6206.ball_material.density * B6206.ball_diameter**5
+    couple = 0.5 * B6206.ball_diameter * (found.forces[:, 1, 1] - found.forces[:, 0, 1])
+    assert couple == pytest.approx(inertia * orbit * turn[:, 1], rel=0.01)  # the orbit taken is the hypothesis'
+    assert (np.abs(couple) < 0.1 * np.abs(state.gyroscopic_moment)).all()
 
 
 def test_radial_load_splits_the_curvature_slip_in_balance():
