@@ -6,8 +6,8 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from .reader import open_results
     from .results import BearingResults, ContactResults
-    from .results_io import open_results
     from .summaries import summary
     from .writer import write_results
 
@@ -17,7 +17,7 @@ _HOMES = {
     "BearingResults": "results",
     "ContactResults": "results",
     "summary": "summaries",
-    "open_results": "results_io",
+    "open_results": "reader",
     "write_results": "writer",
 }
 

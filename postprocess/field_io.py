@@ -6,7 +6,7 @@ from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .results_io import open_results
+from .reader import open_results
 
 if TYPE_CHECKING:
     import xarray

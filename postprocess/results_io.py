@@ -140,7 +140,7 @@ def write_netcdf(results: BearingResults | ContactResults, path: Path, document:
 
     document = summary(results) if document is None else document
     single = isinstance(results, ContactResults)
-    groups = {"/": xr.Dataset(attrs=_root_attributes(document, "contact" if single else "bearing"))}
+    groups = {"/": xr.Dataset(attrs=root_attributes(document, "contact" if single else "bearing"))}
     if isinstance(results, ContactResults):
         groups["/contacts/contact"] = _field_dataset(results.solution)
     else:
@@ -177,7 +177,8 @@ def write_dataset(variables: Variables, coordinates: set[str], attributes: dict[
         dataset.close()
 
 
-def _root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
+def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
+    """What every file says of itself, from a summary: version, format, kind, input and messages as JSON."""
     case = document["case"]
     return {
         "title": str(case.get("title", "")),
@@ -309,56 +310,11 @@ def _ball_dataset(results: BearingResults) -> xarray.Dataset:
     return xr.Dataset(data, coords={"ball": np.arange(1, len(state.azimuth) + 1)})
 
 
-def open_results(directory: str | Path) -> xarray.DataTree:
-    """Open the results of a run; fields are read from disk when they are first used.
-
-    Parameters
-    ----------
-    directory : str or Path
-        Result directory, or its netCDF file.
-
-    Returns
-    -------
-    xarray.DataTree
-        Groups as `write_netcdf` describes; `tree.attrs["case"]` is the input as JSON. Close it when done.
-
-    Raises
-    ------
-    ValueError
-        If there are no results, or the file is damaged, not ours, or written by a newer program.
-    """
+def open_tree(path: Path) -> xarray.DataTree:
+    """The groups of a netCDF-4 file, read from disk when they are used; ValueError if it is damaged or none."""
     import xarray as xr
 
-    path = Path(directory)
-    path = path / FIELDS_FILE if path.is_dir() else path
-    if not path.is_file():
-        raise ValueError(f"{directory} holds no results: {path.name} is missing")
     try:
-        tree = xr.open_datatree(path, engine="h5netcdf")
+        return xr.open_datatree(path, engine="h5netcdf")
     except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:
         raise ValueError(f"{path} is damaged or not a netCDF-4 file: {error}") from error
-    problem = _foreign(tree)
-    if problem:
-        tree.close()
-        raise ValueError(f"{path} {problem}")
-    return _upgraded(tree)
-
-
-def _upgraded(tree: xarray.DataTree) -> xarray.DataTree:
-    """What an older format left out: in format 1 the grid's x lies along the entrainment."""
-    for node in tree.subtree if tree.attrs["oilfilm_format"] < FORMAT else ():
-        if "entrainment_angle" in node.attrs:
-            node.attrs.setdefault("frame_angle", node.attrs["entrainment_angle"])
-    return tree
-
-
-def _foreign(tree: xarray.DataTree) -> str:
-    """Say why the file is not one that this version reads; empty if it is."""
-    written = tree.attrs.get("oilfilm_format")
-    ours = tree.attrs.get("kind") == "batch" or {"contacts", "ring"} & set(tree.children)
-    if not isinstance(written, (int, np.integer)) or not ours:
-        return "is a netCDF file, but not one of oilfilm's results"
-    if written > FORMAT:
-        version = tree.attrs.get("oilfilm", "newer")
-        return f"was written by oilfilm {version} in format {written}; this version reads formats up to {FORMAT}"
-    return ""

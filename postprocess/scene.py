@@ -20,8 +20,9 @@ from numpy.typing import NDArray
 from .geometry import Placement
 from .patch import Patch
 from .plot_style import common_film_range, film_range
+from .reader import open_results
 from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
-from .results_io import atomic_path, open_results
+from .results_io import atomic_path
 from .scene_motion import FACTS, add_controls, patch_facts, write_movie
 from .scene_parts import INK, add_bodies, add_colour_bar, add_field, add_labels, aim, frame
 from .units import MILLIMETRE

@@ -14,7 +14,8 @@ from bearing.quasistatic import QuasistaticSolution
 from bearing.slip import CriticalCurves, SlipSurface, slip_factors
 
 from .plot_style import Array
-from .results_io import SUMMARY_FILE, atomic_path, write_json
+from .results_io import FIELDS_FILE, SUMMARY_FILE, atomic_path, write_json
+from .study_io import write_slip_netcdf
 from .units import RPM
 
 if TYPE_CHECKING:
@@ -189,6 +190,7 @@ def write_slip(results: SlipResults, directory: str | Path) -> tuple[str, ...]:
     _write_tables(results, folder)
     document = slip_summary(results)
     document["messages"] = [*document["messages"], *problems]
+    write_slip_netcdf(results, folder / FIELDS_FILE, document)
     write_json(document, folder / SUMMARY_FILE)
     return problems
 

@@ -12,7 +12,8 @@ import numpy as np
 
 from bearing.stiffness import StiffnessOverSpeed, ross_table
 
-from .results_io import SUMMARY_FILE, atomic_path, write_json
+from .results_io import FIELDS_FILE, SUMMARY_FILE, atomic_path, write_json
+from .study_io import write_stiffness_netcdf
 from .units import MICROMETRE, MILLIRADIAN, RPM
 
 ORDER = ("x", "y", "z", "ty", "tz")
@@ -116,7 +117,9 @@ def write_stiffness(results: StiffnessResults, directory: Path) -> tuple[str, ..
     ross = ross_table(study, results.damping)
     _write_csv(directory / ROSS_FILE, list(ross), np.column_stack(list(ross.values())))
     write_stiffness_plot(results, directory)
-    write_json(stiffness_summary(results), directory / SUMMARY_FILE)
+    document = stiffness_summary(results)
+    write_stiffness_netcdf(results, directory / FIELDS_FILE, document)
+    write_json(document, directory / SUMMARY_FILE)
     return ()
 
 

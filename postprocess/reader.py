@@ -1,0 +1,98 @@
+"""One loader for the folders of all commands: run, contact, batch, slip, stiffness, dynamics."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .history_io import FORMAT as HISTORY_FORMAT
+from .history_io import HISTORY_FILE
+from .results_io import FIELDS_FILE, FORMAT, SUMMARY_FILE, open_tree
+
+if TYPE_CHECKING:
+    import xarray
+
+KINDS = ("bearing", "contact", "batch", "slip", "stiffness")  # that a file names
+FOREIGN = "is a netCDF file, but not one of oilfilm's results"
+
+
+def open_results(directory: str | Path) -> xarray.DataTree:
+    """Open the results of a command; fields are read from disk when they are first used.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Folder of `oilfilm run`, `contact`, `batch`, `slip`, `stiffness` or `dynamics`, or its netCDF file.
+
+    Returns
+    -------
+    xarray.DataTree
+        SI, but for batches, whose variables name their units. `tree.attrs` has the `kind`, the program's version
+        (`oilfilm`) and the input as JSON (`case`); groups of a bearing are told by `write_netcdf`. Close it when done.
+
+    Raises
+    ------
+    ValueError
+        If there are no results, or the file is damaged, not ours, or written by a newer program.
+    """
+    path = _data_file(Path(directory))
+    tree = open_tree(path)
+    problem = _foreign(tree)
+    if problem:
+        tree.close()
+        raise ValueError(f"{path} {problem}")
+    if "oilfilm_history" in tree.attrs:
+        return _of_simulation(tree, path)
+    return _upgraded(tree)
+
+
+def _data_file(path: Path) -> Path:
+    """The netCDF file of a folder of results."""
+    if path.is_dir():
+        if (path / HISTORY_FILE).is_file() and not (path / FIELDS_FILE).exists():
+            return path / HISTORY_FILE
+        if (path / SUMMARY_FILE).is_file() and not (path / FIELDS_FILE).exists():
+            raise ValueError(f"{path} holds {SUMMARY_FILE}, but no {FIELDS_FILE}: compute it again with this version")
+        path = path / FIELDS_FILE
+    if not path.is_file():
+        raise ValueError(f"{path.parent} holds no results: {path.name} is missing")
+    return path
+
+
+def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
+    """A history with what its summary says; without one the simulation was not finished."""
+    tree.attrs["kind"] = "dynamics"
+    summary = path.with_name(SUMMARY_FILE)
+    try:
+        document = json.loads(summary.read_text(encoding="utf-8"))
+        tree.attrs["converged"] = int(document["converged"])
+        tree.attrs["messages"] = json.dumps(document["messages"], ensure_ascii=False)
+    except (OSError, ValueError, KeyError, TypeError):
+        tree.attrs["converged"] = 0
+        tree.attrs["messages"] = json.dumps([f"not converged: no readable {SUMMARY_FILE} beside {path.name}"])
+    return tree
+
+
+def _upgraded(tree: xarray.DataTree) -> xarray.DataTree:
+    """What an older format left out: in format 1 the grid's x lies along the entrainment."""
+    for node in tree.subtree if tree.attrs["oilfilm_format"] < FORMAT else ():
+        if "entrainment_angle" in node.attrs:
+            node.attrs.setdefault("frame_angle", node.attrs["entrainment_angle"])
+    return tree
+
+
+def _foreign(tree: xarray.DataTree) -> str:
+    """Say why the file is not one that this version reads; empty if it is."""
+    history = "oilfilm_history" in tree.attrs
+    written = tree.attrs.get("oilfilm_history" if history else "oilfilm_format")
+    known = HISTORY_FORMAT if history else FORMAT
+    if not isinstance(written, (int, np.integer)):
+        return FOREIGN
+    if written > known:
+        version = tree.attrs.get("oilfilm", "newer")
+        return f"was written by oilfilm {version} in format {written}; this version reads formats up to {known}"
+    ours = history or tree.attrs.get("kind") in KINDS
+    return "" if ours else FOREIGN

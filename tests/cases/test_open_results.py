@@ -1,0 +1,97 @@
+"""One loader for the folders of every command."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import postprocess
+from cases.case import read_text
+from cases.cli import app
+from cases.shipped import find_case
+
+CHANGES = {
+    "slip": ("hirano_7000C", (("points = 51\n", "points = 3\ncritical_points = 2\n"),)),
+    "stiffness": ("7008_back_to_back", ()),
+    "dynamics": ("7008_axial", (("end_time_s = ", "end_time_s = 0.0004 # "), ("output_interval_us = ", "# "))),
+}
+
+
+def made(command, tmp_path):
+    """Results of a small case, its summary, and what the loader opens."""
+    stem, changes = CHANGES[command]
+    text = read_text(find_case(stem))
+    for old, new in changes:
+        text = text.replace(old, new)
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    words = [command, str(tmp_path / "case.toml"), "-o", str(tmp_path / "out"), "-q"]
+    found = CliRunner().invoke(app, [*words, "--points", "2"] if command == "stiffness" else words)
+    assert found.exit_code == 0, found.output
+    document = json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))
+    tree = postprocess.open_results(tmp_path / "out")
+    assert tree.attrs["kind"] == command
+    assert tree.attrs["oilfilm"] == document["oilfilm"]
+    assert json.loads(tree.attrs["case"]) == document["case"]
+    assert json.loads(tree.attrs["messages"]) == document["messages"]
+    assert bool(tree.attrs["converged"]) is document["converged"]
+    return document, tree
+
+
+def is_lazy(variable):
+    return not isinstance(variable.variable._data, np.ndarray)
+
+
+def test_slip(tmp_path):
+    document, tree = made("slip", tmp_path)
+    with tree:
+        assert is_lazy(tree["slip_factor"])
+        least = tree["slip_factor"].min("ball").values
+        np.testing.assert_allclose(least, np.array(document["surface"]["slip_factor_minimum"], dtype=float))
+        np.testing.assert_allclose(
+            tree["speed"].values * 30.0 / np.pi, np.array(document["surface"]["speeds_rpm"], dtype=float)
+        )
+        curve = document["critical_curves"][1]["axial_loads_N"][2]
+        assert tree["ball"].values[2] == curve["ball"]
+        found = tree["critical_axial_load"].isel(critical_speed=1, ball=2).values
+        np.testing.assert_allclose(found, np.array(curve["values"], dtype=float))
+        assert tree["minimum_load_hirano"].attrs["units"] == "N"
+
+
+def test_stiffness(tmp_path):
+    document, tree = made("stiffness", tmp_path)
+    with tree:
+        assert is_lazy(tree["stiffness"])
+        place = {"freedom": "ty", "freedom_2": "z"}
+        found = tree["stiffness"].sel(place).values
+        np.testing.assert_allclose(found, [point["stiffness"][3][2] for point in document["points"]])
+
+
+def test_dynamics(tmp_path):
+    _, tree = made("dynamics", tmp_path)
+    with tree:
+        assert is_lazy(tree["contact_load"])
+        assert tree["contact_load"].dims == ("time", "race", "ball")
+    (tmp_path / "out" / "summary.json").write_text("{", encoding="utf-8")  # cut off
+    with postprocess.open_results(tmp_path / "out") as tree:
+        assert tree.attrs["converged"] == 0
+        assert "no readable summary.json" in tree.attrs["messages"]
+
+
+@pytest.mark.parametrize("command", ["slip", "stiffness"])
+def test_folders_of_older_versions_are_told(tmp_path, command):
+    made(command, tmp_path)[1].close()
+    (tmp_path / "out" / "results.nc").unlink()
+    with pytest.raises(ValueError, match=r"no results\.nc: compute it again"):
+        postprocess.open_results(tmp_path / "out")
+
+
+def test_a_newer_history_is_refused(tmp_path):
+    import h5netcdf
+
+    with h5netcdf.File(tmp_path / "history.nc", "w") as file:
+        file.attrs.update({"oilfilm_history": 99, "oilfilm": "9.0"})
+    with pytest.raises(ValueError, match=r"oilfilm 9\.0 in format 99"):
+        postprocess.open_results(tmp_path)
