@@ -16,6 +16,7 @@ slide_y and spin reversed F_y and M_n are. All are cubic B-splines.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from math import asinh, exp, inf, isfinite, log
 
 import numpy as np
@@ -173,7 +174,7 @@ class TractionTable:
     converged: bool
     message: str
 
-    @property
+    @cached_property
     def constants(self) -> Array:
         """As the kernel takes them, shape (7,): see `_kernels.table_lookup`."""
         contact, limits = self.contact, self.range
