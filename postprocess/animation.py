@@ -31,6 +31,7 @@ Array = NDArray[np.float64]
 
 COLLECTION_FILE, STEP_FOLDER = "motion.pvd", "motion"
 LIGHT, DARK, CAGE_COLOUR, RING_COLOUR, INK = "#e8ebef", "#39424e", "#b98a4a", "#c3cad3", "#1b1f24"
+COLOURS = 128  # of a frame; picked to cover, not by area, so that the few points of the arrows keep theirs
 FORCE_COLOURS = {"inner": "#0b5394", "outer": "#c1440e"}
 PER_FRAME = 60  # [ms]
 BALL_RINGS = 16  # of a ball's mesh
@@ -283,7 +284,8 @@ def _draw(directory: Path, file: Path, options: AnimationOptions) -> None:
                 plotter.add_mesh(arrows, color=colour, name=f"forces {race}", lighting=False, render=False)
         plotter.add_text(f"{1000.0 * time:.2f} ms", position="lower_left", font_size=9, color=INK, name="time")
         plotter.render()
-        frames.append(Image.fromarray(plotter.screenshot(return_img=True)).quantize(96))
+        picture = Image.fromarray(plotter.screenshot(return_img=True))
+        frames.append(picture.quantize(COLOURS, method=Image.Quantize.MAXCOVERAGE))
         if options.steps:
             steps[float(time)] = _write_step(motion, directory, row)
     plotter.close()

@@ -19,6 +19,7 @@ from .units import RPM
 
 ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
 STATES = ("free", "contact", "impact")
+WHIRLS = ("ring_whirl_speed_rpm", "cage_whirl_speed_rpm")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,6 +72,9 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
         messages.append(text)
     if found is not None and found.cage_interval is None:
         messages.append("dynamics: fewer than 60 samples: no confidence interval of the speeds")
+    still = [] if found is None else [n for n in ("ring", "cage") if getattr(found, f"{n}_whirl") is None]
+    if still:
+        messages.append(f"dynamics: no whirl: the centre of {' and '.join(still)} stays on the axis or is held")
     counts, counters = made.equations, made.state.counters
     return {
         "oilfilm": results.version,
@@ -100,17 +104,22 @@ def _speeds(found: Outcome | None) -> dict[str, float | None]:
     if found is None:
         names = ("cage_speed_rpm", "ball_orbit_speed_rpm", "kinematic_cage_speed_rpm", "cage_speed_ratio")
         intervals = ("cage_speed_interval_rpm", "ball_orbit_speed_interval_rpm")
-        return dict.fromkeys((*names, *intervals, "cage_slip_ratio"))
+        return dict.fromkeys((*names, *intervals, "cage_slip_ratio", *WHIRLS))
     ratio = found.cage_speed / found.kinematic_speed if found.kinematic_speed else None
     return {
         "cage_speed_rpm": found.cage_speed / RPM,
-        "cage_speed_interval_rpm": None if found.cage_interval is None else found.cage_interval / RPM,
+        "cage_speed_interval_rpm": _rpm(found.cage_interval),
         "ball_orbit_speed_rpm": found.orbit_speed / RPM,
-        "ball_orbit_speed_interval_rpm": None if found.orbit_interval is None else found.orbit_interval / RPM,
+        "ball_orbit_speed_interval_rpm": _rpm(found.orbit_interval),
         "kinematic_cage_speed_rpm": found.kinematic_speed / RPM,
         "cage_speed_ratio": ratio,
         "cage_slip_ratio": None if ratio is None else 1.0 - ratio,
+        **{name: _rpm(value) for name, value in zip(WHIRLS, (found.ring_whirl, found.cage_whirl), strict=True)},
     }
+
+
+def _rpm(value: float | None) -> float | None:
+    return None if value is None else value / RPM
 
 
 def _energy(found: Outcome) -> dict[str, Any]:

@@ -91,7 +91,7 @@ def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     top.set_ylabel("normal force on ball 1 [N]")
     bottom.set_ylabel("friction along the entrainment [N]")
     bottom.set_xlabel("time [ms]")
-    top.legend(ncols=3)
+    top.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
 
 
 def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
@@ -148,7 +148,9 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
         y, z = (place.sel({f"{body}_coordinate": name}).to_numpy() / MICROMETRE for name in ("y", "z"))
         ax.plot(z, y, color=colour, linewidth=0.5)
         ax.plot(z[-1], y[-1], "o", color=INK, markersize=3)
-        ax.set_title(f"centre of the {'inner ring' if body == 'ring' else 'cage'}")
+        whirl = document[f"{body}_whirl_speed_rpm"]
+        turns = "" if whirl is None else f", turning at {whirl:.0f} r/min"
+        ax.set_title(f"centre of the {'inner ring' if body == 'ring' else 'cage'}{turns}")
         ax.set_xlabel("z [µm]")
         ax.set_aspect("equal", adjustable="datalim")
         if np.ptp(y) == 0.0 and np.ptp(z) == 0.0:

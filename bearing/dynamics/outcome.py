@@ -10,7 +10,7 @@ from .initial import kinematic_cage_speed
 from .layout import CAGE_ROTATION, Layout
 from .problem import Array
 from .simulation import Record, Simulation
-from .statistics import batch_interval
+from .statistics import batch_interval, whirl_speed
 
 LAST_PART = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
 MECHANISMS = (
@@ -37,6 +37,7 @@ class Tally:
     time: list[Array] = field(default_factory=list)
     cage_rotation: list[Array] = field(default_factory=list)  # [rad]
     orbit_speed: list[Array] = field(default_factory=list)  # mean of the balls [rad/s]
+    centres: list[Array] = field(default_factory=list)  # y, z of ring and of cage, (m, 4) [m]
     load_sum: Array = field(default_factory=lambda: np.zeros(0))  # [N]
     load_largest: Array = field(default_factory=lambda: np.zeros(0))  # [N]
     pocket_largest: Array = field(default_factory=lambda: np.zeros(0))  # [N]
@@ -49,6 +50,7 @@ class Tally:
         self.time.append(record.time)
         self.cage_rotation.append(record.state[:, layout.cage][:, CAGE_ROTATION].copy())
         self.orbit_speed.append(orbit_speeds(record.state, layout).mean(axis=1))
+        self.centres.append(np.hstack([record.state[:, part][:, 1:3] for part in (layout.ring, layout.cage)]))
         loads, pockets = record.races[..., 0], record.pockets[..., 0]
         if not self.rows:
             self.load_sum, self.load_largest = np.zeros(loads.shape[1:]), np.zeros(loads.shape[1:])
@@ -75,6 +77,8 @@ class Outcome:
         Means over the last third, of the cage and of the balls, and the kinematic speed of the same time [rad/s].
     cage_interval, orbit_interval : float or None
         Half widths of the 95 % confidence intervals of the first two, `batch_interval` [rad/s].
+    ring_whirl, cage_whirl : float or None
+        Of the centres over the last third, `whirl_speed`; None where they stay [rad/s].
     work : dict of float
         Put in and lost, by mechanism [J].
     stored : float
@@ -96,6 +100,8 @@ class Outcome:
     kinematic_speed: float
     cage_interval: float | None
     orbit_interval: float | None
+    ring_whirl: float | None
+    cage_whirl: float | None
     work: dict[str, float]
     stored: float
     energy_error: float
@@ -132,7 +138,7 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
     late = time >= time[-1] - LAST_PART * (time[-1] - time[0])
     late[-2:] = True
     cage = np.concatenate(tally.cage_rotation)[late]
-    orbit = np.concatenate(tally.orbit_speed)[late]
+    orbit, centres = np.concatenate(tally.orbit_speed)[late], np.concatenate(tally.centres)[late]
     span = float(time[late][-1] - time[late][0])
     has_cage = simulation.problem.constants.cage_mass > 0.0 and span > 0.0
     work = state.y[simulation.layout.energy]
@@ -145,6 +151,8 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
         kinematic_speed=_kinematic(simulation, time[late]),
         cage_interval=batch_interval(np.diff(cage) / np.diff(time[late]) if has_cage else orbit),
         orbit_interval=batch_interval(orbit),
+        ring_whirl=whirl_speed(time[late], centres[:, :2]),
+        cage_whirl=whirl_speed(time[late], centres[:, 2:]),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
         stored=put_in - lost,
         energy_error=tally.residual / max(abs(put_in), abs(lost), 1e-300),

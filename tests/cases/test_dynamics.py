@@ -57,7 +57,7 @@ def test_summary_has_the_keys_of_the_contract(folder):
     document = json.loads((folder[0] / "summary.json").read_text(encoding="utf-8"))
     wanted = {
         "simulated_s", "wall_s", "steps", "equations", "cage_speed_rpm", "cage_speed_ratio", "energy_balance_error",
-        "cage_speed_interval_rpm", "ball_orbit_speed_interval_rpm",
+        "cage_speed_interval_rpm", "ball_orbit_speed_interval_rpm", "ring_whirl_speed_rpm", "cage_whirl_speed_rpm",
         "converged", "messages", "case",
     }  # fmt: skip
     assert wanted <= document.keys()

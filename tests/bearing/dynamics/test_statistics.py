@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.stats import t
 
-from bearing.dynamics.statistics import BATCHES, STUDENT, batch_interval
+from bearing.dynamics.statistics import BATCHES, STUDENT, batch_interval, whirl_speed
 
 
 def test_student():
@@ -35,3 +35,12 @@ def test_a_trend_widens_it_and_few_samples_have_none():
     assert batch_interval(steady) == pytest.approx(0.0, abs=1e-15)
     assert batch_interval(steady + np.linspace(0.0, 1.0, 200)) > 0.1
     assert batch_interval(np.ones(19)) is None
+
+
+@pytest.mark.parametrize("speed", [340.0, -55.0])
+def test_whirl_of_a_circle_off_the_axis(speed):
+    time = np.linspace(0.0, 0.1, 1001)
+    place = 1e-6 * np.stack([3.0 + np.cos(speed * time), 0.5 + np.sin(speed * time)], axis=1)
+    assert whirl_speed(time, place) == pytest.approx(speed, rel=0.02)  # the mean of parts of turns is off the centre
+    assert whirl_speed(time, np.zeros((1001, 2))) is None
+    assert whirl_speed(time[:2], place[:2]) is None
