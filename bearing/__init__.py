@@ -14,7 +14,7 @@ from .operation import BallKinematics, Curvature, Model, Operation, RatingInput
 if TYPE_CHECKING:
     from .clearance import ClearanceBudget, Fit, Warming, clearance_budget
     from .contacts import BearingContact, contact_conditions
-    from .frequencies import Frequencies, bearing_frequencies
+    from .frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
     from .life import LifeRating, bearing_life
     from .preload import Arrangement, duplex, preload_offset, preloaded_row
     from .quasistatic import QuasistaticSolution, solve_quasistatic
@@ -55,6 +55,7 @@ __all__ = [
     "contact_stress",
     "critical_curves",
     "duplex",
+    "kinematic_frequencies",
     "library_lubricant",
     "list_bearings",
     "list_lubricants",
@@ -88,6 +89,7 @@ _LAZY = {  # these need SciPy, which takes longer to import than a command line 
     "contact_stress": "stresses",
     "Frequencies": "frequencies",
     "bearing_frequencies": "frequencies",
+    "kinematic_frequencies": "frequencies",
     "LifeRating": "life",
     "bearing_life": "life",
     "Arrangement": "preload",

@@ -42,7 +42,7 @@ CONTACT_COLUMNS = (
 )
 KNOWN = frozenset(
     "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance life frequencies_Hz "
-    "torque_N_mm timing_s kind rows".split()
+    "kinematic_frequencies_Hz torque_N_mm timing_s kind rows".split()
 )
 GIVEN = ("nominal_contact_angle_deg", "contamination_factor")  # input among the results of a rating
 TOP = ("schema_version", "title", "source", "assumed")
@@ -136,7 +136,12 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
         yield "contacts", "Contacts", _contacts(summary["contacts"])
     yield "films", "Film and pressure", _films(summary, folder)
     yield "torque", "Friction torque", _torque(summary.get("torque_N_mm") or {})
-    blocks = {"life": "Rating life", "clearance": "Clearance", "frequencies_Hz": "Frequencies [Hz]"}
+    blocks = {
+        "life": "Rating life",
+        "clearance": "Clearance",
+        "frequencies_Hz": "Frequencies [Hz]",
+        "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
+    }
     shown = [facts(title, _known(summary[key])) for key, title in blocks.items() if _says_something(summary.get(key))]
     yield "life", "Life, clearance, frequencies", f'<div class="facts">{"".join(shown)}</div>' if shown else ""
     yield "convergence", "Convergence and uncertainty", _convergence(summary)

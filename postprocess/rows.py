@@ -8,11 +8,35 @@ from typing import TYPE_CHECKING, Any
 from .units import MICROMETRE, MILLIMETRE, NEWTON_MILLIMETRE, RPM
 
 if TYPE_CHECKING:
+    from bearing.frequencies import Frequencies
     from bearing.quasistatic import QuasistaticSolution
 
     from .results import BearingResults
 
 FREQUENCIES = ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin")
+
+
+def frequency_block(found: Frequencies) -> dict[str, float]:
+    """Frequencies by name [Hz]."""
+    return {name: getattr(found, name) for name in FREQUENCIES}
+
+
+def kinematic_block(results: BearingResults) -> dict[str, float]:
+    """Frequencies of rolling at the nominal contact angle, as catalogues have them [Hz]."""
+    from bearing.frequencies import kinematic_frequencies
+
+    state, life = results.quasistatic, results.life
+    angle = state.bearing.free_contact_angle if life is None else life.rating.nominal_contact_angle
+    return frequency_block(kinematic_frequencies(state.bearing, state.operation, angle))
+
+
+def frequency_lines(results: BearingResults) -> dict[str, str]:
+    """A line of the terminal's table [Hz]; none where the rings do not turn against each other."""
+    found = results.frequencies
+    if not found.ball_spin > 0.0:
+        return {}
+    passing = f"BPFO {found.ball_pass_outer:.1f}, BPFI {found.ball_pass_inner:.1f}"
+    return {"frequencies": f"cage {found.cage:.1f}, {passing}, BSF {found.ball_spin:.1f} Hz"}
 
 
 def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
@@ -32,7 +56,7 @@ def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
                 "moment_N_mm": [moment / NEWTON_MILLIMETRE for moment in alone.ring_moment],
                 "balls_loaded": int((alone.inner_load > 0.0).sum()),
                 "cage_speed_rpm": alone.cage_speed / RPM,
-                "frequencies_Hz": {name: getattr(frequencies, name) for name in FREQUENCIES},
+                "frequencies_Hz": frequency_block(frequencies),
             }
         )
     return found
@@ -51,7 +75,7 @@ def row_lines(state: QuasistaticSolution) -> dict[str, str]:
         return {}
     return {
         f"row {block['row']}": (
-            "x {:.1f}, y {:.1f}, z {:.1f} N, ".format(*(force + 0.0 for force in block["force_N"]))
+            "x {:.1f}, y {:.1f}, z {:.1f} N, ".format(*(round(force, 1) + 0.0 for force in block["force_N"]))
             + f"{block['balls_loaded']} balls loaded, cage {block['cage_speed_rpm']:.1f} rpm"
         )
         for block in row_blocks(state)

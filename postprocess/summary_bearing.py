@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from .messages import absent_films, lambda_ratio, ratio_messages
 from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
-from .rows import row_blocks, row_messages
+from .rows import frequency_block, kinematic_block, row_blocks, row_messages
 from .stress import stress_messages, stress_values
 from .summary_contact import films, formulas, solution_messages
 from .torque import contact_traction_values, torque_block, torque_messages
@@ -49,10 +49,8 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         ],
         "clearance": clearance_block(results),
         "life": life_block(results),
-        "frequencies_Hz": {
-            name: getattr(results.frequencies, name)
-            for name in ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin")
-        },
+        "frequencies_Hz": frequency_block(results.frequencies),
+        "kinematic_frequencies_Hz": kinematic_block(results),
         "torque_N_mm": torque_block(results),
         "timing_s": dict(results.timing),
     }
@@ -83,6 +81,9 @@ def _ball(state: QuasistaticSolution, i: int) -> dict[str, Any]:
         "orbit_speed_rad_s": state.orbit_speed[i],
         "spin_speed_rad_s": state.spin_speed[i],
         "attitude_deg": degrees(state.attitude[i]),
+        "pivot_speed_rad_s": state.pivot_speed[i],
+        "inner_friction_N": state.inner_friction[i],
+        "outer_friction_N": state.outer_friction[i],
     }
 
 

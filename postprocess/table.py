@@ -9,7 +9,7 @@ from .messages import lambda_ratio
 from .plot_style import value_with_error
 from .ratings import rating_rows
 from .results import BearingResults, ContactResults
-from .rows import row_lines
+from .rows import frequency_lines, row_lines
 from .torque import torque_rows
 from .units import GIGAPASCAL, MICROMETRE, RPM
 
@@ -62,7 +62,7 @@ def _bearing_table(results: BearingResults) -> Table:
     rows = {
         "ring displacement": f"x {x:.2f}, y {y:.2f}, z {z:.2f} µm".replace("-0.00", "0.00"),
         "ring tilt": f"y {state.tilt[0] * 1e3:.3f}, z {state.tilt[1] * 1e3:.3f} mrad",
-        "ring load": "x {:.1f}, y {:.1f}, z {:.1f} N".format(*(abs(v) and v for v in state.ring_force)),
+        "ring load": "x {:.1f}, y {:.1f}, z {:.1f} N".format(*(round(v, 1) + 0.0 for v in state.ring_force)),
         "cage speed": f"{state.cage_speed / RPM:.1f} rpm",
         "balls loaded": f"{int((state.inner_load > 0.0).sum())} of {len(state.azimuth)}",
         "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",
@@ -71,7 +71,7 @@ def _bearing_table(results: BearingResults) -> Table:
         rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
     if not state.tilt.any():
         del rows["ring tilt"]
-    rows |= row_lines(state) | rating_rows(results) | torque_rows(results)
+    rows |= row_lines(state) | frequency_lines(results) | rating_rows(results) | torque_rows(results)
     table = _facts_table()
     for name, value in rows.items():
         table.add_row(name, Text(value))

@@ -2,11 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import BallKinematics, Model, Operation, Race, bearing_frequencies, contact_conditions, solve_quasistatic
+from bearing import (
+    BallKinematics,
+    Model,
+    Operation,
+    Race,
+    bearing_frequencies,
+    contact_conditions,
+    kinematic_frequencies,
+    solve_quasistatic,
+)
 from bearing.contacts import rolling_and_spin
 from ehl import Lubricant
 
@@ -117,6 +128,16 @@ def test_frequencies_of_rolling(solved, bearings):
     turn = 1e4 / 60.0
     found = [f.cage, f.ball_pass_outer, f.ball_pass_inner, f.ball_spin]
     assert_allclose(found, turn * np.array([0.4, 3.6, 5.4, 2.4]), rtol=1e-12)
+
+
+def test_kinematic_frequencies_of_a_published_bearing(bearings):
+    """Case Western's 6205, 9 balls of 0.3126 in on 1.537 in: 3.5848, 5.4152, 4.7135/2, 0.39828 a turn."""
+    known = replace(bearings.b6208, ball_diameter=0.3126 * 25.4e-3, pitch_diameter=1.537 * 25.4e-3)
+    found = kinematic_frequencies(known, Operation(inner_speed=2.0 * np.pi, force=(0.0, 100.0, 0.0)), 0.0)
+    numbers = [found.ball_pass_outer, found.ball_pass_inner, found.ball_spin, found.cage]
+    assert_allclose(numbers, [3.5848, 5.4152, 0.5 * 4.7135, 0.39828], rtol=1e-3)
+    both = kinematic_frequencies(known, Operation(inner_speed=30.0, outer_speed=30.0, force=(0.0, 1.0, 0.0)), 0.3)
+    assert_allclose([both.cage, both.ball_pass_outer], [30.0 / (2.0 * np.pi), 0.0], atol=1e-12)
 
 
 def test_7008_kinematic_cage_speed(bearings):

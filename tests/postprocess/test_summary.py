@@ -22,6 +22,7 @@ BEARING_KEYS = {
     "contacts",
     "life",
     "frequencies_Hz",
+    "kinematic_frequencies_Hz",
     "torque_N_mm",
     "timing_s",
 }
@@ -86,6 +87,7 @@ def test_bearing_keys(bearing_results):
     assert (
         np.shape(document["ring"]["stiffness"]["matrix"]) == (5, 5) == np.shape(document["ring"]["stiffness"]["units"])
     )
+    assert document["frequencies_Hz"].keys() == document["kinematic_frequencies_Hz"].keys()
     assert document["frequencies_Hz"].keys() == {"cage", "ball_pass_outer", "ball_pass_inner", "ball_spin"}
     assert document["torque_N_mm"].keys() >= {"total", "models"}
     assert len(document["contacts"]) == 18
