@@ -38,7 +38,7 @@ LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
 LATER_TABLES = ("load_cases",)
 LATER_VALUES = {
-    ("model", "ball_kinematics"): ("minimum dissipation", "traction equilibrium"),
+    ("model", "ball_kinematics"): ("minimum dissipation",),
     ("lubricant", "viscosity_law"): ("yasutomi",),
 }
 NAMED_TABLES: dict[str, type[Table]] = {"materials": MaterialTable, "lubricants": OilTable, "rows": RowTable}
@@ -308,6 +308,9 @@ def _bearing_case(file: BearingFile) -> Case:
     maps = file.ehl.film_maps
     operation = convert.operation(file.operation)
     bearing, clearance = convert.operating_bearing(file, operation)
+    films = convert.film_physics(file, shear := convert.rheology(file, oil))
+    model = convert.model(file, convert.ball_traction(file, bearing, oil, shear, films))
+    document["model"]["ball_kinematics"] = model.ball_kinematics.value
     return Case(
         title=file.title,
         source=file.source,
@@ -315,7 +318,7 @@ def _bearing_case(file: BearingFile) -> Case:
         bearing=bearing,
         lubricant=oil,
         operation=operation,
-        model=convert.model(file),
+        model=model,
         solver=convert.solver_options(file.ehl),
         film_maps=maps if isinstance(maps, str) else tuple(radians(azimuth) for azimuth in maps),
         document=document,
@@ -323,7 +326,7 @@ def _bearing_case(file: BearingFile) -> Case:
         dynamics=None if file.dynamics is None else convert.dynamics_plan(file),
         rating=convert.rating(file),
         friction=convert.friction(file),
-        films=convert.film_physics(file, shear := convert.rheology(file, oil)),
+        films=films,
         rheology=shear,
         clearance=clearance,
         rows=convert.rows(file),

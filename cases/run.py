@@ -13,12 +13,14 @@ from typing import TYPE_CHECKING
 from .case import Case, ContactCase
 from .checks import ball_at
 from .film_model import FilmModel
+from .traction_films import traction_messages, with_workers
 from .version import version
 
 if TYPE_CHECKING:
     from bearing.contacts import BearingContact
     from bearing.quasistatic import QuasistaticSolution
     from bearing.torque.breakdown import TorqueBreakdown
+    from bearing.torque.integrated import SolvedShear
     from bearing.traction_forces import ContactTraction
     from ehl import ContactConditions, ContactSolution, SolverOptions
     from ehl.traction import TractionResult
@@ -80,13 +82,17 @@ def run_case(
     notify = progress or (lambda done, total, state: None)
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
-    state = solve_quasistatic(case.bearing, case.operation, case.model, rows=case.rows or SINGLE)
+    model = with_workers(case.model, workers, notify, solve)
+    try:
+        state = solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
+    except KeyboardInterrupt:  # while films are solved for the traction
+        raise Interrupted(None) from None
     contacts = contact_conditions(state, case.lubricant)
     timing = {"quasistatic": perf_counter() - start}
     wanted, messages = wanted_contacts(case, state, contacts)
     start = perf_counter()
     solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
-    solutions, interrupted = _solve_contacts(wanted, case.solver, workers, notify, solver)
+    solutions, interrupted = solve_contacts(wanted, case.solver, workers, notify, solver)
     timing |= {"contacts": perf_counter() - start, "total": sum(timing.values()) + perf_counter() - start}
     if interrupted:
         messages = (*messages, "interrupted: the films that were not finished are null")
@@ -99,7 +105,7 @@ def run_case(
         contacts=contacts,
         solutions=solutions,
         frequencies=bearing_frequencies(state),
-        messages=(*case.warnings, *case.films.messages, *messages),
+        messages=(*case.warnings, *case.films.messages, *traction_messages(state, contacts), *messages),
         interrupted=interrupted,
         timing=timing,
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
@@ -155,21 +161,48 @@ def _torque(
     contacts: Sequence[BearingContact],
     solutions: Sequence[ContactSolution | None],
 ) -> TorqueBreakdown | None:
-    """Friction torque by every model; the integrated one needs the films of all lubricated contacts."""
+    """Friction torque by every model; the integrated one needs a friction law, or the films of all contacts."""
     from bearing.torque.breakdown import torque_breakdown
-    from bearing.torque.integrated import Asperities, solved_shear
 
     if case.friction is None or not state.converged:
         return None
-    shear, rough = None, case.friction.roughness
+    shear = None
+    if state.operation.inner_speed != state.operation.outer_speed:
+        shear = _law_shear(state, contacts) or _film_shear(case, state, contacts, solutions)
+    return torque_breakdown(state, contacts, case.lubricant, case.friction, shear=shear)
+
+
+def _law_shear(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> SolvedShear | None:
+    """Torque by the friction law that the case names; None where it takes that of its films."""
+    from bearing.torque.tabulated import law_torque
+    from bearing.torque.traction_source import FilmTraction
+
+    traction = state.model.traction
+    if traction is None or isinstance(traction.source, FilmTraction):
+        return None
+    law = traction.source.prepare(state, contacts).law(state, contacts)
+    return law_torque(state, contacts, law, traction.resistance)
+
+
+def _film_shear(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None],
+) -> SolvedShear | None:
+    """Torque by the shear of the films; None unless those of all lubricated contacts converged."""
+    from bearing.torque.integrated import Asperities, solved_shear
+    from bearing.torque.resistance import FREE
+
     solved = [film is not None and film.converged for film in solutions]
     complete = all(film for film, contact in zip(solved, contacts, strict=True) if contact.loaded) and any(solved)
-    if complete and case.rheology is not None and state.operation.inner_speed != state.operation.outer_speed:
-        asperities = None
-        if rough is not None:
-            asperities = Asperities(inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary)
-        shear = solved_shear(state, contacts, solutions, case.rheology, asperities)
-    return torque_breakdown(state, contacts, case.lubricant, case.friction, shear=shear)
+    if not complete or case.rheology is None or case.friction is None:
+        return None
+    asperities, rough = None, case.friction.roughness
+    if rough is not None:
+        asperities = Asperities(inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary)
+    resistance = FREE if state.model.traction is None else state.model.traction.resistance
+    return solved_shear(state, contacts, solutions, case.rheology, asperities, resistance)
 
 
 def run_contact(case: ContactCase, *, finite_element: bool = False, workers: int = 1) -> ContactResults:
@@ -287,7 +320,7 @@ def _shared(options: SolverOptions, threads: int) -> SolverOptions:
     return replace(options, threads=threads) if threads > 1 and options.points >= LARGE_CONTACT else options
 
 
-def _solve_contacts(
+def solve_contacts(
     conditions: Sequence[ContactConditions | None],
     options: SolverOptions,
     workers: int | None,

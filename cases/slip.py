@@ -81,6 +81,7 @@ def _range(ends: tuple[float, float], points: int) -> list[float]:
 
 
 def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
+    from bearing.operation import BallKinematics
     from bearing.slip import SlipStudy
 
     if case.slip is None:
@@ -89,6 +90,8 @@ def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
     if operation.force[0] is None or (case.slip.critical_speeds and operation.force[1] is None):
         varied = "the axial load" if operation.force[0] is None else "the radial load"
         raise CaseError([f"{name}: [operation] displacement_um: slip maps vary {varied}; allowed: a load there"])
+    if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        raise CaseError([f"{name}: [model] ball_kinematics: slip maps take a hypothesis; allowed: one of the others"])
     study = SlipStudy(bearing=case.bearing, operation=operation, model=case.model, limit=case.slip.limit)
     return study, case.slip
 

@@ -305,6 +305,9 @@ def _ball_dataset(results: BearingResults) -> xarray.Dataset:
         "orbit_speed": "rad/s",
         "spin_speed": "rad/s",
         "attitude": "rad",
+        "pivot_speed": "rad/s",
+        "inner_friction": "N",
+        "outer_friction": "N",
     }
     data = {n: ("ball", np.asarray(getattr(state, n), dtype=np.float64), {"units": u}) for n, u in units.items()}
     return xr.Dataset(data, coords={"ball": np.arange(1, len(state.azimuth) + 1)})

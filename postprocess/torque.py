@@ -123,16 +123,18 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _balance_words(results: BearingResults) -> str:
+    from bearing.operation import BallKinematics
+
     shear = results.torque.shear if results.torque is not None else None
     if shear is None:
         return ""
     if shear.balanced is None:
         return f"; {shear.note}: the rings' power differs from the heat by {shear.torque.imbalance:.0%} of it"
-    kinematics = results.quasistatic.model.ball_kinematics.value
+    kinematics = results.quasistatic.model.ball_kinematics
     carried = ", ".join(str(ball) for ball in shear.carried)
-    words = (
-        f", balls in traction equilibrium, as traction of the contacts; '{kinematics}' holds for loads and films only"
-    )
+    words = ", balls in traction equilibrium, as traction of the contacts"
+    if kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
+        words += f"; '{kinematics.value}' holds for loads and films only"
     return words + (f"; balls {carried} go with the cage, their inner contacts cannot drive them" if carried else "")
 
 

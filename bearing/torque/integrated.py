@@ -11,7 +11,7 @@ The films are those solved without sliding at the contacts' centres; how much sl
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +28,7 @@ from .balance import BalancedFriction, ContactLaw, balance_balls, balance_driven
 from .contact_friction import TINY, Dissipation, coulomb_dissipation
 from .coulomb import contact_ellipses
 from .mixed import asperity_share
+from .resistance import FREE, Resistance
 
 FilmLaw = Callable[[Array, float], tuple[Array, Array]]
 STRENGTH = 0.05  # traction coefficient that residual forces are measured against [-]
@@ -53,6 +54,8 @@ class IntegratedTorque:
         What the contacts turn into heat [W].
     per_ball : ndarray, shape (balls,)
         Torque by ball [N m].
+    resisted : float
+        What the balls give to the oil around them and to the cage's land where these are in the balance [W].
     """
 
     rolling: float
@@ -63,6 +66,7 @@ class IntegratedTorque:
     heat: float
     per_ball: Array
     asperity: float = 0.0
+    resisted: float = 0.0
 
     @property
     def total(self) -> float:
@@ -71,8 +75,8 @@ class IntegratedTorque:
 
     @property
     def imbalance(self) -> float:
-        """Rings' power less heat, over the heat [-]: what accelerates balls that are not in balance."""
-        return (self.shaft_power - self.heat) / self.heat if self.heat > 0.0 else 0.0
+        """Rings' power less heat and drag, over the heat [-]: what accelerates balls that are not in balance."""
+        return (self.shaft_power - self.heat - self.resisted) / self.heat if self.heat > 0.0 else 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -130,6 +134,7 @@ def solved_shear(
     films: Sequence[ContactSolution | None],
     rheology: Rheology,
     asperities: Asperities | None = None,
+    resistance: Resistance = FREE,
 ) -> SolvedShear:
     """Integrated torque under the hypothesis and in traction equilibrium.
 
@@ -139,6 +144,8 @@ def solved_shear(
         As in `film_balance`; films of all lubricated contacts.
     asperities : Asperities, optional
         None: full films.
+    resistance : Resistance, optional
+        What holds the balls back beside the races.
 
     Returns
     -------
@@ -154,12 +161,12 @@ def solved_shear(
         mean = sum(s * contact.load for s, (contact, _) in zip(shares, pairs, strict=True)) / loads
     assumed = [contact_traction(solution, contact, film, rheology) for contact, film in pairs]
     hypothesis = integrated_torque(solution, assumed, shares, boundary)
-    balance = film_balance(solution, contacts, films, rheology, asperities)
+    balance = film_balance(solution, contacts, films, rheology, asperities, resistance)
     if not balance.converged:
         note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"
         return SolvedShear(hypothesis=hypothesis, asperity_share=mean, tractions=tuple(assumed), note=note)
     found = balanced_tractions(solution, contacts, films, rheology, balance)
-    balanced = integrated_torque(solution, found, shares, boundary)
+    balanced = replace(integrated_torque(solution, found, shares, boundary), resisted=balance.resisted)
     return SolvedShear(
         hypothesis=hypothesis,
         balanced=balanced,
@@ -241,6 +248,7 @@ def film_balance(
     films: Sequence[ContactSolution | None],
     rheology: Rheology,
     asperities: Asperities | None = None,
+    resistance: Resistance = FREE,
 ) -> BalancedFriction:
     """Motion of all balls in which the shear of their films balances itself, films and loads held.
 
@@ -254,6 +262,8 @@ def film_balance(
     rheology : Rheology
     asperities : Asperities, optional
         None: full films.
+    resistance : Resistance, optional
+        What holds the balls back beside the races.
 
     Returns
     -------
@@ -263,8 +273,9 @@ def film_balance(
     first, exact = (
         film_law(solution, contacts, films, rheology, asperities, left_out=left_out) for left_out in (NEGLIGIBLE, 0.0)
     )
-    near = balance_driven_balls(solution, contacts, first)
-    return balance_balls(solution, contacts, exact, driven=near.driven, near=near if near.converged else None)
+    near = balance_driven_balls(solution, contacts, first, resistance)
+    begin = near if near.converged else None
+    return balance_balls(solution, contacts, exact, driven=near.driven, near=begin, resistance=resistance)
 
 
 def film_law(

@@ -8,6 +8,7 @@ moment about the transverse axis, so that `rolling` holds both.
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +22,7 @@ from ..traction_forces import bearing_kinematics
 from .balance import BalancedFriction, ContactLaw, balance_driven_balls, ring_power
 from .contact_friction import Dissipation
 from .integrated import STRENGTH, IntegratedTorque, SolvedShear, carried_balls
+from .resistance import FREE, Resistance
 
 STEPS = (1.0e-5, 1.0e-5, 1.0e-5)  # of slide_x, slide_y over u, and spin over u/R_x, for difference quotients [-]
 
@@ -43,16 +45,37 @@ def tabulated_torque(
     SolvedShear
         [N m], [W].
     """
+    return law_torque(solution, contacts, contact_law(contacts, [laws[contact.race] for contact in contacts]))
+
+
+def law_torque(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], law: ContactLaw, resistance: Resistance = FREE
+) -> SolvedShear:
+    """Torque by the friction of all contacts, at the motion of the solution and in balance.
+
+    Parameters
+    ----------
+    solution, contacts
+        As in `tabulated_torque`.
+    law : ContactLaw
+        Friction in [N], [N m].
+    resistance : Resistance, optional
+        What holds the balls back beside the races.
+
+    Returns
+    -------
+    SolvedShear
+        [N m], [W].
+    """
     motion = np.array([_motion(solution, contact) for contact in contacts])
-    forces = np.array(
-        [_forces(laws[c.race], c, k) if c.conditions else np.zeros(4) for c, k in zip(contacts, motion, strict=True)]
-    )
+    forces = -law.dissipation(motion, np.arange(len(contacts))).gradient
     hypothesis = _torque(solution, contacts, motion, forces)
-    balance = law_balance(solution, contacts, laws)
+    balance = balance_driven_balls(solution, contacts, law, resistance)
     if not balance.converged:
         note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"
         return SolvedShear(hypothesis=hypothesis, note=note)
     found = _torque(solution, contacts, balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4))
+    found = replace(found, resisted=balance.resisted)
     return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried_balls(solution, balance))
 
 
@@ -60,7 +83,8 @@ def law_balance(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], laws: Mapping[Race, FrictionLaw]
 ) -> BalancedFriction:
     """Motion of all balls in which the laws' forces balance themselves; arguments as in `tabulated_torque`, SI."""
-    return balance_driven_balls(solution, contacts, contact_law(contacts, [laws[contact.race] for contact in contacts]))
+    law = contact_law(contacts, [laws[contact.race] for contact in contacts])
+    return balance_driven_balls(solution, contacts, law)
 
 
 def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]) -> ContactLaw:

@@ -46,6 +46,11 @@ class PreparedTraction(Protocol):
 class TractionSource(Protocol):
     """What traction equilibrium asks of the friction."""
 
+    @property
+    def words(self) -> str:
+        """Where it comes from, for messages."""
+        ...
+
     def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
         """What is needed near an equilibrium [N], [m/s]."""
         ...
@@ -90,6 +95,11 @@ class LawTraction(_Everywhere):
 
     laws: Mapping[Race, FrictionLaw]
 
+    @property
+    def words(self) -> str:
+        """Where it comes from, for messages."""
+        return "a law of each race (traction tables)"
+
     def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
         """Itself, for loads [N] of any size."""
         del solution, contacts
@@ -112,6 +122,11 @@ class FourConstantTraction(_Everywhere):
     """
 
     constants: tuple[float, float, float, float]
+
+    @property
+    def words(self) -> str:
+        """Where it comes from, for messages."""
+        return "law of four constants, (A + B s) exp(-C s) + D with " + ", ".join(f"{c:.4g}" for c in self.constants)
 
     def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
         """Itself, for loads [N] of any size."""
@@ -141,6 +156,11 @@ class CoulombTraction(_Everywhere):
     """
 
     friction: float
+
+    @property
+    def words(self) -> str:
+        """Where it comes from, for messages."""
+        return f"Coulomb's law, mu = {self.friction:g}"
 
     def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
         """Itself, for loads [N] of any size."""
@@ -172,6 +192,11 @@ class FilmTraction:
     solve: SolveFilms
     rheology: Rheology
     asperities: Asperities | None = None
+
+    @property
+    def words(self) -> str:
+        """Where it comes from, for messages."""
+        return "shear of the solved films, in proportion to the load between two rounds of solving them"
 
     def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
         """Films at the loads of an equilibrium [N].

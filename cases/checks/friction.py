@@ -9,6 +9,11 @@ from ..problems import MISSING, Problem, shown
 from .lubricant import oil_table
 from .values import Values
 
+TRACTION_KEYS = {
+    "table": ("traction_table",),
+    "four constants": ("traction_maximum", "traction_maximum_slide", "traction_limit"),
+    "coulomb": ("coefficient",),
+}
 LAND = ("land_diameter_mm", "land_width_mm", "land_clearance_um")
 
 
@@ -19,6 +24,7 @@ def friction(values: Values) -> Iterator[Problem]:
         for key in LAND:
             if not values.given("cage", key):
                 yield Problem(path=("cage", key), found=MISSING, allowed="needed where a ring guides the cage")
+    yield from _traction(values)
     if values.get("lubricant") is None:
         return
     oil, _ = oil_table(values.document)
@@ -27,6 +33,22 @@ def friction(values: Values) -> Iterator[Problem]:
         for key in ("carreau_modulus_MPa", "carreau_exponent"):
             if key not in oil:
                 yield Problem(path=("lubricant", key), found=MISSING, allowed='needed with rheology = "carreau-yasuda"')
+
+
+def _traction(values: Values) -> Iterator[Problem]:
+    """A law of friction has its constants, and no other has them; the largest coefficient is above the limit."""
+    chosen = values.get("friction", "traction")
+    for law, keys in TRACTION_KEYS.items():
+        for key in keys:
+            if law == chosen and not values.given("friction", key):
+                yield Problem(path=("friction", key), found=MISSING, allowed=f"needed with traction = {shown(law)}")
+            elif law != chosen and law != "coulomb" and values.given("friction", key):
+                allowed = f"allowed: with traction = {shown(law)}"
+                yield Problem(path=("friction", key), found="found without its law", allowed=allowed)
+    largest, limit = values.get("friction", "traction_maximum"), values.get("friction", "traction_limit")
+    if largest is not None and limit is not None and limit >= largest:
+        allowed = f"allowed: below traction_maximum = {largest:g}"
+        yield Problem(path=("friction", "traction_limit"), found=f"found {limit:g}", allowed=allowed)
 
 
 def _heat(values: Values, oil: dict[str, Any]) -> Iterator[Problem]:

@@ -8,8 +8,10 @@ from .lubricant import lubricant, lubricant_keys, temperature
 from .materials import material_table, materials, ring_materials, seat_materials
 from .operation import model, operation, slip_plan
 from .rows import rows
+from .traction import ball_traction
 
 __all__ = [
+    "ball_traction",
     "bearing",
     "contact",
     "contact_defaults",

@@ -9,8 +9,11 @@ from .units import KN, MRAD, N_MM, RPM, UM, ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from bearing.operation import Model, Operation
+    from bearing.torque.traction_source import BallTraction
 
     from ..slip_plan import SlipPlan
+
+TRACTION_EQUILIBRIUM = "traction equilibrium"
 
 
 def operation(table: OperationTable) -> Operation:
@@ -39,12 +42,19 @@ def _split(entries: tuple[Any, ...], unit: float) -> Any:
     return tuple(None if entry == FREE else entry * unit for entry in entries)
 
 
-def model(file: BearingFile) -> Model:
-    """Assumptions of the bearing model [-]."""
+def model(file: BearingFile, traction: BallTraction | None = None) -> Model:
+    """Assumptions of the bearing model [-], with the friction of balls on races where the case names it."""
     from bearing.operation import BallKinematics, Curvature, Model
 
-    kinematics, curvature = BallKinematics(file.model.ball_kinematics), Curvature(file.model.curvature)
-    return Model(ball_kinematics=kinematics, curvature=curvature)
+    kinematics = BallKinematics(kinematics_name(file))
+    return Model(ball_kinematics=kinematics, curvature=Curvature(file.model.curvature), traction=traction)
+
+
+def kinematics_name(file: BearingFile) -> str:
+    """Ball kinematics as given; left out, traction equilibrium where a traction is named [-]."""
+    if file.friction.traction is not None and "ball_kinematics" not in file.model.model_fields_set:
+        return TRACTION_EQUILIBRIUM
+    return file.model.ball_kinematics
 
 
 def slip_plan(table: SlipTable) -> SlipPlan:

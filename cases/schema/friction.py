@@ -15,6 +15,17 @@ class FrictionTable(Table):
     coefficient: float | None = Field(
         None, gt=0.0, le=1.0, description="Coulomb's mu of the sliding models; left out, SKF's mu_sl"
     )
+    traction: Literal["films", "table", "four constants", "coulomb"] | None = Field(
+        None, description="friction of balls on races in traction equilibrium; left out, that of the case's films"
+    )
+    traction_table: str | None = Field(None, min_length=1, description="file of `oilfilm table`, with traction table")
+    traction_maximum: float | None = Field(
+        None, gt=0.0, le=1.0, description="four constants: largest coefficient kappa_max"
+    )
+    traction_maximum_slide: float | None = Field(
+        None, gt=0.0, le=10.0, description="four constants: slide-roll ratio of it"
+    )
+    traction_limit: float | None = Field(None, ge=0.0, le=1.0, description="four constants: coefficient at large slide")
     lubrication: Literal["oil bath", "low oil bath", "oil jet", "grease", "oil air"] = Field(
         "low oil bath", description="how the oil comes to the bearing, for SKF's model and Palmgren's"
     )

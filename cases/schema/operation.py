@@ -47,8 +47,11 @@ class OperationTable(Table):
 class ModelTable(Table):
     """Assumptions of the bearing model."""
 
-    ball_kinematics: Literal["half and half", "outer race control", "inner race control"] = Field(
-        "half and half", description="what fixes the balls' axis of rotation"
+    ball_kinematics: Literal["half and half", "outer race control", "inner race control", "traction equilibrium"] = (
+        Field(
+            "half and half",
+            description="what fixes the balls' axis of rotation; left out with friction.traction, traction equilibrium",
+        )
     )
     curvature: Literal["operating", "free"] = Field(
         "operating", description="contact angle at which the curvatures of the contacts are taken"
