@@ -18,6 +18,7 @@ from .version import version
 
 if TYPE_CHECKING:
     from bearing.contacts import BearingContact
+    from bearing.operation import Model
     from bearing.quasistatic import QuasistaticSolution
     from bearing.torque.breakdown import TorqueBreakdown
     from bearing.torque.integrated import SolvedShear
@@ -75,18 +76,12 @@ def run_case(
     from bearing.contacts import contact_conditions
     from bearing.frequencies import bearing_frequencies
     from bearing.life import bearing_life
-    from bearing.quasistatic import solve_quasistatic
-    from bearing.rows import SINGLE
     from postprocess.results import BearingResults
 
     notify = progress or (lambda done, total, state: None)
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
-    model = with_workers(case.model, workers, notify, solve)
-    try:
-        state = solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
-    except KeyboardInterrupt:  # while films are solved for the traction
-        raise Interrupted(None) from None
+    state = _equilibrium(case, with_workers(case.model, workers, notify, solve))
     contacts = contact_conditions(state, case.lubricant)
     timing = {"quasistatic": perf_counter() - start}
     wanted, messages = wanted_contacts(case, state, contacts)
@@ -116,6 +111,17 @@ def run_case(
     if interrupted:
         raise Interrupted(results if any(solution is not None for solution in solutions) else None)
     return results
+
+
+def _equilibrium(case: Case, model: Model) -> QuasistaticSolution:
+    """Loads, angles and motion of the balls; on Ctrl-C, while films are solved for the traction, `Interrupted`."""
+    from bearing.quasistatic import solve_quasistatic
+    from bearing.rows import SINGLE
+
+    try:
+        return solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
+    except KeyboardInterrupt:
+        raise Interrupted(None) from None
 
 
 def _friction(
