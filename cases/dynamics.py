@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from .case import Case
 from .dynamics_plan import DynamicsPlan
 from .problems import CaseError
+from .terminal import finish_first
 from .version import version
 
 if TYPE_CHECKING:
@@ -132,9 +133,15 @@ def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> Dy
 
     with HistoryWriter(history, case.bearing.balls, attributes) as writer:
         try:
-            for record in made.pieces():
-                writer.add(record)
-                tally.add(record, made.start_energy)
+            pieces = made.pieces()
+            while True:
+                with finish_first("the samples under way"):  # state, history and tally stay in step
+                    record = next(pieces, None)
+                    if record is not None:
+                        writer.add(record)
+                        tally.add(record, made.start_energy)
+                if record is None:
+                    break
                 share = (made.state.time - first) / (end - first)
                 left = (perf_counter() - began) * (1.0 - share) / share
                 done = round(made.state.time * MILLISECONDS)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from copy import deepcopy
+from dataclasses import dataclass, field, fields
 from time import perf_counter
 from typing import Any, NamedTuple
 
@@ -79,6 +80,15 @@ class SimulationState:
     counters: NDArray[np.int64]
     stiff: bool = False
 
+    def put_back(self, other: SimulationState) -> None:
+        """Take over the values of another state, in the arrays that the equations hold."""
+        for part in fields(self):
+            mine, value = getattr(self, part.name), getattr(other, part.name)
+            if isinstance(mine, np.ndarray):
+                mine[...] = value
+            else:
+                setattr(self, part.name, value)
+
 
 @dataclass(slots=True, kw_only=True)
 class Simulation:
@@ -131,11 +141,18 @@ class Simulation:
         return times[times > self.state.time * (1.0 + 1e-12)]
 
     def pieces(self) -> Iterator[Record]:
-        """Move on to the end; a record after each piece. Stops early, `converged` False, where a step fails."""
+        """Move on to the end; a record after each piece. Stops early, `converged` False, where a step fails.
+
+        Ctrl-C during a piece leaves the state at its beginning.
+        """
         times = self.sample_times()
         for first in range(0, times.size, PIECE):
-            began = perf_counter()
-            record = self._advance(times[first : first + PIECE])
+            began, before = perf_counter(), deepcopy(self.state)
+            try:
+                record = self._advance(times[first : first + PIECE])
+            except KeyboardInterrupt:
+                self.state.put_back(before)
+                raise
             self.wall += perf_counter() - began
             if record.time.size:
                 yield record

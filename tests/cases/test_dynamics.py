@@ -5,6 +5,10 @@ from __future__ import annotations
 import json
 import math
 import shutil
+import signal
+import subprocess
+import sys
+import time
 
 import numpy as np
 import pytest
@@ -131,6 +135,27 @@ def test_an_interrupted_run_goes_on(tmp_path):
     (tmp_path / "bad.npz").write_bytes(b"no archive")
     with pytest.raises(CaseError, match="no restart file"):
         run_dynamics(case, "case", tmp_path / "y.nc", restart=tmp_path / "bad.npz")
+
+
+def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
+    """A real signal, at any moment: no time counts twice, and the restart reaches the end of an uninterrupted run."""
+    path = short(tmp_path / "case.toml", "7008_axial", ("interval_us = 50.0", "interval_us = 5.0"), ("0.004", "0.012"))
+    whole = run_dynamics(load_case(path), "case", tmp_path / "whole.nc")
+    command = [sys.executable, "-c", "from cases.cli import app; app()", "dynamics", str(path), "-o", "out", "--quiet"]
+    run = subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
+    while run.poll() is None and not any(file.stat().st_size > 20_000 for file in tmp_path.glob(".oilfilm-*/*")):
+        time.sleep(0.005)
+    run.send_signal(signal.SIGINT)
+    said = run.communicate()[1]
+    assert run.returncode == 3, said
+    assert "--restart" in said
+    case = load_case(path)
+    rest = run_dynamics(case, "case", tmp_path / "rest.nc", restart=tmp_path / "out_restart.npz")
+    np.testing.assert_array_equal(rest.simulation.state.y, whole.simulation.state.y)
+    np.testing.assert_allclose(rest.simulation.state.shares.sum(axis=2), 0.012, rtol=1e-9)
+    with open_history(tmp_path / "out") as first, open_history(tmp_path / "rest.nc") as second:
+        assert first.sizes["time"] + second.sizes["time"] == 2400
+        assert 0.0 < float(second["time"][0] - first["time"][-1]) < 5.1e-6
 
 
 @pytest.mark.parametrize(
