@@ -92,6 +92,7 @@ def run_dynamics(
         made = simulation(case.bearing, case.operation, model)
         if restart is not None:
             load_restart(made, restart, case_key(case))
+            made.messages.append(f"dynamics: gone on at t = {made.state.time:.6g} s; loads of the summary from there")
     except ValueError as problem:
         raise CaseError([f"{name}: {problem}"]) from problem
     return _stream(case, made, history, notify)

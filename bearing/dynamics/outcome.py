@@ -135,7 +135,7 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
     if not tally.rows:
         return None
     time, state = np.concatenate(tally.time), simulation.state
-    late = time >= time[-1] - LAST_PART * (time[-1] - time[0])
+    late = time >= (1.0 - LAST_PART) * time[-1]
     late[-2:] = True
     cage = np.concatenate(tally.cage_rotation)[late]
     orbit, centres = np.concatenate(tally.orbit_speed)[late], np.concatenate(tally.centres)[late]
