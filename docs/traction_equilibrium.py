@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import degrees, pi
 from pathlib import Path
-from time import perf_counter
 
 import matplotlib as mpl
 import numpy as np
@@ -52,7 +51,7 @@ COLOURS = {
 
 @dataclass(frozen=True, kw_only=True)
 class Row:
-    """What one way of computing gives for ball 1: angles [deg], ratios [-], cage speed over the ring's [-], times [s]."""
+    """What one way of computing gives for ball 1: angles [deg], ratios [-]."""
 
     attitude: float
     inner_angle: float
@@ -62,7 +61,6 @@ class Row:
     inner_share: float
     cage: float
     imbalance: float | None
-    seconds: float
 
 
 def sources(case: Case) -> dict[str, TractionSource]:
@@ -90,9 +88,7 @@ def imbalance(state: QuasistaticSolution, source: TractionSource, case: Case) ->
 
 def row(case: Case, model: Model, source: TractionSource | None) -> Row:
     """Ball 1 of the case under a model."""
-    start = perf_counter()
     state = solve_quasistatic(case.bearing, case.operation, model)
-    seconds = perf_counter() - start
     if not state.converged:
         raise SystemExit(state.message)
     inner, outer = contact_conditions(state, case.lubricant)[:2]
@@ -107,7 +103,6 @@ def row(case: Case, model: Model, source: TractionSource | None) -> Row:
         inner_share=float(state.inner_friction[0] / both),
         cage=state.cage_speed / case.operation.inner_speed,
         imbalance=None if source is None else imbalance(state, source, case),
-        seconds=seconds,
     )
 
 
@@ -131,7 +126,8 @@ def at(case: Case, rpm: float, axial: float) -> Case:
 def table(found: dict[str, Row]) -> list[str]:
     """Lines of one operation's table."""
     lines = [
-        "| | β | α_i, α_o | spin over roll, inner, outer | inner share of 2 M_g/D | cage over shaft | power left over |",
+        "| | β | α_i, α_o | spin over roll, inner, outer | inner share of 2 M_g/D | cage over shaft "
+        "| power left over |",
         "|---|---|---|---|---|---|---|",
     ]
     for name, r in found.items():
@@ -179,8 +175,6 @@ def main() -> None:
     text = PAGE.read_text(encoding="utf-8")
     head, rest = text.split(START)
     PAGE.write_text(f"{head}{START}\n" + "\n".join(lines[1:]) + f"\n{END}" + rest.split(END)[1], encoding="utf-8")
-    for name, r in by_speed[SHOWN[-1]].items():
-        print(f"{name}: {r.seconds:.2f} s")
 
 
 if __name__ == "__main__":
