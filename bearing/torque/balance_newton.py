@@ -70,7 +70,7 @@ def evaluate(z: Array, problem: MotionProblem, balls: NDArray[np.int64]) -> tupl
     gradient = np.einsum("bckj,bck->bj", move, found.gradient.reshape(*shape, 4)) + fixed
     gradient += np.einsum("bij,bj->bi", problem.turning[balls], z)
     curvature = found.curvature.reshape(*shape, 4, 4)
-    slope = np.einsum("bcki,bckl,bclj->bij", move, curvature, move, optimize=True) + problem.turning[balls]
+    slope = (move.swapaxes(2, 3) @ curvature @ move).sum(axis=1) + problem.turning[balls]
     return power, np.where(free, gradient, 0.0), np.where(free[:, :, None] & free[:, None, :], slope, 0.0)
 
 

@@ -7,13 +7,14 @@ moment about the transverse axis, so that `rolling` holds both.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.traction.laws import FrictionLaw
+from ehl.traction.laws import CoulombLaw, FourConstantLaw, FrictionLaw
+from ehl.traction.table import TractionTable
 
 from ..contacts import BearingContact
 from ..geometry import Array, Race
@@ -24,7 +25,8 @@ from .contact_friction import Dissipation
 from .integrated import STRENGTH, IntegratedTorque, SolvedShear, carried_balls
 from .resistance import FREE, Resistance
 
-STEPS = (1.0e-5, 1.0e-5, 1.0e-5)  # of slide_x, slide_y over u, and spin over u/R_x, for difference quotients [-]
+Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
+STEP = 1.0e-5  # of slides over u, and spin over u/R_x, for difference quotients [-]
 
 
 def tabulated_torque(
@@ -89,43 +91,100 @@ def law_balance(
 
 def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]) -> ContactLaw:
     """Friction [N] of all contacts by a law each, where they are lubricated."""
+    groups = _groups(contacts, laws)
+    places = np.array([_place(contact) for contact in contacts])
 
     def law(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
         gradient, slope = np.zeros((numbers.size, 4)), np.zeros((numbers.size, 4, 4))
-        for row, number in enumerate(numbers):
-            contact = contacts[number]
-            if contact.conditions is not None:
-                gradient[row], slope[row] = _gradient(laws[number], contact, motion[row])
+        for members, evaluate in groups:
+            rows = np.flatnonzero(members[numbers])
+            if rows.size:
+                gradient[rows], slope[rows] = evaluate(numbers[rows], places[numbers[rows]], motion[rows])
         return Dissipation(np.zeros(numbers.size), gradient, slope)
 
     load = np.array([contact.load if contact.conditions is not None else 0.0 for contact in contacts])
     return ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False)
 
 
+def _place(contact: BearingContact) -> tuple[float, float, float]:
+    """Load [N], entrainment speed [m/s] and rolling radius [m]."""
+    c = contact.conditions
+    return (0.0, 0.0, 1.0) if c is None else (c.load, c.entrainment_speed, c.radius_x)
+
+
+def _groups(
+    contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]
+) -> list[tuple[NDArray[np.bool_], Evaluate]]:
+    """Lubricated contacts that are evaluated together: those of one table, those of one kind of coefficient."""
+    kinds: dict[object, list[int]] = {}
+    for number, (contact, law) in enumerate(zip(contacts, laws, strict=True)):
+        if contact.conditions is not None:
+            alike = type(law) if isinstance(law, CoulombLaw | FourConstantLaw) else id(law)
+            kinds.setdefault(alike, []).append(number)
+    groups = []
+    for numbers in kinds.values():
+        members = np.zeros(len(contacts), dtype=np.bool_)
+        members[numbers] = True
+        groups.append((members, _evaluation(laws, laws[numbers[0]])))
+    return groups
+
+
+def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
+    """Minus the forces and their slopes of some contacts, by number, place and motion, for laws like the first."""
+    from . import _kernels
+
+    if isinstance(first, CoulombLaw | FourConstantLaw):
+        disc, blank = first.disc, (first.kernel_law(), first.shape.constants)
+        alike = [law if isinstance(law, type(first)) else None for law in laws]
+        constants = np.array([blank[0] if law is None else law.kernel_law() for law in alike])
+        shapes = np.array([blank[1] if law is None else law.shape.constants for law in alike])
+
+        def coefficients(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
+            found = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
+            _kernels.hertz_gradients(disc, constants[numbers], shapes[numbers], places, motion, STEP, *found)
+            return found
+
+        return coefficients
+    if isinstance(first, TractionTable):
+        arguments = first.kernel_arguments()
+
+        def table(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
+            found = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
+            _kernels.table_gradients(*arguments, places, motion, STEP, *found)
+            return found
+
+        return table
+
+    def one_by_one(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
+        found = [law_gradient(first, place, k) for place, k in zip(places, motion, strict=True)]
+        return np.array([gradient for gradient, _ in found]), np.array([slope for _, slope in found])
+
+    return one_by_one
+
+
+def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, Array]:
+    """Minus the forces and moments (4,) on the ball by a law, and their slope (4, 4) by sliding and spin.
+
+    Parameters
+    ----------
+    law : FrictionLaw
+    place : ndarray, shape (3,)
+        Load [N], entrainment speed [m/s], rolling radius [m]; the entrainment is that of the rolling speed.
+    motion : ndarray, shape (4,)
+        Sliding along and across [m/s], spin and rolling [rad/s].
+    """
+    load, speed, radius = (float(value) for value in place)
+    here, slope = np.array(law.forces(load, speed, *(float(part) for part in motion[:3]))[:4]), np.zeros((4, 4))
+    for j, step in enumerate((STEP * speed, STEP * speed, STEP * speed / radius)):
+        moved = motion[:3].copy()
+        moved[j] += step
+        slope[:, j] = -(np.array(law.forces(load, speed, *(float(part) for part in moved))[:4]) - here) / step
+    return -here, slope
+
+
 def _motion(solution: QuasistaticSolution, contact: BearingContact) -> Array:
     k = bearing_kinematics(solution, contact)
     return np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
-
-
-def _forces(law: FrictionLaw, contact: BearingContact, motion: Array) -> Array:
-    """Forces and moments (4,) on the ball; the entrainment is that which belongs to the rolling speed."""
-    c = contact.conditions
-    assert c is not None  # of a lubricated contact
-    found = law.forces(c.load, c.entrainment_speed, float(motion[0]), float(motion[1]), float(motion[2]))
-    return np.array(found[:4])
-
-
-def _gradient(law: FrictionLaw, contact: BearingContact, motion: Array) -> tuple[Array, Array]:
-    """Minus the forces (4,), and their slope (4, 4) by sliding and spin."""
-    c = contact.conditions
-    assert c is not None  # of a lubricated contact
-    u = c.entrainment_speed
-    here, slope = _forces(law, contact, motion), np.zeros((4, 4))
-    for j, step in enumerate((STEPS[0] * u, STEPS[1] * u, STEPS[2] * u / c.radius_x)):
-        moved = motion.copy()
-        moved[j] += step
-        slope[:, j] = -(_forces(law, contact, moved) - here) / step
-    return -here, slope
 
 
 def _torque(

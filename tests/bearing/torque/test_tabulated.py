@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from math import pi
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -13,11 +14,14 @@ from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.coulomb import balanced_friction
 from bearing.torque.models import FrictionInput
 from bearing.torque.sliding import shaft_speed
-from bearing.torque.tabulated import tabulated_torque
+from bearing.torque.tabulated import contact_law, law_gradient, tabulated_torque
 from bearing.traction_forces import bearing_kinematics
 from ehl import Lubricant
 from ehl.hertz import hertz_contact
+from ehl.rheology import Rheology
 from ehl.traction import ContactShape, CoulombLaw
+from ehl.traction.laws import FourConstantLaw
+from ehl.traction.table import TableContact, TableError, TableRange, TractionTable
 
 OIL = Lubricant(viscosity=0.0174, pressure_viscosity=18e-9)
 MU = 0.08
@@ -79,3 +83,70 @@ def test_a_table_makes_the_integrated_model(axial):
     assert torque.chosen == "integrated"
     assert torque.total == pytest.approx(shear.torque.total)
     assert torque.models["coulomb"].total == pytest.approx(torque.total, rel=0.01)
+
+
+def random_table(rng):
+    """A table of random spline coefficients: no oil, but a smooth law."""
+    body = TableContact(
+        radius_x=5e-3, radius_y=0.12, reduced_modulus=2.2e11, lubricant=OIL, rheology=Rheology(), temperature=313.0,
+        curvature_radius=6e-3, curvature_difference=-160.0,
+    )  # fmt: skip
+    limits = TableRange(load=(1.0, 1000.0), speed=(0.5, 20.0))
+    nodes = (4, 4, 7, 5, 6)
+    starts = (np.log(1.0), np.log(0.5), -1.0, 0.0, -1.0)
+    ends = (np.log(1000.0), np.log(20.0), 1.0, 1.0, 1.0)
+    axes = np.array([[a, (n - 1) / (b - a), n] for a, b, n in zip(starts, ends, nodes, strict=True)])
+    scalars = rng.normal(scale=0.1, size=(6, 6, 10)) + np.log([0.01, 0.01, 0.1, 5e-7, 1e-4, 1e8, 1e3, 5.0, 1e-3, 1e-3])
+    error = TableError(
+        largest=0.0, quantile=0.0, rms=0.0, largest_spin=0.0, largest_rolling=0.0, films=0, motions=0, tolerance=0.0
+    )
+    return TractionTable(
+        contact=body, range=limits, points=65, axes=axes, scalars=scalars,
+        values=rng.normal(size=(*(n + 2 for n in nodes), 4)), kappa_max=0.05, error=error, films=16, converged=True,
+        message="random",
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("kind", ["table", "coulomb", "four constants", "other"])
+def test_compiled_friction_of_many_contacts_is_that_of_each_law(axial, kind):
+    """Kernel against its twin, forces and slopes to round-off; a law the kernels do not know goes one by one."""
+    state, contacts = axial
+    rng = np.random.default_rng(30917)
+    if kind == "table":
+        by_race = {race: random_table(rng) for race in Race}
+    else:
+        by_race = coulomb_laws(state, contacts, 1e-3)
+        if kind == "four constants":
+            by_race = {
+                race: FourConstantLaw(law.shape, a=-0.03, b=3.6, c=46.0, d=0.03) for race, law in by_race.items()
+            }
+    laws = [by_race[contact.race] for contact in contacts]
+    if kind == "other":
+        laws = [SimpleNamespace(forces=law.forces) for law in laws]
+    numbers = np.array([0, 3, 4, 17, 8])
+    motion = rng.normal(size=(numbers.size, 4)) * [0.05, 0.05, 50.0, 500.0]
+    found = contact_law(contacts, laws).dissipation(motion, numbers)
+    for row, number in enumerate(numbers):
+        c = contacts[number].conditions
+        gradient, slope = law_gradient(laws[number], np.array([c.load, c.entrainment_speed, c.radius_x]), motion[row])
+        assert np.abs(gradient[:2]).max() > 0.0
+        np.testing.assert_allclose(found.gradient[row], gradient, rtol=1e-12)
+        np.testing.assert_allclose(found.curvature[row], slope, rtol=1e-6, atol=1e-9 * np.abs(slope).max())
+
+
+def test_slopes_are_derivatives(axial):
+    """Forward quotients of 1e-5 of the speed against central ones of a hundredth more, to what curvature leaves."""
+    state, contacts = axial
+    laws = coulomb_laws(state, contacts, 0.5)  # a ramp wide enough to be smooth
+    law = contact_law(contacts, [laws[contact.race] for contact in contacts])
+    motion, numbers = np.array([[0.02, 0.01, 30.0, 400.0]]), np.array([2])
+    slope = law.dissipation(motion, numbers).curvature[0]
+    for j, step in enumerate((1e-5, 1e-5, 1e-2)):
+        ends = []
+        for sign in (1.0, -1.0):
+            moved = motion.copy()
+            moved[0, j] += sign * step
+            ends.append(law.dissipation(moved, numbers).gradient[0])
+        np.testing.assert_allclose(
+            slope[:, j], (ends[0] - ends[1]) / (2.0 * step), rtol=1e-3, atol=1e-4 * abs(slope[j, j])
+        )
