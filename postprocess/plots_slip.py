@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 KRPM = 1000.0 * RPM
 LEVELS = np.array([0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])  # of the contour lines, limit 10 [-]
 DEEPEST = 0.01  # of the limit: where the colours end [-]
+MOST_TICKS = 12  # azimuths that are named [-]
 NO_LOAD = 1e-3  # slip factor that counts as none [-]
 UNLOADED = "#c9ced4"  # where a ball carries no load at the inner race
 SAME = 1.0e-6  # relative difference below which two balls have one curve [-]
@@ -176,8 +177,13 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
     factors = slip_factors(results.state)
     azimuths = np.degrees(results.state.azimuth) % 360.0
     finite = np.where(np.isfinite(factors), factors, 0.0)
-    colours = [OUTER_COLOUR if factor < results.limit else INNER_COLOUR for factor in factors]
-    axes.bar(azimuths, finite, width=0.6 * 360.0 / len(factors), color=colours, label="red slips, blue does not")
+    width = 0.6 * 360.0 / len(factors)
+    slips = factors < results.limit
+    for chosen, colour, label in ((slips, OUTER_COLOUR, "slips"), (~slips, INNER_COLOUR, "does not slip")):
+        if chosen.any():
+            axes.bar(azimuths[chosen], finite[chosen], width=width, color=colour, label=label)
+    for azimuth in azimuths[~(finite > 0.0)]:
+        axes.annotate("0", (azimuth, 0.0), xytext=(0, 2), textcoords="offset points", ha="center", fontsize=6.5)
     if results.printed_force is not None:
         printed = finite / results.printed_force
         axes.plot(
@@ -192,9 +198,12 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
     axes.axhline(results.limit, color=INK, linewidth=1.0, linestyle="--", label=f"limit {results.limit:g}")
     axes.set_xlabel("azimuth of the ball from the load line [deg]")
     axes.set_ylabel("slip factor $Q_i\\,\\sin\\alpha_i/F_c$")
-    axes.set_xticks(azimuths, [f"{a:.4g}" for a in azimuths])
+    every = -(-len(azimuths) // MOST_TICKS)
+    axes.set_xticks(azimuths[::every], [f"{a:.4g}" for a in azimuths[::every]])
     axes.set_ylim(0.0, 1.3 * max(results.limit, float(finite.max()) / (results.printed_force or 1.0)))
     x, y, _ = results.state.ring_force
     speed = results.state.operation.inner_speed / RPM
-    axes.set_title(f"{speed:.0f} r/min, axial {x:.0f} N, radial {y + 0.0:.0f} N", fontsize=7.0, color=REFERENCE)
+    axes.set_title(
+        f"{speed:.0f} r/min, axial {round(x) + 0:d} N, radial {round(y) + 0:d} N", fontsize=7.0, color=REFERENCE
+    )
     axes.legend(loc="upper right", ncols=3, columnspacing=1.2)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 from ..terminal import NOT_CONVERGED, finish_first, print_lines, say
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from postprocess.results import BearingResults, ContactResults
 
     from ..run import Progress
+
+WIDTH = 80  # of a terminal [characters]
 
 
 def results_directory(case: str, output: Path | None, as_json: bool) -> Path | None:
@@ -64,12 +67,26 @@ def finish(results: BearingResults | ContactResults, directory: Path | None, *, 
     return report(summary(results), lambda: result_table(results), directory, as_json=as_json, quiet=quiet)
 
 
+def say_notes(messages: list[str]) -> None:
+    """Tell estimates, assumptions and what lies outside its data; why values are null is in the summary."""
+    for message in messages:
+        if "null" not in message and not _of_failure(message):
+            say(fill(message, WIDTH, initial_indent="note: ", subsequent_indent="      ", break_long_words=False))
+
+
+def _of_failure(message: str) -> bool:
+    """Whether a message is told with what did not converge."""
+    return "not converged" in message or message.startswith(("equilibrium of", "no film was computed"))
+
+
 def report(
     document: dict[str, Any], table: Callable[[], Group], directory: Path | None, *, as_json: bool, quiet: bool
 ) -> int:
     """Print a summary or its table, and tell what did not converge."""
     if directory is not None and not quiet:
         say(f"results in {directory}")
+    if not (as_json or quiet):
+        say_notes(document["messages"])
     if as_json:
         print_lines(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
     elif not quiet:
@@ -80,6 +97,6 @@ def report(
         return 0
     say("oilfilm: not converged; the results are flagged:")
     for message in document["messages"]:
-        if "not converged" in message or message.startswith(("equilibrium of", "no film was computed")):
+        if _of_failure(message):
             say(f"  {message}")
     return NOT_CONVERGED

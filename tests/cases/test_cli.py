@@ -82,6 +82,24 @@ def test_json_is_all_there_is_on_standard_output(tmp_path):
     assert answer.stderr == ""
 
 
+def test_notes_tell_what_bears_on_the_numbers(tmp_path):
+    """Oil beyond its data, an ellipse cut by the shoulder, estimated geometry: on standard error, 80 columns wide."""
+    (tmp_path / "warm.toml").write_text(
+        'schema_version = 1\n[bearing]\nname = "6205"\n[lubricant]\nname = "ISO VG 68"\n[operation]\n'
+        'inner_speed_rpm = 1000.0\naxial_load_N = 9000.0\ntemperature_C = 150.0\n[ehl]\nfilm_maps = "none"\n'
+    )
+    answer = oilfilm("run", "warm.toml")
+    told = " ".join(answer.stderr.split())
+    assert answer.exit_code == 0
+    assert told.count("note: ") >= 3
+    for words in ("internal geometry is estimated", "150.0 C is outside 20.0 to 100.0 C", "cuts the ellipse of balls"):
+        assert words in told
+    assert "null" not in told
+    assert max(map(len, answer.stderr.splitlines())) <= 80
+    for option in ("--quiet", "--json"):
+        assert "note:" not in oilfilm("run", "warm.toml", option).stderr
+
+
 def test_the_case_of_a_result_is_a_case(tmp_path):
     """The document as run, defaults filled in, describes the same case."""
     from cases.case import check_document
