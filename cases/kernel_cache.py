@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
+import platform
 import stat
+import sys
 import tempfile
+from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
+
+from .version import version
 
 VARIABLE = "NUMBA_CACHE_DIR"
 
@@ -24,6 +30,31 @@ def ensure_kernel_cache() -> None:
         os.environ.setdefault(VARIABLE, str(_private_folder()))
 
 
+def compiled_stamp(kind: str) -> Path | None:
+    """File that stands where the kernels for a kind of work are known to be compiled; None if there is no place for it.
+
+    Its name holds a hash of the kernels' sources and of what compiles them; it lies where numba keeps its own files or,
+    failing that, in the user's cache.
+    """
+    spec = find_spec("ehl")
+    if spec is None or not spec.origin:
+        return None
+    package = Path(spec.origin).parent
+    try:
+        folder = package / "__pycache__" if _beside_the_package() else _user_cache() / "oilfilm"
+    except RuntimeError:  # no home directory
+        return None
+    folder = Path(os.environ.get(VARIABLE) or folder)
+    sources = sorted(path for root in (package, package.parent / "bearing") for path in root.rglob("_kernels.py"))
+    facts = [(str(path), path.stat().st_mtime_ns, path.stat().st_size) for path in sources]
+    whole = repr([kind, facts, version(), sys.version, _installed("numba"), platform.machine()])
+    return folder / f".oilfilm-compiled-{hashlib.sha256(whole.encode()).hexdigest()[:16]}"
+
+
+def _installed(package: str) -> str:
+    return metadata.version(package)
+
+
 def _beside_the_package() -> bool:
     spec = find_spec("ehl")
     if spec is None or not spec.origin:
@@ -35,12 +66,16 @@ def _beside_the_package() -> bool:
 
 def _in_the_home_directory() -> bool:
     try:
-        folder = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+        folder = _user_cache()
     except RuntimeError:  # no home directory
         return False
     while not folder.exists() and folder != folder.parent:
         folder = folder.parent
     return _writable(folder)
+
+
+def _user_cache() -> Path:
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
 
 
 def _writable(folder: Path) -> bool:

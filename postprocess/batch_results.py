@@ -11,13 +11,18 @@ from typing import Any
 
 import numpy as np
 
+from .main_results import main_results
 from .named_units import unit_of
 from .results_io import Variables, atomic_path, write_dataset
 
 BATCH_TABLE = "batch.csv"
-NOT_NUMBERS = ("case", "oilfilm", "messages", "balls", "contacts", "timing_s", "stiffness", "points", "domain")
-AXES = {3: ("x", "y", "z"), 2: ("y", "z")}  # components of vectors and of tilts
+NOT_NUMBERS = (
+    *("case", "oilfilm", "messages", "balls", "contacts", "stiffness", "points", "domain", "nodes", "surface"),
+    *("timing_s", "wall_s", "critical_curves", "minimum_preload"),  # times depend on the machine
+)
 MOST_COMPONENTS = 3
+MOST_NAMED = 10  # points listed in a message
+OUTSIDE = "outside loads or speeds of the tables"  # of a point's messages
 STATES = ("done", "failed", "lost")
 
 
@@ -66,45 +71,6 @@ class BatchResults:
         return all(point.converged for point in self.points)
 
 
-def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
-    """What is looked at first: largest load and pressure, thinnest film, torque, cage speed, life; by key with unit.
-
-    Parameters
-    ----------
-    summary : dict or None
-        Of one point; of any kind.
-
-    Returns
-    -------
-    dict
-        None where the summary has no such number.
-    """
-    if summary is None:
-        return {}
-    if "contacts" not in summary:
-        names = [f"film_{film}{rest}_{unit}" for unit in ("um", "dimensionless") for film in ("central", "minimum")
-                 for rest in ("", "_uncertainty")]  # fmt: skip
-        wanted = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa", *names, "traction_coefficient")
-        return {name: summary.get(name) for name in wanted if name in summary}
-    contacts = [contact for contact in summary["contacts"] if contact["loaded"]]
-    heaviest: dict[str, Any] = max(contacts, key=lambda contact: contact["load_N"], default={})
-    films = [contact for contact in contacts if contact["film_minimum_um"] is not None]
-    thinnest: dict[str, Any] = min(films, key=lambda contact: contact["film_minimum_um"], default={})
-    torque, life = summary.get("torque_N_mm") or {}, summary.get("life") or {}
-    return {
-        "load_maximum_N": heaviest.get("load_N"),
-        "hertz_pressure_maximum_GPa": max((c["hertz_pressure_GPa"] for c in contacts), default=None),
-        "film_minimum_um": thinnest.get("film_minimum_um"),
-        "film_minimum_uncertainty_um": thinnest.get("film_minimum_uncertainty_um"),
-        "film_central_um": thinnest.get("film_central_um"),
-        "film_central_uncertainty_um": thinnest.get("film_central_uncertainty_um"),
-        "lambda_ratio": thinnest.get("lambda_ratio"),
-        "torque_N_mm": torque.get("total"),
-        "cage_speed_rpm": summary.get("cage_speed_rpm"),
-        "basic_reference_rating_Mrev": life.get("basic_reference_rating_Mrev"),
-    }
-
-
 def batch_summary(results: BatchResults) -> dict[str, Any]:
     """The document of a batch: each point with its keys and main results; what failed has its message."""
     from .sensitivity import bands, sensitivities
@@ -150,6 +116,15 @@ def _messages(results: BatchResults) -> Iterable[str]:
         elif not point.converged:
             told = [m for m in point.summary.get("messages", ()) if "not converged" in m or m.startswith("equilibrium")]
             yield f"point {point.number} ({point.label}): not converged" + (f": {told[0]}" if told else "")
+    outside = [point.number for point in results.points if _is_outside(point)]
+    if outside:
+        named = ", ".join(map(str, outside[:MOST_NAMED])) + (" ..." if len(outside) > MOST_NAMED else "")
+        yield f"{len(outside)} points with contacts {OUTSIDE}, where the nearest place counts: {named}"
+
+
+def _is_outside(point: BatchPoint) -> bool:
+    """Whether contacts of a point lie outside its traction tables."""
+    return any(OUTSIDE in message for message in (point.summary or {}).get("messages", ()))
 
 
 def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
@@ -164,10 +139,16 @@ def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
         elif isinstance(value, bool | int | float):
             found[name] = value
         elif isinstance(value, list) and 0 < len(value) <= MOST_COMPONENTS:
-            axes = AXES.get(len(value), range(len(value)))
-            numbers = zip(axes, value, strict=True)
+            numbers = zip(_components(key, len(value)), value, strict=True)
             found |= {f"{name}.{axis}": v for axis, v in numbers if isinstance(v, int | float)}
     return found
+
+
+def _components(key: str, count: int) -> tuple[str, ...]:
+    """Names of the components of a short list: of a vector, a tilt, or the ends of a range."""
+    if count == MOST_COMPONENTS:
+        return ("x", "y", "z")
+    return (("y", "z") if key.startswith(("tilt", "ring_moment")) else ("first", "last"))[:count]
 
 
 def columns(results: BatchResults) -> dict[str, list[Any]]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from .batch_results import BatchPoint, BatchResults, main_results
+from .batch_results import BatchPoint, BatchResults
+from .main_results import main_results
 from .named_units import unit_of, without_unit
 from .sensitivity import bands, sensitivities
 
@@ -23,6 +24,12 @@ SHOWN = {
     "film_minimum_dimensionless": "h_min",
     "torque_N_mm": "torque",
     "cage_speed_rpm": "cage",
+    "cage_speed_ratio": "of kinem.",
+    "slip_factor_minimum": "SF min",
+    "balls_slipping": "slip",
+    "minimum_preload_N": "preload",
+    "inner_largest_coefficient": "µ inner",
+    "outer_largest_coefficient": "µ outer",
 }
 CELL = 10  # characters of a column of results
 

@@ -8,7 +8,7 @@ from math import hypot, inf
 from pathlib import Path
 from typing import Any, TypeGuard
 
-from .batch_results import main_results
+from .main_results import main_results
 from .named_units import unit_of
 from .report import read_summary
 

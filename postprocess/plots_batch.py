@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
+from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .batch_results import BatchResults, main_results
+from .batch_results import BatchResults
+from .main_results import main_results
 from .named_units import unit_of, without_unit
 from .plot_style import INK, PAGE_WIDTH, RC, REFERENCE, Array, save
 
@@ -22,19 +25,50 @@ QUANTITIES = {
     "torque_N_mm": "torque",
     "hertz_pressure_maximum_GPa": "largest Hertz pressure",
     "hertz_pressure_GPa": "Hertz pressure",
+    "cage_speed_ratio": "cage over kinematic speed",
+    "slip_factor_minimum": "smallest slip factor",
+    "minimum_preload_N": "minimum preload",
+    "inner_largest_coefficient": "largest coefficient, inner race",
+    "outer_largest_coefficient": "largest coefficient, outer race",
 }
 MOST_PANELS = 3
+WORD_WIDTH = 16  # characters of a tick label
 MOST_LINES = 8  # of a family; more values are told by colour
 
 
-def varied_keys(results: BatchResults) -> list[str]:
-    """Keys with at least two different numbers, the one with most of them first."""
-    counts = {}
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Varied:
+    """A key that varies: its label, its number at every point, and the words that these stand for if it has words."""
+
+    label: str
+    values: tuple[float | None, ...]
+    words: tuple[str, ...] = ()
+
+    def text(self, value: float) -> str:
+        """A value in words."""
+        return self.words[int(value)] if self.words else f"{value:g}"
+
+
+def varied_keys(results: BatchResults) -> list[Varied]:
+    """Keys with at least two different numbers, the one with most of them first; all keys of words as one, last."""
+    numbers, wordy = [], []
     for key in results.keys:
-        values = {point.values.get(key) for point in results.points if _is_number(point.values.get(key))}
-        if len(values) > 1:
-            counts[key] = len(values)
-    return sorted(counts, key=lambda key: -counts[key])
+        values = [point.values.get(key) for point in results.points]
+        different = {str(value) for value in values if value is not None}
+        if len(different) > 1 and all(value is None or _is_number(value) for value in values):
+            numbers.append((len(different), Varied(label=axis_label(key), values=tuple(values))))
+        elif len(different) > 1:
+            wordy.append(key)
+    found = [varied for _, varied in sorted(numbers, key=lambda item: -item[0])]
+    return found + ([_words(results, wordy)] if wordy else [])
+
+
+def _words(results: BatchResults, keys: list[str]) -> Varied:
+    """Keys of words as one, numbered in the order in which their combinations appear."""
+    texts = [" / ".join(str(point.values.get(key)) for key in keys) for point in results.points]
+    words = tuple(dict.fromkeys(texts))
+    values = tuple(float(words.index(text)) for text in texts)
+    return Varied(label=" / ".join(map(axis_label, keys)), values=values, words=words)
 
 
 def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]:
@@ -55,7 +89,7 @@ def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]
 
     keys, shown = varied_keys(results), quantities(results)
     if not keys or not shown:
-        return (f"plots/{BATCH_PLOT} not written: no {'key with several numbers' if shown else 'result'} to draw",)
+        return (f"plots/{BATCH_PLOT} not written: no {'key with several values' if shown else 'result'} to draw",)
     with matplotlib.rc_context(RC):
         figure = matplotlib.figure.Figure()
         draw_batch(figure, results, keys, shown)
@@ -64,12 +98,12 @@ def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]
 
 
 def quantities(results: BatchResults) -> list[str]:
-    """The main results that at least one point has, as many as fit a figure."""
+    """The main results that at least one point has and that are not all zero, as many as fit a figure."""
     rows = [main_results(point.summary) for point in results.points]
-    return [name for name in QUANTITIES if any(row.get(name) is not None for row in rows)][:MOST_PANELS]
+    return [name for name in QUANTITIES if any(row.get(name) for row in rows)][:MOST_PANELS]
 
 
-def draw_batch(figure: Figure, results: BatchResults, keys: list[str], shown: list[str]) -> None:
+def draw_batch(figure: Figure, results: BatchResults, keys: list[Varied], shown: list[str]) -> None:
     """A panel for each quantity over the first key; the second key as a family of lines, or as colour.
 
     Parameters
@@ -77,7 +111,7 @@ def draw_batch(figure: Figure, results: BatchResults, keys: list[str], shown: li
     figure : matplotlib.figure.Figure
         Empty.
     results : BatchResults
-    keys : list of str
+    keys : list of Varied
         As `varied_keys` orders them.
     shown : list of str
         Quantities, units [um], [GPa], [N mm] as their names say.
@@ -89,21 +123,24 @@ def draw_batch(figure: Figure, results: BatchResults, keys: list[str], shown: li
     for axes, name in zip(panels, shown, strict=True):
         x, colour, y, error, sound = _data(results, keys, name)
         if len(keys) == 1:
-            _line(axes, x, y, error, sound, {"color": INK})
+            _line(axes, x, y, error, sound, {"color": INK, "linestyle": "" if keys[0].words else "-"})
         elif len(np.unique(colour)) <= MOST_LINES:
-            _family(axes, (x, colour, y, error, sound), axis_label(keys[1]) if axes is panels[0] else "")
+            _family(axes, (x, colour, y, error, sound), keys[1], legend=axes is panels[0])
         else:
             mapped = axes.scatter(x[sound], y[sound], c=colour[sound], s=14)
             axes.scatter(x[~sound], y[~sound], c=colour[~sound], s=18, marker="x")
-        axes.set_xlabel(axis_label(keys[0]))
-        axes.set_ylabel(f"{QUANTITIES[name]} [{unit_of(name).replace('um', 'µm') or 'a²/Rx'}]")
+        axes.set_xlabel(keys[0].label)
+        if keys[0].words:
+            words = ["\n".join(fill(part, WORD_WIDTH) for part in word.split(" / ")) for word in keys[0].words]
+            axes.set_xticks(range(len(words)), words, fontsize=6.5)
+        axes.set_ylabel(f"{QUANTITIES[name]} [{quantity_unit(name)}]")
         axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
         axes.grid(linewidth=0.3, alpha=0.5)
     if mapped is not None:
-        figure.colorbar(mapped, ax=panels, label=axis_label(keys[1]))
+        figure.colorbar(mapped, ax=panels, label=keys[1].label)
     notes = ["error bars: uncertainty of the film"] if shown[0].startswith("film") and mapped is None else []
     notes += ["crosses: not converged"] if not results.converged else []
-    notes += [f"further keys vary: {', '.join(map(axis_label, keys[2:5]))}"] if 2 < len(keys) <= 5 else []
+    notes += [f"further keys vary: {', '.join(key.label for key in keys[2:5])}"] if 2 < len(keys) <= 5 else []
     notes += [f"{len(keys) - 2} further keys vary"] if len(keys) > 5 else []
     figure.supxlabel("; ".join(notes), fontsize=6.5, color=REFERENCE)
 
@@ -115,21 +152,27 @@ def axis_label(key: str) -> str:
     return f"{without_unit(last)} [{unit}]" if unit else without_unit(last)
 
 
-def _data(results: BatchResults, keys: list[str], name: str) -> tuple[Array, Array, Array, Array, Any]:
+def quantity_unit(name: str) -> str:
+    """Unit of a quantity for a label."""
+    if name.endswith("_dimensionless"):
+        return "a²/Rx"
+    return unit_of(name).replace("um", "µm") or "-"
+
+
+def _data(results: BatchResults, keys: list[Varied], name: str) -> tuple[Array, Array, Array, Array, Any]:
     """First key, second key, quantity, its uncertainty, whether it converged, of the points that have all of them."""
     head, _, unit = name.rpartition("_")
     rows = []
-    for point in results.points:
+    seconds = keys[1].values if len(keys) > 1 else [0.0] * len(results.points)
+    for point, first, second in zip(results.points, keys[0].values, seconds, strict=True):
         row = main_results(point.summary)
-        first = point.values.get(keys[0])
-        second = point.values.get(keys[1]) if len(keys) > 1 else 0.0
-        if row.get(name) is not None and _is_number(first) and _is_number(second):
+        if row.get(name) is not None and first is not None and second is not None:
             rows.append((first, second, row[name], row.get(f"{head}_uncertainty_{unit}") or 0.0, point.converged))
     x, colour, y, error, sound = (np.array(column) for column in zip(*rows, strict=True))
     return x, colour, y, error, sound.astype(bool)
 
 
-def _family(axes: Axes, data: tuple[Array, Array, Array, Array, Any], label: str) -> None:
+def _family(axes: Axes, data: tuple[Array, Array, Array, Array, Any], key: Varied, *, legend: bool) -> None:
     import matplotlib
 
     x, colour, y, error, sound = data
@@ -137,17 +180,18 @@ def _family(axes: Axes, data: tuple[Array, Array, Array, Array, Any], label: str
     colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.85, len(values)))
     for value, shade in zip(values, colours, strict=True):
         part = colour == value
-        _line(axes, x[part], y[part], error[part], sound[part], {"color": shade, "label": f"{value:g}"})
-    if label:  # once is enough
-        axes.legend(title=label, title_fontsize=7, ncols=2)
+        _line(axes, x[part], y[part], error[part], sound[part], {"color": shade, "label": key.text(value)})
+    if legend:  # once is enough
+        axes.legend(title=key.label, title_fontsize=7, ncols=1 if key.words else 2)
 
 
 def _line(axes: Axes, x: Array, y: Array, error: Array, sound: Any, style: dict[str, Any]) -> None:
     """One curve in the order of the key, with error bars; crosses where it did not converge."""
     order = np.argsort(x, kind="stable")
-    lines = "-" if len(np.unique(x)) == len(x) else ""
+    if len(np.unique(x)) < len(x):
+        style = style | {"linestyle": ""}
     bars = error[order] if error.any() else None
-    axes.errorbar(x[order], y[order], bars, fmt=f"o{lines}", markersize=3, capsize=2, linewidth=1.0, **style)
+    axes.errorbar(x[order], y[order], bars, marker="o", markersize=3, capsize=2, linewidth=1.0, **style)
     if not sound.all():
         axes.plot(x[~sound], y[~sound], "x", markersize=7, color=style["color"])
 

@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from .batch_results import BatchPoint, BatchResults, main_results
+from .batch_results import BatchPoint, BatchResults
+from .main_results import main_results
 
 QUANTILES = (0.05, 0.5, 0.95)
 FEWEST = 5  # sampled points from which bands are told

@@ -14,6 +14,7 @@ from typing import Any
 from .pools import Pool
 from .store import SWEEP_FILE, finished_keys, open_folder, write_file, write_point
 from .sweep import Sweep
+from .tables import prepare_tables, table_path
 from .task import FAILED, LOST, Receipt, Task, failure
 
 Notify = Callable[[int, int, str], None]
@@ -100,15 +101,22 @@ def run_batch(
     pace.found = len(finished)
     pace.tell()
     waiting = [key for key in documents if key not in finished]
-    if waiting:
+    tables = _tables(sweep, waiting, directory, pace)
+    if waiting and any(key not in tables.failed for key in waiting):
         with _closing(pool()) as workers:
             share = any(key.partition(".")[0] in WITHOUT_EFFECT for key in sweep.keys)
             folder = str(directory.resolve()) if workers.shares_folder else None
+            common: dict[str, Any] = {
+                "compute": sweep.compute,
+                "fields": sweep.fields,
+                "share": share,
+                "folder": folder,
+            }
+            common["table_points"] = sweep.table_points
             tasks = (
-                Task(
-                    key=k, document=documents[k], compute=sweep.compute, fields=sweep.fields, share=share, folder=folder
-                )
+                Task(key=k, document=documents[k], tables=tables.files.get(k), **common)
                 for k in waiting
+                if k not in tables.failed
             )
             _execute(tasks, workers, directory, pace)
     return Batch(
@@ -118,6 +126,29 @@ def run_batch(
         computed=frozenset(waiting),
         wall=perf_counter() - start,
     )
+
+
+@dataclass(frozen=True, slots=True)
+class _PointTables:
+    """Files of traction tables by the points that take them, and points that have none and are recorded as failed."""
+
+    files: dict[str, str]
+    failed: frozenset[str]
+
+
+def _tables(sweep: Sweep, waiting: list[str], directory: Path, pace: Pace) -> _PointTables:
+    """Have the traction tables made that points need; those without them are recorded."""
+    wanted, names = set(waiting), {point.key: point.tables for point in sweep.points if point.tables is not None}
+    if not any(key in names for key in waiting):
+        return _PointTables({}, frozenset())
+    problems = prepare_tables(sweep, wanted, directory, pace.notify)
+    failed = {key: problems[name] for key, name in names.items() if key in wanted and name in problems}
+    for key, message in failed.items():
+        write_point(directory, key, failure(key, FAILED, message))
+        pace.done += 1
+    files = {key: str(table_path(directory, name).resolve()) for key, name in names.items()}
+    pace.start = perf_counter()  # the rate is that of the points
+    return _PointTables(files, frozenset(failed))
 
 
 @contextmanager

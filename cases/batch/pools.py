@@ -7,10 +7,11 @@ import signal
 import threading
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from multiprocessing import active_children, connection, get_context, parent_process
+from pathlib import Path
 from typing import Any, Protocol
 
 from ..problems import CaseError
-from .task import Receipt, Task, compute_point
+from .task import DONE, Receipt, Task, compute_point
 
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "NUMBA_NUM_THREADS")
 AHEAD = 2  # points in the hands of each worker, so that none waits for the next one
@@ -63,12 +64,21 @@ def _end_with(sentinel: Any) -> None:
 
 
 class LocalPool:
-    """Processes of this machine."""
+    """Processes of this machine.
+
+    Parameters
+    ----------
+    workers : int
+    compiled : Path, optional
+        File that stands once the kernels are compiled; as long as it does not, points are handed out one at a time,
+        so that not every worker compiles the same.
+    """
 
     shares_folder = True
 
-    def __init__(self, workers: int) -> None:
-        self.workers = workers
+    def __init__(self, workers: int, compiled: Path | None = None) -> None:
+        self.workers, self._compiled = workers, compiled
+        self._cold = workers > 1 and compiled is not None and not compiled.exists()
         self._before = set(active_children())
         self._executor = self._start()
 
@@ -78,11 +88,26 @@ class LocalPool:
 
     def capacity(self) -> int:
         """Points to hand out at a time [-]."""
-        return AHEAD * self.workers
+        return 1 if self._cold else AHEAD * self.workers
 
     def submit(self, task: Task) -> Future[Receipt]:
         """Hand out a point."""
-        return self._executor.submit(compute_point, task)
+        future = self._executor.submit(compute_point, task)
+        if self._cold:
+            future.add_done_callback(self._warmed)
+        return future
+
+    def _warmed(self, future: Future[Receipt]) -> None:
+        """After the first point that was computed every worker finds the kernels compiled."""
+        if future.cancelled() or future.exception() is not None or future.result().status != DONE:
+            return
+        self._cold = False
+        try:
+            if self._compiled is not None:
+                self._compiled.parent.mkdir(parents=True, exist_ok=True)
+                self._compiled.touch()
+        except OSError:  # the next batch begins with one point again
+            pass
 
     def lost(self, error: BaseException) -> bool:
         """Whether this error means that a worker is gone."""
@@ -121,14 +146,20 @@ class ClusterPool:
             text = " ".join(str(error).split())[:200]
             raise CaseError([f"--scheduler {address}: no Dask scheduler answers there: {text}"]) from None
         self._executor: Executor = self._client.get_executor(pure=False)
+        self._tables: dict[str, Any] = {}
 
     def capacity(self) -> int:
         """Points to hand out at a time [-]: workers may come and go."""
         return AHEAD * max(1, sum(self._client.nthreads().values()))
 
     def submit(self, task: Task) -> Future[Receipt]:
-        """Hand out a point."""
-        return self._executor.submit(compute_point, task)
+        """Hand out a point; traction tables go to every worker once, not with every point."""
+        if task.tables is None:
+            return self._executor.submit(compute_point, task)
+        if task.tables not in self._tables:
+            content = Path(task.tables).read_bytes()
+            self._tables[task.tables] = self._client.scatter(content, broadcast=True)
+        return self._executor.submit(compute_point, task, self._tables[task.tables])
 
     def lost(self, error: BaseException) -> bool:
         """Whether this error means that a worker is gone; Dask has then tried others already."""

@@ -3,7 +3,9 @@
 sweep.toml          the sweep as run last
 points/KEY.json     a finished point: the case as run and its summary, or the message it failed with
 points/KEY.nc       its film maps, where they are asked for
+points/KEY.zip      its traction tables, where these are what is computed
 contacts/KEY.npz    solved contacts that several points share
+tables/KEY.zip      traction tables that several points share
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from typing import Any
 from ..output_directory import check_output, umask
 from ..problems import CaseError
 
-POINTS, CONTACTS, SWEEP_FILE = "points", "contacts", "sweep.toml"
+POINTS, CONTACTS, TABLES, SWEEP_FILE = "points", "contacts", "tables", "sweep.toml"
 
 
 def open_folder(directory: Path, *, resume: bool) -> None:

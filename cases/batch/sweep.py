@@ -28,9 +28,11 @@ from .blocks import (
     hypercube,
     listed,
 )
+from .tables import bodies_and_oil, file_hash, needs_tables, with_tables
 
 FORMAT = 1  # of what a point leaves on disk
 UNIMPORTANT = ("title", "source", "assumed")  # for what is computed
+TABLES_IGNORE = ("surface", "slip", "friction", "cage", "dynamics", "ehl")  # likewise, for traction tables
 HIDING = {
     "bearing": ("ball_diameter_mm", "pitch_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm"),
     "lubricant": ("viscosity_mPa_s", "kinematic_viscosity_mm2_s", "pressure_viscosity_1_GPa"),
@@ -55,6 +57,8 @@ class Point:
         The same, defaults and library values filled in.
     key : str
         Name in the batch's folder: equal for points whose results are equal.
+    tables : str or None
+        Name of the traction tables it needs; equal for points that share them.
     """
 
     number: int
@@ -63,11 +67,12 @@ class Point:
     document: dict[str, Any]
     resolved: dict[str, Any]
     key: str
+    tables: str | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """A sweep, ready to run; `text` is the file, `case` the name of the case it varies."""
+    """A sweep, ready to run; `text` is the file, `case` the name of the case it varies, `table` a file of tables."""
 
     name: str
     text: str
@@ -79,6 +84,8 @@ class Sweep:
     points: tuple[Point, ...]
     messages: tuple[str, ...] = ()
     assumed: tuple[str, ...] = field(default=())
+    table: FilePath | None = None
+    table_points: int = 257
 
 
 def read_sweep(name_or_path: str | FilePath) -> Sweep:
@@ -116,7 +123,9 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     if problems:
         raise _error(name, lines, problems)
     keys = tuple(dict.fromkeys(setting.key for variation in variations for setting in variation.settings))
-    points = _points(file, base, variations, fixed, keys, (name, lines))
+    points, common = _points(file, base, variations, fixed, keys, (name, lines))
+    table = _table_file(file, folder, bool(common), (name, lines))
+    points = with_tables(points, common, None if table is None else file_hash(table), file.table_points)
     return Sweep(
         name=name,
         text=text,
@@ -128,7 +137,32 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         points=points,
         messages=tuple(notes),
         assumed=tuple(key for key in base.get("assumed", ()) if isinstance(key, str)),
+        table=table,
+        table_points=file.table_points,
     )
+
+
+def _table_file(
+    file: SweepFile, folder: FilePath | None, needed: bool, place: tuple[str, dict[Path, int]]
+) -> FilePath | None:
+    """The traction tables that the sweep file names, if its points need any."""
+    if file.table is None:
+        return None
+    found = None
+    if not needed:
+        found, allowed = (
+            "no point needs traction tables",
+            'allowed: with compute = "torque", or dynamics.friction = "table"',
+        )
+    path = (folder or FilePath()) / file.table
+    try:
+        if found is None and not path.is_file():
+            found, allowed = f"{file.table}: there is no such file", "allowed: a file that `oilfilm table` wrote"
+    except (OSError, ValueError) as error:
+        found, allowed = f"{file.table!r}: {error}", "allowed: a file that `oilfilm table` wrote"
+    if found is not None:
+        raise _error(*place, [Problem(path=("table",), found=found, allowed=allowed)])
+    return path
 
 
 def _title(case: str, keys: tuple[str, ...]) -> str:
@@ -246,9 +280,12 @@ def _points(
     fixed: Variation,
     keys: tuple[str, ...],
     place: tuple[str, dict[Path, int]],
-) -> tuple[Point, ...]:
-    """Every variation as a checked point; `CaseError` with the problems of all of them, each told once."""
-    points, problems = [], list(_hidden(base, variations))
+) -> tuple[tuple[Point, ...], dict[int, str]]:
+    """Every variation as a checked point, and by their numbers what those that need tables must have in common.
+
+    `CaseError` with the problems of all of them, each told once.
+    """
+    points, common, problems = [], dict[int, str](), list(_hidden(base, variations))
     for number, variation in enumerate(variations, 1):
         document = with_values(base, variation)
         case, found = _checked(document, f"point {number}")
@@ -262,23 +299,30 @@ def _points(
                     values={key: _value(case.document, key) for key in keys},
                     document=document,
                     resolved=case.document,
-                    key=point_key(case.document, file.compute, fields=file.fields),
+                    key=point_key(case.document, file),
                 )
             )
             problems += _kind(file, case, number)
+            if isinstance(case, Case) and needs_tables(case, file.compute):
+                common[number] = bodies_and_oil(case)
         if len(problems) > 1000:
             break
     if problems:
         raise _error(*place, problems)
-    return tuple(points)
+    return tuple(points), common
 
 
 def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Problem]:
     """Whether what is to be computed can be computed of this case."""
-    if file.compute == "slip" and (not isinstance(case, Case) or case.slip is None):
-        yield Problem(
-            path=("compute",), found=f"point {number}: the case has no table [slip]", allowed='allowed: "run"'
-        )
+    wrong = None
+    if file.compute != "run" and not isinstance(case, Case):
+        wrong = "the case is a single contact"
+    elif isinstance(case, Case) and file.compute in ("slip", "dynamics"):
+        wrong = None if getattr(case, file.compute) is not None else f"the case has no table [{file.compute}]"
+    elif isinstance(case, Case) and file.compute in ("torque", "table") and len(case.rows or ()) > 1:
+        wrong = "the case has several rows of balls"
+    if wrong is not None:
+        yield Problem(path=("compute",), found=f"point {number}: {wrong}", allowed='allowed: "run"')
 
 
 def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[Problem]:
@@ -317,9 +361,13 @@ def _meets(path: Path, problem: Path) -> bool:
     return shorter > 0 and path[:shorter] == tuple(problem[:shorter])
 
 
-def point_key(resolved: dict[str, Any], compute: str, *, fields: bool) -> str:
+def point_key(resolved: dict[str, Any], file: SweepFile) -> str:
     """Name of a point in the folder: a hash of all that its results depend on, the program's version included."""
-    content = {key: value for key, value in resolved.items() if key not in UNIMPORTANT}
-    whole = {"case": content, "compute": compute, "fields": fields, "oilfilm": version(), "format": FORMAT}
+    unimportant = (*UNIMPORTANT, *TABLES_IGNORE) if file.compute == "table" else UNIMPORTANT
+    content = {key: value for key, value in resolved.items() if key not in unimportant}
+    whole: dict[str, Any] = {"case": content, "compute": file.compute, "fields": file.fields}
+    whole |= {"oilfilm": version(), "format": FORMAT}
+    if file.compute == "table":
+        whole["table_points"] = file.table_points
     text = json.dumps(whole, sort_keys=True, ensure_ascii=False, default=str)
     return hashlib.sha256(text.encode()).hexdigest()[:20]

@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import atexit
 import json
+import shutil
 import tempfile
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from ..version import version
-from .store import CONTACTS, read_point, write_point
+from .store import CONTACTS, read_point, write_file, write_point
 
 if TYPE_CHECKING:
-    from postprocess.results import BearingResults, ContactResults
+    from .compute import Computed
 
 DONE, FAILED, LOST = "done", "failed", "lost"
 
@@ -28,6 +31,8 @@ class Task:
     fields: bool
     share: bool  # whether contacts may be equal in several points
     folder: str | None
+    tables: str | None = None  # file of traction tables on the machine of the batch
+    table_points: int = 257
     program: str = field(default_factory=version)
 
 
@@ -42,10 +47,11 @@ class Receipt:
     files: dict[str, bytes] = field(default_factory=dict)
 
 
-def compute_point(task: Task) -> Receipt:
+def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
     """Compute a point and, if the folder can be reached, write it before anything else is begun.
 
-    What a point fails with is recorded; an error of the folder itself (disk full) is raised.
+    `tables` is the content of the file of traction tables where that cannot be reached. What a point fails with is
+    recorded; an error of the folder itself (disk full) is raised.
     """
     folder = None if task.folder is None else Path(task.folder)
     if task.program != version():
@@ -54,7 +60,7 @@ def compute_point(task: Task) -> Receipt:
     if known is not None and known["status"] == DONE:
         return Receipt(key=task.key, status=DONE)
     start = perf_counter()
-    record, files = _record(task, folder)
+    record, files = _record(task, folder, tables)
     files[".json"] = json.dumps(record, ensure_ascii=False, allow_nan=False).encode()
     wall = perf_counter() - start
     if folder is None:
@@ -68,49 +74,43 @@ def failure(key: str, status: str, message: str) -> dict[str, bytes]:
     return {".json": json.dumps({"key": key, "status": status, "message": message, "summary": None}).encode()}
 
 
-def _record(task: Task, folder: Path | None) -> tuple[dict[str, Any], dict[str, bytes]]:
+def _record(task: Task, folder: Path | None, tables: bytes | None) -> Computed:
     record: dict[str, Any] = {"key": task.key, "status": DONE, "message": "", "summary": None}
     try:
-        summary, files = _computed(task, folder)
+        summary, files = _computed(task, folder, tables)
     except Exception as error:  # one point must not stop the others
         text = " ".join(str(error).split()) or type(error).__name__
         return record | {"status": FAILED, "message": f"{type(error).__name__}: {text}"[:500]}, {}
     return record | {"summary": summary}, files
 
 
-def _computed(task: Task, folder: Path | None) -> tuple[dict[str, Any], dict[str, bytes]]:
-    from ..case import ContactCase, case_of_file, check_document
+def _computed(task: Task, folder: Path | None, content: bytes | None) -> Computed:
+    """Summary and files of a point; tables that did not come as a file become one."""
+    from ..case import case_of_file, check_document
     from ..problems import CaseError
-    from ..run import run_case, run_contact
+    from .compute import compute
     from .contact_cache import cached_solver
 
     file, problems = check_document(task.document)
     if file is None or problems:
         raise CaseError(problem.text("case", {}) for problem in problems)
-    case = case_of_file(file, "case")
-    if task.compute == "slip":
-        from postprocess.slip_results import slip_summary
-
-        from ..slip import run_slip
-
-        assert not isinstance(case, ContactCase)  # checked with the sweep
-        return slip_summary(run_slip(case, "case", 1)), {}
-    if isinstance(case, ContactCase):
-        return _with_fields(run_contact(case), task)
     shared = cached_solver(folder / CONTACTS) if task.share and folder is not None else None
-    return _with_fields(run_case(case, 1, None, shared), task)
+    case = case_of_file(file, "case")
+    if task.tables is None or content is None:
+        return compute(case, task, None if task.tables is None else Path(task.tables), shared)
+    return compute(case, task, _local_tables(Path(task.tables).name, content), shared)
 
 
-def _with_fields(results: BearingResults | ContactResults, task: Task) -> tuple[dict[str, Any], dict[str, bytes]]:
-    """The summary, and the netCDF file of the film maps if it is wanted."""
-    from postprocess import summary
+def _local_tables(name: str, content: bytes) -> Path:
+    """Tables sent to a worker of a cluster, in a folder of this process."""
+    path = _temporary_folder() / name
+    if not path.exists():
+        write_file(path, content)
+    return path
 
-    document = summary(results)
-    if not task.fields:
-        return document, {}
-    from postprocess.results_io import write_netcdf
 
-    with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
-        path = Path(temporary) / "results.nc"
-        write_netcdf(results, path, document)
-        return document, {".nc": path.read_bytes()}
+@cache
+def _temporary_folder() -> Path:
+    folder = Path(tempfile.mkdtemp(prefix="oilfilm-tables-"))
+    atexit.register(shutil.rmtree, folder, ignore_errors=True)
+    return folder

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from postprocess.batch_results import BatchResults
 
     from ..batch.pools import Pool
+    from ..batch.sweep import Sweep
 
 Workers = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")]
 Scheduler = Annotated[
@@ -50,7 +51,7 @@ def batch(  # noqa: PLR0913
         prepare()
         try:
             with progress_bar(quiet=quiet) as progress:
-                done = run_batch(plan, directory, _pool(workers, scheduler), resume=resume, progress=progress)
+                done = run_batch(plan, directory, _pool(plan, workers, scheduler), resume=resume, progress=progress)
         except KeyboardInterrupt:
             if keep:
                 say(f"finished points are kept in {directory}; go on with --resume")
@@ -73,12 +74,16 @@ def _folder(directory: Path, *, keep: bool) -> Iterator[Path]:
         yield Path(temporary)
 
 
-def _pool(workers: int | None, scheduler: str | None) -> Callable[[], Pool]:
+def _pool(plan: Sweep, workers: int | None, scheduler: str | None) -> Callable[[], Pool]:
     def start() -> Pool:
         from ..batch.pools import ClusterPool, LocalPool
+        from ..kernel_cache import compiled_stamp
         from ..run import cores
 
-        return LocalPool(workers or cores()) if scheduler is None else ClusterPool(scheduler)
+        if scheduler is not None:
+            return ClusterPool(scheduler)
+        models = {str(point.resolved.get("ehl", {}).get("film_model")) for point in plan.points}
+        return LocalPool(workers or cores(), compiled_stamp(f"{plan.compute} {sorted(models)}"))
 
     return start
 

@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
-from .fields import Name, Table
+from .fields import Name, Points, Table
 
 
 def _check_keys(value: object) -> object:
@@ -49,8 +49,14 @@ class SweepFile(Table):
     schema_version: int = Field(1, ge=1, le=1, description="version of this format")
     title: str = Field("", description="one line for tables and plots")
     case: Name = Field(description="a case file, relative to this file, or the name of a shipped case")
-    compute: Literal["run", "slip"] = Field("run", description="what is computed at every point")
-    fields: bool = Field(False, description="whether the film maps of every point are kept, too (netCDF)")
+    compute: Literal["run", "torque", "slip", "dynamics", "table"] = Field(
+        "run", description="what is computed at every point"
+    )
+    fields: bool = Field(False, description="whether film maps or histories of every point are kept, too (netCDF)")
+    table: str | None = Field(
+        None, min_length=1, description="traction tables from `oilfilm table`, relative to this file; left out, made"
+    )
+    table_points: Points = Field(257, description="nodes of each film along x of tables that are made")
     fixed: dict[str, Any] = Field({}, description="values by key that every point has in place of the case's")
     sweep: dict[str, Any] = Field({}, description="lists of values by key; all their combinations are points")
     combinations: tuple[dict[str, Any], ...] = Field((), strict=False, description="single points, one table each")

@@ -137,6 +137,26 @@ def test_a_worker_killed_from_outside(tmp_path):
     assert [point.status for point in results.points] == ["done"] * 16
 
 
+def test_kernels_are_compiled_by_one_worker(tmp_path):
+    """Until a first point is done none else is handed out; where it is known that they are compiled, all at once."""
+
+    class Watched(LocalPool):
+        def submit(self, task):
+            at_hand.append((self._cold, sum(not future.done() for future in futures)))
+            futures.append(super().submit(task))
+            return futures[-1]
+
+    sweep, stamp = sweep_from_text(QUICK, "sweep.toml"), tmp_path / "kernels" / "stamp"
+    for cold in (True, False):
+        at_hand, futures = [], []
+        results = gathered(run_batch(sweep, tmp_path / str(cold), lambda: Watched(2, stamp)))
+        assert [point.status for point in results.points] == ["done"] * 16
+        assert at_hand[0] == (cold, 0)
+        assert all(others == 0 for still, others in at_hand if still)
+        assert max(others for _, others in at_hand) >= 2
+        assert stamp.exists()
+
+
 def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
     (tmp_path / "sweep.toml").write_text(SWEEP)
     words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-o", "out", "--workers", "1"]

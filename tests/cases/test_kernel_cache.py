@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from cases import kernel_cache
-from cases.kernel_cache import VARIABLE, ensure_kernel_cache
+from cases.kernel_cache import VARIABLE, compiled_stamp, ensure_kernel_cache
 
 
 @pytest.fixture
@@ -61,3 +61,20 @@ def test_the_folder_beside_the_package_is_enough_for_numba(nothing_writable, mon
     ensure_kernel_cache()
     assert VARIABLE not in os.environ
     assert Path(os.environ["MPLCONFIGDIR"]).parent == nothing_writable
+
+
+def test_the_stamp_knows_the_kind_of_work_and_the_place(monkeypatch, tmp_path):
+    monkeypatch.setenv(VARIABLE, str(tmp_path))
+    run, other = compiled_stamp("run"), compiled_stamp("dynamics")
+    assert run.parent == other.parent == tmp_path
+    assert run != other and run == compiled_stamp("run")
+    monkeypatch.setattr(kernel_cache, "version", lambda: "9.0")
+    assert compiled_stamp("run") != run
+
+
+def test_no_place_for_a_stamp_is_no_error(nothing_writable, monkeypatch):
+    def homeless():
+        raise RuntimeError("no home")
+
+    monkeypatch.setattr(kernel_cache, "_user_cache", homeless)
+    assert compiled_stamp("run") is None

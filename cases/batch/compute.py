@@ -1,0 +1,186 @@
+"""What a point computes: its summary as plain JSON, and files to keep."""
+
+from __future__ import annotations
+
+import tempfile
+from dataclasses import replace
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+from ..case import Case, ContactCase
+from .tables import NEAR, ready_tables
+
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from bearing.contacts import BearingContact
+    from bearing.traction_tables import Tables
+    from postprocess.results import BearingResults, ContactResults
+
+    from ..run import Solve
+    from .task import Task
+
+Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
+
+
+def compute(case: Case | ContactCase, task: Task, tables: Path | None, solve: Solve | None) -> Computed:
+    """Compute a checked case.
+
+    Parameters
+    ----------
+    case : Case or ContactCase
+    task : Task
+    tables : Path or None
+        Traction tables, where the point needs them.
+    solve : callable or None
+        Takes the place of `ehl.solve_contact`.
+
+    Returns
+    -------
+    dict, dict of bytes
+        Summary, and files by suffix.
+    """
+    from ..run import run_case, run_contact
+
+    if isinstance(case, ContactCase):
+        return _with_fields(run_contact(case), task)
+    if task.compute == "slip":
+        from postprocess.slip_results import slip_summary
+
+        from ..slip import run_slip
+
+        return slip_summary(run_slip(case, "case", 1)), {}
+    if task.compute == "dynamics":
+        return _dynamics(case, task, tables)
+    if task.compute == "table":
+        return _table(case, task)
+    if task.compute == "torque":
+        assert tables is not None  # made before the point was handed out
+        return _torque(case, ready_tables(str(tables)))
+    return _with_fields(run_case(case, 1, None, solve), task)
+
+
+def _with_fields(results: BearingResults | ContactResults, task: Task) -> Computed:
+    """The summary, and the netCDF file of the film maps if it is wanted."""
+    from postprocess import summary
+
+    document = summary(results)
+    if not task.fields:
+        return document, {}
+    from postprocess.results_io import write_netcdf
+
+    with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
+        path = Path(temporary) / "results.nc"
+        write_netcdf(results, path, document)
+        return document, {".nc": path.read_bytes()}
+
+
+def _dynamics(case: Case, task: Task, tables: Path | None) -> Computed:
+    """Time simulation; its history is a file if it is wanted."""
+    from postprocess.dynamics_results import dynamics_summary
+
+    from ..dynamics import run_dynamics
+
+    with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
+        history = Path(temporary) / "history.nc"
+        document = dynamics_summary(run_dynamics(case, "case", history, tables=tables))
+        return document, {".nc": history.read_bytes()} if task.fields else {}
+
+
+def _table(case: Case, task: Task) -> Computed:
+    """Traction tables of the point's own loads and speeds, as a file."""
+    from bearing.traction_tables import save_race_tables
+    from postprocess.traction_results import traction_summary
+
+    from ..traction_table import run_table
+
+    results = run_table(case, task.table_points, 1)
+    with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
+        path = Path(temporary) / "table.zip"
+        save_race_tables(results.tables, path)
+        return traction_summary(results), {".zip": path.read_bytes()}
+
+
+def _torque(case: Case, tables: Tables) -> Computed:
+    """Equilibrium, life and torque by every model; the integrated one by the tables in place of films."""
+    from postprocess import summary
+
+    results, notes = torque_by_tables(case, tables)
+    document = summary(results)
+    poor = [f"{race.value} race: {table.message}" for race, table in tables.items() if not table.converged]
+    told = [f"not converged: traction table, {text}" for text in poor]
+    document["messages"] = [*document["messages"], *notes, *told]
+    document["converged"] = document["converged"] and not poor
+    return document, {}
+
+
+def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[str, ...]]:
+    """Results without films whose integrated torque comes from traction tables, and what is to be said of it.
+
+    Parameters
+    ----------
+    case : Case
+    tables : dict of TractionTable
+        Of both races.
+
+    Returns
+    -------
+    BearingResults, tuple of str
+        Torque in [N m].
+
+    Raises
+    ------
+    ValueError
+        If the tables were made for other bodies or another oil.
+    """
+    from bearing.torque.breakdown import torque_breakdown
+    from bearing.torque.tabulated import tabulated_torque
+
+    from ..run import run_case
+
+    bare = run_case(replace(case, film_maps="none", friction=None), 1)
+    state = bare.quasistatic
+    if not state.converged or case.friction is None:
+        return bare, ()
+    start, shear = perf_counter(), None
+    notes: tuple[str, ...] = ()
+    if state.operation.inner_speed != state.operation.outer_speed:
+        _require_same(case, bare, tables)
+        shear = tabulated_torque(state, bare.contacts, tables)
+        notes = _notes(bare.contacts, tables)
+    torque = torque_breakdown(state, bare.contacts, case.lubricant, case.friction, shear=shear)
+    timing = bare.timing | {"torque": perf_counter() - start}
+    return replace(bare, torque=torque, timing=timing), notes
+
+
+def _require_same(case: Case, bare: BearingResults, tables: Tables) -> None:
+    """Whether the tables are of these bodies and this oil."""
+    from bearing.traction_tables import table_contacts
+
+    assert case.rheology is not None  # of every bearing case
+    for race, ours in table_contacts(bare.quasistatic, case.lubricant, case.rheology).items():
+        theirs = tables[race].contact
+        near = {"radius_x": NEAR, "radius_y": 1e-9, "reduced_modulus": 1e-9, "temperature": 1e-9}
+        wrong = [n for n, most in near.items() if abs(getattr(theirs, n) / getattr(ours, n) - 1.0) > most]
+        wrong += [name for name in ("lubricant", "rheology") if getattr(theirs, name) != getattr(ours, name)]
+        if wrong:
+            names = ", ".join(name.replace("_", " ") for name in wrong)
+            raise ValueError(f"the traction tables were made for another contact, {race.value} race: {names}")
+
+
+def _notes(contacts: Sequence[BearingContact], tables: Tables) -> tuple[str, ...]:
+    """Accuracy of the tables, and how many contacts lie outside them."""
+    from postprocess.batch_results import OUTSIDE
+
+    outside = 0
+    for contact in contacts:
+        if contact.conditions is not None:
+            limits, speed = tables[contact.race].range, contact.conditions.entrainment_speed
+            inside = limits.load[0] <= contact.load <= limits.load[1] and limits.speed[0] <= speed <= limits.speed[1]
+            outside += not inside
+    worst = max(table.error.quantile for table in tables.values())
+    notes = [f"torque: integrated by traction tables; 95 % of their forces within {100.0 * worst:.1f} % of the largest"]
+    if outside:
+        notes.append(f"torque: {outside} contacts {OUTSIDE}; the nearest place counts")
+    return tuple(notes)

@@ -1,0 +1,198 @@
+"""Traction tables that points of a batch share: which points, over which loads and speeds, made before the points.
+
+tables/NAME.zip     both races; NAME is a hash of the inputs of all points that share them
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import shutil
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..case import Case, ContactCase
+from ..version import version
+from .contact_cache import content_key
+from .store import TABLES
+
+if TYPE_CHECKING:
+    from bearing.traction_tables import Tables
+
+    from .sweep import Point, Sweep
+
+UNAFFECTED = ("title", "source", "assumed", "surface", "slip", "friction", "cage", "dynamics", "ehl")
+NEAR = 0.05  # rolling radii of a table and of a point that uses it differ by less [-]
+Progress = Callable[[int, int, str], None]
+
+
+def needs_tables(case: Case | ContactCase, compute: str) -> bool:
+    """Whether a point takes its friction from traction tables."""
+    if not isinstance(case, Case):
+        return False
+    return compute == "torque" or (
+        compute == "dynamics" and case.dynamics is not None and case.dynamics.friction == "table"
+    )
+
+
+def bodies_and_oil(case: Case) -> str:
+    """Hash of what points that share tables must have in common."""
+    try:
+        return content_key(case.bearing, case.lubricant, case.rheology, case.operation.temperature)
+    except TypeError:
+        return json.dumps(case.document, sort_keys=True, default=str)
+
+
+def with_tables(points: Sequence[Point], common: dict[int, str], given: str | None, nodes: int) -> tuple[Point, ...]:
+    """The points with the names of their tables, which their own names then depend on, too.
+
+    Parameters
+    ----------
+    points : sequence of Point
+    common : dict of str
+        By the numbers of the points that need tables, what they must have in common.
+    given : str or None
+        Hash of the tables that the sweep file names.
+    nodes : int
+        Of the films of tables to be made [-].
+
+    Returns
+    -------
+    tuple of Point
+    """
+    sharing: dict[str, set[str]] = {}
+    for point in points:
+        if point.number in common:
+            content = {key: value for key, value in point.resolved.items() if key not in UNAFFECTED}
+            text = json.dumps(content, sort_keys=True, ensure_ascii=False, default=str)
+            sharing.setdefault(common[point.number], set()).add(text)
+    names = {same: given or _hash(*sorted(texts), str(nodes), version()) for same, texts in sharing.items()}
+
+    def named(point: Point) -> Point:
+        tables = names.get(common.get(point.number, ""))
+        return point if tables is None else replace(point, tables=tables, key=_hash(point.key, tables))
+
+    return tuple(map(named, points))
+
+
+def _hash(*texts: str) -> str:
+    return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:20]
+
+
+def file_hash(path: Path) -> str:
+    """Name of given tables, by their content."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()[:20]
+
+
+def table_path(directory: Path, name: str) -> Path:
+    """Where the tables of a batch are."""
+    return directory / TABLES / f"{name}.zip"
+
+
+def prepare_tables(sweep: Sweep, wanted: Iterable[str], directory: Path, progress: Progress) -> dict[str, str]:
+    """Make the traction tables that points still to be computed need, those that are there already left as they are.
+
+    Parameters
+    ----------
+    sweep : Sweep
+    wanted : iterable of str
+        Names of the points.
+    directory : Path
+        Of the batch.
+    progress : callable
+        Called with films done, films wanted so far, and a word.
+
+    Returns
+    -------
+    dict of str
+        What kept tables from being made, by their name.
+    """
+    keys, problems = set(wanted), {}
+    for name in dict.fromkeys(point.tables for point in sweep.points if point.tables and point.key in keys):
+        path = table_path(directory, name)
+        try:
+            if path.exists():
+                ready_tables(str(path))
+            else:
+                _put(sweep, name, path, progress)
+        except ValueError as error:
+            problems[name] = f"no traction tables: {error}"
+    return problems
+
+
+def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:
+    from bearing.traction_tables import load_race_tables, save_race_tables
+
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if sweep.table is None:
+        save_race_tables(shared_tables(sweep, name, progress), path)
+        return
+    load_race_tables(sweep.table)  # damaged ones are told before anything is copied
+    partial = path.with_name(f"{path.name}.partial")
+    shutil.copyfile(sweep.table, partial)
+    os.replace(partial, path)
+
+
+def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
+    """Tables over the loads [N] and speeds [m/s] of all points that share them.
+
+    Rolling radii are those of the heaviest contact of each race among all points.
+    """
+    from bearing.geometry import Race
+    from bearing.quasistatic import solve_quasistatic
+    from bearing.traction_tables import LOAD_SPAN, table_contacts, table_range
+    from ehl.traction.sampling import TableOptions, build_table
+    from ehl.traction.table import TableRange
+
+    from ..run import cores
+
+    cases = [case_of_document(point.document) for point in sweep.points if point.tables == name]
+    states = []
+    for k, case in enumerate(cases):
+        progress(k, len(cases), "loads of the points, for traction tables")
+        states.append(solve_quasistatic(case.bearing, case.operation, case.model))
+    states = [state for state in states if state.converged]
+    if not states:
+        raise ValueError("no point that shares them has an equilibrium")
+    oil, rheology = cases[0].lubricant, cases[0].rheology
+    assert rheology is not None  # of every bearing case
+    limits = [table_range(state, oil) for state in states]
+    highest = max(limit.load[1] for limit in limits)
+    whole = TableRange(
+        load=(max(min(limit.load[0] for limit in limits), highest / LOAD_SPAN), highest),
+        speed=(min(limit.speed[0] for limit in limits), max(limit.speed[1] for limit in limits)),
+    )
+    heaviest = max(states, key=lambda state: float(max(state.outer_load.max(), state.inner_load.max())))
+    options, tables = TableOptions(points=sweep.table_points, workers=cores()), {}
+    for race, contact in table_contacts(heaviest, oil, rheology).items():
+
+        def told(done: int, total: int, state: str, race: Race = race) -> None:
+            progress(done, total, f"traction tables, {race.value} race: {state}")
+
+        tables[race] = build_table(contact, whole, options, told)
+    return tables
+
+
+def case_of_document(document: dict[str, Any]) -> Case:
+    """A point's case, which was checked with the sweep."""
+    from ..case import case_of_file, check_document
+    from ..problems import CaseError
+
+    file, problems = check_document(document)
+    if file is None or problems:
+        raise CaseError(problem.text("case", {}) for problem in problems)
+    case = case_of_file(file, "case")
+    assert isinstance(case, Case)  # checked with the sweep
+    return case
+
+
+@lru_cache(maxsize=2)
+def ready_tables(path: str) -> Tables:
+    """Tables of both races, read once by each worker."""
+    from bearing.traction_tables import load_race_tables
+
+    return load_race_tables(Path(path))

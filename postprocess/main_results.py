@@ -1,0 +1,101 @@
+"""What is looked at first in a summary of any kind, by keys with their units."""
+
+from __future__ import annotations
+
+from typing import Any
+
+CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
+SIMULATION = (
+    "cage_speed_rpm",
+    "cage_speed_interval_rpm",
+    "cage_speed_ratio",
+    "cage_slip_ratio",
+    "ball_orbit_speed_rpm",
+    "energy_balance_error",
+    "simulated_s",
+)
+
+
+def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
+    """The main results of a run, a contact, a simulation, slip maps or traction tables.
+
+    Parameters
+    ----------
+    summary : dict or None
+        Of one point; of any kind.
+
+    Returns
+    -------
+    dict
+        None where the summary has no such number.
+    """
+    if summary is None:
+        return {}
+    if "contacts" in summary:
+        return _bearing(summary)
+    if "cage_speed_ratio" in summary:
+        return {name: summary.get(name) for name in SIMULATION} | _loads(summary)
+    if "operation" in summary and "surface" in summary:
+        return _slip(summary)
+    if "tables" in summary:
+        return _tables(summary)
+    names = [
+        f"film_{film}{rest}_{unit}"
+        for unit in ("um", "dimensionless")
+        for film in ("central", "minimum")
+        for rest in ("", "_uncertainty")
+    ]
+    return {name: summary.get(name) for name in (*CONTACT, *names, "traction_coefficient") if name in summary}
+
+
+def _bearing(summary: dict[str, Any]) -> dict[str, Any]:
+    """Largest load and pressure, thinnest film, torque, cage speed, life."""
+    contacts = [contact for contact in summary["contacts"] if contact["loaded"]]
+    heaviest: dict[str, Any] = max(contacts, key=lambda contact: contact["load_N"], default={})
+    films = [contact for contact in contacts if contact["film_minimum_um"] is not None]
+    thinnest: dict[str, Any] = min(films, key=lambda contact: contact["film_minimum_um"], default={})
+    torque, life = summary.get("torque_N_mm") or {}, summary.get("life") or {}
+    return {
+        "load_maximum_N": heaviest.get("load_N"),
+        "hertz_pressure_maximum_GPa": max((c["hertz_pressure_GPa"] for c in contacts), default=None),
+        "film_minimum_um": thinnest.get("film_minimum_um"),
+        "film_minimum_uncertainty_um": thinnest.get("film_minimum_uncertainty_um"),
+        "film_central_um": thinnest.get("film_central_um"),
+        "film_central_uncertainty_um": thinnest.get("film_central_uncertainty_um"),
+        "lambda_ratio": thinnest.get("lambda_ratio"),
+        "torque_N_mm": torque.get("total"),
+        "cage_speed_rpm": summary.get("cage_speed_rpm"),
+        "basic_reference_rating_Mrev": life.get("basic_reference_rating_Mrev"),
+    }
+
+
+def _loads(summary: dict[str, Any]) -> dict[str, Any]:
+    """Largest loads of a simulation at races and pockets."""
+    balls = summary.get("balls") or []
+    races = [ball[race]["largest_load_N"] for ball in balls for race in ("inner", "outer")]
+    pockets = [ball["largest_pocket_load_N"] for ball in balls]
+    return {
+        "load_maximum_N": max(races, default=None),
+        "pocket_load_maximum_N": max(pockets, default=None),
+    }
+
+
+def _slip(summary: dict[str, Any]) -> dict[str, Any]:
+    """Smallest slip factor at the operation of the case, how many balls slip there, and the preload it needs."""
+    operation = summary["operation"]
+    factors = [ball["slip_factor"] for ball in operation["balls"] if ball["slip_factor"] is not None]
+    return {
+        "slip_factor_minimum": min(factors, default=None),
+        "balls_slipping": sum(ball["slips"] for ball in operation["balls"]),
+        "minimum_preload_N": operation["minimum_preload_N"],
+    }
+
+
+def _tables(summary: dict[str, Any]) -> dict[str, Any]:
+    """Films solved, largest coefficient and error of the traction tables."""
+    found: dict[str, Any] = {}
+    for race, table in summary["tables"].items():
+        found[f"{race}_largest_coefficient"] = table["largest_coefficient"]
+        found[f"{race}_error_95_percent"] = table["error"]["quantile"]
+        found[f"{race}_films"] = table["films"]
+    return found

@@ -1,0 +1,212 @@
+"""What a point of a batch may compute: torque from shared traction tables, simulations, tables; and their figures."""
+
+from __future__ import annotations
+
+import csv
+import json
+from dataclasses import replace
+
+import pytest
+from typer.testing import CliRunner
+
+import postprocess
+from bearing import Race
+from bearing.traction_tables import load_race_tables
+from cases import CaseError, load_case, run_case
+from cases.batch import run_batch
+from cases.batch.compute import torque_by_tables
+from cases.batch.pools import LocalPool
+from cases.batch.results import gathered, write_batch
+from cases.batch.sweep import sweep_from_text
+from cases.batch.tables import ready_tables
+from cases.batch.task import Task, compute_point
+from cases.cli import app
+from ehl.traction.sampling import TableOptions
+from postprocess.batch_results import batch_summary
+from postprocess.main_results import main_results
+from postprocess.plots_batch import quantities, varied_keys
+
+from .test_batch import HerePool
+
+TORQUE = """
+case = "6208_five_terms"
+compute = "torque"
+table_points = 65
+[sweep]
+"operation.inner_speed_rpm" = [8000.0, 10000.0]
+"operation.radial_load_N" = [2000.0, 3000.0]
+"""
+DYNAMICS = """
+case = "7008_axial"
+compute = "dynamics"
+fields = true
+[fixed]
+"dynamics.end_time_s" = 0.0004
+"dynamics.output_interval_us" = 20.0
+[sweep]
+"operation.axial_load_N" = [50.0, 100.0]
+"dynamics.friction" = ["coulomb", "four constants"]
+"""
+
+
+@pytest.fixture(scope="module")
+def shared(tmp_path_factory):
+    """A batch that made coarse tables of few films and motions, and the tables that were made."""
+    from ehl.traction import sampling
+
+    made, build = [], sampling.build_table
+
+    def few(**chosen):
+        return TableOptions(**{**chosen, "tolerance": 0.5, "check_films": 2, "check_motions": 20, "rounds": 1})
+
+    def counted(*arguments):
+        made.append(arguments)
+        return build(*arguments)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(sampling, "START", (5, 4, 9, 5, 9))
+        patch.setattr(sampling, "TableOptions", few)
+        patch.setattr(sampling, "build_table", counted)
+        folder = tmp_path_factory.mktemp("shared")
+        results = gathered(run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool))
+        again = run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool, resume=True)
+    assert not again.computed
+    (file,) = (folder / "tables").glob("*.zip")
+    return results, file, made
+
+
+@pytest.mark.slow
+def test_torque_from_tables_that_all_points_share(shared):
+    """Made once, over the loads of all points; near the torque of the solved films."""
+    results, _, made = shared
+    assert [point.status for point in results.points] == ["done"] * 4
+    assert len(made) == 2  # one a race
+    assert made[0][1].load[1] > 1.5 * 1600.0
+    films = run_case(load_case("6208_five_terms"), 2).torque.models["integrated"].total
+    found = results.points[3].summary
+    # coarse tables of films on 65 nodes
+    assert found["torque_N_mm"]["models"]["integrated"]["total"] == pytest.approx(1e3 * films, rel=0.08)
+    assert any("integrated by traction tables" in text for text in found["messages"])
+
+
+@pytest.mark.slow
+def test_tables_that_are_given(shared, tmp_path):
+    """For any loads, told where these lie outside; sent to workers that cannot reach them; refused for another oil."""
+    _, file, made = shared
+    (tmp_path / "ready.zip").write_bytes(file.read_bytes())
+    text = TORQUE.replace("table_points = 65", 'table = "ready.zip"').replace("3000.0", "9000.0")
+    given = sweep_from_text(text, "sweep.toml", tmp_path)
+    results = gathered(run_batch(given, tmp_path / "given", lambda: LocalPool(2)))
+    assert len(made) == 2
+    assert [point.converged for point in results.points] == [True] * 4
+    document = batch_summary(results)
+    assert any(m.startswith("2 points with contacts outside loads") for m in document["messages"])
+    sent = Task(
+        key="a",
+        document=given.points[0].document,
+        compute="torque",
+        fields=False,
+        share=False,
+        folder=None,
+        tables="far/x.zip",
+    )
+    receipt = compute_point(sent, file.read_bytes())
+    assert json.loads(receipt.files[".json"])["summary"]["torque_N_mm"] == results.points[0].summary["torque_N_mm"]
+    case = load_case("6208_five_terms")
+    thick = replace(case, lubricant=replace(case.lubricant, viscosity=2.0 * case.lubricant.viscosity))
+    with pytest.raises(ValueError, match=r"another contact, inner race: lubricant"):
+        torque_by_tables(thick, ready_tables(str(tmp_path / "ready.zip")))
+
+
+@pytest.mark.slow
+def test_tables_of_every_point(shared, tmp_path, monkeypatch):
+    """Points that differ only in what tables do not know are computed once."""
+    tables = load_race_tables(shared[1])
+    monkeypatch.setattr("bearing.traction_tables.build_race_tables", lambda *arguments: tables)
+    text = TORQUE.replace('compute = "torque"', 'compute = "table"').replace("[8000.0, 10000.0]", "[10000.0]")
+    text = text.replace("[2000.0, 3000.0]", '[3000.0]\n"friction.lubrication" = ["oil bath", "oil jet"]')
+    pool = HerePool()
+    results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", lambda: pool))
+    assert len(pool.handed_out) == 1
+    assert [point.status for point in results.points] == ["done"] * 2
+    assert results.points[0].key == results.points[1].key
+    kept = load_race_tables(tmp_path / "out" / "points" / f"{results.points[0].key}.zip")
+    row = main_results(results.points[0].summary)
+    assert row["inner_largest_coefficient"] == kept[Race.INNER].kappa_max == tables[Race.INNER].kappa_max
+    write_batch(results, tmp_path / "out")
+    with (tmp_path / "out" / "batch.csv").open(encoding="utf-8") as file:
+        header = next(csv.reader(file))
+    assert "tables.inner.load_N.first [N]" in header
+
+
+def test_simulations(tmp_path):
+    (tmp_path / "sweep.toml").write_text(DYNAMICS, encoding="utf-8")
+    out = tmp_path / "out"
+    found = CliRunner().invoke(
+        app, ["batch", str(tmp_path / "sweep.toml"), "-o", str(out), "--workers", "1", "--plot", "--json"]
+    )
+    assert found.exit_code == 0, found.output
+    document = json.loads(found.stdout)
+    assert [0.5 < point["cage_speed_ratio"] < 1.2 for point in document["points"]] == [True] * 4
+    histories = sorted((out / "points").glob("*.nc"))
+    assert len(histories) == 4
+    with postprocess.open_results(histories[0]) as tree:
+        assert tree.attrs["kind"] == "dynamics"
+        assert tree["contact_load"].sizes["time"] == 20
+    with postprocess.open_results(out) as tree:
+        assert "wall_s" not in tree.data_vars  # the same input gives the same file
+        assert tree["cage_speed_rpm"].attrs["units"] == "rpm"
+    assert (out / "plots" / "over_keys.png").stat().st_size > 10_000
+    table = CliRunner().invoke(app, ["batch", str(tmp_path / "sweep.toml"), "-o", str(out), "--resume"]).output
+    assert max(len(line.rstrip()) for line in table.splitlines() if "results in" not in line) <= 80
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ('case = "ball_on_disc"\ncompute = "torque"\n[sweep]\n"contact.load_N" = [1.0]\n', "is a single contact"),
+        ('case = "6208_full_ceramic"\ncompute = "dynamics"\n[sweep]\n"bearing.balls" = [9]\n', "no table [dynamics]"),
+        ('case = "7008_back_to_back"\ncompute = "torque"\n[sweep]\n"bearing.balls" = [9]\n', "several rows"),
+        (TORQUE.replace("table_points = 65", "table_points = 66"), "table_points"),
+        (TORQUE.replace("table_points = 65", 'table = "no.zip"'), "there is no such file"),
+        (DYNAMICS.replace("fields = true", 'table = "no.zip"'), "no point needs traction tables"),
+        (TORQUE.replace('"torque"', '"torqe"'), "torque"),
+    ],
+)
+def test_what_cannot_be_computed_is_told_with_its_line(text, told):
+    with pytest.raises(CaseError) as caught:
+        sweep_from_text(text, "sweep.toml")
+    assert any(told in message and message.startswith("sweep.toml:") for message in caught.value.messages)
+
+
+def test_damaged_tables_fail_their_points_and_are_told(tmp_path):
+    (tmp_path / "bad.zip").write_bytes(b"no archive")
+    text = TORQUE.replace("table_points = 65", 'table = "bad.zip"')
+    sweep = sweep_from_text(text, "sweep.toml", tmp_path)
+    results = gathered(run_batch(sweep, tmp_path / "out", HerePool))
+    assert [point.status for point in results.points] == ["failed"] * 4
+    assert all("no traction tables of a bearing" in point.message for point in results.points)
+
+
+def test_points_are_named_after_their_tables():
+    """A wider range makes other tables, so other results; what tables do not know makes no other ones."""
+    base = sweep_from_text(TORQUE, "sweep.toml").points
+    wider = sweep_from_text(TORQUE.replace("3000.0]", "3000.0, 4000.0]"), "sweep.toml").points
+    assert base[0].tables != wider[0].tables
+    assert base[0].key != wider[0].key
+    fixed = TORQUE + '[fixed]\n"friction.lubrication" = "oil jet"\n'
+    other = sweep_from_text(fixed, "sweep.toml").points
+    assert other[0].tables == base[0].tables
+    assert other[0].key != base[0].key
+    two = sweep_from_text(TORQUE + '"lubricant.viscosity_mPa_s" = [26.0, 30.0]\n', "sweep.toml").points
+    assert len({point.tables for point in two}) == 2
+
+
+def test_words_are_drawn_as_families(tmp_path):
+    sweep = sweep_from_text(DYNAMICS, "sweep.toml")
+    results = gathered(run_batch(sweep, tmp_path / "out", HerePool))
+    keys = varied_keys(results)
+    assert [key.label for key in keys] == ["axial load [N]", "friction"]
+    assert keys[1].words == ("coulomb", "four constants")
+    assert keys[1].values == (0.0, 1.0, 0.0, 1.0)
+    assert quantities(results) == ["cage_speed_ratio"]
