@@ -50,7 +50,7 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Any) -> str:
 
 
 def gallery() -> str:
-    """Every shipped case with its source and its command, and its picture where docs/images has one."""
+    """Every shipped case with its source and its command, and its pictures where docs/images has some."""
     lines = [
         "# Cases that come with the program",
         "",
@@ -75,5 +75,8 @@ def _case(path: Path) -> list[str]:
     if document.get("source"):
         lines += [f"Source: {document['source']}", ""]
     lines += ["```console", f"oilfilm {command} {path.stem}", "```", ""]
-    picture = ROOT / "docs" / "images" / f"{path.stem}.png"
-    return lines + ([f"![{document.get('title', path.stem)}](images/{picture.name})", ""] if picture.exists() else [])
+    images = ROOT / "docs" / "images"
+    pictures = [*images.glob(f"{path.stem}.png"), *sorted(images.glob(f"{path.stem}.*.png"))]
+    for picture in pictures:
+        lines += [f"![{document.get('title', path.stem)}](images/{picture.name})", ""]
+    return lines

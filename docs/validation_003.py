@@ -48,6 +48,14 @@ At 63000 r/min, 150 N radial: ours needs {own:.1f} N, with half of F_c {half:.1f
 | ours | {factors} |
 | with half of F_c | {doubled} |
 
+![Slip factor of the worst ball over speed and axial load, no radial load](images/hirano_7000C.png)
+
+![Axial and radial load at which each ball just slips](images/hirano_7000C.critical_loads.png)
+
+![Slip factor of the worst ball with 2000 N radial](images/hirano_7000C_radial_2000N.png)
+
+The pictures are those of `oilfilm slip` for the cases (`python docs/slip_pictures.py`); the gallery has the others.
+
 ## Statements
 
 | statement | holds? | ours |

@@ -28,6 +28,18 @@ def test_the_comparison_of_slip_is_up_to_date():
     assert validation.PAGE.read_text(encoding="utf-8") == validation.page()
 
 
+def test_the_gallery_shows_the_slip_cases():
+    """Every case of the slip paper with its command and a picture; a case is not given the pictures of another."""
+    gallery = load("site_pages").gallery()
+    parts = {part.splitlines()[0]: part for part in gallery.split("### ")[1:]}
+    cases = sorted(path.stem for path in (DOCS.parent / "cases" / "hirano_slip").glob("*.toml"))
+    assert len(cases) == 7
+    for case in cases:
+        assert f"oilfilm slip {case}\n" in parts[case]
+        assert f"(images/{case}.png)" in parts[case]
+    assert parts["hirano_7000C"].count("(images/") == 3
+
+
 def test_the_comparison_of_sliding_friction_is_up_to_date():
     """Printed to three or four figures, likewise."""
     validation = load("validation_004")
