@@ -13,6 +13,7 @@ from bearing.dynamics.bodies import equation_counts, load_type
 from bearing.dynamics.friction import coulomb_friction, four_constant_friction
 from bearing.dynamics.initial import kinematic_cage_speed
 from bearing.dynamics.inputs import LoadType, NormalContact, Schedule
+from bearing.dynamics.outcome import Tally, outcome
 from bearing.dynamics.simulation import simulation
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # kappa_max 0.05 at s 0.03, 0.03 at large s
@@ -123,3 +124,20 @@ def test_finer_tolerance_changes_little(setup):
         sim = simulation(bearing, setup.operation(5000.0, 50.0), model)
         ends.append(setup.run(sim).state[-1, sim.layout.cage_speed.start + 3])
     assert_allclose(ends[1], ends[0], rtol=1e-3)
+
+
+def test_finer_tolerance_under_radial_load_stays_within_the_interval(setup):
+    """Loose balls do not repeat: their mean speed with steps ten times finer lies within the intervals told."""
+    bearing = setup.bearing_6304()
+    friction = coulomb_friction(bearing, (0.0, 0.0), 0.05, (1e-3, 0.1), at_centre=True)
+    found = []
+    for tolerance in (1e-4, 1e-5):
+        model = setup.model(bearing, friction, end_time=0.06, sample_interval=1e-4, tolerance=tolerance, drag=1e-4)
+        sim, tally = simulation(bearing, setup.operation(8000.0, 0.0, 100.0), model), Tally(bearing.balls)
+        for record in sim.pieces():
+            tally.add(record, sim.start_energy)
+        found.append(outcome(sim, tally))
+    rough, fine = found
+    width = rough.cage_interval + fine.cage_interval
+    assert width < 0.01 * fine.cage_speed
+    assert abs(fine.cage_speed - rough.cage_speed) < width
