@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from ehl.rheology import Rheology
 
     from .dynamics_plan import DynamicsPlan
+    from .heating import HeatingPlan
     from .slip_plan import SlipPlan
 
 LARGEST_FILE = 1_000_000  # [bytes]
@@ -63,6 +64,7 @@ class Case:
     slip: SlipPlan | None = None  # maps of `oilfilm slip`
     dynamics: DynamicsPlan | None = None  # the time simulation
     friction: FrictionInput | None = None  # what the friction torque models need
+    heating: HeatingPlan | None = None  # the heat balance, where it is asked for
     films: FilmPhysics = NEWTONIAN  # what the films are solved with
     rheology: Rheology | None = None  # how the oil shears
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
@@ -326,6 +328,7 @@ def _bearing_case(file: BearingFile) -> Case:
         dynamics=None if file.dynamics is None else convert.dynamics_plan(file),
         rating=convert.rating(file),
         friction=convert.friction(file),
+        heating=convert.heating(file, oil),
         films=films,
         rheology=shear,
         clearance=clearance,

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from .case import Case, ContactCase
 from .checks import ball_at
 from .film_model import FilmModel
+from .heating import self_heated
 from .traction_films import traction_messages, with_workers
 from .version import version
 
@@ -107,6 +108,7 @@ def run_case(
         clearance=case.clearance,
         tractions=tractions,
         torque=torque,
+        heating=self_heated(case) if state.converged else None,
     )
     if interrupted:
         raise Interrupted(results if any(solution is not None for solution in solutions) else None)

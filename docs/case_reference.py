@@ -16,7 +16,7 @@ UNITS = {
     "_C": "°C", "_mPa_s": "mPa s", "_mm2_s": "mm²/s", "_kg_m3": "kg/m³", "_GPa": "GPa", "_MPa": "MPa", "_m_s": "m/s",
     "_rad_s": "rad/s", "_1_GPa": "1/GPa", "_um_m_K": "µm/(m K)", "_W_m_K": "W/(m K)", "_J_kg_K": "J/(kg K)",
     "_s": "s", "_us": "µs", "_g": "g", "_kg": "kg", "_g_mm": "g mm", "_g_mm2": "g mm²",
-    "_N_s_m": "N s/m", "_m_s2": "m/s²",
+    "_N_s_m": "N s/m", "_m_s2": "m/s²", "_W_K": "W/K", "_mL_min": "mL/min",
 }  # fmt: skip
 SPECIAL = {
     "force_N": "three numbers, ±1e8",

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bearing.life import LifeRating
     from bearing.quasistatic import QuasistaticSolution
     from bearing.torque.breakdown import TorqueBreakdown
+    from bearing.torque.self_heating import WarmState
     from bearing.traction_forces import ContactTraction
     from ehl import ContactSolution, Lubricant
     from ehl.traction import TractionResult
@@ -49,6 +50,8 @@ class BearingResults:
     life : LifeRating or None
     clearance : ClearanceBudget or None
         None where the clearance given is the operating one.
+    heating : WarmState or None
+        None where no heat transfer is given.
     """
 
     version: str
@@ -65,11 +68,13 @@ class BearingResults:
     tractions: tuple[ContactTraction | None, ...] = ()
     life: LifeRating | None = None
     clearance: ClearanceBudget | None = None
+    heating: WarmState | None = None
 
     @property
     def converged(self) -> bool:
-        """Whether the equilibrium and every film that was asked for converged."""
-        return self.quasistatic.converged and all(s.converged for s in self.solutions if s is not None)
+        """Whether the equilibrium, every film and the heat balance that were asked for converged."""
+        films = all(s.converged for s in self.solutions if s is not None)
+        return self.quasistatic.converged and films and (self.heating is None or self.heating.converged)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
+from .heating import heating_block, heating_messages
 from .messages import absent_films, lambda_ratio, ratio_messages
 from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
@@ -52,6 +53,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "frequencies_Hz": frequency_block(results.frequencies),
         "kinematic_frequencies_Hz": kinematic_block(results),
         "torque_N_mm": torque_block(results),
+        "self_heating": heating_block(results),
         "timing_s": dict(results.timing),
     }
 
@@ -135,3 +137,4 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from ratio_messages(results)
     yield from rating_messages(results)
     yield from torque_messages(results)
+    yield from heating_messages(results)

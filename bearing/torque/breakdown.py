@@ -114,6 +114,24 @@ def torque_breakdown(
     return TorqueBreakdown(models={name: models[name] for name in order}, coefficient=mu, shear=shear)
 
 
+def model_torque(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    lubricant: Lubricant,
+    friction: FrictionInput,
+    name: str,
+) -> ModelTorque:
+    """Friction torque [N m] by one model that needs no films, without the work of the others; as `torque_breakdown`."""
+    speed, mu = sliding.shaft_speed(solution), coulomb_coefficient(solution, lubricant, friction)
+    models = {
+        SKF: lambda: skf_model(solution, lubricant, friction)[SKF],
+        "palmgren": lambda: palmgren_model(solution, lubricant, friction),
+        "yao": lambda: yao_model(solution, contacts, lubricant, friction, mu),
+        "starved": lambda: _starved(solution, contacts, lubricant, friction),
+    }
+    return models[name]() if name in models else line_models(solution, contacts, mu, speed)[name]
+
+
 def _integrated(
     solution: QuasistaticSolution,
     lubricant: Lubricant,

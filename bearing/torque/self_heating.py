@@ -33,8 +33,8 @@ class WarmBearing:
     torque : callable
         Friction torque [N m] of an equilibrium, its contacts and its oil.
     fit : Fit or None
-    reference : float
-        Temperature at which clearance and fits were measured [K].
+    reference : float or None
+        Temperature at which clearance and fits were measured [K]; None: the clearance is the operating one, and stays.
     inner_excess : float
         Inner ring and shaft above the one temperature of the node, outer ring and housing as much below it [K].
     """
@@ -45,7 +45,7 @@ class WarmBearing:
     oil: Callable[[float], Lubricant]
     torque: TorqueModel
     fit: Fit | None = None
-    reference: float = 293.15
+    reference: float | None = 293.15
     inner_excess: float = 0.0
 
     def at(self, temperature: float) -> tuple[QuasistaticSolution, Lubricant]:
@@ -56,6 +56,17 @@ class WarmBearing:
         ValueError
             If there is no equilibrium at that temperature [K].
         """
+        operation = replace(self.operation, temperature=temperature)
+        warm = replace(self.bearing, diametral_clearance=self.clearance(temperature))
+        solution = solve_quasistatic(warm, operation, self.model)
+        if not solution.converged:
+            raise ValueError(f"no equilibrium at {temperature:.1f} K: {solution.message}")
+        return solution, self.oil(temperature)
+
+    def clearance(self, temperature: float) -> float:
+        """Diametral clearance [m] at a temperature [K]."""
+        if self.reference is None:
+            return self.bearing.diametral_clearance
         rise, excess = temperature - self.reference, self.inner_excess
         warming = Warming(
             inner_ring=rise + excess,
@@ -64,13 +75,7 @@ class WarmBearing:
             housing=rise - excess,
             ball=rise,
         )
-        operation = replace(self.operation, temperature=temperature)
-        budget = clearance_budget(self.bearing, operation, self.fit, warming)
-        warm = replace(self.bearing, diametral_clearance=budget.operating)
-        solution = solve_quasistatic(warm, operation, self.model)
-        if not solution.converged:
-            raise ValueError(f"no equilibrium at {temperature:.1f} K: {solution.message}")
-        return solution, self.oil(temperature)
+        return clearance_budget(self.bearing, self.operation, self.fit, warming).operating
 
     def torque_at(self, temperature: float) -> float:
         """Friction torque [N m] at a temperature [K]."""
@@ -94,3 +99,52 @@ def self_heating(warm: WarmBearing, cooling: Cooling) -> HeatBalance:
     """
     speed = abs(warm.operation.inner_speed - warm.operation.outer_speed)
     return heat_balance(warm.torque_at, speed, cooling)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WarmState:
+    """What a bearing comes to that warms itself.
+
+    Attributes
+    ----------
+    model : str
+        Of the friction torque.
+    balance : HeatBalance or None
+        None where the torque could not be computed.
+    cooling : Cooling
+    viscosity, clearance : float or None
+        Of the oil [Pa s] and on the diameter [m], at the temperature found.
+    note : str
+        Why there is no balance, or what is to be said of it.
+    """
+
+    model: str
+    balance: HeatBalance | None
+    cooling: Cooling
+    viscosity: float | None = None
+    clearance: float | None = None
+    note: str = ""
+
+    @property
+    def converged(self) -> bool:
+        """Whether friction and cooling agree."""
+        return self.balance is not None and self.balance.converged
+
+    @property
+    def oil_heat(self) -> float | None:
+        """Heat that the oil carries away [W]."""
+        if self.balance is None:
+            return None
+        return self.cooling.oil_flow * (self.balance.temperature - self.cooling.oil_supply)
+
+
+def warm_state(warm: WarmBearing, cooling: Cooling, model: str) -> WarmState:
+    """Temperature [K] that a bearing warms itself to, with its oil and clearance there, or why there is none."""
+    try:
+        balance = self_heating(warm, cooling)
+        if not balance.converged:
+            return WarmState(model=model, balance=balance, cooling=cooling, note=balance.message)
+        oil, clearance = warm.oil(balance.temperature), warm.clearance(balance.temperature)
+    except ValueError as problem:
+        return WarmState(model=model, balance=None, cooling=cooling, note=str(problem))
+    return WarmState(model=model, balance=balance, cooling=cooling, viscosity=oil.viscosity, clearance=clearance)

@@ -25,6 +25,7 @@ def friction(values: Values) -> Iterator[Problem]:
             if not values.given("cage", key):
                 yield Problem(path=("cage", key), found=MISSING, allowed="needed where a ring guides the cage")
     yield from _traction(values)
+    yield from _self_heating(values)
     if values.get("lubricant") is None:
         return
     oil, _ = oil_table(values.document)
@@ -49,6 +50,22 @@ def _traction(values: Values) -> Iterator[Problem]:
     if largest is not None and limit is not None and limit >= largest:
         allowed = f"allowed: below traction_maximum = {largest:g}"
         yield Problem(path=("friction", "traction_limit"), found=f"found {limit:g}", allowed=allowed)
+
+
+def _self_heating(values: Values) -> Iterator[Problem]:
+    """A heat balance needs a viscosity over temperature: a named oil whose viscosity the case does not fix."""
+    if not values.given("friction", "heat_transfer_W_K") or values.get("lubricant") is None:
+        return
+    if not values.given("lubricant", "name"):
+        allowed = "needed with friction.heat_transfer_W_K: an oil with its viscosity over temperature"
+        yield Problem(path=("lubricant", "name"), found=MISSING, allowed=allowed)
+    for key in ("viscosity_mPa_s", "kinematic_viscosity_mm2_s"):
+        if values.given("lubricant", key):
+            found, allowed = (
+                "found with friction.heat_transfer_W_K",
+                "allowed: left out, the oil's own over temperature",
+            )
+            yield Problem(path=("lubricant", key), found=found, allowed=allowed)
 
 
 def _heat(values: Values, oil: dict[str, Any]) -> Iterator[Problem]:

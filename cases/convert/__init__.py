@@ -4,6 +4,7 @@ from .bearing import bearing, operating_bearing, rating
 from .contact import contact, contact_defaults, solver_options
 from .dynamics import dynamics_plan
 from .friction import film_physics, friction, rheology
+from .heating import heating
 from .lubricant import lubricant, lubricant_keys, temperature
 from .materials import material_table, materials, ring_materials, seat_materials
 from .operation import model, operation, slip_plan
@@ -18,6 +19,7 @@ __all__ = [
     "dynamics_plan",
     "film_physics",
     "friction",
+    "heating",
     "lubricant",
     "lubricant_keys",
     "material_table",

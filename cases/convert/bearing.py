@@ -11,7 +11,7 @@ from .materials import materials, ring_materials, seat_materials
 from .units import KN, MM, UM, mm
 
 if TYPE_CHECKING:
-    from bearing.clearance import ClearanceBudget
+    from bearing.clearance import ClearanceBudget, Fit
     from bearing.geometry import Bearing
     from bearing.operation import Operation, RatingInput
 
@@ -57,31 +57,38 @@ def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing,
     given = bearing(file)
     if file.fit is None and file.temperatures is None:
         return given, None
-    from bearing.clearance import Fit, Warming, clearance_budget
+    from bearing.clearance import Warming, clearance_budget
 
-    fit = warming = None
-    if file.fit is not None:
-        shaft, housing = seat_materials(file)
-        library, table = materials(file, (shaft, housing)), file.fit
-        outside = table.housing_outside_diameter_mm
-        fit = Fit(
-            shaft_material=library[shaft],
-            housing_material=library[housing],
-            inner_interference=table.inner_ring_interference_um * UM,
-            outer_interference=table.outer_ring_interference_um * UM,
-            shaft_bore=table.shaft_bore_mm * MM,
-            housing_outside_diameter=None if outside is None else outside * MM,
-        )
+    fit, warming = seats(file), None
     if file.temperatures is not None:
         at = file.temperatures
-        seats = {
+        mounts = {
             "shaft": at.inner_ring_C if at.shaft_C is None else at.shaft_C,
             "housing": at.outer_ring_C if at.housing_C is None else at.housing_C,
         }
-        parts = {"inner_ring": at.inner_ring_C, "outer_ring": at.outer_ring_C, "ball": at.ball_C, **seats}
+        parts = {"inner_ring": at.inner_ring_C, "outer_ring": at.outer_ring_C, "ball": at.ball_C, **mounts}
         warming = Warming(**{part: value - at.reference_C for part, value in parts.items()})
     budget = clearance_budget(given, operation, fit, warming)
     return replace(given, diametral_clearance=budget.operating), budget
+
+
+def seats(file: BearingFile) -> Fit | None:
+    """Fits of the rings [m]; None where the case gives none."""
+    from bearing.clearance import Fit
+
+    if file.fit is None:
+        return None
+    shaft, housing = seat_materials(file)
+    library, table = materials(file, (shaft, housing)), file.fit
+    outside = table.housing_outside_diameter_mm
+    return Fit(
+        shaft_material=library[shaft],
+        housing_material=library[housing],
+        inner_interference=table.inner_ring_interference_um * UM,
+        outer_interference=table.outer_ring_interference_um * UM,
+        shaft_bore=table.shaft_bore_mm * MM,
+        housing_outside_diameter=None if outside is None else outside * MM,
+    )
 
 
 def rating(file: BearingFile) -> RatingInput:

@@ -69,6 +69,19 @@ class FrictionTable(Table):
     supply_residence_s: float = Field(
         20.0, ge=0.0, le=1.0e6, description="mean time that oil stays in the bearing; an assumption, likewise"
     )
+    heat_transfer_W_K: float | None = Field(
+        None, gt=0.0, le=1.0e5, description="heat to the surroundings per kelvin; asks for the block self_heating"
+    )
+    ambient_C: float = Field(20.0, ge=-100.0, le=300.0, description="temperature of the surroundings")
+    cooling_oil_mL_min: float | None = Field(
+        None, ge=0.0, le=1.0e7, description="oil that carries heat away; left out, supply_mL_min"
+    )
+    cooling_oil_C: float | None = Field(
+        None, ge=-100.0, le=300.0, description="temperature at which it comes; left out, ambient_C"
+    )
+    heating_torque: Literal["skf", "palmgren", "houpert", "yao", "starved", "pure_rolling_lines", "coulomb"] = Field(
+        "skf", description="torque model that heats the bearing"
+    )
     palmgren_viscous_factor: float | None = Field(
         None, ge=0.0, le=100.0, description="f_0; left out, by bearing and lubrication"
     )

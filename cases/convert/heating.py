@@ -1,0 +1,66 @@
+"""[friction] heat_transfer_W_K and what belongs to it: the heat balance of a bearing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from ..schema import BearingFile
+from .bearing import bearing, seats
+from .friction import ML_MIN
+from .lubricant import lubricant
+from .units import ZERO_CELSIUS
+
+if TYPE_CHECKING:
+    from ehl import Lubricant
+
+    from ..heating import HeatingPlan
+
+
+def heating(file: BearingFile, oil: Lubricant) -> HeatingPlan | None:
+    """Cooling [W/K], oil over temperature [K], fits; None where no heat transfer is given.
+
+    Raises
+    ------
+    ValueError
+        If oil carries heat and its specific heat is not known.
+    """
+    table = file.friction
+    if table.heat_transfer_W_K is None:
+        return None
+    from bearing.torque.heat_balance import Cooling
+
+    from ..heating import HeatingPlan
+
+    flow = table.supply_mL_min if table.cooling_oil_mL_min is None else table.cooling_oil_mL_min
+    carried = 0.0
+    if flow:
+        if oil.thermal is None:
+            raise ValueError(
+                "friction.cooling_oil_mL_min: the heat that oil carries needs lubricant.specific_heat_J_kg_K"
+            )
+        carried = flow * ML_MIN * oil.density * oil.thermal.specific_heat
+    ambient = table.ambient_C + ZERO_CELSIUS
+    supply = ambient if table.cooling_oil_C is None else table.cooling_oil_C + ZERO_CELSIUS
+    cooling = Cooling(conductance=table.heat_transfer_W_K, ambient=ambient, oil_flow=carried, oil_supply=supply)
+
+    def at(kelvin: float) -> Lubricant:
+        warm = file.operation.model_copy(update={"temperature_C": kelvin - ZERO_CELSIUS})
+        return lubricant(file.model_copy(update={"operation": warm}))
+
+    rings, reference, excess = file.temperatures, None, 0.0
+    if rings is not None:
+        reference, excess = rings.reference_C + ZERO_CELSIUS, 0.5 * (rings.inner_ring_C - rings.outer_ring_C)
+    elif file.fit is not None:
+        reference = REFERENCE
+    return HeatingPlan(
+        bearing=bearing(file),
+        oil=at,
+        cooling=cooling,
+        model=table.heating_torque,
+        fit=seats(file),
+        reference=reference,
+        inner_excess=excess,
+    )
+
+
+REFERENCE = 293.15  # at which fits were measured where no [temperatures] tells it, as `TemperaturesTable` has it [K]

@@ -1,0 +1,104 @@
+"""Self-heating in case files: the balance closes, its inputs count, what it cannot do is told."""
+
+from __future__ import annotations
+
+from math import pi
+
+import pytest
+
+from cases.case import case_from_text
+from cases.problems import CaseError
+from cases.run import run_case
+from postprocess import summary
+
+TEXT = """
+schema_version = 1
+[bearing]
+name = "6208"
+basic_static_rating_kN = 19.0
+bore_mm = 40.0
+outside_diameter_mm = 80.0
+width_mm = 18.0
+inner_ring_material = "bearing steel"
+outer_ring_material = "bearing steel"
+ball_material = "bearing steel"
+[lubricant]
+name = "iso vg 32"
+[operation]
+inner_speed_rpm = 6000.0
+radial_load_N = 2000.0
+temperature_C = 40.0
+[ehl]
+film_maps = "none"
+[friction]
+heat_transfer_W_K = 1.0
+"""
+
+
+def found(text):
+    document = summary(run_case(case_from_text(text, "case.toml")))
+    return document["self_heating"], document
+
+
+def test_friction_and_cooling_agree():
+    """M w = h (T - T_a) at the temperature told, to the 1e-4 K the root is found to; the oil is thinner there."""
+    warm, document = found(TEXT)
+    assert document["converged"]
+    assert warm["converged"]
+    assert warm["torque_model"] == "skf"
+    assert warm["temperature_C"] > 40.0
+    assert warm["power_W"] == pytest.approx(1.0 * (warm["temperature_C"] - 20.0), abs=1e-3)
+    assert warm["power_W"] == pytest.approx(1e-3 * warm["torque_N_mm"] * 6000.0 * pi / 30.0, rel=1e-9)
+    assert warm["oil_W"] == 0.0
+    assert warm["torque_N_mm"] < document["torque_N_mm"]["models"]["skf"]["total"]
+    assert warm["clearance_um"] == pytest.approx(document["clearance"]["operating_um"])
+    assert any("agree at" in message for message in document["messages"])
+    at_it, again = found(TEXT.replace("temperature_C = 40.0", f"temperature_C = {warm['temperature_C']!r}"))
+    assert again["torque_N_mm"]["models"]["skf"]["total"] == pytest.approx(warm["torque_N_mm"], rel=1e-5)
+    assert at_it["temperature_C"] == pytest.approx(warm["temperature_C"], abs=1e-3)
+
+
+def test_oil_carries_heat_away():
+    warm, _ = found(TEXT)
+    cooled, _ = found(TEXT + "cooling_oil_mL_min = 200.0\ncooling_oil_C = 30.0\n")
+    assert cooled["temperature_C"] < warm["temperature_C"] - 1.0
+    assert cooled["oil_W"] > 1.0
+    heat = cooled["oil_W"] + 1.0 * (cooled["temperature_C"] - 20.0)
+    assert heat == pytest.approx(cooled["power_W"], abs=1e-3)
+
+
+def test_fits_and_rings_of_different_temperature_take_clearance_as_it_warms():
+    rings = "[temperatures]\ninner_ring_C = 60.0\nouter_ring_C = 50.0\nball_C = 55.0\n"
+    warm, document = found(TEXT + rings + "[fit]\ninner_ring_interference_um = 5.0\n")
+    assert warm["converged"]
+    assert warm["clearance_um"] < 13.0
+    assert warm["clearance_um"] != pytest.approx(document["clearance"]["operating_um"], abs=1e-6)
+
+
+@pytest.mark.parametrize("model", ["palmgren", "houpert", "pure_rolling_lines", "coulomb"])
+def test_other_models_heat_the_bearing(model):
+    warm, _ = found(TEXT + f'heating_torque = "{model}"\npalmgren_load_factor = 0.0005\n')
+    assert warm["converged"]
+    assert warm["torque_model"] == model
+    assert warm["temperature_C"] > 20.0
+
+
+def test_a_model_without_its_inputs_has_no_balance_and_says_so():
+    warm, document = found(TEXT + 'heating_torque = "yao"\n')
+    assert not document["converged"]
+    assert warm["temperature_C"] is None
+    assert any("hysteresis_loss" in m and m.startswith("self_heating: null") for m in document["messages"])
+
+
+def test_without_the_key_the_block_is_null():
+    warm, document = found(TEXT.replace("heat_transfer_W_K = 1.0", ""))
+    assert set(warm.values()) == {None}
+    assert document["converged"]
+    assert any(message.startswith("self_heating: null") for message in document["messages"])
+
+
+def test_an_oil_without_temperature_is_refused():
+    with pytest.raises(CaseError, match="name"):
+        found(TEXT.replace('name = "iso vg 32"', "viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 18.0"))
+    with pytest.raises(CaseError, match="viscosity_mPa_s"):
+        found(TEXT.replace('name = "iso vg 32"', 'name = "iso vg 32"\nviscosity_mPa_s = 20.0'))
