@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
-from math import cos, pi, sin
+from math import cos, hypot, pi, sin
 
 from ehl import Lubricant
 
@@ -17,6 +17,7 @@ from .resistance import Cage, churning_power, hysteresis_torque, land_power, poc
 from .supply import Supply
 
 ANGULAR_CONTACT = pi / 18.0  # free contact angle from which a bearing counts as one of angular contact [rad]
+ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
 CONSTANT_COULOMB = 0.07  # of Jones (1959), as quoted in the comparison of sliding friction torques [-]
 
 
@@ -86,9 +87,10 @@ def _kind(bearing: Bearing) -> skf.Series:
 
 
 def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
-    """Radial and axial load of the ring [N]."""
+    """Radial and axial load of the ring [N]; none where it is round-off of the other, for SKF's formulas jump there."""
     axial, y, z = (float(force) for force in solution.ring_force)
-    return (y * y + z * z) ** 0.5, abs(axial)
+    radial, axial = hypot(y, z), abs(axial)
+    return (radial if radial > ROUND_OFF * axial else 0.0), (axial if axial > ROUND_OFF * radial else 0.0)
 
 
 def cage_and_drag(

@@ -9,8 +9,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
+from bearing import Operation, solve_quasistatic
+from bearing.torque.models import ring_loads
 from bearing.torque.palmgren import directed_load, load_factor, palmgren_torque, viscous_factor
 from bearing.torque.skf import (
     MM,
@@ -133,3 +136,12 @@ def test_directed_load():
     assert directed_load("deep groove", 1000.0, 100.0) == 1000.0
     assert directed_load("deep groove", 100.0, 1000.0) == pytest.approx(3290.0)
     assert directed_load("angular contact", 100.0, -1000.0) == pytest.approx(990.0)
+
+
+def test_round_off_of_an_axial_load_is_none(bearings):
+    """SKF's formulas for radial and combined load do not meet: a thrust of rounding must not choose between them."""
+    state = solve_quasistatic(bearings.b6208, Operation(inner_speed=500.0, force=(0.0, 1000.0, 0.0)))
+    noisy = replace(state, ring_force=np.array([1e-9, 1000.0, 0.0]))
+    assert ring_loads(noisy) == (1000.0, 0.0)
+    assert ring_loads(state) == (pytest.approx(1000.0), 0.0)
+    assert ring_loads(replace(state, ring_force=np.array([-1.0, 3.0, 4.0]))) == (5.0, 1.0)
