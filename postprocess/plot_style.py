@@ -224,6 +224,13 @@ def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tup
     return low, max(1.3 * high, 1.1 * low)
 
 
+def film_ticks(low: float, high: float) -> list[float]:
+    """About eight round values on a scale from `low` to `high` [any unit]."""
+    step = 10.0 ** np.floor(np.log10((high - low) / 4.0))
+    step *= 5.0 if (high - low) / step > 30.0 else 2.0 if (high - low) / step > 12.0 else 1.0
+    return [float(tick) for tick in np.arange(np.ceil(low / step), np.floor(high / step) + 1.0) * step]
+
+
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:
     """Half extents of the Hertz ellipse along and across a grid at `angle` [rad] to it, in units of a [-]."""
     return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))

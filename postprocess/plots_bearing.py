@@ -20,6 +20,7 @@ from .plot_style import (
     ContactView,
     common_film_range,
     contact_view,
+    film_ticks,
 )
 from .plots_contact import draw_map
 from .results import BearingResults
@@ -149,7 +150,7 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     bar = upper.colorbar(image, ax=panels, label=label, extend="max" if quantity == "film" else "neither", aspect=40)
     if quantity == "film":
         bar.ax.minorticks_off()
-        bar.set_ticks(_film_ticks(*limits), labels=[f"{tick:.3g}" for tick in _film_ticks(*limits)])
+        bar.set_ticks(film_ticks(*limits), labels=[f"{tick:.3g}" for tick in film_ticks(*limits)])
     _over_azimuth(lower.subplots(), results, quantity)
     lower.supxlabel(FOOTNOTES[quantity], fontsize=6.5, color=REFERENCE)
 
@@ -167,13 +168,6 @@ def _few_ticks(axes: Axes, window: tuple[float, float, float]) -> None:
     step = float(f"{0.4 * (window[1] - window[0]):.0e}")
     ticks = [k * step for k in (-2, -1, 0, 1, 2) if window[0] <= k * step <= window[1]]
     axes.set_xticks(ticks, [f"{tick:.3g}".replace("-", "−") for tick in ticks])
-
-
-def _film_ticks(low: float, high: float) -> list[float]:
-    """About eight round values on a logarithmic scale."""
-    step = 10.0 ** np.floor(np.log10((high - low) / 4.0))
-    step *= 5.0 if (high - low) / step > 30.0 else 2.0 if (high - low) / step > 12.0 else 1.0
-    return [float(tick) for tick in np.arange(np.ceil(low / step), np.floor(high / step) + 1.0) * step]
 
 
 def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tuple[float, float]) -> Any:

@@ -9,7 +9,6 @@ import asyncio
 import json
 import sys
 from dataclasses import asdict, dataclass
-from html import escape
 from importlib.util import find_spec
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -24,7 +23,8 @@ from .reader import open_results
 from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
 from .results_io import atomic_path
 from .scene_motion import FACTS, add_controls, patch_facts, write_movie
-from .scene_parts import INK, add_bodies, add_colour_bar, add_field, add_labels, aim, frame
+from .scene_page import ColourBar, add_flat_labels, write_page
+from .scene_parts import INK, add_bodies, add_colour_bar, add_field, add_labels, add_load, aim, frame
 from .units import MILLIMETRE
 from .vtk import COLLECTION_FILE
 
@@ -36,7 +36,7 @@ Array = NDArray[np.float64]
 
 NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
 PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
-OFFLINE = """<meta http-equiv="Content-Security-Policy" content="img-src data: blob:; connect-src data: blob:">"""
+PAGES = (".html", ".htm")
 LINE_COLOURS = {"film": "white", "pressure": "black"}
 LABELS = {"film": "film thickness [µm]", "pressure": "pressure [GPa]"}
 BACKGROUND = "white"
@@ -109,8 +109,7 @@ def screenshot(directory: str | Path, file: str | Path, options: SceneOptions | 
 def export_html(directory: str | Path, file: str | Path, options: SceneOptions | None = None) -> Path:
     """Write the scene as one HTML page that is turned with the mouse, offline; arguments as `screenshot`.
 
-    The viewer (vtk.js) is inside the page. Azimuths and load stand in the picture only; colours are spread evenly over
-    the film, not over its logarithm.
+    The viewer (vtk.js) is inside the page. Azimuths and load are flat letters there, which read from the side of +x.
 
     Raises
     ------
@@ -120,7 +119,7 @@ def export_html(directory: str | Path, file: str | Path, options: SceneOptions |
         If the machine cannot draw, or the extra `html` (trame-pyvista) is not installed.
     """
     path = Path(file)
-    if path.suffix.lower() not in (".html", ".htm"):
+    if path.suffix.lower() not in PAGES:
         raise ValueError(f"the page must be an .html file, got {path.name}")
     if find_spec("trame_pyvista") is None:
         raise RenderingError("the page needs the package trame-pyvista: pip install 'oilfilm[html]'")
@@ -195,8 +194,10 @@ def bearing_scene(
     return _scene(Path(directory), options or SceneOptions(), off_screen)[0]
 
 
-def _scene(directory: Path, options: SceneOptions, off_screen: bool) -> tuple[pyvista.Plotter, str, str]:
-    """Plotter, title and the note that states what is magnified."""
+def _scene(
+    directory: Path, options: SceneOptions, off_screen: bool, page: bool = False
+) -> tuple[pyvista.Plotter, str, str, ColourBar | None]:
+    """Plotter, title, the note that states what is magnified, and the colour bar, which a `page` draws itself."""
     import pyvista as pv
 
     tree = open_results(directory)
@@ -204,20 +205,24 @@ def _scene(directory: Path, options: SceneOptions, off_screen: bool) -> tuple[py
         plotter = pv.Plotter(off_screen=off_screen, window_size=list(options.size))
         plotter.set_background(BACKGROUND)
         scale, title = options.scale, str(tree.attrs.get("title", ""))
-        plotter.add_text(title, position="upper_left", font_size=int(17 * scale), color=INK)
+        if not page:  # which has its own words
+            plotter.add_text(title, position="upper_left", font_size=int(17 * scale), color=INK)
         if tree.attrs["kind"] == "contact":
-            note = _add_contact(plotter, tree["contacts/contact"].to_dataset(), options)
+            note, bar = _add_contact(plotter, tree["contacts/contact"].to_dataset(), options, page)
         else:
-            note = _add_bearing(plotter, directory, tree, options)
-        plotter.add_text(note, position="lower_left", font_size=int(13 * scale), color=INK)
+            note, bar = _add_bearing(plotter, directory, tree, options, page)
+        if not page:
+            plotter.add_text(note, position="lower_left", font_size=int(13 * scale), color=INK)
         plotter.enable_anti_aliasing("ssaa")
-        return plotter, title, note
+        return plotter, title, note, bar
     finally:
         tree.close()
 
 
-def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: SceneOptions) -> str:
-    """Bodies, patches, camera; return the note that states the factors."""
+def _add_bearing(
+    plotter: Any, directory: Path, tree: xarray.DataTree, options: SceneOptions, page: bool
+) -> tuple[str, ColourBar | None]:
+    """Bodies, patches, labels, camera; return the note that states the factors, and the scale of the colours."""
     import pyvista as pv
 
     balls = tree["contacts"].children.values() if "contacts" in tree.children else ()  # no films were asked for
@@ -227,6 +232,8 @@ def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: 
     placement = _placement(patches, radius, options)
     add_bodies(plotter, directory)
     limits, mapper = _limits(patches, options.quantity) if patches else (0.0, 1.0), None
+    logarithmic = options.quantity == "film" and len(patches) > 1
+    scale = "linear" if not logarithmic else "logarithm" if page else "logarithmic"
     for patch in patches:
         mesh = pv.wrap(patch.mesh(radius, placement))
         if options.quantity == "film":
@@ -234,15 +241,22 @@ def _add_bearing(plotter: Any, directory: Path, tree: xarray.DataTree, options: 
         if not mesh.n_points:  # a failed solution may have no film within the scale
             continue
         mesh.field_data[FACTS] = [patch_facts(patch)]
-        mapper = add_field(plotter, mesh, options.quantity, limits, logarithmic=len(patches) > 1)
+        mapper = add_field(plotter, mesh, options.quantity, limits, scale)
         lines = mesh.contour(patch.levels(options.quantity), scalars=options.quantity)
         if lines.n_points:
             plotter.add_mesh(lines, color=LINE_COLOURS[options.quantity], line_width=1.5, opacity=0.7)
+    note = _note(placement) if patches else "no films in these results"
+    add_load(plotter, tree)
+    if page:
+        add_flat_labels(plotter, tree, aim(plotter, tree))
+        label = LABELS[options.quantity]
+        bar = ColourBar(quantity=options.quantity, label=label, limits=limits, logarithmic=logarithmic)
+        return note, bar if mapper is not None else None
     if mapper is not None:
         add_colour_bar(plotter, mapper, LABELS[options.quantity], options.scale)
     add_labels(plotter, tree, options.scale)
     aim(plotter, tree)
-    return _note(placement) if patches else "no films in these results"
+    return note, None
 
 
 def _within_scale(mesh: Any, top: float) -> Any:
@@ -288,8 +302,8 @@ def _limits(patches: list[Patch], quantity: str) -> tuple[float, float]:
     return common_film_range([p.central for p in patches], [p.minimum for p in patches])
 
 
-def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions) -> str:
-    """One contact as a surface whose height is the quantity; return what the height means."""
+def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions, page: bool) -> tuple[str, ColourBar | None]:
+    """One contact as a surface whose height is the quantity; return what the height means, and the colours' scale."""
     import pyvista as pv
 
     patch = Patch.read(data)
@@ -301,13 +315,15 @@ def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions) -> s
     mapper = add_field(plotter, mesh, options.quantity, limits)
     unit = data["P" if options.quantity == "pressure" else "h"].attrs["units"]
     label = LABELS[options.quantity] if unit in ("m", "Pa") else f"{options.quantity} [{unit}]"
-    add_colour_bar(plotter, mapper, label, options.scale)
+    if not page:
+        add_colour_bar(plotter, mapper, label, options.scale)
     plotter.camera.position, plotter.camera.focal_point, plotter.camera.up = (-0.75, -1.35, 1.3), (0, 0, 0), (0, 0, 1)
     frame(plotter, 1.0)
     unit = data["x"].attrs["units"].replace("m", "mm")
     extent = f"{patch.x.min():.3g} ... {patch.x.max():.3g} by {patch.y.min():.3g} ... {patch.y.max():.3g} {unit}"
     cut = ", cut off at the end of the colour scale" if options.quantity == "film" else ""
-    return f"height: {options.quantity}{cut}; shown: {extent}; oil moves to the right"
+    bar = ColourBar(quantity=options.quantity, label=label, limits=limits) if page else None
+    return f"height: {options.quantity}{cut}; shown: {extent}; oil moves to the right", bar
 
 
 def _main(request: str) -> None:
@@ -317,7 +333,8 @@ def _main(request: str) -> None:
     options["size"] = tuple(options["size"])
     options["magnification"] = options["magnification"] and tuple(options["magnification"])
     off_screen = asked["file"] is not None
-    plotter, title, note = _scene(Path(asked["directory"]), SceneOptions(**options), off_screen)
+    page = off_screen and Path(asked["file"]).suffix.lower() in PAGES
+    plotter, title, note, bar = _scene(Path(asked["directory"]), SceneOptions(**options), off_screen, page)
     if asked["file"] is None:
         add_controls(plotter)
         plotter.show()
@@ -326,22 +343,8 @@ def _main(request: str) -> None:
     elif asked["file"].endswith(".png"):
         plotter.screenshot(asked["file"])
     else:
-        asyncio.run(_write_page(plotter, Path(asked["file"]), title, note))
+        asyncio.run(write_page(plotter, Path(asked["file"]), title, note, bar))
     plotter.close()
-
-
-async def _write_page(plotter: Any, file: Path, title: str, note: str) -> None:
-    """The page of vtk.js, with the words that it leaves out of a scene laid over it."""
-    from trame_pyvista.jupyter import launch_server
-
-    await launch_server().ready  # of this process only, on the loopback interface: it serialises the scene
-    plotter.trame.export_html(str(file))
-    words = f"<b>{escape(title)}</b><br>{escape(note)}; turn, zoom and shift with the mouse"
-    style = f"position:fixed;left:12px;top:10px;font:15px system-ui,sans-serif;color:{INK};pointer-events:none"
-    over = json.dumps(f'<div style="{style}">{words}</div>').replace("<", "\\u003c")
-    script = f"<script>document.documentElement.insertAdjacentHTML('beforeend', {over})</script>"  # it empties the body
-    page = file.read_text(encoding="utf-8").replace("</body>", f"{script}</body>")
-    file.write_text(page.replace("<head>", f"<head>{OFFLINE}", 1), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from math import log10
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .plot_style import COLOUR_MAPS
 from .units import MILLIMETRE
@@ -14,18 +16,27 @@ from .vtk import COLLECTION_FILE
 if TYPE_CHECKING:
     import xarray
 
+Array = NDArray[np.float64]
+
 ROUND_OFF = 1e-6  # a radial load below this share of the axial one is noise of the equilibrium
 BODY, EDGE, INK, LOAD_COLOUR = "#c9ced6", "#5b6470", "#1b1f24", "#b3202c"
 
 
-def add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float], logarithmic: bool = False) -> Any:
-    """A surface coloured by a quantity between limits, in its unit [um] or [GPa]; the mapper for its colour bar."""
+def add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float], scale: str = "linear") -> Any:
+    """A surface coloured by a quantity between limits, in its unit [um] or [GPa]; the mapper for its colour bar.
+
+    `scale` is "linear", "logarithmic", or "logarithm": the logarithm itself, for viewers without logarithmic colours.
+    """
+    scalars = quantity
+    if scale == "logarithm":
+        scalars, limits = "logarithm", (log10(limits[0]), log10(limits[1]))
+        mesh[scalars] = np.log10(np.maximum(mesh[quantity], 1e-3 * 10.0 ** limits[0]))
     actor = plotter.add_mesh(
         mesh,
-        scalars=quantity,
+        scalars=scalars,
         cmap=COLOUR_MAPS[quantity],
         clim=limits,
-        log_scale=quantity == "film" and logarithmic,
+        log_scale=scale == "logarithmic",
         show_scalar_bar=False,
         ambient=0.6,
         diffuse=0.45,
@@ -50,44 +61,72 @@ def add_bodies(plotter: Any, directory: Path) -> None:
         plotter.add_mesh(edges, color=EDGE, line_width=1.0)
 
 
-def add_labels(plotter: Any, tree: xarray.DataTree, scale: float) -> None:
-    """Azimuths beside the balls, and the radial load on the inner ring as an arrow in the bore."""
-    import pyvista as pv
-
+def label_places(tree: xarray.DataTree) -> list[tuple[Array, str]]:
+    """Azimuths beside the balls, and the size of the radial load below its arrow: places [mm] and words."""
     balls, ring = tree["balls"].to_dataset(), tree["ring"].to_dataset()
     turn, diameter = balls["azimuth"].values, float(ring.attrs["ball_diameter"]) / MILLIMETRE
     radius = balls["ball_radial"].values / MILLIMETRE + 1.05 * diameter
     points = np.stack([np.zeros_like(turn), radius * np.cos(turn), radius * np.sin(turn)], axis=1)
-    style: dict[str, Any] = {
-        "font_size": int(22 * scale),
-        "text_color": INK,
-        "shape": None,
-        "show_points": False,
-        "always_visible": True,
-    }
-    plotter.add_point_labels(points, [f"{angle % 360.0:.4g}°" for angle in np.degrees(turn)], **style)
+    found = [(point, f"{angle % 360.0:.4g}°") for point, angle in zip(points, np.degrees(turn), strict=True)]
+    load = _radial_load(ring)
+    if load is not None:
+        direction, size = load
+        found.append((-0.78 * _bore(ring) * direction, f"{size:.4g} N"))
+    return found
+
+
+def _radial_load(ring: xarray.Dataset) -> tuple[Array, float] | None:
+    """Direction [-] and size [N] of the radial load on the inner ring; None if there is none."""
     force = ring["force"].values[:3] * np.array([0.0, 1.0, 1.0])
     size = float(np.linalg.norm(force))
-    if size > ROUND_OFF * float(np.abs(ring["force"].values).max()):
-        bore = 0.5 * float(ring.attrs["pitch_diameter"]) / MILLIMETRE - diameter
-        direction = force / size
-        arrow = pv.Arrow(
-            start=-0.65 * bore * direction,
-            direction=direction,
-            scale=1.3 * bore,
-            shaft_radius=0.025,
-            tip_radius=0.06,
-            tip_length=0.18,
-        )
-        plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4)
-        plotter.add_point_labels([-0.78 * bore * direction], [f"{size:.4g} N"], **style)
+    return (force / size, size) if size > ROUND_OFF * float(np.abs(ring["force"].values).max()) else None
 
 
-def aim(plotter: Any, tree: xarray.DataTree) -> None:
-    """Look from the side of +x down on the most loaded ball, which is up."""
+def _bore(ring: xarray.Dataset) -> float:
+    """Room for the arrow of the load [mm]."""
+    return (0.5 * float(ring.attrs["pitch_diameter"]) - float(ring.attrs["ball_diameter"])) / MILLIMETRE
+
+
+def add_load(plotter: Any, tree: xarray.DataTree) -> None:
+    """The radial load on the inner ring as an arrow in the bore."""
+    import pyvista as pv
+
+    ring = tree["ring"].to_dataset()
+    load = _radial_load(ring)
+    if load is None:
+        return
+    direction, bore = load[0], _bore(ring)
+    arrow = pv.Arrow(
+        start=-0.65 * bore * direction,
+        direction=direction,
+        scale=1.3 * bore,
+        shaft_radius=0.025,
+        tip_radius=0.06,
+        tip_length=0.18,
+    )
+    plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4)
+
+
+def add_labels(plotter: Any, tree: xarray.DataTree, scale: float) -> None:
+    """Words in space that always face the camera."""
+    places = label_places(tree)
+    plotter.add_point_labels(
+        np.array([place for place, _ in places]),
+        [words for _, words in places],
+        font_size=int(22 * scale),
+        text_color=INK,
+        shape=None,
+        show_points=False,
+        always_visible=True,
+    )
+
+
+def aim(plotter: Any, tree: xarray.DataTree) -> Array:
+    """Look from the side of +x down on the most loaded ball, which is up; the unit vector to it [-]."""
     balls = tree["balls"].to_dataset()
     turn = float(balls["azimuth"].values[int(np.argmax(balls["outer_load"].values))])
     look_at(plotter, turn)
+    return np.array([0.0, np.cos(turn), np.sin(turn)])
 
 
 def look_at(plotter: Any, turn: float) -> None:

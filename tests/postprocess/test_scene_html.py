@@ -39,15 +39,33 @@ def test_the_page_says_what_it_shows_and_asks_nobody(page):
 @pytest.mark.slow
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium")
 def test_a_browser_draws_it(page, tmp_path):
+    pixels = browsed(page, tmp_path)[100:500, 100:650]
+    spread = pixels.max(axis=2) - pixels.min(axis=2)
+    assert (spread > 0.2).mean() > 0.05  # coloured film, not an empty page
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(CHROMIUM is None, reason="no Chromium")
+def test_a_browser_draws_a_bearing(page, bearing_results, tmp_path):
+    """Films in the colours of their logarithm, the scale beside them, azimuths in dark letters."""
+    write_results(bearing_results, tmp_path / "out")
+    whole = browsed(export_html(tmp_path / "out", tmp_path / "scene.html"), tmp_path)
+    text = (tmp_path / "scene.html").read_text(encoding="utf-8")
+    assert "film thickness [" in text
+    bar = whole[180:440, 715:740]
+    assert (bar.max(axis=2) - bar.min(axis=2) > 0.2).mean() > 0.3
+    assert (whole[60:560, 60:640].max(axis=2) < 0.25).mean() > 0.001  # letters
+
+
+def browsed(page, tmp_path):
+    """Pixels of a page in Chromium, shape (600, 800, 3)."""
     from matplotlib.image import imread
 
     picture = tmp_path / "page.png"
     flags = "--headless --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --window-size=800,600".split()
     flags += ["--virtual-time-budget=15000", f"--user-data-dir={tmp_path}/u", f"--screenshot={picture}"]
     subprocess.run([CHROMIUM, *flags, f"file://{page}"], capture_output=True, timeout=240, check=True)
-    pixels = imread(picture)[100:500, 100:650, :3]
-    spread = pixels.max(axis=2) - pixels.min(axis=2)
-    assert (spread > 0.2).mean() > 0.05  # coloured film, not an empty page
+    return imread(picture)[..., :3]
 
 
 def test_wrong_names_and_missing_packages_are_told(tmp_path, monkeypatch):
@@ -58,12 +76,44 @@ def test_wrong_names_and_missing_packages_are_told(tmp_path, monkeypatch):
         export_html(tmp_path, tmp_path / "scene.html")
 
 
+def test_the_colour_scale_of_the_page():
+    """Logarithmic where the scene's colours are: equal ratios take equal heights."""
+    from postprocess.scene_page import ColourBar, bar_html
+
+    bar = ColourBar(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
+    assert [bar.height(h) for h in (0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.5, 1.0])
+    even = ColourBar(quantity="pressure", label="pressure [GPa]", limits=(0.0, 2.0))
+    assert even.height(1.5) == pytest.approx(0.75)
+    html = bar_html(bar)
+    assert "film thickness [µm]" in html
+    assert re.search(r"bottom:calc\(50\.00% - 8px\);[^>]*>– 1<", html)
+    assert html.count("rgb(") > 10
+    assert "rgb(68,1,84)" in html and "rgb(253,231,37)" in html  # both ends of viridis
+
+
+def test_letters_face_the_camera():
+    """Flat, across x, upright where the picture's top is; read from the side of +x."""
+    import numpy as np
+
+    from postprocess.scene_page import flat_words
+
+    up = np.array([0.0, 1.0, 0.0])
+    body = flat_words("120°", np.array([5.0, 30.0, 0.0]), up, 3.0)
+    x0, x1, y0, y1, z0, z1 = body.bounds
+    assert (x0, x1) == pytest.approx((5.0, 5.0))
+    assert y1 - y0 == pytest.approx(3.0, rel=0.2)
+    assert 0.5 * (y0 + y1) == pytest.approx(30.0, abs=0.5)
+    assert z1 - z0 > y1 - y0  # three digits are wider than high
+    ring = body.points[body.points[:, 2] < z0 + 0.5]  # the sign of degrees: last, so towards -z, and high
+    assert ring[:, 1].min() > 30.0
+
+
 MOTION = """
 import json, sys
 from pathlib import Path
 import numpy as np
 from postprocess import scene, scene_motion, scene_parts
-plotter, _, _ = scene._scene(Path(sys.argv[1]), scene.SceneOptions(size=(320, 240)), True)
+plotter, *_ = scene._scene(Path(sys.argv[1]), scene.SceneOptions(size=(320, 240)), True)
 scene_motion.add_controls(plotter)
 films = [a.mapper.dataset for a in plotter.actors.values() if scene_motion._facts(scene_motion._dataset(a))]
 scene_motion.show_facts(plotter, films[0])
