@@ -231,6 +231,14 @@ def film_ticks(low: float, high: float) -> list[float]:
     return [float(tick) for tick in np.arange(np.ceil(low / step), np.floor(high / step) + 1.0) * step]
 
 
+def colour_stops(quantity: str, count: int) -> Array:
+    """Evenly spaced colours of a quantity's map, shape (count, 3), red, green and blue from 0 to 1 [-]."""
+    import matplotlib
+
+    colours: Array = matplotlib.colormaps[COLOUR_MAPS[quantity]](np.linspace(0.0, 1.0, count))[:, :3]
+    return colours
+
+
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:
     """Half extents of the Hertz ellipse along and across a grid at `angle` [rad] to it, in units of a [-]."""
     return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))

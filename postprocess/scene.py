@@ -23,7 +23,7 @@ from .reader import open_results
 from .rendering import PATIENCE, RenderingError, advice, require_display, require_rendering, run_python
 from .results_io import atomic_path
 from .scene_motion import FACTS, add_controls, patch_facts, write_movie
-from .scene_page import ColourBar, add_flat_labels, write_page
+from .scene_page import ColourBar, add_flat_labels, add_words
 from .scene_parts import INK, add_bodies, add_colour_bar, add_field, add_labels, add_load, aim, frame
 from .units import MILLIMETRE
 from .vtk import COLLECTION_FILE
@@ -343,8 +343,17 @@ def _main(request: str) -> None:
     elif asked["file"].endswith(".png"):
         plotter.screenshot(asked["file"])
     else:
-        asyncio.run(write_page(plotter, Path(asked["file"]), title, note, bar))
+        asyncio.run(_export(plotter, asked["file"]))
+        add_words(Path(asked["file"]), title, note, bar)
     plotter.close()
+
+
+async def _export(plotter: Any, file: str) -> None:
+    """The page of vtk.js."""
+    from trame_pyvista.jupyter import launch_server
+
+    await launch_server().ready  # of this process only, on the loopback interface: it serialises the scene
+    plotter.trame.export_html(file)
 
 
 if __name__ == "__main__":

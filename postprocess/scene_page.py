@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .plot_style import COLOUR_MAPS, film_ticks
+from .plot_style import colour_stops, film_ticks
 from .scene_parts import INK, Array, label_places
 from .units import MILLIMETRE
 
@@ -45,12 +45,8 @@ class ColourBar:
         return (value - low) / (high - low)
 
 
-async def write_page(plotter: Any, file: Path, title: str, note: str, bar: ColourBar | None) -> None:
-    """Export a plotter, and lay title, note and colour scale over it."""
-    from trame_pyvista.jupyter import launch_server
-
-    await launch_server().ready  # of this process only, on the loopback interface: it serialises the scene
-    plotter.trame.export_html(str(file))
+def add_words(file: Path, title: str, note: str, bar: ColourBar | None) -> None:
+    """Lay title, note and colour scale over an exported page, and keep it from asking anybody."""
     words = f"<b>{escape(title)}</b><br>{escape(note)}; turn, zoom and shift with the mouse"
     style = f"position:fixed;left:12px;top:10px;font:15px system-ui,sans-serif;color:{INK};pointer-events:none"
     over = f'<div style="{style}">{words}</div>' + ("" if bar is None else bar_html(bar))
@@ -62,10 +58,7 @@ async def write_page(plotter: Any, file: Path, title: str, note: str, bar: Colou
 
 def bar_html(bar: ColourBar) -> str:
     """A colour scale with its ticks as HTML."""
-    import matplotlib
-
-    colours = matplotlib.colormaps[COLOUR_MAPS[bar.quantity]](np.linspace(0.0, 1.0, STOPS))
-    shades = ",".join(f"rgb({r:.0f},{g:.0f},{b:.0f})" for r, g, b in 255.0 * colours[:, :3])
+    shades = ",".join(f"rgb({r:.0f},{g:.0f},{b:.0f})" for r, g, b in 255.0 * colour_stops(bar.quantity, STOPS))
     ticks = "".join(
         f'<span style="position:absolute;left:20px;bottom:calc({100.0 * bar.height(tick):.2f}% - 8px);'
         f'border-bottom:0;white-space:nowrap">– {tick:.3g}</span>'
