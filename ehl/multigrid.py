@@ -94,6 +94,7 @@ class Multigrid:
     damping: Damping
     flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
     team: Team = field(default_factory=Team)
+    sweeps: tuple[int, int] = (1, 1)  # on each level before and after the coarser ones
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load carried outside the box
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
@@ -259,7 +260,7 @@ def load_error(state: Multigrid, index: int) -> float:
     return (level.grid.integral(level.P) - level.load) / state.contact.load
 
 
-def cycle(state: Multigrid, index: int, sweeps: tuple[int, int] = (2, 1)) -> None:
+def cycle(state: Multigrid, index: int) -> None:
     """One cycle from level `index` down; the coarsest level also moves H0 towards the load balance.
 
     W between the levels of `SINGLE_VISITS`, V above and below.
@@ -267,14 +268,14 @@ def cycle(state: Multigrid, index: int, sweeps: tuple[int, int] = (2, 1)) -> Non
     if index == 0:
         _solve_coarsest(state)
     else:
-        for _ in range(sweeps[0]):
+        for _ in range(state.sweeps[0]):
             relax(state, index)
         start, approach = _restrict(state, index), state.approach
         lowest, highest = SINGLE_VISITS
         for _ in range(2 if lowest < index < len(state.levels) - highest else 1):
-            cycle(state, index - 1, sweeps)
+            cycle(state, index - 1)
         _correct(state, index, start, approach)
-        for _ in range(sweeps[1]):
+        for _ in range(state.sweeps[1]):
             relax(state, index)
     if state.far_field is not None and state.levels[index].s is state.levels[index].gap:
         _update_exterior(state, index)
