@@ -39,7 +39,7 @@ class Finished:
     points: int  # of the last solve
     converged: bool
     resolved: bool
-    fineness: float | None  # Hmin/(S hx^2) of the last solve; None where the iteration ran away
+    fineness: float | None  # Hmin/(S hx^2) of the last solve, of the extrapolated film if there is one; None: no film
     measures: tuple[str, ...]  # taken in the last solve, without repetitions
     first_measures: tuple[str, ...]  # taken in the solve with the fewest points
     seconds: float  # of all its solves
@@ -54,8 +54,8 @@ class Finished:
 
     @property
     def resolvable(self) -> bool:
-        """Whether the most points resolve it: it was resolved, or its film spans enough meshes."""
-        return (self.converged and self.resolved) or (self.fineness or 0.0) >= RESOLVABLE
+        """Whether the most points resolve it: it was resolved, its film spans enough meshes, or nothing tells."""
+        return (self.converged and self.resolved) or self.fineness is None or self.fineness >= RESOLVABLE
 
     @property
     def strongest(self) -> str:
@@ -103,10 +103,11 @@ def solve_draw(draw: Draw, points: tuple[int, ...] = POINTS) -> Finished:
 
 
 def _fineness(solution: ContactSolution) -> float | None:
-    """Hmin/(S hx^2) on the finest grid [-]."""
-    curvature = scale_contact(solution.conditions).curvature_x
-    value = solution.film_minimum_dimensionless.finest / (curvature * float(solution.X[1] - solution.X[0]) ** 2)
-    return float(value) if isfinite(value) else None
+    """Hmin/(S hx^2) [-] of the film on the finest grid, or of the thin-film extrapolation; None if it is not positive."""
+    curvature, film = scale_contact(solution.conditions).curvature_x, solution.film_minimum_dimensionless
+    best = film.value if THIN_FILM in solution.record.fallbacks else film.finest
+    value = best / (curvature * float(solution.X[1] - solution.X[0]) ** 2)
+    return float(value) if isfinite(value) and value > 0.0 else None
 
 
 def sweep(count: int, seed: int, file: Path, progress: Progress, points: tuple[int, ...] = POINTS) -> list[Finished]:

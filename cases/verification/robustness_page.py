@@ -18,8 +18,8 @@ to 30 and pressure-viscosity 8 to 30 1/GPa uniform, entrainment along x or, a th
 that, a third with a rotation of the entrainment of up to half of u_m at the end of the ellipse, as spin makes it;
 Roelands 70 %, Barus 20 %, isoviscous 10 %; Dowson–Higginson 80 %, incompressible 20 %; p_h up to 4 GPa, α p_h up to
 80. Each is solved with {first} points along x and, while it does not end converged and resolved, with {more}.
-*Resolvable* is a contact that is resolved on one of these grids or whose last film, converged or not, has H_min/(S
-h_x²) ≥ {fineness:g}. A film above 2 % of R_x is reported as unresolved on any grid, since the gap is no paraboloid
+*Resolvable* is a contact that is resolved on one of these grids, or whose last film, extrapolated or not, has
+H_min/(S h_x²) ≥ {fineness:g}, or is not positive and tells nothing. A film above 2 % of R_x is reported as unresolved on any grid, since the gap is no paraboloid
 there."""
 
 
@@ -114,9 +114,7 @@ def _unsolved(finished: Sequence[Finished]) -> Table:
 
 
 def _fineness(value: float | None) -> str:
-    if value is None:
-        return "ran away"
-    return f"{value:.2g}" if value > 0.0 else "film negative"
+    return "no film" if value is None else f"{value:.2g}"
 
 
 def _map_point(f: Finished) -> MapPoint:
