@@ -1,4 +1,4 @@
-"""Full approximation scheme for the lubricated contact: levels, relaxation, W-cycle.
+"""Full approximation scheme for the lubricated contact: levels, relaxation, cycles.
 
 After Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapters 3 to 6. On every level
 
