@@ -15,10 +15,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite
+from typing import TYPE_CHECKING
 
 from .geometry import Bearing
 from .material import Material
 from .operation import Operation
+
+if TYPE_CHECKING:
+    from .cage_clearance import CageClearance
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,6 +76,8 @@ class ClearanceBudget:
     inner_pressure, outer_pressure : float
         Pressure in the seats in operation [Pa].
     messages : tuple of str
+    cage : CageClearance or None
+        None where the temperature of the cage is not given.
     """
 
     initial: float
@@ -86,6 +92,7 @@ class ClearanceBudget:
     inner_pressure: float = 0.0
     outer_pressure: float = 0.0
     messages: tuple[str, ...] = ()
+    cage: CageClearance | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

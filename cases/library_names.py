@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 MATERIAL_KEYS = {
-    "bearing": ("ring_material", "inner_ring_material", "outer_ring_material", "ball_material"),
+    "bearing": ("ring_material", "inner_ring_material", "outer_ring_material", "ball_material", "cage_material"),
     "fit": ("shaft_material", "housing_material"),
     "contact": ("material_1", "material_2"),
 }

@@ -25,6 +25,7 @@ LENGTHS = (
     "inner_interference",
     "outer_interference",
 )
+CAGE_KEYS = ("cage_pocket_change_um", "cage_land_change_um")
 PRESSURES = ("inner_pressure", "outer_pressure")
 
 
@@ -83,12 +84,17 @@ def clearance_block(results: BearingResults) -> dict[str, float | None]:
     """Diametral clearance as delivered, mounted and operating, and its changes [um]; pressures of the seats [MPa]."""
     budget = results.clearance
     keys = (*(f"{name}_um" for name in LENGTHS), *(f"{name}_MPa" for name in PRESSURES))
+    cage: dict[str, float | None] = dict.fromkeys(CAGE_KEYS)
     if budget is None:
         clearance = results.quasistatic.bearing.diametral_clearance / MICROMETRE
-        return dict.fromkeys(keys) | {"operating_um": clearance}
+        return dict.fromkeys(keys) | {"operating_um": clearance} | cage
+    if budget.cage is not None:
+        cage = dict(
+            zip(CAGE_KEYS, (_in(budget.cage.pocket, MICROMETRE), _in(budget.cage.land, MICROMETRE)), strict=True)
+        )
     units = (MICROMETRE,) * len(LENGTHS) + (MEGAPASCAL,) * len(PRESSURES)
     names = (*LENGTHS, *PRESSURES)
-    return {key: getattr(budget, name) / unit for key, name, unit in zip(keys, names, units, strict=True)}
+    return {key: getattr(budget, name) / unit for key, name, unit in zip(keys, names, units, strict=True)} | cage
 
 
 def rating_messages(results: BearingResults) -> Iterator[str]:
@@ -98,12 +104,26 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
         yield "clearance: taken as the operating one, the case gives neither [fit] nor [temperatures]; the rest null"
     else:
         yield from results.clearance.messages
+        yield from _cage_messages(results)
     if results.life is not None and results.life.viscosity_ratio is not None:
         if least_lambda(results) is None:
             yield "life: kappa_film and what follows from it null, they need a resolved film and [surface] roughness"
         else:
             exponent = results.case["surface"]["kappa_exponent"]
             yield f"life: kappa_film is the smallest lambda_ratio to the power {exponent:g}, a rule that is unverified"
+
+
+def _cage_messages(results: BearingResults) -> Iterator[str]:
+    """Why the change of the cage's clearances is null."""
+    cage = None if results.clearance is None else results.clearance.cage
+    if cage is None:
+        yield "clearance: cage_pocket_change_um, cage_land_change_um null, the case gives no temperatures.cage_C"
+    elif cage.land is None:
+        yield "clearance: cage_land_change_um null, no ring guides the cage, or no cage.land_diameter_mm is given"
+    elif cage.land < 0.0:
+        given = (results.case.get("cage") or {}).get("land_clearance_um")
+        if given is not None and given * MICROMETRE + cage.land <= 0.0:
+            yield f"clearance: the warm cage has none left on its land, {given:g} um and cage_land_change_um"
 
 
 def rating_rows(results: BearingResults) -> dict[str, str]:

@@ -133,6 +133,10 @@ def seats(values: Values) -> Iterator[Problem]:
 
 
 def bearing_materials(values: Values, names: Names) -> Iterator[Problem]:
-    """Materials of rings and balls by name."""
+    """Materials of rings and balls by name, and of a cage that warms up."""
+    if values.given("temperatures", "cage_C"):
+        if not values.given("bearing", "cage_material"):
+            yield Problem(path=("bearing", "cage_material"), found=MISSING, allowed="needed with temperatures.cage_C")
+        yield from known(("bearing", "cage_material"), values.get("bearing", "cage_material"), names.materials)
     for key in ("ring_material", "inner_ring_material", "outer_ring_material", "ball_material"):
         yield from known(("bearing", key), values.get("bearing", key), names.materials)

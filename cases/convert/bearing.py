@@ -11,7 +11,8 @@ from .materials import materials, ring_materials, seat_materials
 from .units import KN, MM, UM, mm
 
 if TYPE_CHECKING:
-    from bearing.clearance import ClearanceBudget, Fit
+    from bearing.cage_clearance import CageClearance
+    from bearing.clearance import ClearanceBudget, Fit, Warming
     from bearing.geometry import Bearing
     from bearing.operation import Operation, RatingInput
 
@@ -69,6 +70,8 @@ def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing,
         parts = {"inner_ring": at.inner_ring_C, "outer_ring": at.outer_ring_C, "ball": at.ball_C, **mounts}
         warming = Warming(**{part: value - at.reference_C for part, value in parts.items()})
     budget = clearance_budget(given, operation, fit, warming)
+    if warming is not None:
+        budget = replace(budget, cage=_warm_cage(file, given, warming))
     return replace(given, diametral_clearance=budget.operating), budget
 
 
@@ -89,6 +92,23 @@ def seats(file: BearingFile) -> Fit | None:
         shaft_bore=table.shaft_bore_mm * MM,
         housing_outside_diameter=None if outside is None else outside * MM,
     )
+
+
+def _warm_cage(file: BearingFile, given: Bearing, warming: Warming) -> CageClearance | None:
+    """What heat does to the clearances of the cage [m]; None without its temperature."""
+    from bearing.cage_clearance import cage_clearance
+    from bearing.geometry import Race
+
+    at, cage = file.temperatures, file.cage
+    if at is None or at.cage_C is None:
+        return None
+    name = file.bearing.cage_material
+    assert name is not None  # checked before
+    races = {"inner ring": Race.INNER, "outer ring": Race.OUTER}
+    land = None
+    if cage is not None and cage.guided_by in races and cage.land_diameter_mm is not None:
+        land = races[cage.guided_by], cage.land_diameter_mm * MM
+    return cage_clearance(given, materials(file, (name,))[name], warming, at.cage_C - at.reference_C, land)
 
 
 def rating(file: BearingFile) -> RatingInput:

@@ -28,7 +28,7 @@ class BearingTable(Table):
     inner_ring_material: Name | None = Field(None, description="material of the inner ring where it differs")
     outer_ring_material: Name | None = Field(None, description="material of the outer ring where it differs")
     ball_material: Name | None = Field(None, description="material of the balls")
-    cage_material: Name | None = Field(None, description="recorded only")
+    cage_material: Name | None = Field(None, description="for the dynamics, and for the growth of a warm cage")
     first_ball_azimuth_deg: float = Field(0.0, ge=-360.0, le=360.0, description="azimuth of ball 1 from the load line")
     bore_mm: float | None = length("bore diameter")
     outside_diameter_mm: float | None = length("outside diameter")
@@ -102,5 +102,8 @@ class TemperaturesTable(Table):
     ball_C: float = Field(ge=-200.0, le=1000.0, description="balls")
     shaft_C: float | None = Field(None, ge=-200.0, le=1000.0, description="shaft; left out, as the inner ring")
     housing_C: float | None = Field(None, ge=-200.0, le=1000.0, description="housing; left out, as the outer ring")
+    cage_C: float | None = Field(
+        None, ge=-200.0, le=1000.0, description="cage, of bearing.cage_material; tells the change of its clearances"
+    )
     oil_inlet_C: float | None = Field(None, ge=-200.0, le=1000.0, description="recorded only")
     reference_C: float = Field(20.0, ge=-200.0, le=1000.0, description="at which clearance and fits were measured")

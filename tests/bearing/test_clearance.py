@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearing import Operation, load_material
+from bearing import Operation, Race, load_material
+from bearing.cage_clearance import cage_clearance
 from bearing.clearance import Fit, Warming, centrifugal_growth, clearance_budget, groove_diameters
 
 STEEL, CERAMIC = load_material("bearing steel"), load_material("silicon nitride")
@@ -159,3 +160,23 @@ def test_heat_needs_an_expansion(b6208):
     bare = replace(STEEL, name="mystery", thermal_expansion=None)
     with pytest.raises(ValueError, match="'mystery' has no thermal_expansion"):
         clearance_budget(replace(b6208, ball_material=bare), STILL, None, Warming(ball=1.0))
+
+
+def test_a_warm_cage(b6208):
+    """PA66 (1e-4/K) 60 K warmer, balls 50 K and rings 55 and 40 K (1.2e-5/K): by hand."""
+    cage = replace(load_material("pa66"), thermal_expansion=1e-4)
+    steel = replace(STEEL, thermal_expansion=1.2e-5)
+    bearing = replace(b6208, ball_material=steel, inner_ring_material=steel, outer_ring_material=steel)
+    warming = Warming(inner_ring=55.0, outer_ring=40.0, ball=50.0)
+    outer = cage_clearance(bearing, cage, warming, 60.0, (Race.OUTER, 0.069))
+    inner = cage_clearance(bearing, cage, warming, 60.0, (Race.INNER, 0.051))
+    assert outer.pocket == pytest.approx(12e-3 * (6e-3 - 6e-4), rel=1e-12)
+    assert outer.land == pytest.approx(0.5 * 0.069 * (4.8e-4 - 6e-3), rel=1e-12)
+    assert inner.land == pytest.approx(0.5 * 0.051 * (6e-3 - 6.6e-4), rel=1e-12)
+    assert cage_clearance(bearing, cage, warming, 60.0, None).land is None
+
+
+def test_a_cage_like_its_bearing_keeps_its_clearances(b6208):
+    same = cage_clearance(b6208, STEEL, Warming(inner_ring=30.0, ball=30.0), 30.0, (Race.INNER, 0.051))
+    assert same.pocket == pytest.approx(0.0, abs=1e-15)
+    assert same.land == pytest.approx(0.0, abs=1e-15)

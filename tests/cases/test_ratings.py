@@ -118,11 +118,27 @@ def test_own_materials_inherit_from_the_library_of_the_same_name():
         (CASE + WARM.replace("ball_C", "balls_C"), "ball_C"),
         (CASE.replace("[lubricant]", "[lubricant]\ncontamination_factor = 1.5"), "lubricant.contamination_factor"),
         (CASE + WARM.replace("60.0", "900.0"), "diametral_clearance"),
+        (CASE + WARM + "cage_C = 70.0\n", "bearing.cage_material: missing; needed with temperatures.cage_C"),
+        (CASE.replace('"6208"', '"6208"\ncage_material = "PA67"') + WARM + "cage_C = 70.0\n", "did you mean 'pa66'"),
         (CASE.replace('"6208"', '"209"') + "[fit]\ninner_ring_interference_um = 5.0\n", "bearing.bore_mm"),
     ],
 )
 def test_bad_input_is_told(text, expected):
     assert expected in faults(text)
+
+
+def test_clearances_of_a_warm_cage():
+    """The summary has their change on the land and in the pockets, and tells a land without clearance."""
+    lands = '[cage]\nguided_by = "outer ring"\nland_diameter_mm = 69.0\nland_clearance_um = 100.0\n'
+    text = CASE.replace('"6208"', '"6208"\ncage_material = "PA66"') + WARM + "cage_C = 70.0\n"
+    found = summary(run_case(case(text + lands)))
+    ball, cage, ring = 12e3 * 12e-6 * 35.0, 100e-6 * 50.0, 12e-6 * 30.0
+    assert found["clearance"]["cage_pocket_change_um"] == pytest.approx(12e3 * cage - ball, rel=1e-9)
+    assert found["clearance"]["cage_land_change_um"] == pytest.approx(0.5 * 69e3 * (ring - cage), rel=1e-9)
+    assert any("none left on its land, 100 um" in message for message in found["messages"])
+    free = summary(run_case(case(text)))
+    assert free["clearance"]["cage_land_change_um"] is None
+    assert any("cage_land_change_um null, no ring guides the cage" in message for message in free["messages"])
 
 
 def test_a_material_without_expansion():
