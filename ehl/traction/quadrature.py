@@ -10,13 +10,14 @@ from numpy.typing import NDArray
 from ..rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
 from ..solution import ContactSolution
 from .kinematics import ContactKinematics
-from .shear import Cavitation, film_viscosity, sheared_width
+from .shear import Cavitation, pressure_viscosity, sheared_width, with_outlet
 
 Array = NDArray[np.float64]
 
-HERTZ_SHARE = 0.02  # of the largest pressure: nodes above it are taken one by one
-ENOUGH = 800  # nodes there that the integrals need
-BLOCK = 4  # nodes along x and y that become one elsewhere
+HERTZ_SHARE = 0.02  # of the largest pressure: what lies above it gets nodes of its own
+ROWS = 64  # lines along x there
+PANELS = ((0.0, 0.75, 10), (0.75, 1.0, 14))  # of each: shares from edge to edge, nodes; the spike is in the last
+BLOCK = 10  # nodes of the grid along x and y that become one elsewhere
 SHARE_LEFT_OUT = 1e-3  # of the friction at the largest sliding, in nodes that are not worth their time
 
 
@@ -26,8 +27,10 @@ class FilmNodes:
 
     Attributes
     ----------
-    nodes : ndarray, shape (6, n)
-        x, y [m], area times sheared width [m^2], film [m], viscosity [Pa s], limiting stress [Pa].
+    nodes : ndarray, shape (8, n)
+        x, y [m], area times sheared width [m^2], film [m], viscosity [Pa s], limiting stress [Pa], and a twelfth of
+        the squared size along x and y [m^2]: the mean square of a linear sliding over the node exceeds that at its
+        place by the squared slope times these, and keeps the sums free of steps where sliding changes its sign.
     half_width : float
         Transverse semi-axis, beyond which curvature slip does not grow [m].
     rheology : Rheology
@@ -66,60 +69,94 @@ def film_nodes(
     """
     if solution.x is None or solution.y is None or solution.film is None:
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
-    every = _stride(solution)
-    x, y, h, p = solution.x[::every], solution.y[::every], solution.film[::every, ::every], solution.pressure
-    p = p[::every, ::every]
-    area = np.gradient(x)[:, None] * np.gradient(y)[None, :] * sheared_width(h, p, Cavitation.STRIATED)
-    eta, limit = film_viscosity(solution)[::every, ::every], limiting_stress(p, rheology, temperature)
-    gap = np.maximum(h, np.finfo(np.float64).tiny)
-    strength = area * shear_stress(largest_slide / gap, eta, p, rheology, temperature)
-    order = np.argsort(strength, axis=None)
-    counts = np.zeros(strength.size, dtype=bool)
-    counts[order[np.cumsum(strength.ravel()[order]) > left_out * strength.sum()]] = True
-    counts = counts.reshape(strength.shape) & (area > 0.0)
-    fields = np.stack(np.broadcast_arrays(x[:, None], y[None, :], area * counts, gap, eta, limit))
-    near = p > HERTZ_SHARE * p.max()
+    fields = np.concatenate([_hertz_zone(solution), _rest(with_outlet(solution))], axis=1)
+    x, y, area, gap, pressure, width, breadth = fields
+    eta, limit = pressure_viscosity(pressure, solution), limiting_stress(pressure, rheology, temperature)
+    strength = area * shear_stress(largest_slide / gap, eta, pressure, rheology, temperature)
+    order = np.argsort(strength)
+    counts = order[np.cumsum(strength[order]) > left_out * strength.sum()]
+    nodes = np.stack([x, y, area, gap, eta, np.broadcast_to(limit, x.shape), width**2 / 12.0, breadth**2 / 12.0])
     half_width = float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio
-    return FilmNodes(nodes=_merged(fields, near), half_width=half_width, rheology=rheology)
+    return FilmNodes(nodes=np.ascontiguousarray(nodes[:, counts]), half_width=half_width, rheology=rheology)
 
 
-def _stride(solution: ContactSolution) -> int:
-    """Every how many nodes of a grid are enough for the integrals: `ENOUGH` in the Hertz zone."""
-    near = int(np.count_nonzero(solution.pressure > HERTZ_SHARE * solution.pressure.max()))
-    every = 1
-    while near > 4 * ENOUGH * every**2 and (solution.X.size - 1) % (2 * every) == 0 == (solution.Y.size - 1) % (
-        2 * every
-    ):
-        every *= 2
-    return every
+def _hertz_zone(solution: ContactSolution) -> Array:
+    """x, y, area, film, pressure and size along x and y of nodes where the pressure is high, shape (7, n).
 
-
-def _merged(fields: Array, near: NDArray[np.bool_]) -> Array:
-    """Nodes of a grid, shape (6, n); those of blocks without a node of the Hertz zone become one, at its mean place.
-
-    One node with the area, the fluidity-weighted film A/sum(A/h) and viscosity of the block shears a Newtonian oil as
-    all of them do at equal sliding.
+    Midpoints of `ROWS` lines across, Gauss-Legendre points of `PANELS` along each from edge to edge.
     """
-    nx, ny = (-(-size // BLOCK) for size in near.shape)
-    pad = ((0, nx * BLOCK - near.shape[0]), (0, ny * BLOCK - near.shape[1]))
-    x, y, area, gap, eta, limit = (np.pad(part, pad, mode="edge") for part in fields)
-    area = np.pad(fields[2], pad)
-    block = np.add.outer(np.arange(nx * BLOCK) // BLOCK * ny, np.arange(ny * BLOCK) // BLOCK).ravel()
-    fine = (np.bincount(block, np.pad(near, pad).ravel(), nx * ny) > 0)[block]
+    from scipy.interpolate import RectBivariateSpline
+
+    x, y, h, p = solution.x, solution.y, solution.film, solution.pressure
+    assert x is not None and y is not None and h is not None
+    near = p > HERTZ_SHARE * p.max()
+    window = tuple(_around(near.any(axis=1 - axis)) for axis in (0, 1))
+    x, y, h, p = x[window[0]], y[window[1]], h[window], p[window]
+    film, pressure = (RectBivariateSpline(x, y, part) for part in (h, p))
+    ends = _crossings(y, p.max(axis=0) - HERTZ_SHARE * p.max())
+    width = (ends[1] - ends[0]) / ROWS
+    rows = ends[0] + (np.arange(ROWS) + 0.5) * width
+    lines = pressure(x, rows) - HERTZ_SHARE * p.max()
+    edges = np.array([_crossings(x, line) for line in lines.T])
+    shares, weights = _panels()
+    span = (edges[:, 1] - edges[:, 0])[:, None]
+    places = edges[:, :1] + span * shares
+    across = np.broadcast_to(rows[:, None], places.shape)
+    values = film(places, across, grid=False), np.maximum(pressure(places, across, grid=False), 0.0)
+    parts = (places, across, span * weights * width, *values, span * weights, np.full_like(places, width))
+    return np.stack([part.ravel() for part in parts])
+
+
+def _panels() -> tuple[Array, Array]:
+    """Places from edge to edge and their weights [-]."""
+    rules = [(low, high, *np.polynomial.legendre.leggauss(count)) for low, high, count in PANELS]
+    places = [low + 0.5 * (high - low) * (nodes + 1.0) for low, high, nodes, _ in rules]
+    return np.concatenate(places), np.concatenate([0.5 * (high - low) * w for low, high, _, w in rules])
+
+
+def _around(chosen: NDArray[np.bool_]) -> slice:
+    """From a few nodes before the first chosen one to a few after the last."""
+    found = np.flatnonzero(chosen)
+    return slice(max(int(found[0]) - 3, 0), int(found[-1]) + 4)
+
+
+def _crossings(places: Array, values: Array) -> tuple[float, float]:
+    """First and last place where values, interpolated linearly, pass zero; the ends where they do not."""
+    positive = np.flatnonzero(values > 0.0)
+    if positive.size == 0:
+        return float(places[values.argmax()]), float(places[values.argmax()])
+    first, last = int(positive[0]), int(positive[-1])
+    low, high = float(places[first]), float(places[last])
+    if first > 0:
+        low -= (places[first] - places[first - 1]) * values[first] / (values[first] - values[first - 1])
+    if last < places.size - 1:
+        high += (places[last + 1] - places[last]) * values[last] / (values[last] - values[last + 1])
+    return float(low), float(high)
+
+
+def _rest(solution: ContactSolution) -> Array:
+    """Nodes as `_hertz_zone` where the pressure is low: blocks of the grid.
+
+    They shear a Newtonian oil as all their nodes do under linear sliding: film A/sum(A/h), place weighted by A/h.
+    """
+    x, y, h, p = solution.x, solution.y, solution.film, solution.pressure
+    assert x is not None and y is not None and h is not None
+    low = p <= HERTZ_SHARE * p.max()
+    size_x, size_y = np.gradient(x)[:, None], np.gradient(y)[None, :]
+    area = size_x * size_y * sheared_width(h, p, Cavitation.STRIATED) * low
+    block = np.add.outer(np.arange(x.size) // BLOCK * y.size, np.arange(y.size) // BLOCK).ravel()
 
     def total(values: Array) -> Array:
-        sums: Array = np.bincount(block, values.ravel(), nx * ny).astype(np.float64)
+        sums: Array = np.bincount(block, values.ravel()).astype(np.float64)
         return sums
 
-    weight, thin = total(area), total(area / gap)
-    kept = (weight > 0.0) & (np.bincount(block, fine, nx * ny) == 0)
+    weight, thin = total(area), total(area / np.maximum(h, np.finfo(np.float64).tiny))
+    kept = weight > 0.0
     weight, thin = weight[kept], thin[kept]
-    finite = np.where(np.isfinite(limit), limit, 0.0)
-    bound = total(area * finite)[kept] / weight if np.isfinite(limit).all() else np.full(weight.size, np.inf)
-    merged = (total(area * x)[kept] / weight, total(area * y)[kept] / weight, weight, weight / thin)
-    single = fine & (area.ravel() > 0.0)
-    far = np.stack([*merged, total(area * eta / gap)[kept] / thin, bound])
-    return np.concatenate([np.stack([part.ravel()[single] for part in (x, y, area, gap, eta, limit)]), far], axis=1)
+    share = area / np.maximum(h, np.finfo(np.float64).tiny)
+    means = [total(part)[kept] / thin for part in (share * x[:, None], share * y[None, :], share * p)]
+    sizes = [np.full(weight.size, BLOCK * float(np.mean(size))) for size in (size_x, size_y)]
+    return np.stack([means[0], means[1], weight, weight / thin, means[2], *sizes])
 
 
 def sliding_forces(film: FilmNodes, slide: tuple[Array, Array, Array], rolling: Array, curvature: float) -> Array:
@@ -146,9 +183,11 @@ def sliding_forces(film: FilmNodes, slide: tuple[Array, Array, Array], rolling: 
 
 def sliding_forces_twin(film: FilmNodes, kinematics: ContactKinematics) -> Array:
     """`sliding_forces` of one motion in NumPy, shape (4,), [N] and [N m]."""
-    x, y, area, gap, eta, limit = film.nodes
-    s_x, s_y = kinematics.sliding(x, y)
-    speed = np.hypot(s_x, s_y)
+    x, y, area, gap, eta, limit, along, across = film.nodes
+    k = kinematics
+    s_x, s_y = k.sliding(x, y)
+    slope = k.spin + 2.0 * k.rolling * k.curvature * np.where(np.abs(y) < k.curvature_width, y, 0.0)
+    speed = np.sqrt(s_x**2 + s_y**2 + slope**2 * across + k.spin**2 * along)
     base = Rheology(
         law=film.rheology.law,
         eyring_stress=film.rheology.eyring_stress,

@@ -19,13 +19,23 @@ from ..options import SolverOptions
 from .quadrature import FilmNodes, film_nodes, sliding_forces
 from .response import normal_response
 from .splines import spline_coefficients
-from .table import TableContact, TableError, TableRange, TractionTable, motion_of, spinning_scale, vertex_slide
+from .table import (
+    LOAD_POWER,
+    TableContact,
+    TableError,
+    TableRange,
+    TractionTable,
+    load_place,
+    motion_of,
+    spinning_scale,
+    vertex_slide,
+)
 
 Array = NDArray[np.float64]
 
-START = (9, 4, 21, 11, 17)  # nodes of load, speed, slide_x, slide_y (its half above zero) and spin
+START = (12, 4, 41, 15, 27)  # nodes of load, speed, slide_x, slide_y (its half above zero) and spin
 GROWTH = 1.4  # of the nodes of a motion
-SCALE_SHARE = (0.2, 0.15, 0.4)  # of the motion where the traction has risen by half, along, across and of spin
+SCALE_SHARE = (0.02, 0.04, 1.6)  # of the motion where the traction has risen by half, along, across and of spin
 SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 57)  # motions over the largest ones, where that slide is looked for
 RESPONSE_POINTS = 129  # of the films that stiffness and damping are taken from
 
@@ -42,7 +52,7 @@ class TableOptions:
     points : int
         Of the films along x, 2^k + 1.
     tolerance : float
-        Error of the force over kappa_max Q that 95 % of the points of the check must keep [-].
+        Error of the force over kappa_max Q that every point of the check must keep [-].
     check_films, check_motions : int
         Films of the check, and random motions at each.
     rounds : int
@@ -51,6 +61,8 @@ class TableOptions:
         Films solved at a time.
     seed : int
         Of the random places of the check.
+    nodes : tuple of int
+        Of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, at least 4 each.
     """
 
     points: int = 257
@@ -60,6 +72,7 @@ class TableOptions:
     rounds: int = 4
     workers: int = 1
     seed: int = 52163
+    nodes: tuple[int, int, int, int, int] = START
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,7 +97,7 @@ class _Study:
     range: TableRange
     options: TableOptions
     progress: Progress
-    counts: list[int] = field(default_factory=lambda: list(START))
+    counts: list[int]
     films: dict[tuple[float, float], _Film] = field(default_factory=dict)
     checks: list[_Film] = field(default_factory=list)
 
@@ -115,7 +128,7 @@ def build_table(
     """
     options = options or TableOptions()
     quiet = progress or (lambda done, total, state: None)
-    study = _Study(contact=contact, range=limits, options=options, progress=quiet)
+    study = _Study(contact=contact, range=limits, options=options, progress=quiet, counts=list(options.nodes))
     _solve_checks(study)
     for _ in range(options.rounds):
         table, raw = _table(study)
@@ -203,8 +216,8 @@ def _evaluate(contact: TableContact, nodes: FilmNodes, speed: float, motion: lis
 def _axes(study: _Study) -> Array:
     """Start, nodes per unit, nodes of the five axes."""
     limits, counts = study.range, study.counts
-    first = np.array([log(limits.load[0]), log(limits.speed[0]), -1.0, 0.0, -1.0])
-    last = np.array([log(limits.load[1]), log(limits.speed[1]), 1.0, 1.0, 1.0])
+    first = np.array([load_place(limits.load[0]), log(limits.speed[0]), -1.0, 0.0, -1.0])
+    last = np.array([load_place(limits.load[1]), log(limits.speed[1]), 1.0, 1.0, 1.0])
     nodes = np.array(counts, dtype=np.float64)
     return np.stack([first, (nodes - 1.0) / (last - first), nodes], axis=1)
 
@@ -214,9 +227,16 @@ def axis_nodes(axis: Array) -> Array:
     return axis[0] + np.arange(int(axis[2])) / axis[1]
 
 
+def axis_loads(axis: Array) -> Array:
+    """Loads at the nodes of their axis, shape (n,) [N]."""
+    loads: Array = (-axis_nodes(axis)) ** (1.0 / LOAD_POWER)
+    return loads
+
+
 def _grid_films(study: _Study, axes: Array) -> list[list[_Film]]:
     """The films of all nodes of load and speed; those not known yet are solved."""
-    rows = [[(float(q), float(u)) for u in axis_nodes(axes[1])] for q in axis_nodes(axes[0])]
+    loads = np.log(axis_loads(axes[0]))
+    rows = [[(float(q), float(u)) for u in axis_nodes(axes[1])] for q in loads]
     keys = {place: (round(place[0], 9), round(place[1], 9)) for row in rows for place in row}
     missing = [place for place, key in keys.items() if key not in study.films]
     for film in _solve(study, missing):
@@ -242,8 +262,8 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
         points=study.options.points,
         axes=axes,
         scalars=spline_coefficients(scalars, (0, 1)),
-        values=_coefficients(raw),
-        kappa_max=float((largest[..., 0] / np.exp(axis_nodes(axes[0]))[:, None]).max()),
+        values=_coefficients(raw).astype(np.float32).astype(np.float64),  # what a file holds of them
+        kappa_max=float((largest[..., 0] / axis_loads(axes[0])[:, None]).max()),
         error=TableError(**dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance),
         films=len(study.films) + len(study.checks),
         converged=False,
@@ -264,7 +284,7 @@ def _judged(study: _Study, table: TractionTable) -> TractionTable:
     bad, filled = sum(not film.converged for film in films), sum(film.damping is None for film in study.films.values())
     parts = []
     if not table.error.reached:
-        parts.append(f"error {table.error.quantile:.2%} of kappa_max Q, above {table.error.tolerance:.2%}")
+        parts.append(f"error {table.error.largest:.2%} of kappa_max Q, above {table.error.tolerance:.2%}")
     if bad:
         parts.append(f"{bad} of {len(films)} films did not converge")
     message = "; ".join(parts) or "converged"
@@ -338,7 +358,7 @@ def _checked(study: _Study, table: TractionTable) -> TableError:
         wanted[:, 3] -= film.moment
         parts = np.stack([motion[0] * speed, motion[1] * speed, motion[2] * speed / contact.radius_x], axis=1)
         off = np.array([table.forces(load, speed, *part)[:4] for part in parts]) - wanted
-        unit = table.largest(load, speed)
+        unit = table.largest(load, speed) + np.array([0.0, 0.0, film.moment])
         errors.append(np.stack([np.hypot(off[:, 0], off[:, 1]), np.abs(off[:, 2]), np.abs(off[:, 3])], axis=1) / unit)
     every = np.concatenate(errors)
     return TableError(

@@ -24,7 +24,7 @@ For the rolling part: Biboulet and Houpert (2010), hydrodynamic force and moment
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 
 import numpy as np
@@ -41,6 +41,7 @@ Array = NDArray[np.float64]
 LARGEST_VISCOSITY = (
     1e30  # [Pa s] keeps products finite; every law with a bound on its stress has reached it long before
 )
+OUTLET_NODES, OUTLET_GROWTH = 24, 1.25  # lines downstream of the box, up to some thirty times the last distance
 
 
 class Cavitation(Enum):
@@ -213,6 +214,7 @@ def integrate_traction(
     TractionResult
         Forces in [N], moments in [N m], power in [W].
     """
+    solution = with_outlet(solution) if cavitation is Cavitation.STRIATED else solution
     fields = shear_fields(solution, kinematics, rheology, temperature=temperature, cavitation=cavitation)
     x, y, _ = _dimensional(solution)
     p, load = solution.pressure, _conditions(solution).load
@@ -254,8 +256,13 @@ def integrate_traction(
 
 def film_viscosity(solution: ContactSolution) -> Array:
     """Viscosity at the pressure of each node, shape (nx, ny) [Pa s]."""
+    return pressure_viscosity(solution.pressure, solution)
+
+
+def pressure_viscosity(pressure: Array, solution: ContactSolution) -> Array:
+    """Viscosity [Pa s] of a solution's oil at pressures [Pa], at most `LARGEST_VISCOSITY`."""
     with np.errstate(over="ignore"):
-        return np.minimum(viscosity(solution.pressure, _conditions(solution).lubricant), LARGEST_VISCOSITY)
+        return np.minimum(viscosity(pressure, _conditions(solution).lubricant), LARGEST_VISCOSITY)
 
 
 def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array:
@@ -281,13 +288,44 @@ def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array
     return np.where(full, 1.0, strips)
 
 
+def with_outlet(solution: ContactSolution) -> ContactSolution:
+    """A solution with `OUTLET_NODES` more lines downstream of its box, ever wider apart, where the gap opens further.
+
+    Strips of oil shear behind the contact far beyond the box, whose end would show in the friction of thick films. The
+    deflection at the end of the box is kept beyond it.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        Of dimensional conditions [m].
+    """
+    x, y, h = _dimensional(solution)
+    assert solution.semi_axis_x is not None and solution.film_scale is not None
+    start = max(x[-1] - x[-2], 1e-3 * solution.semi_axis_x)
+    further = x[-1] + start * np.cumsum(OUTLET_GROWTH ** np.arange(OUTLET_NODES))
+    along, mixed = _curvatures(solution)
+    opened = 0.5 * along * (further**2 - x[-1] ** 2)[:, None] + mixed * (further - x[-1])[:, None] * y
+    height = np.maximum(h[-1] + opened, h[-1]) / solution.film_scale
+    return replace(
+        solution,
+        X=np.concatenate([solution.X, further / solution.semi_axis_x]),
+        P=np.concatenate([solution.P, np.zeros_like(height)]),
+        H=np.concatenate([solution.H, height]),
+    )
+
+
+def _curvatures(solution: ContactSolution) -> tuple[float, float]:
+    """Of the gap along the grid's x, and mixed [1/m]."""
+    c = _conditions(solution)
+    cosine, sine = np.cos(solution.frame_angle), np.sin(solution.frame_angle)
+    return cosine**2 / c.radius_x + sine**2 / c.radius_y, sine * cosine * (1.0 / c.radius_y - 1.0 / c.radius_x)
+
+
 def _film_balance(solution: ContactSolution, traction: float) -> float:
     """Sum of the tractions on both bodies along x and of the pressure on the film's sides [N]; zero if balanced."""
     x, y, h = _dimensional(solution)
-    c, p = _conditions(solution), solution.pressure
-    cosine, sine = np.cos(solution.frame_angle), np.sin(solution.frame_angle)
-    along = cosine**2 / c.radius_x + sine**2 / c.radius_y
-    mixed = sine * cosine * (1.0 / c.radius_y - 1.0 / c.radius_x)
+    p = solution.pressure
+    along, mixed = _curvatures(solution)
     horizontal = _Integral(x, y)(p * (along * x[:, None] + mixed * y[None, :]))
     edges = np.trapezoid(p[-1] * h[-1], y) - np.trapezoid(p[0] * h[0], y)
     return float(traction - horizontal + edges)

@@ -23,7 +23,7 @@ import numpy as np
 from .table import TableContact, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
-FORMAT_VERSION = 1
+FORMAT_VERSION = 2  # 1 had other coordinates of the motions
 ARRAYS = ("axes", "scalars", "values")
 PLAIN = ("points", "kappa_max", "films", "converged", "message")
 
@@ -60,8 +60,8 @@ def write_table(table: TractionTable, file: IO[bytes]) -> None:
         "content": _content(table),
         **{name: getattr(table, name) for name in PLAIN},
     }
-    arrays = {name: getattr(table, name) for name in ARRAYS}
-    np.savez_compressed(file, document=np.array(json.dumps(document)), **arrays)
+    arrays = {name: getattr(table, name) for name in ARRAYS} | {"values": table.values.astype(np.float32)}
+    np.savez(file, document=np.array(json.dumps(document)), **arrays)
 
 
 def load_table(path: Path, expected: str | None = None) -> TractionTable:
@@ -91,14 +91,15 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
     try:
         with np.load(stream, allow_pickle=False) as file:
             document = json.loads(str(file["document"]))
-            arrays = {name: file[name] for name in ARRAYS}
+            arrays: dict[str, Any] = {name: file[name].astype(np.float64) for name in ARRAYS}
     except (zipfile.BadZipFile, zlib.error, KeyError, ValueError, EOFError, OSError) as problem:
         raise ValueError(f"{path}: no traction table, or a damaged one ({type(problem).__name__})") from problem
     if not isinstance(document, dict) or document.get("format") != FORMAT:
         raise ValueError(f"{path}: no traction table")
     if document.get("format_version") != FORMAT_VERSION:
         raise ValueError(
-            f"{path}: format version {document.get('format_version')}, this program reads {FORMAT_VERSION}"
+            f"{path}: format version {document.get('format_version')}, this program reads {FORMAT_VERSION}; "
+            "make the table again"
         )
     try:
         parts = {name: _restored(document[name]) for name in ("contact", "range", "error")}

@@ -17,13 +17,15 @@ def call(*arguments):
     return CliRunner().invoke(app, ["table", *arguments])
 
 
+EASY = {"tolerance": 0.5, "check_films": 2, "check_motions": 20, "rounds": 1, "nodes": (5, 4, 9, 5, 9)}
+
+
 @pytest.fixture
 def quick(monkeypatch):
     """Few films and motions, an easy tolerance."""
-    monkeypatch.setattr("ehl.traction.sampling.START", (5, 4, 9, 5, 9))
 
     def few(**chosen):
-        return TableOptions(**{**chosen, "tolerance": 0.5, "check_films": 2, "check_motions": 20, "rounds": 1})
+        return TableOptions(**{**chosen, **EASY})
 
     monkeypatch.setattr("ehl.traction.sampling.TableOptions", few)
 

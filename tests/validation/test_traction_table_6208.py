@@ -1,13 +1,18 @@
 """Traction tables of the ceramic 6208 at random points against films solved and sheared there.
 
 Errors count everything a table does: films interpolated over load and speed, shear over the motions. They are measured
-against kappa_max Q, kappa_max the largest coefficient at that load and speed.
+against kappa_max Q, kappa_max the largest coefficient at that load and speed. The shear is integrated by the
+trapezoidal rule on lines six times as close across the entrainment as those of the film's grid: on the grid itself, one
+line after the other changes the sign of its sliding, and the force has steps of 2 %.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from scipy.interpolate import CubicSpline
 
 from bearing import solve_quasistatic
 from bearing.geometry import Race
@@ -23,8 +28,9 @@ POINTS, FILMS = 257, 20  # 10 motions in each of 20 films
 @pytest.mark.slow
 @pytest.mark.parametrize("race", list(Race), ids=lambda race: race.value)
 def test_error_at_200_random_points(tables, race):
-    """95 % of the points within 1 % of kappa_max Q (what the tables are built to), all of them within 10 %."""
+    """All points within 1 % of kappa_max Q, what the tables are built to at points of their own."""
     table = tables[race]
+    assert table.converged
     contact, limits = table.contact, table.range
     rng = np.random.default_rng(660471)
     errors = []
@@ -32,7 +38,7 @@ def test_error_at_200_random_points(tables, race):
         load, speed = (float(np.exp(rng.uniform(*np.log(ends)))) for ends in (limits.load, limits.speed))
         conditions = contact.conditions(load, speed)
         film = solve_contact(conditions, SolverOptions(points=POINTS))
-        b = film.semi_axis_x * film.semi_axis_ratio
+        b, film = film.semi_axis_x * film.semi_axis_ratio, finer(film)
         for x, y, n in rng.uniform(-1.0, 1.0, (10, 3)) ** 3 * [limits.slide_x, limits.slide_y, limits.spin]:
             slide_x, slide_y, spin = x * speed, y * speed, n * speed / contact.radius_x
             motion = ContactKinematics(
@@ -49,8 +55,16 @@ def test_error_at_200_random_points(tables, race):
             found = table.forces(load, speed, slide_x, slide_y, spin)
             off = np.hypot(found.force_x - wanted.force_x, found.force_y - wanted.force_y)
             errors.append(off / table.largest(load, speed)[0])
-    assert np.quantile(errors, 0.95) < 0.01
-    assert max(errors) < 0.10
+    assert len(errors) == 200
+    assert max(errors) < 0.01
+
+
+def finer(film, lines=6):
+    """A film interpolated across the entrainment; where a neighbour on the grid is dry, the pressure stays below it."""
+    Y = np.linspace(film.Y[0], film.Y[-1], lines * (film.Y.size - 1) + 1)
+    linear = np.array([np.interp(Y, film.Y, row) for row in film.P])
+    P = np.where(linear > 0.0, np.maximum(CubicSpline(film.Y, film.P, axis=1)(Y), 0.0), 0.0)
+    return replace(film, Y=Y, P=P, H=CubicSpline(film.Y, film.H, axis=1)(Y))
 
 
 @pytest.fixture(scope="module")
