@@ -253,6 +253,7 @@ def clearance_budget(
         operating=initial + running["change"],
         **budget,
         messages=tuple(_messages(bearing, fit, running, speeds)),
+        cage=None,
     )
 
 
