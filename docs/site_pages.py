@@ -13,7 +13,16 @@ from typing import Any
 
 ROOT = Path(__file__).parents[1]
 TUTORIALS = ("tutorial.md",)
-GUIDES = ("commands.md", "cases.md", "results.md", "batch.md", "report.md", "compare.md", "deployment.md")
+GUIDES = (
+    "commands.md",
+    "cases.md",
+    "results.md",
+    "batch.md",
+    "report.md",
+    "compare.md",
+    "extending.md",
+    "deployment.md",
+)
 CHECKS = ("validation", "verification", "robustness", "benchmark")
 
 
@@ -50,12 +59,14 @@ def on_page_markdown(markdown: str, page: Any, config: Any, files: Any) -> str:
 
 
 def gallery() -> str:
-    """Every shipped case with its source and its command, and its pictures where docs/images has some."""
+    """The figures that pages compare with papers, then every shipped case: source, command, pictures of docs/images."""
     lines = [
-        "# Cases that come with the program",
+        "# Gallery",
         "",
-        "Each is a complete file to start from: `oilfilm init NAME --from CASE`.",
+        "Figures of papers, computed, and every case that comes with the program: a complete file to start from,",
+        "`oilfilm init NAME --from CASE`.",
         "",
+        *_paper_figures(),
     ]
     folders: dict[str, list[Path]] = {}
     for path in sorted((ROOT / "cases").rglob("*.toml")):
@@ -67,16 +78,35 @@ def gallery() -> str:
     return "\n".join(lines) + "\n"
 
 
+def _paper_figures() -> list[str]:
+    """Every picture of the pages that compare with literature, under the page's title."""
+    lines = ["## Figures of papers", ""]
+    for page in sorted((ROOT / "docs").glob("validation_*.md")):
+        text = page.read_text(encoding="utf-8")
+        pictures = re.findall(r"!\[([^\]]*)\]\((images/[^)]+)\)", text)
+        if pictures:
+            title = text.partition("\n")[0].removeprefix("# ")
+            lines += [f"### [{title}]({page.name})", ""]
+            for words, file in pictures:
+                lines += [f"![{words}]({file})", "", f"*{words}*", ""]
+    return lines
+
+
 def _case(path: Path) -> list[str]:
     document = tomllib.loads(path.read_text(encoding="utf-8"))
-    command = "batch" if path.parent.name == "sweeps" else "slip" if "slip" in document else "run"
-    command = "contact" if "contact" in document else command
     lines = [f"### {path.stem}", "", str(document.get("title", "")), ""]
     if document.get("source"):
         lines += [f"Source: {document['source']}", ""]
-    lines += ["```console", f"oilfilm {command} {path.stem}", "```", ""]
+    lines += ["```console", f"oilfilm {_command(path, document)} {path.stem}", "```", ""]
     images = ROOT / "docs" / "images"
-    pictures = [*images.glob(f"{path.stem}.png"), *sorted(images.glob(f"{path.stem}.*.png"))]
-    for picture in pictures:
-        lines += [f"![{document.get('title', path.stem)}](images/{picture.name})", ""]
+    for picture in sorted([*images.glob(f"{path.stem}.png"), *images.glob(f"{path.stem}.*.png")]):
+        words = picture.stem.removeprefix(path.stem).strip(".").replace("_", " ") or document.get("title", path.stem)
+        lines += [f"![{words}](images/{picture.name})", ""]
     return lines
+
+
+def _command(path: Path, document: dict[str, Any]) -> str:
+    """What computes a case."""
+    if path.parent.name == "sweeps":
+        return "batch"
+    return next((name for name in ("contact", "slip", "dynamics") if name in document), "run")

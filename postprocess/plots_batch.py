@@ -148,7 +148,7 @@ def draw_batch(figure: Figure, results: BatchResults, keys: list[Varied], shown:
 def axis_label(key: str) -> str:
     """A key in words, its unit in brackets."""
     last = key.rpartition(".")[2]
-    unit = unit_of(last).replace("um", "µm")
+    unit = unit_of(last).replace("um", "µm").replace("degC", "°C")
     return f"{without_unit(last)} [{unit}]" if unit else without_unit(last)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from ..batch.pools import Pool
     from ..batch.sweep import Sweep
 
+FULL = (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC))  # of the disk, of the user's share of it
 Workers = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")]
 Scheduler = Annotated[
     str | None, typer.Option(metavar="ADDRESS", help="Compute on the Dask cluster of this scheduler instead.")
@@ -49,18 +51,14 @@ def batch(  # noqa: PLR0913
     keep = output is not None or resume or not as_json
     with _folder(output or Path(f"{Path(sweep).stem}_results"), keep=keep) as directory:
         prepare()
-        try:
+        with _kept(directory if keep else None):
             with progress_bar(quiet=quiet) as progress:
                 done = run_batch(plan, directory, _pool(plan, workers, scheduler), resume=resume, progress=progress)
-        except KeyboardInterrupt:
-            if keep:
-                say(f"finished points are kept in {directory}; go on with --resume")
-            raise
-        results = gathered(done)
-        with finish_first(f"results in {directory}"):
-            write_batch(results, directory)
-            if plot:
-                _plot(results, directory)
+            results = gathered(done)
+            with finish_first(f"results in {directory}"):
+                write_batch(results, directory)
+                if plot:
+                    _plot(results, directory)
         return _tell(results, directory if keep else None, as_json=as_json, quiet=quiet)
 
 
@@ -72,6 +70,20 @@ def _folder(directory: Path, *, keep: bool) -> Iterator[Path]:
         return
     with tempfile.TemporaryDirectory(prefix="oilfilm-batch-") as temporary:
         yield Path(temporary)
+
+
+@contextmanager
+def _kept(directory: Path | None) -> Iterator[None]:
+    """Say what is left of a batch that was stopped, or that the machine failed."""
+    from ..batch.store import POINTS
+
+    try:
+        yield
+    except (KeyboardInterrupt, OSError) as stop:
+        if directory is not None and any((directory / POINTS).glob("*.json")):
+            full = isinstance(stop, OSError) and stop.errno in FULL
+            say(f"finished points are kept in {directory}; {'make room, and ' if full else ''}go on with --resume")
+        raise
 
 
 def _pool(plan: Sweep, workers: int | None, scheduler: str | None) -> Callable[[], Pool]:

@@ -343,6 +343,27 @@ def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatc
     assert finished_keys(tmp_path / "out", [point.key for point in sweep.points]) == set(written)
 
 
+def test_a_full_disk_is_told_with_what_is_kept(tmp_path, monkeypatch):
+    import errno
+
+    from cases.batch import results
+
+    def full(*arguments):
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    (tmp_path / "mine.toml").write_text(QUICK)
+    monkeypatch.setattr("cases.commands.batch._pool", lambda plan, workers, scheduler: HerePool)
+    words = ["batch", str(tmp_path / "mine.toml"), "-o", str(tmp_path / "out"), "-q"]
+    with monkeypatch.context() as patch:
+        patch.setattr(results, "write_batch", full)
+        found = CliRunner().invoke(app, words)
+    assert found.exit_code == 4
+    assert f"finished points are kept in {tmp_path / 'out'}; make room, and go on with --resume" in found.stderr
+    assert "No space left on device" in found.stderr
+    assert CliRunner().invoke(app, [*words, "--resume"]).exit_code == 0
+    assert json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))["resumed"] == 6
+
+
 def test_a_folder_of_something_else_is_left_alone(tmp_path):
     (tmp_path / "out").mkdir()
     (tmp_path / "out" / "notes.txt").write_text("mine")

@@ -1,0 +1,97 @@
+"""Speed of batches: films on one and on two workers, and torque points from ready traction tables.
+
+    python benchmarks/batch.py                     # 48 points with films, one worker and two
+    python benchmarks/batch.py --points 96
+    python benchmarks/batch.py --table FILE        # 1000 torque points on two workers, tables of 6208_five_terms
+
+Wall times mean something on a quiet machine only; processor times, of all workers together, nearly always do: what
+two workers take more of it than one is lost to sharing.
+"""
+
+from __future__ import annotations
+
+import argparse
+import resource
+import tempfile
+import time
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from cases.batch import run_batch
+from cases.batch.pools import LocalPool
+from cases.batch.results import gathered, write_batch
+from cases.batch.sweep import sweep_from_text
+
+FILMS = """
+case = "6208_full_ceramic"
+[fixed]
+"ehl.points" = 129
+[sweep]
+"operation.radial_load_N" = {loads}
+"""
+TORQUE = """
+case = "6208_five_terms"
+compute = "torque"
+table = {table!r}
+[sweep]
+"operation.inner_speed_rpm" = {speeds}
+"operation.radial_load_N" = {loads}
+"""
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """Wall time, processor time of all workers [s], largest memory of one worker so far [MB]."""
+
+    wall: float
+    processor: float
+    memory: float
+
+
+def cost(text: str, workers: int, folder: Path) -> Cost:
+    """What a whole batch takes, planning and files included."""
+    before, start = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+    results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), folder, lambda: LocalPool(workers)))
+    write_batch(results, folder)
+    wall, after = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    failed = [point.message for point in results.points if point.status != "done"]
+    assert not failed, failed[0]
+    spent = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return Cost(wall, spent, after.ru_maxrss / 1024.0)
+
+
+def films(points: int, folder: Path) -> None:
+    """Points with films on one worker, on two, and on one again, since other work on the machine comes and goes."""
+    text = FILMS.format(loads=np.linspace(600.0, 3000.0, points).round(3).tolist())
+    cost(FILMS.format(loads=[500.0]), 1, folder / "compiled")
+    runs = {name: cost(text, workers, folder / name) for name, workers in (("1", 1), ("2", 2), ("1 again", 1))}
+    for name, run in runs.items():
+        print(
+            f"{name:8} workers: {run.wall:6.1f} s, {run.processor:6.1f} s of processors, {run.memory:.0f} MB a worker"
+        )
+    one = 0.5 * (runs["1"].wall + runs["1 again"].wall)
+    spent = 0.5 * (runs["1"].processor + runs["1 again"].processor)
+    print(f"efficiency of two workers: {one / (2.0 * runs['2'].wall):.1%} by the clock, ", end="")
+    print(f"{spent / runs['2'].processor:.1%} by processor time")
+
+
+def torque(table: Path, folder: Path) -> None:
+    """1000 torque points from ready tables on two workers."""
+    speeds, loads = np.linspace(8000.0, 10000.0, 20).tolist(), np.linspace(1000.0, 3000.0, 50).tolist()
+    text = TORQUE.format(table=str(table.resolve()), speeds=speeds, loads=loads)
+    run = cost(text, 2, folder / "torque")
+    print(f"1000 torque points: {run.wall:.1f} s, {run.processor:.1f} s of processors, {run.memory:.0f} MB a worker")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--points", type=int, default=48)
+    parser.add_argument("--table", type=Path)
+    chosen = parser.parse_args()
+    with tempfile.TemporaryDirectory() as temporary:
+        if chosen.table is not None:
+            torque(chosen.table, Path(temporary))
+        else:
+            films(chosen.points, Path(temporary))

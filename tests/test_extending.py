@@ -1,0 +1,39 @@
+"""The page on laws and entries of one's own, as a reader works through it."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+from cases.case import Case, case_from_text
+
+PAGE = Path(__file__).parents[1] / "docs" / "extending.md"
+BLOCKS = re.findall(r"^```(\w+)\n(.*?)^```$", PAGE.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+
+
+def test_the_case_is_one():
+    (text,) = [text for kind, text in BLOCKS if kind == "toml"]
+    case = case_from_text(text, "page.toml")
+    assert isinstance(case, Case)
+    assert case.bearing.ball_material.youngs_modulus == 305e9
+    assert case.lubricant.viscosity == 14e-3
+    assert case.rheology.eyring_stress == 6e6
+
+
+def test_the_law_gives_a_torque(tmp_path):
+    (text,) = [text for kind, text in BLOCKS if kind == "python"]
+    run = subprocess.run([sys.executable, "-c", text], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert run.returncode == 0, run.stderr
+    assert re.fullmatch(r"\d+\.\d{3} N mm by sliding\n", run.stdout)
+
+
+def test_files_and_names_that_the_page_speaks_of_exist():
+    text, root = PAGE.read_text(encoding="utf-8"), PAGE.parents[1]
+    for name in re.findall(r"`((?:bearing|ehl|cases|docs)/[\w/.]+)`", text):
+        assert (root / name).exists(), name
+    source = "".join(path.read_text(encoding="utf-8") for path in (root / "ehl" / "rheology").glob("*.py"))
+    for name in ("LAW_CODES", "class ShearLaw", "def shear_rate"):
+        assert name in source
+    assert "class ModelTorque" in (root / "bearing" / "torque" / "models.py").read_text(encoding="utf-8")
