@@ -6,12 +6,18 @@ from dataclasses import replace
 from statistics import median
 from time import process_time
 
-from bearing import contact_conditions, solve_quasistatic
+from bearing import BallKinematics, Model, Operation, Race, contact_conditions, solve_quasistatic
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.coulomb import balanced_friction
-from cases import load_case
+from bearing.torque.tabulated import tabulated_torque
+from bearing.torque.traction_source import BallTraction, LawTraction
+from bearing.traction_tables import build_race_tables
+from cases import Case, load_case
+from ehl.traction.sampling import TableOptions
+from ehl.traction.table import TractionTable
 
 REPEATS = 15
+TABLE_LOADS = ((0.0, 3000.0), (400.0, 1500.0))
 LOADS = ((0.0, 3000.0), (500.0, 0.0), (1000.0, 1000.0))  # axial, radial [N]
 
 
@@ -40,11 +46,44 @@ def measure(axial: float, radial: float) -> tuple[float, ...]:
     )
 
 
+def tables(case: Case, operation: Operation) -> dict[Race, TractionTable]:
+    """Traction tables at loads [N] and speeds [m/s] of the case; coarse, for a lookup takes as long in a fine one."""
+    assert case.rheology is not None
+    state = solve_quasistatic(case.bearing, operation, case.model)
+    options = TableOptions(points=65, tolerance=0.5, check_films=1, check_motions=10, rounds=1, workers=2)
+    return build_race_tables(state, case.lubricant, case.rheology, options)
+
+
+def measure_table(axial: float, radial: float) -> tuple[float, ...]:
+    """Times with ready tables at loads [N], in [s]: torque at given loads, the same from the case, own equilibrium."""
+    case = load_case("6208_full_ceramic")
+    operation = replace(case.operation, force=(axial, radial, 0.0))
+    laws = tables(case, operation)
+    state = solve_quasistatic(case.bearing, operation, case.model)
+    contacts = contact_conditions(state, case.lubricant)
+    traction = BallTraction(source=LawTraction(laws=laws), lubricant=case.lubricant)
+    equilibrium = Model(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM, traction=traction)
+
+    def point() -> None:
+        solved = solve_quasistatic(case.bearing, operation, case.model)
+        tabulated_torque(solved, contact_conditions(solved, case.lubricant), laws)
+
+    return (
+        spent(lambda: tabulated_torque(state, contacts, laws)),
+        spent(point),
+        spent(lambda: solve_quasistatic(case.bearing, operation, equilibrium)),
+    )
+
+
 def main() -> None:
     """A line for every load."""
     print("axial N  radial N  equilibrium ms  all models ms  balanced lines ms  Coulomb 2-D ms")
     for axial, radial in LOADS:
         print(f"{axial:7.0f}  {radial:8.0f}  " + "  ".join(f"{1e3 * t:14.1f}" for t in measure(axial, radial)))
+    print("from ready tables:")
+    print("axial N  radial N  at given loads ms  with equilibrium ms  traction equilibrium ms")
+    for axial, radial in TABLE_LOADS:
+        print(f"{axial:7.0f}  {radial:8.0f}  " + "  ".join(f"{1e3 * t:17.1f}" for t in measure_table(axial, radial)))
 
 
 if __name__ == "__main__":

@@ -156,9 +156,8 @@ def balance_balls(
     turned = gyroscopic and not law.plane
     if turned:
         problem = replace(problem, couple=_couple(solution, problem.driven))
-    if near is None:
-        z, residual = minimise(problem, np.zeros(problem.couple.shape))
-    else:
+    z = np.zeros(problem.couple.shape)
+    if near is not None:
         z, problem = near.unknowns, replace(problem, cage=near.cage)
     turning = _turning(solution, problem.driven) if turned else problem.turning
     pushed = not problem.driven.all() or resistance.land > 0.0  # the cage takes balls along, or is held back

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ehl.rheology import Rheology, shear_stress
 from ehl.solution import ContactSolution
-from ehl.traction.shear import Cavitation, film_viscosity, sheared_width
+from ehl.traction.shear import Cavitation, film_viscosity, sheared_width, with_outlet
 
 from ..contacts import BearingContact
 from ..geometry import Array, Race
@@ -343,6 +343,8 @@ def _film_law(
     """
     if film.x is None or film.y is None or film.film is None:
         raise ValueError("films must have dimensional conditions")
+    film = with_outlet(film)
+    assert film.x is not None and film.y is not None and film.film is not None
     x, y = np.broadcast_arrays(film.x[:, None], film.y[None, :])
     width = sheared_width(film.film, film.pressure, Cavitation.STRIATED)
     area = _weights(film.x)[:, None] * _weights(film.y)[None, :]
