@@ -20,7 +20,7 @@ from ..geometry import Array, Race
 from ..kinematics import ball_mass
 from ..quasistatic import QuasistaticSolution
 from ..traction_forces import BallMotion, ball_motion, bearing_kinematics
-from .balance_newton import BALANCE_TOLERANCE, ContactLaw, MotionProblem, contacts_of, minimise, settle
+from .balance_newton import BALANCE_TOLERANCE, ContactLaw, MotionProblem, contacts_of, settle
 from .contact_friction import TINY
 from .resistance import FREE, Resistance
 
