@@ -42,6 +42,10 @@ LATER_VALUES = {
     ("model", "ball_kinematics"): ("minimum dissipation",),
     ("lubricant", "viscosity_law"): ("yasutomi",),
 }
+NOT_OFFERED = {
+    "minimum dissipation": "not offered, since it jumps between the two race controls and has no balance there; "
+    "allowed: 'traction equilibrium', which balances the friction, or one of the race controls (docs/bearing.md)"
+}
 NAMED_TABLES: dict[str, type[Table]] = {"materials": MaterialTable, "lubricants": OilTable, "rows": RowTable}
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
 
@@ -206,6 +210,8 @@ def check_document(document: dict[str, Any]) -> tuple[BearingFile | ContactFile 
     problems += check(values, _names(values))
     problems += _assumed(values)
     meant = {(*problem.path[:-1], problem.nearest) for problem in problems if problem.nearest}
+    if more:  # of an unknown bearing all is missing
+        meant |= {problem.path for problem in problems if problem.path[0:1] == ("bearing",)}
     return file, [problem for problem in problems if problem.found != MISSING or problem.path not in meant]
 
 
@@ -220,7 +226,8 @@ def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]
     for (table, key), values in LATER_VALUES.items():
         if isinstance(document.get(table), dict) and document[table].get(key) in values:
             value = document[table].pop(key)
-            problems.append(Problem(path=(table, key), found=f"found {shown(value)}", allowed=NOT_SUPPORTED))
+            allowed = NOT_OFFERED.get(value, NOT_SUPPORTED)
+            problems.append(Problem(path=(table, key), found=f"found {shown(value)}", allowed=allowed))
     return document, problems
 
 

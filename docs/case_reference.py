@@ -72,9 +72,9 @@ def default(key: str, node: dict[str, Any], required: list[str]) -> str:
 
 def row(key: str, node: dict[str, Any], schema: dict[str, Any], required: list[str]) -> str:
     """One line of a table."""
-    text = SPECIAL.get(key) or allowed_values(resolved(schema, node)).replace("a number ", "").replace(
-        "whole number ", ""
-    )
+    of_films = key != "points" or node.get("minimum") == 33  # the slip maps have points of their own
+    text = (SPECIAL.get(key) if of_films else None) or allowed_values(resolved(schema, node))
+    text = text.replace("a whole number ", "").replace("a number ", "").replace("whole number ", "")
     text = re.sub(r'"([^"]*)"', r"`\1`", text.replace("text in quotes", "text"))
     meaning = re.sub(r'"([^"]*)"', r"`\1`", node.get("description", ""))
     return f"| `{key}` | {unit(key)} | {default(key, node, required)} | {text} | {meaning} |"

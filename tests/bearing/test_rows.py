@@ -7,6 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
+from scipy.optimize import brentq
+from scipy.special import ellipe, ellipk
 
 from bearing import (
     Arrangement,
@@ -91,6 +93,57 @@ def test_unloading_of_the_second_row(bearings):
 
     assert second_row(2.6 * 300.0) < -1.0
     assert abs(second_row(3.0 * 300.0)) < 1e-9
+
+
+def hertz_constant(bearing, groove, side, angle):
+    """Q/delta^1.5 [N/m^1.5] of one race, Hertz by complete elliptic integrals; side is 1 inside, -1 outside."""
+    d, dm = bearing.ball_diameter, bearing.pitch_diameter
+    curvatures = np.array(
+        [2.0 / d, 2.0 / d, side * 2.0 * np.cos(angle) / (dm - side * d * np.cos(angle)), -1.0 / groove]
+    )
+    total = curvatures.sum()
+    ratio = (curvatures[2] - curvatures[3]) / total
+
+    def of_ellipse(k):
+        first, second = ellipk(1.0 - k**-2.0), ellipe(1.0 - k**-2.0)
+        return ((k * k + 1.0) * second - 2.0 * first) / ((k * k - 1.0) * second) - ratio
+
+    k = brentq(of_ellipse, 1.0001, 200.0)
+    first, second = ellipk(1.0 - k**-2.0), ellipe(1.0 - k**-2.0)
+    steel = bearing.ball_material
+    modulus = steel.youngs_modulus / (1.0 - steel.poisson_ratio**2) / 2.0
+    approach = 2.0 * first / np.pi * (np.pi / (2.0 * k * k * second)) ** (1.0 / 3.0)
+    return (approach * (3.0 / (2.0 * total * modulus)) ** (2.0 / 3.0) * 0.5 * total) ** -1.5
+
+
+def thrust(bearing, displacement):
+    """Axial force [N] of a resting row pushed so far [m] beyond first touch: Z K (s - A)^1.5 sin(alpha)."""
+    if displacement <= 0.0:
+        return 0.0
+    free, distance = bearing.free_contact_angle, bearing.curvature_centre_distance
+    axial, radial = distance * np.sin(free) + displacement, distance * np.cos(free)
+    angle = np.arctan2(axial, radial)
+    races = ((bearing.inner_groove_radius, 1.0), (bearing.outer_groove_radius, -1.0))
+    both = sum(hertz_constant(bearing, groove, side, angle) ** (-2.0 / 3.0) for groove, side in races) ** -1.5
+    return bearing.balls * both * (np.hypot(axial, radial) - distance) ** 1.5 * np.sin(angle)
+
+
+def test_preloaded_pair_follows_the_closed_form(bearings):
+    """Back to back at rest: displacement under thrust from two curves F(x) of one row, unloading included."""
+    bearing, preload = bearings.b7008, 200.0
+    start = brentq(lambda x: thrust(bearing, x) - preload, 1e-9, 1e-3)
+    rows = duplex(bearing, Arrangement.BACK_TO_BACK, WIDTH, preload_force=preload)
+    for load in (100.0, 300.0, 500.0, 700.0):
+
+        def unbalanced(x, load=load):
+            return thrust(bearing, start + x) - thrust(bearing, start - x) - load
+
+        expected = brentq(unbalanced, 0.0, 1e-3, xtol=1e-15)
+        found = solve_quasistatic(bearing, Operation(inner_speed=0.0, force=(load, 0.0, 0.0)), rows=rows)
+        assert found.converged
+        assert found.displacement[0] == pytest.approx(expected, rel=1e-5)
+        pushed = sorted(abs(found.row_load[:, 0]))
+        assert_allclose(pushed, [thrust(bearing, start - expected), thrust(bearing, start + expected)], rtol=1e-4)
 
 
 def test_back_to_back_is_stiffer_against_tilt(bearings):

@@ -112,6 +112,20 @@ def test_bearing_error(key, new, expected):
     assert any(message.startswith(f"case.toml:{line}: ") and expected in message for message in found), found
 
 
+def test_of_an_unknown_bearing_only_the_name_is_told():
+    text = "schema_version = 1\n[bearing]\nname = '7280B'\n[lubricant]\nname = 'iso vg 32'\n"
+    found = messages(text + "[operation]\ninner_speed_rpm = 1.0\nradial_load_N = 1.0\ntemperature_C = 40.0\n")
+    assert len(found) == 1
+    assert "unknown bearing" in found[0]
+
+
+def test_minimum_dissipation_is_refused_with_the_reason():
+    found = messages(BEARING + '[model]\nball_kinematics = "minimum dissipation"\n')
+    assert any(
+        "jumps between the two race controls" in message and "traction equilibrium" in message for message in found
+    )
+
+
 ADDED_BEARING_ERRORS = [
     ("[operation]", "force_N = [0.0, 3000.0, 0.0]", "radial_load_N", "found radial_load_N together with force_N"),
     ("[operation]", "displacement_um = [0, 5, 0]", "displacement_um", "together with a load of 3000.0 N along y"),
