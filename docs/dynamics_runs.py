@@ -22,6 +22,7 @@ class Run:
 
     simulation: Simulation
     outcome: Outcome
+    tally: Tally
     record: Record  # of its last third
 
     @property
@@ -29,6 +30,23 @@ class Run:
         """Sliding speed at the centres of the contacts over the last third, shape (m, 2, Z) [m/s]; NaN where free."""
         races = self.record.races
         return np.where(races[..., 0] > 0.0, np.hypot(races[..., 5], races[..., 6]), np.nan)
+
+    @property
+    def surface_slides(self) -> Any:
+        """As `slides`, but at a gap too: of the nearest points of the surfaces, shape (m, 2, Z) [m/s]."""
+        from bearing.dynamics._kernels import derivative
+
+        problem, found = self.simulation.problem, []
+        for time, state in zip(self.record.time, self.record.state, strict=True):
+            derivative(float(time), state, problem, np.zeros_like(state))
+            found.append(np.hypot(problem.motion[..., 12], problem.motion[..., 13]))
+        return np.array(found)
+
+    @property
+    def azimuths(self) -> Any:
+        """Of the balls from the load line, shape (m, Z), from -180 to 180 [deg]."""
+        place = self.record.state[:, self.simulation.layout.ball].reshape(len(self.record.state), -1, 3)
+        return np.degrees(np.arctan2(place[..., 2], place[..., 1]))
 
     @property
     def factors(self) -> Any:
@@ -41,6 +59,15 @@ class Run:
     def spread(self) -> float:
         """Standard deviation of the balls' orbit speeds over the last third [rad/s]."""
         return float(orbit_speeds(self.record.state, self.simulation.layout).std())
+
+
+def over_azimuth(found: Run, values: Any, bins: int = 60) -> tuple[Any, Any]:
+    """Mean of values, shape (m, Z), in equal parts of the turn; middles of the parts [deg] and means, NaN if empty."""
+    edges = np.linspace(-180.0, 180.0, bins + 1)
+    sound = np.isfinite(values)
+    place, weights = found.azimuths[sound], values[sound]
+    count, total = np.histogram(place, edges)[0], np.histogram(place, edges, weights=weights)[0]
+    return 0.5 * (edges[1:] + edges[:-1]), np.divide(total, count, out=np.full(bins, np.nan), where=count > 0)
 
 
 def changed(case: Case, load: tuple[float, float] | None = None, speed: float | None = None, **plan: Any) -> Case:
@@ -67,4 +94,4 @@ def run(case: Case) -> Run:
     assert found is not None
     assert kept is not None
     assert made.converged, made.messages
-    return Run(made, found, kept)
+    return Run(made, found, tally, kept)
