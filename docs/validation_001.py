@@ -42,8 +42,8 @@ friction, drag, mass and damping of the ring, the cage's mass and pockets.
 **The drag of the shipped case was chosen with the result seen.** With 0.02 N a ball the cage made 2916.5 r/min at
 100 N; with 0.005 N it makes {shipped:.1f}, against 2935 ± 15. So the plateau is met with a light drag and missed with a
 heavier one (table below); it is no independent agreement, only the knowledge that with little drag the equations reach
-it. Probably the {unloaded} balls outside the loaded zone lower the plateau: no race drives them, the drag slows them, and
-the cage with them; that we have not taken apart. Written by `python docs/validation_001.py`.
+it. Probably the {unloaded} balls outside the loaded zone lower the plateau: no race drives them, the drag slows them,
+and the cage with them; that we have not taken apart. Written by `python docs/validation_001.py`.
 
 ## Contact law
 
