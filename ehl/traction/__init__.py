@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from .sampling import TableOptions, build_table
     from .storage import inputs_digest, load_table, save_table
     from .table import TableContact, TableError, TableRange, TractionTable
+    from .temperature import TemperatureTable, build_temperature_table
 
 _LAZY = {  # these need SciPy or numba
     "laws": ("ContactShape", "CoulombLaw", "FourConstantLaw", "FrictionLaw", "TractionForces", "four_constants"),
@@ -21,6 +22,7 @@ _LAZY = {  # these need SciPy or numba
     "sampling": ("TableOptions", "build_table"),
     "storage": ("inputs_digest", "load_table", "save_table"),
     "table": ("TableContact", "TableError", "TableRange", "TractionTable"),
+    "temperature": ("TemperatureTable", "build_temperature_table"),
 }
 
 __all__ = [
@@ -36,10 +38,12 @@ __all__ = [
     "TableError",
     "TableOptions",
     "TableRange",
+    "TemperatureTable",
     "TractionForces",
     "TractionResult",
     "TractionTable",
     "build_table",
+    "build_temperature_table",
     "contact_kinematics",
     "four_constants",
     "inputs_digest",

@@ -17,6 +17,7 @@ Array = NDArray[np.float64]
 HERTZ_SHARE = 0.02  # of the largest pressure: what lies above it gets nodes of its own
 ROWS = 64  # lines along x there
 PANELS = ((0.0, 0.75, 10), (0.75, 1.0, 14))  # of each: shares from edge to edge, nodes; the spike is in the last
+SMALLEST_FILM = 1e-12  # [m] thinner than any molecule: what films that did not converge are held to
 BLOCK = 10  # nodes of the grid along x and y that become one elsewhere
 SHARE_LEFT_OUT = 1e-3  # of the friction at the largest sliding, in nodes that are not worth their time
 
@@ -71,6 +72,7 @@ def film_nodes(
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
     fields = np.concatenate([_hertz_zone(solution), _rest(with_outlet(solution))], axis=1)
     x, y, area, gap, pressure, width, breadth = fields
+    gap = np.maximum(gap, SMALLEST_FILM)
     eta, limit = pressure_viscosity(pressure, solution), limiting_stress(pressure, rheology, temperature)
     strength = area * shear_stress(largest_slide / gap, eta, pressure, rheology, temperature)
     order = np.argsort(strength)
@@ -150,10 +152,10 @@ def _rest(solution: ContactSolution) -> Array:
         sums: Array = np.bincount(block, values.ravel()).astype(np.float64)
         return sums
 
-    weight, thin = total(area), total(area / np.maximum(h, np.finfo(np.float64).tiny))
+    share = area / np.maximum(h, SMALLEST_FILM)
+    weight, thin = total(area), total(share)
     kept = weight > 0.0
     weight, thin = weight[kept], thin[kept]
-    share = area / np.maximum(h, np.finfo(np.float64).tiny)
     means = [total(part)[kept] / thin for part in (share * x[:, None], share * y[None, :], share * p)]
     sizes = [np.full(weight.size, BLOCK * float(np.mean(size))) for size in (size_x, size_y)]
     return np.stack([means[0], means[1], weight, weight / thin, means[2], *sizes])

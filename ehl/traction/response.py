@@ -31,6 +31,7 @@ LOAD_STEP = 0.02  # relative; the film's change is then a hundred times what the
 SQUEEZE_STEP = 0.02  # dH_0/dT over the central film, T in a/u_m; small against 1
 CYCLES = 8  # of each step, from the neighbouring solution
 CAREFUL = ATTEMPTS[:2]  # ways of damping, one after the other; the second with twice the cycles
+MESHES = tuple(sorted({attempt.mesh_y for attempt in ATTEMPTS}, key=lambda mesh: abs(mesh - 1.0)))  # across, to try
 CHANGE = 0.03  # of H_0 in the last cycle over its whole step: above it the answer is not converged
 
 
@@ -94,12 +95,15 @@ def _state(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int]
     """The solver's levels with a solution on the finest of them."""
     contact = replace(scale_contact(solution.conditions), film_guess=solution.film_central_dimensionless.value)
     options = SolverOptions(points=solution.X.size)
-    state = contact_multigrid(contact, solution.domain, options, attempt)
-    index = len(state.levels) - 1
-    pressure = solution.P.T
-    if state.levels[index].grid.symmetric:
-        pressure = pressure[pressure.shape[0] // 2 :]
-    if pressure.shape != state.levels[index].P.shape:
+    for mesh in MESHES:
+        state = contact_multigrid(contact, solution.domain, options, replace(attempt, mesh_y=mesh))
+        index = len(state.levels) - 1
+        pressure = solution.P.T
+        if state.levels[index].grid.symmetric:
+            pressure = pressure[pressure.shape[0] // 2 :]
+        if pressure.shape == state.levels[index].P.shape:
+            break
+    else:
         raise ValueError("solution: its grid is not the one the solver chooses for its box")
     state.approach = solution.approach_dimensionless
     start_level(state, index, pressure)

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ..options import SolverOptions
 from .quadrature import FilmNodes, film_nodes, sliding_forces
 from .response import normal_response
-from .splines import spline_coefficients
+from .splines import left_out_error, spline_coefficients
 from .table import (
     LOAD_POWER,
     TableContact,
@@ -127,8 +127,9 @@ def build_table(
         If a film has no usable answer: the message names load and speed.
     """
     options = options or TableOptions()
-    quiet = progress or (lambda done, total, state: None)
-    study = _Study(contact=contact, range=limits, options=options, progress=quiet, counts=list(options.nodes))
+    study = _Study(
+        contact=contact, range=limits, options=options, progress=progress or _quiet, counts=list(options.nodes)
+    )
     _solve_checks(study)
     for _ in range(options.rounds):
         table, raw = _table(study)
@@ -136,6 +137,17 @@ def build_table(
             break
         _refine(study, raw)
     return table
+
+
+def check_table(table: TractionTable, contact: TableContact, options: TableOptions) -> TableError:
+    """Error of a table at films and motions not in it, for a contact at its temperature; forces [N], moments [N m]."""
+    study = _Study(contact=contact, range=table.range, options=options, progress=_quiet, counts=list(options.nodes))
+    _solve_checks(study)
+    return _checked(study, table)
+
+
+def _quiet(done: int, total: int, state: str) -> None:
+    """Nobody is told."""
 
 
 def _solve_checks(study: _Study) -> None:
@@ -380,20 +392,3 @@ def _refine(study: _Study, raw: Array) -> None:
     axis = int(np.argmax(errors))
     n = study.counts[axis]
     study.counts[axis] = 2 * n - 1 if axis < 2 else int(np.ceil(GROWTH * n))
-
-
-def left_out_error(values: Array, axis: int) -> float:
-    """How well cubics through the four nearest other nodes predict each inner node: error of the spline there [-].
-
-    A cubic that leaves out its middle is off by 24/9 of the fourth difference term of one through nodes at +-1, +-2
-    against one between nodes; the largest over all nodes, scaled down accordingly.
-    """
-    v = np.moveaxis(values, axis, 0)
-    n = v.shape[0]
-    worst = 0.0
-    for k in range(1, n - 1):
-        others = sorted((j for j in range(n) if j != k), key=lambda j: (abs(j - k), j))[:4]
-        weights = [np.prod([(k - j) / (i - j) for j in others if j != i]) for i in others]
-        guess = sum(weight * v[i] for weight, i in zip(weights, others, strict=True))
-        worst = max(worst, float(np.abs(guess - v[k]).max()))
-    return worst

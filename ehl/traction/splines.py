@@ -43,3 +43,20 @@ def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
     t = place - i
     r = 1.0 - t
     return i, np.array([r**3, 4.0 - 6.0 * t**2 + 3.0 * t**3, 4.0 - 6.0 * r**2 + 3.0 * r**3, t**3]) / 6.0
+
+
+def left_out_error(values: Array, axis: int) -> float:
+    """How well cubics through the four nearest other nodes predict each inner node [same unit].
+
+    A cubic that leaves out its middle is off by 24/9 of the fourth difference term of one through nodes at +-1, +-2
+    against one between nodes; the largest over all nodes, scaled down accordingly.
+    """
+    v = np.moveaxis(values, axis, 0)
+    n = v.shape[0]
+    worst = 0.0
+    for k in range(1, n - 1):
+        others = sorted((j for j in range(n) if j != k), key=lambda j: (abs(j - k), j))[:4]
+        weights = [np.prod([(k - j) / (i - j) for j in others if j != i]) for i in others]
+        guess = sum(weight * v[i] for weight, i in zip(weights, others, strict=True))
+        worst = max(worst, float(np.abs(guess - v[k]).max()))
+    return worst
