@@ -56,7 +56,7 @@ def ratio_messages(results: BearingResults) -> Iterator[str]:
         yield "contacts: hirano_ratio null, there is no centrifugal force"
     surface = results.case.get("surface")
     if surface is None:
-        yield "contacts.lambda_ratio: null, the case gives no [surface] roughness"
+        yield "contacts.lambda_ratio: null, and lambda_ratio_formula, the case gives no [surface] roughness"
         return
     for race in ("inner", "outer"):
         if not combined_roughness(race, surface) > 0.0:

@@ -7,7 +7,7 @@ from math import degrees
 from typing import TYPE_CHECKING, Any
 
 from .heating import heating_block, heating_messages
-from .messages import absent_films, lambda_ratio, ratio_messages
+from .messages import absent_films, combined_roughness, lambda_ratio, ratio_messages
 from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
 from .rows import frequency_block, kinematic_block, row_blocks, row_messages
@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from bearing.quasistatic import QuasistaticSolution
     from ehl import ContactSolution
 
+LAMBDA_FORMULA = "hamrock_dowson_minimum"
 STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")
 
 
@@ -89,6 +90,14 @@ def _ball(state: QuasistaticSolution, i: int) -> dict[str, Any]:
     }
 
 
+def _lambda_of_formula(contact: BearingContact, surface: dict[str, float] | None) -> float | None:
+    """Hamrock and Dowson's minimum film over the rms roughness of race and ball [-]; None without either."""
+    if surface is None:
+        return None
+    film, roughness = formulas(contact.conditions)[LAMBDA_FORMULA], combined_roughness(contact.race.value, surface)
+    return film * MICROMETRE / roughness if film is not None and roughness > 0.0 else None
+
+
 def _bearing_contact(
     contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
 ) -> dict[str, Any]:
@@ -111,6 +120,7 @@ def _bearing_contact(
         **films(solution),
         "pressure_maximum_GPa": None if solution is None else solution.pressure_maximum / GIGAPASCAL,
         "lambda_ratio": lambda_ratio(contact, solution, surface),
+        "lambda_ratio_formula": _lambda_of_formula(contact, surface),
         "converged": None if solution is None else solution.converged,
         "resolved": None if solution is None else solution.resolved,
         "film_formulas_um": formulas(conditions),

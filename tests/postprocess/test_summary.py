@@ -138,6 +138,21 @@ def test_a_film_not_asked_for_has_its_reason(bearing_results):
         assert not any("not asked for" in message for message in summary(other)["messages"])
 
 
+def test_lambda_of_the_formula_stands_beside_that_of_the_film(bearing_results):
+    """Film of the formula over the root of the squares of 0.03 and 0.04 um, with films solved or not."""
+    surface = {"inner_ring_roughness_um": 0.03, "outer_ring_roughness_um": 0.0, "ball_roughness_um": 0.04}
+    found = summary(replace(bearing_results, case={**bearing_results.case, "surface": surface}))["contacts"]
+    loaded = [contact for contact in found if contact["film_formulas_um"]["hamrock_dowson_minimum"] is not None]
+    assert loaded
+    for contact in loaded:
+        film, roughness = (
+            contact["film_formulas_um"]["hamrock_dowson_minimum"],
+            0.05 if contact["race"] == "inner" else 0.04,
+        )
+        assert contact["lambda_ratio_formula"] == pytest.approx(film / roughness, rel=1e-12)
+    assert all(contact["lambda_ratio_formula"] is None for contact in summary(bearing_results)["contacts"])
+
+
 @pytest.mark.parametrize(("roughness", "races"), [((0.0, 0.1, 0.0), ["inner"]), ((0.0, 0.0, 0.0), ["inner", "outer"])])
 def test_no_roughness_no_lambda_ratio(bearing_results, roughness, races):
     names = ("inner_ring_roughness_um", "outer_ring_roughness_um", "ball_roughness_um")
