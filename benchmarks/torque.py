@@ -81,7 +81,8 @@ def main() -> None:
     print("from ready tables:")
     print("axial N  radial N  at given loads ms  with equilibrium ms  traction equilibrium ms")
     case = load_case("6208_full_ceramic")
-    laws = tables(case, case.operation)
+    axial, radial = TABLE_LOADS[-1]
+    laws = tables(case, replace(case.operation, force=(axial, radial, 0.0)))
     for axial, radial in TABLE_LOADS:
         times = measure_table(case, laws, axial, radial)
         print(f"{axial:7.0f}  {radial:8.0f}  " + "  ".join(f"{1e3 * t:17.1f}" for t in times))
