@@ -37,6 +37,7 @@ Array = NDArray[np.float64]
 NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
 PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
 PAGES = (".html", ".htm")
+DRAWN = ("bearing", "contact")  # kinds of results that have a scene
 LINE_COLOURS = {"film": "white", "pressure": "black"}
 LABELS = {"film": "film thickness [µm]", "pressure": "pressure [GPa]"}
 BACKGROUND = "white"
@@ -156,6 +157,8 @@ def _check(directory: str | Path) -> None:
     tree = open_results(directory)
     kind = tree.attrs["kind"]
     tree.close()
+    if kind not in DRAWN:
+        raise ValueError(f"{directory} holds results of kind {kind}, which have no scene; allowed: {', '.join(DRAWN)}")
     if kind == "bearing" and not (Path(directory) / COLLECTION_FILE).is_file():
         raise ValueError(f"{directory} holds no VTK files: {COLLECTION_FILE} is missing")
 

@@ -104,3 +104,13 @@ def test_importing_the_scene_opens_nothing():
     code = "import sys, postprocess.scene; print('pyvista' in sys.modules)"
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert answer.stdout.strip() == "False"
+
+
+def test_results_without_a_scene_are_told(tmp_path):
+    """A history or a batch is no matter of a missing OpenGL."""
+    import h5netcdf
+
+    with h5netcdf.File(tmp_path / "history.nc", "w") as file:
+        file.attrs.update({"oilfilm_history": 1, "oilfilm": "1.0"})
+    with pytest.raises(ValueError, match="kind dynamics, which have no scene; allowed: bearing, contact"):
+        screenshot(tmp_path, tmp_path / "scene.png")
