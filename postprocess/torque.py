@@ -53,12 +53,13 @@ def _as_printed(torque: TorqueBreakdown | None) -> dict[str, Any]:
 def _power_balance(results: BearingResults) -> dict[str, Any]:
     """Rings' power and heat of the films [W], and how far they are apart, balanced and under the hypothesis."""
     shear = None if results.torque is None else results.torque.shear
-    keys = ("shaft_W", "heat_W", "imbalance", "traction_equilibrium", "hypothesis")
+    keys = ("shaft_W", "heat_W", "resisted_W", "imbalance", "traction_equilibrium", "hypothesis")
     if shear is None:
         return dict.fromkeys((*keys, "hypothesis_torque_N_mm", "hypothesis_imbalance"))
     return {
         "shaft_W": shear.torque.shaft_power,
         "heat_W": shear.torque.heat,
+        "resisted_W": shear.torque.resisted,
         "imbalance": shear.torque.imbalance,
         "traction_equilibrium": shear.balanced is not None,
         "hypothesis": results.quasistatic.model.ball_kinematics.value,

@@ -246,6 +246,15 @@ def _speeds(solution: QuasistaticSolution) -> Array:
     return solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter
 
 
+def resisted_power(solution: QuasistaticSolution, resistance: Resistance) -> float:
+    """Power that the balls give to the oil around them and to the cage at the motion of an equilibrium [W]."""
+    speed, load = _speeds(solution), solution.inner_load
+    power = float((resistance.drag(speed) * speed).sum())
+    if load.any():
+        power += resistance.cage_power(solution, _cage_speed(solution, load, np.zeros((load.size, 4))))
+    return power
+
+
 def _cage_force(solution: QuasistaticSolution, problem: MotionProblem, z: Array, resistance: Resistance) -> Array:
     """Push into the cage by the balls that the inner race drives, shared by their load [N].
 

@@ -24,7 +24,7 @@ from ..contacts import BearingContact
 from ..geometry import Array, Race
 from ..quasistatic import QuasistaticSolution
 from ..traction_forces import ContactTraction, bearing_kinematics, contact_traction
-from .balance import BalancedFriction, ContactLaw, balance_balls, balance_driven_balls, ring_power
+from .balance import BalancedFriction, ContactLaw, balance_balls, balance_driven_balls, resisted_power, ring_power
 from .contact_friction import TINY, Dissipation, coulomb_dissipation
 from .coulomb import contact_ellipses
 from .mixed import asperity_share
@@ -161,6 +161,7 @@ def solved_shear(
         mean = sum(s * contact.load for s, (contact, _) in zip(shares, pairs, strict=True)) / loads
     assumed = [contact_traction(solution, contact, film, rheology) for contact, film in pairs]
     hypothesis = integrated_torque(solution, assumed, shares, boundary)
+    hypothesis = replace(hypothesis, resisted=resisted_power(solution, resistance))
     balance = film_balance(solution, contacts, films, rheology, asperities, resistance)
     if not balance.converged:
         note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"

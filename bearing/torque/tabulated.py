@@ -20,7 +20,7 @@ from ..contacts import BearingContact
 from ..geometry import Array, Race
 from ..quasistatic import QuasistaticSolution
 from ..traction_forces import bearing_kinematics
-from .balance import BalancedFriction, ContactLaw, balance_driven_balls, ring_power
+from .balance import BalancedFriction, ContactLaw, balance_driven_balls, resisted_power, ring_power
 from .contact_friction import Dissipation
 from .integrated import STRENGTH, IntegratedTorque, SolvedShear, carried_balls
 from .resistance import FREE, Resistance
@@ -72,6 +72,7 @@ def law_torque(
     motion = np.array([_motion(solution, contact) for contact in contacts])
     forces = -law.dissipation(motion, np.arange(len(contacts))).gradient
     hypothesis = _torque(solution, contacts, motion, forces)
+    hypothesis = replace(hypothesis, resisted=resisted_power(solution, resistance))
     balance = balance_driven_balls(solution, contacts, law, resistance)
     if not balance.converged:
         note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"

@@ -73,6 +73,18 @@ def test_the_summary_has_the_new_state_and_power_closes():
     assert any("four constants" in message for message in document["messages"])
 
 
+def test_drag_of_the_balls_is_in_the_balance():
+    """Rings' power less heat is what the drag takes; balls and cage are slower by the slide that drives them."""
+    drag = LAW + "oil_fraction = 0.05\n"
+    found, free = (summary(run_case(case(TEXT + text))) for text in (drag, LAW))
+    balance = found["torque_N_mm"]["power_balance"]
+    assert balance["resisted_W"] > 0.1 * balance["heat_W"]
+    assert balance["shaft_W"] == pytest.approx(balance["heat_W"] + balance["resisted_W"], rel=1e-6)
+    assert balance["hypothesis_imbalance"] == pytest.approx(0.0, abs=1e-6)
+    assert found["cage_speed_rpm"] < free["cage_speed_rpm"]
+    assert free["torque_N_mm"]["power_balance"]["resisted_W"] == 0.0
+
+
 def test_race_control_reports_its_imbalance():
     document = summary(run_case(case(TEXT + LAW + '[model]\nball_kinematics = "outer race control"\n')))
     balance = document["torque_N_mm"]["power_balance"]
