@@ -31,8 +31,10 @@ Progress = Callable[[int, int, str], None]
 Tables = dict[Race, TractionTable]
 
 
-def table_contacts(solution: QuasistaticSolution, lubricant: Lubricant, rheology: Rheology) -> dict[Race, TableContact]:
-    """What the table of each race is made for, by its heaviest loaded contact.
+def table_contacts(
+    solution: QuasistaticSolution, lubricant: Lubricant, rheology: Rheology, temperature: float | None = None
+) -> dict[Race, TableContact]:
+    """What the table of each race is made for, by its heaviest loaded contact; temperature [K], None: of operation.
 
     Raises
     ------
@@ -51,7 +53,7 @@ def table_contacts(solution: QuasistaticSolution, lubricant: Lubricant, rheology
             reduced_modulus=c.reduced_modulus,
             lubricant=lubricant,
             rheology=rheology,
-            temperature=solution.operation.temperature,
+            temperature=solution.operation.temperature if temperature is None else temperature,
             curvature_radius=motion.curvature_radius,
             curvature_difference=motion.curvature_difference,
         )
@@ -119,7 +121,7 @@ def save_race_tables(tables: Tables, path: Path) -> None:
     os.replace(partial, path)
 
 
-def load_race_tables(path: Path, expected: Tables | None = None) -> Tables:
+def load_race_tables(path: Path, expected: Tables | None = None, *, oil: Lubricant | None = None) -> Tables:
     """Read the tables of both races.
 
     Parameters
@@ -127,12 +129,20 @@ def load_race_tables(path: Path, expected: Tables | None = None) -> Tables:
     path : Path
     expected : dict of TractionTable, optional
         Tables with whose inputs those of the file must agree.
+    oil : Lubricant, optional
+        At whose temperature the tables of a file with several temperatures are wanted; it must be theirs.
 
     Raises
     ------
     ValueError
         If the file is none of this kind, damaged, or made for other inputs; the message says which.
     """
+    from .temperature_tables import holds_temperatures, tables_for_oil
+
+    if holds_temperatures(path):
+        if oil is None:
+            raise ValueError(f"{path}: has tables at several temperatures; one of a single temperature is needed here")
+        return tables_for_oil(path, oil)
     tables = {}
     try:
         with zipfile.ZipFile(path) as archive:

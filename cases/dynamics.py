@@ -310,5 +310,5 @@ def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
 
     from .traction_table import run_table
 
-    found = load_race_tables(path) if path is not None else run_table(case, progress=notify).tables
+    found = load_race_tables(path, oil=case.lubricant) if path is not None else run_table(case, progress=notify).tables
     return RaceFriction(inner=found[Race.INNER], outer=found[Race.OUTER])

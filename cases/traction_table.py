@@ -2,23 +2,88 @@
 
 from __future__ import annotations
 
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import pairwise
 from time import perf_counter
 from typing import TYPE_CHECKING
 
-from .case import Case
+from .case import Case, read_text, validate_text
+from .convert.units import ZERO_CELSIUS
 from .problems import CaseError
 from .run import Progress, cores
+from .schema import BearingFile
+from .shipped import find_case
 from .version import version
 
 if TYPE_CHECKING:
+    from ehl import Lubricant
+    from ehl.rheology import Rheology
     from postprocess.traction_results import TractionResults
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TemperatureAxis:
+    """Temperatures of the oil [K], and the oil and its rheology at each."""
+
+    temperatures: tuple[float, ...]
+    oil_at: Callable[[float], tuple[Lubricant, Rheology]]
+
+
+def temperature_axis(name: str, text: str) -> TemperatureAxis:
+    """The axis that `--temperatures` asks for, in degrees Celsius with commas, with the oil of a case by its name.
+
+    Raises
+    ------
+    CaseError
+        If they are no rising numbers, or the case's oil is known at one temperature only.
+    """
+    try:
+        celsius = [float(part) for part in text.split(",")]
+    except ValueError:
+        celsius = []
+    if len(celsius) < 2 or any(not b > a for a, b in pairwise(celsius)):
+        raise CaseError([f"--temperatures: {text!r}; allowed: two or more rising numbers of degrees Celsius, 40,60,80"])
+    path = find_case(name)
+    file = validate_text(read_text(path), str(path))
+    assert isinstance(file, BearingFile)  # asked for a bearing before
+
+    def oil_at(temperature: float) -> tuple[Lubricant, Rheology]:
+        from .convert import lubricant, rheology
+
+        operation = file.operation.model_copy(update={"temperature_C": temperature - ZERO_CELSIUS})
+        warm = file.model_copy(update={"operation": operation})
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the case told them already
+            oil = lubricant(warm)
+            return oil, rheology(warm, oil)
+
+    temperatures = tuple(one + ZERO_CELSIUS for one in celsius)
+    try:
+        first, last = (oil_at(one)[0] for one in (temperatures[0], temperatures[-1]))
+    except ValueError as problem:
+        raise CaseError([f"--temperatures: {problem}"]) from None
+    if first.viscosity == last.viscosity:
+        raise CaseError(
+            [f"--temperatures: {name} gives the viscosity at one temperature only; allowed with an oil of the library"]
+        )
+    return TemperatureAxis(temperatures=temperatures, oil_at=oil_at)
+
+
 def run_table(
-    case: Case, points: int = 257, workers: int | None = None, progress: Progress | None = None
+    case: Case,
+    points: int = 257,
+    workers: int | None = None,
+    progress: Progress | None = None,
+    over: TemperatureAxis | None = None,
 ) -> TractionResults:
-    """Traction tables of a case, films on `points` nodes along x, `workers` at a time; times in [s]."""
+    """Traction tables of a case, films on `points` nodes along x, `workers` at a time; times in [s].
+
+    With temperatures, the tables that summary and plots are of are those at the case's own, or the nearest.
+    """
     from bearing.quasistatic import solve_quasistatic
+    from bearing.temperature_tables import build_temperature_tables
     from bearing.traction_tables import build_race_tables
     from ehl import SolverOptions
     from ehl.traction.sampling import TableOptions
@@ -35,13 +100,19 @@ def run_table(
         raise CaseError([f"no table without an equilibrium of the bearing: {state.message}"])
     options = TableOptions(points=points, workers=workers or cores())
     try:
-        tables = build_race_tables(state, case.lubricant, case.rheology, options, progress)
+        if over is None:
+            warm, tables = None, build_race_tables(state, case.lubricant, case.rheology, options, progress)
+        else:
+            warm = build_temperature_tables(state, over.oil_at, over.temperatures, options, progress)
+            own = min(max(case.operation.temperature, over.temperatures[0]), over.temperatures[-1])
+            tables = {race: found.at(own) for race, found in warm.items()}
     except ValueError as problem:
         raise CaseError([f"no table: {problem}"]) from None
     return TractionResults(
         version=version(),
         case=case.document,
         tables=tables,
+        over_temperature=warm,
         messages=case.warnings,
         timing={"total": perf_counter() - start},
     )

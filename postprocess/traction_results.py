@@ -6,6 +6,7 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
+from bearing.temperature_tables import TemperatureTables, save_temperature_tables
 from bearing.traction_tables import Tables, save_race_tables
 
 
@@ -16,6 +17,7 @@ class TractionResults:
     version: str
     case: dict[str, Any]
     tables: Tables
+    over_temperature: TemperatureTables | None = None
     messages: tuple[str, ...] = ()
     timing: dict[str, float] = field(default_factory=dict)
 
@@ -40,8 +42,15 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
             "error": {key: value for key, value in error.items() if key != "tolerance"},
             "tolerance": table.error.tolerance,
         }
+        if results.over_temperature is not None:
+            found = results.over_temperature[race]
+            races[race.value] |= {
+                "temperatures_K": list(found.temperatures),
+                "largest_error_between": [between.largest for between in found.errors],
+            }
     told = [f"{race.value} race: {t.message}" for race, t in results.tables.items() if t.message != "converged"]
-    converged = all(table.converged for table in results.tables.values())
+    everything = (results.over_temperature or results.tables).values()
+    converged = all(table.converged for table in everything)
     prefix = [] if converged else ["not converged: a traction table misses its tolerance or a film did not converge"]
     return {
         "oilfilm": results.version,
@@ -57,5 +66,8 @@ def write_traction(results: TractionResults, path: Path) -> None:
     """Write the tables to a file, and beside it its plots, `<name>_curves.png` and `<name>_map.png`."""
     from .plots_traction import write_traction_plots
 
-    save_race_tables(results.tables, path)
+    if results.over_temperature is None:
+        save_race_tables(results.tables, path)
+    else:
+        save_temperature_tables(results.over_temperature, path)
     write_traction_plots(results, path)

@@ -24,6 +24,9 @@ def table(
     output: TableFile = None,
     points: Annotated[int, typer.Option(metavar="N", help="Nodes of each film along x, 2^k + 1.")] = 257,
     workers: Annotated[int | None, typer.Option(min=1, metavar="N", help="Films at a time; default: cores.")] = None,
+    temperatures: Annotated[
+        str | None, typer.Option(metavar="C,C,...", help="Temperatures of the oil, rising; default: the case's only.")
+    ] = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
@@ -37,10 +40,11 @@ def table(
     if path is not None and (path.is_dir() or not path.parent.is_dir()):
         raise CaseError([f"{path}: cannot be written; allowed with -o: a file in a folder that exists"])
     prepare()
-    from ..traction_table import run_table
+    from ..traction_table import run_table, temperature_axis
 
+    over = None if temperatures is None else temperature_axis(case, temperatures)
     with progress_bar(quiet=quiet) as progress:
-        results = run_table(loaded, points, workers, progress)
+        results = run_table(loaded, points, workers, progress, over)
     from postprocess.traction_results import traction_summary, write_traction
     from postprocess.traction_table import traction_table
 

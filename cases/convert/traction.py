@@ -83,7 +83,7 @@ def _tables(path: Path, bearing: Bearing, oil: Lubricant, rheology: Rheology) ->
     from bearing.traction_tables import load_race_tables
 
     try:
-        tables = load_race_tables(path)
+        tables = load_race_tables(path, oil=oil)
     except OSError as problem:
         raise ValueError(f"friction.traction_table: {path} cannot be read: {problem.strerror or problem}") from None
     for race, found in tables.items():

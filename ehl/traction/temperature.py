@@ -18,6 +18,7 @@ from .sampling import Progress, TableOptions, build_table, check_table
 from .table import Array, TableContact, TableError, TableRange, TractionTable
 
 NEAREST = 4  # tables that a place between them is made of
+OIL_TOLERANCE = 0.03  # relative; what interpolation over the temperature may be off by
 SIMILAR = 1e-12  # relative difference of the axes of tables of the same nodes
 
 
@@ -54,13 +55,20 @@ class TemperatureTable:
         """Whether every table is, and those between keep the tolerance."""
         return all(table.converged for table in self.tables) and all(error.reached for error in self.errors)
 
-    def at(self, temperature: float) -> TractionTable:
-        """The table at a temperature [K]; its oil is that of the nearest one, but for viscosities and temperature.
+    def at(self, temperature: float, lubricant: Lubricant | None = None) -> TractionTable:
+        """The table at a temperature.
+
+        Parameters
+        ----------
+        temperature : float
+            [K].
+        lubricant : Lubricant, optional
+            The oil there; None: that of the nearest table, but for viscosities and density between.
 
         Raises
         ------
         ValueError
-            If the temperature is out of range: the message says which that is.
+            If the temperature is out of range, or the lubricant's viscosities are not those between the tables'.
         """
         known = np.array(self.temperatures)
         if not known[0] <= temperature <= known[-1]:
@@ -71,13 +79,15 @@ class TemperatureTable:
         order = np.argsort(np.abs(known - temperature), kind="stable")
         nearest = self.tables[int(order[0])]
         if known[order[0]] == temperature:
+            _require_same(nearest.contact.lubricant, lubricant)
             return nearest
         chosen = order[:NEAREST]
         weights, tables = lagrange_weights(known[chosen], temperature), [self.tables[int(k)] for k in chosen]
         oil = _oil(nearest.contact.lubricant, [table.contact.lubricant for table in tables], weights, temperature)
+        _require_same(oil, lubricant)
         return replace(
             nearest,
-            contact=replace(nearest.contact, temperature=temperature, lubricant=oil),
+            contact=replace(nearest.contact, temperature=temperature, lubricant=lubricant or oil),
             scalars=_sum(weights, [table.scalars for table in tables]),
             values=_sum(weights, [table.values for table in tables]),
             kappa_max=max(table.kappa_max for table in tables),
@@ -127,6 +137,14 @@ def build_temperature_table(
 def lagrange_weights(places: Array, place: float) -> Array:
     """Weights of values at places [same unit] in the polynomial through them at another place [-], Lagrange."""
     return np.array([np.prod([(place - b) / (a - b) for b in places if b != a]) for a in places])
+
+
+def _require_same(expected: Lubricant, given: Lubricant | None) -> None:
+    """An oil is that of the tables, to `OIL_TOLERANCE`."""
+    for field in ("viscosity", "pressure_viscosity"):
+        wanted = getattr(expected, field)
+        if given is not None and abs(getattr(given, field) - wanted) > OIL_TOLERANCE * wanted:
+            raise ValueError(f"made for another oil: its {field} is {wanted:.4g}, not {getattr(given, field):.4g}")
 
 
 def _sum(weights: Array, parts: Sequence[Array]) -> Array:

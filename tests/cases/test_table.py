@@ -8,6 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from bearing.geometry import Race
+from bearing.lubricant_library import library_lubricant
 from bearing.traction_tables import load_race_tables
 from cases.cli import app
 from ehl.traction.sampling import TableOptions
@@ -17,7 +18,7 @@ def call(*arguments):
     return CliRunner().invoke(app, ["table", *arguments])
 
 
-EASY = {"tolerance": 0.5, "check_films": 2, "check_motions": 20, "rounds": 1, "nodes": (5, 4, 9, 5, 9)}
+EASY = {"tolerance": 0.5, "check_films": 2, "check_motions": 20, "rounds": 1, "nodes": (4, 4, 15, 7, 9)}
 
 
 @pytest.fixture
@@ -33,7 +34,7 @@ def quick(monkeypatch):
 @pytest.mark.slow
 def test_table_plots_and_summary(quick, tmp_path):
     path = tmp_path / "table.zip"
-    found = call("6208_full_ceramic", "-o", str(path), "--points", "65", "--json")
+    found = call("6208_full_ceramic", "-o", str(path), "--points", "129", "--json")
     assert found.exit_code == 0, found.stderr
     assert {file.name for file in tmp_path.iterdir()} == {"table.zip", "table_curves.png", "table_map.png"}
     document = json.loads(found.stdout)
@@ -41,7 +42,7 @@ def test_table_plots_and_summary(quick, tmp_path):
     assert any("assumed" in message for message in document["messages"])
     for race, table in load_race_tables(path).items():
         told = document["tables"][race.value]
-        assert told["films"] == table.films == 22
+        assert told["films"] == table.films == 18
         assert told["load_N"] == list(table.range.load)
         assert 0.0 < told["error"]["rms"] < told["error"]["largest"]
     assert set(document["tables"]) == {race.value for race in Race}
@@ -52,6 +53,9 @@ def test_table_plots_and_summary(quick, tmp_path):
     [
         (("ball_on_disc",), "is a single contact"),
         (("6208_full_ceramic", "--points", "100"), "2^k + 1"),
+        (("6208_full_ceramic", "--temperatures", "40,60"), "the viscosity at one temperature only"),
+        (("6208_oil_temperature", "--temperatures", "60,40"), "two or more rising numbers"),
+        (("6208_oil_temperature", "--temperatures", "warm"), "two or more rising numbers"),
         (("6208_full_ceramic", "-o", "no/such/folder/table.zip"), "cannot be written"),
     ],
 )
@@ -61,3 +65,29 @@ def test_bad_input(arguments, told, tmp_path, monkeypatch):
     assert found.exit_code == 2
     assert told in found.stderr
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.slow
+def test_tables_over_the_temperature(quick, tmp_path):
+    """Saved with all temperatures, read for the oil of a case between them, refused for another oil."""
+    path = tmp_path / "table.zip"
+    found = call(
+        "6208_oil_temperature", "-o", str(path), "--points", "65", "--json", "--temperatures", "40,60", "--quiet"
+    )
+    assert found.exit_code in (0, 1), found.stderr  # films on so few points need not all converge
+    told = json.loads(found.stdout)["tables"]["inner"]
+    assert told["temperatures_K"] == [313.15, 333.15]
+    assert len(told["largest_error_between"]) == 1
+    oil = library_lubricant("iso vg 32", 328.15)
+    for table in load_race_tables(path, oil=oil).values():
+        assert table.contact.lubricant == oil
+        assert table.contact.temperature == 328.15
+    with pytest.raises(ValueError, match="made for another oil: its viscosity"):
+        load_race_tables(path, oil=library_lubricant("iso vg 68", 328.15))
+    with pytest.raises(ValueError, match=r"temperature must lie within 313\.15 to 333\.15 K"):
+        load_race_tables(path, oil=library_lubricant("iso vg 32", 350.0))
+    with pytest.raises(ValueError, match="has tables at several temperatures"):
+        load_race_tables(path)
+    path.write_bytes(path.read_bytes()[:-2000])
+    with pytest.raises(ValueError, match="damaged"):
+        load_race_tables(path, oil=oil)
