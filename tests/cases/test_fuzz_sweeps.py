@@ -23,10 +23,12 @@ TEXTS = (
 VALUES = """0 -1 1e308 -1e308 1e-320 nan inf true "" "free" 'x' [] [[]] {} [1,2] [0,0,0] {a=1} 07:32:00 "run" 66 [1.0]
 1979-05-27 99999999999999999999999999 "\\u0000" [nan,1,2] 12 [true] ["6208","7000C"] "assumed" [4,3] 0.5 3
 ["free","free","free"] [[1.0,2.0,3.0]] [-1.0,1.0] [{},{}] "../../etc/passwd" "." "6208" [257,129] [[0.0],[40.0]]
+"torque" "dynamics" "table"
 """.split()
 KEYS = """case title compute fields samples seed step keys schema_version "operation.force_N" "bearing.name" "." ".."
 "operation." ".operation" "materials.silicon nitride.density_kg_m3" "materials" "lubricant.name" "ehl.film_maps" a.b.c.d
-"ehl" ehl.points "contact.load_N" "operation.tilt" "" "a.b" "bearing.ball_diameter_mm" "slip.points" x""".split()
+"ehl" ehl.points "contact.load_N" "operation.tilt" "" "a.b" "bearing.ball_diameter_mm" "slip.points" x
+table table_points""".split()
 TABLES = """[sweep] [fixed] [[combinations]] [latin_hypercube] [[latin_hypercube]] [sensitivity] [operation] [ [] [a.b]
 [sweep.operation] [fixed.materials."x y"] [[sweep]] [combinations]""".split(" ")
 
