@@ -233,6 +233,17 @@ def test_stiffness_is_that_of_neighbouring_loads(conditions, load):
     assert_allclose(response.stiffness, (1.05 - 1 / 1.05) * load / (h_0[0] - h_0[1]), rtol=0.06)
 
 
+@pytest.mark.parametrize("step", [-0.02, 0.01, 0.04])
+def test_damping_is_the_slope_at_rest(conditions, monkeypatch, step):
+    """Solves with the bodies parting instead of closing, half and twice as fast, give the same, 2 %."""
+    middle = ehl.solve_contact(conditions, ehl.SolverOptions(points=129))
+    wanted = normal_response(middle).damping
+    monkeypatch.setattr("ehl.traction.response.SQUEEZE_STEP", step)
+    found = normal_response(middle)
+    assert found.converged
+    assert_allclose(found.damping, wanted, rtol=0.02)
+
+
 SHAPE = ContactShape(semi_axis_x=1e-4, semi_axis_y=6e-4, radius_x=4.8e-3, curvature_radius=6e-3)
 
 
