@@ -103,7 +103,7 @@ def solve_draw(draw: Draw, points: tuple[int, ...] = POINTS) -> Finished:
 
 
 def _fineness(solution: ContactSolution) -> float | None:
-    """Hmin/(S hx^2) [-] of the film on the finest grid, or of the thin-film extrapolation; None if it is not positive."""
+    """Hmin/(S hx^2) [-] on the finest grid, or of the thin-film extrapolation; None if it is not positive."""
     curvature, film = scale_contact(solution.conditions).curvature_x, solution.film_minimum_dimensionless
     best = film.value if THIN_FILM in solution.record.fallbacks else film.finest
     value = best / (curvature * float(solution.X[1] - solution.X[0]) ** 2)

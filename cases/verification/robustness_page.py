@@ -19,8 +19,8 @@ that, a third with a rotation of the entrainment of up to half of u_m at the end
 Roelands 70 %, Barus 20 %, isoviscous 10 %; Dowson–Higginson 80 %, incompressible 20 %; p_h up to 4 GPa, α p_h up to
 80. Each is solved with {first} points along x and, while it does not end converged and resolved, with {more}.
 *Resolvable* is a contact that is resolved on one of these grids, or whose last film, extrapolated or not, has
-H_min/(S h_x²) ≥ {fineness:g}, or is not positive and tells nothing. A film above 2 % of R_x is reported as unresolved on any grid, since the gap is no paraboloid
-there."""
+H_min/(S h_x²) ≥ {fineness:g}, or is not positive and tells nothing. A film above 2 % of R_x is reported as
+unresolved on any grid, since the gap is no paraboloid there."""
 
 
 def robustness_section(finished: Sequence[Finished], seed: int, points: tuple[int, ...] = POINTS) -> Section:
