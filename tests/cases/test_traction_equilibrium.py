@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from math import radians
 
+import numpy as np
 import pytest
 
+from bearing import solve_quasistatic
 from bearing.operation import BallKinematics
 from bearing.torque.traction_source import CoulombTraction, FilmTraction, FourConstantTraction
-from bearing.traction_tables import save_race_tables
+from bearing.traction_tables import save_race_tables, table_contacts, table_range
 from cases.case import case_from_text
 from cases.problems import CaseError
 from cases.run import run_case
 from cases.slip import run_slip
-from ehl.traction.sampling import TableOptions
+from ehl.traction.table import TableError, TractionTable
 from postprocess import summary
 
 TEXT = """
@@ -110,30 +112,45 @@ def test_films_of_the_case_are_the_friction_where_none_is_named():
 
 
 @pytest.fixture(scope="module")
-def table_file(tmp_path_factory):
-    """A coarse table of the case's contacts in a file."""
-    from bearing import solve_quasistatic
-    from bearing.traction_tables import build_race_tables
-
-    given = case(TEXT)
+def tables():
+    """Tables for the case's contacts with spline coefficients that no film was solved for."""
+    given, rng = case(TEXT), np.random.default_rng(70441)
     state = solve_quasistatic(given.bearing, given.operation, given.model)
-    options = TableOptions(points=65, workers=2, tolerance=0.5, check_films=1, check_motions=10, rounds=1)
-    path = tmp_path_factory.mktemp("table") / "6208.table"
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("ehl.traction.sampling.START", (4, 4, 9, 5, 9))
-        save_race_tables(build_race_tables(state, given.lubricant, given.rheology, options), path)
-    return path
+    nodes, limits = (4, 4, 9, 5, 9), table_range(state, given.lubricant)
+    error = TableError(
+        largest=0.0, quantile=0.0, rms=0.0, largest_spin=0.0, largest_rolling=0.0, films=0, motions=0, tolerance=0.0
+    )
+    starts = (*np.log([limits.load[0], limits.speed[0]]), -1.0, 0.0, -1.0)
+    ends = (*np.log([limits.load[1], limits.speed[1]]), 1.0, 1.0, 1.0)
+    axes = np.array([[start, (n - 1) / (end - start), n] for start, end, n in zip(starts, ends, nodes, strict=True)])
+    return {
+        race: TractionTable(
+            contact=contact,
+            range=limits,
+            points=65,
+            axes=axes,
+            scalars=rng.normal(size=(6, 6, 10)),
+            values=rng.normal(size=(*(n + 2 for n in nodes), 4)).astype(np.float32).astype(np.float64),  # as kept
+            kappa_max=0.05,
+            error=error,
+            films=16,
+            converged=True,
+            message="made up",
+        )
+        for race, contact in table_contacts(state, given.lubricant, given.rheology).items()
+    }
 
 
-@pytest.mark.slow
-def test_a_table_is_read_and_a_foreign_one_refused(table_file):
-    named = f'[friction]\ntraction = "table"\ntraction_table = "{table_file}"\n'
-    document = summary(run_case(case(TEXT + named)))
-    assert document["converged"]
-    assert document["case"]["model"]["ball_kinematics"] == "traction equilibrium"
-    assert document["torque_N_mm"]["power_balance"]["imbalance"] == pytest.approx(0.0, abs=1e-6)
-    assert any("traction tables" in message for message in document["messages"])
-    with pytest.raises(CaseError, match="another oil"):
+def test_a_table_is_read_and_a_foreign_one_refused(tables, tmp_path):
+    path = tmp_path / "6208.table"
+    save_race_tables(tables, path)
+    named = f'[friction]\ntraction = "table"\ntraction_table = "{path}"\n'
+    model = case(TEXT + named).model
+    assert model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
+    for race, table in tables.items():
+        motion = (sum(table.range.load) / 2.0, sum(table.range.speed) / 2.0, 0.1, 0.02, 50.0)
+        assert model.traction.source.laws[race].forces(*motion) == table.forces(*motion)
+    with pytest.raises(CaseError, match="oil"):
         case(TEXT.replace("20.0\n", "21.0\n", 1) + named)
 
 
