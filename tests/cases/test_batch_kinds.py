@@ -15,7 +15,7 @@ from bearing.traction_tables import load_race_tables
 from cases import CaseError, load_case, run_case
 from cases.batch import run_batch
 from cases.batch.compute import torque_by_tables
-from cases.batch.pools import LocalPool
+from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
 from cases.batch.tables import ready_tables
@@ -116,6 +116,23 @@ def test_tables_that_are_given(shared, tmp_path):
     thick = replace(case, lubricant=replace(case.lubricant, viscosity=2.0 * case.lubricant.viscosity))
     with pytest.raises(ValueError, match=r"another contact, inner race: lubricant"):
         torque_by_tables(thick, ready_tables(str(tmp_path / "ready.zip")))
+
+
+@pytest.mark.slow
+def test_tables_reach_the_workers_of_a_cluster(shared, tmp_path):
+    """Which write nothing themselves: the table of the batch is that of one process."""
+    distributed = pytest.importorskip("distributed")
+    (tmp_path / "ready.zip").write_bytes(shared[1].read_bytes())
+    sweep = sweep_from_text(TORQUE.replace("table_points = 65", 'table = "ready.zip"'), "sweep.toml", tmp_path)
+    with distributed.LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None, host="127.0.0.1"
+    ) as cluster:
+        far = gathered(run_batch(sweep, tmp_path / "far", lambda: ClusterPool(cluster.scheduler_address)))
+    near = gathered(run_batch(sweep, tmp_path / "near", HerePool))
+    for results, name in ((far, "far"), (near, "near")):
+        write_batch(results, tmp_path / name)
+    assert [point.status for point in far.points] == ["done"] * 4
+    assert (tmp_path / "far" / "batch.csv").read_bytes() == (tmp_path / "near" / "batch.csv").read_bytes()
 
 
 @pytest.mark.slow
