@@ -38,6 +38,7 @@ LEVEL_CYCLES = 4  # cycles on each level of the full multigrid below the finest
 # relative error of central and minimum film left by the iteration, estimated from its contraction
 FILM_TOLERANCE = 4e-4
 CONTRACTION = (0.4, 0.9)  # bounds of the contraction believed in that estimate
+FEWEST_CYCLES = 3  # on the finest level: the first two changes may be small by chance
 LOAD_TOLERANCE = 1e-4  # relative error of the load balance
 PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
 GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
@@ -88,9 +89,9 @@ class Outcome:
         return last * q / (1.0 - q)
 
     def converged(self) -> bool:
-        """Film at rest, judged after two cycles at least; load balanced, film positive."""
+        """Film at rest, judged after a few cycles; load balanced, film positive."""
         return (
-            len(self.changes) >= 2
+            len(self.changes) >= FEWEST_CYCLES
             and self.remaining_error() < FILM_TOLERANCE
             and abs(self.load[-1]) < LOAD_TOLERANCE
             and self.film[-1][1] > 0.0

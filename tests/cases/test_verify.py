@@ -209,11 +209,11 @@ def test_interrupted_sweep_keeps_what_is_finished(tmp_path, monkeypatch):
 
 
 def test_sweep_command(tmp_path):
-    result = call("--robustness", "4", "--seed", "5323", "--quick", "-o", str(tmp_path), "--json")
+    result = call("--robustness", "4", "--seed", "7741", "--quick", "-o", str(tmp_path), "--json")
     assert result.exit_code == 0
     assert json.loads(result.stdout)["converged"]
     assert (tmp_path / "images" / "robustness.png").stat().st_size > 10_000
-    assert "4 contacts, seed 5323" in (tmp_path / "robustness.md").read_text(encoding="utf-8")
+    assert "4 contacts, seed 7741" in (tmp_path / "robustness.md").read_text(encoding="utf-8")
 
 
 def finished(**changes):
