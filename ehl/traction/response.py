@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..conditions import ContactConditions
-from ..full_multigrid import ATTEMPTS, Attempt, contact_multigrid
+from ..full_multigrid import ATTEMPTS, CAUTIOUS, Attempt, contact_multigrid
 from ..lubricant import Lubricant, density
-from ..multigrid import Multigrid, cycle, start_level
+from ..multigrid import Damping, Multigrid, cycle, start_level
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution
@@ -30,7 +30,10 @@ Array = NDArray[np.float64]
 LOAD_STEP = 0.02  # relative; the film's change is then a hundred times what the iteration leaves of an error
 SQUEEZE_STEP = 0.02  # dH_0/dT over the central film, T in a/u_m; small against 1
 CYCLES = 8  # of each step, from the neighbouring solution
-CAREFUL = ATTEMPTS[:2]  # ways of damping, one after the other; the second with twice the cycles
+CAREFUL = (  # ways of damping, one after the other; the second with twice the cycles
+    Attempt(name="plain", damping=Damping()),
+    Attempt(name="damped", damping=CAUTIOUS),
+)
 MESHES = tuple(sorted({attempt.mesh_y for attempt in ATTEMPTS}, key=lambda mesh: abs(mesh - 1.0)))  # across, to try
 CHANGE = 0.03  # of H_0 in the last cycle over its whole step: above it the answer is not converged
 
@@ -46,6 +49,8 @@ class NormalResponse:
 
 def normal_response(solution: ContactSolution) -> NormalResponse:
     """Stiffness [N/m] and damping [N s/m] of a solved contact in a box of the solver's choice.
+
+    On a grid that is none of the solver's the answer is not a number, and not converged.
 
     Parameters
     ----------
@@ -68,7 +73,10 @@ def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> Norma
     conditions, scale, a = solution.conditions, solution.film_scale, solution.semi_axis_x
     if not isinstance(conditions, ContactConditions) or scale is None or a is None:
         raise ValueError("solution: stiffness and damping need dimensional conditions")
-    state, index = _state(solution, attempt)
+    found = _state(solution, attempt)
+    if found is None:
+        return NormalResponse(stiffness=np.nan, damping=np.nan, converged=False)
+    state, index = found
     level, oil = state.levels[index], conditions.lubricant
     _settle(state, cycles)
     start, pressure, content, load = state.approach, level.P.copy(), _content(state, oil), state.contact.load
@@ -91,8 +99,8 @@ def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> Norma
     )
 
 
-def _state(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int]:
-    """The solver's levels with a solution on the finest of them."""
+def _state(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int] | None:
+    """The solver's levels with a solution on the finest of them; None if no mesh of the solver is that of it."""
     contact = replace(scale_contact(solution.conditions), film_guess=solution.film_central_dimensionless.value)
     options = SolverOptions(points=solution.X.size)
     for mesh in MESHES:
@@ -104,7 +112,7 @@ def _state(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int]
         if pressure.shape == state.levels[index].P.shape:
             break
     else:
-        raise ValueError("solution: its grid is not the one the solver chooses for its box")
+        return None
     state.approach = solution.approach_dimensionless
     start_level(state, index, pressure)
     return state, index
