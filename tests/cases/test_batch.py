@@ -203,7 +203,7 @@ WRONG = {
         "allowed: at most 7 balls of 12 mm on a pitch circle of 30 mm"
     ),
     HEAD + '[sensitivity]\nkeys = ["bearing.cage_material"]': (
-        '3: sensitivity.keys: bearing.cage_material = "PVX"; allowed: keys of the case with a number that is not 0'
+        '3: sensitivity.keys: bearing.cage_material = "pvx"; allowed: keys of the case with a number that is not 0'
     ),
     HEAD + "[sensitivity]\nkeys = 1": (
         '3: sensitivity.keys: found 1; allowed: "assumed", or a list of keys like "lubricant.viscosity_mPa_s"'
