@@ -34,11 +34,11 @@ Array = NDArray[np.float64]
 
 COARSEST_CELLS = 16  # along x on the coarsest grid; its mesh may be far too coarse for the film, it only carries H0
 STARTING_MESH = (0.2, 0.55)  # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
-LEVEL_CYCLES = 4  # cycles on each level of the full multigrid below the finest
+LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
 # relative error of central and minimum film left by the iteration, estimated from its contraction
 FILM_TOLERANCE = 4e-4
 CONTRACTION = (0.4, 0.9)  # bounds of the contraction believed in that estimate
-FEWEST_CYCLES = 3  # on the finest level: the first two changes may be small by chance
+FEWEST_CYCLES = 2  # on the finest level, before its film can count as at rest
 LOAD_TOLERANCE = 1e-4  # relative error of the load balance
 PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
 GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
@@ -89,7 +89,7 @@ class Outcome:
         return last * q / (1.0 - q)
 
     def converged(self) -> bool:
-        """Film at rest, judged after a few cycles; load balanced, film positive."""
+        """Film at rest, judged after two cycles at least; load balanced, film positive."""
         return (
             len(self.changes) >= FEWEST_CYCLES
             and self.remaining_error() < FILM_TOLERANCE
@@ -109,7 +109,6 @@ class Attempt:
     along_entrainment: bool = False  # turn the grid to it; only where it is not along a principal direction
     long_only: bool = False  # only for ellipses whose longer axis lies along the grid's X
     patience: int = 1  # factor on the number of cycles
-    sweeps: tuple[int, int] = (2, 1)  # on each level before and after the coarser ones
     from_lighter: bool = False  # reach the load in steps on the level the full multigrid starts from
 
     def applies(self, contact: ScaledContact, turned: ScaledContact) -> bool:
@@ -121,8 +120,7 @@ class Attempt:
 
 CAUTIOUS = replace(Damping().halved(), switch=1.5)
 ATTEMPTS = (
-    Attempt(name="plain", damping=Damping(), sweeps=(1, 1)),
-    Attempt(name="more sweeps", damping=Damping()),
+    Attempt(name="plain", damping=Damping()),
     Attempt(name="grid turned to the entrainment", damping=Damping(), along_entrainment=True),
     Attempt(name="load reached in steps", damping=Damping(), from_lighter=True),
     Attempt(name="mesh doubled across the entrainment", damping=Damping(), mesh_y=2.0, long_only=True),
@@ -185,7 +183,7 @@ def contact_multigrid(
     symmetric = contact.symmetric and (flow_model is None or flow_model.symmetric)
     grids = grid_hierarchy(options.points, (x_in, x_out, y_half * contact.half_extent_y), aspect, levels, symmetric)
     state = make_multigrid(contact, grids, far_field(contact) if is_open else None, attempt.damping)
-    state.flow_model, state.team, state.sweeps = flow_model, Team(options.threads), attempt.sweeps
+    state.flow_model, state.team = flow_model, Team(options.threads)
     return state
 
 

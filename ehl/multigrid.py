@@ -35,6 +35,7 @@ from .transfer import full_weighting, inject, interpolate_cubic, interpolate_lin
 Array = NDArray[np.float64]
 
 COARSEST_SWEEPS = 10
+SWEEPS = (2, 1)  # on every other level before and after the coarser ones
 # levels above the coarsest, and finest levels, that visit the next lower one once a cycle instead of twice: below,
 # calling costs more than arithmetic; above, a second visit costs more deflections than it saves
 SINGLE_VISITS = (2, 2)
@@ -94,7 +95,6 @@ class Multigrid:
     damping: Damping
     flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
     team: Team = field(default_factory=Team)
-    sweeps: tuple[int, int] = (1, 1)  # on each level before and after the coarser ones
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load carried outside the box
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
@@ -268,14 +268,14 @@ def cycle(state: Multigrid, index: int) -> None:
     if index == 0:
         _solve_coarsest(state)
     else:
-        for _ in range(state.sweeps[0]):
+        for _ in range(SWEEPS[0]):
             relax(state, index)
         start, approach = _restrict(state, index), state.approach
         lowest, highest = SINGLE_VISITS
         for _ in range(2 if lowest < index < len(state.levels) - highest else 1):
             cycle(state, index - 1)
         _correct(state, index, start, approach)
-        for _ in range(state.sweeps[1]):
+        for _ in range(SWEEPS[1]):
             relax(state, index)
     if state.far_field is not None and state.levels[index].s is state.levels[index].gap:
         _update_exterior(state, index)
