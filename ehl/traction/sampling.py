@@ -21,11 +21,13 @@ from .response import normal_response
 from .splines import left_out_error, spline_coefficients
 from .table import (
     LOAD_POWER,
+    MIRROR,
     TableContact,
     TableError,
     TableRange,
     TractionTable,
     load_place,
+    mirrored_seam,
     motion_of,
     spinning_scale,
     vertex_slide,
@@ -274,7 +276,7 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
         points=study.options.points,
         axes=axes,
         scalars=spline_coefficients(scalars, (0, 1)),
-        values=_coefficients(raw).astype(np.float32).astype(np.float64),  # what a file holds of them
+        values=mirrored_seam(_coefficients(raw).astype(np.float32).astype(np.float64)),  # what a file holds of them
         kappa_max=float((largest[..., 0] / axis_loads(axes[0])[:, None]).max()),
         error=TableError(**dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance),
         films=len(study.films) + len(study.checks),
@@ -355,7 +357,7 @@ def _coefficients(raw: Array) -> Array:
 
 def _mirrored(raw: Array) -> Array:
     """Values with their mirror image at slide_y below zero: F_y and M_n change sign with slide_y and spin [-]."""
-    return np.concatenate([raw[:, :, :, :0:-1, ::-1] * np.array([1.0, -1.0, -1.0, 1.0]), raw], axis=3)
+    return np.concatenate([raw[:, :, :, :0:-1, ::-1] * np.array(MIRROR), raw], axis=3)
 
 
 def _checked(study: _Study, table: TractionTable) -> TableError:

@@ -34,6 +34,7 @@ Array = NDArray[np.float64]
 AXES = ("load", "speed", "slide_x", "slide_y", "spin")
 LOAD_POWER = -0.2  # of the load in its coordinate
 SPIN_SHARE = 0.3  # of the sliding by spin at the end of the ellipse in the scale of slide_x
+MIRROR = (1.0, -1.0, -1.0, 1.0)  # signs of F_x, F_y, M_n, M_y where slide_y and spin change theirs
 FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "slide_y", "spin")  # bits of the kernel
 
 
@@ -185,9 +186,14 @@ class TractionTable:
         curvature = 0.5 / contact.curvature_radius
         return np.array([contact.radius_x, contact.curvature_difference, *motion, contact.unit_semi_axis, curvature])
 
+    @cached_property
+    def joined_values(self) -> Array:
+        """`values` [-] without a step at slide_y = 0, which tables of earlier versions have: see `mirrored_seam`."""
+        return mirrored_seam(self.values)
+
     def kernel_arguments(self) -> tuple[Array, Array, Array, Array]:
         """The arrays that `_kernels.table_lookup` takes before load and motion."""
-        return self.axes, self.constants, self.scalars, self.values
+        return self.axes, self.constants, self.scalars, self.joined_values
 
     def forces(self, load: float, speed: float, slide_x: float, slide_y: float, spin: float) -> TractionForces:
         """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s].
@@ -203,7 +209,7 @@ class TractionTable:
     def forces_twin(self, load: float, speed: float, slide_x: float, slide_y: float, spin: float) -> Array:
         """F_x, F_y, M_n, M_y, power, film, stiffness, damping as `forces`, in NumPy and within the range."""
         places = (load_place(load), log(speed))
-        scalars, values = self.scalars, self.values
+        scalars, values = self.scalars, self.joined_values
         for axis, place in enumerate(places):
             scalars, values = (_along_first(part, place, self.axes[axis]) for part in (scalars, values))
         radius, difference, *limits = self.constants[:5]
@@ -234,6 +240,27 @@ class TractionTable:
 def load_place(load: float) -> float:
     """Coordinate of a load [N] on its axis [N^(-1/5)]."""
     return float(-(load**LOAD_POWER))
+
+
+def mirrored_seam(values: Array) -> Array:
+    """Coefficients whose half at slide_y above zero and its mirror image, which is not stored, meet smoothly [-].
+
+    A film is symmetric in y but for the error of its solution, and what would vanish by symmetry without slide_y and
+    spin, F_y and M_n, jumped there from a value to its opposite. The coefficients at slide_y = 0 become the mean with
+    their mirror image, those before it the mirror image of those behind it: the spline goes on with two derivatives.
+
+    Parameters
+    ----------
+    values : ndarray, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
+        As in `TractionTable`, rounded to what a file holds; the same again where they meet already.
+    """
+    before, at = (np.array(MIRROR) * values[:, :, :, k, ::-1] for k in (2, 1))
+    at = (0.5 * (at + values[:, :, :, 1])).astype(np.float32)
+    if np.array_equal(before, values[:, :, :, 0]) and np.array_equal(at, values[:, :, :, 1]):
+        return values
+    found = values.copy()
+    found[:, :, :, 0], found[:, :, :, 1] = before, at
+    return found
 
 
 def scaled_motion(motion: float, scale: float, limit: float) -> float:
