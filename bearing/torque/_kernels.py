@@ -1,6 +1,7 @@
-"""Compiled friction of many contacts by laws of `ehl.traction`, with its slope by difference quotients; SI.
+"""Compiled friction of many contacts and its slope: laws of `ehl.traction`, by difference quotients, and Coulomb's; SI.
 
-Everything is arrays and floats. The twins stand in `tabulated.law_gradient`, contact by contact.
+Everything is arrays and floats. The twins are `tabulated.law_gradient`, contact by contact, and
+`contact_friction.coulomb_dissipation_twin`.
 """
 
 from __future__ import annotations
@@ -50,3 +51,44 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
             moved[j] += size
             hertz_friction(disc, law, shape, load, speed, moved[0], moved[1], moved[2], out)
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
+
+
+@njit(**OPTIONS)
+def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
+    """Power (n,), gradient (n, 4) and slope (n, 4, 4) of Coulomb friction at motions (n, 4).
+
+    nodes, shape (3, m): x/b, y/a, share of the load; ellipses, shape (n, 5): mu Q, b, a, 1/(2R), rounding.
+    """
+    for n in range(motion.shape[0]):
+        friction, b, a, bend, rounding = ellipses[n]
+        slide_x, slide_y, spin, rolling = motion[n]
+        p = g0 = g1 = g2 = g3 = c00 = c01 = c02 = c03 = c11 = c12 = c13 = c22 = c23 = c33 = 0.0
+        for k in range(nodes.shape[1]):
+            x, y = b * nodes[0, k], a * nodes[1, k]
+            bow = -bend * y * y
+            s0, s1 = slide_x - spin * y + rolling * bow, slide_y + spin * x
+            s2, s3 = s1 * x - s0 * y, s0 * bow
+            square = s0 * s0 + s1 * s1 + rounding * rounding
+            pull = friction * nodes[2, k] / np.sqrt(square)
+            bent = pull / square
+            p += pull * square
+            g0 += pull * s0
+            g1 += pull * s1
+            g2 += pull * s2
+            g3 += pull * s3
+            c00 += pull - bent * s0 * s0
+            c01 -= bent * s0 * s1
+            c02 -= pull * y + bent * s0 * s2
+            c03 += pull * bow - bent * s0 * s3
+            c11 += pull - bent * s1 * s1
+            c12 += pull * x - bent * s1 * s2
+            c13 -= bent * s1 * s3
+            c22 += pull * (x * x + y * y) - bent * s2 * s2
+            c23 -= pull * y * bow + bent * s2 * s3
+            c33 += pull * bow * bow - bent * s3 * s3
+        power[n] = p
+        gradient[n] = g0, g1, g2, g3
+        slope[n, 0] = c00, c01, c02, c03
+        slope[n, 1] = c01, c11, c12, c13
+        slope[n, 2] = c02, c12, c22, c23
+        slope[n, 3] = c03, c13, c23, c33

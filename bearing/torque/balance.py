@@ -16,12 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..contacts import BearingContact
-from ..geometry import Array, Race
+from ..geometry import Array
 from ..kinematics import ball_mass
 from ..quasistatic import QuasistaticSolution
-from ..traction_forces import BallMotion, ball_motion, bearing_kinematics
+from ..traction_forces import BallMotion, groove_curvature_radius
 from .balance_newton import BALANCE_TOLERANCE, ContactLaw, MotionProblem, contacts_of, settle
 from .contact_friction import TINY
+from .motion_map import ball_speeds, motion_map
 from .resistance import FREE, Resistance
 
 SKID = 0.3  # sliding over entrainment from which a ball is taken along by the cage instead of driven [-]
@@ -81,12 +82,10 @@ class BalancedFriction:
 
 def curvature_slip(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> Array:
     """Largest sliding by the curvature of each contact, w a^2/(2 R) [m/s]."""
-    found = np.full(len(contacts), TINY)
-    for i, contact in enumerate(contacts):
-        if contact.hertz is not None:
-            k = bearing_kinematics(solution, contact)
-            found[i] = max(abs(k.rolling) * contact.hertz.semi_axis_y**2 / (2.0 * k.curvature_radius), TINY)
-    return found
+    rolling = np.abs(motion_map(solution, contacts).motion(*ball_speeds(solution))[:, 3])
+    radius = np.array([groove_curvature_radius(solution.bearing, contact.race) for contact in contacts])
+    semi_axis = np.array([0.0 if contact.hertz is None else contact.hertz.semi_axis_y for contact in contacts])
+    return np.asarray(np.maximum(rolling * semi_axis**2 / (2.0 * radius), TINY))
 
 
 def balance_driven_balls(
@@ -175,18 +174,14 @@ def _problem(
 ) -> MotionProblem:
     bearing, balls = solution.bearing, solution.azimuth.size
     scales = np.array([2.0 / bearing.pitch_diameter, *(3 * (2.0 / bearing.ball_diameter,))])
-    start, slopes = np.zeros((2 * balls, 4)), np.zeros((2 * balls, 4, 4))
-    for i, contact in enumerate(contacts):
-        motion = ball_motion(solution, contact.ball - 1)
-        start[i] = _motion(solution, contact, motion)
-        for j in range(4):
-            slopes[i, :, j] = _motion(solution, contact, _moved(motion, j, scales[j])) - start[i]
+    move = motion_map(solution, contacts)
+    slopes = np.concatenate([-move.by_ring[:, :, None], move.by_rotation], axis=2) * scales
     free = np.tile(PLANE, (balls, 1)) if law.plane else np.ones((balls, 4), dtype=np.bool_)
     free &= driven[:, None]
     shape = (balls, 2)
     return MotionProblem(
         law=law,
-        start=start.reshape(*shape, 4),
+        start=move.motion(*ball_speeds(solution)).reshape(*shape, 4),
         map=slopes.reshape(*shape, 4, 4),
         couple=np.zeros((balls, 4)),
         turning=np.zeros((balls, 4, 4)),
@@ -196,25 +191,8 @@ def _problem(
         reach=curvature_slip(solution, contacts).reshape(shape).max(axis=1),
         strength=law.strength.reshape(shape).max(axis=1),
         driven=driven,
-        ring=np.array([_ring_motion(solution, contact) for contact in contacts]).reshape(*shape, 4),
+        ring=move.ring.reshape(*shape, 4),
     )
-
-
-def _ring(solution: QuasistaticSolution, contact: BearingContact) -> float:
-    """Speed of the contact's ring [rad/s]."""
-    return solution.operation.inner_speed if contact.race is Race.INNER else solution.operation.outer_speed
-
-
-def _moved(motion: BallMotion, index: int, step: float) -> BallMotion:
-    """The motion with one of its four speeds changed [rad/s]."""
-    if index == 0:
-        return BallMotion(orbit_speed=motion.orbit_speed + step, rotation=motion.rotation)
-    return BallMotion(orbit_speed=motion.orbit_speed, rotation=motion.rotation + step * np.eye(3)[index - 1])
-
-
-def _motion(solution: QuasistaticSolution, contact: BearingContact, motion: BallMotion) -> Array:
-    k = bearing_kinematics(solution, contact, motion)
-    return np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
 
 
 def _inertia(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
@@ -289,22 +267,19 @@ def _with_the_cage(solution: QuasistaticSolution, driving: NDArray[np.bool_], z:
     bearing, outer = solution.bearing, solution.operation.outer_speed
     radius = 0.5 * bearing.pitch_diameter
     mean = _cage_speed(solution, np.where(driving, load, 0.0), z)
-    moved = z.copy()
+    moved, rotation = z.copy(), ball_speeds(solution)[1]
     for i in np.flatnonzero(~driving):
         own = float(solution.orbit_speed[i])
         faster = (mean - outer) / (own - outer) - 1.0 if own != outer else 0.0  # rolling goes with the orbit
         moved[i, 0] = radius * (mean - own)
-        moved[i, 1:] = 0.5 * bearing.ball_diameter * faster * ball_motion(solution, int(i)).rotation
+        moved[i, 1:] = 0.5 * bearing.ball_diameter * faster * rotation[i]
     return moved
 
 
-def _shifted(solution: QuasistaticSolution, index: int, z: Array) -> BallMotion:
-    """Motion of a ball at the scaled unknowns [m/s]."""
-    at, bearing = ball_motion(solution, index), solution.bearing
-    return BallMotion(
-        orbit_speed=at.orbit_speed + float(z[0]) * 2.0 / bearing.pitch_diameter,
-        rotation=at.rotation + z[1:] * 2.0 / bearing.ball_diameter,
-    )
+def _shifted(solution: QuasistaticSolution, z: Array) -> tuple[Array, Array]:
+    """Speeds of the balls as `ball_speeds` has them [rad/s] at the scaled unknowns [m/s]."""
+    (orbit, rotation), bearing = ball_speeds(solution), solution.bearing
+    return orbit + z[:, 0] * 2.0 / bearing.pitch_diameter, rotation + z[:, 1:] * 2.0 / bearing.ball_diameter
 
 
 def _result(
@@ -319,11 +294,9 @@ def _result(
     found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(np.arange(shape[0])))
     forces = -found.gradient.reshape(*shape, 4)
     power = -np.einsum("bck,bck->bc", forces, k)
-    motions = [_shifted(solution, i, z[i]) for i in range(shape[0])]
-    parts = [
-        _motion(solution, c, BallMotion(orbit_speed=_ring(solution, c), rotation=motions[c.ball - 1].rotation))[3]
-        for c in contacts
-    ]
+    orbit, rotation = _shifted(solution, z)
+    move = motion_map(solution, contacts)
+    ball_rolling = np.einsum("cj,cj->c", move.by_rotation[:, 3], rotation[move.ball])
     loaded = problem.strength > 0.0
     worst = float(residual[loaded].max(initial=0.0))
     load = np.where(problem.driven, solution.inner_load, 0.0)
@@ -331,10 +304,12 @@ def _result(
     if load.any():
         resisted += resistance.cage_power(solution, _cage_speed(solution, load, z))
     return BalancedFriction(
-        motions=tuple(motions),
+        motions=tuple(
+            BallMotion(orbit_speed=float(speed), rotation=turn) for speed, turn in zip(orbit, rotation, strict=True)
+        ),
         kinematics=k,
         forces=forces,
-        ball_rolling=np.array(parts).reshape(shape),
+        ball_rolling=ball_rolling.reshape(shape),
         power=power,
         shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring)),
         resisted=resisted,
@@ -348,11 +323,9 @@ def _result(
 
 def ring_power(solution: QuasistaticSolution, contact: BearingContact, force: Array) -> float:
     """Power that a contact's ring feeds into it [W], from the forces (4,) on the ball."""
-    return -float(np.dot(force, _ring_motion(solution, contact)))
+    return ring_powers(solution, [contact], force)
 
 
-def _ring_motion(solution: QuasistaticSolution, contact: BearingContact) -> Array:
-    """Change of a contact's motion by the speed of its ring, (4,) [m/s], [rad/s]: minus that of the race."""
-    motion = ball_motion(solution, contact.ball - 1)  # any: all sliding is linear in the speeds
-    faster = BallMotion(orbit_speed=motion.orbit_speed - _ring(solution, contact), rotation=motion.rotation)
-    return _motion(solution, contact, faster) - _motion(solution, contact, motion)
+def ring_powers(solution: QuasistaticSolution, contacts: Sequence[BearingContact], forces: Array) -> float:
+    """Power that the rings feed into contacts [W], from the forces (contacts, 4) on the balls."""
+    return -float(np.sum(forces * motion_map(solution, contacts).ring))

@@ -16,7 +16,7 @@ Array axes: contacts first.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cache
 from typing import NamedTuple
 
@@ -56,7 +56,14 @@ class Ellipses:
 
     def some(self, numbers: NDArray[np.int64]) -> Ellipses:
         """Those with these numbers [-]."""
-        return Ellipses(**{field.name: getattr(self, field.name)[numbers] for field in fields(self)})
+        return Ellipses(
+            load=self.load[numbers],
+            semi_axis_x=self.semi_axis_x[numbers],
+            semi_axis_y=self.semi_axis_y[numbers],
+            radius=self.radius[numbers],
+            friction=self.friction[numbers],
+            rounding=self.rounding[numbers],
+        )
 
 
 class Dissipation(NamedTuple):
@@ -124,9 +131,20 @@ def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
 
     |s| is rounded to sqrt(s^2 + e^2) [m/s]. Hertz's pressure is taken into the weights.
     """
+    from . import _kernels
+
+    e, n = ellipses, motion.shape[0]
+    shapes = np.stack([e.friction * e.load, e.semi_axis_x, e.semi_axis_y, 0.5 / e.radius, e.rounding], axis=1)
+    found = Dissipation(np.empty(n), np.empty((n, 4)), np.empty((n, 4, 4)))
+    _kernels.coulomb_sums(_nodes(), shapes, motion, *found)
+    return found
+
+
+def coulomb_dissipation_twin(motion: Array, ellipses: Ellipses) -> Dissipation:
+    """As `coulomb_dissipation`, in NumPy; motion in [m/s], [rad/s]."""
     a, b = ellipses.semi_axis_y[:, None], ellipses.semi_axis_x[:, None]
-    u, t, weight = _nodes()
-    x, y = b * np.sqrt(1.0 - u**2) * t, a * u
+    places_x, places_y, weight = _nodes()
+    x, y = b * places_x, a * places_y
     bow = -(y**2) / (2.0 * ellipses.radius[:, None])
     k = motion[:, :, None]
     along, across = k[:, 0] - k[:, 2] * y + k[:, 3] * bow, k[:, 1] + k[:, 2] * x
@@ -143,10 +161,11 @@ def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
 
 
 @cache
-def _nodes() -> tuple[Array, Array, Array]:
-    """Places u = y/a and t along the chord, and weights p dA/Q of the quadrature, shape (nodes,) [-]."""
+def _nodes() -> Array:
+    """Places x/b and y/a, and weights p dA/Q of the quadrature, shape (3, nodes) [-]."""
     u, along = np.polynomial.legendre.leggauss(LINE_NODES)
     angle = np.pi * (np.arange(CHORD_NODES) + 1.0) / (CHORD_NODES + 1.0)  # Gauss-Chebyshev, second kind
     t, across = np.cos(angle), 2.0 / (CHORD_NODES + 1.0) * np.sin(angle) ** 2
     weight = 0.75 * ((1.0 - u**2) * along)[:, None] * across[None, :]
-    return np.repeat(u, t.size), np.tile(t, u.size), weight.ravel()
+    chord = np.sqrt(1.0 - u**2)[:, None] * t[None, :]
+    return np.stack([chord.ravel(), np.repeat(u, t.size), weight.ravel()])

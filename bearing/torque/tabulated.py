@@ -19,10 +19,10 @@ from ehl.traction.table import TractionTable
 from ..contacts import BearingContact
 from ..geometry import Array, Race
 from ..quasistatic import QuasistaticSolution
-from ..traction_forces import bearing_kinematics
-from .balance import BalancedFriction, ContactLaw, balance_driven_balls, resisted_power, ring_power
+from .balance import BalancedFriction, ContactLaw, balance_driven_balls, resisted_power, ring_powers
 from .contact_friction import Dissipation
 from .integrated import STRENGTH, IntegratedTorque, SolvedShear, carried_balls
+from .motion_map import ball_speeds, motion_map
 from .resistance import FREE, Resistance
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
@@ -69,7 +69,7 @@ def law_torque(
     SolvedShear
         [N m], [W].
     """
-    motion = np.array([_motion(solution, contact) for contact in contacts])
+    motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
     forces = -law.dissipation(motion, np.arange(len(contacts))).gradient
     hypothesis = _torque(solution, contacts, motion, forces)
     hypothesis = replace(hypothesis, resisted=resisted_power(solution, resistance))
@@ -183,11 +183,6 @@ def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, 
     return -here, slope
 
 
-def _motion(solution: QuasistaticSolution, contact: BearingContact) -> Array:
-    k = bearing_kinematics(solution, contact)
-    return np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
-
-
 def _torque(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], motion: Array, forces: Array
 ) -> IntegratedTorque:
@@ -199,7 +194,7 @@ def _torque(
         sliding=float(powers[:, :2].sum()) / speed,
         spin=float(powers[:, 2].sum()) / speed,
         curvature=0.0,
-        shaft_power=sum(ring_power(solution, c, f) for c, f in zip(contacts, forces, strict=True)),
+        shaft_power=ring_powers(solution, contacts, forces),
         heat=float(heat.sum()),
         per_ball=heat.reshape(-1, 2).sum(axis=1) / speed,
     )

@@ -10,6 +10,7 @@ import ehl
 from bearing import Operation, solve_quasistatic
 from bearing.contacts import contact_conditions, rolling_and_spin
 from bearing.geometry import Race
+from bearing.torque.motion_map import ball_speeds, motion_map
 from bearing.traction_forces import BallMotion, ball_motion, bearing_kinematics, contact_axes, groove_curvature_radius
 
 OIL = ehl.Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
@@ -57,6 +58,20 @@ def test_turning_about_the_track_slides_across(solved):
         expected = 0.5 * solved.bearing.ball_diameter * np.cross([0.0, 0.0, 5.0], contact_axes(contact)[2])
         assert_allclose(found.sliding_y, contact_axes(contact)[1] @ expected, rtol=1e-9)
         assert abs(found.sliding_x) < 1e-9
+
+
+def test_all_contacts_at_once_move_as_each_of_them(solved):
+    """`motion_map` against `bearing_kinematics`, at other speeds of the balls than those of the equilibrium."""
+    rng, contacts = np.random.default_rng(48127), contact_conditions(solved, OIL)
+    orbit, rotation = ball_speeds(solved)
+    assert_allclose(rotation, [ball_motion(solved, k).rotation for k in range(orbit.size)], rtol=1e-14)
+    orbit, rotation = orbit * rng.uniform(0.9, 1.1, orbit.shape), rotation + rng.normal(scale=50.0, size=rotation.shape)
+    move = motion_map(solved, contacts)
+    for contact, found in zip(contacts, move.motion(orbit, rotation), strict=True):
+        k = contact.ball - 1
+        one = bearing_kinematics(solved, contact, BallMotion(orbit_speed=orbit[k], rotation=rotation[k]))
+        assert_allclose(found[:2], [one.sliding_x, one.sliding_y], atol=1e-12 * abs(one.entrainment_speed))
+        assert_allclose(found[2:], [one.spin, one.rolling], rtol=1e-12)
 
 
 def test_axes_in_the_frame_of_the_ball_are_right_handed(solved):

@@ -6,10 +6,16 @@ from math import pi
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
 from bearing import BallKinematics, Bearing, Material, Model, Operation, contact_conditions, solve_quasistatic
-from bearing.torque.contact_friction import Ellipses, coulomb_dissipation, line_dissipation
+from bearing.torque.contact_friction import (
+    Ellipses,
+    coulomb_dissipation,
+    coulomb_dissipation_twin,
+    line_dissipation,
+)
 from bearing.torque.coulomb import balanced_friction
 from bearing.torque.pure_rolling_lines import rolling_lines
 from bearing.torque.sliding import shaft_speed
@@ -74,6 +80,25 @@ def test_line_law_at_the_lines_of_no_force(ratio):
     assert force == pytest.approx(0.0, abs=1e-12 * friction)
     assert abs(spin) == pytest.approx(friction * a * lines.spin_moment, abs=1e-12 * friction * a)
     assert abs(curvature) == pytest.approx(friction * a**2 / (2 * radius) * lines.curvature, rel=1e-9)
+
+
+def test_compiled_coulomb_friction_agrees_with_its_twin():
+    """To round-off of sums over some four hundred nodes; an unloaded contact has none."""
+    rng = np.random.default_rng(61283)
+    contacts = Ellipses(
+        load=np.array([500.0, 0.0, 20.0]),
+        semi_axis_x=np.array([1e-4, 1e-6, 2e-4]),
+        semi_axis_y=np.array([1e-3, 1e-6, 3e-4]),
+        radius=np.array([6e-3, 6e-3, -7e-3]),
+        friction=np.array([0.07, 0.07, 0.1]),
+        rounding=np.array([1e-4, 1e-300, 1e-3]),
+    )
+    motion = rng.normal(size=(3, 4)) * [0.05, 0.05, 50.0, 500.0]
+    found, twin = coulomb_dissipation(motion, contacts), coulomb_dissipation_twin(motion, contacts)
+    for part, other in zip(found, twin, strict=True):
+        assert_allclose(part, other, rtol=1e-11, atol=1e-13 * np.abs(other[0]).max())
+        assert np.abs(part[[0, 2]]).min(axis=0).max() > 0.0
+        assert not part[1].any()
 
 
 def test_pure_spin_over_the_ellipse():
