@@ -21,7 +21,7 @@ HISTORY_FILE = "history.nc"
 FORMAT = 1
 RING_NAMES = ("x", "y", "z", "tilt_y", "tilt_z")
 CAGE_NAMES = ("x", "y", "z", "rotation", "tilt_y", "tilt_z")
-RACE_UNITS = ("N", "m", "m/s", "rad", "m/s", "m/s", "m/s", "rad/s", "N", "N")
+RACE_UNITS = ("N", "m", "m/s", "rad", "m/s", "m/s", "m/s", "rad/s", "N", "N", "m")
 STATES = "0 free, 1 contact, 2 impact"
 CHUNK = 128  # rows
 

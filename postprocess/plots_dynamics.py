@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
-MECHANISM_COLOURS = ("#0b5394", "#c1440e", "#3a7d44", "#7a4fa3", "#8a6d1d", "#1f9e9e", "#b8336a", "#666666")
+MECHANISM_COLOURS = ("#0b5394", "#c1440e", "#3a7d44", "#7a4fa3", "#8a6d1d", "#1f9e9e", "#b8336a", "#666666", "#d98c00")
 SHOWN_TURNS = 2.0  # turns of the cage in the pictures of one ball [-]
 ORBIT_POINTS = 4000  # of an orbit, the last ones
 SMALLEST_LOAD = 1.0e-2  # of the largest one; below, a traction factor says nothing [-]

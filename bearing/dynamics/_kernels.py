@@ -27,6 +27,7 @@ from .problem import (
     DRIVE_INNER,
     DRIVE_OUTER,
     EXPONENT,
+    FILM,
     FRICTION_INNER,
     LAND,
     LAND_FRICTION,
@@ -129,18 +130,18 @@ def race_motions(c, bodies, y, motion):
 
 
 @njit(**OPTIONS)
-def race_forces(c, race, body, law, memory, motion, friction, forces, load, power, race_out):
+def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load, power, race_out):
     """Forces of one race on every ball, and of the balls on the race; powers; states of the contacts."""
     arm = c.ball_radius
     for j in range(c.balls):
         k, f, out, force = motion[j], friction[j], race_out[j], forces[j]
         out[:] = 0.0
         approach, rate = k[19], k[17]
-        out[1], out[2], out[3] = approach, rate, k[18]
+        out[1], out[2], out[3], out[10] = approach, rate, k[18], k[20]
         if approach <= 0.0:
             continue
         elastic = elastic_force(law, approach)
-        if c.squeeze == 1:
+        if kind == FILM:
             push = max(0.0, elastic + f[7] * rate)
         else:
             push = normal_force(law, approach, rate, memory[race * c.balls + j])
@@ -331,8 +332,8 @@ def contact_forces(p, y):
     for race in range(2):
         load = loads[0] if race == 0 else outer
         race_forces(
-            c, race, bodies[race], p.normal[race], p.memory, p.motion[race], p.friction[race], forces, load, power,
-            p.race_out[race],
+            c, p.friction_kind, race, bodies[race], p.normal[race], p.memory, p.motion[race], p.friction[race], forces,
+            load, power, p.race_out[race],
         )  # fmt: skip
     power[DRIVE_OUTER] -= bodies[1, 9] * outer[3]
     if c.cage_mass > 0.0:

@@ -12,9 +12,21 @@ from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..kinematics import ball_mass
 from ..operation import Operation
 from .bodies import free_coordinates, load_type
+from .films.laws import check_film
 from .inputs import CageBody, DynamicsModel, Guidance, NormalContact, NormalLaw
 from .laws import damping_factor
-from .problem import ACCUMULATORS, MOTION_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Array, Constants, Problem
+from .problem import (
+    ACCUMULATORS,
+    FILM,
+    MOTION_COLUMNS,
+    POCKET_COLUMNS,
+    RACE_COLUMNS,
+    TABLE,
+    Array,
+    Constants,
+    FrictionData,
+    Problem,
+)
 
 HERTZ_EXPONENT = 1.5
 RAMP_PART = 0.01  # of the ramp of the friction that an error of speed may make up [-]
@@ -40,15 +52,16 @@ def assemble(bearing: Bearing, operation: Operation, model: DynamicsModel, angle
     cage, n = model.cage, bearing.balls
     kind = model.options.equations or load_type(operation, model)
     free = [np.array(part, dtype=np.float64) for part in free_coordinates(kind, operation)]
-    numbers = constants(bearing, model)
+    numbers, laws = constants(bearing, model), normal_laws(bearing, model.normal, cage, angles)
+    races = [model.friction.data(race) for race in Race]
     if cage is not None and cage.guidance is Guidance.BALLS and any(free[1][:3]):
         numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)  # else nothing would centre the cage
     return Problem(
         constants=numbers,
-        normal=normal_laws(bearing, model.normal, cage, angles),
-        friction_kind=model.friction.kind,
-        friction_inner=model.friction.data(Race.INNER),
-        friction_outer=model.friction.data(Race.OUTER),
+        normal=laws,
+        friction_kind=friction_kind(model, races, laws),
+        friction_inner=races[0],
+        friction_outer=races[1],
         free=np.concatenate([free[0], free[1] if cage is not None else np.zeros(6), free[2]]),
         pocket_angle=np.asarray(bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)),
         schedule=schedule_rows(operation, model),
@@ -61,9 +74,27 @@ def assemble(bearing: Bearing, operation: Operation, model: DynamicsModel, angle
         race_out=np.zeros((2, n, RACE_COLUMNS)),
         pocket_out=np.zeros((n, POCKET_COLUMNS)),
         land_out=np.full((2, 2), -1.0),
+        films=np.zeros((2, n, 2)),
         power=np.zeros(ACCUMULATORS),
         loads=np.zeros((2, 6)),
     )
+
+
+def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) -> int:
+    """Of the friction, as the kernel knows it: a table's films part the bodies of a lubricated contact.
+
+    Raises
+    ------
+    ValueError
+        Where a lubricated contact has no table, or its load does not rise with the approach (`films.laws.check_film`).
+    """
+    if model.normal.law is not NormalLaw.LUBRICATED:
+        return model.friction.kind
+    if model.friction.kind != TABLE:
+        raise ValueError("normal: a lubricated contact needs traction tables, which hold its film and damping")
+    for race, data, law in zip(Race, races, laws, strict=False):
+        check_film(data, law, race.value)
+    return FILM
 
 
 def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
@@ -79,7 +110,6 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         outer_centre=bearing.outer_centre_radius,
         inner_groove=bearing.inner_groove_radius,
         outer_groove=bearing.outer_groove_radius,
-        squeeze=int(model.normal.law is NormalLaw.LUBRICATED),
         ring_mass=ring.mass,
         ring_transverse=ring.transverse_inertia,
         ring_polar=ring.polar_inertia,

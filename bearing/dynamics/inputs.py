@@ -21,7 +21,8 @@ class NormalLaw(Enum):
     """Normal force of a contact, K d^n (1 + chi v/v_0), by the restitution e that fixes chi; never adhesive.
 
     HERTZ: elastic; LANKARANI_NIKRAVESH (1990): 3 (1 - e^2)/4; HUNT_CROSSLEY (1975): 3 (1 - e)/2; FLORES (2011):
-    8 (1 - e)/(5 e); LUBRICATED: elastic, and the squeeze damping of the film from the traction table.
+    8 (1 - e)/(5 e); LUBRICATED: film and elastic bodies in series, the film and its squeeze damping from the traction
+    table (`films.laws`).
     """
 
     HERTZ = "hertz"

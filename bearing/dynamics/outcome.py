@@ -25,7 +25,8 @@ MECHANISMS = (
     "land_friction",
     "churning",
     "support",
-)  # in the order of the accumulators
+    "films",
+)  # in the order of the accumulators; films: taken up, negative where they lift balls
 INPUTS = 3  # of them put energy in
 
 

@@ -16,17 +16,18 @@ Array = NDArray[np.float64]
 
 INNER, OUTER, POCKET, LAND = range(4)  # rows of `Problem.normal`
 STIFFNESS, EXPONENT, DAMPING = range(3)  # columns of `Problem.normal`
-FRICTIONLESS, COEFFICIENT, TABLE = range(3)  # `Problem.friction_kind`
+FRICTIONLESS, COEFFICIENT, TABLE, FILM = range(4)  # `Problem.friction_kind`; FILM: a table whose films part the bodies
 DRIVE_INNER, DRIVE_OUTER, LOADS = range(3)  # accumulators: work put in [J]
 FRICTION_INNER, FRICTION_OUTER, RACE_DAMPING, POCKET_DAMPING, POCKET_FRICTION, LAND_FRICTION, CHURNING, SUPPORT = range(
     3, 11
 )  # accumulators: energy dissipated [J]
-ACCUMULATORS = 11
-MOTION_COLUMNS = 20
-RACE_COLUMNS = 10  # of `Problem.race_out`, see `RACE_NAMES`
+FILMS = 11  # accumulator: energy that films take up, negative what they give in lifting balls [J]
+ACCUMULATORS = 12
+MOTION_COLUMNS = 21
+RACE_COLUMNS = 11  # of `Problem.race_out`, see `RACE_NAMES`
 RACE_NAMES = (
     "load",  # [N]
-    "approach",  # [m], negative: gap
+    "approach",  # of the elastic bodies, over the film where the contact is lubricated [m]; negative: gap
     "approach_speed",  # [m/s]
     "contact_angle",  # [rad]
     "entrainment_speed",  # [m/s]
@@ -35,8 +36,10 @@ RACE_NAMES = (
     "spin",  # [rad/s]
     "friction_x",  # on the ball [N]
     "friction_y",  # [N]
+    "film",  # of a traction table, central [m]; 0: without a table
 )
-LOAD, APPROACH, APPROACH_SPEED, ANGLE, ENTRAINMENT, SLIDE_X, SLIDE_Y, SPIN, FRICTION_X, FRICTION_Y = range(10)
+LOAD, APPROACH, APPROACH_SPEED, ANGLE, ENTRAINMENT, SLIDE_X, SLIDE_Y, SPIN = range(8)
+FRICTION_X, FRICTION_Y, THICKNESS = range(8, 11)
 POCKET_COLUMNS = 3  # of `Problem.pocket_out`: load [N], play used up [m], approach speed [m/s]
 
 
@@ -63,7 +66,6 @@ class Constants(NamedTuple):
     outer_centre: float
     inner_groove: float  # radius of the groove [m]
     outer_groove: float
-    squeeze: int  # 1: damping of the film from the traction table
     ring_mass: float  # [kg]
     ring_transverse: float  # inertia [kg m^2]
     ring_polar: float
@@ -113,5 +115,6 @@ class Problem(NamedTuple):
     race_out: Array  # state of the races' contacts, shape (2, Z, RACE_COLUMNS)
     pocket_out: Array  # of the pockets, shape (Z, POCKET_COLUMNS)
     land_out: Array  # gap used up [m] and its rate [m/s] of both lands, shape (2, 2)
+    films: Array  # load and film of the races' contacts after the last step, shape (2, Z, 2) [N], [m]
     power: Array  # into and out of the accumulators [W], shape (ACCUMULATORS,)
     loads: Array  # of the contacts on inner ring and cage: force, moment about the centre, shape (2, 6) [N], [N m]

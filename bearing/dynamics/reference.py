@@ -1,17 +1,21 @@
 """The equations of motion once more, by vector algebra in NumPy: the twin that the compiled kernels are tested against.
 
-Frictionless contacts and friction by a coefficient; the traction table has a twin of its own (`ehl.traction.table`).
+Traction tables are looked up by their own twin (`ehl.traction.table`), within their range.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from .films.laws import elastic_approach
 from .laws import normal_force
 from .layout import Layout
-from .problem import COEFFICIENT, LAND, POCKET, Array, Constants, FrictionData, Problem
+from .problem import COEFFICIENT, FILM, LAND, POCKET, TABLE, Array, Constants, FrictionData, Problem
+
+if TYPE_CHECKING:
+    from ehl.traction.table import TractionTable
 
 X = np.array([1.0, 0.0, 0.0])
 LIMIT = 0.95  # of the eccentricity of a land's film [-]
@@ -67,7 +71,7 @@ def bodies(problem: Problem, y: Array, inner: float, outer: float) -> tuple[Body
     return found[0], Body(np.zeros(3), x, np.zeros(3), outer * x), found[1]
 
 
-def race_pair(problem: Problem, race: int, body: Body, balls: Balls) -> Pair:
+def race_pair(problem: Problem, race: int, body: Body, balls: Balls, table: TractionTable | None) -> Pair:
     """What a race (0 inner, 1 outer) does to the balls."""
     c = problem.constants
     centre, groove = ((c.inner_centre, c.inner_groove), (c.outer_centre, c.outer_groove))[race]
@@ -89,14 +93,34 @@ def race_pair(problem: Problem, race: int, body: Body, balls: Balls) -> Pair:
     y = np.cross(n, x)
     slide, turn = ball - ring, balls.turn - body.turn
     memory = problem.memory[race * c.balls : (race + 1) * c.balls, None]
-    push = normal_force(problem.normal[race], approach, dots(slide, n), memory)
-    elastic = normal_force(problem.normal[race], approach, 0.0 * approach, memory)
+    law, data = problem.normal[race], problem.friction_inner if race == 0 else problem.friction_outer
+    if problem.friction_kind == FILM:
+        apart = [elastic_approach(data, law, d, s) for d, s in zip(approach[:, 0], abs(u[:, 0]), strict=True)]
+        approach = np.array(apart)[:, None]
+    push = normal_force(law, approach, dots(slide, n), memory)
+    elastic = normal_force(law, approach, 0.0 * approach, memory)
     force, moment = np.zeros_like(n), np.zeros_like(n)
+    slides = (dots(slide, x), dots(slide, y))
     if problem.friction_kind == COEFFICIENT:
-        data = problem.friction_inner if race == 0 else problem.friction_outer
-        parts = friction(data, (elastic, abs(u)), (dots(slide, x), dots(slide, y)), dots(turn, n))
+        parts = friction(data, (elastic, abs(u)), slides, dots(turn, n))
         force, moment = parts[0] * x + parts[1] * y, parts[2] * n + parts[3] * y
+    if problem.friction_kind in (TABLE, FILM):
+        found = looked_up(table, (elastic, abs(u)), slides, dots(turn, n))
+        force, moment = found[:, :1] * x + found[:, 1:2] * y, found[:, 2:3] * n + found[:, 3:4] * y
+        if problem.friction_kind == FILM:
+            push = np.maximum(0.0, elastic + found[:, 7:] * dots(slide, n))
     return Pair(force - push * n, moment, moment + np.cross(arm, force), balls.position + arm)
+
+
+def looked_up(
+    table: TractionTable | None, load_and_speed: tuple[Array, Array], slides: tuple[Array, Array], spin: Array
+) -> Array:
+    """`TractionTable.forces_twin` of every ball, shape (Z, 8); nothing where there is no load."""
+    rows = np.zeros((spin.size, 8))
+    for row, values in zip(rows, np.hstack([*load_and_speed, *slides, spin]), strict=True):
+        if values[0] > 0.0 and table is not None:
+            row[:] = table.forces_twin(*(float(value) for value in values))
+    return rows
 
 
 def friction(
@@ -195,7 +219,9 @@ def film_force(c: Constants, e: Array, v: Array, mean_speed: float) -> tuple[Arr
     return scale * (radial * u + around * across), d**-0.5
 
 
-def accelerations(problem: Problem, y: Array, given: Array) -> Array:
+def accelerations(
+    problem: Problem, y: Array, given: Array, tables: tuple[TractionTable | None, TractionTable | None] = (None, None)
+) -> Array:
     """Accelerations of ring, cage and balls, shape (11 + 6 Z,) [m/s^2], [rad/s^2].
 
     Parameters
@@ -205,6 +231,8 @@ def accelerations(problem: Problem, y: Array, given: Array) -> Array:
         State vector.
     given : ndarray, shape (7,)
         Speeds of the rings [rad/s], force [N], moment [N m].
+    tables : tuple of TractionTable
+        Of the inner and outer race, where they are the friction.
 
     Returns
     -------
@@ -214,7 +242,7 @@ def accelerations(problem: Problem, y: Array, given: Array) -> Array:
     inner, outer, cage = bodies(problem, y, given[0], given[1])
     shapes = (y[part].reshape(-1, 3) for part in (layout.ball, layout.ball_speed, layout.ball_turn))
     balls = Balls(*shapes)
-    pairs = [race_pair(problem, 0, inner, balls), race_pair(problem, 1, outer, balls)]
+    pairs = [race_pair(problem, race, (inner, outer)[race], balls, tables[race]) for race in (0, 1)]
     ring_load, cage_load = _opposite(pairs[0], inner), np.zeros(6)
     if c.cage_mass > 0.0:
         pairs.append(pocket_pair(problem, cage, float(y[layout.cage][3]), balls))

@@ -12,7 +12,7 @@ import numpy as np
 
 from .simulation import Simulation
 
-FORMAT = 1
+FORMAT = 2
 ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counters")
 
 

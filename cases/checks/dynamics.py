@@ -31,7 +31,7 @@ def dynamics(values: Values) -> Iterator[Problem]:
         allowed = f"allowed: at least {end / LARGEST_HISTORY * 1e6:.3g}, {LARGEST_HISTORY} rows"
         yield Problem(path=("dynamics", "output_interval_us"), found=f"found {interval:g}", allowed=allowed)
     if values.get("dynamics", "contact_law") == "lubricated" and values.get("dynamics", "friction") != "table":
-        allowed = 'needed: friction = "table", which holds the damping'
+        allowed = 'needed: friction = "table", which holds film and damping'
         yield Problem(path=("dynamics", "contact_law"), found='found "lubricated"', allowed=allowed)
     if (values.get("cage", "guided_by") or "balls") != "balls" and not values.given("cage", "pocket_friction"):
         for key in LANDS:

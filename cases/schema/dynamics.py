@@ -70,7 +70,7 @@ class DynamicsTable(Table):
         None, description="[[time in s, fx, fy, fz], ...], linear between, instead of a constant load"
     )
     contact_law: Literal["hertz", "lankarani-nikravesh", "hunt-crossley", "flores", "lubricated"] = Field(
-        "lankarani-nikravesh", description="normal force; lubricated: squeeze damping from the traction table"
+        "lankarani-nikravesh", description="normal force; lubricated: the traction table's film between ball and race"
     )
     restitution: float = Field(0.9, gt=0.0, le=1.0, description="e that the contact law is given")
     impact_speed_floor_m_s: float = Field(

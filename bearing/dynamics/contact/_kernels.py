@@ -11,10 +11,11 @@ from numba import njit
 
 from ehl.traction._kernels import hertz_friction, table_lookup
 
-from ..problem import COEFFICIENT, DAMPING, EXPONENT, FRICTIONLESS, STIFFNESS
+from ..films._kernels import elastic_approach, smallest_load
+from ..problem import COEFFICIENT, DAMPING, EXPONENT, FILM, FRICTIONLESS, STIFFNESS
 
 OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
-APPROACH = 19  # column of a motion [m]
+APPROACH, THICKNESS = 19, 20  # columns of a motion [m]
 ECCENTRICITY_LIMIT = 0.95  # of the film of a land; nearer, its forces stay and the solid contact takes over [-]
 
 
@@ -81,9 +82,18 @@ def groove_contact(body, centre_radius, reach, pos, normal):
 
 @njit(**OPTIONS)
 def race_friction(kind, data, normal, motion, friction):
-    """Friction of one race on all balls: F_x, F_y [N], M_n, M_y [N m]; at 6, 7 stiffness and damping of the film."""
+    """Friction of one race on all balls: F_x, F_y [N], M_n, M_y [N m]; at 6, 7 stiffness and damping of the film.
+
+    Where films part the bodies the approach in the motion becomes that of the elastic bodies, and the damping fades
+    below the table's smallest load as friction does.
+    """
     for j in range(motion.shape[0]):
         k, out = motion[j], friction[j]
+        k[THICKNESS] = 0.0
+        if kind == FILM:
+            distance = k[APPROACH]
+            k[APPROACH] = elastic_approach(data.axes, data.scalars, normal, distance, k[16])
+            k[THICKNESS] = k[APPROACH] - distance
         load = elastic_force(normal, k[APPROACH])
         if load <= 0.0 or kind == FRICTIONLESS:
             out[:] = 0.0
@@ -91,6 +101,10 @@ def race_friction(kind, data, normal, motion, friction):
             hertz_friction(data.disc, data.law, data.shape, load, k[16], k[12], k[13], k[14], out)
         else:
             table_lookup(data.axes, data.constants, data.scalars, data.values, load, k[16], k[12], k[13], k[14], out)
+            if kind == FILM:
+                out[7] *= min(1.0, load / smallest_load(data.axes))
+            else:
+                k[THICKNESS] = out[5]
 
 
 @njit(**OPTIONS)

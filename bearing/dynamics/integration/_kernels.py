@@ -12,8 +12,8 @@ import numpy as np
 from numba import njit
 
 from .._kernels import derivative, energies
-from ..contact._kernels import OPTIONS
-from ..problem import EXPONENT, STIFFNESS
+from ..contact._kernels import OPTIONS, elastic_force
+from ..problem import APPROACH, EXPONENT, FILM, FILMS, STIFFNESS, THICKNESS
 
 A = np.array(
     [
@@ -114,6 +114,29 @@ def remember(p, t, h, onset, states, shares):
 
 
 @njit(**OPTIONS)
+def mark_films(p):
+    """Load and film of the races' contacts as the last `derivative` left them."""
+    for race in range(2):
+        for j in range(p.constants.balls):
+            p.films[race, j, 0] = elastic_force(p.normal[race], p.race_out[race, j, APPROACH])
+            p.films[race, j, 1] = p.race_out[race, j, THICKNESS]
+
+
+@njit(**OPTIONS)
+def add_film_work(p, y):
+    """After a step: what films that part the bodies took up, -integral of Q dh_c by trapezoids, O(h^2)."""
+    if p.friction_kind != FILM:
+        return
+    place = 23 + 9 * p.constants.balls + FILMS
+    for race in range(2):
+        for j in range(p.constants.balls):
+            load = elastic_force(p.normal[race], p.race_out[race, j, APPROACH])
+            change = p.race_out[race, j, THICKNESS] - p.films[race, j, 1]
+            y[place] -= 0.5 * (load + p.films[race, j, 0]) * change
+    mark_films(p)
+
+
+@njit(**OPTIONS)
 def turn_balls(y_before, y_after, h, balls, attitude):
     """Attitudes (w, x, y, z) after a step: the rotation by the mean angular velocity, O(h^2)."""
     first = 22 + 6 * balls
@@ -159,6 +182,7 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
             y[:] = k[8]
             k[0, :] = k[6]
             remember(p, t, step, onset, states, shares)
+            add_film_work(p, y)
             counters[STEPS] += 1
             grown = step * (min(factor, 1.0) if after_rejection else factor)
             h = min(max(h, grown) if last else grown, control[1])
@@ -204,6 +228,7 @@ def sample(y, p, history, record, row):
 def advance_samples(t, y, times, h, p, control, scale, k, trial, history, counters, record):
     """`advance` to each of the times, with a row of the record at each. Status, rows written, time, next step."""
     derivative(t, y, p, k[0])
+    mark_films(p)
     for row in range(times.size):
         status, t, h = advance(t, y, times[row], h, p, control, scale, k, trial, history, counters)
         if status != DONE:

@@ -46,9 +46,10 @@ def _to(simulation: Simulation, end: float) -> int:
     """Steps of LSODA up to `end` [s], the memory of the impacts brought up to date after each."""
     state, problem = simulation.state, simulation.problem
     rates, before = np.zeros_like(state.y), state.y.copy()
+    _kernels.derivative(state.time, state.y, problem, rates)
     if end <= state.time:  # the explicit steps were given up right at a sample
-        _kernels.derivative(state.time, state.y, problem, rates)
         return DONE
+    _kernels.mark_films(problem)
     solver = _solver(simulation, end)
     while solver.status == "running":
         try:
@@ -58,11 +59,12 @@ def _to(simulation: Simulation, end: float) -> int:
         if solver.status == "failed" or message or not np.all(np.isfinite(solver.y)):
             return TOO_SMALL
         step = solver.t - solver.t_old
-        state.y[:] = solver.y
+        state.y[: solver.n] = solver.y
         _kernels.derivative(solver.t, state.y, problem, rates)
         _kernels.turn_balls(before, state.y, step, problem.constants.balls, state.attitude)
         onset, states, shares, _ = _history(simulation)
         _kernels.remember(problem, solver.t, step, onset, states, shares)
+        _kernels.add_film_work(problem, state.y)
         before[:] = state.y
         state.counters[_kernels.STEPS] += 1
         state.time, state.step = solver.t, step
@@ -72,25 +74,27 @@ def _to(simulation: Simulation, end: float) -> int:
 
 def _solver(simulation: Simulation, end: float) -> LSODA:
     state, problem, scale = simulation.state, simulation.problem, simulation.scale
-    size, mechanical = simulation.layout.size, simulation.layout.mechanical
+    size, mechanical = simulation.layout.size - 1, simulation.layout.mechanical  # work of the films: after each step
+    full, found = np.zeros(size + 1), np.zeros(size + 1)
 
     def rates(t: float, y: Array) -> Array:
-        out = np.zeros(size)
-        _kernels.derivative(t, y, problem, out)
-        return out
+        full[:size] = y
+        _kernels.derivative(t, full, problem, found)
+        return found[:size].copy()
 
     def slopes(t: float, y: Array) -> Array:
         out = np.zeros((size, size))
         part = np.zeros((mechanical, mechanical))
-        _kernels.jacobian(t, y, problem, scale, part)
+        full[:size] = y
+        _kernels.jacobian(t, full, problem, scale, part)
         out[:mechanical, :mechanical] = part
         return out
 
-    energy = np.maximum(np.abs(state.y[mechanical:]), 1.0) * ACCUMULATED
+    energy = np.maximum(np.abs(state.y[mechanical:size]), 1.0) * ACCUMULATED
     return LSODA(
         rates,
         state.time,
-        state.y.copy(),
+        state.y[:size].copy(),
         end,
         first_step=min(state.step, end - state.time),
         max_step=control_of(simulation)[1],

@@ -1,0 +1,120 @@
+"""The lubricated contact in NumPy: film, load and stiffness of a ball on a race over the film of a traction table.
+
+The film of the table lifts the ball: as if rigid, ball and race approach by delta = w(Q) - h_c(Q, u), with Hertz'
+w = (Q/K)^(1/n) and the central film h_c at the load Q and entrainment speed u. So dQ/d delta = 1/(dw/dQ - dh_c/dQ), the
+stiffness of film and elastic bodies in series, and Q > 0 already where the bodies are less than the film apart.
+"""
+
+from __future__ import annotations
+
+from math import exp, log
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ehl.traction.splines import spline_weights
+from ehl.traction.table import LOAD_POWER, load_place
+
+from ..problem import EXPONENT, STIFFNESS, Array, FrictionData
+
+FILM = 3  # column of a table's scalars: logarithm of the central film
+LOADS, SPEEDS = 120, 13  # places where a table is looked at before a simulation
+STEP = 1.0e-6  # of the load for the film's slope at the table's end [-]
+
+
+def table_loads(data: FrictionData) -> tuple[float, float]:
+    """Smallest and largest load of a table [N]."""
+    first, density, nodes = data.axes[0]
+    smallest, largest = ((-place) ** (1.0 / LOAD_POWER) for place in (first, first + (nodes - 1) / density))
+    return float(smallest), float(largest)
+
+
+def table_speeds(data: FrictionData) -> tuple[float, float]:
+    """Smallest and largest entrainment speed of a table [m/s]."""
+    first, density, nodes = data.axes[1]
+    return exp(first), exp(first + (nodes - 1) / density)
+
+
+def film(data: FrictionData, load: float, speed: float) -> float:
+    """Central film of a table [m]; beyond its ends that at the end, but in proportion to slower speeds.
+
+    Parameters
+    ----------
+    data : FrictionData
+        Of a race with a table.
+    load, speed : float
+        Q [N] and entrainment speed u [m/s].
+
+    Returns
+    -------
+    float
+        [m].
+    """
+    slowest, fastest = table_speeds(data)
+    places = load_place(float(np.clip(load, *table_loads(data)))), log(min(max(speed, slowest), fastest))
+    values: Array = data.scalars[..., FILM]
+    for place, (first, density, nodes) in zip(places, data.axes[:2], strict=True):
+        start, weights = spline_weights((place - first) * density, int(nodes))
+        values = np.tensordot(weights, values[start : start + 4], axes=1)
+    return exp(float(values)) * min(1.0, speed / slowest)
+
+
+def elastic_approach(data: FrictionData, law: Array, distance: float, speed: float) -> float:
+    """w of w = delta + h_c(K w^n, u) [m], the load being K w^n; twin of the kernel by bracketing.
+
+    Below the smallest load of the table the film goes on linearly in w.
+
+    Parameters
+    ----------
+    data : FrictionData
+        Of a race with a table.
+    law : ndarray, shape (3,)
+        K [N/m^n], n [-], chi [-].
+    distance, speed : float
+        delta, the approach of the bodies as if rigid [m], and u [m/s].
+
+    Returns
+    -------
+    float
+        [m]; negative where the ball does not touch the film.
+    """
+    least = (table_loads(data)[0] / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
+
+    def film_over(w: float) -> float:
+        return film(data, law[STIFFNESS] * w ** law[EXPONENT], speed)
+
+    lowest = film_over(least)
+    slope = (film_over(least * (1.0 + STEP)) - lowest) / (STEP * least)
+    if distance + lowest <= least:
+        return float(least + (distance - least + lowest) / (1.0 - slope))
+    highest = distance + 2.0 * lowest
+    return float(brentq(lambda w: w - distance - film_over(w), least, highest, xtol=1e-18, rtol=1e-14))
+
+
+def check_film(data: FrictionData, law: Array, name: str) -> None:
+    """See that the load rises with the approach over a whole table: no film thickens faster than the bodies give way.
+
+    Parameters
+    ----------
+    data : FrictionData
+        Of a race with a table.
+    law : ndarray, shape (3,)
+        K [N/m^n], n [-], chi [-].
+    name : str
+        Of the race.
+
+    Raises
+    ------
+    ValueError
+        Where a film rises with the load so steeply.
+    """
+    loads = np.geomspace(*table_loads(data), LOADS)
+    approach = (loads / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
+    for speed in np.geomspace(*table_speeds(data), SPEEDS):
+        films = np.array([film(data, float(load), float(speed)) for load in loads])
+        if np.any(np.diff(approach - films) <= 0.0):
+            where = loads[int(np.argmin(np.diff(approach - films)))]
+            raise ValueError(
+                f"lubricated contact: the film of the {name} race's table rises near {where:.3g} N and {speed:.3g} m/s "
+                "faster than the bodies give way; make a finer table (oilfilm table --tolerance)"
+            )
