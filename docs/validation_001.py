@@ -27,6 +27,7 @@ HEAVY = (30.0, 50.0, 100.0, 1000.0)  # loads of the orbits [N]
 GAPS = (5.0, 10.0, 50.0, 100.0)  # [um]
 BALLS = (7, 9, 11)
 RAMP = 0.3  # of the run-ups [s]
+LEVEL = 2.0  # change of a cage's speed from load to load that counts as none [r/min]
 GRIP = 0.02  # slip of the cage below which a run-up has come to grip [-]
 TIME = {"end_time": 0.4, "sample_interval": 1e-4, "start": "rolling", "speed_table": None}
 
@@ -89,6 +90,8 @@ last third of 0.4 s.
 ![Orbits of the ring's centre](images/validation_001_orbits.png)
 
 ## Statements
+
+Trends are judged by their first and last number where the text gives no more; what lies between stands beside.
 
 | section | statement of the paper | holds? | ours |
 |---|---|---|---|
@@ -254,6 +257,7 @@ def listed(values: Any, digits: int = 2) -> str:
 def of_loads(loads: dict[float, dict[float, Run]]) -> list[str]:
     """Section 3."""
     light = [cage(found) for found in loads[SHIPPED].values()]
+    steps = np.diff(light)
     plateaus = {drag: [cage(of_drag[w]) for w in LOADS if w >= 100.0] for drag, of_drag in loads.items()}
     heights = "; ".join(f"{drag:g} N: {min(p):.1f} ... {max(p):.1f}" for drag, p in plateaus.items())
     knees = {drag: knee(of_drag) for drag, of_drag in loads.items()}
@@ -264,8 +268,10 @@ def of_loads(loads: dict[float, dict[float, Run]]) -> list[str]:
                all(2920.0 <= speed <= 2950.0 for speed in plateaus[SHIPPED]), f"{listed(plateaus[SHIPPED], 1)} r/min"),
         judged("–", "the same with every drag", all(2920.0 <= s <= 2950.0 for p in plateaus.values() for s in p),
                f"{heights} r/min"),
-        judged("3", "the cage's speed rises with the load", float(np.diff(light).min()) > -2.0,
-               f"{light[0]:.0f} ... {light[-1]:.0f} r/min; largest fall from load to load with any drag {-falls:.1f}"),
+        judged("3", "the cage's speed rises with the load, drag of the shipped case", steps.min() > -LEVEL,
+               f"{light[0]:.0f} ... {light[-1]:.0f} r/min; largest fall from load to load {max(0.0, -steps.min()):.1f}"),
+        judged("–", "the same with every drag", falls > -LEVEL,
+               f"largest fall from load to load {max(0.0, -falls):.1f} r/min"),
         judged("3", "it ceases to rise above 70 N", False,
                "decided by the drag, which the paper does not give: knees in the table above"),
         judged("–", "knee within a factor of 2 of T_drag/(2.4 μ R_m)", all(0.5 <= r <= 2.0 for r in ratios),

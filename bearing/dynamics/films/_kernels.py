@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
-from ehl.traction.table import LOAD_POWER
+from ehl.traction._kernels import LOAD_POWER
 
 from ..problem import EXPONENT, STIFFNESS
 
