@@ -269,9 +269,10 @@ def of_loads(loads: dict[float, dict[float, Run]]) -> list[str]:
         judged("–", "the same with every drag", all(2920.0 <= s <= 2950.0 for p in plateaus.values() for s in p),
                f"{heights} r/min"),
         judged("3", "the cage's speed rises with the load, drag of the shipped case", steps.min() > -LEVEL,
-               f"{light[0]:.0f} ... {light[-1]:.0f} r/min; largest fall from load to load {max(0.0, -steps.min()):.1f}"),
+               f"{light[0]:.0f} ... {light[-1]:.0f} r/min; "
+               f"largest fall from load to load {-min(0.0, steps.min()):.1f}"),
         judged("–", "the same with every drag", falls > -LEVEL,
-               f"largest fall from load to load {max(0.0, -falls):.1f} r/min"),
+               f"largest fall from load to load {-min(0.0, falls):.1f} r/min"),
         judged("3", "it ceases to rise above 70 N", False,
                "decided by the drag, which the paper does not give: knees in the table above"),
         judged("–", "knee within a factor of 2 of T_drag/(2.4 μ R_m)", all(0.5 <= r <= 2.0 for r in ratios),
