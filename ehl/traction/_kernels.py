@@ -6,7 +6,9 @@ Everything is arrays and floats in SI. The NumPy twins stand in `quadrature.py`,
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+from numba import carray, njit, types
+from numba.core import cgutils
+from numba.extending import intrinsic
 
 from ..rheology._kernels import inverse_sine, shear_stress
 
@@ -126,24 +128,45 @@ def _film_sums(scalars, i0, i1, w0, w1):
     return s0, s1, s2, s3, s4, s5, s6, s7, s8, s9
 
 
+@intrinsic
+def _row_sums(typing):
+    """Room for 4 nodes of spin times COLUMNS numbers on the stack: nothing to free, and known to overlap nothing."""
+    del typing
+
+    def room(context, builder, signature, arguments):
+        del signature, arguments
+        return cgutils.alloca_once(builder, context.get_value_type(types.float64), size=4 * COLUMNS)
+
+    return types.CPointer(types.float64)(), room
+
+
 @njit(**OPTIONS)
 def _spline_sum(values, first, w0, w1, w2, w3, w4):
-    """Sums of the 4^5 coefficients around a place, weighted along each axis."""
+    """Sums of the 4^5 coefficients around a place, weighted along each axis.
+
+    The columns at 4 nodes of spin lie side by side, a row of 16: all are summed at once over the rows, the weights
+    along spin come last. (Written so that the compiler keeps them in a few wide registers.)
+    """
     i0, i1, i2, i3, i4 = first
-    t0 = t1 = t2 = t3 = 0.0
-    n0, n1, n2, n3 = w4
+    _, n1, n2, n3, n4, _ = values.shape
+    flat, sums = values.reshape(-1), carray(_row_sums(), (4 * COLUMNS,))
+    for k in range(4 * COLUMNS):
+        sums[k] = 0.0
     for a in range(4):
         for b in range(4):
-            w01 = w0[a] * w1[b]
-            for c in range(4):
-                w012 = w01 * w2[c]
-                for d in range(4):
-                    v = values[i0 + a, i1 + b, i2 + c, i3 + d]
-                    weight = w012 * w3[d]
-                    t0 += weight * (n0 * v[i4, 0] + n1 * v[i4 + 1, 0] + n2 * v[i4 + 2, 0] + n3 * v[i4 + 3, 0])
-                    t1 += weight * (n0 * v[i4, 1] + n1 * v[i4 + 1, 1] + n2 * v[i4 + 2, 1] + n3 * v[i4 + 3, 1])
-                    t2 += weight * (n0 * v[i4, 2] + n1 * v[i4 + 1, 2] + n2 * v[i4 + 2, 2] + n3 * v[i4 + 3, 2])
-                    t3 += weight * (n0 * v[i4, 3] + n1 * v[i4 + 1, 3] + n2 * v[i4 + 2, 3] + n3 * v[i4 + 3, 3])
+            weight, start = w0[a] * w1[b], (((i0 + a) * n1 + i1 + b) * n2 + i2) * n3 + i3
+            for k in range(4 * COLUMNS):
+                rows = 0.0
+                for c in range(4):
+                    for d in range(4):
+                        rows += w2[c] * w3[d] * flat[np.uint64(((start + c * n3 + d) * n4 + i4) * COLUMNS + k)]
+                sums[k] += weight * rows
+    t0 = t1 = t2 = t3 = 0.0
+    for e in range(4):
+        t0 += w4[e] * sums[4 * e]
+        t1 += w4[e] * sums[4 * e + 1]
+        t2 += w4[e] * sums[4 * e + 2]
+        t3 += w4[e] * sums[4 * e + 3]
     return t0, t1, t2, t3
 
 
@@ -164,7 +187,7 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     i0, w0 = _weights(q, axes[0])
     i1, w1 = _weights(u, axes[1])
     s = _film_sums(scalars, i0, i1, w0, w1)
-    mirror, size, table_load = 1.0 if slide_y >= 0.0 else -1.0, max(abs(speed), 1e-300), (-q) ** (1.0 / LOAD_POWER)
+    mirror, size, table_load = 1.0 if slide_y >= 0.0 else -1.0, max(abs(speed), 1e-300), -1.0 / q**5  # -1/LOAD_POWER
     turn, b_axis = mirror * spin * constants[0] / size, constants[5] * np.cbrt(table_load)
     top = slide_x / size + vertex_slide(turn, b_axis, constants[0], constants[6])
     x, beyond = _scaled(top, _motion_scale(np.exp(s[0]), turn, b_axis, constants), constants[2], axes[2])
