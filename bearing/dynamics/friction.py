@@ -67,7 +67,7 @@ class RaceFriction:
             shape = law.shape.constants  # type: ignore[union-attr]
             return FrictionData(disc, found, shape, np.zeros((5, 3)), empty, grid, values)
         table: TractionTable = law  # type: ignore[assignment]
-        return FrictionData(disc, empty, np.zeros(5), table.axes, table.constants, table.scalars, table.values)
+        return FrictionData(disc, empty, np.zeros(5), *table.kernel_arguments())
 
 
 def ellipse_points(rings: int, rays: int) -> Array:
