@@ -8,7 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numba import carray, njit, types
 from numba.core import cgutils
-from numba.extending import intrinsic
+from numba.extending import intrinsic, overload
 
 from ..rheology._kernels import inverse_sine, shear_stress
 
@@ -128,16 +128,27 @@ def _film_sums(scalars, i0, i1, w0, w1):
     return s0, s1, s2, s3, s4, s5, s6, s7, s8, s9
 
 
+def _row_sums():
+    """Room for 4 nodes of spin times COLUMNS numbers."""
+    return np.empty(4 * COLUMNS)
+
+
 @intrinsic
-def _row_sums(typing):
-    """Room for 4 nodes of spin times COLUMNS numbers on the stack: nothing to free, and known to overlap nothing."""
+def _room(typing):
+    """A pointer to as much on the stack: nothing to free, and known to overlap nothing."""
     del typing
 
-    def room(context, builder, signature, arguments):
+    def build(context, builder, signature, arguments):
         del signature, arguments
         return cgutils.alloca_once(builder, context.get_value_type(types.float64), size=4 * COLUMNS)
 
-    return types.CPointer(types.float64)(), room
+    return types.CPointer(types.float64)(), build
+
+
+@overload(_row_sums, inline="always")
+def _compiled_row_sums():
+    """`_row_sums` where it is compiled."""
+    return lambda: carray(_room(), (4 * COLUMNS,))
 
 
 @njit(**OPTIONS)
@@ -149,7 +160,7 @@ def _spline_sum(values, first, w0, w1, w2, w3, w4):
     """
     i0, i1, i2, i3, i4 = first
     _, n1, n2, n3, n4, _ = values.shape
-    flat, sums = values.reshape(-1), carray(_row_sums(), (4 * COLUMNS,))
+    flat, sums = values.reshape(-1), _row_sums()
     for k in range(4 * COLUMNS):
         sums[k] = 0.0
     for a in range(4):
