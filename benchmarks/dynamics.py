@@ -1,7 +1,8 @@
-"""Time of two simulations on one core: `python benchmarks/dynamics.py`.
+"""Time of three simulations on one core: `python benchmarks/dynamics.py`.
 
 7008 with 18 balls and cage, 0.1 s, four-constant friction over the ellipse (add the traction tables that
-`oilfilm table 7008_axial -o FILE` made as an argument to use them instead); 6304 in its plane, 1 s.
+`oilfilm table 7008_axial -o FILE` made as an argument to use them instead); the same from rest, 30 ms, a start too stiff
+for explicit steps; 6304 in its plane, 1 s.
 """
 
 from __future__ import annotations
@@ -34,13 +35,17 @@ def timed(case: Case, tables: Path | None) -> str:
 
 
 def main() -> None:
-    """Both simulations."""
+    """All simulations."""
     tables = Path(sys.argv[1]) if len(sys.argv) > 1 else None
     axial = load_case("7008_axial")
     assert isinstance(axial, Case)
     print("7008, four constants:", timed(axial, None))
+    assert axial.dynamics is not None
+    started = replace(
+        axial.dynamics, start="rest", speed_table=((0.0, 0.0), (0.01, axial.operation.inner_speed)), end_time=0.03
+    )
+    print("7008 from rest:", timed(replace(axial, dynamics=started), None))
     if tables is not None:
-        assert axial.dynamics is not None
         tabled = replace(axial, dynamics=replace(axial.dynamics, friction="table"))
         print("7008, traction tables:", timed(tabled, tables))
     planar = load_case("6304_planar")

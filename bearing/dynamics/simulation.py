@@ -24,6 +24,7 @@ from .problem import POCKET_COLUMNS, RACE_COLUMNS, Array, Problem
 PIECE = 128  # samples handed on at a time
 LEAST_STEP = 1.0e-12  # over the end time, below which a step has failed [-]
 STIFF_STEP = 0.02  # of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
+STIFF = 2  # status of the explicit steps where they are given up
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 HEAVIEST = 5.0  # load of the heaviest ball over the mean one, Stribeck (1901) [-]
 STEP_ANGLE = 0.8  # longest step times the frequency of a loaded ball: at the limit of stability it would ring [-]
@@ -66,7 +67,7 @@ class SimulationState:
     counters : ndarray
         Steps, rejected steps, of the test for stiffness, evaluations [-].
     stiff : bool
-        Whether the rest goes to LSODA.
+        Whether LSODA took over at some time.
     """
 
     time: float
@@ -160,25 +161,29 @@ class Simulation:
                 return
 
     def _advance(self, times: Array) -> Record:
+        """A piece by explicit steps; where they are given up, its rest by LSODA. The next piece tries them anew."""
         from .integration.explicit import advance_explicit
 
-        status, record = 2, None
-        if not self.state.stiff:
-            status, record = advance_explicit(self, times)
-            if status == 2:
-                self.state.stiff = True
-                self.messages.append(f"dynamics: stiff from t = {self.state.time:.6g} s on; LSODA took over")
-        if self.state.stiff:
+        began = self.state.time
+        status, record = advance_explicit(self, times)
+        if status == STIFF:
             from .integration.implicit import advance_implicit
 
-            done = 0 if record is None else record.time.size
-            status, rest = advance_implicit(self, times[done:])
-            record = rest if record is None else join(record, rest)
+            self._tell(f"dynamics: stiff from t = {self.state.time:.6g} s on; LSODA took over")
+            self.state.stiff = True
+            status, rest = advance_implicit(self, times[record.time.size :])
+            record = join(record, rest)
+        elif self.state.stiff and status == 0:
+            self._tell(f"dynamics: explicit steps again from t = {began:.6g} s on; LSODA where they are given up")
         if status != 0:
             self.converged = False
             self.messages.append(MESSAGES[status].format(t=self.state.time))
-        assert record is not None
         return record
+
+    def _tell(self, text: str) -> None:
+        """Add a message unless one that begins alike was told before."""
+        if not any(message.startswith(text.split(" t = ")[0]) for message in self.messages):
+            self.messages.append(text)
 
 
 def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> Simulation:

@@ -24,6 +24,7 @@ def advance_implicit(simulation: Simulation, times: Array) -> tuple[int, Record]
     from ..simulation import Record, empty_record
 
     record = empty_record(times, simulation.bearing.balls)
+    simulation.state.counters[[_kernels.STIFF_SEEN, _kernels.SOFT_SEEN]] = 0  # explicit steps begin anew after it
     history = _history(simulation)
     status, rows = DONE, 0
     for rows, time in enumerate(times):

@@ -14,6 +14,7 @@ from bearing.dynamics.films import _kernels as film_kernels
 from bearing.dynamics.films.laws import check_film, elastic_approach, film
 from bearing.dynamics.friction import RaceFriction
 from bearing.dynamics.inputs import LoadType, NormalContact, NormalLaw, Schedule
+from bearing.dynamics.integration.implicit import advance_implicit
 from bearing.dynamics.reference import accelerations
 from bearing.dynamics.simulation import simulation
 from bearing.geometry import contact_modulus, reduced_radii
@@ -243,8 +244,7 @@ def test_lsoda_counts_the_work_of_films(setup):
     for stiff in (False, True):
         model, _ = lubricated(setup, bearing, end_time=3e-4, sample_interval=1e-4, tolerance=1e-6)
         sim = simulation(bearing, setup.operation(5000.0, 60.0), model)
-        sim.state.stiff = stiff
-        record = setup.run(sim)
+        record = advance_implicit(sim, sim.sample_times())[1] if stiff else setup.run(sim)
         assert setup.balance(sim, record) < 1e-3
         ends.append(record)
     layout = sim.layout
