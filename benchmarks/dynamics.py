@@ -1,8 +1,8 @@
 """Time of three simulations on one core: `python benchmarks/dynamics.py`.
 
 7008 with 18 balls and cage, 0.1 s, four-constant friction over the ellipse (add the traction tables that
-`oilfilm table 7008_axial -o FILE` made as an argument to use them instead); the same from rest, 30 ms, a start too stiff
-for explicit steps; 6304 in its plane, 1 s.
+`oilfilm table 7008_axial -o FILE` made as an argument to use them instead); the same from rest, 30 ms, which starts too
+stiff for explicit steps; 6304 in its plane, 1 s.
 """
 
 from __future__ import annotations
