@@ -41,9 +41,8 @@ def main() -> None:
     assert isinstance(axial, Case)
     print("7008, four constants:", timed(axial, None))
     assert axial.dynamics is not None
-    started = replace(
-        axial.dynamics, start="rest", speed_table=((0.0, 0.0), (0.01, axial.operation.inner_speed)), end_time=0.03
-    )
+    ramp = ((0.0, 0.0), (0.01, axial.operation.inner_speed))
+    started = replace(axial.dynamics, start="rest", speed_table=ramp, end_time=0.03, sample_interval=1.5e-5)
     print("7008 from rest:", timed(replace(axial, dynamics=started), None))
     if tables is not None:
         tabled = replace(axial, dynamics=replace(axial.dynamics, friction="table"))
