@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .conditions import ContactConditions
-from .generalized_reynolds.flow import GeneralizedFlow
+from .generalized_continuation import SETTLED, continued
+from .generalized_reynolds.flow import BeganAnewError, GeneralizedFlow
 from .options import SolverOptions
 from .rheology import Rheology
 from .solution import ContactSolution
@@ -18,7 +20,6 @@ from .thermal.solids import SolidThermal
 
 Array = NDArray[np.float64]
 
-SETTLED = 0.03  # change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's flow
 MISSED = 0.005  # share of the columns that may be without a solution: they lie where hardly anything flows
 
 
@@ -103,11 +104,11 @@ def solve_generalized(
         return GeneralizedSolution(
             contact=solve_contact(conditions, options), rheology=rheology, nodes=flow.section.nodes
         )
-    contact = solve_contact(conditions, options, flow)
+    contact = _reached(conditions, options or SolverOptions(), flow)
     nx, ny = contact.P.shape
     shape = next((s for s in ((ny, nx), (ny // 2 + 1, nx)) if s in flow.stresses), None)
     solution = GeneralizedSolution(
-        contact=_judged(contact, flow),
+        contact=contact,
         rheology=rheology,
         nodes=flow.section.nodes,
         change=flow.change,
@@ -125,6 +126,26 @@ def solve_generalized(
         heat_flux=_whole(state.flux, ny),
         dissipation=_whole(state.dissipation, ny),
     )
+
+
+def _reached(conditions: ContactConditions, options: SolverOptions, flow: GeneralizedFlow) -> ContactSolution:
+    """The solution of the first way that converges; that of the last way if none does, told in the record.
+
+    The cycles from a Hertz pressure on, once; then the continuation from the Newtonian film; then the fallbacks of the
+    Newtonian solver one after the other.
+    """
+    flow.single = options.tolerance is None
+    with suppress(BeganAnewError):
+        contact = _judged(solve_contact(conditions, options, flow), flow)
+        if contact.converged or not flow.single:
+            return contact
+    contact = _judged(continued(conditions, options, flow), flow)
+    if contact.converged:
+        return contact
+    flow.forget()
+    flow.single, fallbacks = False, contact.record.fallbacks
+    contact = _judged(solve_contact(conditions, options, flow), flow)
+    return replace(contact, record=replace(contact.record, fallbacks=(*fallbacks, *contact.record.fallbacks)))
 
 
 def _missed(flow: GeneralizedFlow) -> int:

@@ -9,14 +9,20 @@ flux at the last iterate: Newton's linearisation. The two directions share one c
 
 Where the pressure's own shear thins the oil, a factor that grows as the m-th power of the gradient would make an error
 grow m-fold in each turn. The Poiseuille factor is relaxed towards its new value by 1/(1 + m): Newton's step for the
-flux along the gradient. Both leave the equation what it is once the iteration has come to rest.
+flux along the gradient. D is made smaller in the same proportion where the factor is: in a steep outlet of a stressed
+film m passes 30, and D of a pressure that is not yet the right one would turn the Couette flux around. All of it leaves
+the equation what it is once the iteration has come to rest.
+
+A share below 1 eases the way there from the Newtonian film of uniform temperature: all stresses of the rheology are
+divided by it, and the rise of temperature is multiplied by it. At 1 nothing is changed.
 """
 
 from __future__ import annotations
 
+import copy
 from dataclasses import dataclass, field, replace
 from math import inf
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +32,7 @@ from ..flow_model import FlowFactors, entrainment_factors
 from ..grid import Grid
 from ..lubricant import log_viscosity_ratio, viscosity
 from ..properties import oil_numbers
-from ..rheology import Rheology, kernel_rheology
+from ..rheology import Rheology, eased, kernel_rheology
 from ..scaling import ScaledContact
 from ..traction.kinematics import ContactKinematics, contact_kinematics
 from .section import Section, film_section
@@ -38,8 +44,11 @@ Array = NDArray[np.float64]
 
 STEP = 0.02  # relative change of the gradient, and change of ln(eta) by pressure, for difference quotients
 TINY = 1e-300  # keeps a quotient finite
-LARGEST_POWER = 20.0  # m beyond which relaxation is not made stronger
 SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
+
+
+class BeganAnewError(Exception):
+    """A solve gave up its first attempt."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -109,6 +118,12 @@ class GeneralizedFlow:
         Columns whose stress was not found in the last turn [-].
     change : float
         Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's own flow [-].
+    single : bool
+        Whether to raise `BeganAnewError` where a solve begins anew, after its first attempt has failed.
+    share : float
+        Of rheology and heat that is felt, in (0, 1] [-].
+    following : float
+        Share of the way to the temperature found that the one felt goes in a turn, in (0, 1] [-].
     stresses : dict
         Stress in the middle of the film, shape (2, ny, nx), of each grid by the shape of its arrays [Pa].
     """
@@ -119,8 +134,13 @@ class GeneralizedFlow:
     section: Section = field(default_factory=film_section)
     missed: int = 0
     change: float = inf
+    single: bool = False
+    share: float = 1.0
+    following: float = 1.0
     stresses: dict[tuple[int, ...], Array] = field(default_factory=dict)
     _poiseuille: dict[tuple[int, ...], Array] = field(default_factory=dict)  # factor of the last turn [-]
+    _felt: dict[tuple[int, ...], Array] = field(default_factory=dict)  # temperature of the last turn [K]
+    _grid: Grid | None = None  # of the last turn
 
     @property
     def symmetric(self) -> bool:
@@ -129,6 +149,7 @@ class GeneralizedFlow:
 
     def factors(self, contact: ScaledContact, grid: Grid, P: Array, H: Array) -> FlowFactors:
         """Factors at pressure and film, linearised there [-]."""
+        self._watch(grid)
         speed = self.conditions.entrainment_speed
         kinematics = contact_kinematics(self.conditions, grid_angle=contact.frame_angle)
         fields = film_fields(contact, grid, P, H, kinematics, speed)
@@ -138,7 +159,7 @@ class GeneralizedFlow:
         steeper, _, _ = self._evaluate(
             replace(fields, gradient=(1.0 + STEP) * fields.gradient), middle.copy(), temperature
         )
-        power = np.clip(np.log(steeper / poiseuille) / np.log1p(STEP), 0.0, LARGEST_POWER)
+        power = np.maximum(np.log(steeper / poiseuille) / np.log1p(STEP), 0.0)
         hidden = np.maximum(tangent - (1.0 + power) * poiseuille, 0.0)
         thinning = self._thinning(fields, middle, temperature, poiseuille)
         newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, self.conditions.lubricant))
@@ -146,7 +167,8 @@ class GeneralizedFlow:
         if last is not None:
             weight = poiseuille * newtonian * np.hypot(*fields.gradient)
             self.change = float((weight * np.abs(np.log(poiseuille / last))).sum() / max(float(weight.sum()), TINY))
-            poiseuille = last * (poiseuille / last) ** (1.0 / (1.0 + power))
+            found, poiseuille = poiseuille, last * (poiseuille / last) ** (1.0 / (1.0 + power))
+            hidden *= np.minimum(poiseuille / found, 1.0)
         self._poiseuille[P.shape] = poiseuille
         flow = (couette + hidden * newtonian * fields.gradient) / speed
         return FlowFactors(
@@ -157,12 +179,48 @@ class GeneralizedFlow:
             couette_y=None if grid.symmetric else flow[1],
         )
 
+    def kept(self) -> tuple[Any, ...]:
+        """Copy of all that was found, for `restore`."""
+        states = None if self.heat is None else self.heat.states
+        return copy.deepcopy((self.stresses, self._poiseuille, self._felt, states, self.change, self.missed))
+
+    def restore(self, kept: tuple[Any, ...]) -> None:
+        """Go back to what was found at an earlier turn; `kept` may be used once."""
+        self.stresses, self._poiseuille, self._felt, states, self.change, self.missed = kept
+        if self.heat is not None:
+            self.heat.states = states
+
+    def _watch(self, grid: Grid) -> None:
+        """Notice that a solve begins anew: it asks for a grid that is neither the last one nor finer than that."""
+        last, self._grid = self._grid, grid
+        if last is None or last is grid or grid.nx * grid.ny > last.nx * last.ny:
+            return
+        if self.single:
+            raise BeganAnewError
+        self.forget()
+        self._grid = grid
+
+    def forget(self) -> None:
+        """Start from nothing: what an attempt that ran away left behind must not reach the next one."""
+        self.stresses.clear()
+        self._poiseuille.clear()
+        self._felt.clear()
+        self.missed, self.change, self._grid = 0, inf, None
+        if self.heat is not None:
+            self.heat.forget()
+
     def _temperature(self, contact: ScaledContact, grid: Grid, fields: FilmFields, middle: Array) -> Array:
         """Temperature at the nodes across the film, shape (ny, nx, n) [K]."""
-        if self.heat is not None:
-            return self.heat.temperature(contact, grid, fields, middle, self.section, self.rheology)
         operation = oil_numbers(self.conditions.lubricant)[4]
-        return np.full((*fields.p.shape, self.section.nodes.size), operation)
+        if self.heat is None:
+            return np.full((*fields.p.shape, self.section.nodes.size), operation)
+        found = self.heat.temperature(contact, grid, fields, middle, self.section, self.rheology)
+        felt = found if self.share == 1.0 else operation + self.share * (found - operation)
+        last = self._felt.get(fields.p.shape)
+        if last is not None and self.following < 1.0:
+            felt = last + self.following * (felt - last)
+        self._felt[fields.p.shape] = felt.copy()
+        return felt
 
     def _thinning(self, fields: FilmFields, middle: Array, temperature: Array, poiseuille: Array) -> Array:
         """Share of a change of ln(eta) by pressure that the factor takes back [-]."""
@@ -188,7 +246,7 @@ class GeneralizedFlow:
             temperature,
             numbers,
             self.section.integration,
-            kernel_rheology(self.rheology),
+            kernel_rheology(eased(self.rheology, self.share)),
             middle,
             poiseuille,
             couette,

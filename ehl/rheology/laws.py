@@ -11,7 +11,7 @@ leaves the base law as it is where its stress is small. On other bases it is a c
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import Enum
 from math import inf, isfinite
 from typing import NamedTuple
@@ -139,6 +139,28 @@ def kernel_rheology(rheology: Rheology) -> KernelRheology:
         limit_slope=rheology.limiting_temperature_slope,
         limit_temperature=rheology.reference_temperature,
         limit_minimum=rheology.limiting_minimum,
+    )
+
+
+def eased(rheology: Rheology, share: float) -> Rheology:
+    """The same law with all its stresses divided by a share: the smaller that is, the more Newtonian the oil.
+
+    Parameters
+    ----------
+    rheology : Rheology
+    share : float
+        In (0, 1] [-]; 1 returns the rheology itself.
+    """
+    if share == 1.0:
+        return rheology
+    coefficient = rheology.limiting_coefficient
+    return replace(
+        rheology,
+        eyring_stress=rheology.eyring_stress / share,
+        carreau_modulus=rheology.carreau_modulus / share,
+        limiting_coefficient=None if coefficient is None else coefficient / share,
+        limiting_stress=rheology.limiting_stress / share,
+        limiting_minimum=rheology.limiting_minimum / share,
     )
 
 

@@ -78,6 +78,11 @@ class FilmHeat:
         first, second = (self.inlet if s.temperature is None else s.temperature for s in self.solids)
         return first, second
 
+    def forget(self) -> None:
+        """Start from the oil's own temperature again."""
+        self.states.clear()
+        self.missed, self.change = 0, 0.0
+
     def temperature(
         self,
         contact: ScaledContact,

@@ -1,0 +1,234 @@
+"""From the Newtonian film of uniform temperature to that of an oil that thins and warms, in steps.
+
+Frozen coefficients of an oil whose viscosity falls a millionfold under shear make the cycles run away from a pressure
+that is not nearly the right one, while the same cycles converge from one that is. The film of the Newtonian oil is
+found first, and the share of rheology and heat (see `GeneralizedFlow`) raised from there on the finest grid, in steps
+that are halved, with the damping, where a cycle runs away. At the full share the cycles are accelerated once the
+temperatures are at rest.
+
+Where the pressure falls steeply at the outlet decompression cools the oil by tens of kelvins within a few nodes, and
+the pressure answers to the viscosity there: followed at once, the temperatures of single columns jump from cycle to
+cycle and never come to rest. A share of the way in each cycle settles them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .acceleration import Acceleration
+from .conditions import ContactConditions
+from .far_field import exterior_load
+from .full_multigrid import (
+    ATTEMPTS,
+    GROWTH_LIMIT,
+    PLAIN_CYCLES,
+    PRESSURE_LIMIT,
+    SMALLEST_FILM,
+    DivergedError,
+    Outcome,
+    contact_multigrid,
+    film_values,
+)
+from .generalized_reynolds.flow import GeneralizedFlow
+from .multigrid import Multigrid, cycle, load_error, refresh_factors, reynolds_residual, start_level, update_film
+from .options import SolverOptions
+from .scaling import scale_contact
+from .solution import ContactSolution, FilmValue
+from .solver import solve_contact
+
+Array = NDArray[np.float64]
+
+# among the fallbacks of a record
+NAME = "continued from the Newtonian film"
+SLOWER = "rheology and heat raised in smaller steps"
+FIRST_SHARE = 0.1
+STEP_GROWTH = 2.0  # of the share from step to step
+STEP_CYCLES = 4  # at each share below the full one
+SMALLEST_STEP = 0.01  # of the share, below which the continuation gives up
+HALVINGS = 2  # of the damping, at most
+PATIENCE = 3  # times the cycles of the options at the full share
+SETTLED = 0.03  # change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's flow
+FOLLOWING = 0.3  # of the temperature found, felt in the next cycle: see `GeneralizedFlow`
+RESTING = 1.0  # largest change of a temperature in a turn [K], below which cycles are accelerated
+FILMS = ("film_central_dimensionless", "film_minimum_dimensionless")
+
+
+def continued(conditions: ContactConditions, options: SolverOptions, flow: GeneralizedFlow) -> ContactSolution:
+    """The contact reached from its Newtonian film; not converged if that did not, or if no step succeeded.
+
+    Film values keep the extrapolation and the error bar of the Newtonian film, in proportion.
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+    options : SolverOptions
+        Mesh, box and number of cycles; a tolerance is left aside.
+    flow : GeneralizedFlow
+        The oil; its fields are those of the last turn afterwards.
+    """
+    plain = solve_contact(conditions, replace(options, tolerance=None))
+    record = replace(plain.record, fallbacks=(*plain.record.fallbacks, NAME))
+    plain = replace(plain, options=options, record=record)
+    if not plain.converged:
+        return replace(plain, message=f"the Newtonian film is {plain.message}")
+    outcome, slower = Outcome(state=_state(plain, options, flow)), 0
+    flow.forget()
+    flow.single, flow.following = False, FOLLOWING
+    try:
+        slower = _raise_share(outcome.state, flow)
+        _finish(outcome, flow, PATIENCE * options.max_cycles)
+    except DivergedError:
+        outcome.films = []
+    reached, flow.share, flow.following = flow.share, 1.0, 1.0
+    return _solution(
+        replace(plain, record=replace(record, fallbacks=(*record.fallbacks, *slower * (SLOWER,)))), outcome, reached
+    )
+
+
+def _state(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow) -> Multigrid:
+    """Levels on the grid of a solution and with its damping, its pressure and approach on the finest."""
+    assert isinstance(plain.conditions, ContactConditions)
+    ways = [scale_contact(plain.conditions, along_entrainment=turned) for turned in (False, True)]
+    contact = min(ways, key=lambda way: abs(way.frame_angle - plain.frame_angle))
+    contact = replace(contact, film_guess=plain.film_central_dimensionless.finest)
+    taken = [attempt for attempt in ATTEMPTS if attempt.name in plain.record.fallbacks]
+    attempt = max(taken, key=lambda a: plain.record.fallbacks.index(a.name), default=ATTEMPTS[0])
+    state = contact_multigrid(contact, plain.domain, options, attempt, flow)
+    state.approach = plain.approach_dimensionless
+    level, index = state.levels[-1], len(state.levels) - 1
+    start_level(state, index, np.ascontiguousarray(plain.P.T[-level.grid.ny :]))
+    if state.far_field is not None:
+        state.exterior = exterior_load(state.far_field, level.grid, level.H)
+        level.load = contact.load - state.exterior
+    return state
+
+
+def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> int:
+    """Raise the share to 1, the first cycles there included; how many steps had to be halved [-].
+
+    Raises
+    ------
+    DivergedError
+        If the smallest step runs away.
+    """
+    reached, wanted, slower = 0.0, FIRST_SHARE, 0
+    while reached < 1.0:
+        flow.share = wanted
+        kept, found = _kept(state), flow.kept()
+        if all(np.isfinite(_guarded_cycle(state)) for _ in range(STEP_CYCLES)):
+            reached, wanted = wanted, min(STEP_GROWTH * wanted, 1.0)
+            continue
+        _restore(state, kept)
+        flow.restore(found)
+        wanted = 0.5 * (reached + wanted)
+        slower += 1
+        if slower <= HALVINGS:
+            state.damping = state.damping.halved()
+        if wanted - reached < SMALLEST_STEP:
+            flow.share = reached
+            raise DivergedError
+    return slower
+
+
+Kept = tuple[Array, float, float, float]
+
+
+def _kept(state: Multigrid) -> Kept:
+    level = state.levels[-1]
+    return level.P.copy(), state.approach, state.exterior, level.load
+
+
+def _restore(state: Multigrid, kept: Kept) -> None:
+    level = state.levels[-1]
+    pressure, state.approach, state.exterior, level.load = kept
+    level.P = pressure.copy()
+    update_film(state, len(state.levels) - 1)
+
+
+def _guarded_cycle(state: Multigrid, last: float = inf) -> float:
+    """One cycle on the finest level; its mean residual, infinite if it ran away [-]."""
+    index, level = len(state.levels) - 1, state.levels[-1]
+    with np.errstate(all="ignore"):  # a runaway cycle overflows; it is looked at, not warned of
+        refresh_factors(state, index)
+        cycle(state, index)
+        residual = float(np.abs(reynolds_residual(state, index)).mean())
+    runaway = not np.isfinite(residual) or residual > GROWTH_LIMIT * last
+    return inf if runaway or not 0.0 < level.P.max() <= PRESSURE_LIMIT else residual
+
+
+def _finish(outcome: Outcome, flow: GeneralizedFlow, cycles: int) -> None:
+    """Cycle at the full share until film, load and flow stand still, accelerated.
+
+    Raises
+    ------
+    DivergedError
+        If a cycle runs away.
+    """
+    state = outcome.state
+    index, level, residual = len(state.levels) - 1, state.levels[-1], inf
+    acceleration = Acceleration()
+    outcome.film.append(film_values(level.grid, level.H))
+    for _ in range(cycles):
+        given = (level.P.copy(), state.approach)
+        residual = _guarded_cycle(state, residual)
+        if not np.isfinite(residual):
+            raise DivergedError
+        film, before = film_values(level.grid, level.H), outcome.film[-1]
+        outcome.film.append(film)
+        outcome.films = [film]
+        outcome.changes.append(
+            max(abs(new - old) / max(abs(new), SMALLEST_FILM) for new, old in zip(film, before, strict=True))
+        )
+        outcome.residual.append(residual)
+        outcome.load.append(load_error(state, index))
+        if outcome.converged() and flow.change <= SETTLED:
+            return
+        rest = flow.heat is None or flow.heat.change < RESTING
+        if rest and len(outcome.changes) > PLAIN_CYCLES:
+            level.P, state.approach = acceleration.mixed(given, (level.P, state.approach))
+            update_film(state, index)
+
+
+def _solution(plain: ContactSolution, outcome: Outcome, reached: float) -> ContactSolution:
+    """Fields and film values of the finest grid; the plain solution's, flagged, if the full share was not reached."""
+    if not outcome.films:
+        told = f"not converged: ran away from the Newtonian film at {reached:.0%} of rheology and heat; try more points"
+        return replace(plain, converged=False, message=told)
+    level = outcome.state.levels[-1]
+    P, H = level.P, level.H
+    if level.grid.symmetric:
+        P, H = np.concatenate((P[:0:-1], P)), np.concatenate((H[:0:-1], H))
+    central, minimum = (_in_proportion(getattr(plain, name), outcome, kind) for kind, name in enumerate(FILMS))
+    record = replace(
+        plain.record,
+        residual=tuple(outcome.residual),
+        force_error=tuple(outcome.load),
+        film_change=tuple(outcome.changes),
+        cycles=len(outcome.changes),
+    )
+    message = plain.message
+    if not outcome.converged():
+        message = f"not converged: film changed by {outcome.changes[-1]:.1e} in the last cycle; try more points"
+    return replace(
+        plain,
+        P=P.T,
+        H=H.T,
+        film_central_dimensionless=central,
+        film_minimum_dimensionless=minimum,
+        approach_dimensionless=outcome.state.approach,
+        converged=outcome.converged(),
+        message=message,
+        record=record,
+    )
+
+
+def _in_proportion(plain: FilmValue, outcome: Outcome, kind: int) -> FilmValue:
+    """Central (0) or minimum (1) film, its extrapolation that of the Newtonian film in proportion [-]."""
+    finest = outcome.films[-1][kind]
+    ratio = finest / plain.finest
+    noise = outcome.remaining_error() * abs(finest)
+    return FilmValue(value=ratio * plain.value, uncertainty=abs(ratio) * plain.uncertainty + noise, finest=finest)

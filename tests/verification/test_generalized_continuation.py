@@ -1,0 +1,135 @@
+"""Contacts with rheology and heat reached from their Newtonian film: the same film, and one nothing else solves."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose, assert_array_equal
+
+from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
+from ehl.generalized_continuation import NAME, continued
+from ehl.generalized_reynolds.flow import BeganAnewError, GeneralizedFlow
+from ehl.generalized_solver import solve_generalized
+from ehl.lubricant import ThermalProperties
+from ehl.rheology import Rheology, ShearLaw, eased, shear_stress
+from ehl.thermal import SolidThermal
+from ehl.thermal.film_heat import FilmHeat
+
+HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.04, expansion=7e-4)
+OIL = Lubricant(viscosity=0.04, pressure_viscosity=2e-8, temperature=333.0, thermal=HEAT)
+CIRCULAR = ContactConditions(
+    load=20.0,
+    radius_x=0.0127,
+    radius_y=0.0127,
+    reduced_modulus=2.2e11,
+    entrainment_speed=1.0,
+    lubricant=OIL,
+    slide_roll_ratio=0.5,
+)
+STEEL = SolidThermal(conductivity=46.0, density=7850.0, specific_heat=460.0)
+EYRING = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
+COARSE = SolverOptions(points=65)
+AT_REST = 2e-3  # both iterations stop when 4e-4 of the film is left to go by their own estimate, the minimum's slower
+
+# Draw 20 of benchmarks/robustness_shear_heat.py, seed 77113, to four digits: 2.3 GPa, L 37, spin. The cycles from a
+# Hertz pressure stall with a load error of 1 %.
+STALLED = ContactConditions(
+    load=17.65,
+    radius_x=2.070e-3,
+    radius_y=4.105e-3,
+    reduced_modulus=3.392e11,
+    entrainment_speed=11.59,
+    lubricant=Lubricant(viscosity=0.02748, pressure_viscosity=1.985e-8, roelands_z=0.6088),
+    slide_roll_ratio=1.918e-3,
+    spin=481.0,
+)
+
+
+@pytest.mark.parametrize("heat", [False, True], ids=["shear", "heat"])
+def test_continuation_finds_the_same_film(heat):
+    flow = GeneralizedFlow(
+        conditions=CIRCULAR,
+        rheology=EYRING,
+        heat=FilmHeat(conditions=CIRCULAR, solids=(STEEL, STEEL)) if heat else None,
+    )
+    there = continued(CIRCULAR, COARSE, flow)
+    straight = solve_generalized(CIRCULAR, EYRING, solids=(STEEL, STEEL) if heat else None, options=COARSE).contact
+    assert there.converged and straight.converged
+    assert there.record.fallbacks == (NAME,) and straight.record.fallbacks == ()
+    assert (flow.share, flow.following) == (1.0, 1.0)
+    for film in ("film_central_dimensionless", "film_minimum_dimensionless"):
+        assert_allclose(getattr(there, film).finest, getattr(straight, film).finest, rtol=AT_REST)
+    assert (
+        there.film_central_dimensionless.finest
+        < 0.99 * solve_contact(CIRCULAR, COARSE).film_central_dimensionless.finest
+    )
+
+
+def test_continuation_to_a_newtonian_oil_stays_where_it_is():
+    """1e15 Pa leaves (tau/tau_0)^2/6 < 1e-12; two directions and a whole grid where lateral sliding needs one."""
+    conditions = replace(CIRCULAR, lateral_slide_ratio=0.02)
+    flow = GeneralizedFlow(conditions=conditions, rheology=replace(EYRING, eyring_stress=1e15))
+    there, plain = continued(conditions, COARSE, flow), solve_contact(conditions, COARSE)
+    assert there.converged and there.P.shape == plain.P.shape
+    assert_allclose(there.film_central, plain.film_central, rtol=AT_REST)
+
+
+def test_eased_rheology_is_the_same_law_at_higher_stresses():
+    """tau(rate; stresses/s) = tau(s rate; stresses)/s for every law, the limiting stress included."""
+    carreau = Rheology(law=ShearLaw.CARREAU_YASUDA, carreau_modulus=2e6, carreau_exponent=0.5)
+    rates, share = np.array([1e2, 1e5, 1e8]), 0.2
+    for rheology in (EYRING, carreau, replace(EYRING, limiting_coefficient=0.05, limiting_stress=1e5)):
+        assert eased(rheology, 1.0) is rheology
+        wanted = shear_stress(share * rates, 3.0, 5e8, rheology) / share
+        assert_allclose(shear_stress(rates, 3.0, 5e8, eased(rheology, share)), wanted, rtol=1e-12)
+
+
+def test_solve_that_begins_anew_forgets():
+    """A grid that is not finer than the last is another attempt: its fields must not come from the one that failed."""
+    flow, fresh = (GeneralizedFlow(conditions=CIRCULAR, rheology=EYRING) for _ in range(2))
+    first, second = (_asked(flow, 33) for _ in range(2))
+    assert_array_equal(first.poiseuille, second.poiseuille)
+    assert_array_equal(first.poiseuille, _asked(fresh, 33).poiseuille)
+    flow.single = True
+    _asked(flow, 65)
+    with pytest.raises(BeganAnewError):
+        _asked(flow, 33)
+
+
+def test_restored_flow_goes_on_as_before():
+    flow = GeneralizedFlow(conditions=CIRCULAR, rheology=EYRING)
+    grid = _grid(33)
+    _asked(flow, grid)
+    kept = flow.kept()
+    wanted = _asked(flow, grid, film=0.2)
+    flow.restore(kept)
+    assert_array_equal(_asked(flow, grid, film=0.2).poiseuille, wanted.poiseuille)
+
+
+@pytest.mark.slow
+def test_contact_that_stalls_from_hertz_pressure():
+    solution = solve_generalized(STALLED, EYRING, options=SolverOptions(points=129)).contact
+    assert solution.converged
+    assert NAME in solution.record.fallbacks
+
+
+def _grid(points):
+    from ehl.full_multigrid import ATTEMPTS, contact_multigrid
+    from ehl.scaling import scale_contact
+
+    contact = scale_contact(CIRCULAR)
+    flow = GeneralizedFlow(conditions=CIRCULAR, rheology=EYRING)
+    options = SolverOptions(points=points, domain=(-4.0, 1.5, 2.5))
+    return contact_multigrid(contact, options.domain, options, ATTEMPTS[0], flow).levels[-1].grid
+
+
+def _asked(flow, grid, film=0.3):
+    """Factors at a Hertz pressure over a parabolic gap."""
+    from ehl.scaling import scale_contact
+
+    grid = _grid(grid) if isinstance(grid, int) else grid
+    X, Y = grid.X[None, :], grid.Y[:, None]
+    P = np.sqrt(np.maximum(1.0 - X**2 - Y**2, 0.0))
+    return flow.factors(scale_contact(CIRCULAR), grid, P, film + 0.1 * np.maximum(X**2 + Y**2 - 1.0, 0.0))
