@@ -68,7 +68,8 @@ Without friction in the pockets (0.05 in the case) the outer race slides at {smo
 under 200 N, and at {smooth_loaded:.3f} m/s inside it: the cage, which pushes the balls there against the drag, brakes
 their rotation. Without it the paper's statement on the outer race below holds.
 
-Critical loads at 5000 r/min, below which the balls stay under 0.9 of the kinematic speed:
+Critical loads at 5000 r/min, below which the balls stay under 0.9 of the kinematic speed, by bisection to 5 % (rolling
+under an axial load: 2 %), so the ratios are known to some 5 %:
 
 | start | axial, N | radial, N | ratio |
 |---|---|---|---|
