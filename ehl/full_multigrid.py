@@ -118,6 +118,7 @@ class Attempt:
         return not self.long_only or contact.half_extent_x > contact.half_extent_y
 
 
+WIDE_AND_PATIENT = "mesh doubled across the entrainment, three times the cycles"
 CAUTIOUS = replace(Damping().halved(), switch=1.5)
 ATTEMPTS = (
     Attempt(name="plain", damping=Damping()),
@@ -128,6 +129,7 @@ ATTEMPTS = (
     Attempt(name="mesh halved across the entrainment", damping=CAUTIOUS, mesh_y=0.5),
     Attempt(name="started one level finer", damping=CAUTIOUS.halved(), finer_start=1, mesh_y=0.5),
     Attempt(name="three times the cycles", damping=CAUTIOUS, patience=3),
+    Attempt(name=WIDE_AND_PATIENT, damping=Damping().halved(), mesh_y=2.0, long_only=True, patience=3),
 )
 
 

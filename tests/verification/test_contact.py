@@ -436,7 +436,10 @@ def test_long_ellipse_comes_to_rest_on_another_mesh():
 
 def test_every_attempt_is_on_record():
     s = solve_contact(CIRCULAR, SolverOptions(points=65, domain=BOX, max_cycles=1))
-    assert s.record.fallbacks[-1] == ATTEMPTS[-1].name
+    circle = scale_contact(CIRCULAR)
+    assert [name for name in s.record.fallbacks if not name.startswith("cycle")] == [
+        attempt.name for attempt in ATTEMPTS[1:] if attempt.applies(circle, circle)
+    ]
 
 
 def test_free_volume_laws_in_the_contact():
