@@ -1,6 +1,8 @@
 """Random contacts, Newtonian and with shear thinning and heat: how many converge, and what the film loses.
 
-python benchmarks/robustness_shear_heat.py [count] [seed]
+python benchmarks/robustness_shear_heat.py [count] [seed] [draw ...]
+
+With draws named only these of the `count` are solved. A + stands where a fallback was taken.
 """
 
 from __future__ import annotations
@@ -54,13 +56,15 @@ def random_contact(random: np.random.Generator) -> ContactConditions:
     )
 
 
-def main(count: int, seed: int) -> None:
-    """Solve them all and print one line each."""
+def main(count: int, seed: int, *draws: int) -> None:
+    """Solve them all, or the draws named, and print one line each."""
     random = np.random.default_rng(seed)
     solved = dict.fromkeys(MODELS, 0)
     newtonian = 0
     for index in range(count):
         contact = random_contact(random)
+        if draws and index not in draws:
+            continue
         options = SolverOptions(points=129)
         plain = solve_contact(contact, options)
         newtonian += plain.converged
@@ -76,9 +80,15 @@ def main(count: int, seed: int) -> None:
             solved[name] += solution.converged
             ratio = solution.film_central_dimensionless.finest / plain.film_central_dimensionless.finest
             mark = f"{ratio:.3f}" if solution.converged else f"-- ({solution.message[:40]})"
-            print(f" | {name} {mark} {perf_counter() - began:.1f} s", end="", flush=True)
+            mark += "+" if solution.record.fallbacks else ""
+            print(
+                f" | {name} {mark} {solution.record.cycles} cycles {perf_counter() - began:.1f} s", end="", flush=True
+            )
         print()
-    print(f"newtonian {newtonian} of {count}; of these " + ", ".join(f"{name} {n}" for name, n in solved.items()))
+    print(
+        f"newtonian {newtonian} of {len(draws) or count}; of these "
+        + ", ".join(f"{name} {n}" for name, n in solved.items())
+    )
 
 
 if __name__ == "__main__":
