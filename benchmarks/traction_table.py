@@ -26,7 +26,7 @@ LOAD, SPEED = (10.8, 2418.0), (7.5, 18.8)  # [N], [m/s]
 RADIUS, CURVATURE = 4.8e-3, 0.5 / 6.08e-3  # [m], [1/m]
 
 
-@njit(cache=True, nogil=True, error_model="numpy")
+@njit(nogil=True, error_model="numpy")  # not kept on disk: it holds the code of the lookup
 def many(axes, constants, scalars, values, motions, out):
     """Lookups one after the other, as the equations of motion do them."""
     total = 0.0

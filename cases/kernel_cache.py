@@ -12,6 +12,8 @@ from importlib import metadata
 from importlib.util import find_spec
 from pathlib import Path
 
+from ehl.kernel_sources import kernel_digest
+
 from .version import version
 
 VARIABLE = "NUMBA_CACHE_DIR"
@@ -33,8 +35,8 @@ def ensure_kernel_cache() -> None:
 def compiled_stamp(kind: str) -> Path | None:
     """File that stands where the kernels for a kind of work are known to be compiled; None if there is no place for it.
 
-    Its name holds a hash of the kernels' sources and of what compiles them; it lies where numba keeps its own files or,
-    failing that, in the user's cache.
+    Its name holds a digest of the kernels' sources and of what compiles them; it lies where numba keeps its own files
+    or, failing that, in the user's cache.
     """
     spec = find_spec("ehl")
     if spec is None or not spec.origin:
@@ -45,9 +47,7 @@ def compiled_stamp(kind: str) -> Path | None:
     except RuntimeError:  # no home directory
         return None
     folder = Path(os.environ.get(VARIABLE) or folder)
-    sources = sorted(path for root in (package, package.parent / "bearing") for path in root.rglob("_kernels.py"))
-    facts = [(str(path), path.stat().st_mtime_ns, path.stat().st_size) for path in sources]
-    whole = repr([kind, facts, version(), sys.version, _installed("numba"), platform.machine()])
+    whole = repr([kind, kernel_digest(), version(), sys.version, _installed("numba"), platform.machine()])
     return folder / f".oilfilm-compiled-{hashlib.sha256(whole.encode()).hexdigest()[:16]}"
 
 

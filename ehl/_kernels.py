@@ -7,7 +7,8 @@ row below it is the mirror image of row 1. The readable NumPy twins stand in `re
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from .compiled import compiled
 
 LOWER = 4  # sub-diagonals kept in the line system
 UPPER = 3  # super-diagonals kept in the line system
@@ -16,10 +17,8 @@ REACH = LOWER + 3  # kernel entries needed to either side
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
 FIXED, GAUSS_SEIDEL, JACOBI = 0, 1, 2  # what the relaxation does at a node
 
-OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 
-
-@njit(**OPTIONS)
+@compiled
 def flow_properties(P, H, slope, pressure, exponent, dense_1, dense_2, speed, eps, rho, rho_slope, first, stop):
     """eps = rho H^3/(eta lambda), rho and d(rho)/dP at every node of the lines from `first` to before `stop`."""
     nx = P.shape[1]
@@ -41,7 +40,7 @@ def flow_properties(P, H, slope, pressure, exponent, dense_1, dense_2, speed, ep
             eps[j, i] = density * cube * np.exp(-min(log_eta, EXPONENT_LIMIT))
 
 
-@njit(**OPTIONS)
+@compiled
 def _along(i, flow, H, hx):
     """d_X(flow H) at node i of a line: second order upstream, central in the first and last column."""
     if flow[i] >= 0.0:
@@ -52,7 +51,7 @@ def _along(i, flow, H, hx):
     return 0.5 * (flow[i + 1] * H[i + 1] - flow[i - 1] * H[i - 1]) / hx
 
 
-@njit(**OPTIONS)
+@compiled
 def _across(j, i, flow, H, hy):
     """d_Y(flow H): as `_along`, across the lines."""
     if flow[j, i] >= 0.0:
@@ -67,7 +66,7 @@ def _across(j, i, flow, H, hy):
     return 0.5 * (flow[j + 1, i] * H[j + 1, i] - flow[j - 1, i] * H[j - 1, i]) / hy
 
 
-@njit(**OPTIONS)
+@compiled
 def _operator(i, P, north, south, eps, eps_north, eps_south, flow, H, cx, cy, hx):
     """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow H) at node i of a line."""
     e = eps[i]
@@ -77,7 +76,7 @@ def _operator(i, P, north, south, eps, eps_north, eps_south, flow, H, cx, cy, hx
     return poiseuille - _along(i, flow, H, hx)
 
 
-@njit(**OPTIONS)
+@compiled
 def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out):
     """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H) at interior nodes, zero on the edge.
 
@@ -94,7 +93,7 @@ def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out
                 out[j, i] -= _across(j, i, flow_y, H, hy)
 
 
-@njit(**OPTIONS)
+@compiled
 def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind):
     """Fixed: cavitated and content; Gauss-Seidel where Poiseuille flow rules; distributive Jacobi elsewhere."""
     for i in range(1, P.size - 1):
@@ -109,7 +108,7 @@ def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind)
             kind[i] = JACOBI
 
 
-@njit(**OPTIONS)
+@compiled
 def _line_system(eps, eps_north, eps_south, flow, slope, H, kinds, influence, cx, cy, hx, wx, wy, band):
     """Derivative of the line's operator with respect to the changes at its own nodes, LOWER + UPPER diagonals.
 
@@ -156,7 +155,7 @@ def _line_system(eps, eps_north, eps_south, flow, slope, H, kinds, influence, cx
                 band[i, LOWER + 2 * up] += up * 0.5 * slope[i + 2 * up] * H[i + 2 * up] / hx
 
 
-@njit(**OPTIONS)
+@compiled
 def _add_lateral(j, flow, slope, H, kinds, influence, hy, band):
     """Add the derivative of -d_Y(flow H) to a line's system: the film of this line and of the two upstream of it."""
     ny, n = H.shape
@@ -174,7 +173,7 @@ def _add_lateral(j, flow, slope, H, kinds, influence, hy, band):
         band[i, LOWER] += up * 1.5 * slope[j, i] * H[j, i] / hy
 
 
-@njit(**OPTIONS)
+@compiled
 def _influences(near, wx, wy, influence):
     """Deflection in the line of a change and in the two next ones, [line, kind, distance along x + REACH]."""
     for m in range(-REACH, REACH + 1):
@@ -186,7 +185,7 @@ def _influences(near, wx, wy, influence):
             )
 
 
-@njit(**OPTIONS)
+@compiled
 def _solve_band(band, rhs):
     """Gaussian elimination without pivoting; the solution replaces `rhs`, the factors `band`."""
     n = rhs.size
@@ -205,7 +204,7 @@ def _solve_band(band, rhs):
         rhs[i] = total / band[i, LOWER]
 
 
-@njit(**OPTIONS)
+@compiled
 def _apply_line(j, P, eps, kind, delta, wx, relief, spread):
     """A line's solution: its Jacobi part is kept to be spread, the changes of Gauss-Seidel nodes go into P at once.
 
@@ -222,7 +221,7 @@ def _apply_line(j, P, eps, kind, delta, wx, relief, spread):
             P[j, i] = max(P[j, i] + relief * (0.4 + 0.6 * e / (e + 1.0)) * step, 0.0)
 
 
-@njit(**OPTIONS)
+@compiled
 def relax_lines(
     P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, relief, switch, kinds, spread,
     first, stop,
@@ -264,14 +263,14 @@ def relax_lines(
         kinds[j] = kind
 
 
-@njit(**OPTIONS)
+@compiled
 def _neighbour_weights(hx, hy):
     """Weights of a distributive change, as `relaxation.neighbour_weights`."""
     wx = 0.5 * np.sqrt(hy) / (np.sqrt(hx) + np.sqrt(hy))
     return wx, 0.5 - wx
 
 
-@njit(**OPTIONS)
+@compiled
 def spread_changes(P, kinds, spread, hx, hy, damping, first, stop):
     """Second part of a sweep: P += damping (d - wx d of either side - wy d of the next lines), P >= 0.
 

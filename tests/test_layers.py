@@ -12,7 +12,7 @@ ROOT = Path(__file__).parents[1]
 LAYERS = ("ehl", "bearing", "postprocess", "cases")
 MODULES = [path for layer in LAYERS for path in sorted((ROOT / layer).rglob("*.py"))]
 HOMES = {
-    "numba": ("_kernels.py",),
+    "numba": ("_kernels.py", "ehl/compiled.py"),
     "skfem": ("ehl/reynolds_fem.py", "ehl/layered_fem.py", "ehl/subsurface.py"),
     "pyamg": ("ehl/linear_solvers.py",),
     "vtk": ("postprocess/vtk.py",),

@@ -8,10 +8,10 @@ moment of its polar inertia; so is the cage, whose rotation is free. The NumPy t
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from ehl.compiled import compiled
 
 from .contact._kernels import (
-    OPTIONS,
     cross,
     elastic_force,
     groove_contact,
@@ -40,7 +40,7 @@ from .problem import (
 )
 
 
-@njit(**OPTIONS)
+@compiled
 def schedule_at(schedule, t, out):
     """Speeds, force and moment of the schedule at a time, linear between its rows; returns the inner acceleration."""
     n = schedule.shape[0]
@@ -57,7 +57,7 @@ def schedule_at(schedule, t, out):
     return (schedule[k + 1, 1] - schedule[k, 1]) / span
 
 
-@njit(**OPTIONS)
+@compiled
 def place_bodies(balls, y, inner_speed, outer_speed, b):
     """Rows of b: inner ring, outer ring, cage."""
     nq = 11 + 3 * balls
@@ -79,7 +79,7 @@ def place_bodies(balls, y, inner_speed, outer_speed, b):
         b[row, 11] += y[nq + tilt + 1]
 
 
-@njit(**OPTIONS)
+@compiled
 def add_load(load, body, x, y, z, fx, fy, fz):
     """Add a force at a point to the force on a body and to the moment about its centre."""
     m0, m1, m2 = cross(x - body[0], y - body[1], z - body[2], fx, fy, fz)
@@ -91,7 +91,7 @@ def add_load(load, body, x, y, z, fx, fy, fz):
     load[5] += m2
 
 
-@njit(**OPTIONS)
+@compiled
 def race_motion(c, body, centre_radius, groove_radius, pos, vel, turn, k):
     """How a ball meets a race: k holds n, t, y, the point, slides, spin, rolling, speed, rate, angle, approach."""
     arm = c.ball_radius
@@ -118,7 +118,7 @@ def race_motion(c, body, centre_radius, groove_radius, pos, vel, turn, k):
     k[18] = np.arctan2(axial, radial) if radial > 0.0 else np.arctan2(-axial, -radial)
 
 
-@njit(**OPTIONS)
+@compiled
 def race_motions(c, bodies, y, motion):
     """`race_motion` of every ball and both races."""
     nq, nb = 11 + 3 * c.balls, 3 * c.balls
@@ -129,7 +129,7 @@ def race_motions(c, bodies, y, motion):
         race_motion(c, bodies[1], c.outer_centre, c.outer_groove, pos, vel, turn, motion[1, j])
 
 
-@njit(**OPTIONS)
+@compiled
 def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load, power, race_out):
     """Forces of one race on every ball, and of the balls on the race; powers; states of the contacts."""
     arm = c.ball_radius
@@ -164,7 +164,7 @@ def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load
         force[5] += c2 + m2
 
 
-@njit(**OPTIONS)
+@compiled
 def pocket_motion(c, body, angle, pos, vel, turn, k):
     """Where and how a ball meets its pocket: k holds n, the point, the slide vector, its size, the rate, the depth."""
     arm = c.ball_radius
@@ -192,7 +192,7 @@ def pocket_motion(c, body, angle, pos, vel, turn, k):
     k[11] = offset - c.pocket_play
 
 
-@njit(**OPTIONS)
+@compiled
 def pocket_forces(c, body, law, memory, angles, y, k, forces, load, power, pocket_out):
     """Forces of the pockets on the balls: contact with friction, and the shear of a thin film on the near side."""
     nq, nb = 11 + 3 * c.balls, 3 * c.balls
@@ -220,7 +220,7 @@ def pocket_forces(c, body, law, memory, angles, y, k, forces, load, power, pocke
         force[5] += m2
 
 
-@njit(**OPTIONS)
+@compiled
 def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
     """One land of the guiding ring and the cage: film, its friction, and the solid contact when the gap is used up."""
     ring, cage = bodies[0] if c.guide == 1 else bodies[1], bodies[2]
@@ -257,7 +257,7 @@ def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
     power[LAND_FRICTION] -= fy * vy + fz * vz + turning * cage[9] + at_ring * ring[9] + stored_power
 
 
-@njit(**OPTIONS)
+@compiled
 def ball_equations(c, free, y, forces, power, dy):
     """Newton's and Euler's equations of the balls with drag and weight."""
     nq, nb = 11 + 3 * c.balls, 3 * c.balls
@@ -274,7 +274,7 @@ def ball_equations(c, free, y, forces, power, dy):
         dy[v + 2] = free[13] * ((forces[j, 2] - pull * y[v + 2]) / c.ball_mass + c.gravity_z)
 
 
-@njit(**OPTIONS)
+@compiled
 def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
     """The inner ring: contacts, loads, unbalance, support, weight, gyroscopic coupling of its tilts."""
     nq = 11 + 3 * c.balls
@@ -298,7 +298,7 @@ def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
     power[DRIVE_INNER] -= spin * (load[3] * body[3] + load[4] * body[4] + load[5] * body[5])
 
 
-@njit(**OPTIONS)
+@compiled
 def cage_equations(c, free, y, load, body, dy):
     """The cage: pockets, lands, weight."""
     nq = 11 + 3 * c.balls
@@ -317,7 +317,7 @@ def cage_equations(c, free, y, load, body, dy):
     dy[nq + 10] = free[10] * (load[5] + c.cage_polar * spin * vy) / c.cage_transverse
 
 
-@njit(**OPTIONS)
+@compiled
 def contact_forces(p, y):
     """All contacts: forces on balls, ring, cage; powers; states."""
     c, bodies, loads, power, forces = p.constants, p.bodies, p.loads, p.power, p.forces
@@ -346,7 +346,7 @@ def contact_forces(p, y):
                 cage_land(c, side, bodies, p.normal[LAND], p.memory[3 * c.balls + side], loads, power, p.land_out)
 
 
-@njit(**OPTIONS)
+@compiled
 def derivative(t, y, p, dy):
     """Rates of the state vector at a time; states of the contacts and powers are left in the arrays of `p`."""
     c, given, free = p.constants, p.given, p.free
@@ -361,7 +361,7 @@ def derivative(t, y, p, dy):
     dy[angle + 1 :] = p.power
 
 
-@njit(**OPTIONS)
+@compiled
 def energies(y, p, out):
     """Kinetic, elastic and potential energy [J] of a state whose `derivative` was just taken."""
     c, free, n = p.constants, p.free, p.constants.balls
@@ -387,7 +387,7 @@ def energies(y, p, out):
     out[0], out[1], out[2] = kinetic, elastic, weight
 
 
-@njit(**OPTIONS)
+@compiled
 def stored(law, approach):
     """Elastic energy of a contact, K approach^(n + 1)/(n + 1)."""
     return elastic_force(law, approach) * max(approach, 0.0) / (law[EXPONENT] + 1.0)

@@ -7,14 +7,12 @@ Everything is arrays and floats. The twins are `tabulated.law_gradient`, contact
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from ehl.compiled import compiled
 from ehl.traction._kernels import hertz_friction, table_lookup
 
-OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 
-
-@njit(**OPTIONS)
+@compiled
 def table_gradients(axes, constants, scalars, values, places, motion, step, gradient, slope):
     """Minus forces and moments (n, 4) of one table, and their slope (n, 4, 4) by sliding and spin.
 
@@ -35,7 +33,7 @@ def table_gradients(axes, constants, scalars, values, places, motion, step, grad
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
 
 
-@njit(**OPTIONS)
+@compiled
 def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
     """As `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and shapes (n, 5) a contact each."""
     out, moved = np.empty(8), np.empty(3)
@@ -53,7 +51,7 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
 
 
-@njit(**OPTIONS)
+@compiled
 def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
     """Power (n,), gradient (n, 4) and slope (n, 4, 4) of Coulomb friction at motions (n, 4).
 

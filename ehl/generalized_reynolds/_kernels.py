@@ -8,8 +8,8 @@ the nodes of a column.
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from ..properties._kernels import density_ratio, viscosity
 from ..rheology._kernels import CARREAU_YASUDA, REE_EYRING, limiting_stress, shear_rate, shear_stress
 
@@ -23,10 +23,8 @@ CREEPING = 0.2
 ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY = 0, 1, 2, 3, 4, 5  # rows of the workspace
 ROWS = 6
 
-OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 
-
-@njit(**OPTIONS)
+@compiled
 def newtonian_stress(tau, limit, margin, rheology):
     """eta times the rate, and its derivative by tau, at a stress magnitude; a tangent from the margin on."""
     slope, beyond = 1.0, 0.0
@@ -45,7 +43,7 @@ def newtonian_stress(tau, limit, margin, rheology):
     return newtonian + slope * beyond, slope
 
 
-@njit(**OPTIONS)
+@compiled
 def column_limit(p, temperature, eta, rate, rheology):
     """Limiting stress of a column [Pa], and the share of it below it from which on the law follows its tangent."""
     limit = limiting_stress(p, temperature, rheology[4], rheology[5], rheology[6], rheology[7], rheology[8])
@@ -53,7 +51,7 @@ def column_limit(p, temperature, eta, rate, rheology):
     return limit, LIMIT_EXCESS / max(base / limit, 1.0)
 
 
-@njit(**OPTIONS)
+@compiled
 def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
     """Mean rate less the wanted one (2), its derivative by tau_m (xx, xy, yy), mean of its magnitude."""
     nodes, weights, _ = section
@@ -76,7 +74,7 @@ def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
     return f_x, f_y, j_xx, j_xy, j_yy, scale
 
 
-@njit(**OPTIONS)
+@compiled
 def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
     """Stress in the middle of one column, from a first guess (tau_x, tau_y) [Pa], and whether it is found.
 
@@ -108,7 +106,7 @@ def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
     return tau_x, tau_y, size <= ACCEPTED * scale
 
 
-@njit(**OPTIONS)
+@compiled
 def first_guess(eta, rate, section, limit, rheology):
     """Stress of the mean rate at the mean fluidity [Pa]."""
     size = np.hypot(rate[0], rate[1])
@@ -119,7 +117,7 @@ def first_guess(eta, rate, section, limit, rheology):
     return tau * rate[0] / size, tau * rate[1] / size
 
 
-@njit(**OPTIONS)
+@compiled
 def column_fluidity(middle, rise, section, limit, margin, rheology, work):
     """1/eta*, and the tensor d(rate)/d(tau), at the nodes of a column [1/(Pa s)]."""
     nodes, eta = section[0], work[ETA]
@@ -137,7 +135,7 @@ def column_fluidity(middle, rise, section, limit, margin, rheology, work):
         work[T_YY, k] = (secant + (slope - secant) * e_y * e_y) / eta[k]
 
 
-@njit(**OPTIONS)
+@compiled
 def column_properties(p, temperature, oil, section, work):
     """Viscosity [Pa s] and density over rho_0 at the nodes of a column; returns its mean temperature [K]."""
     mean = 0.0
@@ -148,7 +146,7 @@ def column_properties(p, temperature, oil, section, work):
     return mean
 
 
-@njit(**OPTIONS)
+@compiled
 def solve_column(p, temperature, start, rise, rate, oil, section, rheology, work):
     """Stress in the middle of a column and whether it is found; fills the workspace.
 
@@ -164,7 +162,7 @@ def solve_column(p, temperature, start, rise, rate, oil, section, rheology, work
     return t_x, t_y, found
 
 
-@njit(**OPTIONS)
+@compiled
 def column_integrals(f, rho, section):
     """Integrals of f, of z f, of rho int f dz' and of rho int z' f dz' over a column of height 1."""
     nodes, weights, cumulative = section
@@ -181,7 +179,7 @@ def column_integrals(f, rho, section):
     return mean, moment, first, second
 
 
-@njit(**OPTIONS)
+@compiled
 def column_tangent(section, work):
     """Diagonal of the tangent of the flux, in the unit of (rho/eta)_e."""
     a_xx, b_xx, c_xx, d_xx = column_integrals(work[T_XX], work[RHO], section)
@@ -193,7 +191,7 @@ def column_tangent(section, work):
     return 12.0 * (c_xx * m_xx + c_xy * m_yx - d_xx), 12.0 * (c_xy * m_xy + c_yy * m_yy - d_yy)
 
 
-@njit(**OPTIONS)
+@compiled
 def flow_factors(
     p, h, gradient, speed_a, speed_b, temperature, oil, section, rheology, middle, poiseuille, couette, tangent
 ):

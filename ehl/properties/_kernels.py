@@ -6,7 +6,8 @@ oil: the array of `numbers.oil_numbers`.
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from ..compiled import compiled
 
 ISOVISCOUS, BARUS, ROELANDS, TAIT_DOOLITTLE, YASUTOMI = 0, 1, 2, 3, 4  # as `numbers.VISCOSITY_CODES`
 INCOMPRESSIBLE, DOWSON_HIGGINSON, TAIT = 0, 1, 2  # as `numbers.DENSITY_CODES`
@@ -17,10 +18,8 @@ V, T = 7, 16  # as `numbers.VISCOSITY_START`, `numbers.TAIT_START`
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
 SLOPE_STEP = 1e-3  # [K], of difference quotients by temperature
 
-OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 
-
-@njit(**OPTIONS)
+@compiled
 def relative_volume(pressure, temperature, oil):
     """V/V_R after Tait [-]."""
     above = temperature - oil[T + 2]
@@ -29,7 +28,7 @@ def relative_volume(pressure, temperature, oil):
     return (1.0 + oil[T + 4] * above) * (1.0 - np.log1p(pressure * k / modulus) / k)
 
 
-@njit(**OPTIONS)
+@compiled
 def _log_doolittle(pressure, temperature, oil):
     above = temperature - oil[4]
     if oil[V + 3] > 0.0:  # an expansion of its own
@@ -46,7 +45,7 @@ def _log_doolittle(pressure, temperature, oil):
     return oil[V] * oil[V + 1] * (occupied / free - 1.0 / (1.0 - oil[V + 1])) - oil[V + 4] + extra
 
 
-@njit(**OPTIONS)
+@compiled
 def _log_yasutomi(pressure, temperature, oil):
     glass = oil[V] + oil[V + 1] * np.log1p(oil[V + 2] * pressure)
     if oil[V + 7] > 0.0:
@@ -57,7 +56,7 @@ def _log_yasutomi(pressure, temperature, oil):
     return -oil[V + 5] * distance / (oil[V + 6] + distance) - oil[V + 8]
 
 
-@njit(**OPTIONS)
+@compiled
 def log_viscosity_ratio(pressure, temperature, oil):
     """ln(eta/eta_0), at most EXPONENT_LIMIT [-]."""
     law, above = int(oil[0]), temperature - oil[4]
@@ -76,20 +75,20 @@ def log_viscosity_ratio(pressure, temperature, oil):
     return min(_log_yasutomi(pressure, temperature, oil), EXPONENT_LIMIT)
 
 
-@njit(**OPTIONS)
+@compiled
 def viscosity(pressure, temperature, oil):
     """Dynamic viscosity [Pa s]."""
     return oil[2] * np.exp(log_viscosity_ratio(pressure, temperature, oil))
 
 
-@njit(**OPTIONS)
+@compiled
 def viscosity_softening(pressure, temperature, oil):
     """-d(ln eta)/dT [1/K], central difference."""
     cold = log_viscosity_ratio(pressure, temperature - SLOPE_STEP, oil)
     return (cold - log_viscosity_ratio(pressure, temperature + SLOPE_STEP, oil)) / (2.0 * SLOPE_STEP)
 
 
-@njit(**OPTIONS)
+@compiled
 def density_ratio(pressure, temperature, oil):
     """rho/rho_0 [-]."""
     law, above = int(oil[1]), temperature - oil[4]
@@ -104,14 +103,14 @@ def density_ratio(pressure, temperature, oil):
     return ratio * np.exp(-oil[6] * above)
 
 
-@njit(**OPTIONS)
+@compiled
 def thermal_expansion(pressure, temperature, oil):
     """-d(ln rho)/dT [1/K], central difference."""
     cold = density_ratio(pressure, temperature - SLOPE_STEP, oil)
     return np.log(cold / density_ratio(pressure, temperature + SLOPE_STEP, oil)) / (2.0 * SLOPE_STEP)
 
 
-@njit(**OPTIONS)
+@compiled
 def density_slope(pressure, oil):
     """d(rho/rho_0)/dp at the temperature of operation [1/Pa]."""
     law = int(oil[1])
@@ -126,7 +125,7 @@ def density_slope(pressure, oil):
     return 0.0
 
 
-@njit(**OPTIONS)
+@compiled
 def flow_properties(P, H, hertz_pressure, oil, speed, eps, rho, rho_slope, first, stop):
     """eps = rho H^3/(eta lambda), rho and d(rho)/dP [-] of the lines from `first` to before `stop`, any law.
 

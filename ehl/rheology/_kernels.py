@@ -6,16 +6,15 @@ The arguments law, stress, exponent, breadth and those of the limit are the fiel
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from ..compiled import compiled
 
 NEWTONIAN, REE_EYRING, CARREAU_YASUDA = 0, 1, 2  # as `laws.LAW_CODES`
 LARGEST_ARGUMENT = 300.0  # as in `laws`
 NEWTON_STEPS = 30
 
-OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 
-
-@njit(**OPTIONS)
+@compiled
 def limiting_stress(
     pressure, temperature, limit_coefficient, limit_stress, limit_slope, limit_temperature, limit_minimum
 ):
@@ -28,7 +27,7 @@ def limiting_stress(
     return max(limit_stress + limit_coefficient * pressure / softening, limit_minimum)
 
 
-@njit(**OPTIONS)
+@compiled
 def inverse_sine(x):
     """asinh(x) for x not negative, by a logarithm, which compiles to less than the library's; near zero its series."""
     if x < 2e-3:
@@ -36,7 +35,7 @@ def inverse_sine(x):
     return np.log(x + np.sqrt(x * x + 1.0))
 
 
-@njit(**OPTIONS)
+@compiled
 def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
     """Stress magnitude [Pa] at the magnitude of a rate [1/s]; limit: the limiting stress, or infinity [Pa]."""
     tau = viscosity * rate
@@ -49,7 +48,7 @@ def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
     return tau
 
 
-@njit(**OPTIONS)
+@compiled
 def _carreau_inverse(s, exponent, breadth):
     """x of x [1 + x^a]^((n - 1)/a) = s by Newton's method in ln x."""
     if s <= 0.0:
@@ -66,7 +65,7 @@ def _carreau_inverse(s, exponent, breadth):
     return np.exp(min(u, LARGEST_ARGUMENT))
 
 
-@njit(**OPTIONS)
+@compiled
 def shear_rate(tau, viscosity, limit, law, stress, exponent, breadth):
     """Rate [1/s] at a stress magnitude [Pa], the inverse of `shear_stress`; infinite from the limit on."""
     if np.isfinite(limit):
@@ -80,7 +79,7 @@ def shear_rate(tau, viscosity, limit, law, stress, exponent, breadth):
     return tau / viscosity
 
 
-@njit(**OPTIONS)
+@compiled
 def effective_viscosity(rate, viscosity, limit, law, stress, exponent, breadth):
     """eta* = tau/rate [Pa s]; the viscosity itself where the rate vanishes."""
     if rate <= 0.0:

@@ -8,8 +8,8 @@ rheology, section, work: as in `ehl.generalized_reynolds._kernels`; differences:
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from ..compiled import compiled
 from ..generalized_reynolds._kernels import FLUIDITY, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
 from ..properties._kernels import thermal_expansion, viscosity_softening
 
@@ -21,10 +21,8 @@ COLDEST, HOTTEST = 150.0, 2000.0  # [K], bounds of iterates
 U, V, RATE_X, RATE_Y, CROSSING, INFLOW, CARRIED, SOURCE = 0, 1, 2, 3, 4, 5, 6, 7  # rows of the flow's workspace
 FLOW_ROWS = 8
 
-OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 
-
-@njit(**OPTIONS)
+@compiled
 def solve_dense(matrix, right):
     """Gaussian elimination with partial pivoting; the solution replaces `right`."""
     n = right.size
@@ -50,7 +48,7 @@ def solve_dense(matrix, right):
         right[i] = total / matrix[i, i]
 
 
-@njit(**OPTIONS)
+@compiled
 def column_temperature(
     film,
     conductivity,
@@ -92,7 +90,7 @@ def column_temperature(
     solve_dense(matrix, out)
 
 
-@njit(**OPTIONS)
+@compiled
 def column_motion(middle, rise, speed, height, section, work, flow):
     """Rates of shear [1/s] and velocities [m/s] at the nodes, and the heat of shear [W/m^3]."""
     nodes, _, cumulative = section
@@ -108,7 +106,7 @@ def column_motion(middle, rise, speed, height, section, work, flow):
             flow[V, k] += height * cumulative[k, m] * flow[RATE_Y, m]
 
 
-@njit(**OPTIONS)
+@compiled
 def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow, slope):
     """Derivative of the heat of shear by the temperatures [W/(m^3 K)].
 
@@ -134,7 +132,7 @@ def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow, s
         slope[m, m] += soft * flow[SOURCE, m]
 
 
-@njit(**OPTIONS)
+@compiled
 def column_transport(j, i, mesh, symmetric, heat_density, temperature, inlet, mass, height, section, work, flow):
     """Convection into a column: the upwind parts along x and y, and the flow through lines of constant z/h.
 
@@ -167,7 +165,7 @@ def column_transport(j, i, mesh, symmetric, heat_density, temperature, inlet, ma
         flow[CROSSING, k] = -heat_density * (change - section[0][k] * whole) / height
 
 
-@njit(**OPTIONS)
+@compiled
 def change_temperature(temperature, wanted, share):
     """Go a share of the way to the wanted temperatures, in bounds; returns the largest change [K]."""
     largest = 0.0
@@ -181,7 +179,7 @@ def change_temperature(temperature, wanted, share):
     return largest
 
 
-@njit(**OPTIONS)
+@compiled
 def solve_heat_column(
     j, i, p, height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences, rheology,
     temperature, inlet, history, response, middle, mass, work, flow, slope, out
@@ -216,7 +214,7 @@ def solve_heat_column(
     return dissipated, found
 
 
-@njit(**OPTIONS)
+@compiled
 def heat_sweep(
     p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences, rheology,
     inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation
@@ -266,7 +264,7 @@ def heat_sweep(
     return missed
 
 
-@njit(**OPTIONS)
+@compiled
 def body_history(flux, i, speed, weights):
     """Sum of the weighted fluxes that a surface took up before it came to node i, without that at i [W/m^1.5]."""
     total = 0.0

@@ -6,13 +6,13 @@ Everything is arrays and floats in SI. The NumPy twins stand in `quadrature.py`,
 from __future__ import annotations
 
 import numpy as np
-from numba import carray, njit, types
+from numba import carray, types
 from numba.core import cgutils
 from numba.extending import intrinsic, overload
 
+from ..compiled import compiled
 from ..rheology._kernels import inverse_sine, shear_stress
 
-OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 COLUMNS = 4  # of a table's values: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
 SCALARS = 10  # of a table's films: logarithms of three scales, film, hydrodynamic moment, stiffness, damping, largest
 LOAD_POWER, SPIN_SHARE = -0.2, 0.3  # as in `table`
@@ -20,7 +20,7 @@ TINY = np.finfo(np.float64).tiny
 BELOW_LOAD, ABOVE_LOAD, BELOW_SPEED, ABOVE_SPEED, SLIDE_X, SLIDE_Y, SPIN = 1, 2, 4, 8, 16, 32, 64
 
 
-@njit(**OPTIONS)
+@compiled
 def sliding_sums(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out):
     """Forces and moments on body 1 by sliding: F_x, F_y, M_n, M_y.
 
@@ -47,7 +47,7 @@ def sliding_sums(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, 
     out[0], out[1], out[2], out[3] = f_x, f_y, m_n, m_y
 
 
-@njit(**OPTIONS)
+@compiled
 def sliding_sums_many(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out):
     """`sliding_sums` for each of n motions given as arrays, out of shape (n, 4)."""
     for k in range(slide_x.size):
@@ -56,7 +56,7 @@ def sliding_sums_many(nodes, law, stress, exponent, breadth, slide_x, slide_y, s
         )
 
 
-@njit(**OPTIONS)
+@compiled
 def _weights(place, axis):
     """First index and uniform cubic B-spline weights at a place on an axis (start, nodes per unit, nodes)."""
     t = (place - axis[0]) * axis[1]
@@ -67,7 +67,7 @@ def _weights(place, axis):
     return i, (r * r * r / 6.0, inner, outer, t * t * t / 6.0)
 
 
-@njit(**OPTIONS)
+@compiled
 def _clamped(place, axis):
     """The nearest place on an axis, and -1, 0, 1 where the place lies before, on, or beyond it."""
     last = axis[0] + (axis[2] - 1.0) / axis[1]
@@ -78,7 +78,7 @@ def _clamped(place, axis):
     return place, 0
 
 
-@njit(**OPTIONS)
+@compiled
 def vertex_slide(spin, b_axis, radius_x, curvature):
     """Sliding at the vertex of the parabola -Omega y - omega y^2/(2R), near enough to the ellipse, over u.
 
@@ -91,7 +91,7 @@ def vertex_slide(spin, b_axis, radius_x, curvature):
     return b_axis / radius_x * (spin * share - curvature * b_axis * share * share)
 
 
-@njit(**OPTIONS)
+@compiled
 def _scaled(motion, scale, limit, axis):
     """Place of a motion on its axis, at most the end, and whether it lies beyond it."""
     share = inverse_sine(abs(motion) / scale) / inverse_sine(limit / scale)
@@ -99,7 +99,7 @@ def _scaled(motion, scale, limit, axis):
     return place, side != 0
 
 
-@njit(**OPTIONS)
+@compiled
 def _motion_scale(scale, turn, b_axis, constants):
     """Scale of slide_x at a spin, see `table.spinning_scale`."""
     far, bend = 0.5 * turn, constants[6] * b_axis
@@ -108,7 +108,7 @@ def _motion_scale(scale, turn, b_axis, constants):
     return np.sqrt(scale * scale + spread * spread)
 
 
-@njit(**OPTIONS)
+@compiled
 def _film_sums(scalars, i0, i1, w0, w1):
     """The ten logarithms of a film at a load and speed."""
     s0 = s1 = s2 = s3 = s4 = s5 = s6 = s7 = s8 = s9 = 0.0
@@ -151,7 +151,7 @@ def _compiled_row_sums():
     return lambda: carray(_room(), (4 * COLUMNS,))
 
 
-@njit(**OPTIONS)
+@compiled
 def _spline_sum(values, first, w0, w1, w2, w3, w4):
     """Sums of the 4^5 coefficients around a place, weighted along each axis.
 
@@ -181,7 +181,7 @@ def _spline_sum(values, first, w0, w1, w2, w3, w4):
     return t0, t1, t2, t3
 
 
-@njit(**OPTIONS)
+@compiled
 def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y, spin, out):
     """Traction of a contact from its table; returns 0, or the sum of flags of what lay outside the table's range.
 
@@ -222,7 +222,7 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     return flag
 
 
-@njit(**OPTIONS)
+@compiled
 def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, out):
     """Friction over the Hertz ellipse with a coefficient that depends on the local sliding; out as `table_lookup`.
 
@@ -252,7 +252,7 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
     return 0
 
 
-@njit(**OPTIONS)
+@compiled
 def coefficient(law, slide, speed):
     """Friction coefficient at a local sliding speed [m/s] and an entrainment speed [m/s]."""
     if law[0] == 0.0:

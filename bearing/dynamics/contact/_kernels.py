@@ -7,25 +7,24 @@ one point, and the power lost there follows from the velocities of the two bodie
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from ehl.compiled import compiled
 from ehl.traction._kernels import hertz_friction, table_lookup
 
 from ..films._kernels import elastic_approach, smallest_load
 from ..problem import COEFFICIENT, DAMPING, EXPONENT, FILM, FRICTIONLESS, STIFFNESS
 
-OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 APPROACH, THICKNESS = 19, 20  # columns of a motion [m]
 ECCENTRICITY_LIMIT = 0.95  # of the film of a land; nearer, its forces stay and the solid contact takes over [-]
 
 
-@njit(**OPTIONS)
+@compiled
 def cross(a0, a1, a2, b0, b1, b2):
     """Vector product."""
     return a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0
 
 
-@njit(**OPTIONS)
+@compiled
 def elastic_force(law, approach):
     """K approach^n, zero in the gap."""
     if approach <= 0.0:
@@ -33,33 +32,33 @@ def elastic_force(law, approach):
     return law[STIFFNESS] * approach ** law[EXPONENT]
 
 
-@njit(**OPTIONS)
+@compiled
 def normal_force(law, approach, speed, impact_speed):
     """K approach^n (1 + chi speed/impact speed), never adhesive."""
     elastic = elastic_force(law, approach)
     return max(0.0, elastic * (1.0 + law[DAMPING] * speed / impact_speed))
 
 
-@njit(**OPTIONS)
+@compiled
 def ramped(friction, slide, ramp):
     """Coefficient of friction that rises linearly up to a sliding speed `ramp`."""
     return friction if slide >= ramp else friction * slide / ramp
 
 
-@njit(**OPTIONS)
+@compiled
 def wall_shear(radius, film):
     """Drag of a sphere sliding along a wall over that in free flow, Goldman, Cox and Brenner (1967)."""
     return 8.0 / 15.0 * np.log(max(radius / film, 1.0)) + 0.9588
 
 
-@njit(**OPTIONS)
+@compiled
 def point_velocity(body, x, y, z):
     """Velocity of the point of a body at x, y, z."""
     w0, w1, w2 = cross(body[9], body[10], body[11], x - body[0], y - body[1], z - body[2])
     return body[6] + w0, body[7] + w1, body[8] + w2
 
 
-@njit(**OPTIONS)
+@compiled
 def groove_contact(body, centre_radius, reach, pos, normal):
     """Ball in a groove: approach, axial and radial part of the normal, radius, direction of the azimuth.
 
@@ -80,7 +79,7 @@ def groove_contact(body, centre_radius, reach, pos, normal):
     return distance - reach, c, r, rho, t0, t1, t2
 
 
-@njit(**OPTIONS)
+@compiled
 def race_friction(kind, data, normal, motion, friction):
     """Friction of one race on all balls: F_x, F_y [N], M_n, M_y [N m]; at 6, 7 stiffness and damping of the film.
 
@@ -107,7 +106,7 @@ def race_friction(kind, data, normal, motion, friction):
                 k[THICKNESS] = out[5]
 
 
-@njit(**OPTIONS)
+@compiled
 def land_film(radius, clearance, width, viscosity, ex, ey, vx, vy, mean_speed):
     """Film of a short journal bearing with a cavitated half (Ocvirk): force on the journal, and 1/sqrt(1 - eps^2).
 

@@ -7,24 +7,23 @@ elastic approach under the load Q and h_c the table's central film at that load 
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from ehl.compiled import compiled
 from ehl.traction._kernels import LOAD_POWER
 
 from ..problem import EXPONENT, STIFFNESS
 
-OPTIONS = {"cache": True, "nogil": True, "fastmath": False, "error_model": "numpy"}
 FILM = 3  # column of a table's scalars: logarithm of the central film
 MOST, TIGHT = 40, 1.0e-9  # Newton's steps, and the last one over the approach: what it leaves is its square [-]
 
 
-@njit(**OPTIONS)
+@compiled
 def smallest_load(axes):
     """Smallest load of a table."""
     return (-axes[0, 0]) ** (1.0 / LOAD_POWER)
 
 
-@njit(**OPTIONS)
+@compiled
 def weights(place, axis):
     """First coefficient, four weights of a uniform cubic B-spline and their slopes, at a place held on its axis."""
     t = min(max(place - axis[0], 0.0) * axis[1], axis[2] - 1.0)
@@ -36,7 +35,7 @@ def weights(place, axis):
     return i, (r * r * r / 6.0, second, third, t * t * t / 6.0), slopes
 
 
-@njit(**OPTIONS)
+@compiled
 def film_and_slope(axes, scalars, load, at_speed, share):
     """A share of the central film at a load and the weights of a speed, and its slope over the load.
 
@@ -56,7 +55,7 @@ def film_and_slope(axes, scalars, load, at_speed, share):
     return film, 0.0 if beyond else film * steep * axes[0, 1] * LOAD_POWER * place / load
 
 
-@njit(**OPTIONS)
+@compiled
 def elastic_approach(axes, scalars, law, distance, speed):
     """Root w of w = distance + h_c(K w^n, speed): the elastic approach, negative where the film is not touched.
 

@@ -9,10 +9,11 @@ there is none, so the derivative stays valid. Work and dissipation are integrate
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from ehl.compiled import compiled
 
 from .._kernels import derivative, energies
-from ..contact._kernels import OPTIONS, elastic_force
+from ..contact._kernels import elastic_force
 from ..problem import APPROACH, EXPONENT, FILM, FILMS, STIFFNESS, THICKNESS
 
 A = np.array(
@@ -34,7 +35,7 @@ STEPS, REJECTED, STIFF_SEEN, SOFT_SEEN, EVALUATIONS = range(5)  # of the counter
 HERTZ_DURATION = 2.943  # duration of an elastic impact over largest approach by speed, Hertz (1882)
 
 
-@njit(**OPTIONS)
+@compiled
 def stages(t, y, h, p, k, trial):
     """Stages 2 to 7 from the first one in k[0]; the new state is left in k[8], that of stage 6 in k[7]."""
     for i in range(6):
@@ -49,7 +50,7 @@ def stages(t, y, h, p, k, trial):
     k[8, :] = trial
 
 
-@njit(**OPTIONS)
+@compiled
 def error_norm(k, h, scale):
     """Largest error of a component over its scale; not a number where a stage is none."""
     worst = 0.0
@@ -63,7 +64,7 @@ def error_norm(k, h, scale):
     return worst
 
 
-@njit(**OPTIONS)
+@compiled
 def stiffness(k, h, scale):
     """h times an estimate of the largest eigenvalue, from the two stages at the end of the step."""
     top, bottom = 0.0, 0.0
@@ -73,14 +74,14 @@ def stiffness(k, h, scale):
     return h * np.sqrt(top / bottom) if bottom > 0.0 else 0.0
 
 
-@njit(**OPTIONS)
+@compiled
 def duration(stiffness_constant, exponent, mass, speed):
     """Duration of an elastic impact [s]."""
     deepest = (0.5 * (exponent + 1.0) * mass * speed**2 / stiffness_constant) ** (1.0 / (exponent + 1.0))
     return HERTZ_DURATION * deepest / speed
 
 
-@njit(**OPTIONS)
+@compiled
 def remember_one(memory, floor, place, approach, rate, t, onset):
     """Memory of one contact: speed of the approach and time, kept as they were while the contact lasts."""
     if approach <= 0.0:
@@ -88,7 +89,7 @@ def remember_one(memory, floor, place, approach, rate, t, onset):
         onset[place] = t
 
 
-@njit(**OPTIONS)
+@compiled
 def remember(p, t, h, onset, states, shares):
     """After a step: memory of the impacts, and the time spent free (0), in contact (1), in an impact (2)."""
     c, n = p.constants, p.constants.balls
@@ -113,7 +114,7 @@ def remember(p, t, h, onset, states, shares):
         remember_one(p.memory, c.floor, 3 * n + side, p.land_out[side, 0], p.land_out[side, 1], t, onset)
 
 
-@njit(**OPTIONS)
+@compiled
 def mark_films(p):
     """Load and film of the races' contacts as the last `derivative` left them."""
     for race in range(2):
@@ -122,7 +123,7 @@ def mark_films(p):
             p.films[race, j, 1] = p.race_out[race, j, THICKNESS]
 
 
-@njit(**OPTIONS)
+@compiled
 def add_film_work(p, y):
     """After a step: what films that part the bodies took up, -integral of Q dh_c by trapezoids, O(h^2)."""
     if p.friction_kind != FILM:
@@ -136,7 +137,7 @@ def add_film_work(p, y):
     mark_films(p)
 
 
-@njit(**OPTIONS)
+@compiled
 def turn_balls(y_before, y_after, h, balls, attitude):
     """Attitudes (w, x, y, z) after a step: the rotation by the mean angular velocity, O(h^2)."""
     first = 22 + 6 * balls
@@ -155,7 +156,7 @@ def turn_balls(y_before, y_after, h, balls, attitude):
         attitude[j, 3] = w * q3 + a * q2 - b * q1 + c * q0
 
 
-@njit(**OPTIONS)
+@compiled
 def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
     """Steps from t to `end`; y, k[0] (its derivative) and the history are brought up to date. Status, time, next step.
 
@@ -197,7 +198,7 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
     return DONE, t, h
 
 
-@njit(**OPTIONS)
+@compiled
 def count_stiff(value, counters):
     """Whether the problem looked stiff in fifteen steps with fewer than six that did not."""
     if value > STIFF_BOUND:
@@ -210,7 +211,7 @@ def count_stiff(value, counters):
     return counters[STIFF_SEEN] >= STIFF_STEPS
 
 
-@njit(**OPTIONS)
+@compiled
 def sample(y, p, history, record, row):
     """One row of the record: state, contacts, pockets, energies, loads, states, attitudes."""
     states, races, pockets, energy, loads, contact_states, attitudes = record
@@ -224,7 +225,7 @@ def sample(y, p, history, record, row):
     attitudes[row] = history[3]
 
 
-@njit(**OPTIONS)
+@compiled
 def advance_samples(t, y, times, h, p, control, scale, k, trial, history, counters, record):
     """`advance` to each of the times, with a row of the record at each. Status, rows written, time, next step."""
     derivative(t, y, p, k[0])
@@ -237,7 +238,7 @@ def advance_samples(t, y, times, h, p, control, scale, k, trial, history, counte
     return DONE, times.size, t, h
 
 
-@njit(**OPTIONS)
+@compiled
 def jacobian(t, y, p, scale, out):
     """Jacobian of the mechanical equations by forward differences over `scale`, shape (mechanical, mechanical)."""
     base, rates, trial = np.empty(y.size), np.empty(y.size), np.empty(y.size)
