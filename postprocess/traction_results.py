@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+from bearing.geometry import Race
 from bearing.temperature_tables import TemperatureTables, save_temperature_tables
 from bearing.traction_tables import Tables, save_race_tables
+
+if TYPE_CHECKING:
+    from ehl.traction.full_solves import FullSolve
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -18,6 +22,7 @@ class TractionResults:
     case: dict[str, Any]
     tables: Tables
     over_temperature: TemperatureTables | None = None
+    full_solves: dict[Race, tuple[FullSolve, ...]] = field(default_factory=dict)
     messages: tuple[str, ...] = ()
     timing: dict[str, float] = field(default_factory=dict)
 
@@ -48,6 +53,19 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
                 "temperatures_K": list(found.temperatures),
                 "largest_error_between": [between.largest for between in found.errors],
             }
+        if race in results.full_solves:
+            races[race.value]["full_solves"] = [
+                {
+                    "load_N": one.load,
+                    "entrainment_speed_m_s": one.speed,
+                    "slide_roll_ratio": one.slide_ratio,
+                    "coefficient_by_table_film": one.by_film,
+                    "coefficient_in_full": one.in_full,
+                    "film_ratio": one.film_ratio,
+                    "converged": one.converged,
+                }
+                for one in results.full_solves[race]
+            ]
     told = [f"{race.value} race: {t.message}" for race, t in results.tables.items() if t.message != "converged"]
     everything = (results.over_temperature or results.tables).values()
     converged = all(table.converged for table in everything)

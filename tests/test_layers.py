@@ -108,7 +108,7 @@ def test_sizes(module):
                 assert arguments <= ARGUMENTS, f"{node.name} takes {arguments} arguments"
 
 
-COMMANDS = ("run", "contact", "batch")  # of the command line: an argument each option
+COMMANDS = ("run", "contact", "batch", "table")  # of the command line: an argument each option
 
 
 def test_no_print_below_the_command(module):

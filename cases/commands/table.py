@@ -19,7 +19,7 @@ TableFile = Annotated[
 
 @app.command()
 @guarded
-def table(
+def table(  # noqa: PLR0913
     case: CaseName,
     output: TableFile = None,
     points: Annotated[int, typer.Option(metavar="N", help="Nodes of each film along x, 2^k + 1.")] = 257,
@@ -27,6 +27,10 @@ def table(
     temperatures: Annotated[
         str | None, typer.Option(metavar="C,C,...", help="Temperatures of the oil, rising; default: the case's only.")
     ] = None,
+    full_solves: Annotated[
+        int,
+        typer.Option(min=0, metavar="N", help="Places per race to compare with full solves (shear, heat) that slide."),
+    ] = 0,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
@@ -44,7 +48,7 @@ def table(
 
     over = None if temperatures is None else temperature_axis(case, temperatures)
     with progress_bar(quiet=quiet) as progress:
-        results = run_table(loaded, points, workers, progress, over)
+        results = run_table(loaded, points, workers, progress, over, full_solves=full_solves)
     from postprocess.traction_results import traction_summary, write_traction
     from postprocess.traction_table import traction_table
 

@@ -34,7 +34,7 @@ def quick(monkeypatch):
 @pytest.mark.slow
 def test_table_plots_and_summary(quick, tmp_path):
     path = tmp_path / "table.zip"
-    found = call("6208_full_ceramic", "-o", str(path), "--points", "129", "--json")
+    found = call("6208_full_ceramic", "-o", str(path), "--points", "129", "--full-solves", "1", "--json")
     assert found.exit_code == 0, found.stderr
     assert {file.name for file in tmp_path.iterdir()} == {"table.zip", "table_curves.png", "table_map.png"}
     document = json.loads(found.stdout)
@@ -45,6 +45,9 @@ def test_table_plots_and_summary(quick, tmp_path):
         assert told["films"] == table.films == 18
         assert told["load_N"] == list(table.range.load)
         assert 0.0 < told["error"]["rms"] < told["error"]["largest"]
+        (beside,) = told["full_solves"]
+        assert beside["converged"]
+        assert 0.5 < beside["coefficient_in_full"] / beside["coefficient_by_table_film"] < 1.0
     assert set(document["tables"]) == {race.value for race in Race}
 
 
