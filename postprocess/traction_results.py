@@ -54,18 +54,7 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
                 "largest_error_between": [between.largest for between in found.errors],
             }
         if race in results.full_solves:
-            races[race.value]["full_solves"] = [
-                {
-                    "load_N": one.load,
-                    "entrainment_speed_m_s": one.speed,
-                    "slide_roll_ratio": one.slide_ratio,
-                    "coefficient_by_table_film": one.by_film,
-                    "coefficient_in_full": one.in_full,
-                    "film_ratio": one.film_ratio,
-                    "converged": one.converged,
-                }
-                for one in results.full_solves[race]
-            ]
+            races[race.value]["full_solves"] = [_beside(one) for one in results.full_solves[race]]
     told = [f"{race.value} race: {t.message}" for race, t in results.tables.items() if t.message != "converged"]
     everything = (results.over_temperature or results.tables).values()
     converged = all(table.converged for table in everything)
@@ -77,6 +66,19 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
         "messages": [*prefix, *results.messages, *told],
         "tables": races,
         "timing_s": results.timing,
+    }
+
+
+def _beside(one: FullSolve) -> dict[str, Any]:
+    """The table's film and a full solve at one place; units in the keys."""
+    return {
+        "load_N": one.load,
+        "entrainment_speed_m_s": one.speed,
+        "slide_roll_ratio": one.slide_ratio,
+        "coefficient_by_table_film": one.by_film,
+        "coefficient_in_full": one.in_full,
+        "film_ratio": one.film_ratio,
+        "converged": one.converged,
     }
 
 
