@@ -8,10 +8,11 @@ import subprocess
 import sys
 from pathlib import Path
 
+import ehl
 from ehl.compiled import forget_old_kernels
 from ehl.kernel_sources import kernel_digest, kernel_sources
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(ehl.__file__).parents[1]  # of the packages that are tested, installed or not
 CALLER = """
 import hashlib
 import sys
