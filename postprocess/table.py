@@ -88,7 +88,12 @@ def _contacts_table(results: BearingResults) -> Table:
     for header in ("ball", "ψ °", "race", "load N", "p_h GPa", *last):
         table.add_column(header, justify="left" if header == "race" else "right", no_wrap=True)
     table.add_column("", no_wrap=True)
+    rows = {contact.row for contact in results.contacts}
+    row = None
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
+        if len(rows) > 1 and contact.row != row:
+            row = contact.row
+            table.add_row(f"row {row}")
         cells = _contact_cells(contact, solution, DECIMALS - 1 if surface else DECIMALS)
         if surface:
             value = lambda_ratio(contact, solution, surface)

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import io
+
 import pytest
+from rich.console import Console
 
 from cases import load_case, run_case
 from cases.case import case_from_text
 from cases.problems import CaseError
 from postprocess import summary
 from postprocess.plots import write_plots
+from postprocess.table import result_table
 from postprocess.vtk import bodies
 
 CASE = """\
@@ -64,6 +68,16 @@ def test_bodies_of_both_rows(pair):
     for name, surface in bodies(pair).items():
         assert len(surface.points) == 2 * len(single[name].points)
         assert surface.points[:, 0].min() < -6e-3 < 6e-3 < surface.points[:, 0].max()
+
+
+def test_the_terminal_tells_where_a_row_begins(pair):
+    def lines(results):
+        console = Console(width=80, record=True, file=io.StringIO())
+        console.print(result_table(results))
+        return [line.strip() for line in console.export_text().splitlines()]
+
+    assert [line for line in lines(pair) if line in ("row 1", "row 2")] == ["row 1", "row 2"]
+    assert "row 1" not in lines(run_case(case_from_text(CASE, "case.toml")))
 
 
 def test_preload_is_set_with_the_clearance_as_delivered():
