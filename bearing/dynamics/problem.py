@@ -36,7 +36,7 @@ RACE_NAMES = (
     "spin",  # [rad/s]
     "friction_x",  # on the ball [N]
     "friction_y",  # [N]
-    "film",  # of a traction table, central [m]; 0: without a table
+    "film",  # of a traction table, central [m]; 0: without a table, in the record of an open contact too
 )
 LOAD, APPROACH, APPROACH_SPEED, ANGLE, ENTRAINMENT, SLIDE_X, SLIDE_Y, SPIN = range(8)
 FRICTION_X, FRICTION_Y, THICKNESS = range(8, 11)

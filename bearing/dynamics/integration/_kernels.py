@@ -213,10 +213,17 @@ def count_stiff(value, counters):
 
 @compiled
 def sample(y, p, history, record, row):
-    """One row of the record: state, contacts, pockets, energies, loads, states, attitudes."""
+    """One row of the record: state, contacts, pockets, energies, loads, states, attitudes.
+
+    An open contact has no film there; its film goes on over the gap for `add_film_work` alone.
+    """
     states, races, pockets, energy, loads, contact_states, attitudes = record
     states[row] = y
     races[row] = p.race_out
+    for race in range(2):
+        for j in range(p.constants.balls):
+            if p.race_out[race, j, APPROACH] <= 0.0:
+                races[row, race, j, THICKNESS] = 0.0
     pockets[row] = p.pocket_out
     energies(y, p, energy[row])
     loads[row, :6] = p.loads[0]

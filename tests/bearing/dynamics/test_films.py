@@ -236,6 +236,10 @@ def test_the_energies_close_with_films(setup):
     assert abs(work[-1]) > 3.0 * closed * max(work[:3].sum(), work[3:].sum())  # they count
     assert record.races[:, 0, :, 0].min() == 0.0
     assert record.races[..., 0].min() >= 0.0
+    apart, films = record.races[..., 1] <= 0.0, record.races[..., 10]
+    assert apart.any()
+    assert not films[apart].any()  # no film of an open contact
+    assert films[~apart].min() > 0.0
 
 
 def test_lsoda_counts_the_work_of_films(setup):
