@@ -56,15 +56,18 @@ def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
     Raises
     ------
     ValueError
-        If the file is damaged, or of another case.
+        If the file is damaged, of another version of the program, or of another case.
     """
     try:
         with np.load(path, allow_pickle=False) as data:
             head = json.loads(str(data["head"]))
-            arrays = {name: data[name] for name in ARRAYS}
+            current = head.get("format") == FORMAT
+            arrays = {name: data[name] for name in ARRAYS if current}
     except (OSError, ValueError, KeyError, zipfile.BadZipFile, EOFError) as error:
         raise ValueError(f"{path}: no restart file, or a damaged one") from error
-    if head.get("format") != FORMAT or head.get("case") != case:
+    if not current:
+        raise ValueError(f"{path}: was written by another version of the program; start anew, without it")
+    if head.get("case") != case:
         raise ValueError(f"{path}: is of another case")
     for name, value in arrays.items():
         getattr(simulation.state, name)[...] = value

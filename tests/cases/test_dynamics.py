@@ -132,6 +132,11 @@ def test_an_interrupted_run_goes_on(tmp_path):
     other = load_case(short(tmp_path / "other.toml", "7008_radial"))
     with pytest.raises(CaseError, match="another case"):
         run_dynamics(other, "other", tmp_path / "x.nc", restart=tmp_path / "restart.npz")
+    with np.load(tmp_path / "restart.npz") as data:
+        old = json.dumps(json.loads(str(data["head"])) | {"format": 1})
+        np.savez(tmp_path / "old.npz", **{**data, "head": np.array(old)})
+    with pytest.raises(CaseError, match=r"old\.npz: was written by another version of the program; start anew"):
+        run_dynamics(case, "case", tmp_path / "z.nc", restart=tmp_path / "old.npz")
     (tmp_path / "bad.npz").write_bytes(b"no archive")
     with pytest.raises(CaseError, match="no restart file"):
         run_dynamics(case, "case", tmp_path / "y.nc", restart=tmp_path / "bad.npz")
