@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from time import perf_counter
 from typing import TYPE_CHECKING
@@ -19,7 +19,6 @@ from .version import version
 
 if TYPE_CHECKING:
     from bearing.geometry import Race
-    from bearing.traction_tables import Tables
     from ehl import Lubricant
     from ehl.rheology import Rheology
     from ehl.traction.full_solves import FullSolve
@@ -74,36 +73,16 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
     return TemperatureAxis(temperatures=temperatures, oil_at=oil_at)
 
 
-def _full_solves(
-    case: Case, tables: Tables, count: int, progress: Progress | None
-) -> dict[Race, tuple[FullSolve, ...]]:
-    """The tables' films beside full solves at so many places each."""
-    from ehl.traction.full_solves import full_solves
-
-    solids, found = case.films.solids, {}
-    for race, table in tables.items() if count else ():
-
-        def told(done: int, total: int, state: str, race: Race = race) -> None:
-            if progress is not None:
-                progress(done, total, f"{race.value} race: {state}")
-
-        found[race] = full_solves(table.contact, table.range, count, solids, progress=told)
-    return found
-
-
 def run_table(
     case: Case,
     points: int = 257,
     workers: int | None = None,
     progress: Progress | None = None,
     over: TemperatureAxis | None = None,
-    *,
-    full_solves: int = 0,
 ) -> TractionResults:
     """Traction tables of a case, films on `points` nodes along x, `workers` at a time; times in [s].
 
     With temperatures, the tables that summary and plots are of are those at the case's own, or the nearest.
-    `full_solves` places of each are compared with full solves, with heat if the case's film model has it.
     """
     from bearing.quasistatic import solve_quasistatic
     from bearing.temperature_tables import build_temperature_tables
@@ -129,7 +108,6 @@ def run_table(
             warm = build_temperature_tables(state, over.oil_at, over.temperatures, options, progress)
             own = min(max(case.operation.temperature, over.temperatures[0]), over.temperatures[-1])
             tables = {race: found.at(own) for race, found in warm.items()}
-        beside = _full_solves(case, tables, full_solves, progress)
     except ValueError as problem:
         raise CaseError([f"no table: {problem}"]) from None
     return TractionResults(
@@ -137,7 +115,24 @@ def run_table(
         case=case.document,
         tables=tables,
         over_temperature=warm,
-        full_solves=beside,
         messages=case.warnings,
         timing={"total": perf_counter() - start},
     )
+
+
+def with_full_solves(
+    case: Case, results: TractionResults, count: int, progress: Progress | None = None
+) -> TractionResults:
+    """The tables' films beside full solves at so many places each, with heat if the case's film model has it."""
+    from ehl.traction.full_solves import full_solves
+
+    solids = case.films.solids
+    found: dict[Race, tuple[FullSolve, ...]] = {}
+    for race, table in results.tables.items():
+
+        def told(done: int, total: int, state: str, race: Race = race) -> None:
+            if progress is not None:
+                progress(done, total, f"{race.value} race: {state}")
+
+        found[race] = full_solves(table.contact, table.range, count, solids, progress=told)
+    return replace(results, full_solves=found)

@@ -38,7 +38,7 @@ from .multigrid import Multigrid, cycle, load_error, refresh_factors, reynolds_r
 from .options import SolverOptions
 from .scaling import scale_contact
 from .solution import ContactSolution, FilmValue
-from .solver import solve_contact
+from .solver import solve_contact, verdict
 
 Array = NDArray[np.float64]
 
@@ -66,27 +66,26 @@ def continued(conditions: ContactConditions, options: SolverOptions, flow: Gener
     ----------
     conditions : ContactConditions
     options : SolverOptions
-        Mesh, box and number of cycles; a tolerance is left aside.
+        Mesh, box and number of cycles, without a tolerance.
     flow : GeneralizedFlow
         The oil; its fields are those of the last turn afterwards.
     """
-    plain = solve_contact(conditions, replace(options, tolerance=None))
+    plain = solve_contact(conditions, options)
     record = replace(plain.record, fallbacks=(*plain.record.fallbacks, NAME))
-    plain = replace(plain, options=options, record=record)
+    plain = replace(plain, record=record)
     if not plain.converged:
         return replace(plain, message=f"the Newtonian film is {plain.message}")
-    outcome, slower = Outcome(state=_state(plain, options, flow)), 0
+    outcome = Outcome(state=_state(plain, options, flow))
+    slower: list[str] = []
     flow.forget()
     flow.single, flow.following = False, FOLLOWING
     try:
-        slower = _raise_share(outcome.state, flow)
+        _raise_share(outcome.state, flow, slower)
         _finish(outcome, flow, PATIENCE * options.max_cycles)
     except DivergedError:
         outcome.films = []
     reached, flow.share, flow.following = flow.share, 1.0, 1.0
-    return _solution(
-        replace(plain, record=replace(record, fallbacks=(*record.fallbacks, *slower * (SLOWER,)))), outcome, reached
-    )
+    return _solution(replace(plain, record=replace(record, fallbacks=(*record.fallbacks, *slower))), outcome, reached)
 
 
 def _state(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow) -> Multigrid:
@@ -107,15 +106,15 @@ def _state(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow
     return state
 
 
-def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> int:
-    """Raise the share to 1, the first cycles there included; how many steps had to be halved [-].
+def _raise_share(state: Multigrid, flow: GeneralizedFlow, slower: list[str]) -> None:
+    """Raise the share to 1 [-], the first cycles there included; `slower` gets an entry for each step halved.
 
     Raises
     ------
     DivergedError
         If the smallest step runs away.
     """
-    reached, wanted, slower = 0.0, FIRST_SHARE, 0
+    reached, wanted = 0.0, FIRST_SHARE
     while reached < 1.0:
         flow.share = wanted
         kept, found = _kept(state), flow.kept()
@@ -125,13 +124,12 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> int:
         _restore(state, kept)
         flow.restore(found)
         wanted = 0.5 * (reached + wanted)
-        slower += 1
-        if slower <= HALVINGS:
+        slower.append(SLOWER)
+        if len(slower) <= HALVINGS:
             state.damping = state.damping.halved()
         if wanted - reached < SMALLEST_STEP:
             flow.share = reached
             raise DivergedError
-    return slower
 
 
 Kept = tuple[Array, float, float, float]
@@ -209,10 +207,9 @@ def _solution(plain: ContactSolution, outcome: Outcome, reached: float) -> Conta
         force_error=tuple(outcome.load),
         film_change=tuple(outcome.changes),
         cycles=len(outcome.changes),
+        fft_equivalents=plain.record.fft_equivalents + outcome.state.deflected_nodes() / level.P.size,
     )
-    message = plain.message
-    if not outcome.converged():
-        message = f"not converged: film changed by {outcome.changes[-1]:.1e} in the last cycle; try more points"
+    resolved, message = verdict(outcome)
     return replace(
         plain,
         P=P.T,
@@ -220,6 +217,7 @@ def _solution(plain: ContactSolution, outcome: Outcome, reached: float) -> Conta
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
         approach_dimensionless=outcome.state.approach,
+        resolved=resolved,
         converged=outcome.converged(),
         message=message,
         record=record,

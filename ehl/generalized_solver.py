@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import dataclass, replace
+from time import perf_counter
 
 import numpy as np
 from numpy.typing import NDArray
@@ -91,7 +92,8 @@ def solve_generalized(
     Returns
     -------
     GeneralizedSolution
-        Fields of the last turn of shear and heat, one multigrid cycle behind pressure and film.
+        Fields of the last turn of shear and heat, one multigrid cycle behind pressure and film. The time of its record
+        is that of all ways that were tried; its FFTs are those of the last one, with the Newtonian film it began from.
 
     Raises
     ------
@@ -104,7 +106,9 @@ def solve_generalized(
         return GeneralizedSolution(
             contact=solve_contact(conditions, options), rheology=rheology, nodes=flow.section.nodes
         )
+    began = perf_counter()
     contact = _reached(conditions, options or SolverOptions(), flow)
+    contact = replace(contact, record=replace(contact.record, wall_time=perf_counter() - began))
     nx, ny = contact.P.shape
     shape = next((s for s in ((ny, nx), (ny // 2 + 1, nx)) if s in flow.stresses), None)
     solution = GeneralizedSolution(
@@ -132,7 +136,7 @@ def _reached(conditions: ContactConditions, options: SolverOptions, flow: Genera
     """The solution of the first way that converges; that of the last way if none does, told in the record.
 
     The cycles from a Hertz pressure on, once; then the continuation from the Newtonian film; then the fallbacks of the
-    Newtonian solver one after the other.
+    Newtonian solver one after the other. With a tolerance only the cycles from a Hertz pressure, with the fallbacks.
     """
     flow.single = options.tolerance is None
     with suppress(BeganAnewError):

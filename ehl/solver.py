@@ -176,10 +176,10 @@ def _solution(
     outcome: Outcome,
     record: ConvergenceRecord,
 ) -> ContactSolution:
-    state, films = outcome.state, outcome.films
+    state = outcome.state
     contact, grid = state.contact, state.levels[-1].grid
     Y, P, H = _whole_box(state)
-    resolved = bool(films) and _fineness(outcome) >= RESOLVED and _film_over_radius(outcome) <= PARABOLIC
+    resolved, message = verdict(outcome)
     return ContactSolution(
         conditions=conditions,
         options=options,
@@ -200,7 +200,7 @@ def _solution(
         domain=_domain(contact, grid),
         resolved=resolved,
         converged=outcome.converged(),
-        message=_message(outcome, resolved),
+        message=message,
         record=record,
     )
 
@@ -226,6 +226,12 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     """Box of a grid in Hertz half-extents."""
     x_in, x_out = float(grid.X[0]) / contact.half_extent_x, float(grid.X[-1]) / contact.half_extent_x
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
+
+
+def verdict(outcome: Outcome) -> tuple[bool, str]:
+    """Whether the film of a solve is resolved, and what is to be said of it."""
+    resolved = bool(outcome.films) and _fineness(outcome) >= RESOLVED and _film_over_radius(outcome) <= PARABOLIC
+    return resolved, _message(outcome, resolved)
 
 
 def _fineness(outcome: Outcome) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import asdict, dataclass, field
+from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -53,16 +54,18 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
                 "temperatures_K": list(found.temperatures),
                 "largest_error_between": [between.largest for between in found.errors],
             }
-        if race in results.full_solves:
-            races[race.value]["full_solves"] = [_beside(one) for one in results.full_solves[race]]
+        solves = results.full_solves.get(race)
+        races[race.value]["full_solves"] = None if solves is None else [_beside(one) for one in solves]
     told = [f"{race.value} race: {t.message}" for race, t in results.tables.items() if t.message != "converged"]
+    told += _open_solves(results)
     everything = (results.over_temperature or results.tables).values()
     converged = all(table.converged for table in everything)
+    beside = [one.converged for solves in results.full_solves.values() for one in solves]
     prefix = [] if converged else ["not converged: a traction table misses its tolerance or a film did not converge"]
     return {
         "oilfilm": results.version,
         "case": results.case,
-        "converged": converged,
+        "converged": converged and all(beside),
         "messages": [*prefix, *results.messages, *told],
         "tables": races,
         "timing_s": results.timing,
@@ -71,15 +74,26 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
 
 def _beside(one: FullSolve) -> dict[str, Any]:
     """The table's film and a full solve at one place; units in the keys."""
-    return {
+    numbers = {
         "load_N": one.load,
         "entrainment_speed_m_s": one.speed,
         "slide_roll_ratio": one.slide_ratio,
         "coefficient_by_table_film": one.by_film,
         "coefficient_in_full": one.in_full,
         "film_ratio": one.film_ratio,
-        "converged": one.converged,
     }
+    return {key: value if isfinite(value) else None for key, value in numbers.items()} | {"converged": one.converged}
+
+
+def _open_solves(results: TractionResults) -> list[str]:
+    """Which full solves beside the tables did not converge."""
+    return [
+        f"{race.value} race: the full solve at {one.load:.4g} N, {one.speed:.3g} m/s, slide-roll ratio "
+        f"{one.slide_ratio:.4f} did not converge: its coefficient tells nothing of the table"
+        for race, solves in results.full_solves.items()
+        for one in solves
+        if not one.converged
+    ]
 
 
 def write_traction(results: TractionResults, path: Path) -> None:

@@ -44,14 +44,17 @@ def table(  # noqa: PLR0913
     if path is not None and (path.is_dir() or not path.parent.is_dir()):
         raise CaseError([f"{path}: cannot be written; allowed with -o: a file in a folder that exists"])
     prepare()
-    from ..traction_table import run_table, temperature_axis
+    from ..traction_table import run_table, temperature_axis, with_full_solves
 
     over = None if temperatures is None else temperature_axis(case, temperatures)
     with progress_bar(quiet=quiet) as progress:
-        results = run_table(loaded, points, workers, progress, over, full_solves=full_solves)
+        results = run_table(loaded, points, workers, progress, over)
     from postprocess.traction_results import traction_summary, write_traction
     from postprocess.traction_table import traction_table
 
     if path is not None:
         write_traction(results, path)
+    if full_solves:
+        with progress_bar(quiet=quiet) as progress:
+            results = with_full_solves(loaded, results, full_solves, progress)
     return report(traction_summary(results), lambda: traction_table(results), path, as_json=as_json, quiet=quiet)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..options import SolverOptions
-from ..rheology import Rheology, limiting_stress
+from ..rheology import limiting_stress
 from ..thermal import SolidThermal
 from .kinematics import ContactKinematics
 from .shear import integrate_traction
@@ -42,9 +42,10 @@ class FullSolve:
     slide_ratio : float
         Sliding over the entrainment speed [-].
     by_film, in_full : float
-        Force of sliding over the load, sheared on the table's film and in the full solve [-].
+        Force of sliding over the load, sheared on the table's film and in the full solve [-]; not a number where the
+        solve ran away.
     film_ratio : float
-        Central film of the full solve over that of the table's film [-].
+        Central film of the full solve over that of the table's film [-]; likewise.
     converged : bool
         Whether both solves did.
     """
@@ -80,7 +81,7 @@ def full_solves(
     options : SolverOptions, optional
         Of both solves; 129 points unless told.
     progress : callable, optional
-        Called with solves done, solves in all, and a word.
+        Called with the solve begun, solves in all, and a word.
 
     Returns
     -------
@@ -94,7 +95,7 @@ def full_solves(
     options, found = options or SolverOptions(points=POINTS), []
     for number, (load, speed, ratio) in enumerate(_places(limits, count)):
         if progress is not None:
-            progress(number, count, "full solves")
+            progress(number + 1, count, "full solves")
         found.append(_both(contact, (float(load), float(speed), float(ratio)), solids, options))
     return tuple(found)
 
@@ -133,7 +134,8 @@ def _both(
     else:
         x, y, p = full.contact.x, full.contact.y, full.contact.pressure
         assert x is not None and y is not None and p is not None  # of conditions with dimensions
-        stress = _limited(full.mid_stress[0], p, contact.rheology)
+        stress = np.where(np.isfinite(full.mid_stress[0]), full.mid_stress[0], 0.0)  # columns without oil have none
+        stress = _limited(stress, p, contact)
         in_full = abs(float(np.trapezoid(np.trapezoid(stress, y, axis=1), x)))
     films = (full.contact.film_central_dimensionless.finest, film.film_central_dimensionless.finest)
     return FullSolve(
@@ -143,13 +145,13 @@ def _both(
         by_film=abs(sheared.sliding_force_x) / load,
         in_full=in_full / load,
         film_ratio=float(films[0] / films[1]),
-        converged=bool(film.converged and full.contact.converged),
+        converged=bool(film.converged and full.contact.converged and np.isfinite([in_full, *films]).all()),
     )
 
 
-def _limited(stress: Array, pressure: Array, rheology: Rheology) -> Array:
+def _limited(stress: Array, pressure: Array, contact: TableContact) -> Array:
     """A stress of the base law with the limiting one on top, tau_L [1 - exp(-tau/tau_L)] [Pa]."""
-    if rheology.limiting_coefficient is None:
+    if contact.rheology.limiting_coefficient is None:
         return stress
-    limit = limiting_stress(pressure, rheology)
+    limit = limiting_stress(pressure, contact.rheology, contact.temperature)
     return np.asarray(-limit * np.expm1(-np.abs(stress) / limit) * np.sign(stress), dtype=np.float64)

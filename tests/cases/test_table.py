@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import math
+from dataclasses import replace
 
 import pytest
 from typer.testing import CliRunner
@@ -11,7 +13,9 @@ from bearing.geometry import Race
 from bearing.lubricant_library import library_lubricant
 from bearing.traction_tables import load_race_tables
 from cases.cli import app
+from ehl.traction.full_solves import FullSolve
 from ehl.traction.sampling import TableOptions
+from postprocess.traction_results import TractionResults, _beside, traction_summary
 
 
 def call(*arguments):
@@ -94,3 +98,24 @@ def test_tables_over_the_temperature(quick, tmp_path):
     path.write_bytes(path.read_bytes()[:-2000])
     with pytest.raises(ValueError, match="damaged"):
         load_race_tables(path, oil=oil)
+
+
+def test_full_solves_that_do_not_converge_are_told():
+    """None for what is no number, a message, and the result as a whole is flagged."""
+    places = {"load": 50.0, "speed": 10.0, "slide_ratio": 0.01}
+    good = FullSolve(**places, by_film=0.02, in_full=0.01, film_ratio=0.9, converged=True)
+    lost = FullSolve(**places, by_film=0.02, in_full=math.nan, film_ratio=math.nan, converged=False)
+    results = TractionResults(version="1", case={}, tables={}, full_solves={Race.INNER: (good,)})
+    assert traction_summary(results)["converged"]
+    told = traction_summary(replace(results, full_solves={Race.INNER: (good, lost)}))
+    assert not told["converged"]
+    assert any("inner race: the full solve at 50 N" in message for message in told["messages"])
+    assert _beside(lost) == {
+        "load_N": 50.0,
+        "entrainment_speed_m_s": 10.0,
+        "slide_roll_ratio": 0.01,
+        "coefficient_by_table_film": 0.02,
+        "coefficient_in_full": None,
+        "film_ratio": None,
+        "converged": False,
+    }

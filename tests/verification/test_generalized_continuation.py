@@ -14,6 +14,7 @@ from ehl.generalized_reynolds.flow import BeganAnewError, GeneralizedFlow
 from ehl.generalized_solver import solve_generalized
 from ehl.lubricant import ThermalProperties
 from ehl.rheology import Rheology, ShearLaw, eased, shear_stress
+from ehl.scaling import scale_contact
 from ehl.thermal import SolidThermal
 from ehl.thermal.film_heat import FilmHeat
 
@@ -133,3 +134,20 @@ def _asked(flow, grid, film=0.3):
     X, Y = grid.X[None, :], grid.Y[:, None]
     P = np.sqrt(np.maximum(1.0 - X**2 - Y**2, 0.0))
     return flow.factors(scale_contact(CIRCULAR), grid, P, film + 0.1 * np.maximum(X**2 + Y**2 - 1.0, 0.0))
+
+
+def test_a_film_that_heat_makes_too_thin_is_told(monkeypatch):
+    """Resolved is said of the film that was found, not of the Newtonian one that it began from."""
+    conditions = replace(CIRCULAR, load=320.0, entrainment_speed=10.0)
+    plain = solve_contact(conditions, COARSE)
+    heat = FilmHeat(conditions=conditions, solids=(STEEL, STEEL))
+    flow = GeneralizedFlow(conditions=conditions, rheology=EYRING, heat=heat)
+    films = [solution.film_minimum_dimensionless.finest for solution in (plain, continued(conditions, COARSE, flow))]
+    assert films[1] < 0.95 * films[0]
+    mesh = float(plain.X[1] - plain.X[0])
+    monkeypatch.setattr("ehl.solver.RESOLVED", np.mean(films) / (scale_contact(conditions).curvature_x * mesh**2))
+    assert solve_contact(conditions, COARSE).resolved
+    flow.forget()
+    found = continued(conditions, COARSE, flow)
+    assert found.converged and not found.resolved
+    assert "unresolved" in found.message

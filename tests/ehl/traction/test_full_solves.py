@@ -56,7 +56,14 @@ def test_heat_takes_friction_and_film():
 
 
 def test_the_limiting_stress_cuts_both():
-    limited = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e8, limiting_coefficient=0.01, limiting_minimum=1.0)
+    limited = Rheology(
+        law=ShearLaw.REE_EYRING,
+        eyring_stress=5e8,
+        limiting_coefficient=0.014,
+        limiting_minimum=1.0,
+        limiting_temperature_slope=0.02,  # 0.01 at 20 K above the reference temperature
+        reference_temperature=293.15,
+    )
     for one in full_solves(contact(limited), LIMITS, 2, options=OPTIONS):
         assert one.in_full < 0.0101
         assert_allclose(one.in_full, one.by_film, rtol=0.03)
@@ -65,7 +72,7 @@ def test_the_limiting_stress_cuts_both():
 def test_places_fill_the_range_once_each():
     told = []
     found = full_solves(contact(Rheology()), LIMITS, 3, options=OPTIONS, progress=lambda *state: told.append(state))
-    assert [state[:2] for state in told] == [(0, 3), (1, 3), (2, 3)]
+    assert [state[:2] for state in told] == [(1, 3), (2, 3), (3, 3)]
     for values, ends in (
         ([one.load for one in found], LIMITS.load),
         ([one.speed for one in found], LIMITS.speed),
