@@ -161,11 +161,17 @@ class Simulation:
                 return
 
     def _advance(self, times: Array) -> Record:
-        """A piece by explicit steps; where they are given up, its rest by LSODA. The next piece tries them anew."""
+        """A piece by explicit steps; where they are given up, its rest by LSODA. The next piece tries them anew.
+
+        A trial that fails after LSODA took over is undone: LSODA does the whole piece.
+        """
         from .integration.explicit import advance_explicit
 
-        began = self.state.time
+        began, before = self.state.time, deepcopy(self.state)
         status, record = advance_explicit(self, times)
+        if before.stiff and status not in (0, STIFF):
+            self.state.put_back(before)
+            status, record = STIFF, empty_record(times[:0], self.bearing.balls)
         if status == STIFF:
             from .integration.implicit import advance_implicit
 

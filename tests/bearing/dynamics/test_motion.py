@@ -13,7 +13,7 @@ from bearing.dynamics.friction import coulomb_friction, four_constant_friction
 from bearing.dynamics.inputs import Guidance, LoadType, NormalContact, NormalLaw, Schedule, Start
 from bearing.dynamics.integration.implicit import advance_implicit
 from bearing.dynamics.laws import damping_factor, restitution_returned
-from bearing.dynamics.simulation import from_state, simulation
+from bearing.dynamics.simulation import empty_record, from_state, simulation
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # of 0.05, 0.03, 0.03
 
@@ -199,6 +199,32 @@ def test_explicit_steps_return_when_a_stiff_start_is_over(setup):
         ends.append(record.state[-1])
     for part in (sim.layout.ball_speed, sim.layout.ball_turn):
         assert_allclose(ends[0][part], ends[1][part], atol=1e-3 * np.abs(ends[1][part]).max())
+
+
+@pytest.mark.parametrize("failure", [1, 3])
+def test_lsoda_goes_on_where_a_trial_of_explicit_steps_fails(setup, monkeypatch, failure):
+    """The state is put back, and LSODA does the piece as if there had been no trial; without LSODA the run ends."""
+
+    def fail(sim, times):
+        sim.state.y[:] = np.nan
+        sim.state.time = times[1]
+        return failure, empty_record(times[:1], 3)
+
+    bearing, ends = setup.bearing_7008(3), []
+    friction = four_constant_friction(bearing, (radians(15.0),) * 2, CONSTANTS)
+    model = setup.model(bearing, friction, cage=False, end_time=1e-4, sample_interval=2e-5)
+    monkeypatch.setattr("bearing.dynamics.integration.explicit.advance_explicit", fail)
+    for trial in (True, False):
+        sim = simulation(bearing, setup.operation(5000.0, 60.0), model)
+        sim.state.stiff = True
+        record = setup.run(sim) if trial else advance_implicit(sim, sim.sample_times())[1]
+        assert sim.converged
+        assert_allclose(record.time, np.arange(1, 6) * 2e-5)
+        ends.append(record.state[-1])
+    np.testing.assert_array_equal(*ends)
+    sim = simulation(bearing, setup.operation(5000.0, 60.0), model)
+    assert next(sim.pieces()).time.size == 1
+    assert not sim.converged
 
 
 def test_lsoda_agrees_with_the_explicit_method(setup):
