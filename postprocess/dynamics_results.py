@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from bearing.dynamics.initial import kinematic_cage_speed
-from bearing.dynamics.outcome import INPUTS, MECHANISMS, Outcome, Tally, nominal_angle, outcome
+from bearing.dynamics.outcome import INPUTS, LOSSES, MECHANISMS, Outcome, Tally, nominal_angle, outcome
 from bearing.dynamics.simulation import Simulation
 
 from .history_io import HISTORY_FILE
@@ -126,7 +126,8 @@ def _energy(found: Outcome) -> dict[str, Any]:
     """[J]."""
     return {
         "input_J": {name: found.work[name] for name in MECHANISMS[:INPUTS]},
-        "dissipated_J": {name: found.work[name] for name in MECHANISMS[INPUTS:]},
+        "dissipated_J": {name: found.work[name] for name in MECHANISMS[LOSSES]},
+        "films_J": found.work["films"],
         "stored_J": found.stored,
     }
 

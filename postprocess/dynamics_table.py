@@ -52,5 +52,7 @@ def _facts(document: dict[str, Any]) -> list[tuple[str, str]]:
     largest = sorted(lost, key=lambda name: -abs(lost[name]))[:3]
     words = ", ".join(f"{name.replace('_', ' ')} {lost[name]:.3g}" for name in largest)
     facts.append(("energy", f"{put_in:.4g} J in, {sum(lost.values()):.4g} J lost ({words})"))
+    if films := document["energy"]["films_J"]:
+        facts.append(("films", f"{abs(films):.3g} J {'taken up' if films > 0.0 else 'given, lifting balls'}"))
     facts.append(("balance", f"off by {document['energy_balance_error']:.1e} of the work"))
     return facts

@@ -28,6 +28,7 @@ MECHANISMS = (
     "films",
 )  # in the order of the accumulators; films: taken up, negative where they lift balls
 INPUTS = 3  # of them put energy in
+LOSSES = slice(INPUTS, -1)  # those that dissipate it; the last, the films, gives or takes
 
 
 @dataclass(slots=True)
@@ -81,7 +82,7 @@ class Outcome:
     ring_whirl, cage_whirl : float or None
         Of the centres over the last third, `whirl_speed`; None where they stay [rad/s].
     work : dict of float
-        Put in and lost, by mechanism [J].
+        Put in, lost and taken up by films, by mechanism [J].
     stored : float
         Change of kinetic, elastic and potential energy [J].
     energy_error : float
@@ -143,7 +144,7 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
     span = float(time[late][-1] - time[late][0])
     has_cage = simulation.problem.constants.cage_mass > 0.0 and span > 0.0
     work = state.y[simulation.layout.energy]
-    put_in, lost = float(np.sum(work[:INPUTS])), float(np.sum(work[INPUTS:]))
+    put_in, lost = float(np.sum(work[:INPUTS])), float(np.sum(work[LOSSES]))
     return Outcome(
         simulated=state.time,
         wall=simulation.wall,
@@ -155,7 +156,7 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
         ring_whirl=whirl_speed(time[late], centres[:, :2]),
         cage_whirl=whirl_speed(time[late], centres[:, 2:]),
         work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
-        stored=put_in - lost,
+        stored=put_in - lost - float(work[-1]),
         energy_error=tally.residual / max(abs(put_in), abs(lost), 1e-300),
         shares=state.shares / max(state.time, 1e-300),
         mean_load=tally.load_sum / tally.rows,

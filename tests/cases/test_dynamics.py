@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import shutil
@@ -12,6 +13,7 @@ import time
 
 import numpy as np
 import pytest
+from rich.console import Console
 from typer.testing import CliRunner
 
 from cases import load_case
@@ -19,6 +21,7 @@ from cases.cli import app
 from cases.dynamics import Interrupted, case_key, run_dynamics
 from cases.problems import CaseError
 from cases.shipped import find_case
+from postprocess.dynamics_table import dynamics_table
 from postprocess.history_io import open_history
 
 SHORT = "end_time_s = 0.004\noutput_interval_us = 50.0\n"
@@ -69,6 +72,11 @@ def test_summary_has_the_keys_of_the_contract(folder):
     assert document["simulated_s"] == pytest.approx(0.004)
     assert document["energy_balance_error"] < 1e-3
     assert document["converged"]
+    energy = document["energy"]
+    assert energy["films_J"] == 0.0  # no lubricated contacts
+    assert "films" not in energy["dissipated_J"]
+    left = sum(energy["input_J"].values()) - sum(energy["dissipated_J"].values()) - energy["films_J"]
+    assert energy["stored_J"] == pytest.approx(left)
     assert all(math.isfinite(value) for value in numbers(document))
     for ball in document["balls"]:
         for race in ("inner", "outer"):
@@ -94,6 +102,17 @@ def test_pictures_and_table(folder):
     text = folder[1].output
     assert "111 (combined: 2 ring + 1 cage + 108 balls)" in text
     assert max(len(line.rstrip()) for line in text.splitlines() if "results in" not in line) <= 80
+
+
+@pytest.mark.parametrize(("films", "words"), [(-0.25, "0.25 J given, lifting balls"), (0.5, "0.5 J taken up")])
+def test_work_of_films_is_told_beside_what_is_lost(folder, films, words):
+    document = json.loads((folder[0] / "summary.json").read_text(encoding="utf-8"))
+    document["energy"]["films_J"] = films
+    console = Console(width=80, record=True, file=io.StringIO())
+    console.print(dynamics_table(document))
+    text = console.export_text()
+    assert words in text
+    assert f"{sum(document['energy']['dissipated_J'].values()):.4g} J lost" in text
 
 
 def test_json_alone_writes_nothing(tmp_path, monkeypatch):
