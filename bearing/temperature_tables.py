@@ -19,7 +19,7 @@ from ehl.traction.temperature import TemperatureTable, build_temperature_table
 
 from .geometry import Race
 from .quasistatic import QuasistaticSolution
-from .traction_tables import Progress, Tables, table_contacts, table_range
+from .traction_tables import Progress, Tables, race_progress, table_contacts, table_range
 
 INDEX = "temperatures.json"
 TemperatureTables = dict[Race, TemperatureTable]
@@ -52,10 +52,7 @@ def build_temperature_tables(
         def contact_at(temperature: float, race: Race = race) -> TableContact:
             return table_contacts(solution, *oil_at(temperature), temperature)[race]
 
-        def told(done: int, total: int, state: str, race: Race = race) -> None:
-            if progress is not None:
-                progress(done, total, f"{race.value} race: {state}")
-
+        told = race_progress(progress, race)
         found[race] = build_temperature_table(contact_at, temperatures, limits, options, told)
     return found
 

@@ -94,13 +94,18 @@ def build_race_tables(
     """
     limits, tables = table_range(solution, lubricant), {}
     for race, contact in table_contacts(solution, lubricant, rheology).items():
-
-        def told(done: int, total: int, state: str, race: Race = race) -> None:
-            if progress is not None:
-                progress(done, total, f"{race.value} race: {state}")
-
-        tables[race] = build_table(contact, limits, options, told)
+        tables[race] = build_table(contact, limits, options, race_progress(progress, race))
     return tables
+
+
+def race_progress(progress: Progress | None, race: Race) -> Progress:
+    """A progress whose words begin with the race; nobody is told where there is none."""
+
+    def told(done: int, total: int, state: str) -> None:
+        if progress is not None:
+            progress(done, total, f"{race.value} race: {state}")
+
+    return told
 
 
 def _loaded(contacts: tuple[BearingContact, ...], race: Race) -> list[BearingContact]:

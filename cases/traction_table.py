@@ -124,15 +124,12 @@ def with_full_solves(
     case: Case, results: TractionResults, count: int, progress: Progress | None = None
 ) -> TractionResults:
     """The tables' films beside full solves at so many places each, with heat if the case's film model has it."""
+    from bearing.traction_tables import race_progress
     from ehl.traction.full_solves import full_solves
 
     solids = case.films.solids
     found: dict[Race, tuple[FullSolve, ...]] = {}
     for race, table in results.tables.items():
-
-        def told(done: int, total: int, state: str, race: Race = race) -> None:
-            if progress is not None:
-                progress(done, total, f"{race.value} race: {state}")
-
+        told = race_progress(progress, race)
         found[race] = full_solves(table.contact, table.range, count, solids, progress=told)
     return replace(results, full_solves=found)

@@ -75,6 +75,17 @@ class Outcome:
     load: list[float] = field(default_factory=list)
     changes: list[float] = field(default_factory=list)
 
+    def note(self, residual: float) -> None:
+        """Film, change and load error after a cycle on the finest level that left a mean residual [-]."""
+        index = len(self.state.levels) - 1
+        film, before = film_values(self.state.levels[index].grid, self.state.levels[index].H), self.film[-1]
+        self.film.append(film)
+        self.changes.append(
+            max(abs(new - old) / max(abs(new), SMALLEST_FILM) for new, old in zip(film, before, strict=True))
+        )
+        self.residual.append(residual)
+        self.load.append(load_error(self.state, index))
+
     def remaining_error(self) -> float:
         """Relative film error the iteration leaves, change * q/(1 - q) with q the contraction of the last cycle [-].
 
@@ -267,18 +278,12 @@ def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress
     DivergedError
         If three halvings do not help.
     """
-    level = state.levels[index]
-    last, halvings, done = np.inf, 0, 0
+    last, halvings, done = inf, 0, 0
     while done < count:
-        kept = (level.P.copy(), state.approach, state.exterior, level.load)
-        with np.errstate(all="ignore"):  # a runaway cycle overflows; it is looked at, not warned of
-            refresh_factors(state, index)
-            cycle(state, index)
-            residual = float(np.abs(reynolds_residual(state, index)).mean())
-        runaway = not np.isfinite(residual) or residual > GROWTH_LIMIT * last or level.P.max() > PRESSURE_LIMIT
-        if runaway or level.P.max() <= 0.0:
-            level.P, state.approach, state.exterior, level.load = kept
-            update_film(state, index)
+        kept = kept_level(state, index)
+        residual = guarded_cycle(state, index, last)
+        if residual == inf:
+            put_back(state, index, kept)
             if halvings == HALVINGS:
                 raise DivergedError
             halvings += 1
@@ -289,6 +294,32 @@ def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress
         yield residual
 
 
+Kept = tuple[Array, float, float, float]
+
+
+def kept_level(state: Multigrid, index: int) -> Kept:
+    """Copy of what a cycle on a level changes, for `put_back` [-]."""
+    level = state.levels[index]
+    return level.P.copy(), state.approach, state.exterior, level.load
+
+
+def put_back(state: Multigrid, index: int, kept: Kept) -> None:
+    """Undo the cycles on a level since it was kept; `kept` may be used once [-]."""
+    level = state.levels[index]
+    level.P, state.approach, state.exterior, level.load = kept
+    update_film(state, index)
+
+
+def guarded_cycle(state: Multigrid, index: int, last: float = inf) -> float:
+    """One cycle on a level; its mean residual, infinite if it ran away from the last one [-]."""
+    with np.errstate(all="ignore"):  # a runaway cycle overflows; it is looked at, not warned of
+        refresh_factors(state, index)
+        cycle(state, index)
+        residual = float(np.abs(reynolds_residual(state, index)).mean())
+    runaway = not np.isfinite(residual) or residual > GROWTH_LIMIT * last
+    return inf if runaway or not 0.0 < state.levels[index].P.max() <= PRESSURE_LIMIT else residual
+
+
 def _finish(outcome: Outcome, films: Films, options: SolverOptions, progress: Progress) -> None:
     """Cycle on the finest level until film and load stand still; `films` are those of the levels below."""
     state = outcome.state
@@ -296,14 +327,8 @@ def _finish(outcome: Outcome, films: Films, options: SolverOptions, progress: Pr
     outcome.film.append(film_values(level.grid, level.H))
     acceleration, given = Acceleration(), (level.P.copy(), state.approach)
     for residual in _guarded_cycles(state, index, options.max_cycles, progress):
-        film, before = film_values(level.grid, level.H), outcome.film[-1]
-        outcome.film.append(film)
-        outcome.changes.append(
-            max(abs(new - old) / max(abs(new), SMALLEST_FILM) for new, old in zip(film, before, strict=True))
-        )
-        outcome.residual.append(residual)
-        outcome.load.append(load_error(state, index))
-        outcome.films = [*films, film]
+        outcome.note(residual)
+        outcome.films = [*films, outcome.film[-1]]
         if outcome.converged():
             return
         if len(outcome.changes) > PLAIN_CYCLES:

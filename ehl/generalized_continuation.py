@@ -17,30 +17,27 @@ from dataclasses import replace
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .acceleration import Acceleration
 from .conditions import ContactConditions
 from .far_field import exterior_load
 from .full_multigrid import (
     ATTEMPTS,
-    GROWTH_LIMIT,
     PLAIN_CYCLES,
-    PRESSURE_LIMIT,
-    SMALLEST_FILM,
     DivergedError,
     Outcome,
     contact_multigrid,
     film_values,
+    guarded_cycle,
+    kept_level,
+    put_back,
 )
 from .generalized_reynolds.flow import GeneralizedFlow
-from .multigrid import Multigrid, cycle, load_error, refresh_factors, reynolds_residual, start_level, update_film
+from .multigrid import Multigrid, start_level, update_film
 from .options import SolverOptions
 from .scaling import scale_contact
 from .solution import ContactSolution, FilmValue
-from .solver import solve_contact, verdict
-
-Array = NDArray[np.float64]
+from .solver import solve_contact, verdict, whole_box
 
 # among the fallbacks of a record
 NAME = "continued from the Newtonian film"
@@ -114,14 +111,14 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow, slower: list[str]) -> 
     DivergedError
         If the smallest step runs away.
     """
-    reached, wanted = 0.0, FIRST_SHARE
+    reached, wanted, index = 0.0, FIRST_SHARE, len(state.levels) - 1
     while reached < 1.0:
         flow.share = wanted
-        kept, found = _kept(state), flow.kept()
-        if all(np.isfinite(_guarded_cycle(state)) for _ in range(STEP_CYCLES)):
+        kept, found = kept_level(state, index), flow.kept()
+        if all(np.isfinite(guarded_cycle(state, index)) for _ in range(STEP_CYCLES)):
             reached, wanted = wanted, min(STEP_GROWTH * wanted, 1.0)
             continue
-        _restore(state, kept)
+        put_back(state, index, kept)
         flow.restore(found)
         wanted = 0.5 * (reached + wanted)
         slower.append(SLOWER)
@@ -130,32 +127,6 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow, slower: list[str]) -> 
         if wanted - reached < SMALLEST_STEP:
             flow.share = reached
             raise DivergedError
-
-
-Kept = tuple[Array, float, float, float]
-
-
-def _kept(state: Multigrid) -> Kept:
-    level = state.levels[-1]
-    return level.P.copy(), state.approach, state.exterior, level.load
-
-
-def _restore(state: Multigrid, kept: Kept) -> None:
-    level = state.levels[-1]
-    pressure, state.approach, state.exterior, level.load = kept
-    level.P = pressure.copy()
-    update_film(state, len(state.levels) - 1)
-
-
-def _guarded_cycle(state: Multigrid, last: float = inf) -> float:
-    """One cycle on the finest level; its mean residual, infinite if it ran away [-]."""
-    index, level = len(state.levels) - 1, state.levels[-1]
-    with np.errstate(all="ignore"):  # a runaway cycle overflows; it is looked at, not warned of
-        refresh_factors(state, index)
-        cycle(state, index)
-        residual = float(np.abs(reynolds_residual(state, index)).mean())
-    runaway = not np.isfinite(residual) or residual > GROWTH_LIMIT * last
-    return inf if runaway or not 0.0 < level.P.max() <= PRESSURE_LIMIT else residual
 
 
 def _finish(outcome: Outcome, flow: GeneralizedFlow, cycles: int) -> None:
@@ -172,17 +143,11 @@ def _finish(outcome: Outcome, flow: GeneralizedFlow, cycles: int) -> None:
     outcome.film.append(film_values(level.grid, level.H))
     for _ in range(cycles):
         given = (level.P.copy(), state.approach)
-        residual = _guarded_cycle(state, residual)
+        residual = guarded_cycle(state, index, residual)
         if not np.isfinite(residual):
             raise DivergedError
-        film, before = film_values(level.grid, level.H), outcome.film[-1]
-        outcome.film.append(film)
-        outcome.films = [film]
-        outcome.changes.append(
-            max(abs(new - old) / max(abs(new), SMALLEST_FILM) for new, old in zip(film, before, strict=True))
-        )
-        outcome.residual.append(residual)
-        outcome.load.append(load_error(state, index))
+        outcome.note(residual)
+        outcome.films = [outcome.film[-1]]
         if outcome.converged() and flow.change <= SETTLED:
             return
         rest = flow.heat is None or flow.heat.change < RESTING
@@ -196,10 +161,8 @@ def _solution(plain: ContactSolution, outcome: Outcome, reached: float) -> Conta
     if not outcome.films:
         told = f"not converged: ran away from the Newtonian film at {reached:.0%} of rheology and heat; try more points"
         return replace(plain, converged=False, message=told)
-    level = outcome.state.levels[-1]
-    P, H = level.P, level.H
-    if level.grid.symmetric:
-        P, H = np.concatenate((P[:0:-1], P)), np.concatenate((H[:0:-1], H))
+    _, P, H = whole_box(outcome.state)
+    deflected = outcome.state.deflected_nodes() / outcome.state.levels[-1].P.size
     central, minimum = (_in_proportion(getattr(plain, name), outcome, kind) for kind, name in enumerate(FILMS))
     record = replace(
         plain.record,
@@ -207,13 +170,13 @@ def _solution(plain: ContactSolution, outcome: Outcome, reached: float) -> Conta
         force_error=tuple(outcome.load),
         film_change=tuple(outcome.changes),
         cycles=len(outcome.changes),
-        fft_equivalents=plain.record.fft_equivalents + outcome.state.deflected_nodes() / level.P.size,
+        fft_equivalents=plain.record.fft_equivalents + deflected,
     )
     resolved, message = verdict(outcome)
     return replace(
         plain,
-        P=P.T,
-        H=H.T,
+        P=P,
+        H=H,
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
         approach_dimensionless=outcome.state.approach,

@@ -178,7 +178,7 @@ def _solution(
 ) -> ContactSolution:
     state = outcome.state
     contact, grid = state.contact, state.levels[-1].grid
-    Y, P, H = _whole_box(state)
+    Y, P, H = whole_box(state)
     resolved, message = verdict(outcome)
     return ContactSolution(
         conditions=conditions,
@@ -212,7 +212,7 @@ def _film(outcome: Outcome, kind: int) -> FilmValue:
     return extrapolate([film[kind] for film in outcome.films], outcome.remaining_error())
 
 
-def _whole_box(state: Multigrid) -> tuple[Array, Array, Array]:
+def whole_box(state: Multigrid) -> tuple[Array, Array, Array]:
     """Y, P and H of the finest grid over the whole box; fields of shape (nx, ny)."""
     level = state.levels[-1]
     Y, P, H = level.grid.Y, level.P, level.H

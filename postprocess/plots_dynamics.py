@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from bearing.dynamics.outcome import INPUTS, LOSSES
+
 from .history_io import open_history
 from .plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
 from .units import MICROMETRE, RPM
@@ -180,17 +182,19 @@ def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     time, work = _milliseconds(data), data["work"].to_numpy().astype(np.float64)
     names = [str(name) for name in data["mechanism"].to_numpy()]
     stored = data["energy"].to_numpy().astype(np.float64).sum(axis=1)
-    top.plot(time, work[:, :3].sum(axis=1), color=INK, label="put in", linewidth=1.6)
+    put_in, lost = work[:, :INPUTS].sum(axis=1), work[:, LOSSES].sum(axis=1)
+    top.plot(time, put_in, color=INK, label="put in", linewidth=1.6)
     top.plot(time, stored - stored[0], color=REFERENCE, label="stored")
-    largest = np.abs(work[:, 3:]).max()
-    for name, column, colour in zip(names[3:], work[:, 3:].T, MECHANISM_COLOURS, strict=True):
+    taken = work[:, INPUTS:]
+    largest = np.abs(taken).max()
+    for name, column, colour in zip(names[INPUTS:], taken.T, MECHANISM_COLOURS, strict=True):
         if np.abs(column).max() > 1e-3 * largest:
             top.plot(time, column, color=colour, label=name.replace("_", " "), linewidth=0.9)
     top.set_ylabel("energy [J]")
     top.legend(ncols=2)
-    residual = stored - stored[0] - (work[:, :3].sum(axis=1) - work[:, 3:].sum(axis=1))
+    residual = stored - stored[0] - (put_in - taken.sum(axis=1))
     residual -= residual[0]
-    scale = max(np.abs(work[:, :3].sum(axis=1)).max(), np.abs(work[:, 3:].sum(axis=1)).max(), 1e-300)
+    scale = max(np.abs(put_in).max(), np.abs(lost).max(), 1e-300)
     bottom.plot(time, 100.0 * residual / scale, color=INK, linewidth=0.9)
     bottom.set_ylabel("left over\n[% of the work]")
     bottom.set_xlabel("time [ms]")

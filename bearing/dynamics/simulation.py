@@ -150,7 +150,7 @@ class Simulation:
         for first in range(0, times.size, PIECE):
             began, before = perf_counter(), deepcopy(self.state)
             try:
-                record = self._advance(times[first : first + PIECE])
+                record = self._advance(times[first : first + PIECE], before)
             except KeyboardInterrupt:
                 self.state.put_back(before)
                 raise
@@ -160,14 +160,13 @@ class Simulation:
             if not self.converged:
                 return
 
-    def _advance(self, times: Array) -> Record:
+    def _advance(self, times: Array, before: SimulationState) -> Record:
         """A piece by explicit steps; where they are given up, its rest by LSODA. The next piece tries them anew.
 
-        A trial that fails after LSODA took over is undone: LSODA does the whole piece.
+        A trial that fails after LSODA took over is undone, to `before`: LSODA does the whole piece.
         """
         from .integration.explicit import advance_explicit
 
-        began, before = self.state.time, deepcopy(self.state)
         status, record = advance_explicit(self, times)
         if before.stiff and status not in (0, STIFF):
             self.state.put_back(before)
@@ -180,7 +179,7 @@ class Simulation:
             status, rest = advance_implicit(self, times[record.time.size :])
             record = join(record, rest)
         elif self.state.stiff and status == 0:
-            self._tell(f"dynamics: explicit steps again from t = {began:.6g} s on; LSODA where they are given up")
+            self._tell(f"dynamics: explicit steps again from t = {before.time:.6g} s on; LSODA where they are given up")
         if status != 0:
             self.converged = False
             self.messages.append(MESSAGES[status].format(t=self.state.time))

@@ -116,5 +116,5 @@ def check_film(data: FrictionData, law: Array, name: str) -> None:
             where = loads[int(np.argmin(np.diff(approach - films)))]
             raise ValueError(
                 f"lubricated contact: the film of the {name} race's table rises near {where:.3g} N and {speed:.3g} m/s "
-                "faster than the bodies give way; make a finer table (oilfilm table --tolerance)"
+                "faster than the bodies give way; make a finer table (oilfilm table --points)"
             )
