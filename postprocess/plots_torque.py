@@ -35,14 +35,15 @@ LABELS = {
     "palmgren": "Palmgren",
     "yao": "Yao et al.",
 }
-OIL, SLIDING, SPIN, CURVATURE, ORBIT = "#4c78a8", "#d67b1f", "#b23a3a", "#e0b35a", "#8c6bb1"
+OIL, SLIDING, SPIN, CURVATURE, ROTATION, ORBIT = "#4c78a8", "#d67b1f", "#b23a3a", "#e0b35a", "#f0dcae", "#8c6bb1"
 CAGE, DRAG, SEAL, ASPERITY, LOAD = "#5a8f5a", "#79b7c9", "#9a9a9a", "#4d3b2f", "#a65e7d"
 KINDS = (  # what one colour stands for, and the components of the models that are of this kind
     ("oil: rolling resistance", OIL, ("rolling", "hydrodynamic", "viscous", "ML")),
     ("sliding", SLIDING, ("sliding", "film")),
     ("spin", SPIN, ("spin", "MS")),
-    ("curvature slip, ball rotation", CURVATURE, ("curvature", "rotation", "MD")),
-    ("curvature slip, orbit", ORBIT, ("orbit",)),
+    ("curvature slip", CURVATURE, ("curvature", "MD")),
+    ("curvature slip: ball rotation", ROTATION, ("rotation",)),
+    ("curvature slip: orbit", ORBIT, ("orbit",)),
     ("asperities", ASPERITY, ("asperity",)),
     ("hysteresis", REFERENCE, ("ME",)),
     ("load term", LOAD, ("load",)),
