@@ -53,7 +53,10 @@ class BatchPoint:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BatchResults:
-    """A whole batch: `sweep` is the text of its file, `case` the name of the case it varies."""
+    """A whole batch: `sweep` is the text of its file, `case` the name of the case it varies.
+
+    `plot`: names of the numbers that its file wants to be drawn.
+    """
 
     version: str
     title: str
@@ -63,6 +66,7 @@ class BatchResults:
     points: tuple[BatchPoint, ...]
     messages: tuple[str, ...] = ()
     assumed: tuple[str, ...] = ()
+    plot: tuple[str, ...] = ()
     timing: dict[str, float] = field(default_factory=dict)
 
     @property

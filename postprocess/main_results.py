@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
+from .heating import KEYS as HEATING
+from .torque import AS_PRINTED, MODELS
+
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
 SIMULATION = (
     "cage_speed_rpm",
@@ -14,6 +17,13 @@ SIMULATION = (
     "energy_balance_error",
     "simulated_s",
 )
+FILMS = tuple(
+    f"film_{film}{rest}_{unit}"
+    for unit in ("um", "dimensionless")
+    for film in ("central", "minimum")
+    for rest in ("", "_uncertainty")
+)
+TRACTION = "traction_coefficient"
 
 
 def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
@@ -39,13 +49,34 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
         return _slip(summary)
     if "tables" in summary:
         return _tables(summary)
-    names = [
-        f"film_{film}{rest}_{unit}"
-        for unit in ("um", "dimensionless")
-        for film in ("central", "minimum")
-        for rest in ("", "_uncertainty")
-    ]
-    return {name: summary.get(name) for name in (*CONTACT, *names, "traction_coefficient") if name in summary}
+    return {name: summary.get(name) for name in (*CONTACT, *FILMS, TRACTION) if name in summary}
+
+
+def result_names(kind: str) -> tuple[str, ...]:
+    """Names of numbers that a point of a batch may have, as in its table: main results, every torque, self-heating.
+
+    Parameters
+    ----------
+    kind : str
+        What is computed: "run", "torque", "contact", "slip", "dynamics" or "table".
+
+    Returns
+    -------
+    tuple of str
+    """
+    table = {"largest_coefficient": None, "error": {"quantile": None}, "films": None}
+    nothing: dict[str, dict[str, Any]] = {
+        "contact": dict.fromkeys((*CONTACT, *FILMS, TRACTION)),
+        "slip": {"operation": {"balls": [], "minimum_preload_N": None}, "surface": None},
+        "dynamics": {"cage_speed_ratio": None},
+        "table": {"tables": {"inner": table, "outer": table}},
+    }
+    names = tuple(main_results(nothing.get(kind, {"contacts": []})))
+    if kind not in ("run", "torque"):
+        return names
+    parts = {**{name: (*members, "total") for name, members in MODELS.items()}, AS_PRINTED: ("sliding", "total")}
+    torques = [f"torque_N_mm.models.{name}.{part}" for name, members in parts.items() for part in members]
+    return (*names, "torque_N_mm.total", *torques, *(f"self_heating.{key}" for key in HEATING))
 
 
 def _bearing(summary: dict[str, Any]) -> dict[str, Any]:

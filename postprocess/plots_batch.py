@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .batch_results import BatchResults
+from .batch_results import BatchPoint, BatchResults, scalar_numbers
 from .main_results import main_results
 from .named_units import unit_of, without_unit
 from .plot_style import INK, PAGE_WIDTH, RC, REFERENCE, Array, save
+from .plots_torque import LABELS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,6 +32,17 @@ QUANTITIES = {
     "inner_largest_coefficient": "largest coefficient, inner race",
     "outer_largest_coefficient": "largest coefficient, outer race",
 }
+MODELS = "torque_N_mm.models."
+PARTS = {
+    "total": "sum",
+    "ME": "$M_E$ hysteresis",
+    "MD": "$M_D$ differential sliding",
+    "MS": "$M_S$ spin",
+    "MC": "$M_C$ cage",
+    "ML": "$M_L$ oil",
+}  # of a model, where the name of the number is no word
+LINES = ("#1b1f24", "#b23a3a", "#4c78a8", "#d67b1f", "#5a8f5a", "#8c6bb1", "#79b7c9", "#a65e7d")
+STYLES, MARKERS = ("-", "--", "-.", ":"), "osD^vP*X"
 MOST_PANELS = 3
 WORD_WIDTH = 16  # characters of a tick label
 MOST_LINES = 8  # of a family; more values are told by colour
@@ -60,7 +72,22 @@ def varied_keys(results: BatchResults) -> list[Varied]:
         elif len(different) > 1:
             wordy.append(key)
     found = [varied for _, varied in sorted(numbers, key=lambda item: -item[0])]
+    found = found[:1] + [varied for varied in found[1:] if not _goes_along(found[0], varied)]
     return found + ([_words(results, wordy)] if wordy else [])
+
+
+def _goes_along(first: Varied, other: Varied) -> bool:
+    """Whether another key rises or falls strictly with the first one, as the sizes of a bearing do."""
+    pairs = sorted({(a, b) for a, b in zip(first.values, other.values, strict=True) if a is not None and b is not None})
+    if len(pairs) < MOST_PANELS or len({a for a, _ in pairs}) < len(pairs):
+        return False
+    steps = np.diff([b for _, b in pairs])
+    return bool(np.all(steps > 0.0) or np.all(steps < 0.0))
+
+
+def _numbers(point: BatchPoint) -> dict[str, Any]:
+    """Every single number of a point by the name that it has in the table of the batch."""
+    return scalar_numbers(point.summary or {}) | main_results(point.summary)
 
 
 def _words(results: BatchResults, keys: list[str]) -> Varied:
@@ -92,13 +119,19 @@ def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]
         return (f"plots/{BATCH_PLOT} not written: no {'key with several values' if shown else 'result'} to draw",)
     with matplotlib.rc_context(RC):
         figure = matplotlib.figure.Figure()
-        draw_batch(figure, results, keys, shown)
+        if results.plot and len(shown) > 1 and len({unit_of(name) for name in shown}) == 1:
+            draw_together(figure, results, keys, shown)
+        else:
+            draw_batch(figure, results, keys, shown)
         save(figure, directory / "plots" / BATCH_PLOT)
-    return ()
+    return tuple(f"plots/{BATCH_PLOT}: no {name} to draw" for name in results.plot if name not in shown)
 
 
 def quantities(results: BatchResults) -> list[str]:
-    """The main results that at least one point has and that are not all zero, as many as fit a figure."""
+    """Numbers that the sweep file wants drawn and some point has; else as many main results, not all zero, as fit."""
+    if results.plot:
+        every = [_numbers(point) for point in results.points]
+        return [name for name in results.plot if any(row.get(name) is not None for row in every)]
     rows = [main_results(point.summary) for point in results.points]
     return [name for name in QUANTITIES if any(row.get(name) for row in rows)][:MOST_PANELS]
 
@@ -130,19 +163,100 @@ def draw_batch(figure: Figure, results: BatchResults, keys: list[Varied], shown:
             mapped = axes.scatter(x[sound], y[sound], c=colour[sound], s=14)
             axes.scatter(x[~sound], y[~sound], c=colour[~sound], s=18, marker="x")
         axes.set_xlabel(keys[0].label)
-        if keys[0].words:
-            words = ["\n".join(fill(part, WORD_WIDTH) for part in word.split(" / ")) for word in keys[0].words]
-            axes.set_xticks(range(len(words)), words, fontsize=6.5)
-        axes.set_ylabel(f"{QUANTITIES[name]} [{quantity_unit(name)}]")
+        _word_ticks(axes, keys[0])
+        axes.set_ylabel(f"{quantity_label(name)} [{quantity_unit(name)}]")
         axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
         axes.grid(linewidth=0.3, alpha=0.5)
     if mapped is not None:
         figure.colorbar(mapped, ax=panels, label=keys[1].label)
     notes = ["error bars: uncertainty of the film"] if shown[0].startswith("film") and mapped is None else []
-    notes += ["crosses: not converged"] if not results.converged else []
+    _note(figure, results, keys, notes)
+
+
+def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], shown: list[str]) -> None:
+    """Numbers of one unit as lines over the first key; a panel for each value of the second one, if there is one.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Empty.
+    results : BatchResults
+    keys : list of Varied
+        As `varied_keys` orders them.
+    shown : list of str
+        Names of numbers, units as they say.
+    """
+    values = _some(np.unique([v for v in keys[1].values if v is not None])) if len(keys) > 1 else np.zeros(1)
+    figure.set_size_inches(PAGE_WIDTH, 3.0)
+    figure.suptitle(results.title, fontsize=8.5)
+    panels: Any = figure.subplots(1, len(values), squeeze=False, sharey=True)[0]
+    model = common_model(shown)
+    for axes, value in zip(panels, values, strict=True):
+        for k, name in enumerate(shown):
+            x, second, y, _, sound = _data(results, keys, name)
+            part = second == value
+            style = {"color": LINES[k], "marker": MARKERS[k], "label": quantity_label(name, model)}
+            style["linestyle"] = "" if keys[0].words else STYLES[k % len(STYLES)]
+            _line(axes, x[part], y[part], np.zeros(part.sum()), sound[part], style)
+        if len(keys) > 1:
+            head, _, unit = keys[1].label.partition(" [")
+            axes.set_title(f"{head} {keys[1].text(value)} {unit.rstrip(']')}".strip())
+        axes.set_xlabel(keys[0].label)
+        _word_ticks(axes, keys[0])
+        axes.grid(linewidth=0.3, alpha=0.5)
+    panels[0].set_ylim(min(0.0, panels[0].get_ylim()[0]), 1.05 * panels[0].get_ylim()[1])
+    words = f"{LABELS[model]}: torque" if model else _common_words(shown)
+    panels[0].set_ylabel(f"{words} [{quantity_unit(shown[0])}]")
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, ncols=min(len(labels), 4), loc="outside lower center")
+    if len(keys) > 1 and len(values) < len(set(keys[1].values)):
+        _note(figure, results, keys, [f"{len(values)} of {len(set(keys[1].values))} values of {keys[1].label}"])
+    else:
+        _note(figure, results, keys, [])
+
+
+def _some(values: Array) -> Array:
+    """At most as many values as a figure has panels, the first and the last among them."""
+    return np.asarray(
+        values[np.unique(np.linspace(0, len(values) - 1, min(len(values), MOST_PANELS)).round().astype(int))]
+    )
+
+
+def _note(figure: Figure, results: BatchResults, keys: list[Varied], notes: list[str]) -> None:
+    """What a figure does not show by itself, below it."""
+    notes = notes + (["crosses: not converged"] if not results.converged else [])
     notes += [f"further keys vary: {', '.join(key.label for key in keys[2:5])}"] if 2 < len(keys) <= 5 else []
     notes += [f"{len(keys) - 2} further keys vary"] if len(keys) > 5 else []
     figure.supxlabel("; ".join(notes), fontsize=6.5, color=REFERENCE)
+
+
+def _word_ticks(axes: Axes, key: Varied) -> None:
+    """Words of a key along the axis."""
+    if key.words:
+        words = ["\n".join(fill(part, WORD_WIDTH) for part in word.split(" / ")) for word in key.words]
+        axes.set_xticks(range(len(words)), words, fontsize=6.5)
+
+
+def quantity_label(name: str, model: str | None = None) -> str:
+    """A number in words; of a torque its model and part, the part alone where all numbers are of one `model`."""
+    if name.startswith(MODELS):
+        own, part = name.removeprefix(MODELS).split(".")
+        words = PARTS.get(part, part)
+        return words if own == model else LABELS[own] + ("" if part == "total" else f", {words}")
+    return QUANTITIES.get(name) or without_unit(name.rpartition(".")[2])
+
+
+def common_model(names: list[str]) -> str | None:
+    """The torque model that all numbers are of, if there is one."""
+    models = {name.removeprefix(MODELS).split(".")[0] if name.startswith(MODELS) else None for name in names}
+    return models.pop() if len(models) == 1 else None
+
+
+def _common_words(names: list[str]) -> str:
+    """What numbers of one unit are, in words."""
+    return (
+        "torque" if all("torque_N_mm" in name for name in names) else "film" if names[0].startswith("film") else "value"
+    )
 
 
 def axis_label(key: str) -> str:
@@ -165,7 +279,7 @@ def _data(results: BatchResults, keys: list[Varied], name: str) -> tuple[Array, 
     rows = []
     seconds = keys[1].values if len(keys) > 1 else [0.0] * len(results.points)
     for point, first, second in zip(results.points, keys[0].values, seconds, strict=True):
-        row = main_results(point.summary)
+        row = _numbers(point)
         if row.get(name) is not None and first is not None and second is not None:
             rows.append((first, second, row[name], row.get(f"{head}_uncertainty_{unit}") or 0.0, point.converged))
     x, colour, y, error, sound = (np.array(column) for column in zip(*rows, strict=True))
@@ -191,7 +305,8 @@ def _line(axes: Axes, x: Array, y: Array, error: Array, sound: Any, style: dict[
     if len(np.unique(x)) < len(x):
         style = style | {"linestyle": ""}
     bars = error[order] if error.any() else None
-    axes.errorbar(x[order], y[order], bars, marker="o", markersize=3, capsize=2, linewidth=1.0, **style)
+    fixed: dict[str, Any] = {"marker": "o", "markersize": 3, "capsize": 2, "linewidth": 1.0}
+    axes.errorbar(x[order], y[order], bars, **fixed | style)
     if not sound.all():
         axes.plot(x[~sound], y[~sound], "x", markersize=7, color=style["color"])
 

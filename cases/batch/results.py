@@ -49,6 +49,7 @@ def gathered(batch: Batch) -> BatchResults:
         points=tuple(points),
         messages=batch.sweep.messages,
         assumed=batch.sweep.assumed,
+        plot=batch.sweep.plot,
         timing={"total": batch.wall},
     )
 

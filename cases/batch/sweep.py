@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
@@ -28,7 +28,8 @@ from .blocks import (
     hypercube,
     listed,
 )
-from .tables import bodies_and_oil, file_hash, needs_tables, with_tables
+from .plotted import plot_problems
+from .tables import bodies_and_oil, file_hash, foreign_points, needs_tables, with_tables
 
 FORMAT = 1  # of what a point leaves on disk
 UNIMPORTANT = ("title", "source", "assumed")  # for what is computed
@@ -86,6 +87,7 @@ class Sweep:
     assumed: tuple[str, ...] = field(default=())
     table: FilePath | None = None
     table_points: int = 257
+    plot: tuple[str, ...] = ()
 
 
 def read_sweep(name_or_path: str | FilePath) -> Sweep:
@@ -120,11 +122,17 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
     base = with_values(parse(read_text(case_file), str(case_file)), fixed)
     variations, notes, problems = _variations(file, base)
+    problems += plot_problems(file.plot, "contact" if "contact" in base else file.compute)
     if problems:
         raise _error(name, lines, problems)
     keys = tuple(dict.fromkeys(setting.key for variation in variations for setting in variation.settings))
-    points, common = _points(file, base, variations, fixed, keys, (name, lines))
+    points, common, examples = _points(file, base, variations, fixed, keys, (name, lines))
     table = _table_file(file, folder, bool(common), (name, lines))
+    if table is not None:
+        wrong = foreign_points(table, common, examples)
+        problems = [_foreign(found, numbers) for found, numbers in wrong.items()]
+        if problems:
+            raise _error(name, lines, problems)
     points = with_tables(points, common, None if table is None else file_hash(table), file.table_points)
     return Sweep(
         name=name,
@@ -139,6 +147,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         assumed=tuple(key for key in base.get("assumed", ()) if isinstance(key, str)),
         table=table,
         table_points=file.table_points,
+        plot=file.plot,
     )
 
 
@@ -163,6 +172,13 @@ def _table_file(
     if found is not None:
         raise _error(*place, [Problem(path=("table",), found=found, allowed=allowed)])
     return path
+
+
+def _foreign(found: str, numbers: Sequence[int]) -> Problem:
+    """Tables that were not made for some points."""
+    others = f" and {len(numbers) - 1} others" if len(numbers) > 1 else ""
+    allowed = "allowed: tables that `oilfilm table` made of the same bearing and oil, or table left out"
+    return Problem(path=("table",), found=f"{found}: point {numbers[0]}{others}", allowed=allowed)
 
 
 def _title(case: str, keys: tuple[str, ...]) -> str:
@@ -280,12 +296,14 @@ def _points(
     fixed: Variation,
     keys: tuple[str, ...],
     place: tuple[str, dict[Path, int]],
-) -> tuple[tuple[Point, ...], dict[int, str]]:
-    """Every variation as a checked point, and by their numbers what those that need tables must have in common.
+) -> tuple[tuple[Point, ...], dict[int, str], dict[str, Case]]:
+    """Every variation as a checked point, by their numbers what those that need tables must have in common, and a case
+    of each kind of these.
 
     `CaseError` with the problems of all of them, each told once.
     """
     points, common, problems = [], dict[int, str](), list(_hidden(base, variations))
+    examples: dict[str, Case] = {}
     for number, variation in enumerate(variations, 1):
         document = with_values(base, variation)
         case, found = _checked(document, f"point {number}")
@@ -305,11 +323,12 @@ def _points(
             problems += _kind(file, case, number)
             if isinstance(case, Case) and needs_tables(case, file.compute):
                 common[number] = bodies_and_oil(case)
+                examples.setdefault(common[number], case)
         if len(problems) > 1000:
             break
     if problems:
         raise _error(*place, problems)
-    return tuple(points), common
+    return tuple(points), common, examples
 
 
 def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Problem]:

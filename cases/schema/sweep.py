@@ -57,6 +57,9 @@ class SweepFile(Table):
         None, min_length=1, description="traction tables from `oilfilm table`, relative to this file; left out, made"
     )
     table_points: Points = Field(257, description="nodes of each film along x of tables that are made")
+    plot: tuple[str, ...] = Field(
+        (), strict=False, max_length=8, description="numbers of batch.csv that --plot draws; left out, the main results"
+    )
     fixed: dict[str, Any] = Field({}, description="values by key that every point has in place of the case's")
     sweep: dict[str, Any] = Field({}, description="lists of values by key; all their combinations are points")
     combinations: tuple[dict[str, Any], ...] = Field((), strict=False, description="single points, one table each")
