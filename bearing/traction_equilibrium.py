@@ -25,7 +25,7 @@ from .operation import BallKinematics, Model, Operation
 from .quasistatic import QuasistaticSolution, solve_held_balls, solve_quasistatic
 from .rows import Row
 from .torque.balance import SKID, BalancedFriction, balance_balls, balance_driven_balls, sliding_ratio
-from .torque.balance_newton import ContactLaw
+from .torque.balance_newton import BALANCE_TOLERANCE, ContactLaw
 from .torque.traction_source import BallTraction, PreparedTraction
 from .traction_forces import contact_axes
 
@@ -151,6 +151,9 @@ def _complaint(state: _State) -> str:
         if not any(balance.driven.any() for balance in state.balances):
             return "the inner race drives no ball"
         worst = max(balance.residual for balance in state.balances)
+        pushed = max(balance.cage_change for balance in state.balances)
+        if worst <= BALANCE_TOLERANCE:
+            return f"balls and cage find no common speed (the push of the cage still changes by {pushed:.1e} of it)"
         return f"friction cannot balance a ball (force left {worst:.1e} of the friction that counts as large)"
     if state.change > TOLERANCE:
         return f"forces still change by {state.change:.1e} of the largest load after {MAX_ROUNDS} rounds"
@@ -173,8 +176,7 @@ def _round(
     for i, contacts in enumerate(_contacts(solution, traction)):
         row, part = solution.row(i), slice(i * solution.bearing.balls, (i + 1) * solution.bearing.balls)
         law = prepared[i].law(row, contacts)
-        near = None if before is None else before.balances[i]
-        balance = _balance(row, contacts, law, traction, (near, carried[part]))
+        balance = _balance(row, contacts, law, traction, None if before is None else carried[part])
         loaded = row.inner_load > 0.0
         carried[part] |= loaded & (~balance.driven | (sliding_ratio(balance, contacts) > SKID))
         balances.append(balance)
@@ -190,15 +192,12 @@ def _balance(
     contacts: Sequence[BearingContact],
     law: ContactLaw,
     traction: BallTraction,
-    before: tuple[BalancedFriction | None, NDArray[np.bool_]],
+    carried: NDArray[np.bool_] | None,
 ) -> BalancedFriction:
-    """Balance of the balls of a row, from that of the round before and without the balls that the cage carries."""
-    near, carried = before
-    if near is None:
+    """Balance of the balls of a row, without those that the cage carries; None: which these are is not yet known."""
+    if carried is None:
         return balance_driven_balls(row, contacts, law, traction.resistance)
-    driven = (row.inner_load > 0.0) & ~carried
-    still = replace(near, unknowns=np.zeros_like(near.unknowns)) if (near.driven == driven).all() else None
-    return balance_balls(row, contacts, law, driven=driven, near=still, resistance=traction.resistance)
+    return balance_balls(row, contacts, law, driven=(row.inner_load > 0.0) & ~carried, resistance=traction.resistance)
 
 
 def _held_of(solution: QuasistaticSolution) -> HeldBalls:

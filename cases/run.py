@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from bearing.operation import Model
     from bearing.quasistatic import QuasistaticSolution
     from bearing.torque.breakdown import TorqueBreakdown
-    from bearing.torque.integrated import SolvedShear
+    from bearing.torque.shear_torque import SolvedShear
     from bearing.traction_forces import ContactTraction
     from ehl import ContactConditions, ContactSolution, SolverOptions
     from ehl.traction import TractionResult
@@ -177,7 +177,7 @@ def _torque(
     shear = None
     if state.operation.inner_speed != state.operation.outer_speed:
         shear = _law_shear(state, contacts) or _film_shear(case, state, contacts, solutions)
-    return torque_breakdown(state, contacts, case.lubricant, case.friction, shear=shear)
+    return torque_breakdown(state, contacts, case.lubricant, case.friction, shear=shear, solutions=solutions)
 
 
 def _law_shear(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> SolvedShear | None:

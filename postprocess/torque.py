@@ -61,7 +61,7 @@ def _power_balance(results: BearingResults) -> dict[str, Any]:
         "heat_W": shear.torque.heat,
         "resisted_W": shear.torque.resisted,
         "imbalance": shear.torque.imbalance,
-        "traction_equilibrium": shear.balanced is not None,
+        "traction_equilibrium": shear.closed,
         "hypothesis": results.quasistatic.model.ball_kinematics.value,
         "hypothesis_torque_N_mm": shear.hypothesis.total / NEWTON_MILLIMETRE,
         "hypothesis_imbalance": shear.hypothesis.imbalance,
@@ -117,6 +117,10 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
             yield f"torque_N_mm.models.{name}: null, {torque.models[name].note}"
     if torque.chosen == "integrated" and torque.shear is not None:
         yield f"torque_N_mm.total: the integrated model{_balance_words(results)}"
+    elif torque.chosen == "starved":
+        ample = "" if torque.starved is None else f", {torque.starved.flooded / NEWTON_MILLIMETRE:.4g} N mm if flooded"
+        rest = "null without films" if torque.shear is None else "those of flooded films"
+        yield f"torque_N_mm.total: the model starved, at the supply{ample}; power_balance and per_ball_N_mm {rest}"
     elif torque.chosen is not None:
         yield f"torque_N_mm.total: the model {torque.chosen}; power_balance and per_ball_N_mm null without films"
     if torque.total is None:
@@ -133,7 +137,7 @@ def _balance_words(results: BearingResults) -> str:
         return f"; {shear.note}: the rings' power differs from the heat by {shear.torque.imbalance:.0%} of it"
     kinematics = results.quasistatic.model.ball_kinematics
     carried = ", ".join(str(ball) for ball in shear.carried)
-    words = ", balls in traction equilibrium, as traction of the contacts"
+    words = ", balls in traction equilibrium, as traction of the contacts" if shear.closed else f"; {shear.note}"
     if kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         words += f"; '{kinematics.value}' holds for loads and films only"
     return words + (f"; balls {carried} go with the cage, their inner contacts cannot drive them" if carried else "")

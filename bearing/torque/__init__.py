@@ -13,9 +13,10 @@ if TYPE_CHECKING:
     from .breakdown import TorqueBreakdown, torque_breakdown
     from .coulomb import balanced_friction
     from .heat_balance import Cooling, HeatBalance
-    from .integrated import Asperities, IntegratedTorque, SolvedShear, film_balance, solved_shear
+    from .integrated import Asperities, film_balance, solved_shear
     from .models import FrictionInput, ModelTorque
     from .self_heating import WarmBearing
+    from .shear_torque import IntegratedTorque, SolvedShear
     from .starved_torque import StarvedTorque
     from .supply import Supply
     from .tabulated import law_balance, tabulated_torque
@@ -46,9 +47,10 @@ _LAZY = {  # these need SciPy
     "coulomb": ("balanced_friction",),
     "breakdown": ("TorqueBreakdown", "torque_breakdown"),
     "heat_balance": ("Cooling", "HeatBalance"),
-    "integrated": ("Asperities", "IntegratedTorque", "SolvedShear", "film_balance", "solved_shear"),
+    "integrated": ("Asperities", "film_balance", "solved_shear"),
     "models": ("FrictionInput", "ModelTorque"),
     "self_heating": ("WarmBearing",),
+    "shear_torque": ("IntegratedTorque", "SolvedShear"),
     "starved_torque": ("StarvedTorque",),
     "supply": ("Supply",),
     "tabulated": ("law_balance", "tabulated_torque"),

@@ -27,7 +27,8 @@ from .resistance import FREE, Resistance
 
 SKID = 0.3  # sliding over entrainment from which a ball is taken along by the cage instead of driven [-]
 SKID_ROUNDS = 4  # of taking balls out
-CAGE_STEPS, CAGE_TOLERANCE = 20, 1.0e-8  # of push and speed of the cage, which hardly depend on the balance [-]
+CAGE_STEPS, CAGE_TARGET, CAGE_TOLERANCE = 20, 1.0e-8, 1.0e-6  # rounds of its push, change to stop at, to accept [-]
+STEEPEST = 0.5  # change of the push that is asked for with the push taken up to which secants go [-]
 PLANE = np.array([True, True, True, False])  # orbit, rotation about e_x and e_r: all that the line law knows
 
 
@@ -53,10 +54,12 @@ class BalancedFriction:
         Power that the balls give to the oil around them and to the cage's guidance [W].
     residual : float
         Largest force or moment (over the ball's radius) left on a ball, over the friction mu Q [-].
+    cage_change : float
+        Push of the cage at the motion found less the push it was found with, over the push [-].
     driven : ndarray of bool, shape (balls,)
         Balls that the inner race drives; the others go with the cage.
     unknowns, cage : ndarray, shape (balls, 4) and (balls,)
-        Change of the motion, scaled to speeds [m/s], and push of the cage [N], from where another search may begin.
+        Change of the motion, scaled to speeds [m/s], from where another search may begin, and push of the cage [N].
     converged : bool
     """
 
@@ -68,6 +71,7 @@ class BalancedFriction:
     shaft_power: float
     resisted: float
     residual: float
+    cage_change: float
     driven: NDArray[np.bool_]
     unknowns: Array
     cage: Array
@@ -155,18 +159,44 @@ def balance_balls(
     turned = gyroscopic and not law.plane
     if turned:
         problem = replace(problem, couple=_couple(solution, problem.driven))
-    z = np.zeros(problem.couple.shape)
-    if near is not None:
-        z, problem = near.unknowns, replace(problem, cage=near.cage)
-    turning = _turning(solution, problem.driven) if turned else problem.turning
-    pushed = not problem.driven.all() or resistance.land > 0.0  # the cage takes balls along, or is held back
-    for _ in range(CAGE_STEPS if pushed else 1):
-        before, push = problem.cage, _cage_force(solution, problem, z, resistance)
-        problem = replace(problem, turning=turning, cage=push)
-        z, residual = settle(problem, _with_the_cage(solution, problem.driven, z))
-        if np.abs(push - before).max() <= CAGE_TOLERANCE * np.abs(push).max() and push.any():
+    z = np.zeros(problem.couple.shape) if near is None else near.unknowns
+    if turned:
+        problem = replace(problem, turning=_turning(solution, problem.driven))
+    return _result(solution, contacts, _with_push(solution, problem, z, resistance), resistance)
+
+
+def _with_push(
+    solution: QuasistaticSolution, problem: MotionProblem, start: Array, resistance: Resistance
+) -> tuple[MotionProblem, Array, Array, float]:
+    """The problem with the push of the cage, z, the residual of each ball and the change of the push, all that it is.
+
+    Balls that the inner race does not drive go with the cage, at a speed that follows from the others' balance under
+    the push; the push that they then ask for is compared with the one taken, and found by secants.
+    """
+    z = _with_the_cage(solution, problem.driven, start)
+    problem = replace(problem, cage=_cage_force(solution, problem, z, resistance))
+    before: tuple[Array, Array] | None = None  # push taken and asked for, of the round before [N]
+    for _ in range(CAGE_STEPS):
+        z, residual = settle(problem, z)
+        z = _with_the_cage(solution, problem.driven, z)
+        taken, asked = problem.cage, _cage_force(solution, problem, z, resistance)
+        largest = float(max(np.abs(asked).max(), np.abs(taken).max()))
+        change = float(np.abs(asked - taken).max()) / largest if largest > 0.0 else 0.0
+        if change <= CAGE_TARGET or (before is not None and not residual.max() <= BALANCE_TOLERANCE):
             break
-    return _result(solution, contacts, problem, (z, residual), resistance)
+        problem = replace(problem, cage=_next_push(taken, asked, before))
+        before = taken, asked
+    return replace(problem, cage=taken), z, residual, change
+
+
+def _next_push(taken: Array, asked: Array, before: tuple[Array, Array] | None) -> Array:
+    """The push [N] at which a line through two rounds asks for what is taken; what is asked for where it is steep."""
+    if before is None:
+        return asked
+    at = int(np.abs(taken).argmax())  # pushes of all rounds are in one proportion, by the loads
+    step = float(taken[at] - before[0][at])
+    slope = float(asked[at] - before[1][at]) / step if step != 0.0 else np.inf
+    return asked + slope / (1.0 - slope) * (asked - taken) if abs(slope) < STEEPEST else asked
 
 
 def _problem(
@@ -285,11 +315,11 @@ def _shifted(solution: QuasistaticSolution, z: Array) -> tuple[Array, Array]:
 def _result(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
-    problem: MotionProblem,
-    found_at: tuple[Array, Array],
+    settled: tuple[MotionProblem, Array, Array, float],
     resistance: Resistance,
 ) -> BalancedFriction:
-    (z, residual), shape = found_at, problem.start.shape[:2]
+    problem, z, residual, change = settled
+    shape = problem.start.shape[:2]
     k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
     found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(np.arange(shape[0])))
     forces = -found.gradient.reshape(*shape, 4)
@@ -314,10 +344,13 @@ def _result(
         shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring)),
         resisted=resisted,
         residual=worst,
+        cage_change=change,
         driven=problem.driven,
         unknowns=z,
         cage=problem.cage,
-        converged=bool(solution.converged and problem.driven.any() and worst <= BALANCE_TOLERANCE),
+        converged=bool(
+            solution.converged and problem.driven.any() and worst <= BALANCE_TOLERANCE and change <= CAGE_TOLERANCE
+        ),
     )
 
 

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from ehl import Lubricant
+from ehl import ContactSolution, Lubricant
 
 from ..contacts import BearingContact
 from ..quasistatic import QuasistaticSolution
 from ..traction_forces import ContactTraction
 from . import sliding
-from .integrated import IntegratedTorque, SolvedShear, integrated_torque
+from .integrated import integrated_torque
 from .models import (
     FrictionInput,
     ModelTorque,
@@ -23,9 +23,12 @@ from .models import (
     summed,
     yao_model,
 )
-from .starved_torque import starved_torque
+from .shear_torque import IntegratedTorque, SolvedShear
+from .starved_films import StarvedFilm, starved_films
+from .starved_torque import StarvedTorque, starved_torque
+from .supply import Supply
 
-INTEGRATED, SKF = "integrated", "skf"
+INTEGRATED, SKF, STARVED = "integrated", "skf", "starved"
 NAMES = (
     INTEGRATED,
     "pure_rolling_lines",
@@ -38,7 +41,7 @@ NAMES = (
     "kakuta",
     "constant_coulomb",
     "skf_lambda",
-    "starved",
+    STARVED,
 )
 NO_FILMS = "needs the film of every loaded contact and the oil's shear law"
 
@@ -50,11 +53,14 @@ class TorqueBreakdown:
     models: dict[str, ModelTorque]
     coefficient: float  # Coulomb's mu the sliding models took [-]
     shear: SolvedShear | None = None
+    films: tuple[StarvedFilm | None, ...] = ()  # of the contacts, where a supply is given
+    starved: StarvedTorque | None = None  # at that supply
+    for_supply: bool = False  # the torque wanted is that at the supply
 
     @property
     def chosen(self) -> str | None:
-        """The model taken for the torque: the integrated one if it is there, else SKF's, else none [-]."""
-        for name in (INTEGRATED, SKF):
+        """The model taken for the torque: at a supply that of it, else the integrated one, else SKF's, else none."""
+        for name in (*(STARVED,) * self.for_supply, INTEGRATED, SKF):
             if self.models[name].total is not None:
                 return name
         return None
@@ -72,6 +78,7 @@ def torque_breakdown(
     friction: FrictionInput,
     tractions: Sequence[ContactTraction] | None = None,
     shear: SolvedShear | None = None,
+    solutions: Sequence[ContactSolution | None] | None = None,
 ) -> TorqueBreakdown:
     """Friction torque by every model.
 
@@ -88,6 +95,8 @@ def torque_breakdown(
     shear : SolvedShear, optional
         Shear of every lubricated contact with the balls in balance; goes before `tractions`. Without both there is no
         integrated model.
+    solutions : sequence of ContactSolution or None, optional
+        Flooded films that a supply takes its share of; formulas where one is missing.
 
     Returns
     -------
@@ -105,13 +114,32 @@ def torque_breakdown(
         INTEGRATED: _integrated(solution, lubricant, friction, shear, speed),
         **line_models(solution, contacts, mu, speed),
         **skf_model(solution, lubricant, friction, None if shear is None else shear.asperity_share),
-        "starved": _starved(solution, contacts, lubricant, friction),
         "palmgren": palmgren_model(solution, lubricant, friction),
         "yao": yao_model(solution, contacts, lubricant, friction, mu),
     }
     models.setdefault("skf_lambda", ModelTorque(note="needs the films and their roughness, [surface]"))
+    models[STARVED], starved = _starved(solution, contacts, lubricant, friction, solutions)
     order = [*NAMES, *(name for name in models if name not in NAMES)]
-    return TorqueBreakdown(models={name: models[name] for name in order}, coefficient=mu, shear=shear)
+    return TorqueBreakdown(
+        models={name: models[name] for name in order},
+        coefficient=mu,
+        shear=shear,
+        films=_films(solution, contacts, friction, solutions),
+        starved=starved,
+        for_supply=friction.supply is not None and not friction.flooded,
+    )
+
+
+def _films(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    friction: FrictionInput,
+    solutions: Sequence[ContactSolution | None] | None,
+) -> tuple[StarvedFilm | None, ...]:
+    """What the supply leaves of the contacts' films; empty without one."""
+    if friction.supply is None:
+        return ()
+    return starved_films(contacts, friction.supply, solution.bearing.balls, friction.roughness, solutions)
 
 
 def model_torque(
@@ -127,7 +155,7 @@ def model_torque(
         SKF: lambda: skf_model(solution, lubricant, friction)[SKF],
         "palmgren": lambda: palmgren_model(solution, lubricant, friction),
         "yao": lambda: yao_model(solution, contacts, lubricant, friction, mu),
-        "starved": lambda: _starved(solution, contacts, lubricant, friction),
+        STARVED: lambda: _starved(solution, contacts, lubricant, friction)[0],
     }
     return models[name]() if name in models else line_models(solution, contacts, mu, speed)[name]
 
@@ -148,19 +176,26 @@ def _integrated(
 
 
 def _starved(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], lubricant: Lubricant, friction: FrictionInput
-) -> ModelTorque:
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    lubricant: Lubricant,
+    friction: FrictionInput,
+    solutions: Sequence[ContactSolution | None] | None = None,
+) -> tuple[ModelTorque, StarvedTorque | None]:
     """Torque at the oil supply given, first order."""
     missing = [
         name
-        for name, value in (
-            ("friction.supply_mL_min", friction.supply),
-            ("[surface]", friction.roughness),
-            ("bearing.width_mm", solution.bearing.width),
+        for name, absent in (
+            ("lubricant.inlet_film_um or friction.supply_mL_min", friction.supply is None),
+            ("[surface]", friction.roughness is None),
+            ("bearing.width_mm", isinstance(friction.supply, Supply) and solution.bearing.width is None),
         )
-        if value is None
+        if absent
     ]
     if friction.supply is None or missing:
-        return ModelTorque(note=f"needs {', '.join(missing)}")
-    found = starved_torque(solution, contacts, lubricant, friction, friction.supply)
-    return summed({name: getattr(found, name) for name in ("rolling", "film", "asperity", "cage", "drag")})
+        return ModelTorque(note=f"needs {', '.join(missing)}"), None
+    try:
+        found = starved_torque(solution, contacts, lubricant, friction, friction.supply, solutions)
+    except ValueError as error:
+        return ModelTorque(note=str(error)), None
+    return summed({name: getattr(found, name) for name in ("rolling", "film", "asperity", "cage", "drag")}), found

@@ -29,87 +29,14 @@ from .contact_friction import TINY, Dissipation, coulomb_dissipation
 from .coulomb import contact_ellipses
 from .mixed import asperity_share
 from .resistance import FREE, Resistance
+from .shear_torque import IntegratedTorque, SolvedShear, carried_balls, not_balanced, not_closed
 
 FilmLaw = Callable[[Array, float], tuple[Array, Array]]
 STRENGTH = 0.05  # traction coefficient that residual forces are measured against [-]
 SLOPE_STEP = 1.0e-4  # relative change of the shear rate for a difference quotient [-]
 NEGLIGIBLE = 1.0e-2  # part of the shear of a contact in nodes that are left out of a first balance [-]
 LITTLE = 1.0e-2  # sliding over entrainment at which it is weighed [-]
-STILL = 1.0e-9  # [m/s] sliding below which the stress counts as proportional to it
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class IntegratedTorque:
-    """Heat of the contacts over the shaft's speed, by what it works against, and the balance of power.
-
-    Attributes
-    ----------
-    rolling, sliding, spin, curvature : float
-        Of the pressure flow, of sliding at the centres, of spin, of the surfaces' curvature [N m].
-    asperity : float
-        Of asperities that touch [N m]; the oil's shear is then the rest.
-    shaft_power : float
-        What the two rings feed into the contacts [W].
-    heat : float
-        What the contacts turn into heat [W].
-    per_ball : ndarray, shape (balls,)
-        Torque by ball [N m].
-    resisted : float
-        What the balls give to the oil around them and to the cage's land where these are in the balance [W].
-    """
-
-    rolling: float
-    sliding: float
-    spin: float
-    curvature: float
-    shaft_power: float
-    heat: float
-    per_ball: Array
-    asperity: float = 0.0
-    resisted: float = 0.0
-
-    @property
-    def total(self) -> float:
-        """Sum of the five [N m]."""
-        return self.rolling + self.sliding + self.spin + self.curvature + self.asperity
-
-    @property
-    def imbalance(self) -> float:
-        """Rings' power less heat and drag, over the heat [-]: what accelerates balls that are not in balance."""
-        return (self.shaft_power - self.heat - self.resisted) / self.heat if self.heat > 0.0 else 0.0
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SolvedShear:
-    """Shear of all films of a bearing: under the hypothesis of the ball's motion, and with the balls in balance.
-
-    Attributes
-    ----------
-    hypothesis : IntegratedTorque
-        At the motion that the equilibrium of the loads assumed.
-    balanced : IntegratedTorque or None
-        In traction equilibrium; None where it was not looked for or not found.
-    asperity_share : float or None
-        Part of the sum of all loads on asperities [-]; None without roughness.
-    carried : tuple of int
-        Numbers of balls, from 1, that go with the cage although their inner race carries load: it cannot drive them.
-    tractions : tuple of ContactTraction
-        Of every contact with a film, at the motion of `torque`.
-    note : str
-        Why there is no balanced one.
-    """
-
-    hypothesis: IntegratedTorque
-    balanced: IntegratedTorque | None = None
-    asperity_share: float | None = None
-    carried: tuple[int, ...] = ()
-    tractions: tuple[ContactTraction, ...] = ()
-    note: str = ""
-
-    @property
-    def torque(self) -> IntegratedTorque:
-        """In traction equilibrium where it was found, else under the hypothesis [N m]."""
-        return self.hypothesis if self.balanced is None else self.balanced
+STILL = 1.0e-12  # [m/s] sliding below which the stress counts as proportional to it
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -164,7 +91,7 @@ def solved_shear(
     hypothesis = replace(hypothesis, resisted=resisted_power(solution, resistance))
     balance = film_balance(solution, contacts, films, rheology, asperities, resistance)
     if not balance.converged:
-        note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"
+        note = not_balanced(balance)
         return SolvedShear(hypothesis=hypothesis, asperity_share=mean, tractions=tuple(assumed), note=note)
     found = balanced_tractions(solution, contacts, films, rheology, balance)
     balanced = replace(integrated_torque(solution, found, shares, boundary), resisted=balance.resisted)
@@ -174,12 +101,8 @@ def solved_shear(
         asperity_share=mean,
         carried=carried_balls(solution, balance),
         tractions=found,
+        note=not_closed(balanced),
     )
-
-
-def carried_balls(solution: QuasistaticSolution, balance: BalancedFriction) -> tuple[int, ...]:
-    """Numbers of balls, from 1, loaded at the inner race but not driven by it [-]."""
-    return tuple(int(i) + 1 for i in np.flatnonzero((solution.inner_load > 0.0) & ~balance.driven))
 
 
 def integrated_torque(

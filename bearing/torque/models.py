@@ -14,7 +14,7 @@ from ..quasistatic import QuasistaticSolution
 from . import palmgren, skf, sliding
 from .coulomb import balanced_friction
 from .resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power, rolling_power
-from .supply import Supply
+from .supply import InletFilm, Supply
 
 ANGULAR_CONTACT = pi / 18.0  # free contact angle from which a bearing counts as one of angular contact [rad]
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
@@ -42,7 +42,8 @@ class FrictionInput:
     cage: Cage | None = None
     oil_fraction: float | None = None  # share of the cavity filled with oil [-]
     roughness: tuple[float, float] | None = None  # rms of inner race and balls, outer race and balls [m]
-    supply: Supply | None = None  # flow of oil and what is assumed of it
+    supply: Supply | InletFilm | None = None  # flow of oil and what is assumed of it, or the layer at the inlets
+    flooded: bool = False  # the total stays that of flooded films although a supply is given
     as_printed: bool = False  # SKF's sliding moment also with the slip of the sliding friction paper
 
     @property

@@ -9,21 +9,20 @@ with that share squared: a rule of ours, between what solves with shortened inle
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import NamedTuple
 
-import numpy as np
-
-from ehl.film_formulas import film_hamrock_dowson_minimum, film_nijenbanning_central
+from ehl import ContactSolution
 from ehl.lubricant import Lubricant
 
 from ..contacts import BearingContact
-from ..geometry import Race
 from ..quasistatic import QuasistaticSolution
 from .mixed import asperity_share
 from .models import FrictionInput, cage_and_drag
 from .resistance import churning_power, rolling_moment
 from .sliding import pure_rolling_line_torque, shaft_speed, sliding_contacts
-from .supply import Supply, cavity_volume, oil_fraction, supplied_films
+from .starved_films import StarvedFilm, least_lambda, mean_share, of_driven_balls, starved_films
+from .supply import InletFilm, Supply, cavity_volume, oil_fraction
 
 ROLLING_EXPONENT = 2.0  # of the film's share in that of the rolling resistance [-]
 
@@ -42,6 +41,8 @@ class StarvedTorque:
         Smallest minimum film over roughness of these contacts [-].
     oil_fraction : float
         Of the cavity [-].
+    flooded : float
+        The total with flooded films, and the same oil in the cavity [N m].
     """
 
     rolling: float
@@ -52,6 +53,7 @@ class StarvedTorque:
     film_share: float
     lambda_least: float
     oil_fraction: float
+    flooded: float
 
     @property
     def total(self) -> float:
@@ -59,14 +61,23 @@ class StarvedTorque:
         return self.rolling + self.film + self.asperity + self.cage + self.drag
 
 
+class _OfFilms(NamedTuple):
+    """What the films make of the torque [N m]."""
+
+    rolling: float
+    film: float
+    asperity: float
+
+
 def starved_torque(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     lubricant: Lubricant,
     friction: FrictionInput,
-    supply: Supply,
+    supply: Supply | InletFilm,
+    solutions: Sequence[ContactSolution | None] | None = None,
 ) -> StarvedTorque:
-    """Friction torque of a bearing at a supply; flooded films from the formulas of Nijenbanning et al. and Hamrock.
+    """Friction torque of a bearing at a supply.
 
     Parameters
     ----------
@@ -75,8 +86,10 @@ def starved_torque(
     lubricant : Lubricant
     friction : FrictionInput
         Its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or mu_EHL that of the films; its
-        `oil_fraction` is not looked at.
-    supply : Supply
+        `oil_fraction` [-] counts with an `InletFilm`, for a `Supply` tells its own.
+    supply : Supply or InletFilm
+    solutions : sequence of ContactSolution or None, optional
+        Flooded films; those of formulas where one is missing, as `starved_films` has it.
 
     Returns
     -------
@@ -86,64 +99,60 @@ def starved_torque(
     Raises
     ------
     ValueError
-        Without a roughness, or at rest.
+        Without a roughness, at rest, or where a flooded film is not known.
     """
     speed = shaft_speed(solution)
     if friction.roughness is None:
         raise ValueError("roughness is needed for the torque over the supply")
     if speed == 0.0:
         raise ValueError("the rings do not turn against each other")
-    flooded = [None if c.conditions is None else film_nijenbanning_central(c.conditions) for c in contacts]
-    shares = supplied_films(contacts, flooded, supply, solution.bearing.balls)
-    lambdas = np.array([_lambda(contact, friction.roughness) for contact in contacts]) * shares
-    driven = np.array([c.hertz is not None and solution.inner_load[c.ball - 1] > 0.0 for c in contacts])
-    fraction = oil_fraction(supply, cavity_volume(solution.bearing))
-    film, asperity = _sliding(solution, contacts, friction, lambdas, speed)
+    films = starved_films(contacts, supply, solution.bearing.balls, friction.roughness, solutions)
+    if any(film is None and c.conditions is not None for film, c in zip(films, contacts, strict=True)):
+        raise ValueError("needs films: no formula has those of an oil without pressure-viscosity")
+    if isinstance(supply, InletFilm):
+        fraction = friction.oil_fraction or 0.0
+    else:
+        fraction = oil_fraction(supply, cavity_volume(solution.bearing))
+    found = _of_films(solution, contacts, friction, films)
+    ample = _of_films(solution, contacts, friction, [film and replace(film, share=1.0) for film in films])
+    cage = cage_and_drag(solution, lubricant, friction, speed)["cage"]
+    drag = churning_power(solution, lubricant.density, fraction) / speed
+    driven = of_driven_balls(solution, contacts, films)
     return StarvedTorque(
-        rolling=sum(
-            float(share) ** ROLLING_EXPONENT * _rolling_power(contact)
-            for contact, share in zip(contacts, shares, strict=True)
-        )
-        / speed,
-        film=film,
-        asperity=asperity,
-        cage=cage_and_drag(solution, lubricant, friction, speed)["cage"],
-        drag=churning_power(solution, lubricant.density, fraction) / speed,
-        film_share=float(shares[driven].mean()) if driven.any() else 1.0,
-        lambda_least=float(lambdas[driven].min(initial=np.inf)),
+        **found._asdict(),
+        cage=cage,
+        drag=drag,
+        film_share=mean_share(driven),
+        lambda_least=least_lambda(driven),
         oil_fraction=fraction,
+        flooded=sum(ample) + cage + drag,
     )
 
 
-def _lambda(contact: BearingContact, roughness: tuple[float, float]) -> float:
-    """Flooded minimum film over roughness [-]; infinite without either."""
-    rough = roughness[0] if contact.race is Race.INNER else roughness[1]
-    if contact.conditions is None or rough <= 0.0:
-        return float("inf")
-    return film_hamrock_dowson_minimum(contact.conditions) / rough
+def _of_films(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    friction: FrictionInput,
+    films: Sequence[StarvedFilm | None],
+) -> _OfFilms:
+    """Rolling resistance, and the lines of pure rolling as films and asperities share them [N m]."""
+    speed = shaft_speed(solution)
+    of_film = friction.film_friction if friction.coefficient is None else friction.coefficient
+    rolling = film = asperity = 0.0
+    for contact, one in zip(contacts, films, strict=True):
+        rolling += (1.0 if one is None else one.share) ** ROLLING_EXPONENT * _rolling_power(contact) / speed
+    loaded = [one for contact, one in zip(contacts, films, strict=True) if contact.hertz is not None]
+    for one, lines in zip(loaded, sliding_contacts(solution, contacts), strict=True):
+        share = 0.0 if one is None else asperity_share(one.lambda_ratio)
+        slid = pure_rolling_line_torque([lines], speed, 1.0).total
+        film += (1.0 - share) * of_film * slid
+        asperity += share * friction.boundary * slid
+    return _OfFilms(rolling, film, asperity)
 
 
 def _rolling_power(contact: BearingContact) -> float:
+    """Of the flooded contact [W]."""
     c, hertz = contact.conditions, contact.hertz
     if c is None or hertz is None:
         return 0.0
     return rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x) * c.entrainment_speed / c.radius_x
-
-
-def _sliding(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    friction: FrictionInput,
-    lambdas: np.ndarray,
-    speed: float,
-) -> tuple[float, float]:
-    """Torque of the lines of pure rolling that films and asperities make [N m]."""
-    of_film = friction.film_friction if friction.coefficient is None else friction.coefficient
-    film = asperity = 0.0
-    loaded = [(c, ratio) for c, ratio in zip(contacts, lambdas, strict=True) if c.hertz is not None]
-    for (_, ratio), lines in zip(loaded, sliding_contacts(solution, contacts), strict=True):
-        share = asperity_share(float(ratio))
-        one = pure_rolling_line_torque([lines], speed, 1.0).total
-        film += (1.0 - share) * of_film * one
-        asperity += share * friction.boundary * one
-    return film, asperity

@@ -1,9 +1,11 @@
-r"""Oil supply, first order: how much film a small flow leaves, and how much oil stands in the way of the balls.
+r"""Oil supply, first order: how much film little oil leaves, and how much oil stands in the way of the balls.
+
+Either the layer of oil that every contact finds at its inlet is given (`InletFilm`), or a flow (`Supply`).
 
 Film: a contact that finds an oil layer of r times its compressed flooded film builds a film of
 :math:`r/(1 + r^\gamma)^{1/\gamma}` times the flooded one (Chevalier et al., 1998; Damiens et al., 2004) and presses the
-rest out of the track. The layer it leaves loses a share on the way to the next ball, and the supply adds to it. In the
-steady state
+rest out of the track. Under a flow, the layer it leaves loses a share on the way to the next ball, and the supply adds
+to it. In the steady state
 
     r = (1 - loss) r/(1 + r^gamma)^(1/gamma) + added layer/(density ratio times flooded film).
 
@@ -68,6 +70,26 @@ class Supply:
             raise ValueError(f"residence_time must be zero or positive, got {self.residence_time!r} s")
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InletFilm:
+    """Layer of oil that every contact finds at its inlet.
+
+    Attributes
+    ----------
+    layer : float
+        Thickness on both surfaces together, at ambient density [m].
+    exponent : float or None
+        gamma of the starved film [-]; None: by the ellipse.
+    """
+
+    layer: float
+    exponent: float | None = None
+
+    def __post_init__(self) -> None:
+        if not (isfinite(self.layer) and self.layer >= 0.0):
+            raise ValueError(f"layer must be zero or positive and finite, got {self.layer!r} m")
+
+
 def starvation_exponent(ellipse_ratio: float) -> float:
     """gamma of a starved film: 3 (circular) to 15 (wide), in proportion to the ratio's logarithm between [-].
 
@@ -96,7 +118,9 @@ def starved_share(inlet_ratio: float, exponent: float) -> float:
     float
         [-].
     """
-    return inlet_ratio / (1.0 + inlet_ratio**exponent) ** (1.0 / exponent) if inlet_ratio < LARGEST else 1.0
+    if inlet_ratio > 1.0:  # the same, so that ample oil leaves exactly 1
+        return float((1.0 + inlet_ratio**-exponent) ** (-1.0 / exponent))
+    return inlet_ratio / (1.0 + inlet_ratio**exponent) ** (1.0 / exponent)
 
 
 def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> float:
@@ -130,7 +154,7 @@ def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> floa
 
 
 def supplied_films(
-    contacts: Sequence[BearingContact], flooded: Sequence[float | None], supply: Supply, balls: int
+    contacts: Sequence[BearingContact], flooded: Sequence[float | None], supply: Supply | InletFilm, balls: int
 ) -> Array:
     """Central film over the flooded one of every contact, shape (contacts,) [-]; 1 where there is no film.
 
@@ -139,7 +163,8 @@ def supplied_films(
     contacts : sequence of BearingContact
     flooded : sequence of float or None
         Flooded central films, solved or from a formula [m].
-    supply : Supply
+    supply : Supply or InletFilm
+        A layer that is ample leaves every film as it was, to the last digit.
     balls : int
         In one row [-].
     """
@@ -148,12 +173,15 @@ def supplied_films(
         conditions, hertz = contact.conditions, contact.hertz
         if conditions is None or hertz is None or film is None:
             continue
-        swept = 2.0 * hertz.semi_axis_y * conditions.entrainment_speed * balls  # area of track under all balls [m^2/s]
-        layer = 0.5 * supply.track_share * supply.flow / swept
         compressed = film * compression(hertz.pressure, conditions.lubricant)
         exponent = supply.exponent
         if exponent is None:
             exponent = starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x)
+        if isinstance(supply, InletFilm):
+            shares[i] = starved_share(supply.layer / compressed, exponent)
+            continue
+        swept = 2.0 * hertz.semi_axis_y * conditions.entrainment_speed * balls  # area of track under all balls [m^2/s]
+        layer = 0.5 * supply.track_share * supply.flow / swept
         shares[i] = steady_share(layer / compressed, exponent, supply.loss)
     return shares
 

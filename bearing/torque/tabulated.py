@@ -21,9 +21,10 @@ from ..geometry import Array, Race
 from ..quasistatic import QuasistaticSolution
 from .balance import BalancedFriction, ContactLaw, balance_driven_balls, resisted_power, ring_powers
 from .contact_friction import Dissipation
-from .integrated import STRENGTH, IntegratedTorque, SolvedShear, carried_balls
+from .integrated import STRENGTH
 from .motion_map import ball_speeds, motion_map
 from .resistance import FREE, Resistance
+from .shear_torque import IntegratedTorque, SolvedShear, carried_balls, not_balanced, not_closed
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 STEP = 1.0e-5  # of slides over u, and spin over u/R_x, for difference quotients [-]
@@ -75,11 +76,11 @@ def law_torque(
     hypothesis = replace(hypothesis, resisted=resisted_power(solution, resistance))
     balance = balance_driven_balls(solution, contacts, law, resistance)
     if not balance.converged:
-        note = f"no traction equilibrium found (residual {balance.residual:.1e}), the hypothesis of the motion is kept"
-        return SolvedShear(hypothesis=hypothesis, note=note)
+        return SolvedShear(hypothesis=hypothesis, note=not_balanced(balance))
     found = _torque(solution, contacts, balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4))
     found = replace(found, resisted=balance.resisted)
-    return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried_balls(solution, balance))
+    carried = carried_balls(solution, balance)
+    return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried, note=not_closed(found))
 
 
 def law_balance(

@@ -10,8 +10,8 @@ import pytest
 from matplotlib.figure import Figure
 
 from bearing.torque.breakdown import NAMES, TorqueBreakdown
-from bearing.torque.integrated import IntegratedTorque, SolvedShear
 from bearing.torque.models import ModelTorque, summed
+from bearing.torque.shear_torque import IntegratedTorque, SolvedShear
 from postprocess.plots_torque import KINDS, LABELS, draw_models, draw_torque
 from postprocess.torque import MODELS
 

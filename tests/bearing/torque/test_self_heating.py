@@ -21,7 +21,8 @@ from bearing.torque.resistance import rolling_power
 from bearing.torque.self_heating import WarmBearing, self_heating
 from bearing.torque.sliding import shaft_speed
 from bearing.torque.starved_torque import starved_torque
-from bearing.torque.supply import Supply
+from bearing.torque.supply import InletFilm, Supply
+from ehl import ViscosityLaw
 
 STEEL = load_material("bearing steel")
 ML_MIN = 1e-6 / 60.0
@@ -86,5 +87,30 @@ def test_starved_torque_at_its_ends(bearing):
     assert dry.rolling == dry.film == 0.0
     assert dry.asperity == pytest.approx(0.12 / 0.05 * ample.film, rel=1e-3)
     assert dry.total == dry.asperity
+    for ends in (ample, dry):
+        assert ends.flooded == pytest.approx(ample.total, rel=1e-3)
     with pytest.raises(ValueError, match="roughness"):
         starved_torque(solution, contacts, lubricant, replace(friction, roughness=None), supply)
+
+
+def test_torque_at_an_inlet_film(bearing):
+    """Ample: the flooded torque to round-off, churning by the oil given; scarce: less rolling, more asperities."""
+    solution = solve_quasistatic(bearing, Operation(inner_speed=500.0, force=(0.0, 2000.0, 0.0)), MODEL)
+    lubricant = oil(313.15)
+    contacts = contact_conditions(solution, lubricant)
+    friction = FrictionInput(coefficient=0.05, roughness=(0.2e-6, 0.2e-6), oil_fraction=0.02)
+    layers = [starved_torque(solution, contacts, lubricant, friction, InletFilm(layer=h)) for h in (1e-3, 0.4e-6, 0.0)]
+    ample, scarce, dry = layers
+    assert ample.total == pytest.approx(ample.flooded, rel=1e-12)
+    assert ample.rolling == pytest.approx(rolling_power(contacts) / 500.0, rel=1e-12)
+    assert ample.film_share == 1.0
+    assert ample.drag == scarce.drag == dry.drag > 0.0
+    assert ample.flooded == scarce.flooded == dry.flooded
+    assert ample.rolling > scarce.rolling > dry.rolling == 0.0
+    assert ample.asperity < scarce.asperity < dry.asperity
+    assert ample.lambda_least > scarce.lambda_least > dry.lambda_least == 0.0
+    none = starved_torque(solution, contacts, lubricant, replace(friction, oil_fraction=None), InletFilm(layer=1e-3))
+    assert none.drag == 0.0
+    isoviscous = contact_conditions(solution, replace(lubricant, viscosity_law=ViscosityLaw.ISOVISCOUS))
+    with pytest.raises(ValueError, match="no formula"):
+        starved_torque(solution, isoviscous, lubricant, friction, InletFilm(layer=1e-6))

@@ -11,7 +11,9 @@ import pytest
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.torque.heat_balance import LARGEST_RISE, Cooling, heat_balance
 from bearing.torque.mixed import asperity_share, mixed_friction
+from bearing.torque.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.torque.supply import (
+    InletFilm,
     Supply,
     cavity_volume,
     compression,
@@ -22,7 +24,7 @@ from bearing.torque.supply import (
     steady_share,
     supplied_films,
 )
-from ehl import Lubricant
+from ehl import Lubricant, ViscosityLaw
 from ehl.film_formulas import film_nijenbanning_central
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
@@ -35,7 +37,8 @@ def test_starved_film():
     assert starvation_exponent(10.0) == pytest.approx(15.0)
     assert 3.0 < starvation_exponent(3.0) < 15.0
     assert starved_share(0.01, 3.0) == pytest.approx(0.01, rel=1e-5)
-    assert starved_share(1e9, 3.0) == 1.0
+    assert starved_share(1e9, 3.0) == starved_share(1e6, 15.0) == 1.0
+    assert starved_share(2.0, 3.0) == pytest.approx(2.0 / 9.0 ** (1 / 3), rel=1e-14)
     assert starved_share(1.0, 3.0) == pytest.approx(2.0 ** (-1 / 3))
     assert starved_share(1.0, 15.0) == pytest.approx(2.0 ** (-1 / 15))
 
@@ -71,6 +74,56 @@ def test_films_of_a_bearing_over_the_supply(bearings):
     assert films[-1] == pytest.approx(1.0)
     assert np.all(films[0][~lubricated] == 1.0)
     assert 1.0 < compression(1e9, OIL) < 0.6 / 1.7 + 1.0
+
+
+@pytest.fixture(scope="module")
+def radial(bearings):
+    state = solve_quasistatic(bearings.b6208, Operation(inner_speed=5000 * bearings.rpm, force=(0.0, 900.0, 0.0)))
+    return state, contact_conditions(state, OIL)
+
+
+def test_a_layer_at_the_inlets_starves_every_contact_by_its_own_film(radial):
+    """Chevalier's formula with each contact's r; a thin layer is the film, compressed, whatever the flooded one was."""
+    _, contacts = radial
+    films = starved_films(contacts, InletFilm(layer=0.3e-6), 9, (0.2e-6, 0.1e-6))
+    thin = starved_films(contacts, InletFilm(layer=1e-9), 9)
+    lubricated = [i for i, c in enumerate(contacts) if c.conditions is not None]
+    assert [film is not None for film in films] == [i in lubricated for i in range(len(contacts))]
+    assert len({round(films[i].share, 6) for i in lubricated}) > 1
+    for i in lubricated:
+        flooded, hertz = film_nijenbanning_central(contacts[i].conditions), contacts[i].hertz
+        packed = compression(hertz.pressure, OIL)
+        exponent = starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x)
+        assert films[i].share == pytest.approx(starved_share(0.3e-6 / (packed * flooded), exponent), rel=1e-12)
+        assert films[i].central == pytest.approx(films[i].share * flooded, rel=1e-12)
+        rough = 0.2e-6 if contacts[i].race.value == "inner" else 0.1e-6
+        assert films[i].lambda_ratio == pytest.approx(films[i].minimum / rough, rel=1e-12)
+        assert thin[i].central == pytest.approx(1e-9 / packed, rel=1e-3)
+        assert thin[i].lambda_ratio == np.inf
+
+
+def test_ample_oil_leaves_the_flooded_films_to_the_last_digit(radial):
+    state, contacts = radial
+    films = [film for film in starved_films(contacts, InletFilm(layer=1e-3), 9) if film is not None]
+    assert all(film.share == 1.0 and film.central == film.flooded_central for film in films)
+    scarce = starved_films(contacts, InletFilm(layer=0.2e-6), 9, (0.2e-6, 0.2e-6))
+    driven = of_driven_balls(state, contacts, scarce)
+    loaded = int((state.inner_load > 0.0).sum())
+    assert len(driven) == 2 * loaded < len([film for film in scarce if film is not None])
+    assert 0.0 < mean_share(driven) < 1.0
+    assert least_lambda(driven) == min(film.lambda_ratio for film in driven)
+    assert (mean_share([]), least_lambda([])) == (1.0, np.inf)
+
+
+def test_an_oil_without_pressure_viscosity_has_no_formula(radial):
+    contacts = contact_conditions(radial[0], replace(OIL, viscosity_law=ViscosityLaw.ISOVISCOUS))
+    assert set(starved_films(contacts, InletFilm(layer=1e-6), 9)) == {None}
+
+
+@pytest.mark.parametrize("layer", [-1e-9, np.nan, np.inf])
+def test_a_layer_is_a_length(layer):
+    with pytest.raises(ValueError, match="layer"):
+        InletFilm(layer=layer)
 
 
 def test_cavity_and_oil_in_it(bearings):

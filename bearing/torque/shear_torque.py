@@ -1,0 +1,111 @@
+"""Torque of the friction of all contacts, under a hypothesis of the balls' motion and with the balls in balance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..geometry import Array
+from ..quasistatic import QuasistaticSolution
+from ..traction_forces import ContactTraction
+from .balance import BalancedFriction
+
+POWER_TOLERANCE = 1.0e-6  # rings' power less heat and drag over the heat up to which balls count as balanced [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class IntegratedTorque:
+    """Heat of the contacts over the shaft's speed, by what it works against, and the balance of power.
+
+    Attributes
+    ----------
+    rolling, sliding, spin, curvature : float
+        Of the pressure flow, of sliding at the centres, of spin, of the surfaces' curvature [N m].
+    asperity : float
+        Of asperities that touch [N m]; the oil's shear is then the rest.
+    shaft_power : float
+        What the two rings feed into the contacts [W].
+    heat : float
+        What the contacts turn into heat [W].
+    per_ball : ndarray, shape (balls,)
+        Torque by ball [N m].
+    resisted : float
+        What the balls give to the oil around them and to the cage's land where these are in the balance [W].
+    """
+
+    rolling: float
+    sliding: float
+    spin: float
+    curvature: float
+    shaft_power: float
+    heat: float
+    per_ball: Array
+    asperity: float = 0.0
+    resisted: float = 0.0
+
+    @property
+    def total(self) -> float:
+        """Sum of the five [N m]."""
+        return self.rolling + self.sliding + self.spin + self.curvature + self.asperity
+
+    @property
+    def imbalance(self) -> float:
+        """Rings' power less heat and drag, over the heat [-]: what accelerates balls that are not in balance."""
+        return (self.shaft_power - self.heat - self.resisted) / self.heat if self.heat > 0.0 else 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SolvedShear:
+    """Shear of all films of a bearing: under the hypothesis of the ball's motion, and with the balls in balance.
+
+    Attributes
+    ----------
+    hypothesis : IntegratedTorque
+        At the motion that the equilibrium of the loads assumed.
+    balanced : IntegratedTorque or None
+        In traction equilibrium; None where it was not looked for or not found.
+    asperity_share : float or None
+        Part of the sum of all loads on asperities [-]; None without roughness.
+    carried : tuple of int
+        Numbers of balls, from 1, that go with the cage although their inner race carries load: it cannot drive them.
+    tractions : tuple of ContactTraction
+        Of every contact with a film, at the motion of `torque`.
+    note : str
+        Why there is no balanced one, or why it does not count as one.
+    """
+
+    hypothesis: IntegratedTorque
+    balanced: IntegratedTorque | None = None
+    asperity_share: float | None = None
+    carried: tuple[int, ...] = ()
+    tractions: tuple[ContactTraction, ...] = ()
+    note: str = ""
+
+    @property
+    def torque(self) -> IntegratedTorque:
+        """In traction equilibrium where it was found, else under the hypothesis [N m]."""
+        return self.hypothesis if self.balanced is None else self.balanced
+
+    @property
+    def closed(self) -> bool:
+        """Whether the balls are balanced: their motion was found, and there the rings' power is heat and drag [-]."""
+        return self.balanced is not None and abs(self.balanced.imbalance) <= POWER_TOLERANCE
+
+
+def not_balanced(balance: BalancedFriction) -> str:
+    """Why a search for the motion of the balls does not count: force left on a ball, push of the cage [-]."""
+    left = f"residual {balance.residual:.1e}, push of the cage known to {balance.cage_change:.1e} of it"
+    return f"no traction equilibrium found ({left}), the hypothesis of the motion is kept"
+
+
+def not_closed(torque: IntegratedTorque) -> str:
+    """Why the torque at the motion found does not count as that of balanced balls; empty if it does [-]."""
+    if abs(torque.imbalance) <= POWER_TOLERANCE:
+        return ""
+    return f"balls nearly balanced, the rings' power misses heat and drag by {torque.imbalance:.1e} of the heat"
+
+
+def carried_balls(solution: QuasistaticSolution, balance: BalancedFriction) -> tuple[int, ...]:
+    """Numbers of balls, from 1, loaded at the inner race but not driven by it [-]."""
+    return tuple(int(i) + 1 for i in np.flatnonzero((solution.inner_load > 0.0) & ~balance.driven))

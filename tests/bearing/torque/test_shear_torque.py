@@ -1,0 +1,95 @@
+"""Balance of power of solved films at high speed, where unloaded balls that the cage takes along push much of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import count
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from bearing import Operation, contact_conditions, solve_quasistatic
+from bearing.torque import balance as balancing
+from bearing.torque.integrated import NEGLIGIBLE, Asperities, film_balance, film_law, solved_shear
+from bearing.torque.resistance import FREE, Cage, resistance_of
+from bearing.torque.shear_torque import POWER_TOLERANCE, SolvedShear
+from ehl import Lubricant, SolverOptions, solve_contact
+from ehl.rheology import Rheology, ShearLaw
+
+OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)
+EYRING = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5.2e6, limiting_coefficient=0.047)
+ROUGH = Asperities(inner_roughness=0.1e-6, outer_roughness=0.1e-6, boundary=0.12)
+
+
+def films_of(contacts):
+    """Films of all contacts, one solve for balls that are mirror images."""
+    known, options = {}, SolverOptions(points=65)
+    for contact in contacts:
+        place = contact.race, float(f"{contact.load:.6g}")
+        if place not in known:
+            known[place] = None if contact.conditions is None else solve_contact(contact.conditions, options)
+    return [known[contact.race, float(f"{contact.load:.6g}")] for contact in contacts]
+
+
+@pytest.fixture(scope="module")
+def light(bearings):
+    """The ceramic 6208 at 10000 r/min under 400 N radial: six balls press on the outer race alone."""
+    state = solve_quasistatic(bearings.b6208, Operation(inner_speed=10000.0 * bearings.rpm, force=(0.0, 400.0, 0.0)))
+    contacts = contact_conditions(state, OIL)
+    assert (state.inner_load == 0.0).sum() == 6
+    return state, contacts, films_of(contacts), EYRING
+
+
+def test_power_balances_where_the_cage_takes_balls_along(light):
+    """The push of the cage is that at the motion found: power to 1e-8 in place of 6e-4, with and without its land."""
+    state, contacts, films, rheology = light
+    land = resistance_of(
+        Cage(pocket_friction=0.0, land_diameter=0.068, land_width=6e-3, land_clearance=2e-4),
+        state.bearing, OIL.viscosity, OIL.density, 0.02,
+    )  # fmt: skip
+    for resistance, asperities in ((FREE, ROUGH), (land, None)):
+        shear = solved_shear(state, contacts, films, rheology, asperities, resistance)
+        assert shear.closed and not shear.note
+        assert shear.torque.imbalance == pytest.approx(0.0, abs=1e-8)
+    assert shear.torque.resisted > 0.1 * shear.torque.heat
+
+
+def test_push_is_that_of_the_motion_found_from_a_law_nearby_too(light):
+    """Started from the balance without the weakest nodes, or from none, the push and the motion are the same."""
+    state, contacts, films, rheology = light
+    exact, first = (film_law(state, contacts, films, rheology, left_out=part) for part in (0.0, NEGLIGIBLE))
+    near = balancing.balance_driven_balls(state, contacts, first)
+    begun = balancing.balance_balls(state, contacts, exact, driven=near.driven, near=near)
+    fresh = balancing.balance_balls(state, contacts, exact, driven=near.driven)
+    assert begun.motions[0].orbit_speed != near.motions[0].orbit_speed
+    for found in (near, begun, fresh):
+        assert found.converged
+        assert found.cage_change <= balancing.CAGE_TARGET
+        assert found.energy_error == pytest.approx(0.0, abs=1e-8)
+    assert_allclose(begun.cage, fresh.cage, rtol=1e-7)
+    orbits = np.array([[motion.orbit_speed for motion in found.motions] for found in (begun, fresh)])
+    assert_allclose(orbits[0], orbits[1], rtol=1e-9)
+    assert np.ptp(orbits[0][~begun.driven]) < 1e-12 * orbits[0].max()  # all with the cage
+
+
+def test_a_push_that_is_not_found_is_no_balance(light, monkeypatch):
+    """A push asked for that jumps with every round: what is left is told, and the balls do not count as balanced."""
+    monkeypatch.setattr(balancing, "CAGE_STEPS", 4)
+    asked, rounds = balancing._cage_force, count(1)
+    monkeypatch.setattr(balancing, "_cage_force", lambda *given: (1.0 + next(rounds) % 2) * asked(*given))
+    found = film_balance(*light)
+    assert found.residual < balancing.BALANCE_TOLERANCE
+    assert found.cage_change > 0.1
+    assert not found.converged
+    shear = solved_shear(*light)
+    assert shear.balanced is None and not shear.closed
+    assert "push of the cage" in shear.note
+
+
+def test_balls_are_balanced_only_where_the_power_is(light):
+    balanced = solved_shear(*light).torque
+    off = replace(balanced, shaft_power=balanced.shaft_power * (1.0 + 3.0 * POWER_TOLERANCE))
+    assert SolvedShear(hypothesis=balanced, balanced=balanced).closed
+    assert not SolvedShear(hypothesis=balanced, balanced=off).closed
+    assert not SolvedShear(hypothesis=balanced).closed
