@@ -115,6 +115,8 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
     for name in MODELS:
         if torque.models[name].total is None:
             yield f"torque_N_mm.models.{name}: null, {torque.models[name].note}"
+    for part, why in ({} if torque.shear is None else torque.shear.untold).items():
+        yield f"torque_N_mm.models.integrated.{part}: null, {why}"
     if torque.chosen == "integrated" and torque.shear is not None:
         yield f"torque_N_mm.total: the integrated model{_balance_words(results)}"
     elif torque.chosen == "starved":

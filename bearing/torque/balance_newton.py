@@ -31,6 +31,8 @@ class ContactLaw:
     plane : bool
         It knows no sliding across the rolling direction: balls then do not turn about the orbit's tangent, and no
         gyroscopic couple is held.
+    pumps : bool
+        The oil's rolling resistance is in it.
     potential : bool
         Whether the power is the potential of the forces; if not, only these are looked at.
     """
@@ -38,6 +40,7 @@ class ContactLaw:
     dissipation: Callable[[Array, NDArray[np.int64]], Dissipation]
     strength: Array
     plane: bool = False
+    pumps: bool = True
     potential: bool = True
 
 

@@ -117,7 +117,9 @@ def torque_breakdown(
         "palmgren": palmgren_model(solution, lubricant, friction),
         "yao": yao_model(solution, contacts, lubricant, friction, mu),
     }
-    models.setdefault("skf_lambda", ModelTorque(note="needs the films and their roughness, [surface]"))
+    lacking = {} if shear is None or friction.roughness is None else shear.untold
+    lambda_note = lacking.get("asperity", "needs the films and their roughness, [surface]")
+    models.setdefault("skf_lambda", ModelTorque(note=lambda_note))
     models[STARVED], starved = _starved(solution, contacts, lubricant, friction, solutions)
     order = [*NAMES, *(name for name in models if name not in NAMES)]
     return TorqueBreakdown(
@@ -171,8 +173,7 @@ def _integrated(
     if shear is None:
         return ModelTorque(note=NO_FILMS)
     torque: IntegratedTorque = shear.torque
-    parts = {name: getattr(torque, name) for name in ("rolling", "sliding", "spin", "curvature", "asperity")}
-    return summed(parts | cage_and_drag(solution, lubricant, friction, speed), shear.note)
+    return summed(torque.parts | cage_and_drag(solution, lubricant, friction, speed), shear.note)
 
 
 def _starved(

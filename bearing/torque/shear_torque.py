@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -21,9 +21,10 @@ class IntegratedTorque:
     Attributes
     ----------
     rolling, sliding, spin, curvature : float
-        Of the pressure flow, of sliding at the centres, of spin, of the surfaces' curvature [N m].
-    asperity : float
-        Of asperities that touch [N m]; the oil's shear is then the rest.
+        Of the pressure flow, of sliding at the centres, of spin, of the surfaces' curvature [N m]. Rolling or curvature
+        is None where the friction does not tell them apart; the other then holds both.
+    asperity : float or None
+        Of asperities that touch [N m]; the oil's shear is then the rest. None where the friction has no share of them.
     shaft_power : float
         What the two rings feed into the contacts [W].
     heat : float
@@ -34,20 +35,26 @@ class IntegratedTorque:
         What the balls give to the oil around them and to the cage's land where these are in the balance [W].
     """
 
-    rolling: float
+    rolling: float | None
     sliding: float
     spin: float
-    curvature: float
+    curvature: float | None
     shaft_power: float
     heat: float
     per_ball: Array
-    asperity: float = 0.0
+    asperity: float | None = 0.0
     resisted: float = 0.0
 
     @property
     def total(self) -> float:
-        """Sum of the five [N m]."""
-        return self.rolling + self.sliding + self.spin + self.curvature + self.asperity
+        """Sum of the parts [N m]."""
+        return sum(self.parts.values())
+
+    @property
+    def parts(self) -> dict[str, float]:
+        """Those of the five that are told apart, by name [N m]."""
+        five = {name: getattr(self, name) for name in ("rolling", "sliding", "spin", "curvature", "asperity")}
+        return {name: value for name, value in five.items() if value is not None}
 
     @property
     def imbalance(self) -> float:
@@ -73,6 +80,8 @@ class SolvedShear:
         Of every contact with a film, at the motion of `torque`.
     note : str
         Why there is no balanced one, or why it does not count as one.
+    untold : dict of str to str
+        Why parts of the torque are None, by name.
     """
 
     hypothesis: IntegratedTorque
@@ -81,6 +90,7 @@ class SolvedShear:
     carried: tuple[int, ...] = ()
     tractions: tuple[ContactTraction, ...] = ()
     note: str = ""
+    untold: dict[str, str] = field(default_factory=dict)
 
     @property
     def torque(self) -> IntegratedTorque:

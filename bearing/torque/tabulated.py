@@ -1,8 +1,9 @@
 """Friction torque from a friction law of each race: a traction table of solved films, Coulomb's law, four constants.
 
 What `integrated` does with every contact's own film, in milliseconds: the balls' motion in which the laws' forces
-balance themselves, and the torque there. The oil's rolling resistance and the curvature slip come out of a law as one
-moment about the transverse axis, so that `rolling` holds both.
+balance themselves, and the torque there. The oil's rolling resistance and the curvature slip come out of a table as one
+moment about the transverse axis, so that `rolling` holds both and `curvature` is None; a coefficient over the ellipse
+has the slip alone. No law has asperities: tables hold the central film, their share follows from the minimum.
 """
 
 from __future__ import annotations
@@ -27,6 +28,11 @@ from .resistance import FREE, Resistance
 from .shear_torque import IntegratedTorque, SolvedShear, carried_balls, not_balanced, not_closed
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
+ONE_MOMENT = {
+    "curvature": "the friction law has one moment about the transverse axis: rolling holds the curvature slip"
+}
+NO_OIL = {"rolling": "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"}
+NO_ASPERITIES = {"asperity": "the friction law holds no minimum film, from which the share of asperities follows"}
 STEP = 1.0e-5  # of slides over u, and spin over u/R_x, for difference quotients [-]
 
 
@@ -72,15 +78,16 @@ def law_torque(
     """
     motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
     forces = -law.dissipation(motion, np.arange(len(contacts))).gradient
-    hypothesis = _torque(solution, contacts, motion, forces)
+    untold = (ONE_MOMENT if law.pumps else NO_OIL) | NO_ASPERITIES
+    hypothesis = _torque(solution, contacts, (motion, forces), law)
     hypothesis = replace(hypothesis, resisted=resisted_power(solution, resistance))
     balance = balance_driven_balls(solution, contacts, law, resistance)
     if not balance.converged:
-        return SolvedShear(hypothesis=hypothesis, note=not_balanced(balance))
-    found = _torque(solution, contacts, balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4))
-    found = replace(found, resisted=balance.resisted)
+        return SolvedShear(hypothesis=hypothesis, note=not_balanced(balance), untold=untold)
+    balanced = balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4)
+    found = replace(_torque(solution, contacts, balanced, law), resisted=balance.resisted)
     carried = carried_balls(solution, balance)
-    return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried, note=not_closed(found))
+    return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried, note=not_closed(found), untold=untold)
 
 
 def law_balance(
@@ -105,7 +112,8 @@ def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw])
         return Dissipation(np.zeros(numbers.size), gradient, slope)
 
     load = np.array([contact.load if contact.conditions is not None else 0.0 for contact in contacts])
-    return ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False)
+    pumps = not all(isinstance(one, CoulombLaw | FourConstantLaw) for one in laws)
+    return ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False, pumps=pumps)
 
 
 def _place(contact: BearingContact) -> tuple[float, float, float]:
@@ -185,16 +193,20 @@ def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, 
 
 
 def _torque(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], motion: Array, forces: Array
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], moved: tuple[Array, Array], law: ContactLaw
 ) -> IntegratedTorque:
+    """Torque from the motions and forces (contacts, 4) of all contacts [m/s], [rad/s], [N], [N m]."""
+    motion, forces = moved
     speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
     powers = -forces * motion
     heat = powers.sum(axis=1)
+    across = float(powers[:, 3].sum()) / speed
     return IntegratedTorque(
-        rolling=float(powers[:, 3].sum()) / speed,
+        rolling=across if law.pumps else None,
         sliding=float(powers[:, :2].sum()) / speed,
         spin=float(powers[:, 2].sum()) / speed,
-        curvature=0.0,
+        curvature=None if law.pumps else across,
+        asperity=None,
         shaft_power=ring_powers(solution, contacts, forces),
         heat=float(heat.sum()),
         per_ball=heat.reshape(-1, 2).sum(axis=1) / speed,

@@ -173,6 +173,7 @@ class CoulombTraction(_Everywhere):
         return ContactLaw(
             dissipation=lambda motion, numbers: coulomb_dissipation(motion, found.some(numbers)),
             strength=found.friction * found.load,
+            pumps=False,
         )
 
 

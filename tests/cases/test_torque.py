@@ -100,6 +100,21 @@ def test_asperities_of_rough_surfaces_rub():
     assert torque["power_balance"]["imbalance"] == pytest.approx(0.0, abs=1e-6)
 
 
+def test_parts_that_a_friction_law_does_not_know_are_null_with_the_reason():
+    law = '[friction]\ntraction = "four constants"\ntraction_maximum = 0.05\ntraction_maximum_slide = 0.03\n'
+    surface = "[surface]\ninner_ring_roughness_um = 0.5\nouter_ring_roughness_um = 0.5\nball_roughness_um = 0.1\n"
+    text = TEXT.replace("points = 65", 'film_maps = "none"') + law + "traction_limit = 0.03\n" + surface
+    torque, document = torque_of(text)
+    models, messages = torque["models"], document["messages"]
+    assert torque["power_balance"]["traction_equilibrium"]
+    assert models["integrated"]["curvature"] > 0.0
+    for key in ("integrated.rolling", "integrated.asperity"):
+        name, part = key.split(".")
+        assert models[name][part] is None
+        assert any(message.startswith(f"torque_N_mm.models.{key}: null, the friction law") for message in messages)
+    assert any(m.startswith("torque_N_mm.models.skf_lambda: null, the friction law") for m in messages)
+
+
 def test_factors_of_the_case_go_before_those_of_the_libraries():
     more = "[friction]\npalmgren_viscous_factor = 1.0\npalmgren_load_factor = 0.001\nfull_film_coefficient = 0.04\n"
     text = TEXT.replace("points = 65", 'film_maps = "none"') + more + "as_printed = true\n"

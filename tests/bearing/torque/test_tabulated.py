@@ -85,6 +85,24 @@ def test_a_table_makes_the_integrated_model(axial):
     assert torque.models["coulomb"].total == pytest.approx(torque.total, rel=0.01)
 
 
+def test_what_a_law_does_not_tell_apart_is_none_with_a_reason(axial):
+    """A table's rolling holds the curvature slip; Coulomb's law has the slip alone; neither has asperities."""
+    state, contacts = axial
+    rng = np.random.default_rng(48161)
+    rough = FrictionInput(coefficient=MU, roughness=(0.1e-6, 0.1e-6))
+    laws = {"curvature": {race: random_table(rng) for race in Race}, "rolling": coulomb_laws(state, contacts, 1e-3)}
+    for missing, law in laws.items():
+        shear = tabulated_torque(state, contacts, law)
+        parts = shear.torque.parts
+        assert set(shear.untold) == {missing, "asperity"}
+        assert set(parts) == {"rolling", "sliding", "spin", "curvature"} - {missing}
+        assert sum(parts.values()) == pytest.approx(shear.torque.heat / shaft_speed(state), rel=1e-12)
+        models = torque_breakdown(state, contacts, OIL, rough, shear=shear).models
+        assert not set(shear.untold) & set(models["integrated"].components)
+        assert models["skf_lambda"].total is None
+        assert models["skf_lambda"].note == shear.untold["asperity"]
+
+
 def random_table(rng):
     """A table of random spline coefficients: no oil, but a smooth law."""
     body = TableContact(
