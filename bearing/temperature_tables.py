@@ -19,7 +19,7 @@ from ehl.traction.temperature import TemperatureTable, build_temperature_table
 
 from .geometry import Race
 from .quasistatic import QuasistaticSolution
-from .traction_tables import Progress, Tables, race_progress, table_contacts, table_range
+from .traction_tables import Progress, Solids, Tables, race_progress, table_contacts, table_range
 
 INDEX = "temperatures.json"
 TemperatureTables = dict[Race, TemperatureTable]
@@ -32,6 +32,7 @@ def build_temperature_tables(
     temperatures: Sequence[float],
     options: TableOptions | None = None,
     progress: Progress | None = None,
+    solids: Solids | None = None,
 ) -> TemperatureTables:
     """Traction tables of both races around a quasi-static solution.
 
@@ -45,12 +46,14 @@ def build_temperature_tables(
     options : TableOptions, optional
     progress : callable, optional
         Called with films done, films wanted so far, and a word.
+    solids : tuple of SolidThermal, optional
+        Ball and race, for films with heat; None: at the temperature of the oil [K].
     """
     limits, found = table_range(solution, oil_at(temperatures[0])[0]), {}
     for race in Race:
 
         def contact_at(temperature: float, race: Race = race) -> TableContact:
-            return table_contacts(solution, *oil_at(temperature), temperature)[race]
+            return table_contacts(solution, *oil_at(temperature), temperature, solids)[race]
 
         told = race_progress(progress, race)
         found[race] = build_temperature_table(contact_at, temperatures, limits, options, told)

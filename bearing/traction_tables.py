@@ -15,6 +15,7 @@ from pathlib import Path
 
 from ehl.lubricant import Lubricant
 from ehl.rheology import Rheology
+from ehl.thermal import SolidThermal
 from ehl.traction.sampling import TableOptions, build_table
 from ehl.traction.storage import inputs_digest, read_table, write_table
 from ehl.traction.table import TableContact, TableRange, TractionTable
@@ -29,12 +30,19 @@ SPEED_MARGIN = (0.5, 1.25)
 LOAD_SPAN = 300.0  # largest over smallest load of a table at most
 Progress = Callable[[int, int, str], None]
 Tables = dict[Race, TractionTable]
+Solids = tuple[SolidThermal, SolidThermal]
 
 
 def table_contacts(
-    solution: QuasistaticSolution, lubricant: Lubricant, rheology: Rheology, temperature: float | None = None
+    solution: QuasistaticSolution,
+    lubricant: Lubricant,
+    rheology: Rheology,
+    temperature: float | None = None,
+    solids: Solids | None = None,
 ) -> dict[Race, TableContact]:
     """What the table of each race is made for, by its heaviest loaded contact; temperature [K], None: of operation.
+
+    With the thermal properties of ball and race (`solids`) the films are solved and sheared with heat.
 
     Raises
     ------
@@ -56,6 +64,7 @@ def table_contacts(
             temperature=solution.operation.temperature if temperature is None else temperature,
             curvature_radius=motion.curvature_radius,
             curvature_difference=motion.curvature_difference,
+            solids=solids,
         )
     return found
 
@@ -80,6 +89,7 @@ def build_race_tables(
     rheology: Rheology,
     options: TableOptions | None = None,
     progress: Progress | None = None,
+    solids: Solids | None = None,
 ) -> Tables:
     """Traction tables of both races around a quasi-static solution.
 
@@ -91,9 +101,11 @@ def build_race_tables(
     options : TableOptions, optional
     progress : callable, optional
         Called with films done, films wanted so far, and a word.
+    solids : tuple of SolidThermal, optional
+        Ball and race, for films with heat; None: at the temperature of operation [K].
     """
     limits, tables = table_range(solution, lubricant), {}
-    for race, contact in table_contacts(solution, lubricant, rheology).items():
+    for race, contact in table_contacts(solution, lubricant, rheology, solids=solids).items():
         tables[race] = build_table(contact, limits, options, race_progress(progress, race))
     return tables
 

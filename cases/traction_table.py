@@ -18,10 +18,8 @@ from .shipped import find_case
 from .version import version
 
 if TYPE_CHECKING:
-    from bearing.geometry import Race
     from ehl import Lubricant
     from ehl.rheology import Rheology
-    from ehl.traction.full_solves import FullSolve
     from postprocess.traction_results import TractionResults
 
 
@@ -100,12 +98,12 @@ def run_table(
     state = solve_quasistatic(case.bearing, case.operation, case.model)
     if not state.converged:
         raise CaseError([f"no table without an equilibrium of the bearing: {state.message}"])
-    options = TableOptions(points=points, workers=workers or cores())
+    options, solids = TableOptions(points=points, workers=workers or cores()), case.films.solids
     try:
         if over is None:
-            warm, tables = None, build_race_tables(state, case.lubricant, case.rheology, options, progress)
+            warm, tables = None, build_race_tables(state, case.lubricant, case.rheology, options, progress, solids)
         else:
-            warm = build_temperature_tables(state, over.oil_at, over.temperatures, options, progress)
+            warm = build_temperature_tables(state, over.oil_at, over.temperatures, options, progress, solids)
             own = min(max(case.operation.temperature, over.temperatures[0]), over.temperatures[-1])
             tables = {race: found.at(own) for race, found in warm.items()}
     except ValueError as problem:
@@ -120,16 +118,17 @@ def run_table(
     )
 
 
-def with_full_solves(
-    case: Case, results: TractionResults, count: int, progress: Progress | None = None
-) -> TractionResults:
-    """The tables' films beside full solves at so many places each, with heat if the case's film model has it."""
+def with_full_solves(results: TractionResults, count: int, progress: Progress | None = None) -> TractionResults:
+    """The tables' films beside full solves at so many places each, with heat if the tables have it."""
     from bearing.traction_tables import race_progress
     from ehl.traction.full_solves import full_solves
 
-    solids = case.films.solids
-    found: dict[Race, tuple[FullSolve, ...]] = {}
+    found = dict(results.tables)
     for race, table in results.tables.items():
         told = race_progress(progress, race)
-        found[race] = full_solves(table.contact, table.range, count, solids, progress=told)
-    return replace(results, full_solves=found)
+        beside = full_solves(table.contact, table.range, count, progress=told)
+        found[race] = replace(table, full_solves=beside)
+    if results.over_temperature is None:
+        return replace(results, tables=found)
+    over = {race: tables.replaced(found[race]) for race, tables in results.over_temperature.items()}
+    return replace(results, tables=found, over_temperature=over)

@@ -7,7 +7,10 @@ from functools import cache
 from pathlib import Path
 
 PACKAGES = ("ehl", "bearing")
-CONSTANTS = ("bearing/dynamics/problem.py",)  # modules from which kernels take constants, beside other kernels
+CONSTANTS = (  # modules from which kernels take constants, beside other kernels
+    "bearing/dynamics/problem.py",
+    "ehl/traction/warm/heating.py",
+)
 
 
 def kernel_sources() -> list[Path]:

@@ -7,7 +7,6 @@ from math import isfinite
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from bearing.geometry import Race
 from bearing.temperature_tables import TemperatureTables, save_temperature_tables
 from bearing.traction_tables import Tables, save_race_tables
 
@@ -23,7 +22,6 @@ class TractionResults:
     case: dict[str, Any]
     tables: Tables
     over_temperature: TemperatureTables | None = None
-    full_solves: dict[Race, tuple[FullSolve, ...]] = field(default_factory=dict)
     messages: tuple[str, ...] = ()
     timing: dict[str, float] = field(default_factory=dict)
 
@@ -54,13 +52,12 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
                 "temperatures_K": list(found.temperatures),
                 "largest_error_between": [between.largest for between in found.errors],
             }
-        solves = results.full_solves.get(race)
-        races[race.value]["full_solves"] = None if solves is None else [_beside(one) for one in solves]
+        races[race.value]["full_solves"] = [_beside(one) for one in table.full_solves] or None
     told = [f"{race.value} race: {t.message}" for race, t in results.tables.items() if t.message != "converged"]
     told += _open_solves(results)
     everything = (results.over_temperature or results.tables).values()
     converged = all(table.converged for table in everything)
-    beside = [one.converged for solves in results.full_solves.values() for one in solves]
+    beside = [one.converged for table in results.tables.values() for one in table.full_solves]
     prefix = [] if converged else ["not converged: a traction table misses its tolerance or a film did not converge"]
     return {
         "oilfilm": results.version,
@@ -90,8 +87,8 @@ def _open_solves(results: TractionResults) -> list[str]:
     return [
         f"{race.value} race: the full solve at {one.load:.4g} N, {one.speed:.3g} m/s, slide-roll ratio "
         f"{one.slide_ratio:.4f} did not converge: its coefficient tells nothing of the table"
-        for race, solves in results.full_solves.items()
-        for one in solves
+        for race, table in results.tables.items()
+        for one in table.full_solves
         if not one.converged
     ]
 
@@ -100,8 +97,13 @@ def write_traction(results: TractionResults, path: Path) -> None:
     """Write the tables to a file, and beside it its plots, `<name>_curves.png` and `<name>_map.png`."""
     from .plots_traction import write_traction_plots
 
+    save_tables(results, path)
+    write_traction_plots(results, path)
+
+
+def save_tables(results: TractionResults, path: Path) -> None:
+    """Write the tables to a file; it appears under its name only when it is complete."""
     if results.over_temperature is None:
         save_race_tables(results.tables, path)
     else:
         save_temperature_tables(results.over_temperature, path)
-    write_traction_plots(results, path)

@@ -31,7 +31,7 @@ def traction_table(results: TractionResults) -> Group:
             f"{table.error.quantile:.2%}",
             f"{table.error.largest:.2%}",
         )
-    beside = [_full_solves(results)] if results.full_solves else []
+    beside = [_full_solves(results)] if any(table.full_solves for table in results.tables.values()) else []
     return Group(found, *beside, *(f"  {message}" for message in traction_summary(results)["messages"]))
 
 
@@ -42,8 +42,8 @@ def _full_solves(results: TractionResults) -> Table:
     found = Table(title="Sliding on the table's film, and in full solves", title_justify="left")
     for name in ("race", "load [N]", "speed [m/s]", "slide/roll", "µ, film", "µ, full", "film ratio"):
         found.add_column(name, justify="left" if name == "race" else "right")
-    for race, solves in results.full_solves.items():
-        for one in solves:
+    for race, table in results.tables.items():
+        for one in table.full_solves:
             told = f"{one.film_ratio:.3f}" if one.converged else f"{one.film_ratio:.3f}, not converged"
             numbers = (f"{one.load:.4g}", f"{one.speed:.3g}", f"{one.slide_ratio:.4f}", f"{one.by_film:.4f}")
             found.add_row(race.value, *numbers, f"{one.in_full:.4f}", told)

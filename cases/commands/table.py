@@ -49,12 +49,14 @@ def table(  # noqa: PLR0913
     over = None if temperatures is None else temperature_axis(case, temperatures)
     with progress_bar(quiet=quiet) as progress:
         results = run_table(loaded, points, workers, progress, over)
-    from postprocess.traction_results import traction_summary, write_traction
+    from postprocess.traction_results import save_tables, traction_summary, write_traction
     from postprocess.traction_table import traction_table
 
     if path is not None:
         write_traction(results, path)
     if full_solves:
         with progress_bar(quiet=quiet) as progress:
-            results = with_full_solves(loaded, results, full_solves, progress)
+            results = with_full_solves(results, full_solves, progress)
+        if path is not None:
+            save_tables(results, path)
     return report(traction_summary(results), lambda: traction_table(results), path, as_json=as_json, quiet=quiet)

@@ -70,23 +70,60 @@ def film_nodes(
     """
     if solution.x is None or solution.y is None or solution.film is None:
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
-    fields = np.concatenate([_hertz_zone(solution), _rest(with_outlet(solution))], axis=1)
-    x, y, area, gap, pressure, width, breadth = fields
-    gap = np.maximum(gap, SMALLEST_FILM)
+    zone, rest = hertz_zone(solution), low_pressure_blocks(with_outlet(solution))
+    fields = np.concatenate([zone.fields.reshape(7, -1), rest], axis=1)
+    gap, pressure = np.maximum(fields[3], SMALLEST_FILM), fields[4]
     eta, limit = pressure_viscosity(pressure, solution), limiting_stress(pressure, rheology, temperature)
-    strength = area * shear_stress(largest_slide / gap, eta, pressure, rheology, temperature)
+    strength = fields[2] * shear_stress(largest_slide / gap, eta, pressure, rheology, temperature)
+    counts = counting(strength, left_out * float(strength.sum()))
+    nodes = node_rows(fields, eta, limit)[:, counts]
+    return FilmNodes(nodes=np.ascontiguousarray(nodes), half_width=transverse_semi_axis(solution), rheology=rheology)
+
+
+def counting(strength: Array, left_out: float) -> NDArray[np.intp]:
+    """Numbers of the nodes without the weakest ones, whose strengths sum to what may be left out [same unit]."""
     order = np.argsort(strength)
-    counts = order[np.cumsum(strength[order]) > left_out * strength.sum()]
-    nodes = np.stack([x, y, area, gap, eta, np.broadcast_to(limit, x.shape), width**2 / 12.0, breadth**2 / 12.0])
-    half_width = float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio
-    return FilmNodes(nodes=np.ascontiguousarray(nodes[:, counts]), half_width=half_width, rheology=rheology)
+    found: NDArray[np.intp] = order[np.cumsum(strength[order]) > left_out]
+    return found
 
 
-def _hertz_zone(solution: ContactSolution) -> Array:
-    """x, y, area, film, pressure and size along x and y of nodes where the pressure is high, shape (7, n).
+def node_rows(fields: Array, viscosity: Array, limit: Array) -> Array:
+    """Rows of `FilmNodes.nodes` from x, y, area, film, pressure and sizes (7, n), [Pa s] and [Pa]."""
+    x, y, area, gap, _, width, breadth = fields
+    limits = np.broadcast_to(limit, x.shape)
+    film = np.maximum(gap, SMALLEST_FILM)
+    return np.stack([x, y, area, film, viscosity, limits, width**2 / 12.0, breadth**2 / 12.0])
 
-    Midpoints of `ROWS` lines across, Gauss-Legendre points of `PANELS` along each from edge to edge.
+
+def transverse_semi_axis(solution: ContactSolution) -> float:
+    """Of the Hertz ellipse across x [m]."""
+    return float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HertzZone:
+    """Nodes where the pressure is high, on lines along x.
+
+    Attributes
+    ----------
+    fields : ndarray, shape (7, lines, n)
+        x, y [m], area [m^2], film [m], pressure [Pa], size along x and y [m].
+    gradient : ndarray, shape (2, lines, n)
+        Of the pressure along x and y [Pa/m].
+    span : ndarray, shape (lines,)
+        Length of each line from edge to edge [m].
+    shares : ndarray, shape (n,)
+        Places of the nodes from edge to edge [-].
     """
+
+    fields: Array
+    gradient: Array
+    span: Array
+    shares: Array
+
+
+def hertz_zone(solution: ContactSolution) -> HertzZone:
+    """Midpoints of `ROWS` lines across, Gauss-Legendre points of `PANELS` along each from edge to edge [m], [Pa]."""
     from scipy.interpolate import RectBivariateSpline
 
     x, y, h, p = solution.x, solution.y, solution.film, solution.pressure
@@ -105,8 +142,9 @@ def _hertz_zone(solution: ContactSolution) -> Array:
     places = edges[:, :1] + span * shares
     across = np.broadcast_to(rows[:, None], places.shape)
     values = film(places, across, grid=False), np.maximum(pressure(places, across, grid=False), 0.0)
-    parts = (places, across, span * weights * width, *values, span * weights, np.full_like(places, width))
-    return np.stack([part.ravel() for part in parts])
+    slopes = (pressure(places, across, dx=1, grid=False), pressure(places, across, dy=1, grid=False))
+    fields = (places, across, span * weights * width, *values, span * weights, np.full_like(places, width))
+    return HertzZone(fields=np.stack(fields), gradient=np.stack(slopes), span=span[:, 0], shares=shares)
 
 
 def _panels() -> tuple[Array, Array]:
@@ -136,10 +174,11 @@ def _crossings(places: Array, values: Array) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def _rest(solution: ContactSolution) -> Array:
-    """Nodes as `_hertz_zone` where the pressure is low: blocks of the grid.
+def low_pressure_blocks(solution: ContactSolution, *further: Array) -> Array:
+    """Nodes where the pressure is low, blocks of the grid: rows as `HertzZone.fields` and one for each further field.
 
-    They shear a Newtonian oil as all their nodes do under linear sliding: film A/sum(A/h), place weighted by A/h.
+    They shear a Newtonian oil as all their nodes do under linear sliding: film A/sum(A/h), place, pressure and further
+    fields, of shape (nx, ny) [any unit], weighted by A/h.
     """
     x, y, h, p = solution.x, solution.y, solution.film, solution.pressure
     assert x is not None and y is not None and h is not None
@@ -156,9 +195,10 @@ def _rest(solution: ContactSolution) -> Array:
     weight, thin = total(area), total(share)
     kept = weight > 0.0
     weight, thin = weight[kept], thin[kept]
-    means = [total(part)[kept] / thin for part in (share * x[:, None], share * y[None, :], share * p)]
+    weighted = (share * x[:, None], share * y[None, :], share * p, *(share * field for field in further))
+    means = [total(part)[kept] / thin for part in weighted]
     sizes = [np.full(weight.size, BLOCK * float(np.mean(size))) for size in (size_x, size_y)]
-    return np.stack([means[0], means[1], weight, weight / thin, means[2], *sizes])
+    return np.stack([means[0], means[1], weight, weight / thin, means[2], *sizes, *means[3:]])
 
 
 def sliding_forces(film: FilmNodes, slide: tuple[Array, Array, Array], rolling: Array, curvature: float) -> Array:

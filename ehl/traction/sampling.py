@@ -16,7 +16,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..options import SolverOptions
-from .quadrature import FilmNodes, film_nodes, sliding_forces
 from .response import normal_response
 from .splines import left_out_error, spline_coefficients
 from .table import (
@@ -32,6 +31,7 @@ from .table import (
     spinning_scale,
     vertex_slide,
 )
+from .table_film import TableFilm, table_film
 
 Array = NDArray[np.float64]
 
@@ -82,7 +82,7 @@ class _Film:
     """One solved film, ready to shear; place (ln load, ln speed)."""
 
     place: tuple[float, float]
-    nodes: FilmNodes
+    sheared: TableFilm
     scales: tuple[float, float, float]  # of slide_x/u, slide_y/u, spin R_x/u [-]
     film: float  # [m]
     moment: float  # hydrodynamic, positive [N m]
@@ -177,24 +177,25 @@ def _film(study: _Study, place: tuple[float, float]) -> _Film:
     """Solve a film, its nodes, its scales and its answer to an approach."""
     from ..solver import solve_contact
 
-    contact, load, speed = study.contact, exp(place[0]), exp(place[1])
-    conditions = contact.conditions(load, speed)
-    solution = solve_contact(conditions, SolverOptions(points=study.options.points))
-    if solution.film_central is None or not solution.film_central > 0.0 or solution.x is None or solution.y is None:
-        raise ValueError(f"no film at a load of {load:.4g} N and {speed:.4g} m/s: {solution.message}")
+    contact, load, speed, points = study.contact, exp(place[0]), exp(place[1]), study.options.points
+    film = table_film(contact, load, speed, study.range.slide_x * speed, SolverOptions(points=points))
+    solution = film.solution
+    assert solution.x is not None and solution.y is not None and solution.film_central is not None  # `table_film`
+    cold, coarse = contact.solids is None, min(points, RESPONSE_POINTS)
     response = normal_response(
         solution
-        if study.options.points <= RESPONSE_POINTS
-        else solve_contact(conditions, SolverOptions(points=RESPONSE_POINTS))
+        if cold and points == coarse
+        else solve_contact(contact.conditions(load, speed), SolverOptions(points=coarse))
     )
-    if not response.converged and study.options.points > RESPONSE_POINTS:
-        response = normal_response(solution)
-    nodes = film_nodes(solution, contact.rheology, study.range.slide_x * speed, temperature=contact.temperature)
+    if not response.converged and points > RESPONSE_POINTS:
+        response = normal_response(
+            solution if cold else solve_contact(contact.conditions(load, speed), SolverOptions(points=points))
+        )
     moment = -np.trapezoid(np.trapezoid(solution.pressure * solution.x[:, None], solution.y, axis=1), solution.x)
     return _Film(
         place=place,
-        nodes=nodes,
-        scales=_scales(study, nodes, speed),
+        sheared=film,
+        scales=_scales(study, film, speed),
         film=solution.film_central,
         moment=float(moment),
         stiffness=response.stiffness if response.converged else None,
@@ -203,15 +204,15 @@ def _film(study: _Study, place: tuple[float, float]) -> _Film:
     )
 
 
-def _scales(study: _Study, nodes: FilmNodes, speed: float) -> tuple[float, float, float]:
+def _scales(study: _Study, film: TableFilm, speed: float) -> tuple[float, float, float]:
     """Motions, over u or u/R_x, at a share of those where traction or spin moment has risen by half."""
     none = np.zeros(SCALE_SAMPLES.size)
     found = []
     for axis, (limit, share) in enumerate(zip(_bounds(study), SCALE_SHARE, strict=True)):
         motion = limit * SCALE_SAMPLES
         parts = [motion if axis == k else none for k in range(3)]
-        values = _evaluate(study.contact, nodes, speed, parts)[:, axis]
-        start = _evaluate(study.contact, nodes, speed, [none[:1]] * 3)[0, axis]
+        values = _evaluate(study.contact, film, speed, parts)[:, axis]
+        start = _evaluate(study.contact, film, speed, [none[:1]] * 3)[0, axis]
         rise = np.abs(values - start) / np.abs(values - start).max()
         k = max(int(np.argmax(rise >= 0.5)), 1)
         between = (0.5 - rise[k - 1]) / (rise[k] - rise[k - 1])
@@ -219,12 +220,12 @@ def _scales(study: _Study, nodes: FilmNodes, speed: float) -> tuple[float, float
     return found[0], found[1], found[2]
 
 
-def _evaluate(contact: TableContact, nodes: FilmNodes, speed: float, motion: list[Array]) -> Array:
+def _evaluate(contact: TableContact, film: TableFilm, speed: float, motion: list[Array]) -> Array:
     """F_x, F_y, M_n, M_y by sliding, shape (n, 4) [N], [N m], at motions over u, u and u/R_x [-]."""
     slide_x, slide_y = motion[0] * speed, motion[1] * speed
     rolling = speed / contact.radius_x - 0.5 * contact.curvature_difference * slide_x
     slide = (slide_x, slide_y, motion[2] * speed / contact.radius_x)
-    return sliding_forces(nodes, slide, rolling, 0.5 / contact.curvature_radius)
+    return film.forces(slide, rolling, 0.5 / contact.curvature_radius)
 
 
 def _axes(study: _Study) -> Array:
@@ -332,7 +333,7 @@ def _filled(values: Array) -> Array:
 def _values(study: _Study, film: _Film, axes: Array) -> Array:
     """Forces and moments of one film at the nodes of the motions, shape (nX, nY, nS, 4) [N], [N m]."""
     places = np.meshgrid(*(axis_nodes(axis) for axis in axes[2:]), indexing="ij")
-    forces = _evaluate(study.contact, film.nodes, exp(film.place[1]), _motions(study, film, places))
+    forces = _evaluate(study.contact, film.sheared, exp(film.place[1]), _motions(study, film, places))
     return forces.reshape(*places[0].shape, 4)
 
 
@@ -367,7 +368,7 @@ def _checked(study: _Study, table: TractionTable) -> TableError:
     for film in study.checks:
         load, speed = exp(film.place[0]), exp(film.place[1])
         motion = _motions(study, film, rng.uniform(-1.0, 1.0, (3, n)))
-        wanted = _evaluate(contact, film.nodes, speed, motion)
+        wanted = _evaluate(contact, film.sheared, speed, motion)
         wanted[:, 0] -= 0.5 * contact.curvature_difference * film.moment
         wanted[:, 3] -= film.moment
         parts = np.stack([motion[0] * speed, motion[1] * speed, motion[2] * speed / contact.radius_x], axis=1)

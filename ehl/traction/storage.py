@@ -23,7 +23,7 @@ import numpy as np
 from .table import TableContact, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
-FORMAT_VERSION = 2  # 1 had other coordinates of the motions
+FORMAT_VERSION = 3  # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films
 ARRAYS = ("axes", "scalars", "values")
 PLAIN = ("points", "kappa_max", "films", "converged", "message")
 
@@ -58,6 +58,7 @@ def write_table(table: TractionTable, file: IO[bytes]) -> None:
         "error": _plain(table.error),
         "inputs": inputs_digest(table.contact, table.range, table.points),
         "content": _content(table),
+        "full_solves": _plain(table.full_solves),
         **{name: getattr(table, name) for name in PLAIN},
     }
     arrays = {name: getattr(table, name) for name in ARRAYS} | {"values": table.values.astype(np.float32)}
@@ -102,7 +103,7 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
             "make the table again"
         )
     try:
-        parts = {name: _restored(document[name]) for name in ("contact", "range", "error")}
+        parts = {name: _restored(document[name]) for name in ("contact", "range", "error", "full_solves")}
         table = TractionTable(**parts, **arrays, **{name: document[name] for name in PLAIN})
     except (KeyError, TypeError, AttributeError, ImportError, ValueError) as problem:
         raise ValueError(f"{path}: damaged, or written by another version of this program") from problem

@@ -1,7 +1,8 @@
 """Table of a contact's traction over load, entrainment speed, sliding along both axes, and spin.
 
-What is named an approximation: the film is that of the isothermal Newtonian oil without sliding, solved at each load
-and speed; the shear of the rheology is evaluated in it at each motion. Coordinates make few nodes enough: minus
+What is named an approximation: the film is that of the Newtonian oil without sliding, solved at each load and speed,
+isothermal or, with the thermal properties of both bodies, with its heat; the shear of the rheology is evaluated in it
+at each motion, then with the heat of sliding (`warm.heating`). Coordinates make few nodes enough: minus
 load^(-1/5), as light contacts change more with the load, ln(speed), and for a slide S over the speed u
 
     X = asinh(S/(u s))/asinh(L/s) in [-1, 1],
@@ -26,6 +27,7 @@ from ..conditions import ContactConditions
 from ..hertz import hertz_contact
 from ..lubricant import Lubricant
 from ..rheology import Rheology
+from ..thermal import SolidThermal
 from .laws import TractionForces, traction_forces
 from .splines import spline_weights
 
@@ -56,6 +58,8 @@ class TableContact:
         Of the loaded surface across the entrainment [m]; infinite: no curvature slip.
     curvature_difference : float
         1/R_2x - 1/R_1x of the bodies [1/m].
+    solids : tuple of SolidThermal or None
+        Body 1, the ball, and body 2; None: the oil stays at its temperature.
     """
 
     radius_x: float
@@ -66,6 +70,7 @@ class TableContact:
     temperature: float
     curvature_radius: float = inf
     curvature_difference: float = 0.0
+    solids: tuple[SolidThermal, SolidThermal] | None = None
 
     def conditions(self, load: float, speed: float) -> ContactConditions:
         """Of the film at a load [N] and entrainment speed [m/s], without sliding."""
@@ -137,6 +142,36 @@ class TableError:
         return self.largest <= self.tolerance
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FullSolve:
+    """One contact both ways.
+
+    Attributes
+    ----------
+    load : float
+        [N].
+    speed : float
+        Entrainment speed [m/s].
+    slide_ratio : float
+        Sliding over the entrainment speed [-].
+    by_film, in_full : float
+        Force of sliding over the load, sheared on the table's film and in the full solve [-]; not a number where the
+        solve ran away.
+    film_ratio : float
+        Central film of the full solve over that of the table's film [-]; likewise.
+    converged : bool
+        Whether both solves did.
+    """
+
+    load: float
+    speed: float
+    slide_ratio: float
+    by_film: float
+    in_full: float
+    film_ratio: float
+    converged: bool
+
+
 @dataclass(frozen=True, kw_only=True)
 class TractionTable:
     """Traction of one contact over load, speed and motion: a friction law with the film, stiffness and damping.
@@ -164,6 +199,8 @@ class TractionTable:
     converged : bool
         Whether every film and every stiffness and damping did, and the tolerance is reached.
     message : str
+    full_solves : tuple of FullSolve
+        The films' approximation beside full solves, where it was asked for.
     """
 
     contact: TableContact
@@ -177,6 +214,7 @@ class TractionTable:
     films: int
     converged: bool
     message: str
+    full_solves: tuple[FullSolve, ...] = ()
 
     @cached_property
     def constants(self) -> Array:

@@ -55,6 +55,11 @@ class TemperatureTable:
         """Whether every table is, and those between keep the tolerance."""
         return all(table.converged for table in self.tables) and all(error.reached for error in self.errors)
 
+    def replaced(self, table: TractionTable) -> TemperatureTable:
+        """These with a table in place of the one at its temperature [K]; without it where there is none there."""
+        at = table.contact.temperature
+        return replace(self, tables=tuple(table if one.contact.temperature == at else one for one in self.tables))
+
     def at(self, temperature: float, lubricant: Lubricant | None = None) -> TractionTable:
         """The table at a temperature.
 

@@ -12,10 +12,13 @@ from typer.testing import CliRunner
 from bearing.geometry import Race
 from bearing.lubricant_library import library_lubricant
 from bearing.traction_tables import load_race_tables
+from cases.case import load_case
 from cases.cli import app
 from ehl.traction.full_solves import FullSolve
 from ehl.traction.sampling import TableOptions
 from postprocess.traction_results import TractionResults, _beside, traction_summary
+
+from .made_up_tables import made_up_tables
 
 
 def call(*arguments):
@@ -50,6 +53,7 @@ def test_table_plots_and_summary(quick, tmp_path):
         assert told["load_N"] == list(table.range.load)
         assert 0.0 < told["error"]["rms"] < told["error"]["largest"]
         (beside,) = told["full_solves"]
+        assert [one.in_full for one in table.full_solves] == [beside["coefficient_in_full"]]
         assert beside["converged"]
         assert 0.5 < beside["coefficient_in_full"] / beside["coefficient_by_table_film"] < 1.0
     assert set(document["tables"]) == {race.value for race in Race}
@@ -105,9 +109,12 @@ def test_full_solves_that_do_not_converge_are_told():
     places = {"load": 50.0, "speed": 10.0, "slide_ratio": 0.01}
     good = FullSolve(**places, by_film=0.02, in_full=0.01, film_ratio=0.9, converged=True)
     lost = FullSolve(**places, by_film=0.02, in_full=math.nan, film_ratio=math.nan, converged=False)
-    results = TractionResults(version="1", case={}, tables={}, full_solves={Race.INNER: (good,)})
+    tables = made_up_tables(load_case("6208_full_ceramic"))
+    inner = replace(tables[Race.INNER], full_solves=(good,))
+    results = TractionResults(version="1", case={}, tables=tables | {Race.INNER: inner})
     assert traction_summary(results)["converged"]
-    told = traction_summary(replace(results, full_solves={Race.INNER: (good, lost)}))
+    inner = replace(inner, full_solves=(good, lost))
+    told = traction_summary(replace(results, tables=tables | {Race.INNER: inner}))
     assert not told["converged"]
     assert any("inner race: the full solve at 50 N" in message for message in told["messages"])
     assert _beside(lost) == {

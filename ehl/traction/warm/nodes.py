@@ -1,0 +1,254 @@
+"""A film with heat as lines of nodes that shear and warm, and its sliding forces for many motions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...generalized_reynolds.section import film_section
+from ...generalized_solver import GeneralizedSolution
+from ...lubricant import Lubricant, density, log_viscosity_ratio, viscosity
+from ...rheology import Rheology, ShearLaw, kernel_rheology, limiting_stress, shear_stress
+from ...thermal import SolidThermal
+from ...thermal.solids import resting_speed
+from ..kinematics import ContactKinematics
+from ..quadrature import (
+    SHARE_LEFT_OUT,
+    SMALLEST_FILM,
+    FilmNodes,
+    HertzZone,
+    counting,
+    hertz_zone,
+    low_pressure_blocks,
+    node_rows,
+    sliding_forces,
+    sliding_forces_twin,
+    transverse_semi_axis,
+)
+from ..shear import LARGEST_VISCOSITY, OUTLET_NODES, dimensional_conditions, with_outlet
+from .heating import heated_stress_twin, line_history
+
+Array = NDArray[np.float64]
+
+SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
+FALL_SPAN = 100.0  # [K] above the film's own temperature, where the fall of the softening is taken from
+LARGEST_SINH = 300.0  # argument
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WarmLines:
+    """Lines of nodes of a film's high pressure, as the kernels take them.
+
+    Attributes
+    ----------
+    lines : ndarray, shape (L, N, 12)
+        x, y [m], area [m^2], film [m], viscosity [Pa s], pressure [Pa], temperature [K], softening -d(ln eta)/dT and
+        its fall [1/K], a twelfth of the squared size along x and y [m^2], capacity rho c h u/dx [W/(m^2 K)].
+    span : ndarray, shape (L,)
+        Length of each line [m].
+    history : ndarray, shape (N, N)
+        Weights of the fluxes over a line of unit length, `heating.line_history` [-].
+    conductivity : float
+        Of the oil [W/(m K)].
+    speed : float
+        Of entrainment [m/s].
+    solids : ndarray, shape (2, 2)
+        sqrt(k rho c) of body 1 and 2 [W s^0.5/(m^2 K)] and the speed that stands for their rest [m/s].
+    rheology : Rheology
+    """
+
+    lines: Array
+    span: Array
+    history: Array
+    conductivity: float
+    speed: float
+    solids: Array
+    rheology: Rheology
+
+    @property
+    def base(self) -> Rheology:
+        """The rheology without its limiting stress."""
+        return replace(self.rheology, limiting_coefficient=None)
+
+    def answers(self, slide_x: float) -> Array:
+        """1/(sqrt(pi u) e) of both bodies at a sliding speed [m/s], shape (2,) [K m^1.5/W]."""
+        speeds = np.abs(self.speed + 0.5 * slide_x * np.array([1.0, -1.0])) + self.solids[:, 1]
+        return np.asarray(1.0 / (np.sqrt(np.pi * speeds) * self.solids[:, 0]))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WarmNodes:
+    """A film with heat: lines where the pressure is high, and nodes elsewhere that stay as warm as they roll."""
+
+    lines: WarmLines
+    rest: FilmNodes
+
+
+def warm_nodes(
+    solution: GeneralizedSolution,
+    solids: tuple[SolidThermal, SolidThermal],
+    rheology: Rheology,
+    largest_slide: float,
+) -> WarmNodes:
+    """Nodes of a film that was solved with heat and without sliding.
+
+    Parameters
+    ----------
+    solution : GeneralizedSolution
+        Of dimensional conditions, with temperatures [K].
+    solids : tuple of SolidThermal
+        Body 1 and body 2.
+    rheology : Rheology
+        That the film is sheared with.
+    largest_slide : float
+        Sliding speed [m/s] at which the friction of each node is weighed.
+
+    Raises
+    ------
+    ValueError
+        If the solution has no temperatures or no dimensions.
+    """
+    contact, conditions = solution.contact, dimensional_conditions(solution.contact)
+    oil = conditions.lubricant
+    if solution.temperature is None or contact.x is None or contact.y is None or oil.thermal is None:
+        raise ValueError("solution: no temperatures; solve the film with heat")
+    mean, profile = _warmth(solution, oil)
+    zone = hertz_zone(contact)
+    warm, fluid = _at_nodes(zone, contact.x, contact.y, mean, profile)
+    lines = _lines(zone, (warm, fluid), oil, rheology, conditions.entrainment_speed)
+    strength = lines[..., 2] * shear_stress(
+        largest_slide / lines[..., 3], lines[..., 4], lines[..., 5], rheology, lines[..., 6]
+    )
+    a = float(contact.semi_axis_x or 0.0)
+    return WarmNodes(
+        lines=WarmLines(
+            lines=np.ascontiguousarray(lines),
+            span=zone.span,
+            history=line_history(zone.shares),
+            conductivity=oil.thermal.conductivity,
+            speed=conditions.entrainment_speed,
+            solids=np.array([[solid.effusivity, resting_speed(solid, a)] for solid in solids]),
+            rheology=rheology,
+        ),
+        rest=_rest(solution, mean, rheology, largest_slide, float(strength.sum())),
+    )
+
+
+def _warmth(solution: GeneralizedSolution, oil: Lubricant) -> tuple[Array, Array]:
+    """Mean temperature [K] and ln of the mean fluidity over that at it [-], shape (nx, ny)."""
+    section, t = film_section(solution.nodes.size), solution.temperature
+    assert t is not None
+    mean = t @ section.weights
+    p = solution.contact.pressure
+    thinner = log_viscosity_ratio(p, oil, mean)[..., None] - log_viscosity_ratio(p[..., None], oil, t)
+    return mean, np.log(np.exp(thinner) @ section.weights)
+
+
+def _at_nodes(zone: HertzZone, x: Array, y: Array, *fields: Array) -> list[Array]:
+    """Fields of the grid [any unit] at the nodes of a zone, linear between the grid's."""
+    from scipy.interpolate import RegularGridInterpolator
+
+    return [RegularGridInterpolator((x, y), field)(np.moveaxis(zone.fields[:2], 0, -1)) for field in fields]
+
+
+def _lines(zone: HertzZone, warmth: tuple[Array, Array], oil: Lubricant, rheology: Rheology, speed: float) -> Array:
+    """Rows of `WarmLines.lines`; warmth: `_warmth` at the nodes [K], [-]."""
+    warm, fluid = warmth
+    x, y, area, gap, pressure, along, across = zone.fields
+    gap = np.maximum(gap, SMALLEST_FILM)
+
+    def log_viscosity(rise: float) -> Array:
+        return log_viscosity_ratio(pressure, oil, warm + rise)
+
+    soft = (log_viscosity(-SOFTENING_STEP) - log_viscosity(SOFTENING_STEP)) / (2.0 * SOFTENING_STEP)
+    far = log_viscosity(0.0) - log_viscosity(FALL_SPAN)
+    soft = np.maximum(soft, np.finfo(np.float64).tiny)
+    fall = np.maximum(soft / np.maximum(far, np.finfo(np.float64).tiny) - 1.0 / FALL_SPAN, 0.0)
+    with np.errstate(over="ignore"):
+        eta = np.minimum(viscosity(pressure, oil, warm), LARGEST_VISCOSITY)
+    eta = eta * np.exp(-fluid) / thinning_by_gradient(gap * np.hypot(*zone.gradient), rheology)
+    step = np.maximum(np.diff(zone.shares, prepend=0.0) * zone.span[:, None], SMALLEST_FILM)
+    assert oil.thermal is not None
+    capacity = density(pressure, oil, warm) * oil.thermal.specific_heat * gap * abs(speed) / step
+    parts = (x, y, area, gap, eta, pressure, warm, soft, fall, along**2 / 12.0, across**2 / 12.0, capacity)
+    return np.stack(parts, axis=-1)
+
+
+def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
+    """Fluidity of a film in which the stress rises across it over that in which it does not [-]; Ree-Eyring only.
+
+    sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano (1987). The direction of
+    the sliding is not looked at. Other laws have no such factor that holds for any sliding: 1.
+
+    Parameters
+    ----------
+    rise : ndarray
+        Of the stress from wall to wall, h times the pressure gradient [Pa].
+    rheology : Rheology
+    """
+    if rheology.law is not ShearLaw.REE_EYRING:
+        return np.ones_like(rise)
+    b = np.clip(0.5 * np.abs(rise) / rheology.eyring_stress, 1e-6, LARGEST_SINH)
+    return np.asarray(np.sinh(b) / b, dtype=np.float64)
+
+
+def _rest(
+    solution: GeneralizedSolution, mean: Array, rheology: Rheology, largest_slide: float, friction: float
+) -> FilmNodes:
+    """Nodes of low pressure at the temperature they roll with; friction [N]: that of the others, to be weighed with."""
+    contact = solution.contact
+    oil = dimensional_conditions(contact).lubricant
+    further = np.pad(mean, ((0, OUTLET_NODES), (0, 0)), mode="edge")
+    *fields, warm = low_pressure_blocks(with_outlet(contact), further)
+    rows = np.stack(fields)
+    pressure = rows[4]
+    with np.errstate(over="ignore"):
+        eta = np.minimum(viscosity(pressure, oil, warm), LARGEST_VISCOSITY)
+    film = np.maximum(rows[3], SMALLEST_FILM)
+    strength = rows[2] * shear_stress(largest_slide / film, eta, pressure, rheology, warm)
+    counts = counting(strength, SHARE_LEFT_OUT * (friction + float(strength.sum())))
+    nodes = node_rows(rows, eta, limiting_stress(pressure, rheology, warm))[:, counts]
+    return FilmNodes(nodes=np.ascontiguousarray(nodes), half_width=transverse_semi_axis(contact), rheology=rheology)
+
+
+def warm_forces(film: WarmNodes, slide: tuple[Array, Array, Array], rolling: Array, curvature: float) -> Array:
+    """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
+
+    Parameters
+    ----------
+    film : WarmNodes
+    slide, rolling, curvature
+        As in `quadrature.sliding_forces` [m/s], [rad/s], [1/m].
+    """
+    from . import _kernels
+
+    found, lines = sliding_forces(film.rest, slide, rolling, curvature), film.lines
+    numbers = tuple(kernel_rheology(lines.rheology))
+    _kernels.heated_sums_many(
+        lines.lines,
+        lines.span,
+        lines.history,
+        lines.conductivity,
+        lines.speed,
+        lines.solids,
+        (numbers[0], *(float(number) for number in numbers[1:4])),
+        tuple(float(number) for number in numbers[4:]),
+        *slide,
+        rolling,
+        (curvature, film.rest.half_width),
+        found,
+    )
+    return found
+
+
+def warm_forces_twin(film: WarmNodes, kinematics: ContactKinematics) -> Array:
+    """`warm_forces` of one motion in NumPy, shape (4,), [N] and [N m]."""
+    tau, s_x, s_y, slide = heated_stress_twin(film.lines, kinematics)
+    x, y, area = np.moveaxis(film.lines.lines, -1, 0)[:3]
+    pull = area * tau / np.where(slide > 0.0, slide, 1.0)
+    t_x, t_y = pull * s_x, pull * s_y
+    bow = kinematics.bow(y)
+    own = np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), (-bow * t_x).sum()])
+    return own + sliding_forces_twin(film.rest, kinematics)

@@ -1,0 +1,187 @@
+"""Films sheared with heat: closed solutions of the parts, kernels against twins, full solves of contacts that slide."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+from scipy.integrate import quad, solve_ivp
+
+from ehl import Lubricant, SolverOptions
+from ehl.generalized_solver import solve_generalized
+from ehl.lubricant import ThermalProperties
+from ehl.rheology import Rheology, ShearLaw
+from ehl.thermal import SolidThermal
+from ehl.traction import ContactKinematics, TableContact, TableRange
+from ehl.traction.full_solves import full_solves
+from ehl.traction.quadrature import FilmNodes, sliding_forces
+from ehl.traction.table_film import table_film
+from ehl.traction.warm import _kernels
+from ehl.traction.warm.heating import line_history, nahme, thinning_by_heat
+from ehl.traction.warm.nodes import thinning_by_gradient, warm_forces, warm_forces_twin, warm_nodes
+
+OIL = Lubricant(
+    viscosity=0.04,
+    pressure_viscosity=15e-9,
+    temperature=313.15,
+    thermal=ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.035, expansion=7e-4),
+)
+STEEL = SolidThermal(conductivity=46.0, density=7850.0, specific_heat=470.0)
+ZIRCONIA = SolidThermal(conductivity=2.0, density=6040.0, specific_heat=450.0)
+EYRING = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
+CARREAU = Rheology(law=ShearLaw.CARREAU_YASUDA, carreau_modulus=4e6, carreau_exponent=0.5, limiting_coefficient=0.05)
+LIMITED = replace(EYRING, limiting_coefficient=0.05)
+CONTACT = TableContact(
+    radius_x=8e-3,
+    radius_y=20e-3,
+    reduced_modulus=2.3e11,
+    lubricant=OIL,
+    rheology=LIMITED,
+    temperature=313.15,
+    curvature_radius=0.01,
+    solids=(STEEL, ZIRCONIA),
+)
+LOAD, SPEED = 60.0, 5.0
+
+
+@pytest.fixture(scope="module")
+def film():
+    return table_film(CONTACT, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=65))
+
+
+def motions(count, seed):
+    rng = np.random.default_rng(seed)
+    slide = SPEED * 10.0 ** rng.uniform(-3.0, 0.2, (2, count)) * rng.choice([-1.0, 1.0], (2, count)) * [[1.0], [0.2]]
+    return (*slide, rng.uniform(-0.3, 0.3, count) * SPEED / 8e-3)
+
+
+def test_couette_flow_heated_by_itself():
+    """Nahme (1940): stress over the isothermal one at Na = b eta U^2/(8 k), walls at one temperature."""
+    number = np.geomspace(1e-4, 1e6, 41)
+    m = np.arcsinh(np.sqrt(number))
+    fluidity, swell = nahme(m * np.tanh(m))
+    assert_allclose(np.exp(-fluidity), m / np.sqrt(number * (1.0 + number)), rtol=1e-9)
+    assert_allclose(swell, np.log1p(number), rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize("fall", [0.0, 0.004, 0.01])
+@pytest.mark.parametrize("wall", [0.0, 30.0])
+def test_thinning_agrees_with_its_twin(fall, wall):
+    for flux in np.geomspace(1e2, 1e9, 15):
+        found = _kernels.thinning_by_heat(wall, flux, 0.7e-6, 0.09, fall, 0.14)
+        twin = thinning_by_heat(
+            np.array([wall]), np.array([flux]), np.array([0.7e-6]), (np.array([0.09]), np.array([fall])), 0.14
+        )
+        assert_allclose(found, twin[0], rtol=3e-3, atol=1e-5)
+
+
+@pytest.mark.parametrize("middle", [10.0, 40.0, 90.0])
+def test_softening_that_falls_against_conduction_across_the_film(middle):
+    """ln g by the secant of the softening, against k T'' = -q(T) of an oil after Vogel sheared at one stress.
+
+    From the middle, where the rise is given, to the wall: T'' = -f(T) in a coordinate of whatever source it takes.
+    """
+    soft, fall, gap, k = 0.08, 0.006, 1e-6, 0.14
+
+    def slopes(_, state):
+        fluidity = np.exp(soft * state[0] / (1.0 + fall * state[0]))
+        return [state[1], -fluidity, fluidity]
+
+    def wall(_, state):
+        return state[0]
+
+    wall.terminal = True
+    found = solve_ivp(slopes, (0.0, 100.0), [middle, 0.0, 0.0], events=wall, rtol=1e-10, atol=1e-12)
+    half, mean = found.t[-1], found.y[2, -1] / found.t[-1]
+    flux = 4.0 * half**2 * k / gap * mean  # the source is (2 half)^2 k/gap^2 at the wall
+    column = (np.zeros(1), np.array([flux]), np.array([gap]), (np.array([soft]), np.array([fall])), k)
+    assert_allclose(thinning_by_heat(*column)[0], np.log(mean), rtol=0.03)
+
+
+def test_history_of_uniform_and_rising_flux():
+    """int ds'/sqrt(s - s') = 2 sqrt(s), and s' beneath it 4/3 s^1.5."""
+    nodes = 0.5 * (np.polynomial.legendre.leggauss(24)[0] + 1.0)
+    weights = line_history(nodes)
+    assert_allclose(weights @ nodes, 4.0 / 3.0 * nodes**1.5, rtol=1e-12)
+    far, near, first = nodes, nodes - nodes[0], nodes[0]
+    rise = (2.0 * far * (np.sqrt(far) - np.sqrt(near)) - 2.0 / 3.0 * (far**1.5 - near**1.5)) / first  # up to the first
+    assert_allclose(weights @ np.ones(24), rise + 2.0 * np.sqrt(near), rtol=1e-10)
+
+
+@pytest.mark.parametrize("stress", [0.3, 2.0])
+def test_stress_that_rises_across_the_film(stress):
+    """Mean rate of a Ree-Eyring oil of uniform viscosity under tau_m + (z - 1/2) rise, against the factor's."""
+    tau_0, rise = EYRING.eyring_stress, 17e6
+    rate = quad(lambda z: np.sinh((stress * tau_0 + (z - 0.5) * rise) / tau_0), 0.0, 1.0)[0]
+    assert_allclose(rate, np.sinh(stress) * thinning_by_gradient(np.array(rise), EYRING), rtol=1e-10)
+    assert thinning_by_gradient(np.array([rise]), Rheology()) == 1.0
+
+
+@pytest.mark.parametrize("rheology", [LIMITED, EYRING, Rheology(), CARREAU])
+def test_compiled_sums_agree_with_their_twin(rheology):
+    contact = replace(CONTACT, rheology=rheology)
+    nodes = table_film(contact, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=33)).nodes
+    few = replace(nodes.lines, lines=nodes.lines.lines[4::10].copy(), span=nodes.lines.span[4::10].copy())
+    nodes = replace(nodes, lines=few)
+    slide_x, slide_y, spin = motions(3, 90127)
+    rolling = np.full(3, SPEED / 8e-3)
+    found = warm_forces(nodes, (slide_x, slide_y, spin), rolling, 50.0)
+    for k in range(3):
+        motion = ContactKinematics(
+            entrainment_speed=SPEED,
+            sliding_x=slide_x[k],
+            sliding_y=slide_y[k],
+            spin=spin[k],
+            rolling=rolling[k],
+            curvature_radius=0.01,
+            curvature_width=nodes.rest.half_width,
+        )
+        assert_allclose(found[k], warm_forces_twin(nodes, motion), rtol=2e-3)
+
+
+def test_bodies_and_oil_that_take_all_heat_leave_the_film_of_rolling(film):
+    lines = film.nodes.lines
+    cold = replace(film.nodes, lines=replace(lines, conductivity=1e9, solids=lines.solids * [[1e9, 1.0]]))
+    x, y, area, gap, eta, pressure, warm, _, _, along, across, _ = np.moveaxis(lines.lines, -1, 0).reshape(12, -1)
+    limit = 0.05 * pressure
+    rows = np.stack([x, y, area, gap, eta, np.maximum(limit, LIMITED.limiting_minimum), along, across])
+    plain = FilmNodes(nodes=rows, half_width=film.nodes.rest.half_width, rheology=LIMITED)
+    slide, rolling = motions(8, 41077), np.full(8, SPEED / 8e-3)
+    both = sliding_forces(plain, slide, rolling, 50.0) + sliding_forces(film.nodes.rest, slide, rolling, 50.0)
+    assert_allclose(warm_forces(cold, slide, rolling, 50.0), both, rtol=1e-5)
+    assert warm.max() > 315.0  # what rolling warmed stays
+
+
+def test_heat_takes_more_friction_the_faster_it_slides(film):
+    """Coefficient over slide-roll ratio rises, has a largest value, and falls; zirconia keeps the oil warmer."""
+    ratio = np.geomspace(1e-4, 2.0, 25)
+    none = np.zeros(25)
+    slide, rolling = (SPEED * ratio, none, none), np.full(25, SPEED / 8e-3)
+    friction = -film.forces(slide, rolling, 0.0)[:, 0] / LOAD
+    top = int(friction.argmax())
+    assert 5 < top < 24
+    assert np.all(np.diff(friction[: top + 1]) > 0.0)
+    assert np.all(np.diff(friction[top:]) < 0.0)
+    better = replace(film.nodes.lines, solids=film.nodes.lines.solids[[0, 0]])
+    steel = -warm_forces(replace(film.nodes, lines=better), slide, rolling, 0.0)[:, 0] / LOAD
+    assert np.all(steel > friction)
+    assert steel[-1] > 1.05 * friction[-1]
+
+
+def test_films_with_heat_against_full_solves():
+    """Random loads, speeds and slide-roll ratios to 0.1: friction on the table's film against a full thermal solve."""
+    limits = TableRange(load=(40.0, 90.0), speed=(2.0, 6.0))
+    for solids in ((STEEL, STEEL), (STEEL, ZIRCONIA)):
+        contact = replace(CONTACT, rheology=EYRING, solids=solids)
+        for one in full_solves(contact, limits, 2, SolverOptions(points=65)):
+            assert one.converged
+            assert_allclose(one.by_film, one.in_full, rtol=0.05)
+            assert_allclose(one.film_ratio, 1.0, atol=0.02)
+
+
+def test_a_film_without_temperatures_is_refused():
+    plain = solve_generalized(CONTACT.conditions(LOAD, SPEED), EYRING, options=SolverOptions(points=33))
+    with pytest.raises(ValueError, match="no temperatures"):
+        warm_nodes(plain, (STEEL, STEEL), EYRING, SPEED)
