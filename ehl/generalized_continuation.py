@@ -9,6 +9,9 @@ temperatures are at rest.
 Where the pressure falls steeply at the outlet decompression cools the oil by tens of kelvins within a few nodes, and
 the pressure answers to the viscosity there: followed at once, the temperatures of single columns jump from cycle to
 cycle and never come to rest. A share of the way in each cycle settles them.
+
+Where the stress at the outlet is tens of times that at which the oil thins, the pressure there swings or runs away all
+the same; a factor that is carried along with the pressure (see `GeneralizedFlow`) settles that.
 """
 
 from __future__ import annotations
@@ -41,10 +44,13 @@ from .solver import solve_contact, verdict, whole_box
 
 # among the fallbacks of a record
 NAME = "continued from the Newtonian film"
+CARRIED = "thinning carried along with the pressure"
 SLOWER = "rheology and heat raised in smaller steps"
 FIRST_SHARE = 0.1
 STEP_GROWTH = 2.0  # of the share from step to step
-STEP_CYCLES = 4  # at each share below the full one
+STEP_CYCLES = 4  # at each share below the full one, and the first ones at that
+CARRIED_STEP = 0.1  # of the share, at most, where the factor is carried along
+CARRIED_CYCLES = 15  # at each share, at most, until the flow is at rest, there
 SMALLEST_STEP = 0.01  # of the share, below which the continuation gives up
 HALVINGS = 2  # of the damping, at most
 PATIENCE = 3  # times the cycles of the options at the full share
@@ -54,7 +60,12 @@ RESTING = 1.0  # largest change of a temperature in a turn [K], below which cycl
 FILMS = ("film_central_dimensionless", "film_minimum_dimensionless")
 
 
-def continued(conditions: ContactConditions, options: SolverOptions, flow: GeneralizedFlow) -> ContactSolution:
+def continued(
+    conditions: ContactConditions,
+    options: SolverOptions,
+    flow: GeneralizedFlow,
+    plain: ContactSolution | None = None,
+) -> ContactSolution:
     """The contact reached from its Newtonian film; not converged if that did not, or if no step succeeded.
 
     Film values keep the extrapolation and the error bar of the Newtonian film, in proportion.
@@ -66,9 +77,12 @@ def continued(conditions: ContactConditions, options: SolverOptions, flow: Gener
         Mesh, box and number of cycles, without a tolerance.
     flow : GeneralizedFlow
         The oil; its fields are those of the last turn afterwards.
+    plain : ContactSolution, optional
+        The Newtonian film, if it is known.
     """
-    plain = solve_contact(conditions, options)
-    record = replace(plain.record, fallbacks=(*plain.record.fallbacks, NAME))
+    plain = plain or solve_contact(conditions, options)
+    taken = (*plain.record.fallbacks, NAME, *([CARRIED] if flow.carried else []))
+    record = replace(plain.record, fallbacks=taken)
     plain = replace(plain, record=record)
     if not plain.converged:
         return replace(plain, message=f"the Newtonian film is {plain.message}")
@@ -115,8 +129,10 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow, slower: list[str]) -> 
     while reached < 1.0:
         flow.share = wanted
         kept, found = kept_level(state, index), flow.kept()
-        if all(np.isfinite(guarded_cycle(state, index)) for _ in range(STEP_CYCLES)):
+        if _stepped(state, flow):
             reached, wanted = wanted, min(STEP_GROWTH * wanted, 1.0)
+            if flow.carried:
+                wanted = min(wanted, reached + CARRIED_STEP)
             continue
         put_back(state, index, kept)
         flow.restore(found)
@@ -127,6 +143,16 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow, slower: list[str]) -> 
         if wanted - reached < SMALLEST_STEP:
             flow.share = reached
             raise DivergedError
+
+
+def _stepped(state: Multigrid, flow: GeneralizedFlow) -> bool:
+    """Cycle at a share; False if a cycle ran away. A carried factor comes to rest before the next share [-]."""
+    for done in range(1, (CARRIED_CYCLES if flow.carried else STEP_CYCLES) + 1):
+        if not np.isfinite(guarded_cycle(state, len(state.levels) - 1)):
+            return False
+        if done >= STEP_CYCLES and flow.change <= SETTLED:
+            break
+    return True
 
 
 def _finish(outcome: Outcome, flow: GeneralizedFlow, cycles: int) -> None:

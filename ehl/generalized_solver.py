@@ -135,19 +135,24 @@ def solve_generalized(
 def _reached(conditions: ContactConditions, options: SolverOptions, flow: GeneralizedFlow) -> ContactSolution:
     """The solution of the first way that converges; that of the last way if none does, told in the record.
 
-    The cycles from a Hertz pressure on, once; then the continuation from the Newtonian film; then the fallbacks of the
-    Newtonian solver one after the other. With a tolerance only the cycles from a Hertz pressure, with the fallbacks.
+    The cycles from a Hertz pressure on, once; then the continuation from the Newtonian film, and that again with the
+    thinning carried along; then the fallbacks of the Newtonian solver one after the other. With a tolerance only the
+    cycles from a Hertz pressure, with the fallbacks.
     """
     flow.single = options.tolerance is None
     with suppress(BeganAnewError):
         contact = _judged(solve_contact(conditions, options, flow), flow)
         if contact.converged or not flow.single:
             return contact
-    contact = _judged(continued(conditions, options, flow), flow)
-    if contact.converged:
-        return contact
+    plain = solve_contact(conditions, options)
+    fallbacks: tuple[str, ...] = ()
+    for flow.carried in (False, True) if plain.converged else (False,):
+        contact = _judged(continued(conditions, options, flow, plain), flow)
+        fallbacks = (*fallbacks, *contact.record.fallbacks)
+        if contact.converged:
+            return replace(contact, record=replace(contact.record, fallbacks=fallbacks))
     flow.forget()
-    flow.single, fallbacks = False, contact.record.fallbacks
+    flow.single = flow.carried = False
     contact = _judged(solve_contact(conditions, options, flow), flow)
     return replace(contact, record=replace(contact.record, fallbacks=(*fallbacks, *contact.record.fallbacks)))
 

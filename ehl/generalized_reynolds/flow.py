@@ -13,6 +13,13 @@ flux along the gradient. D is made smaller in the same proportion where the fact
 film m passes 30, and D of a pressure that is not yet the right one would turn the Couette flux around. All of it leaves
 the equation what it is once the iteration has come to rest.
 
+Where m is large and the pressure stands high, the viscosity's exponent is felt as wrongly as the gradient: at a given
+flux a change of ln(eta) is answered by the gradient's m-th power, too, so that 1/(1 + m) of it remains. The frozen
+factor lets all of it through within a cycle, and the relaxation of the factor, found at another pressure, takes only
+1/(1 + m) of what the oil leaves out: the outlet's pressure swings or runs away, however strong the damping. A carried
+factor takes back (k + m)/(1 + m) of a change of ln(eta), k the share that the thinned oil leaves out by itself, and is
+relaxed from its value carried along to the new pressure in the same way.
+
 A share below 1 eases the way there from the Newtonian film of uniform temperature: all stresses of the rheology are
 divided by it, and the rise of temperature is multiplied by it. At 1 nothing is changed.
 """
@@ -124,6 +131,8 @@ class GeneralizedFlow:
         Of rheology and heat that is felt, in (0, 1] [-].
     following : float
         Share of the way to the temperature found that the one felt goes in a turn, in (0, 1] [-].
+    carried : bool
+        Whether the Poiseuille factor is carried along with the pressure at a given flux.
     stresses : dict
         Stress in the middle of the film, shape (2, ny, nx), of each grid by the shape of its arrays [Pa].
     """
@@ -137,8 +146,12 @@ class GeneralizedFlow:
     single: bool = False
     share: float = 1.0
     following: float = 1.0
+    carried: bool = False
     stresses: dict[tuple[int, ...], Array] = field(default_factory=dict)
     _poiseuille: dict[tuple[int, ...], Array] = field(default_factory=dict)  # factor of the last turn [-]
+    _lagging: dict[tuple[int, ...], tuple[Array, Array]] = field(
+        default_factory=dict
+    )  # its thinning [-], pressure [Pa]
     _felt: dict[tuple[int, ...], Array] = field(default_factory=dict)  # temperature of the last turn [K]
     _grid: Grid | None = None  # of the last turn
 
@@ -162,14 +175,16 @@ class GeneralizedFlow:
         power = np.maximum(np.log(steeper / poiseuille) / np.log1p(STEP), 0.0)
         hidden = np.maximum(tangent - (1.0 + power) * poiseuille, 0.0)
         thinning = self._thinning(fields, middle, temperature, poiseuille)
+        if self.carried:
+            thinning = (thinning + power) / (1.0 + power)
         newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, self.conditions.lubricant))
-        last = self._poiseuille.get(P.shape)
+        last = self._last(fields.p)
         if last is not None:
             weight = poiseuille * newtonian * np.hypot(*fields.gradient)
             self.change = float((weight * np.abs(np.log(poiseuille / last))).sum() / max(float(weight.sum()), TINY))
             found, poiseuille = poiseuille, last * (poiseuille / last) ** (1.0 / (1.0 + power))
             hidden *= np.minimum(poiseuille / found, 1.0)
-        self._poiseuille[P.shape] = poiseuille
+        self._poiseuille[P.shape], self._lagging[P.shape] = poiseuille, (thinning, fields.p)
         flow = (couette + hidden * newtonian * fields.gradient) / speed
         return FlowFactors(
             poiseuille=poiseuille + hidden,
@@ -182,11 +197,12 @@ class GeneralizedFlow:
     def kept(self) -> tuple[Any, ...]:
         """Copy of all that was found, for `restore`."""
         states = None if self.heat is None else self.heat.states
-        return copy.deepcopy((self.stresses, self._poiseuille, self._felt, states, self.change, self.missed))
+        fields = (self.stresses, self._poiseuille, self._lagging, self._felt, states)
+        return copy.deepcopy((*fields, self.change, self.missed))
 
     def restore(self, kept: tuple[Any, ...]) -> None:
         """Go back to what was found at an earlier turn; `kept` may be used once."""
-        self.stresses, self._poiseuille, self._felt, states, self.change, self.missed = kept
+        self.stresses, self._poiseuille, self._lagging, self._felt, states, self.change, self.missed = kept
         if self.heat is not None:
             self.heat.states = states
 
@@ -204,6 +220,7 @@ class GeneralizedFlow:
         """Start from nothing: what an attempt that ran away left behind must not reach the next one."""
         self.stresses.clear()
         self._poiseuille.clear()
+        self._lagging.clear()
         self._felt.clear()
         self.missed, self.change, self._grid = 0, inf, None
         if self.heat is not None:
@@ -221,6 +238,14 @@ class GeneralizedFlow:
             felt = last + self.following * (felt - last)
         self._felt[fields.p.shape] = felt.copy()
         return felt
+
+    def _last(self, p: Array) -> Array | None:
+        """Poiseuille factor of the last turn, carried along to the pressure of this one if it is to be [-]."""
+        last = self._poiseuille.get(p.shape)
+        if last is None or not self.carried:
+            return last
+        (thinning, before), oil = self._lagging[p.shape], self.conditions.lubricant
+        return last * np.exp(thinning * (log_viscosity_ratio(p, oil) - log_viscosity_ratio(before, oil)))
 
     def _thinning(self, fields: FilmFields, middle: Array, temperature: Array, poiseuille: Array) -> Array:
         """Share of a change of ln(eta) by pressure that the factor takes back [-]."""
