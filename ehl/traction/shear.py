@@ -217,7 +217,7 @@ def integrate_traction(
     solution = with_outlet(solution) if cavitation is Cavitation.STRIATED else solution
     fields = shear_fields(solution, kinematics, rheology, temperature=temperature, cavitation=cavitation)
     x, y, _ = _dimensional(solution)
-    p, load = solution.pressure, _conditions(solution).load
+    p, load = solution.pressure, dimensional_conditions(solution).load
     X, Y = x[:, None], y[None, :]
     integral = _Integral(x, y)
     sliding = -integral(fields.couette_x), -integral(fields.couette_y)
@@ -262,7 +262,7 @@ def film_viscosity(solution: ContactSolution) -> Array:
 def pressure_viscosity(pressure: Array, solution: ContactSolution) -> Array:
     """Viscosity [Pa s] of a solution's oil at pressures [Pa], at most `LARGEST_VISCOSITY`."""
     with np.errstate(over="ignore"):
-        return np.minimum(viscosity(pressure, _conditions(solution).lubricant), LARGEST_VISCOSITY)
+        return np.minimum(viscosity(pressure, dimensional_conditions(solution).lubricant), LARGEST_VISCOSITY)
 
 
 def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array:
@@ -316,7 +316,7 @@ def with_outlet(solution: ContactSolution) -> ContactSolution:
 
 def _curvatures(solution: ContactSolution) -> tuple[float, float]:
     """Of the gap along the grid's x, and mixed [1/m]."""
-    c = _conditions(solution)
+    c = dimensional_conditions(solution)
     cosine, sine = np.cos(solution.frame_angle), np.sin(solution.frame_angle)
     return cosine**2 / c.radius_x + sine**2 / c.radius_y, sine * cosine * (1.0 / c.radius_y - 1.0 / c.radius_x)
 
@@ -349,7 +349,14 @@ def _dimensional(solution: ContactSolution) -> tuple[Array, Array, Array]:
     return solution.x, solution.y, solution.film
 
 
-def _conditions(solution: ContactSolution) -> ContactConditions:
+def dimensional_conditions(solution: ContactSolution) -> ContactConditions:
+    """Of a solution that has them [N], [m].
+
+    Raises
+    ------
+    ValueError
+        If it is known by Moes' groups alone.
+    """
     if not isinstance(solution.conditions, ContactConditions):
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
     return solution.conditions

@@ -40,9 +40,9 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 HOTTEST = 3000.0  # [K], bound of the rise that is looked for
-HALVINGS = 50
-NEWTON_STEPS = 8
-PROFILE_TURNS = 20  # of the fixed point between softening and profile
+HALVINGS = 36
+NEWTON_STEPS = 5
+PROFILE_TURNS = 10  # of the fixed point between softening and profile
 
 
 def line_history(places: Array) -> Array:
