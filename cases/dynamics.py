@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from .case import Case
 from .dynamics_plan import DynamicsPlan
 from .problems import CaseError
+from .race_tables import read_race_tables
 from .terminal import finish_first
 from .version import version
 
@@ -87,6 +88,8 @@ def run_dynamics(
 
     notify = progress or (lambda done, total, state: None)
     plan = _plan(case, name)
+    if tables is not None and plan.friction != "table":
+        raise CaseError([f'{name}: traction tables are for dynamics.friction = "table", found "{plan.friction}"'])
     try:
         model = build_model(case, plan, tables, notify)
         made = simulation(case.bearing, case.operation, model)
@@ -306,9 +309,12 @@ def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
     """Traction tables of both races, read or made."""
     from bearing.dynamics.friction import RaceFriction
     from bearing.geometry import Race
-    from bearing.traction_tables import load_race_tables
 
     from .traction_table import run_table
 
-    found = load_race_tables(path, oil=case.lubricant) if path is not None else run_table(case, progress=notify).tables
+    if path is None:
+        found = run_table(case, progress=notify).tables
+    else:
+        assert case.rheology is not None  # of every bearing case
+        found = read_race_tables(path, case.bearing, case.lubricant, case.rheology)
     return RaceFriction(inner=found[Race.INNER], outer=found[Race.OUTER])

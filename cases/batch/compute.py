@@ -9,7 +9,8 @@ from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from ..case import Case, ContactCase
-from .tables import NEAR, ready_tables
+from ..race_tables import made_for
+from .tables import ready_tables
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -146,27 +147,13 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
     start, shear = perf_counter(), None
     notes: tuple[str, ...] = ()
     if state.operation.inner_speed != state.operation.outer_speed:
-        _require_same(case, bare, tables)
+        assert case.rheology is not None  # of every bearing case
+        made_for(tables, "the traction table", case.bearing, case.lubricant, case.rheology)
         shear = tabulated_torque(state, bare.contacts, tables)
         notes = _notes(bare.contacts, tables)
     torque = torque_breakdown(state, bare.contacts, case.lubricant, case.friction, shear=shear)
     timing = bare.timing | {"torque": perf_counter() - start}
     return replace(bare, torque=torque, timing=timing), notes
-
-
-def _require_same(case: Case, bare: BearingResults, tables: Tables) -> None:
-    """Whether the tables are of these bodies and this oil."""
-    from bearing.traction_tables import table_contacts
-
-    assert case.rheology is not None  # of every bearing case
-    for race, ours in table_contacts(bare.quasistatic, case.lubricant, case.rheology).items():
-        theirs = tables[race].contact
-        near = {"radius_x": NEAR, "radius_y": 1e-9, "reduced_modulus": 1e-9, "temperature": 1e-9}
-        wrong = [n for n, most in near.items() if abs(getattr(theirs, n) / getattr(ours, n) - 1.0) > most]
-        wrong += [name for name in ("lubricant", "rheology") if getattr(theirs, name) != getattr(ours, name)]
-        if wrong:
-            names = ", ".join(name.replace("_", " ") for name in wrong)
-            raise ValueError(f"the traction tables were made for another contact, {race.value} race: {names}")
 
 
 def _notes(contacts: Sequence[BearingContact], tables: Tables) -> tuple[str, ...]:

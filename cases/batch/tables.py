@@ -9,7 +9,7 @@ import hashlib
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
@@ -26,7 +26,6 @@ if TYPE_CHECKING:
     from .sweep import Point, Sweep
 
 UNAFFECTED = ("title", "source", "assumed", "surface", "slip", "friction", "cage", "dynamics", "ehl")
-NEAR = 0.05  # rolling radii of a table and of a point that uses it differ by less [-]
 Progress = Callable[[int, int, str], None]
 
 
@@ -81,6 +80,33 @@ def with_tables(points: Sequence[Point], common: dict[int, str], given: str | No
 
 def _hash(*texts: str) -> str:
     return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:20]
+
+
+def foreign_points(path: Path, common: Mapping[int, str], examples: Mapping[str, Case]) -> dict[str, list[int]]:
+    """Points that the tables of a file were not made for, by what is wrong; none of damaged ones, which are told later.
+
+    `common` has by the number of a point what it must have in common with others, `examples` a case of each kind.
+    """
+    from bearing.traction_tables import load_race_tables
+
+    from ..race_tables import made_for
+
+    try:
+        tables = load_race_tables(path)
+    except ValueError:
+        return {}
+    wrong: dict[str, list[int]] = {}
+    told = {}
+    for same, case in examples.items():
+        assert case.rheology is not None  # of every bearing case
+        try:
+            made_for(tables, path.name, case.bearing, case.lubricant, case.rheology)
+        except ValueError as problem:
+            told[same] = str(problem)
+    for number, same in common.items():
+        if same in told:
+            wrong.setdefault(told[same], []).append(number)
+    return wrong
 
 
 def file_hash(path: Path) -> str:

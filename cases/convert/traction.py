@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import isclose
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..race_tables import read_race_tables
 from ..schema import BearingFile
 from .contact import solver_options
 from .friction import friction
@@ -15,15 +15,12 @@ from .operation import TRACTION_EQUILIBRIUM, kinematics_name
 if TYPE_CHECKING:
     from bearing.geometry import Bearing
     from bearing.torque.traction_source import BallTraction, TractionSource
-    from bearing.traction_tables import Tables
     from ehl import Lubricant
     from ehl.rheology import Rheology
 
     from ..film_model import FilmPhysics
 
 FILM_POINTS = 129  # along x of the films that traction is taken from, at most [-]
-NEAR = 1.0e-6  # relative difference up to which a table is for this bearing [-]
-NEAR_RADIUS = 0.05  # the same of the rolling radius, which goes with the contact angle [-]
 
 
 def ball_traction(
@@ -63,7 +60,11 @@ def _source(
         return FourConstantTraction(constants=four_constants(largest, slide, limit))
     if table.traction == "table":
         assert table.traction_table is not None  # checked before
-        return LawTraction(laws=dict(_tables(Path(table.traction_table), bearing, oil, rheology)))
+        try:
+            tables = read_race_tables(Path(table.traction_table), bearing, oil, rheology)
+        except ValueError as problem:
+            raise ValueError(f"friction.traction_table: {problem}") from None
+        return LawTraction(laws=dict(tables))
     from bearing.torque.integrated import Asperities
 
     from ..traction_films import FilmSolver
@@ -75,31 +76,3 @@ def _source(
         inner, outer = asked.roughness
         asperities = Asperities(inner_roughness=inner, outer_roughness=outer, boundary=asked.boundary)
     return FilmTraction(solve=FilmSolver(options=options, films=films), rheology=rheology, asperities=asperities)
-
-
-def _tables(path: Path, bearing: Bearing, oil: Lubricant, rheology: Rheology) -> Tables:
-    """Tables of both races from a file, if they are for this bearing and oil."""
-    from bearing.geometry import contact_modulus, reduced_radii
-    from bearing.traction_tables import load_race_tables
-
-    try:
-        tables = load_race_tables(path, oil=oil)
-    except OSError as problem:
-        raise ValueError(f"friction.traction_table: {path} cannot be read: {problem.strerror or problem}") from None
-    for race, found in tables.items():
-        contact = found.contact
-        radius_x, radius_y = reduced_radii(bearing, race, bearing.free_contact_angle)
-        wrong = [
-            name
-            for name, fits in (
-                ("oil", contact.lubricant == oil),
-                ("shear law", contact.rheology == rheology),
-                ("moduli", isclose(contact.reduced_modulus, contact_modulus(bearing, race), rel_tol=NEAR)),
-                ("groove", isclose(contact.radius_y, radius_y, rel_tol=NEAR)),
-                ("rolling radius", isclose(contact.radius_x, radius_x, rel_tol=NEAR_RADIUS)),
-            )
-            if not fits
-        ]
-        if wrong:
-            raise ValueError(f"friction.traction_table: {path} was made for another {wrong[0]} ({race.value} race)")
-    return tables

@@ -114,7 +114,7 @@ def test_tables_that_are_given(shared, tmp_path):
     assert json.loads(receipt.files[".json"])["summary"]["torque_N_mm"] == results.points[0].summary["torque_N_mm"]
     case = load_case("6208_five_terms")
     thick = replace(case, lubricant=replace(case.lubricant, viscosity=2.0 * case.lubricant.viscosity))
-    with pytest.raises(ValueError, match=r"another contact, inner race: lubricant"):
+    with pytest.raises(ValueError, match=r"another bearing or oil \(inner race: oil\)"):
         torque_by_tables(thick, ready_tables(str(tmp_path / "ready.zip")))
 
 

@@ -4,19 +4,18 @@ from __future__ import annotations
 
 from math import radians
 
-import numpy as np
 import pytest
 
-from bearing import solve_quasistatic
 from bearing.operation import BallKinematics
 from bearing.torque.traction_source import CoulombTraction, FilmTraction, FourConstantTraction
-from bearing.traction_tables import save_race_tables, table_contacts, table_range
+from bearing.traction_tables import save_race_tables
 from cases.case import case_from_text
 from cases.problems import CaseError
 from cases.run import run_case
 from cases.slip import run_slip
-from ehl.traction.table import TableError, TractionTable
 from postprocess import summary
+
+from .made_up_tables import made_up_tables
 
 TEXT = """
 schema_version = 1
@@ -114,31 +113,7 @@ def test_films_of_the_case_are_the_friction_where_none_is_named():
 @pytest.fixture(scope="module")
 def tables():
     """Tables for the case's contacts with spline coefficients that no film was solved for."""
-    given, rng = case(TEXT), np.random.default_rng(70441)
-    state = solve_quasistatic(given.bearing, given.operation, given.model)
-    nodes, limits = (4, 4, 9, 5, 9), table_range(state, given.lubricant)
-    error = TableError(
-        largest=0.0, quantile=0.0, rms=0.0, largest_spin=0.0, largest_rolling=0.0, films=0, motions=0, tolerance=0.0
-    )
-    starts = (*np.log([limits.load[0], limits.speed[0]]), -1.0, 0.0, -1.0)
-    ends = (*np.log([limits.load[1], limits.speed[1]]), 1.0, 1.0, 1.0)
-    axes = np.array([[start, (n - 1) / (end - start), n] for start, end, n in zip(starts, ends, nodes, strict=True)])
-    return {
-        race: TractionTable(
-            contact=contact,
-            range=limits,
-            points=65,
-            axes=axes,
-            scalars=rng.normal(size=(6, 6, 10)),
-            values=rng.normal(size=(*(n + 2 for n in nodes), 4)).astype(np.float32).astype(np.float64),  # as kept
-            kappa_max=0.05,
-            error=error,
-            films=16,
-            converged=True,
-            message="made up",
-        )
-        for race, contact in table_contacts(state, given.lubricant, given.rheology).items()
-    }
+    return made_up_tables(case(TEXT))
 
 
 def test_a_table_is_read_and_a_foreign_one_refused(tables, tmp_path):

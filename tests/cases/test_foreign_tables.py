@@ -1,0 +1,102 @@
+"""Traction tables of another oil or bearing are refused by every command that takes them, before anything is run."""
+
+from __future__ import annotations
+
+import pytest
+from typer.testing import CliRunner
+
+from bearing.traction_tables import save_race_tables
+from cases.batch.sweep import sweep_from_text
+from cases.case import case_from_text
+from cases.cli import app
+from cases.dynamics import build_model
+from cases.problems import CaseError
+from cases.shipped import find_case
+
+from .made_up_tables import made_up_tables
+
+SWEEP = 'case = "case.toml"\ncompute = "{}"\ntable = "made.zip"\n[sweep]\n"operation.axial_load_N" = [100.0, 150.0]\n'
+FOREIGN = {
+    "oil": ("viscosity_mPa_s = 20.0", "viscosity_mPa_s = 20.1"),
+    "shear law": ("[operation]", 'rheology = "newtonian"\n\n[operation]'),
+    "moduli": ('ball_material = "bearing steel"', 'ball_material = "silicon nitride"'),
+    "groove": ("inner_groove_radius_mm = 3.99", "inner_groove_radius_mm = 3.98"),
+    "rolling radius": ("pitch_diameter_mm = 54.0", "pitch_diameter_mm = 150.0"),
+}
+
+
+def text_of(old="", new=""):
+    """The shipped 7008 under axial load, its friction from tables, with a change."""
+    text = find_case("7008_axial").read_text(encoding="utf-8")
+    text = text.replace("[dynamics]\n", '[dynamics]\nfriction = "table"\n')
+    assert old in text
+    return text.replace(old, new)
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("tables")
+    save_race_tables(made_up_tables(case_from_text(text_of(), "case.toml")), folder / "made.zip")
+    return folder
+
+
+def file_of(folder, text):
+    path = folder / "case.toml"
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+def test_tables_of_the_case_itself_are_taken(folder, tmp_path):
+    """By the simulation, for another load and clearance, and by a batch."""
+    text = text_of("axial_load_N = 100.0", "axial_load_N = 150.0").replace("angle_deg = 15.0", "angle_deg = 16.0")
+    case = case_from_text(text, "case.toml")
+    model = build_model(case, case.dynamics, folder / "made.zip", lambda done, total, state: None)
+    assert model.friction.inner.message == "made up"
+    file_of(tmp_path, text)
+    (tmp_path / "made.zip").write_bytes((folder / "made.zip").read_bytes())
+    for compute in ("dynamics", "torque"):
+        points = sweep_from_text(SWEEP.format(compute), "sweep.toml", tmp_path).points
+        assert len({point.tables for point in points}) == 1
+
+
+@pytest.mark.parametrize(("what", "change"), FOREIGN.items(), ids=FOREIGN)
+def test_a_simulation_refuses_foreign_tables(folder, tmp_path, what, change):
+    case = file_of(tmp_path, text_of(*change))
+    arguments = ("dynamics", str(case), "--table", str(folder / "made.zip"), "-o", str(tmp_path / "out"))
+    found = CliRunner().invoke(app, arguments)
+    assert found.exit_code == 2, found.output
+    assert f"made.zip was made for another bearing or oil (inner race: {what}" in found.stderr
+    assert not (tmp_path / "out").exists()
+
+
+@pytest.mark.parametrize("compute", ["dynamics", "torque"])
+@pytest.mark.parametrize(("what", "change"), FOREIGN.items(), ids=FOREIGN)
+def test_a_batch_refuses_foreign_tables(folder, tmp_path, what, change, compute):
+    """With the line of the sweep, before a point is run."""
+    file_of(tmp_path, text_of(*change))
+    (tmp_path / "made.zip").write_bytes((folder / "made.zip").read_bytes())
+    sweep = tmp_path / "sweep.toml"
+    sweep.write_text(SWEEP.format(compute), encoding="utf-8")
+    found = CliRunner().invoke(app, ["batch", str(sweep), "-o", str(tmp_path / "out")])
+    assert found.exit_code == 2, found.output
+    assert f"sweep.toml:3: table: made.zip was made for another bearing or oil (inner race: {what}" in found.stderr
+    assert "point 1 and 1 others" in found.stderr
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_batch_names_the_points_of_another_oil(folder, tmp_path):
+    file_of(tmp_path, text_of())
+    (tmp_path / "made.zip").write_bytes((folder / "made.zip").read_bytes())
+    text = SWEEP.format("torque") + '"lubricant.viscosity_mPa_s" = [20.0, 30.0]\n'
+    with pytest.raises(CaseError, match=r"\(inner race: oil\): point 2 and 1 others"):
+        sweep_from_text(text, "sweep.toml", tmp_path)
+
+
+def test_tables_that_a_simulation_has_no_use_for(folder, tmp_path):
+    case = file_of(tmp_path, text_of().replace('friction = "table"', 'friction = "coulomb"'))
+    found = CliRunner().invoke(app, ["dynamics", str(case), "--table", str(folder / "made.zip"), "--json"])
+    assert found.exit_code == 2
+    assert 'dynamics.friction = "table"' in found.stderr
+    missing = CliRunner().invoke(app, ["dynamics", str(file_of(tmp_path, text_of())), "--table", "no.zip", "--json"])
+    assert missing.exit_code == 2
+    assert "no.zip cannot be read" in missing.stderr
