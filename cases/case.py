@@ -375,7 +375,8 @@ def _lubricant_document(document: dict[str, Any], computed: dict[str, Any]) -> d
     given, _ = checks.oil_table(document)
     if "kinematic_viscosity_mm2_s" in given:
         computed.pop("viscosity_mPa_s", None)
-    return {**computed, **given}
+    little = "inlet_film_um" in given or "supply_mL_min" in document.get("friction", ())
+    return {**computed, "supply": "starved" if little else "flooded", **given}
 
 
 def json_schema() -> dict[str, Any]:

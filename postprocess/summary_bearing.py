@@ -13,6 +13,7 @@ from .results import BearingResults, distinct_contacts
 from .rows import frequency_block, kinematic_block, row_blocks, row_messages
 from .stress import stress_messages, stress_values
 from .summary_contact import films, formulas, solution_messages
+from .supply import starved_values, supply_block, supply_messages
 from .torque import contact_traction_values, torque_block, torque_messages
 from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE, MILLIRADIAN, NEWTON_MILLIMETRE, RPM
 
@@ -47,6 +48,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
             _bearing_contact(c, s, results.case.get("surface"))
             | stress_values(state, c)
             | contact_traction_values(results, i)
+            | starved_values(results, i)
             for i, (c, s) in enumerate(zip(results.contacts, results.solutions, strict=True))
         ],
         "clearance": clearance_block(results),
@@ -54,6 +56,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "frequencies_Hz": frequency_block(results.frequencies),
         "kinematic_frequencies_Hz": kinematic_block(results),
         "torque_N_mm": torque_block(results),
+        "supply": supply_block(results),
         "self_heating": heating_block(results),
         "timing_s": dict(results.timing),
     }
@@ -147,4 +150,5 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from ratio_messages(results)
     yield from rating_messages(results)
     yield from torque_messages(results)
+    yield from supply_messages(results)
     yield from heating_messages(results)

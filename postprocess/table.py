@@ -10,6 +10,7 @@ from .plot_style import value_with_error
 from .ratings import rating_rows
 from .results import BearingResults, ContactResults
 from .rows import frequency_lines, row_lines
+from .supply import supply_rows
 from .torque import torque_rows
 from .units import GIGAPASCAL, MICROMETRE, RPM
 
@@ -72,6 +73,7 @@ def _bearing_table(results: BearingResults) -> Table:
     if not state.tilt.any():
         del rows["ring tilt"]
     rows |= row_lines(state) | frequency_lines(results) | rating_rows(results) | torque_rows(results)
+    rows |= supply_rows(results)
     table = _facts_table()
     for name, value in rows.items():
         table.add_row(name, Text(value))

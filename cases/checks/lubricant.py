@@ -30,6 +30,7 @@ def oil_table(document: dict[str, Any]) -> tuple[dict[str, Any], bool]:
 def lubricant(values: Values, names: Names) -> Iterator[Problem]:
     """The oil by name or by its properties, complete, and its laws."""
     yield from known(("lubricant", "name"), values.get("lubricant", "name"), names.lubricants)
+    yield from _supply(values)
     tables = [("lubricant",), *(("lubricants", name) for name in values.get("lubricants") or ())]
     for path in tables:
         if values.given(*path, "viscosity_mPa_s") and values.given(*path, "kinematic_viscosity_mm2_s"):
@@ -44,6 +45,20 @@ def lubricant(values: Values, names: Names) -> Iterator[Problem]:
         yield from _oil_is_complete(oil, moes=values.given("contact", "moes_M"))
     yield from _roelands(oil, values)
     yield from _moes_pressure_scale(oil, values)
+
+
+def _supply(values: Values) -> Iterator[Problem]:
+    """How much oil there is, told once; starved only where it is told."""
+    layer, flow = values.given("lubricant", "inlet_film_um"), values.given("friction", "supply_mL_min")
+    if layer and flow:
+        found = "found together with friction.supply_mL_min"
+        yield Problem(path=("lubricant", "inlet_film_um"), found=found, allowed="allowed: one of them")
+    if values.get("lubricant", "supply") == "starved" and not (layer or flow):
+        allowed = "allowed: with inlet_film_um, or friction.supply_mL_min of a bearing"
+        yield Problem(path=("lubricant", "supply"), found='found "starved"', allowed=allowed)
+    if layer and values.given("contact"):
+        found = "found with [contact]"
+        yield Problem(path=("lubricant", "inlet_film_um"), found=found, allowed="allowed: with a bearing")
 
 
 def _library_temperature(values: Values) -> Iterator[Problem]:

@@ -15,7 +15,7 @@ from .units import KN, MM, MPA, UM
 if TYPE_CHECKING:
     from bearing.torque.breakdown import FrictionInput
     from bearing.torque.resistance import Cage
-    from bearing.torque.supply import Supply
+    from bearing.torque.supply import InletFilm, Supply
     from ehl import Lubricant
     from ehl.rheology import Rheology
     from ehl.thermal.solids import SolidThermal
@@ -52,15 +52,18 @@ def friction(file: BearingFile) -> FrictionInput:
         load_factor=table.palmgren_load_factor,
         roughness=_roughness(file),
         supply=_supply(file),
+        flooded=file.lubricant.supply == "flooded",
         as_printed=table.as_printed,
     )
 
 
-def _supply(file: BearingFile) -> Supply | None:
-    """Flow of oil [m^3/s] and what is assumed of it."""
-    from bearing.torque.supply import Supply
+def _supply(file: BearingFile) -> Supply | InletFilm | None:
+    """Layer of oil at the inlets [m], or flow [m^3/s] and what is assumed of it; None: flooded."""
+    from bearing.torque.supply import InletFilm, Supply
 
     table = file.friction
+    if file.lubricant.inlet_film_um is not None:
+        return InletFilm(layer=file.lubricant.inlet_film_um * UM)
     if table.supply_mL_min is None:
         return None
     return Supply(

@@ -55,7 +55,10 @@ class FrictionTable(Table):
         None, ge=0.0, le=1.0, description="share of the cavity filled with oil, for the drag of the balls"
     )
     supply_mL_min: float | None = Field(
-        None, ge=0.0, le=1.0e6, description="oil supplied, for the model starved, with [surface] and bearing.width_mm"
+        None,
+        ge=0.0,
+        le=1.0e6,
+        description="oil supplied, for the model starved, with [surface] and bearing.width_mm; or inlet_film_um",
     )
     supply_track_share: float = Field(
         0.5, gt=0.0, le=1.0, description="share of it that lands on the tracks; an assumption without a source"

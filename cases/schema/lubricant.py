@@ -62,7 +62,16 @@ class LubricantTable(OilTable):
     """The lubricant: a name, or its properties at the temperature of operation."""
 
     name: Name | None = Field(None, description="oil of [lubricants] or of the library; the keys here override it")
-    supply: Literal["flooded"] = Field("flooded", description="how much oil reaches the contacts")
+    supply: Literal["flooded", "starved"] | None = Field(
+        None,
+        description="what the total of the torque is for; left out, starved with inlet_film_um or supply_mL_min",
+    )
+    inlet_film_um: float | None = Field(
+        None,
+        ge=0.0,
+        le=1.0e4,
+        description="layer of oil that every contact finds at its inlet, on both surfaces together; or supply_mL_min",
+    )
     contamination_factor: float | None = Field(
         None, ge=0.0, le=1.0, description="e_C of ISO 281, 1 clean; left out, no modified life is computed"
     )

@@ -1,0 +1,176 @@
+"""Oil supply of a case: an inlet film or a flow, what is starved by it and what stays flooded."""
+
+from __future__ import annotations
+
+import pytest
+
+from cases.case import case_from_text
+from cases.problems import CaseError
+from cases.run import run_case
+from postprocess import summary
+
+SURFACE = "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
+TEXT = (
+    """
+schema_version = 1
+[bearing]
+name = "6208"
+basic_static_rating_kN = 19.0
+inner_ring_material = "bearing steel"
+outer_ring_material = "bearing steel"
+ball_material = "bearing steel"
+bore_mm = 40.0
+outside_diameter_mm = 80.0
+width_mm = 18.0
+[operation]
+inner_speed_rpm = 5000.0
+radial_load_N = 3000.0
+[ehl]
+film_maps = "none"
+[lubricant]
+kinematic_viscosity_mm2_s = 20.0
+density_kg_m3 = 870.0
+pressure_viscosity_1_GPa = 18.0
+"""
+    + SURFACE
+)
+STARVED = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um", "starved_lambda_ratio")
+
+
+def with_film(layer, text=TEXT, more=""):
+    return text.replace("[surface]", f"inlet_film_um = {layer}\n{more}[surface]")
+
+
+def found(text):
+    return summary(run_case(case_from_text(text, "case.toml")))
+
+
+@pytest.fixture(scope="module")
+def flooded():
+    return found(TEXT)
+
+
+def test_without_a_supply_all_is_flooded_and_said_to_be(flooded):
+    assert flooded["case"]["lubricant"]["supply"] == "flooded"
+    assert flooded["supply"].pop("kind") == "flooded"
+    assert set(flooded["supply"].values()) == {None}
+    assert all(contact[key] is None for contact in flooded["contacts"] for key in STARVED)
+    assert any(message.startswith("supply: flooded") for message in flooded["messages"])
+    assert flooded["torque_N_mm"]["model"] == "skf"
+
+
+def test_a_thin_inlet_film_starves_films_and_torque(flooded):
+    document = found(with_film(0.2))
+    torque, supply = document["torque_N_mm"], document["supply"]
+    assert torque["model"] == "starved"
+    assert torque["total"] == torque["models"]["starved"]["total"] == supply["torque_N_mm"]
+    assert supply["kind"] == "inlet film"
+    assert document["case"]["lubricant"]["supply"] == "starved"
+    assert 0.0 < supply["film_share_least"] < supply["film_share"] < 0.6
+    lubricated = [contact for contact in document["contacts"] if contact["starved_film_share"] is not None]
+    assert len(lubricated) == sum(contact["load_N"] > 0.0 for contact in document["contacts"])
+    for contact in lubricated:
+        formulas, share = contact["film_formulas_um"], contact["starved_film_share"]
+        assert contact["starved_film_central_um"] == pytest.approx(share * formulas["nijenbanning_central"])
+        assert contact["starved_film_minimum_um"] == pytest.approx(share * formulas["hamrock_dowson_minimum"])
+        assert contact["starved_lambda_ratio"] == pytest.approx(share * contact["lambda_ratio_formula"])
+    assert supply["lambda_least"] == pytest.approx(min(c["starved_lambda_ratio"] for c in lubricated if c["ball"] == 1))
+    for name, model in torque["models"].items():  # all others are the flooded ones
+        if name != "starved":
+            assert model == flooded["torque_N_mm"]["models"][name]
+    (told,) = (message for message in document["messages"] if message.startswith("supply: inlet film"))
+    assert "which is the total" in told
+    assert "the other torque models are flooded" in told
+
+
+def test_ample_oil_is_the_flooded_limit():
+    document = found(with_film(1000.0))
+    shares = {contact["starved_film_share"] for contact in document["contacts"]} - {None}
+    assert shares == {1.0}
+    assert document["supply"]["torque_N_mm"] == pytest.approx(document["supply"]["flooded_torque_N_mm"], rel=1e-12)
+    assert document["torque_N_mm"]["models"]["starved"]["rolling"] == pytest.approx(
+        document["torque_N_mm"]["models"]["houpert"]["hydrodynamic"], rel=1e-12
+    )
+    assert any(message.startswith("supply: ample") for message in document["messages"])
+
+
+def test_the_word_flooded_keeps_the_total(flooded):
+    document = found(with_film(0.2, more='supply = "flooded"\n'))
+    assert document["torque_N_mm"]["total"] == flooded["torque_N_mm"]["total"]
+    assert document["torque_N_mm"]["model"] == "skf"
+    assert document["supply"]["film_share"] < 0.6
+    assert any("keeps the total flooded" in message for message in document["messages"])
+
+
+def test_solved_films_are_what_a_supply_takes_its_share_of():
+    """Both films converged; far from scarce the solved ones stay, exactly, and the integrated torque stands beside."""
+    text = TEXT.replace('film_maps = "none"', "points = 65\nfilm_maps = [0.0]").replace("radial_load_N", "axial_load_N")
+    document = found(with_film(50.0, text))
+    solved, formula = document["contacts"][0], document["contacts"][2]
+    assert solved["starved_film_central_um"] == solved["film_central_um"]
+    assert solved["starved_film_minimum_um"] == solved["film_minimum_um"]
+    assert formula["starved_film_central_um"] == formula["film_formulas_um"]["nijenbanning_central"]
+    assert any("solved for 2, else formulas" in message for message in document["messages"])
+
+
+def test_a_flow_tells_its_films_and_the_oil_in_the_cavity():
+    document = found(TEXT + "[friction]\nsupply_mL_min = 0.6\n")
+    supply = document["supply"]
+    assert supply["kind"] == "flow"
+    assert 0.0 < supply["film_share_least"] <= supply["film_share"] < 1.0
+    assert supply["lambda_least"] > 0.0
+    assert 0.0 < supply["oil_fraction"] < 0.1
+    assert document["torque_N_mm"]["model"] == "starved"
+    assert document["torque_N_mm"]["total"] == supply["torque_N_mm"] < supply["flooded_torque_N_mm"]
+
+
+def test_what_is_missing_is_told_and_the_total_is_the_flooded_one(flooded):
+    document = found(with_film(0.2).replace(SURFACE, ""))
+    assert document["torque_N_mm"]["total"] == flooded["torque_N_mm"]["total"]
+    assert document["supply"]["film_share"] < 0.6
+    assert document["supply"]["lambda_least"] is None
+    text = " ".join(document["messages"])
+    for words in ("starved: null, needs [surface]", "so the total is flooded", "starved_lambda_ratio: null"):
+        assert words in text
+
+
+def test_at_rest_nothing_is_starved():
+    document = found(with_film(0.2).replace("5000.0", "0.0"))
+    assert document["supply"].pop("kind") == "inlet film"
+    assert set(document["supply"].values()) == {None}
+    assert any(message.startswith("supply: null") for message in document["messages"])
+
+
+def test_the_terminal_tells_the_supply():
+    from rich.console import Console
+
+    from postprocess.table import result_table
+
+    console = Console(width=80)
+    with console.capture() as capture:
+        console.print(result_table(run_case(case_from_text(with_film(0.2), "case.toml"))))
+    text = capture.get()
+    assert "N mm (starved)" in text
+    assert "inlet film: loaded films" in text
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        (with_film(0.2) + "[friction]\nsupply_mL_min = 1.0\n", "found together with friction.supply_mL_min"),
+        (TEXT.replace("[surface]", 'supply = "starved"\n[surface]'), "lubricant.supply: found"),
+        (with_film(-1.0), "lubricant.inlet_film_um: found -1"),
+    ],
+)
+def test_bad_supply(text, expected):
+    with pytest.raises(CaseError, match=expected):
+        case_from_text(text, "case.toml")
+
+
+def test_a_single_contact_has_no_inlet_film():
+    text = (
+        "schema_version = 1\n[contact]\nmoes_M = 20.0\nmoes_L = 10.0\n[lubricant]\nviscosity_mPa_s = 20.0\n"
+        "pressure_viscosity_1_GPa = 18.0\ninlet_film_um = 1.0\n"
+    )
+    with pytest.raises(CaseError, match="found with"):
+        case_from_text(text, "case.toml")
