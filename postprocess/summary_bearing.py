@@ -10,6 +10,7 @@ from .heating import heating_block, heating_messages
 from .messages import absent_films, combined_roughness, lambda_ratio, ratio_messages
 from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
+from .rolling import rolling_messages, rolling_values
 from .rows import frequency_block, kinematic_block, row_blocks, row_messages
 from .stress import stress_messages, stress_values
 from .summary_contact import films, formulas, solution_messages
@@ -28,7 +29,7 @@ STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")
 
 def bearing_summary(results: BearingResults) -> dict[str, Any]:
     """The document of a bearing in named units."""
-    state = results.quasistatic
+    state, rolling = results.quasistatic, rolling_values(results)
     return {
         "oilfilm": results.version,
         "case": results.case,
@@ -48,6 +49,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
             _bearing_contact(c, s, results.case.get("surface"))
             | stress_values(state, c)
             | contact_traction_values(results, i)
+            | rolling[i]
             | starved_values(results, i)
             for i, (c, s) in enumerate(zip(results.contacts, results.solutions, strict=True))
         ],
@@ -150,5 +152,6 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from ratio_messages(results)
     yield from rating_messages(results)
     yield from torque_messages(results)
+    yield from rolling_messages(results)
     yield from supply_messages(results)
     yield from heating_messages(results)

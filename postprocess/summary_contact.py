@@ -10,6 +10,7 @@ from ehl import ContactConditions, ContactSolution, ViscosityLaw, film_formulas
 
 from .messages import doubt_messages
 from .results import ContactResults
+from .rolling import contact_rolling_messages, contact_rolling_values
 from .torque import traction_values
 from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
@@ -74,6 +75,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "pressure_centre_dimensionless": _centre(solution),
         "pressure_maximum_GPa": solution.pressure_maximum / GIGAPASCAL if pressure else None,
         **traction_values(results.traction),
+        **contact_rolling_values(solution),
         "resolved": solution.resolved,
         "domain": list(solution.domain),
         "points": list(solution.P.shape),
@@ -128,3 +130,4 @@ def _contact_messages(results: ContactResults) -> Iterator[str]:
         yield "hertz_pressure_GPa, pressure_maximum_GPa: null, without piezoviscosity the scale of pressure is open"
     if results.traction is None:
         yield "traction_coefficient: null, it needs a contact with lengths, and a film that converged"
+    yield from contact_rolling_messages(solution)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from .rolling import rolling_block
 from .units import NEWTON_MILLIMETRE
 
 if TYPE_CHECKING:
@@ -40,6 +41,7 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
         "models": {name: _model(torque, name) for name in MODELS} | _as_printed(torque),
         "power_balance": _power_balance(results),
         "per_ball_N_mm": _per_ball(torque),
+        "rolling_extent": rolling_block(results),
     }
 
 
