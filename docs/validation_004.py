@@ -66,6 +66,22 @@ sliding across, and the gyroscopic couple. Nothing was calibrated: with the assu
 again: ours is {radial:.0f} % of it and {true_radial:.0f} % of the true SKF value. No physical geometry gives all three
 printed numbers at once (axial, radial, combined).
 
+## Its figures
+
+By `python docs/torque_pictures.py`; the shipped sweeps draw the same numbers with `oilfilm batch 6206_axial_over_speed
+--plot` and so on. What the study says of each figure, and whether it holds, stands below under Statements.
+
+![Differential sliding, spin, and components of the lines](images/sliding_friction_6206_methods.png)
+
+*500 N axial, µ_sl.* Houpert's curves lie on those of the balanced lines. Spin grows with the speed, for the centrifugal
+force turns the contacts of both races apart.
+
+![Sliding friction torque over speed by load](images/sliding_friction_6206_loads.png)
+
+*Balanced lines, and SKF's true sliding moment (dotted).* In SKF's model the speed enters by µ_sl alone.
+
+![Sliding friction torque of 6206, 6207 and 6208](images/sliding_friction_6206_sizes.png)
+
 ## What the study leaves open
 
 Its ball kinematics, and whether its inner ring may tilt, are not told. Each of them moves the torque of the lines by
