@@ -24,14 +24,17 @@ CONTACTS = (
 
 
 def main():
-    """One line per contact, box and mesh."""
-    print(f"{'contact':28}{'inlet a':>9}{'points':>8}" + "".join(f"{head:>12}" for head in ("box", "beyond", "within")))
+    """Moment of the box, beyond it up to the extent, the box's part farther than that, and within the extent [N mm]."""
+    print(
+        f"{'contact':28}{'inlet a':>9}{'points':>8}"
+        + "".join(f"{head:>12}" for head in ("box", "beyond", "farther", "within"))
+    )
     for name, conditions, boxes in CONTACTS:
         for box, points in boxes:
             film = scale_contact(conditions).film_guess
             with patch("ehl.solver._pilot", lambda contact, progress, box=box, film=film: (box, film)):
                 found = rolling_moment(solve_contact(conditions, SolverOptions(points=points)))
-            moments = (found.box, found.beyond_box, found.within_extent)
+            moments = (found.box, found.beyond_box, found.beyond_extent, found.within_extent)
             print(f"{name:28}{-box[0]:9.0f}{points:8}" + "".join(f"{1e3 * moment:12.3f}" for moment in moments))
         print(f"{name:28}  [N mm]; up to twice the distance {1e3 * moment_of_doubling(conditions):.3f} more\n")
 
