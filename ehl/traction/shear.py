@@ -17,7 +17,8 @@ left out (the stress in the middle of the film counts). Three identities close t
   :math:`\iint h\,\bar u\,p_x` and what crosses the edge of the box.
 
 The pressure of a flooded inlet falls so slowly that the rolling moment of a point contact grows with the logarithm of
-the box where it lies beyond the ellipse's width: the moment is that of the solved box.
+the box where it lies beyond the ellipse's width: the moment is that of the solved box. `rolling_moment.py` has that of
+the oil up to a stated distance.
 
 For the rolling part: Biboulet and Houpert (2010), hydrodynamic force and moment in pure rolling lubricated contacts.
 """
