@@ -8,15 +8,13 @@ from typing import Any
 
 from cases.problems import allowed_values, resolved
 from cases.schema import BearingFile, ContactFile
+from postprocess.named_units import unit_of
 
 PAGE = Path(__file__).with_name("cases.md")
 START, END = "<!-- tables: written by docs/case_reference.py -->", "<!-- end of tables -->"
-UNITS = {
-    "_mm": "mm", "_um": "µm", "_deg": "deg", "_mrad": "mrad", "_N": "N", "_kN": "kN", "_N_mm": "N mm", "_rpm": "r/min",
-    "_C": "°C", "_mPa_s": "mPa s", "_mm2_s": "mm²/s", "_kg_m3": "kg/m³", "_GPa": "GPa", "_MPa": "MPa", "_m_s": "m/s",
-    "_rad_s": "rad/s", "_1_GPa": "1/GPa", "_um_m_K": "µm/(m K)", "_W_m_K": "W/(m K)", "_J_kg_K": "J/(kg K)",
-    "_s": "s", "_us": "µs", "_g": "g", "_kg": "kg", "_g_mm": "g mm", "_g_mm2": "g mm²",
-    "_N_s_m": "N s/m", "_m_s2": "m/s²", "_W_K": "W/K", "_mL_min": "mL/min",
+SYMBOLS = {
+    "um": "µm", "us": "µs", "degC": "°C", "rpm": "r/min", "mm2/s": "mm²/s", "m/s2": "m/s²", "kg/m3": "kg/m³",
+    "g mm2": "g mm²", "um/(m K)": "µm/(m K)",
 }  # fmt: skip
 SPECIAL = {
     "force_N": "three numbers, ±1e8",
@@ -58,8 +56,8 @@ NAMED = {"rows": "[rows]", "materials": "materials.NAME", "lubricants": "lubrica
 
 def unit(key: str) -> str:
     """Unit that a key ends in; a dash if it has none."""
-    fitting = [suffix for suffix in UNITS if key.endswith(suffix)]
-    return UNITS[max(fitting, key=len)] if fitting else "–"
+    found = unit_of(key)
+    return SYMBOLS.get(found, found) or "–"
 
 
 def default(key: str, node: dict[str, Any], required: list[str]) -> str:

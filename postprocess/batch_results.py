@@ -177,9 +177,16 @@ def write_batch_csv(results: BatchResults, path: Path) -> None:
     table = columns(results)
     with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
-        writer.writerow([f"{name} [{unit_of(name)}]" if unit_of(name) else name for name in table])
+        units = {name: _unit(name, values) for name, values in table.items()}
+        writer.writerow([f"{name} [{unit}]" if unit else name for name, unit in units.items()])
         for row in zip(*table.values(), strict=True):
             writer.writerow(["" if value is None else _cell(value) for value in row])
+
+
+def _unit(name: str, values: Iterable[Any]) -> str:
+    """Unit of a column; words and truth values have none."""
+    known = [value for value in values if value is not None]
+    return "" if known and all(isinstance(value, bool | str) for value in known) else unit_of(name)
 
 
 def _cell(value: Any) -> Any:
@@ -194,7 +201,8 @@ def write_batch_netcdf(results: BatchResults, path: Path) -> None:
     variables: Variables = {}
     coordinates = {"point", *(key for key in results.keys if " " not in key)}  # netCDF lists them with spaces between
     for name, values in columns(results).items():
-        variables[name] = (("point",), _array(values), _attributes(name))
+        unit = _unit(name, values)
+        variables[name] = (("point",), _array(values), {"units": unit} if unit else {})
     variables["message"] = (("point",), _array([point.message for point in results.points]), {})
     variables["case"] = (
         ("point",),

@@ -175,7 +175,7 @@ def _group(path: str) -> str:
     """What a number is a component of: its vector, or the block that has the unit, like the parts of a torque."""
     name, bracket, _ = path.partition("[")
     block, _, last = name.rpartition(".")
-    return name if bracket or unit_of(last) or not unit_of(block) else block
+    return name if bracket or unit_of(last) or not unit_of(name) else block
 
 
 def _is_number(value: Any) -> TypeGuard[float]:

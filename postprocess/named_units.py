@@ -7,6 +7,10 @@ UNITS = {
     "kN": "kN",
     "mm": "mm",
     "um": "um",
+    "g": "g",
+    "kg": "kg",
+    "g_mm": "g mm",
+    "g_mm2": "g mm2",
     "deg": "deg",
     "mrad": "mrad",
     "rad_s": "rad/s",
@@ -16,7 +20,13 @@ UNITS = {
     "K": "K",
     "s": "s",
     "ms": "ms",
+    "us": "us",
     "m_s": "m/s",
+    "m_s2": "m/s2",
+    "N_s_m": "N s/m",
+    "mL_min": "mL/min",
+    "J": "J",
+    "W_K": "W/K",
     "N_mm": "N mm",
     "W": "W",
     "MPa": "MPa",
@@ -31,14 +41,22 @@ UNITS = {
     "W_m_K": "W/(m K)",
     "J_kg_K": "J/(kg K)",
 }
+WITHOUT = (  # last words of keys that have no unit, whatever block they stand in
+    *("coefficient", "ratio", "share", "fraction", "factor", "exponent", "imbalance", "error", "number", "count"),
+    *("converged", "equilibrium", "resolved"),
+)
 LONGEST = max(unit.count("_") for unit in UNITS) + 1  # words of a unit
 
 
 def unit_of(path: str) -> str:
     """Unit of a dotted path: that of the last part that ends in one, empty if none does.
 
+    What has no unit by its name takes none from the block it stands in.
+
     >>> unit_of("torque_N_mm.models.skf.total")
     'N mm'
+    >>> unit_of("torque_N_mm.coulomb_coefficient")
+    ''
     """
     for part in reversed(path.split(".")):
         words = part.split("_")
@@ -46,6 +64,8 @@ def unit_of(path: str) -> str:
             unit = UNITS.get("_".join(words[-count:]))
             if unit:
                 return unit
+        if words[-1] in WITHOUT:
+            return ""
     return ""
 
 

@@ -181,6 +181,7 @@ def test_units_of_keys():
     assert unit_of("torque_N_mm.models.skf.total") == "N mm"
     assert unit_of("lubricant.pressure_viscosity_1_GPa") == "1/GPa"
     assert unit_of("thermal_expansion_um_m_K") == "um/(m K)"
+    assert unit_of("friction.heat_transfer_W_K") == "W/K"
     assert unit_of("balls") == ""
     assert without_unit("entrainment_speed_m_s") == "entrainment speed"
     assert number(0.0) == "0"
