@@ -22,6 +22,7 @@ QUICK += tuple(stem for stem in STEMS if stem.startswith("hirano_"))  # no films
 QUICK += ("6208_life", "6208_full_ceramic_warm", "7008_back_to_back")  # few films or none
 QUICK += ("7008C_hybrid", "6205_all_silicon_nitride")  # no films
 QUICK += ("6206_axial_500N", "6206_radial_500N", "6206_combined_1000N", "6208_oil_temperature")  # no films
+QUICK += ("6208_oil_supply", "6208_self_heating")  # no films
 QUICK += ("7008_axial", "7008_radial", "7008_combined", "6304_planar")  # of the dynamics: loads at the start
 EXPECTED = Path(__file__).with_name("expected.json")
 CLOSED, FILM = 1e-6, 5e-3
