@@ -7,18 +7,21 @@ contact lies at (sin ao, cos ao e_r) from the ball's centre, the inner one oppos
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from ehl.conditions import ContactConditions
-from ehl.hertz import HertzContact, hertz_contact
+from ehl.hertz import HertzContact
 from ehl.lubricant import Lubricant
 
 from .geometry import Array, Race, contact_modulus, reduced_radii
+from .hertz_contacts import hertz_contacts
 from .operation import BallKinematics, Curvature
 from .quasistatic import QuasistaticSolution
 from .rows import row_directions
 
+RACES = (Race.INNER, Race.OUTER)
 STANDSTILL = 1.0e-12  # entrainment or rolling over the speed of the rings below which there is none [-]
 
 
@@ -90,10 +93,12 @@ def contact_conditions(solution: QuasistaticSolution, lubricant: Lubricant) -> t
     -------
     tuple of BearingContact
     """
+    balls = range(solution.azimuth.size)
+    motions = [_motion(solution, index, race) for index in balls for race in RACES]
+    frames = _placements(solution, np.array([motion.speed for motion in motions]).reshape(-1, 2))
     return tuple(
-        _contact(solution, index, race, lubricant)
-        for index in range(solution.azimuth.size)
-        for race in (Race.INNER, Race.OUTER)
+        _contact(solution, (n // 2, RACES[n % 2]), motion, hertz, frame, lubricant)
+        for n, (motion, hertz, frame) in enumerate(zip(motions, _hertz(solution), frames, strict=True))
     )
 
 
@@ -155,18 +160,39 @@ def mean_spin(solution: QuasistaticSolution, index: int, race: Race) -> float:
     return float(0.5 * side * (ball + relative * np.sin(angle))) + 0.0  # no negative zero
 
 
-def _contact(solution: QuasistaticSolution, index: int, race: Race, lubricant: Lubricant) -> BearingContact:
-    inner = race is Race.INNER
-    load = float((solution.inner_load if inner else solution.outer_load)[index])
-    angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
+class _Motion(NamedTuple):
+    """Of ball against race at a contact."""
+
+    speed: float  # entrainment along e_t [m/s]
+    rolling: float  # [rad/s]
+    spin: float  # [rad/s]
+    mean_spin: float  # [rad/s]
+    slide: float  # of the ball over the race along e_t [m/s]
+    across: float  # and along y [m/s]
+
+
+def _motion(solution: QuasistaticSolution, index: int, race: Race) -> _Motion:
     raced, rolling, spin = rolling_and_spin(solution, index, race)
     slide, across = sliding(solution, index, race)
     speed = raced + 0.5 * slide
-    hertz = _hertz(solution, race, load, angle)
-    motion = (speed, spin, mean_spin(solution, index, race), slide, -np.sign(speed) * across)
+    return _Motion(speed, rolling, spin, mean_spin(solution, index, race), slide, -np.sign(speed) * across)
+
+
+def _contact(
+    solution: QuasistaticSolution,
+    place: tuple[int, Race],
+    motion: _Motion,
+    hertz: HertzContact | None,
+    axes: tuple[Array, Array],
+    lubricant: Lubricant,
+) -> BearingContact:
+    (index, race), (origin, rows) = place, axes
+    inner = race is Race.INNER
+    load = float((solution.inner_load if inner else solution.outer_load)[index])
+    angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
     conditions, note = _conditions(solution, hertz, motion, lubricant)
-    origin, axes = _placement(solution, index, race, speed)
     centrifugal = float(solution.centrifugal_force[index])
+    rolls = motion.rolling > STANDSTILL * _fastest(solution)
     return BearingContact(
         ball=index + 1,
         azimuth=float(solution.azimuth[index]),
@@ -175,32 +201,40 @@ def _contact(solution: QuasistaticSolution, index: int, race: Race, lubricant: L
         hertz=hertz,
         load=load,
         contact_angle=angle,
-        spin_roll_ratio=abs(spin) / rolling if rolling > STANDSTILL * _fastest(solution) else None,
+        spin_roll_ratio=abs(motion.spin) / motion.rolling if rolls else None,
         hirano_ratio=load * abs(float(np.sin(angle))) / centrifugal if inner and centrifugal > 0.0 else None,
         origin=origin,
-        axis_x=axes[0],
-        axis_y=axes[1],
-        normal=axes[2],
+        axis_x=rows[0],
+        axis_y=rows[1],
+        normal=rows[2],
         note=note,
         row=index // solution.bearing.balls + 1,
     )
 
 
-def _hertz(solution: QuasistaticSolution, race: Race, load: float, angle: float) -> HertzContact | None:
-    """The dry contact with the curvature the equilibrium was solved with."""
-    if load <= 0.0:
-        return None
-    bearing = solution.bearing
-    at = bearing.free_contact_angle if solution.model.curvature is Curvature.FREE else angle
-    return hertz_contact(load, *reduced_radii(bearing, race, at), contact_modulus(bearing, race))
+def _hertz(solution: QuasistaticSolution) -> list[HertzContact | None]:
+    """The dry contacts, inner then outer, ball by ball, with the curvature the equilibrium was solved with."""
+    bearing, free = solution.bearing, solution.model.curvature is Curvature.FREE
+    load = np.stack([solution.inner_load, solution.outer_load], axis=1).ravel()
+    angle = np.stack([solution.inner_contact_angle, solution.outer_contact_angle], axis=1).ravel()
+    loaded = np.flatnonzero(load > 0.0)
+    found: list[HertzContact | None] = [None] * load.size
+    races = [RACES[n % 2] for n in loaded]
+    at = [bearing.free_contact_angle if free else float(angle[n]) for n in loaded]
+    radii = np.array([reduced_radii(bearing, race, a) for race, a in zip(races, at, strict=True)]).reshape(-1, 2)
+    modulus = {race: contact_modulus(bearing, race) for race in RACES}
+    contacts = hertz_contacts(load[loaded], radii[:, 0], radii[:, 1], np.array([modulus[race] for race in races]))
+    for n, contact in zip(loaded, contacts, strict=True):
+        found[n] = contact
+    return found
 
 
 def _conditions(
-    solution: QuasistaticSolution, hertz: HertzContact | None, motion: tuple[float, ...], lubricant: Lubricant
+    solution: QuasistaticSolution, hertz: HertzContact | None, motion: _Motion, lubricant: Lubricant
 ) -> tuple[ContactConditions | None, str]:
     if hertz is None:
         return None, "unloaded"
-    speed, spin = abs(motion[0]), motion[1]
+    speed = abs(motion.speed)
     if speed <= STANDSTILL * _fastest(solution) * solution.bearing.pitch_diameter:
         return None, "no entrainment: ball and race move as one"
     return ContactConditions(
@@ -210,10 +244,10 @@ def _conditions(
         reduced_modulus=hertz.reduced_modulus,
         entrainment_speed=speed,
         lubricant=lubricant,
-        spin=spin,
-        mean_spin=motion[2],
-        slide_roll_ratio=motion[3] / motion[0],
-        lateral_slide_ratio=motion[4] / speed,
+        spin=motion.spin,
+        mean_spin=motion.mean_spin,
+        slide_roll_ratio=motion.slide / motion.speed,
+        lateral_slide_ratio=motion.across / speed,
     ), ""
 
 
@@ -222,16 +256,15 @@ def _fastest(solution: QuasistaticSolution) -> float:
     return max(abs(solution.operation.inner_speed), abs(solution.operation.outer_speed))
 
 
-def _placement(solution: QuasistaticSolution, index: int, race: Race, speed: float) -> tuple[Array, Array]:
-    """Contact point [m], and the rows x, y, n [-], in the bearing's frame."""
-    c, s = row_directions(solution.bearing, solution.rows)[:, index]
-    radial, tangential = np.array([0.0, c, s]), np.array([0.0, -s, c])
-    inner = race is Race.INNER
-    angle = (solution.inner_contact_angle if inner else solution.outer_contact_angle)[index]
-    side = -1.0 if inner else 1.0
-    normal = side * (np.sin(angle) * np.array([1.0, 0.0, 0.0]) + np.cos(angle) * radial)
-    forward = np.sign(speed) if speed != 0.0 else -side
-    axis_x = forward * tangential
-    centre = solution.ball_axial[index] * np.array([1.0, 0.0, 0.0]) + solution.ball_radial[index] * radial
-    origin = centre + 0.5 * solution.bearing.ball_diameter * normal
-    return origin, np.stack([axis_x, np.cross(normal, axis_x), normal])
+def _placements(solution: QuasistaticSolution, speed: Array) -> list[tuple[Array, Array]]:
+    """Contact points [m], and the rows x, y, n [-], in the bearing's frame, at entrainments (balls, 2) [m/s]."""
+    c, s = row_directions(solution.bearing, solution.rows)
+    none, along_x, side = np.zeros_like(c), np.array([1.0, 0.0, 0.0]), np.array([-1.0, 1.0])
+    radial, tangential = np.stack([none, c, s], axis=1)[:, None], np.stack([none, -s, c], axis=1)[:, None]
+    angle = np.stack([solution.inner_contact_angle, solution.outer_contact_angle], axis=1)[..., None]
+    normal = side[:, None] * (np.sin(angle) * along_x + np.cos(angle) * radial)
+    axis_x = np.where(speed != 0.0, np.sign(speed), -side)[..., None] * tangential
+    centre = solution.ball_axial[:, None, None] * along_x + solution.ball_radial[:, None, None] * radial
+    origins = (centre + 0.5 * solution.bearing.ball_diameter * normal).reshape(-1, 3)
+    axes = np.stack([axis_x, np.cross(normal, axis_x), normal], axis=2).reshape(-1, 3, 3)
+    return list(zip(origins, axes, strict=True))
