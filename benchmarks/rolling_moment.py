@@ -31,12 +31,13 @@ def main():
     )
     for name, conditions, boxes in CONTACTS:
         for box, points in boxes:
-            film = scale_contact(conditions).film_guess
-            with patch("ehl.solver._pilot", lambda contact, progress, box=box, film=film: (box, film)):
-                found = rolling_moment(solve_contact(conditions, SolverOptions(points=points)))
+            choice = (box, scale_contact(conditions).film_guess)
+            with patch("ehl.solver._pilot", lambda contact, progress, choice=choice: choice):
+                film = solve_contact(conditions, SolverOptions(points=points))
+            found = rolling_moment(film)
             moments = (found.box, found.beyond_box, found.beyond_extent, found.within_extent)
             print(f"{name:28}{-box[0]:9.0f}{points:8}" + "".join(f"{1e3 * moment:12.3f}" for moment in moments))
-        print(f"{name:28}  [N mm]; up to twice the distance {1e3 * moment_of_doubling(conditions):.3f} more\n")
+        print(f"{name:28}  [N mm]; up to twice the distance {1e3 * moment_of_doubling(film):.3f} more\n")
 
 
 if __name__ == "__main__":

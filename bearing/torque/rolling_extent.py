@@ -84,12 +84,12 @@ def rolling_extent(
     box = beyond = counted = doubling = 0.0
     notes = []
     for traction, film, moment in zip(tractions, films, rolling_moments(films), strict=True):
-        if traction is None or film is None or moment is None or traction.contact.conditions is None:
+        if traction is None or film is None or moment is None:
             continue
         k = traction.kinematics
         ratio = (k.rolling + 0.5 * k.curvature_difference * k.sliding_x) / speed
         box += ratio * moment.box
-        doubling += ratio * moment_of_doubling(traction.contact.conditions)
+        doubling += ratio * moment_of_doubling(film)
         beyond += ratio * (moment.beyond_box or 0.0)
         counted += ratio * (moment.beyond_extent or 0.0)
         notes += [moment.note] if moment.note else []

@@ -19,7 +19,7 @@ half is below that by 1.4 % of the part outside for a sphere and 3.5 % for :math
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, log, pi, sqrt
+from math import log
 
 import numpy as np
 from numpy.typing import NDArray
@@ -115,15 +115,20 @@ def rolling_moment(solution: ContactSolution, extent: float | None = None) -> Ro
     )
 
 
-def moment_of_doubling(conditions: ContactConditions) -> float:
+def moment_of_doubling(solution: ContactSolution) -> float:
     """What oil up to twice the distance adds to the rolling moment far from the contact [N m].
 
-    Kapitza (1955), integrated over rings; of the entrainment's component along x. Positive where it resists rolling.
+    Kapitza (1955), integrated over rings, without the rotation of the entrainment. Positive where it resists rolling.
+    The solution has dimensional conditions.
     """
-    c, ratio = conditions, conditions.radius_x / conditions.radius_y
-    speed = c.entrainment_speed * cos(c.entrainment_angle)
-    per_factor = 24.0 * pi * c.lubricant.viscosity * speed * c.radius_x**2 / ((3.0 + 2.0 * ratio) * sqrt(ratio))
-    return per_factor * log(2.0)
+    field = far_field(scaled_as_solved(solution))
+    angle = np.arange(DIRECTIONS) * 2.0 * np.pi / DIRECTIONS
+    x, y = np.cos(angle), np.sin(angle)
+    half = 0.5 * (field.pressure_x * x + field.pressure_y * y) * x  # the field is odd: half of all is its positive half
+    per_factor = float(np.sum(half / (0.5 * _curvature(field, x, y)) ** 2)) * 2.0 * np.pi / DIRECTIONS
+    if solution.semi_axis_x is None:
+        raise ValueError("solution: the rolling moment needs dimensional conditions, not Moes' groups alone")
+    return per_factor * log(2.0) * solution.hertz_pressure * solution.semi_axis_x**3
 
 
 def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
@@ -171,7 +176,7 @@ def _kapitza_moment(solution: ContactSolution, reach: float) -> float:
     span = np.log(np.maximum(reach / start, 1.0))[:, None]
     places, weights = np.polynomial.legendre.leggauss(RAY_NODES)
     r = start[:, None] * np.exp(0.5 * span * (places + 1.0))
-    q = field.curvature_x * x**2 + field.curvature_y * y**2 + 2.0 * field.curvature_xy * x * y
+    q = _curvature(field, x, y)
     film = _edge_film(solution, start * x, start * y)
     deflection = film - solution.approach_dimensionless - 0.5 * q * start**2
     gap = solution.approach_dimensionless + 0.5 * q[:, None] * r**2 + (deflection * start)[:, None] / r
@@ -179,6 +184,11 @@ def _kapitza_moment(solution: ContactSolution, reach: float) -> float:
     pressure = _drive(field, x[:, None] * r, y[:, None] * r) / gap**2
     rings = np.sum(0.5 * span * weights * pressure * x[:, None] * r**3, axis=1)
     return float(-rings.sum()) * 2.0 * np.pi / DIRECTIONS + 0.0
+
+
+def _curvature(field: FarField, x: Array, y: Array) -> Array:
+    """Of the gap in the directions (x, y) [-]."""
+    return field.curvature_x * x**2 + field.curvature_y * y**2 + 2.0 * field.curvature_xy * x * y
 
 
 def _drive(field: FarField, X: Array, Y: Array) -> Array:

@@ -58,7 +58,10 @@ def test_ring_of_the_far_field_in_closed_form(solution, conditions, radius_ratio
         hertz_pressure=contact.hertz_pressure,
     )
     near, far = (rolling_moment(made, factor * made.semi_axis_x).beyond_box for factor in (10.0, 35.0))
-    assert_allclose(far - near, moment_of_doubling(given) * log(3.5) / log(2.0), rtol=1e-3)
+    assert_allclose(far - near, moment_of_doubling(made) * log(3.5) / log(2.0), rtol=1e-3)
+    flow = given.lubricant.viscosity * given.entrainment_speed * given.radius_x**2
+    expected = 24.0 * pi * flow / ((3.0 + 2.0 * radius_ratio) * np.sqrt(radius_ratio)) * log(2.0)
+    assert_allclose(moment_of_doubling(made), expected, rtol=1e-9)
     assert near > 0.0
 
 
@@ -102,8 +105,9 @@ def test_light_contact_has_one_moment_within_the_extent(monkeypatch, conditions)
     """Centrifugal force only: doubling the box adds the doubling's moment to the box, and nothing within the extent."""
     light = replace(conditions, load=15.5)
     boxes = [((-33.0 * f, 2.2 * f, 14.0 * f), n) for f, n in ((1.0, 129), (2.0, 257), (4.0, 513))]
-    found = [rolling_moment(in_box(monkeypatch, light, box, n)) for box, n in boxes]
-    assert_allclose(np.diff([moment.box for moment in found]), moment_of_doubling(light), rtol=0.05)
+    films = [in_box(monkeypatch, light, box, n) for box, n in boxes]
+    found = [rolling_moment(film) for film in films]
+    assert_allclose(np.diff([moment.box for moment in found]), moment_of_doubling(films[0]), rtol=0.05)
     assert_allclose([moment.within_extent for moment in found], found[2].within_extent, rtol=0.02)
 
 
@@ -115,6 +119,19 @@ def test_sphere_solved_in_a_small_box_has_the_moment_far_out(monkeypatch, condit
     assert other.box > 1.3 * one.box
     assert_allclose(one.within_extent, other.within_extent, rtol=0.01)
     assert_allclose(rolling_moment(small, edge).within_extent, rolling_moment(large, edge).within_extent, rtol=0.01)
+
+
+@pytest.mark.parametrize("change", [{"entrainment_angle": 0.5}, {"entrainment_angle": 0.5 * pi}, {"mean_spin": 60.0}])
+def test_moment_within_the_extent_at_an_angle_and_with_rotation(monkeypatch, conditions, change):
+    given = replace(conditions, load=100.0, radius_x=5e-3, radius_y=16e-3, entrainment_speed=3.0, **change)
+    films = [in_box(monkeypatch, given, (-f * 4.0, f * 1.6, f * 2.9), n) for f, n in ((1.0, 65), (4.0, 257))]
+    small, large = (rolling_moment(film) for film in films)
+    assert large.box > 1.2 * small.box
+    assert_allclose(small.within_extent, large.within_extent, rtol=0.01)
+    farther = rolling_moment(films[1], 8.0 * large.extent).within_extent
+    near = rolling_moment(films[1], 4.0 * large.extent).within_extent
+    if "mean_spin" not in change:
+        assert_allclose(farther - near, moment_of_doubling(films[1]), rtol=0.03)
 
 
 @pytest.mark.parametrize(("radius_ratio", "expected"), [(1.0, 1.0138), (1.0 / 45.0, 1.0346)])
