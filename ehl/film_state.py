@@ -1,0 +1,55 @@
+"""What a film solved with shear or heat leaves to those who shear it: its temperature, and how much thinner it is."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .lubricant import Lubricant, log_viscosity_ratio
+from .rheology import Rheology, thinning_by_gradient
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmState:
+    """State of the oil in a film, on the grid of its contact.
+
+    Attributes
+    ----------
+    temperature : ndarray, shape (nx, ny), or None
+        Mean over the film [K]; None: solved without heat.
+    log_fluidity : ndarray, shape (nx, ny)
+        ln of what the mean fluidity is times that of the unsheared oil at the mean temperature, by the profile of the
+        temperature and by the stress of the pressure's own flow [-].
+    """
+
+    temperature: Array | None
+    log_fluidity: Array
+
+
+def log_mean_fluidity(temperature: Array, weights: Array, pressure: Array, oil: Lubricant) -> tuple[Array, Array]:
+    """Mean temperature [K] and ln of the mean fluidity over that at it [-].
+
+    Parameters
+    ----------
+    temperature : ndarray, shape (nx, ny, n)
+        At the nodes across the film [K].
+    weights : ndarray, shape (n,)
+        Of the integral over the film [-].
+    pressure : ndarray, shape (nx, ny)
+        [Pa].
+    oil : Lubricant
+    """
+    mean = temperature @ weights
+    thinner = log_viscosity_ratio(pressure, oil, mean)[..., None]
+    thinner = thinner - log_viscosity_ratio(pressure[..., None], oil, temperature)
+    return mean, np.log(np.exp(thinner) @ weights)
+
+
+def log_gradient_thinning(x: Array, y: Array, pressure: Array, film: Array, rheology: Rheology) -> Array:
+    """ln of `rheology.thinning_by_gradient` on a grid, shape (nx, ny) [-]; x, y [m], pressure [Pa], film [m]."""
+    slopes = np.gradient(pressure, x, axis=0), np.gradient(pressure, y, axis=1)
+    return np.log(thinning_by_gradient(np.maximum(film, 0.0) * np.hypot(*slopes), rheology))
