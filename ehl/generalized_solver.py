@@ -47,6 +47,8 @@ class GeneralizedSolution:
         Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's own flow [-].
     missed : int
         Columns of the last turn without a solution [-].
+    beyond : int
+        Columns of the last turn in which h/2 grad p exceeded the limiting stress [-].
     """
 
     contact: ContactSolution
@@ -58,6 +60,7 @@ class GeneralizedSolution:
     dissipation: Array | None = None
     change: float = 0.0
     missed: int = 0
+    beyond: int = 0
 
     @property
     def mean_temperature(self) -> Array | None:
@@ -117,6 +120,7 @@ def solve_generalized(
         nodes=flow.section.nodes,
         change=flow.change,
         missed=_missed(flow),
+        beyond=flow.beyond,
     )
     if shape is None:
         return solution
@@ -145,10 +149,10 @@ def _reached(conditions: ContactConditions, options: SolverOptions, flow: Genera
         if contact.converged or not flow.single:
             return contact
     plain = solve_contact(conditions, options)
-    fallbacks: tuple[str, ...] = ()
+    fallbacks = plain.record.fallbacks
     for flow.carried in (False, True) if plain.converged else (False,):
         contact = _judged(continued(conditions, options, flow, plain), flow)
-        fallbacks = (*fallbacks, *contact.record.fallbacks)
+        fallbacks = (*fallbacks, *contact.record.fallbacks[len(plain.record.fallbacks) :])
         if contact.converged:
             return replace(contact, record=replace(contact.record, fallbacks=fallbacks))
     flow.forget()
@@ -162,16 +166,19 @@ def _missed(flow: GeneralizedFlow) -> int:
 
 
 def _judged(contact: ContactSolution, flow: GeneralizedFlow) -> ContactSolution:
-    """The solution with what shear and heat say about its convergence."""
+    """The solution with what shear and heat say about its convergence, a limiting stress that was exceeded included."""
+    below = f"the limiting stress is below h/2 grad p at {flow.beyond} columns"
     if not contact.converged:
-        return contact
-    if not flow.change <= SETTLED:
-        said = f"not converged: shear and heat changed the flow by {flow.change:.1e} in the last cycle"
+        return replace(contact, message=f"{contact.message}; {below} of the last cycle") if flow.beyond else contact
+    if flow.beyond > MISSED * contact.P.size:
+        said = f"{below}, where no oil of that law flows steadily"
+    elif not flow.change <= SETTLED:
+        said = f"shear and heat changed the flow by {flow.change:.1e} in the last cycle; try more cycles"
     elif _missed(flow) > MISSED * contact.P.size:
-        said = f"not converged: {_missed(flow)} columns of film without a solution of shear and heat"
+        said = f"{_missed(flow)} columns of film without a solution of shear and heat; try more cycles"
     else:
         return contact
-    return replace(contact, converged=False, message=f"{said}; try more cycles")
+    return replace(contact, converged=False, message=f"not converged: {said}")
 
 
 def _whole(values: Array, ny: int, signs: tuple[float, ...] = ()) -> Array:

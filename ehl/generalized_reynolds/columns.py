@@ -12,8 +12,8 @@ The rate is the gradient of a convex potential of tau_m, hence Newton's method w
 finds the only solution from anywhere; far out on an exponential law, where a step gains one power of e only, the next
 is lengthened to as many as are wanted. A limiting stress is never reached: from a share 1 - e of it on, the law goes on
 along its tangent, with e = 0.001 tau_L/tau_base of the column, 0.001 at most, so that the stress of plain sliding
-exceeds the limit by a thousandth (Newtonian base; 3 % if Carreau and Yasuda's base exceeds it 600 times). Where
-h grad p exceeds the limit no oil of that law flows steadily, and the tangent stands for it.
+exceeds the limit by a thousandth (Newtonian base; 3 % if Carreau and Yasuda's base exceeds it 600 times). Where half of
+h grad p exceeds the limit, which no tau_m helps, no oil of that law flows steadily, and the tangent stands for it.
 """
 
 from __future__ import annotations

@@ -39,9 +39,10 @@ from ..flow_model import FlowFactors, entrainment_factors
 from ..grid import Grid
 from ..lubricant import log_viscosity_ratio, viscosity
 from ..properties import oil_numbers
-from ..rheology import Rheology, eased, kernel_rheology
+from ..rheology import Rheology, eased, kernel_rheology, limiting_stress
 from ..scaling import ScaledContact
 from ..traction.kinematics import ContactKinematics, contact_kinematics
+from .columns import LIMIT_EXCESS
 from .section import Section, film_section
 
 if TYPE_CHECKING:
@@ -123,6 +124,9 @@ class GeneralizedFlow:
         Nodes across the film.
     missed : int
         Columns whose stress was not found in the last turn [-].
+    beyond : int
+        Columns of the last turn in which h/2 grad p exceeded the limiting stress: no stress in the middle of the film
+        balances it within the law, whose tangent stands for it [-].
     change : float
         Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's own flow [-].
     single : bool
@@ -142,6 +146,7 @@ class GeneralizedFlow:
     heat: FilmHeat | None = None
     section: Section = field(default_factory=film_section)
     missed: int = 0
+    beyond: int = 0
     change: float = inf
     single: bool = False
     share: float = 1.0
@@ -168,6 +173,7 @@ class GeneralizedFlow:
         fields = film_fields(contact, grid, P, H, kinematics, speed)
         middle = self.stresses.setdefault(P.shape, np.full((2, *P.shape), np.nan))
         temperature = self._temperature(contact, grid, fields, middle)
+        self.beyond = self._beyond(fields, temperature)
         poiseuille, couette, tangent = self._evaluate(fields, middle, temperature)
         steeper, _, _ = self._evaluate(
             replace(fields, gradient=(1.0 + STEP) * fields.gradient), middle.copy(), temperature
@@ -198,11 +204,11 @@ class GeneralizedFlow:
         """Copy of all that was found, for `restore`."""
         states = None if self.heat is None else self.heat.states
         fields = (self.stresses, self._poiseuille, self._lagging, self._felt, states)
-        return copy.deepcopy((*fields, self.change, self.missed))
+        return copy.deepcopy((*fields, self.change, self.missed, self.beyond))
 
     def restore(self, kept: tuple[Any, ...]) -> None:
         """Go back to what was found at an earlier turn; `kept` may be used once."""
-        self.stresses, self._poiseuille, self._lagging, self._felt, states, self.change, self.missed = kept
+        self.stresses, self._poiseuille, self._lagging, self._felt, states, self.change, self.missed, self.beyond = kept
         if self.heat is not None:
             self.heat.states = states
 
@@ -222,7 +228,7 @@ class GeneralizedFlow:
         self._poiseuille.clear()
         self._lagging.clear()
         self._felt.clear()
-        self.missed, self.change, self._grid = 0, inf, None
+        self.missed, self.beyond, self.change, self._grid = 0, 0, inf, None
         if self.heat is not None:
             self.heat.forget()
 
@@ -238,6 +244,13 @@ class GeneralizedFlow:
             felt = last + self.following * (felt - last)
         self._felt[fields.p.shape] = felt.copy()
         return felt
+
+    def _beyond(self, fields: FilmFields, temperature: Array) -> int:
+        """Columns of film in which h/2 grad p exceeds the limiting stress [-]."""
+        if self.rheology.limiting_coefficient is None:
+            return 0
+        limit = limiting_stress(fields.p, eased(self.rheology, self.share), temperature @ self.section.weights)
+        return int(np.count_nonzero(0.5 * fields.h * np.hypot(*fields.gradient) > (1.0 + LIMIT_EXCESS) * limit))
 
     def _last(self, p: Array) -> Array | None:
         """Poiseuille factor of the last turn, carried along to the pressure of this one if it is to be [-]."""

@@ -11,7 +11,7 @@ from numpy.testing import assert_allclose, assert_array_equal
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.generalized_continuation import CARRIED, NAME, continued
 from ehl.generalized_reynolds.flow import BeganAnewError, GeneralizedFlow
-from ehl.generalized_solver import solve_generalized
+from ehl.generalized_solver import _judged, solve_generalized
 from ehl.lubricant import ThermalProperties, log_viscosity_ratio
 from ehl.rheology import Rheology, ShearLaw, eased, shear_stress
 from ehl.scaling import scale_contact
@@ -163,6 +163,27 @@ def test_carried_factor_foretells_the_gradient_of_a_given_flux(carried):
         found = flow.factors(contact, grid, after, film).poiseuille[node]
     error = abs(np.log(found / before) - factors.thinning[node] * thicker) / thicker
     assert error < 0.01 if carried else error > 0.1
+
+
+def test_columns_beyond_the_limiting_stress_are_counted_and_told():
+    """A pressure that rises linearly over a flat film: h/2 grad p > Lambda p where p < h grad p/(2 Lambda)."""
+    contact, grid = scale_contact(CIRCULAR), _grid(33)
+    P = 0.5 + 0.1 * np.broadcast_to(grid.X, (grid.ny, grid.nx))
+    rise = 0.3 * contact.film_scale * 0.1 / contact.semi_axis_x  # h grad p over p_h
+    rheology = replace(EYRING, limiting_coefficient=0.5 * rise / 0.3, limiting_minimum=1.0)
+    flow = GeneralizedFlow(conditions=CIRCULAR, rheology=rheology)
+    flow.factors(contact, grid, P, np.full_like(P, 0.3))
+    assert flow.beyond == np.count_nonzero(P * 1.001 < 0.3)
+    assert 0 < flow.beyond < P.size
+    flow.factors(contact, grid, P, np.full_like(P, 0.01))
+    assert flow.beyond == 0
+    solved = solve_contact(CIRCULAR, COARSE)
+    flow.change, flow.beyond = 0.0, int(0.004 * solved.P.size)
+    assert _judged(solved, flow).converged
+    flow.beyond = int(0.006 * solved.P.size)
+    told = _judged(solved, flow)
+    assert not told.converged and f"limiting stress is below h/2 grad p at {flow.beyond} columns" in told.message
+    assert f"at {flow.beyond} columns of the last cycle" in _judged(replace(solved, converged=False), flow).message
 
 
 def _grid(points):
