@@ -43,7 +43,7 @@ PARTS = {
 }  # of a model, where the name of the number is no word
 LINES = ("#1b1f24", "#b23a3a", "#4c78a8", "#d67b1f", "#5a8f5a", "#8c6bb1", "#79b7c9", "#a65e7d")
 STYLES, MARKERS = ("-", "--", "-.", ":"), "osD^vP*X"
-MOST_PANELS = 3
+MOST_PANELS, MOST_TOGETHER = 3, 4  # the second: of one quantity, side by side
 WORD_WIDTH = 16  # characters of a tick label
 MOST_LINES = 8  # of a family; more values are told by colour
 
@@ -187,6 +187,7 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
         Names of numbers, units as they say.
     """
     values = _some(np.unique([v for v in keys[1].values if v is not None])) if len(keys) > 1 else np.zeros(1)
+    least = 0.0
     figure.set_size_inches(PAGE_WIDTH, 3.0)
     figure.suptitle(results.title, fontsize=8.5)
     panels: Any = figure.subplots(1, len(values), squeeze=False, sharey=True)[0]
@@ -198,13 +199,16 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
             style = {"color": LINES[k], "marker": MARKERS[k], "label": quantity_label(name, model)}
             style["linestyle"] = "" if keys[0].words else STYLES[k % len(STYLES)]
             _line(axes, x[part], y[part], np.zeros(part.sum()), sound[part], style)
+            least = min(least, 1.1 * np.min(y[part], initial=0.0))
         if len(keys) > 1:
             head, _, unit = keys[1].label.partition(" [")
             axes.set_title(f"{head} {keys[1].text(value)} {unit.rstrip(']')}".strip())
         axes.set_xlabel(keys[0].label)
         _word_ticks(axes, keys[0])
+        if not keys[0].words:
+            axes.locator_params(axis="x", nbins=9 // len(values) + 2)
         axes.grid(linewidth=0.3, alpha=0.5)
-    panels[0].set_ylim(min(0.0, panels[0].get_ylim()[0]), 1.05 * panels[0].get_ylim()[1])
+    panels[0].set_ylim(least, 1.05 * panels[0].get_ylim()[1])
     words = f"{LABELS[model]}: torque" if model else _common_words(shown)
     panels[0].set_ylabel(f"{words} [{quantity_unit(shown[0])}]")
     handles, labels = panels[0].get_legend_handles_labels()
@@ -218,7 +222,7 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
 def _some(values: Array) -> Array:
     """At most as many values as a figure has panels, the first and the last among them."""
     return np.asarray(
-        values[np.unique(np.linspace(0, len(values) - 1, min(len(values), MOST_PANELS)).round().astype(int))]
+        values[np.unique(np.linspace(0, len(values) - 1, min(len(values), MOST_TOGETHER)).round().astype(int))]
     )
 
 
