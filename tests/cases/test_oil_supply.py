@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import pytest
 
+from cases.batch.sweep import read_sweep
+from cases.batch.tables import case_of_document
 from cases.case import case_from_text
+from cases.heating import self_heated
 from cases.problems import CaseError
 from cases.run import run_case
 from postprocess import summary
@@ -174,3 +177,40 @@ def test_a_single_contact_has_no_inlet_film():
     )
     with pytest.raises(CaseError, match="found with"):
         case_from_text(text, "case.toml")
+
+
+def points(sweep, **wanted):
+    """Cases of a shipped sweep at given values of its keys' last parts, in the order of the sweep."""
+    for point in read_sweep(sweep).points:
+        values = {key.rpartition(".")[2]: value for key, value in point.values.items()}
+        if all(values[key] == value for key, value in wanted.items()):
+            yield case_of_document(point.document)
+
+
+def test_the_sweep_over_the_supply_has_a_minimum_under_the_largest_load():
+    cases = points("6208_over_oil_supply", radial_load_N=3000.0, inner_speed_rpm=5000.0)
+    torques = [summary(run_case(case))["torque_N_mm"]["total"] for case in cases]
+    assert 0 < torques.index(min(torques)) < len(torques) - 1
+
+
+def test_the_sweep_over_the_inlet_film_ends_flooded():
+    shares, torques = [], []
+    for case in points("6208_over_inlet_film", radial_load_N=900.0):
+        supply = summary(run_case(case))["supply"]
+        shares.append(supply["film_share"])
+        torques.append(supply["torque_N_mm"] - supply["flooded_torque_N_mm"])
+    assert shares == sorted(shares)
+    assert shares[0] < 0.2
+    assert shares[-1] == 1.0
+    assert torques[-1] == pytest.approx(0.0, abs=1e-6)  # N mm; of the light contacts, whose films are rounder
+
+
+def test_the_supply_does_not_cool_and_a_hundred_times_as_much_oil_does():
+    """Fig. 5 of Yao et al. (2022): at 5000 r/min under 900 N only the other oil makes the temperature fall."""
+    alone = list(points("6208_self_heating_over_supply", radial_load_N=900.0, inner_speed_rpm=5000.0))
+    cooled = list(points("6208_self_heating_with_cooling_oil"))
+    first, last, cold_first, cold_last = (
+        self_heated(case).balance.temperature for case in (alone[0], alone[-1], cooled[0], cooled[-1])
+    )
+    assert first < last - 10.0
+    assert cold_last < cold_first < first
