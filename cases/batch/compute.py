@@ -5,7 +5,6 @@ from __future__ import annotations
 import tempfile
 from dataclasses import replace
 from pathlib import Path
-from time import perf_counter
 from typing import TYPE_CHECKING, Any
 
 from ..case import Case, ContactCase
@@ -57,8 +56,7 @@ def compute(case: Case | ContactCase, task: Task, tables: Path | None, solve: So
     if task.compute == "table":
         return _table(case, task)
     if task.compute == "torque":
-        assert tables is not None  # made before the point was handed out
-        return _torque(case, ready_tables(str(tables)))
+        return _torque(case, None if tables is None else ready_tables(str(tables)))
     return _with_fields(run_case(case, 1, None, solve), task)
 
 
@@ -103,10 +101,14 @@ def _table(case: Case, task: Task) -> Computed:
         return traction_summary(results), {".zip": path.read_bytes()}
 
 
-def _torque(case: Case, tables: Tables) -> Computed:
-    """Equilibrium, life and torque by every model; the integrated one by the tables in place of films."""
+def _torque(case: Case, tables: Tables | None) -> Computed:
+    """Equilibrium, life and torque by every model; the integrated one by tables, or the law that the case names."""
     from postprocess import summary
 
+    if tables is None:
+        from ..run import run_case
+
+        return summary(run_case(replace(case, film_maps="none"), 1)), {}
     results, notes = torque_by_tables(case, tables)
     document = summary(results)
     poor = [f"{race.value} race: {table.message}" for race, table in tables.items() if not table.converged]
@@ -117,7 +119,9 @@ def _torque(case: Case, tables: Tables) -> Computed:
 
 
 def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[str, ...]]:
-    """Results without films whose integrated torque comes from traction tables, and what is to be said of it.
+    """Results without films, the friction of balls on races from traction tables, and what is to be said of them.
+
+    The same as `run_case` of the case with `[friction] traction = "table"`.
 
     Parameters
     ----------
@@ -135,25 +139,18 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
     ValueError
         If the tables were made for other bodies or another oil.
     """
-    from bearing.torque.breakdown import torque_breakdown
-    from bearing.torque.tabulated import tabulated_torque
+    from bearing.torque.resistance import FREE
+    from bearing.torque.traction_source import BallTraction, LawTraction
 
     from ..run import run_case
 
-    bare = run_case(replace(case, film_maps="none", friction=None), 1)
-    state = bare.quasistatic
-    if not state.converged or case.friction is None:
-        return bare, ()
-    start, shear = perf_counter(), None
-    notes: tuple[str, ...] = ()
-    if state.operation.inner_speed != state.operation.outer_speed:
-        assert case.rheology is not None  # of every bearing case
-        made_for(tables, "the traction table", case.bearing, case.lubricant, case.rheology)
-        shear = tabulated_torque(state, bare.contacts, tables)
-        notes = _notes(bare.contacts, tables)
-    torque = torque_breakdown(state, bare.contacts, case.lubricant, case.friction, shear=shear)
-    timing = bare.timing | {"torque": perf_counter() - start}
-    return replace(bare, torque=torque, timing=timing), notes
+    assert case.rheology is not None  # of every bearing case
+    made_for(tables, "the traction table", case.bearing, case.lubricant, case.rheology)
+    resistance = FREE if case.model.traction is None else case.model.traction.resistance
+    traction = BallTraction(source=LawTraction(laws=dict(tables)), lubricant=case.lubricant, resistance=resistance)
+    model = replace(case.model, traction=traction)
+    results = run_case(replace(case, film_maps="none", model=model), 1)
+    return results, () if results.torque is None else _notes(results.contacts, tables)
 
 
 def _notes(contacts: Sequence[BearingContact], tables: Tables) -> tuple[str, ...]:

@@ -29,7 +29,7 @@ from .blocks import (
     listed,
 )
 from .plotted import plot_problems
-from .tables import bodies_and_oil, file_hash, foreign_points, needs_tables, with_tables
+from .tables import bodies_and_oil, file_hash, foreign_points, needs_tables, with_equilibrium, with_tables
 
 FORMAT = 1  # of what a point leaves on disk
 UNIMPORTANT = ("title", "source", "assumed")  # for what is computed
@@ -161,7 +161,7 @@ def _table_file(
     if not needed:
         found, allowed = (
             "no point needs traction tables",
-            'allowed: with compute = "torque", or dynamics.friction = "table"',
+            'allowed: with compute = "torque" and no law in friction.traction, or dynamics.friction = "table"',
         )
     path = (folder or FilePath()) / file.table
     try:
@@ -272,7 +272,7 @@ def _checked(document: dict[str, Any], name: str) -> tuple[Case | ContactCase | 
     try:
         return case_of_file(file, name), []
     except CaseError as error:
-        return None, [Problem(path=(), line=1, found=message) for message in error.messages]
+        return None, [*error.problems] or [Problem(path=(), line=1, found=message) for message in error.messages]
 
 
 def with_values(base: dict[str, Any], variation: Variation) -> dict[str, Any]:
@@ -306,6 +306,8 @@ def _points(
     examples: dict[str, Case] = {}
     for number, variation in enumerate(variations, 1):
         document = with_values(base, variation)
+        if file.compute == "torque":
+            document = with_equilibrium(document)
         case, found = _checked(document, f"point {number}")
         if case is None:
             problems += _located(found, variation, fixed, number)

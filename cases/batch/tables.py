@@ -16,11 +16,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..case import Case, ContactCase
+from ..convert.operation import TRACTION_EQUILIBRIUM
 from ..version import version
 from .contact_cache import content_key
 from .store import TABLES
 
 if TYPE_CHECKING:
+    from bearing.operation import Model
     from bearing.traction_tables import Tables
 
     from .sweep import Point, Sweep
@@ -30,12 +32,22 @@ Progress = Callable[[int, int, str], None]
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
-    """Whether a point takes its friction from traction tables."""
+    """Whether a point takes its friction from shared tables; torque does unless the case names a law itself."""
     if not isinstance(case, Case):
         return False
-    return compute == "torque" or (
-        compute == "dynamics" and case.dynamics is not None and case.dynamics.friction == "table"
-    )
+    if compute == "torque":
+        from bearing.torque.traction_source import FilmTraction
+
+        return case.model.traction is None or isinstance(case.model.traction.source, FilmTraction)
+    return compute == "dynamics" and case.dynamics is not None and case.dynamics.friction == "table"
+
+
+def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
+    """The document of a point whose torque comes from tables: traction equilibrium, unless it says otherwise itself."""
+    model = document.get("model", {})
+    if "bearing" not in document or not isinstance(model, dict) or "ball_kinematics" in model:
+        return document
+    return {**document, "model": {**model, "ball_kinematics": TRACTION_EQUILIBRIUM}}
 
 
 def bodies_and_oil(case: Case) -> str:
@@ -180,7 +192,7 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
     states = []
     for k, case in enumerate(cases):
         progress(k, len(cases), "loads of the points, for traction tables")
-        states.append(solve_quasistatic(case.bearing, case.operation, case.model))
+        states.append(solve_quasistatic(case.bearing, case.operation, _without_films(case.model)))
     states = [state for state in states if state.converged]
     if not states:
         raise ValueError("no point that shares them has an equilibrium")
@@ -201,6 +213,18 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
 
         tables[race] = build_table(contact, whole, options, told)
     return tables
+
+
+def _without_films(model: Model) -> Model:
+    """Half and half in place of an equilibrium by films, which tables are to spare; loads hardly depend on it."""
+    from bearing.operation import BallKinematics
+    from bearing.torque.traction_source import FilmTraction
+
+    if model.traction is None or not isinstance(model.traction.source, FilmTraction):
+        return model
+    balanced = model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
+    kinematics = BallKinematics.HALF_AND_HALF if balanced else model.ball_kinematics
+    return replace(model, ball_kinematics=kinematics, traction=None)
 
 
 def case_of_document(document: dict[str, Any]) -> Case:

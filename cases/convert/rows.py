@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from ..schema import BearingFile
 from .bearing import bearing
-from .operation import model
 from .units import MM, UM
 
 if TYPE_CHECKING:
@@ -20,9 +19,11 @@ def rows(file: BearingFile) -> tuple[Row, ...] | None:
         return None
     from dataclasses import replace
 
+    from bearing.operation import Curvature, Model
     from bearing.preload import preloaded_row
 
     given, found = bearing(file), []
+    at_rest = Model(curvature=Curvature(file.model.curvature))  # where nothing turns, no kinematics counts
     for table in file.rows:
         row = preloaded_row(
             given,
@@ -30,7 +31,7 @@ def rows(file: BearingFile) -> tuple[Row, ...] | None:
             1 if table.loaded_by == "+x" else -1,
             preload_force=table.preload_N or 0.0,
             preload_displacement=(table.preload_um or 0.0) * UM,
-            model=model(file),
+            model=at_rest,
         )
         first = table.first_ball_azimuth_deg
         found.append(row if first is None else replace(row, first_ball_azimuth=radians(first)))
