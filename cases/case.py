@@ -17,7 +17,7 @@ from pydantic import ValidationError
 from . import checks
 from .film_model import NEWTONIAN, FilmPhysics
 from .library_names import catalogue_values, with_library_names
-from .problems import MISSING, CaseError, Problem, nearest_name, resolved, schema_problems, shown
+from .problems import MISSING, CaseError, Problem, UnfitKey, nearest_name, resolved, schema_problems, shown
 from .schema import BearingFile, BearingTable, ContactFile, MaterialTable, OilTable, RowTable, Table
 from .shipped import find_case
 from .toml_lines import key_lines
@@ -116,15 +116,17 @@ def load_case(name_or_path: str | Path) -> Case | ContactCase:
 
 def case_from_text(text: str, name: str) -> Case | ContactCase:
     """The case that the text of a case file describes; `name` stands for the file in messages."""
-    return case_of_file(validate_text(text, name), name)
+    return case_of_file(validate_text(text, name), name, text)
 
 
-def case_of_file(file: BearingFile | ContactFile, name: str) -> Case | ContactCase:
-    """The case that a checked file describes; `name` stands for the file in messages."""
+def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> Case | ContactCase:
+    """The case that a checked file describes; `name` stands for the file in messages, `text` gives their lines."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
             case = _bearing_case(file) if isinstance(file, BearingFile) else _contact_case(file)
+        except UnfitKey as error:
+            raise CaseError([error.problem.text(name, key_lines(text))], [error.problem]) from error
         except ValueError as error:  # a bound of the physics that no table knows
             raise CaseError([f"{name}: {error}"]) from error
     return replace(case, warnings=tuple(str(warning.message) for warning in caught))

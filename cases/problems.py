@@ -39,11 +39,19 @@ class Problem:
         return f"{file}:{self.line_in(lines)}: {where}{'; '.join(parts)}"
 
 
-class CaseError(ValueError):
-    """A case that cannot be run; its text has one line for each error."""
+class UnfitKey(ValueError):  # noqa: N818
+    """A key whose value shows itself unfit when the case is converted; the message has no line yet."""
 
-    def __init__(self, messages: Iterable[str]) -> None:
-        self.messages = tuple(messages)
+    def __init__(self, path: Path, found: str, allowed: str = "") -> None:
+        self.problem = Problem(path=path, found=found, allowed=allowed)
+        super().__init__(f"{dotted(path)}: {found}")
+
+
+class CaseError(ValueError):
+    """A case that cannot be run; its text has one line for each error, `problems` what is known of their keys."""
+
+    def __init__(self, messages: Iterable[str], problems: Iterable[Problem] = ()) -> None:
+        self.messages, self.problems = tuple(messages), tuple(problems)
         super().__init__("\n".join(self.messages))
 
 

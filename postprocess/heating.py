@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from .units import MICROMETRE, NEWTON_MILLIMETRE
+from .units import MICROMETRE, NEWTON_MILLIMETRE, ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from .results import BearingResults
 
 KEYS = ("temperature_C", "torque_N_mm", "power_W", "oil_W", "viscosity_mPa_s", "clearance_um")
-ZERO_CELSIUS = 273.15  # [K]
 
 
 def heating_block(results: BearingResults) -> dict[str, Any]:
@@ -39,7 +38,7 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
     if found is None:
         yield "self_heating: null, the case gives no friction.heat_transfer_W_K, or nothing turns"
     elif found.balance is None or not found.converged:
-        yield f"self_heating: null, {found.note}; try another heat_transfer_W_K or heating_torque"
+        yield f"self_heating: null, not converged: {found.note}; try another heat_transfer_W_K or heating_torque"
     else:
         warm, given = found.balance.temperature, results.quasistatic.operation.temperature
         yield (

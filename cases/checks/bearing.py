@@ -132,6 +132,37 @@ def seats(values: Values) -> Iterator[Problem]:
         yield Problem(path=("fit", housing), found=f"found {shown(around)}", allowed=allowed)
 
 
+def skf_series(values: Values) -> Iterator[Problem]:
+    """A series of SKF's friction model, of angular contact only where the free contact angle makes it such a bearing.
+
+    Deep groove bearings of large clearance may pass that angle; what the model cannot do with them, results tell.
+    """
+    given, angle = values.get("bearing", "skf_series"), _free_angle(values)
+    if given is None:
+        return
+    from bearing.torque.models import ANGULAR_CONTACT
+    from bearing.torque.skf import Series, skf_series
+
+    names = {kind: skf_series(kind) for kind in Series}
+    found, allowed = f"found {shown(given)}", [name for kind in Series for name in names[kind]]
+    deep = angle is not None and angle <= degrees(ANGULAR_CONTACT)
+    if deep and not any(values.given(table) for table in ("fit", "temperatures")):  # they change the clearance
+        found += f" for a deep groove bearing, its free contact angle being {angle:.4g} deg"
+        allowed = list(names[Series.DEEP_GROOVE])
+    if given not in allowed:
+        yield Problem(path=("bearing", "skf_series"), found=found, allowed=f"allowed: {', '.join(allowed)}")
+
+
+def _free_angle(values: Values) -> float | None:
+    """Free contact angle [deg], as given or from the clearance; None where that is not known."""
+    angle, clearance = (values.get("bearing", key) for key in ("free_contact_angle_deg", "diametral_clearance_um"))
+    found = _bearing(values, "ball_diameter_mm", "inner_groove_radius_mm", "outer_groove_radius_mm")
+    if angle is not None or found is None or clearance is None:
+        return angle
+    cosine = 1.0 - 0.5e-3 * clearance / max(found[1] + found[2] - found[0], 1e-9)
+    return degrees(acos(min(1.0, cosine))) if cosine > -1.0 else None
+
+
 def bearing_materials(values: Values, names: Names) -> Iterator[Problem]:
     """Materials of rings and balls by name, and of a cage that warms up."""
     if values.given("temperatures", "cage_C"):

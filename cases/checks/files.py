@@ -5,7 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from ..problems import Problem
-from .bearing import ball_count, bearing_materials, boundary, clearance, grooves, required_geometry, seats, shoulders
+from .bearing import (
+    ball_count,
+    bearing_materials,
+    boundary,
+    clearance,
+    grooves,
+    required_geometry,
+    seats,
+    shoulders,
+    skf_series,
+)
 from .contact import coating, contact_groups
 from .dynamics import dynamics
 from .friction import friction
@@ -25,6 +35,7 @@ def bearing_problems(values: Values, names: Names) -> Iterator[Problem]:
         boundary,
         shoulders,
         seats,
+        skf_series,
         loads,
         tilt,
         film_maps,

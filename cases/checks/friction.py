@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 from ..problems import MISSING, Problem, shown
@@ -13,6 +14,10 @@ TRACTION_KEYS = {
     "table": ("traction_table",),
     "four constants": ("traction_maximum", "traction_maximum_slide", "traction_limit"),
     "coulomb": ("coefficient",),
+}
+BELONGING = {  # keys of [friction] that say nothing without another one of it
+    "heat_transfer_W_K": ("ambient_C", "cooling_oil_mL_min", "cooling_oil_C", "heating_torque"),
+    "supply_mL_min": ("supply_track_share", "supply_loss", "supply_residence_s"),
 }
 LAND = ("land_diameter_mm", "land_width_mm", "land_clearance_um")
 
@@ -25,7 +30,9 @@ def friction(values: Values) -> Iterator[Problem]:
             if not values.given("cage", key):
                 yield Problem(path=("cage", key), found=MISSING, allowed="needed where a ring guides the cage")
     yield from _traction(values)
+    yield from _traction_file(values)
     yield from _self_heating(values)
+    yield from _without_effect(values)
     if values.get("lubricant") is None:
         return
     oil, _ = oil_table(values.document)
@@ -52,6 +59,30 @@ def _traction(values: Values) -> Iterator[Problem]:
         yield Problem(path=("friction", "traction_limit"), found=f"found {limit:g}", allowed=allowed)
 
 
+def _traction_file(values: Values) -> Iterator[Problem]:
+    """The file of tables is there."""
+    name = values.get("friction", "traction_table")
+    if name is None or values.get("friction", "traction") != "table":
+        return
+    try:
+        there = Path(name).is_file()
+    except (OSError, ValueError):
+        there = False
+    if not there:
+        found = f"{shown(name)} cannot be read: there is no such file from the working directory"
+        allowed = "allowed: a file that `oilfilm table` wrote"
+        yield Problem(path=("friction", "traction_table"), found=found, allowed=allowed)
+
+
+def _without_effect(values: Values) -> Iterator[Problem]:
+    """Keys of the oil supply and of the heat balance stand with the key that asks for it."""
+    for asks, keys in BELONGING.items():
+        for key in keys:
+            if values.given("friction", key) and not values.given("friction", asks):
+                allowed = f"allowed: with friction.{asks}"
+                yield Problem(path=("friction", key), found=f"found without {asks}", allowed=allowed)
+
+
 def _self_heating(values: Values) -> Iterator[Problem]:
     """A heat balance needs a viscosity over temperature: a named oil whose viscosity the case does not fix."""
     if not values.given("friction", "heat_transfer_W_K") or values.get("lubricant") is None:
@@ -66,6 +97,22 @@ def _self_heating(values: Values) -> Iterator[Problem]:
                 "allowed: left out, the oil's own over temperature",
             )
             yield Problem(path=("lubricant", key), found=found, allowed=allowed)
+    if values.get("friction", "heating_torque") == "starved":
+        yield from _starved(values)
+
+
+def _starved(values: Values) -> Iterator[Problem]:
+    """The torque model starved has the supply, the roughness, and of a flow the width it spreads over."""
+    flow = values.given("friction", "supply_mL_min")
+    for path, needed in (
+        (("friction", "supply_mL_min"), not flow and not values.given("lubricant", "inlet_film_um")),
+        (("surface",), not values.given("surface")),
+        (("bearing", "width_mm"), flow and not values.given("bearing", "width_mm")),
+    ):
+        if needed:
+            instead = ", or lubricant.inlet_film_um," if path[0] == "friction" else ""
+            allowed = f'needed{instead} with heating_torque = "starved"'
+            yield Problem(path=path, found=MISSING, allowed=allowed)
 
 
 def _heat(values: Values, oil: dict[str, Any]) -> Iterator[Problem]:

@@ -7,11 +7,21 @@ from math import log
 from typing import Any
 
 from ..problems import MISSING, Problem, shown
+from ..toml_lines import Path
 from .values import Names, Values, known
 
 LIBRARY_TEMPERATURE_C = (
     426.85  # 700 K, below which bearing.lubricant_library has its laws; the schema keeps the lower end
 )
+
+SHEAR_KEYS = {
+    "eyring_stress_MPa": "ree-eyring",
+    "carreau_modulus_MPa": "carreau-yasuda",
+    "carreau_exponent": "carreau-yasuda",
+    "yasuda_exponent": "carreau-yasuda",
+}
+SHEAR_LAWS = ("newtonian", "ree-eyring", "carreau-yasuda")
+FREE_VOLUME = (("viscosity_law", "tait-doolittle"), ("density_law", "tait"))
 
 
 def oil_table(document: dict[str, Any]) -> tuple[dict[str, Any], bool]:
@@ -44,6 +54,8 @@ def lubricant(values: Values, names: Names) -> Iterator[Problem]:
     else:
         yield from _oil_is_complete(oil, moes=values.given("contact", "moes_M"))
     yield from _roelands(oil, values)
+    yield from _shear(oil, values)
+    yield from _free_volume(oil, values, library=library)
     yield from _moes_pressure_scale(oil, values)
 
 
@@ -88,6 +100,41 @@ def _oil_is_complete(oil: dict[str, Any], *, moes: bool) -> Iterator[Problem]:
     if law != "isoviscous" and "pressure_viscosity_1_GPa" not in oil:
         allowed = 'needed, unless viscosity_law = "isoviscous"'
         yield Problem(path=("lubricant", "pressure_viscosity_1_GPa"), found=MISSING, allowed=allowed)
+
+
+def _shear(oil: dict[str, Any], values: Values) -> Iterator[Problem]:
+    """Constants of a shear law stand with that law; those of a named oil may belong to the law of that oil."""
+    law, path = oil.get("rheology", "ree-eyring"), ("lubricants", str(oil.get("name")))
+    if law not in SHEAR_LAWS:
+        return
+    for key, own in SHEAR_KEYS.items():
+        place: Path | None = None
+        if law != own and values.given("lubricant", key):
+            place = ("lubricant", key)
+        elif law != own and values.given(*path, key) and (values.get(*path, "rheology") or "ree-eyring") != own:
+            place = (*path, key)
+        if place is not None:
+            found = f"found together with rheology = {shown(law)}"
+            if "rheology" not in oil:
+                found = f'found without rheology = "{own}"'
+            yield Problem(path=place, found=found, allowed=f'allowed with "{own}" only')
+
+
+def _free_volume(oil: dict[str, Any], values: Values, *, library: bool) -> Iterator[Problem]:
+    """The laws of Tait and Doolittle take an oil with their constants."""
+    asked = [(key, law) for key, law in FREE_VOLUME if oil.get(key) == law]
+    if not asked:
+        return
+    from bearing.lubricant_library import list_lubricants, lubricant_data
+
+    name, known = oil.get("name"), [one for one in list_lubricants() if "doolittle" in lubricant_data(one)]
+    if library and (name in known or name not in list_lubricants()):
+        return
+    for key, law in asked:
+        place: Path = ("lubricant", key) if values.given("lubricant", key) else ("lubricants", str(name), key)
+        words = "an oil without a name in the library" if name is None else f"the oil {shown(name)}"
+        found = f"found {shown(law)}, for which {words} has no constants"
+        yield Problem(path=place, found=found, allowed=f"allowed: with the oils {', '.join(known)}; or another law")
 
 
 def _roelands(oil: dict[str, Any], values: Values) -> Iterator[Problem]:

@@ -96,7 +96,7 @@ def report(
     if document["converged"]:
         return 0
     say("oilfilm: not converged; the results are flagged:")
-    for message in document["messages"]:
-        if _of_failure(message):
-            say(f"  {message}")
+    reasons = [message for message in document["messages"] if _of_failure(message)]
+    for message in reasons or document["messages"]:
+        say(f"  {message}")
     return NOT_CONVERGED

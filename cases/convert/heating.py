@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ..problems import UnfitKey
 from ..schema import BearingFile
 from .bearing import bearing, seats
 from .friction import ML_MIN
@@ -35,9 +36,8 @@ def heating(file: BearingFile, oil: Lubricant) -> HeatingPlan | None:
     carried = 0.0
     if flow:
         if oil.thermal is None:
-            raise ValueError(
-                "friction.cooling_oil_mL_min: the heat that oil carries needs lubricant.specific_heat_J_kg_K"
-            )
+            key = "supply_mL_min" if table.cooling_oil_mL_min is None else "cooling_oil_mL_min"
+            raise UnfitKey(("friction", key), "the heat that oil carries needs lubricant.specific_heat_J_kg_K")
         carried = flow * ML_MIN * oil.density * oil.thermal.specific_heat
     ambient = table.ambient_C + ZERO_CELSIUS
     supply = ambient if table.cooling_oil_C is None else table.cooling_oil_C + ZERO_CELSIUS

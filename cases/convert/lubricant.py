@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from typing import TYPE_CHECKING, Any
 
 from ..checks import oil_table
@@ -13,6 +14,7 @@ if TYPE_CHECKING:
     from ehl.lubricant import ThermalProperties
 
 DENSITY = 870.0  # of an oil whose density is not given [kg/m^3]
+SAME_TEMPERATURE = 0.5  # difference up to which constants count as those of a temperature [K]
 VISCOSITY_UNUSED = 1.0  # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
 
 
@@ -39,12 +41,30 @@ def lubricant(file: BearingFile | ContactFile) -> Lubricant:
 
         laws = {key: given[key] for key in ("viscosity_law", "density_law") if key in given}
         base = library_lubricant(given.pop("name"), temperature(file), **laws)
+        _tell_free_volume(base)
         given = {field: getattr(base, field) for field in Lubricant.__dataclass_fields__} | given
     given.setdefault("temperature", temperature(file))
     thermal = _thermal(oil)
     if thermal is not None:
         given["thermal"] = thermal
     return Lubricant(**_with_viscosity(given, oil))
+
+
+def _tell_free_volume(oil: Lubricant) -> None:
+    """Warn where constants of Tait and Doolittle are taken at another temperature than they were measured at."""
+    from bearing.lubricant_library import lubricant_data
+    from ehl import DensityLaw, ViscosityLaw
+
+    data = lubricant_data(oil.name).get("doolittle")
+    asked = oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE or oil.density_law is DensityLaw.TAIT
+    if data is None or not asked or oil.temperature is None:
+        return
+    if abs(oil.temperature - data["reference_K"]) > SAME_TEMPERATURE:
+        warnings.warn(
+            f"lubricant {oil.name!r}: constants of Tait and Doolittle of {data['reference_K'] - ZERO_CELSIUS:g} C are "
+            f"taken at {oil.temperature - ZERO_CELSIUS:g} C; only viscosity and density at ambient pressure follow it",
+            stacklevel=2,
+        )
 
 
 def _thermal(oil: dict[str, Any]) -> ThermalProperties | None:

@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ..problems import UnfitKey
 from ..race_tables import read_race_tables
 from ..schema import BearingFile
 from .contact import solver_options
@@ -63,7 +64,7 @@ def _source(
         try:
             tables = read_race_tables(Path(table.traction_table), bearing, oil, rheology)
         except ValueError as problem:
-            raise ValueError(f"friction.traction_table: {problem}") from None
+            raise UnfitKey(("friction", "traction_table"), str(problem)) from None
         return LawTraction(laws=dict(tables))
     from bearing.torque.integrated import Asperities
 
