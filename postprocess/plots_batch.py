@@ -76,6 +76,17 @@ def varied_keys(results: BatchResults) -> list[Varied]:
     return found + ([_words(results, wordy)] if wordy else [])
 
 
+def _one_family(keys: list[Varied]) -> list[Varied]:
+    """The keys after the first as one, if several and with no more combinations than lines fit a panel."""
+    rows = list(zip(*(key.values for key in keys[1:]), strict=True))
+    if len(keys) < 3 or any(value is None for row in rows for value in row) or len(set(rows)) > MOST_LINES:
+        return keys
+    known = sorted(set(rows))
+    words = tuple(" / ".join(key.text(v) for key, v in zip(keys[1:], row, strict=True)) for row in known)
+    values = tuple(float(known.index(row)) for row in rows)
+    return [keys[0], Varied(label=" / ".join(key.label for key in keys[1:]), values=values, words=words)]
+
+
 def _goes_along(first: Varied, other: Varied) -> bool:
     """Whether another key rises or falls strictly with the first one, as the sizes of a bearing do."""
     pairs = sorted({(a, b) for a, b in zip(first.values, other.values, strict=True) if a is not None and b is not None})
@@ -149,6 +160,7 @@ def draw_batch(figure: Figure, results: BatchResults, keys: list[Varied], shown:
     shown : list of str
         Quantities, units [um], [GPa], [N mm] as their names say.
     """
+    keys = _one_family(keys)
     figure.set_size_inches(PAGE_WIDTH, 2.9)
     figure.suptitle(results.title, fontsize=8.5)
     panels: Any = figure.subplots(1, len(shown), squeeze=False)[0]
@@ -187,7 +199,7 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
         Names of numbers, units as they say.
     """
     values = _some(np.unique([v for v in keys[1].values if v is not None])) if len(keys) > 1 else np.zeros(1)
-    least = 0.0
+    least = np.inf
     figure.set_size_inches(PAGE_WIDTH, 3.0)
     figure.suptitle(results.title, fontsize=8.5)
     panels: Any = figure.subplots(1, len(values), squeeze=False, sharey=True)[0]
@@ -199,7 +211,7 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
             style = {"color": LINES[k], "marker": MARKERS[k], "label": quantity_label(name, model)}
             style["linestyle"] = "" if keys[0].words else STYLES[k % len(STYLES)]
             _line(axes, x[part], y[part], np.zeros(part.sum()), sound[part], style)
-            least = min(least, 1.1 * np.min(y[part], initial=0.0))
+            least = min(least, np.min(y[part], initial=np.inf))
         if len(keys) > 1:
             head, _, unit = keys[1].label.partition(" [")
             axes.set_title(f"{head} {keys[1].text(value)} {unit.rstrip(']')}".strip())
@@ -208,7 +220,8 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
         if not keys[0].words:
             axes.locator_params(axis="x", nbins=9 // len(values) + 2)
         axes.grid(linewidth=0.3, alpha=0.5)
-    panels[0].set_ylim(least, 1.05 * panels[0].get_ylim()[1])
+    top = panels[0].get_ylim()[1]
+    panels[0].set_ylim(1.1 * min(least, 0.0) - (0.02 * top if least < 0.01 * top else 0.0), 1.05 * top)
     words = f"{LABELS[model]}: torque" if model else _common_words(shown)
     panels[0].set_ylabel(f"{words} [{quantity_unit(shown[0])}]")
     handles, labels = panels[0].get_legend_handles_labels()
