@@ -26,7 +26,7 @@ from .quasistatic import QuasistaticSolution, solve_held_balls, solve_quasistati
 from .rows import Row
 from .torque.balance import SKID, BalancedFriction, balance_balls, balance_driven_balls, sliding_ratio
 from .torque.balance_newton import BALANCE_TOLERANCE, ContactLaw
-from .torque.traction_source import BallTraction, PreparedTraction
+from .torque.traction_source import PREPARED, BallTraction, PreparedTraction
 from .traction_forces import contact_axes
 
 STARTS = (BallKinematics.HALF_AND_HALF, BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL)
@@ -44,6 +44,7 @@ class _State:
 
     solution: QuasistaticSolution
     balances: tuple[BalancedFriction, ...]  # row by row
+    contacts: tuple[tuple[BearingContact, ...], ...]  # row by row
     carried: NDArray[np.bool_]  # (N,) loaded at the inner race, which cannot drive them
     held: HeldBalls
     found: HeldBalls
@@ -92,7 +93,7 @@ def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSo
         start, held, message = state.solution, state.found, _complaint(state)
         if message:
             break
-        moved = max(part.change(row) for part, row in zip(prepared, _contacts(start, traction), strict=True))
+        moved = max(part.change(row) for part, row in zip(prepared, state.contacts, strict=True))
         if moved <= FILM_TOLERANCE:
             carried = ", ".join(str(ball + 1) for ball in np.flatnonzero(state.carried))
             words = f"converged in traction equilibrium, forces to {state.change:.0e} of the largest load"
@@ -120,8 +121,10 @@ def _contacts(solution: QuasistaticSolution, traction: BallTraction) -> list[tup
 
 
 def _prepared(solution: QuasistaticSolution, traction: BallTraction) -> list[PreparedTraction]:
-    contacts = _contacts(solution, traction)
-    return [traction.source.prepare(solution.row(i), part) for i, part in enumerate(contacts)]
+    source = traction.source
+    if isinstance(source, PREPARED):
+        return [source] * len(solution.rows)
+    return [source.prepare(solution.row(i), part) for i, part in enumerate(_contacts(solution, traction))]
 
 
 def _iterate(
@@ -171,9 +174,11 @@ def _round(
     solution = solve_held_balls(start.bearing, start.operation, start.model, start, held)
     carried = np.zeros(solution.azimuth.size, dtype=np.bool_) if before is None else before.carried
     if not solution.converged:
-        return _State(solution=solution, balances=(), carried=carried, held=held, found=held, change=np.inf)
-    balances, carried, found = [], carried.copy(), []
-    for i, contacts in enumerate(_contacts(solution, traction)):
+        return _State(
+            solution=solution, balances=(), contacts=(), carried=carried, held=held, found=held, change=np.inf
+        )
+    balances, carried, found, lubricated = [], carried.copy(), [], _contacts(solution, traction)
+    for i, contacts in enumerate(lubricated):
         row, part = solution.row(i), slice(i * solution.bearing.balls, (i + 1) * solution.bearing.balls)
         law = prepared[i].law(row, contacts)
         balance = _balance(row, contacts, law, traction, None if before is None else carried[part])
@@ -184,7 +189,15 @@ def _round(
     joined = _joined(found)
     weight, largest = _orbit_weight(solution), max(solution.inner_load.max(), solution.outer_load.max())
     change = float(np.abs(_vector(joined, weight) - _vector(held, weight)).max() / largest)
-    return _State(solution=solution, balances=tuple(balances), carried=carried, held=held, found=joined, change=change)
+    return _State(
+        solution=solution,
+        balances=tuple(balances),
+        contacts=tuple(lubricated),
+        carried=carried,
+        held=held,
+        found=joined,
+        change=change,
+    )
 
 
 def _balance(

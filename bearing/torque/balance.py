@@ -22,7 +22,7 @@ from ..quasistatic import QuasistaticSolution
 from ..traction_forces import BallMotion, groove_curvature_radius
 from .balance_newton import BALANCE_TOLERANCE, ContactLaw, MotionProblem, contacts_of, settle
 from .contact_friction import TINY
-from .motion_map import ball_speeds, motion_map
+from .motion_map import MotionMap, ball_speeds, motion_map
 from .resistance import FREE, Resistance
 
 SKID = 0.3  # sliding over entrainment from which a ball is taken along by the cage instead of driven [-]
@@ -84,9 +84,13 @@ class BalancedFriction:
         return (self.shaft_power - total) / total if total > 0.0 else 0.0
 
 
-def curvature_slip(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> Array:
-    """Largest sliding by the curvature of each contact, w a^2/(2 R) [m/s]."""
-    rolling = np.abs(motion_map(solution, contacts).motion(*ball_speeds(solution))[:, 3])
+def curvature_slip(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], motion: Array | None = None
+) -> Array:
+    """Largest sliding by the curvature of each contact, w a^2/(2 R) [m/s], at the motion of the solution (N, 4)."""
+    if motion is None:
+        motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
+    rolling = np.abs(motion[:, 3])
     radius = np.array([groove_curvature_radius(solution.bearing, contact.race) for contact in contacts])
     semi_axis = np.array([0.0 if contact.hertz is None else contact.hertz.semi_axis_y for contact in contacts])
     return np.asarray(np.maximum(rolling * semi_axis**2 / (2.0 * radius), TINY))
@@ -154,7 +158,8 @@ def balance_balls(
         Speeds in [rad/s], forces in [N].
     """
     loaded = solution.inner_load > 0.0
-    problem = _problem(solution, contacts, law, loaded if driven is None else driven & loaded)
+    move = motion_map(solution, contacts)
+    problem = _problem(solution, contacts, law, (loaded if driven is None else driven & loaded, move))
     problem = replace(problem, drag=resistance.drag(_speeds(solution)))
     turned = gyroscopic and not law.plane
     if turned:
@@ -162,7 +167,7 @@ def balance_balls(
     z = np.zeros(problem.couple.shape) if near is None else near.unknowns
     if turned:
         problem = replace(problem, turning=_turning(solution, problem.driven))
-    return _result(solution, contacts, _with_push(solution, problem, z, resistance), resistance)
+    return _result(solution, move, _with_push(solution, problem, z, resistance), resistance)
 
 
 def _with_push(
@@ -200,25 +205,29 @@ def _next_push(taken: Array, asked: Array, before: tuple[Array, Array] | None) -
 
 
 def _problem(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], law: ContactLaw, driven: NDArray[np.bool_]
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    law: ContactLaw,
+    moved: tuple[NDArray[np.bool_], MotionMap],
 ) -> MotionProblem:
+    driven, move = moved
     bearing, balls = solution.bearing, solution.azimuth.size
     scales = np.array([2.0 / bearing.pitch_diameter, *(3 * (2.0 / bearing.ball_diameter,))])
-    move = motion_map(solution, contacts)
+    start = move.motion(*ball_speeds(solution))
     slopes = np.concatenate([-move.by_ring[:, :, None], move.by_rotation], axis=2) * scales
     free = np.tile(PLANE, (balls, 1)) if law.plane else np.ones((balls, 4), dtype=np.bool_)
     free &= driven[:, None]
     shape = (balls, 2)
     return MotionProblem(
         law=law,
-        start=move.motion(*ball_speeds(solution)).reshape(*shape, 4),
+        start=start.reshape(*shape, 4),
         map=slopes.reshape(*shape, 4, 4),
         couple=np.zeros((balls, 4)),
         turning=np.zeros((balls, 4, 4)),
         cage=np.zeros(balls),
         drag=np.zeros(balls),
         free=free,
-        reach=curvature_slip(solution, contacts).reshape(shape).max(axis=1),
+        reach=curvature_slip(solution, contacts, start).reshape(shape).max(axis=1),
         strength=law.strength.reshape(shape).max(axis=1),
         driven=driven,
         ring=move.ring.reshape(*shape, 4),
@@ -275,12 +284,12 @@ def _cage_force(solution: QuasistaticSolution, problem: MotionProblem, z: Array,
     if pushing == 0.0:
         return np.zeros(driving.size)
     wanted = resistance.cage_power(solution, _cage_speed(solution, load, z))
-    if not driving.all():
-        k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-        found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(np.arange(driving.size)))
-        force = found.gradient.reshape(k.shape)
-        cost = np.einsum("bck,bck->b", force, k - problem.ring) + problem.drag * speed  # heat less what a ring pays [W]
-        wanted += float(cost[~driving].sum())
+    others = np.flatnonzero(~driving)
+    if others.size:
+        k = problem.start[others] + np.einsum("bckj,bj->bck", problem.map[others], z[others])
+        found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(others))
+        heat = float((found.gradient.reshape(k.shape) * (k - problem.ring[others])).sum())  # less what a ring pays [W]
+        wanted += heat + float((problem.drag * speed)[others].sum())
     return load * wanted / max(abs(pushing), TINY) * np.sign(pushing)
 
 
@@ -314,7 +323,7 @@ def _shifted(solution: QuasistaticSolution, z: Array) -> tuple[Array, Array]:
 
 def _result(
     solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
+    move: MotionMap,
     settled: tuple[MotionProblem, Array, Array, float],
     resistance: Resistance,
 ) -> BalancedFriction:
@@ -325,7 +334,6 @@ def _result(
     forces = -found.gradient.reshape(*shape, 4)
     power = -np.einsum("bck,bck->bc", forces, k)
     orbit, rotation = _shifted(solution, z)
-    move = motion_map(solution, contacts)
     ball_rolling = np.einsum("cj,cj->c", move.by_rotation[:, 3], rotation[move.ball])
     loaded = problem.strength > 0.0
     worst = float(residual[loaded].max(initial=0.0))

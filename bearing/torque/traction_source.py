@@ -177,6 +177,9 @@ class CoulombTraction(_Everywhere):
         )
 
 
+PREPARED = LawTraction | FourConstantTraction | CoulombTraction  # sources that are their own preparation
+
+
 @dataclass(frozen=True, kw_only=True)
 class FilmTraction:
     """Shear of films that are solved for the contacts of the bearing.
