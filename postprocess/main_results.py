@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from .heating import KEYS as HEATING
+from .supply import KEYS as SUPPLY
 from .torque import AS_PRINTED, MODELS
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
@@ -53,7 +54,7 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
 
 
 def result_names(kind: str) -> tuple[str, ...]:
-    """Names of numbers that a point of a batch may have, as in its table: main results, every torque, self-heating.
+    """Names of numbers that a point of a batch may have, as in its table: main results, every torque, supply, self-heating.
 
     Parameters
     ----------
@@ -76,7 +77,8 @@ def result_names(kind: str) -> tuple[str, ...]:
         return names
     parts = {**{name: (*members, "total") for name, members in MODELS.items()}, AS_PRINTED: ("sliding", "total")}
     torques = [f"torque_N_mm.models.{name}.{part}" for name, members in parts.items() for part in members]
-    return (*names, "torque_N_mm.total", *torques, *(f"self_heating.{key}" for key in HEATING))
+    blocks = [f"{block}.{key}" for block, keys in (("supply", SUPPLY), ("self_heating", HEATING)) for key in keys]
+    return (*names, "torque_N_mm.total", *torques, *blocks)
 
 
 def _bearing(summary: dict[str, Any]) -> dict[str, Any]:

@@ -46,6 +46,7 @@ STYLES, MARKERS = ("-", "--", "-.", ":"), "osD^vP*X"
 MOST_PANELS, MOST_TOGETHER = 3, 4  # the second: of one quantity, side by side
 WORD_WIDTH = 16  # characters of a tick label
 MOST_LINES = 8  # of a family; more values are told by colour
+MOST_INSIDE = 4  # lines of a family named inside the panel; more are beside it
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -287,7 +288,7 @@ def quantity_unit(name: str) -> str:
     """Unit of a quantity for a label."""
     if name.endswith("_dimensionless"):
         return "a²/Rx"
-    return unit_of(name).replace("um", "µm") or "-"
+    return unit_of(name).replace("um", "µm").replace("degC", "°C") or "-"
 
 
 def _data(results: BatchResults, keys: list[Varied], name: str) -> tuple[Array, Array, Array, Array, Any]:
@@ -312,7 +313,13 @@ def _family(axes: Axes, data: tuple[Array, Array, Array, Array, Any], key: Varie
     for value, shade in zip(values, colours, strict=True):
         part = colour == value
         _line(axes, x[part], y[part], error[part], sound[part], {"color": shade, "label": key.text(value)})
-    if legend:  # once is enough
+    if legend and len(values) > MOST_INSIDE:
+        figure = axes.get_figure()
+        assert figure is not None
+        handles, labels = axes.get_legend_handles_labels()
+        title = key.label.replace(" / ", " /\n")
+        figure.legend(handles, labels, title=title, title_fontsize=7, loc="outside right center")
+    elif legend:  # once is enough
         axes.legend(title=key.label, title_fontsize=7, ncols=1 if key.words else 2)
 
 

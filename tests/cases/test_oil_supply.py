@@ -194,15 +194,54 @@ def test_the_sweep_over_the_supply_has_a_minimum_under_the_largest_load():
 
 
 def test_the_sweep_over_the_inlet_film_ends_flooded():
-    shares, torques = [], []
+    shares, torques = [], []  # [-], [N mm]
     for case in points("6208_over_inlet_film", radial_load_N=900.0):
         supply = summary(run_case(case))["supply"]
         shares.append(supply["film_share"])
-        torques.append(supply["torque_N_mm"] - supply["flooded_torque_N_mm"])
+        torques.append(supply["torque_N_mm"] / supply["flooded_torque_N_mm"])
     assert shares == sorted(shares)
     assert shares[0] < 0.2
-    assert shares[-1] == 1.0
-    assert torques[-1] == pytest.approx(0.0, abs=1e-6)  # N mm; of the light contacts, whose films are rounder
+    assert shares[-1] == pytest.approx(1.0, abs=1e-6)
+    assert 0.8 < torques[-1] < 1.0  # the thick films under balls that carry centrifugal force alone are starved yet
+
+
+def test_a_sweep_draws_supply_and_temperature_a_line_for_each_load_and_speed():
+    """Films over the flooded ones have a line for each of the eight combinations of load and speed, named beside."""
+    from matplotlib.figure import Figure
+
+    from postprocess.batch_results import BatchPoint, BatchResults
+    from postprocess.main_results import result_names
+    from postprocess.plots_batch import draw_batch, quantities, varied_keys
+
+    assert {"supply.film_share", "supply.lambda_least", "self_heating.temperature_C"} <= set(result_names("run"))
+    sweep = read_sweep("6208_over_oil_supply")
+    assert len(sweep.points) == 72
+    share = {"contacts": [], "torque_N_mm": {"total": 50.0}}
+    made_up = tuple(
+        BatchPoint(
+            number=p.number,
+            block=p.block,
+            values=p.values,
+            case=p.resolved,
+            key=p.key,
+            resumed=False,
+            status="done",
+            message=None,
+            summary=share | {"converged": True, "supply": {"film_share": p.values["friction.supply_mL_min"] / 2.0}},
+        )
+        for p in sweep.points
+    )
+    results = BatchResults(
+        version="0", title="", case=sweep.case, sweep="", keys=sweep.keys, points=made_up, plot=sweep.plot
+    )
+    figure = Figure(layout="constrained")
+    draw_batch(figure, results, varied_keys(results), quantities(results))
+    right = figure.axes[1]
+    assert right.get_ylabel() == "film share [-]"
+    lines = [line for line in right.get_lines() if len(line.get_xdata()) == 9]
+    assert len(lines) == 8
+    assert all(list(line.get_ydata()) == [x / 2.0 for x in line.get_xdata()] for line in lines)
+    assert len(figure.legends[0].get_texts()) == 8
 
 
 def test_the_supply_does_not_cool_and_a_hundred_times_as_much_oil_does():
