@@ -54,7 +54,7 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
 
 
 def result_names(kind: str) -> tuple[str, ...]:
-    """Names of numbers that a point of a batch may have, as in its table: main results, every torque, supply, self-heating.
+    """Names of numbers of a point of a batch, as in its table: main results, every torque, supply, self-heating.
 
     Parameters
     ----------
