@@ -52,7 +52,7 @@ class FilmPhysics:
             return (f"film: generalized Reynolds equation, {law}, of uniform temperature",)
         return (
             f"film: generalized Reynolds equation, {law}, with heat",
-            "traction and torque: sheared at the temperature of the oil that flows in, without its own heat",
+            "traction and torque: sheared at the temperatures the film was solved with",
         )
 
 

@@ -10,8 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .conditions import ContactConditions
+from .film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from .generalized_continuation import SETTLED, continued
 from .generalized_reynolds.flow import BeganAnewError, GeneralizedFlow
+from .generalized_reynolds.section import Section
 from .options import SolverOptions
 from .rheology import Rheology
 from .solution import ContactSolution
@@ -113,6 +115,7 @@ def solve_generalized(
     contact = _reached(conditions, options or SolverOptions(), flow)
     contact = replace(contact, record=replace(contact.record, wall_time=perf_counter() - began))
     nx, ny = contact.P.shape
+    contact = replace(contact, state=_state(contact, rheology))
     shape = next((s for s in ((ny, nx), (ny // 2 + 1, nx)) if s in flow.stresses), None)
     solution = GeneralizedSolution(
         contact=contact,
@@ -128,9 +131,11 @@ def solve_generalized(
     if heat is None:
         return solution
     state = heat.states[shape]
+    temperature = np.moveaxis(_whole(np.moveaxis(state.temperature, -1, 0), ny), 0, -1)
     return replace(
         solution,
-        temperature=np.moveaxis(_whole(np.moveaxis(state.temperature, -1, 0), ny), 0, -1),
+        contact=replace(contact, state=_state(contact, rheology, temperature, flow.section)),
+        temperature=temperature,
         heat_flux=_whole(state.flux, ny),
         dissipation=_whole(state.dissipation, ny),
     )
@@ -159,6 +164,19 @@ def _reached(conditions: ContactConditions, options: SolverOptions, flow: Genera
     flow.single = flow.carried = False
     contact = _judged(solve_contact(conditions, options, flow), flow)
     return replace(contact, record=replace(contact.record, fallbacks=(*fallbacks, *contact.record.fallbacks)))
+
+
+def _state(
+    contact: ContactSolution, rheology: Rheology, temperature: Array | None = None, section: Section | None = None
+) -> FilmState | None:
+    """Of the oil in a film of dimensional conditions; temperature across the film, shape (nx, ny, n) [K]."""
+    if contact.x is None or contact.y is None or contact.film is None:
+        return None
+    thinner = log_gradient_thinning(contact.x, contact.y, contact.pressure, contact.film, rheology)
+    if temperature is None or section is None:
+        return FilmState(temperature=None, log_fluidity=thinner)
+    mean, profile = log_mean_fluidity(temperature, section.weights, contact.pressure, contact.conditions.lubricant)
+    return FilmState(temperature=mean, log_fluidity=profile + thinner)
 
 
 def _missed(flow: GeneralizedFlow) -> int:

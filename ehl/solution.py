@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .conditions import ContactConditions, MoesConditions
+from .film_state import FilmState
 from .options import SolverOptions
 
 Array = NDArray[np.float64]
@@ -65,6 +66,7 @@ class ContactSolution:
     converged: bool
     message: str
     record: ConvergenceRecord
+    state: FilmState | None = None  # of the oil, where shear or heat were solved with the film
 
     def _dimensional(self, value: float | None) -> float | None:
         return None if self.film_scale is None or value is None else value * self.film_scale

@@ -47,6 +47,7 @@ CONTACT_COLUMNS = (
     ("film_minimum_um", "minimum film [um]"),
     ("film_minimum_uncertainty_um", "minimum film uncertainty [um]"),
     ("pressure_maximum_GPa", "maximum pressure [GPa]"),
+    ("film_temperature_maximum_C", "largest film temperature [degC]"),
     ("traction_coefficient", "traction coefficient [-]"),
     ("rolling_moment_N_mm", "rolling moment of the box [N mm]"),
     ("rolling_moment_beyond_box_N_mm", "rolling moment beyond the box [N mm]"),
@@ -154,7 +155,7 @@ def write_netcdf(results: BearingResults | ContactResults, path: Path, document:
         groups |= _bearing_groups(results)
     tree = xr.DataTree.from_dict(groups)
     encoding = {
-        node.path: {name: COMPRESSION for name in ("P", "h") if name in node.data_vars} for node in tree.subtree
+        node.path: {name: COMPRESSION for name in ("P", "h", "T") if name in node.data_vars} for node in tree.subtree
     }
     with atomic_path(path) as temporary:
         tree.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
@@ -258,6 +259,7 @@ def _field_dataset(solution: ContactSolution) -> xarray.Dataset:
         {
             "P": (("x", "y"), (solution.P * (scale or 1.0)).astype(np.float32), pressure_attrs),
             "h": (("x", "y"), (solution.H * h).astype(np.float32), film_attrs),
+            **_temperature(solution),
             **scalars,
             **errors,
         },
@@ -267,6 +269,14 @@ def _field_dataset(solution: ContactSolution) -> xarray.Dataset:
         },
         attrs=attrs,
     )
+
+
+def _temperature(solution: ContactSolution) -> Variables:
+    """Mean temperature over the film, where it was solved with heat [K]."""
+    if solution.state is None or solution.state.temperature is None:
+        return {}
+    attrs = {"units": "K", "long_name": "mean temperature of the film"}
+    return {"T": (("x", "y"), solution.state.temperature.astype(np.float32), attrs)}
 
 
 def _ring_dataset(results: BearingResults) -> xarray.Dataset:

@@ -13,7 +13,7 @@ from .results import BearingResults, distinct_contacts
 from .rolling import rolling_messages, rolling_values
 from .rows import frequency_block, kinematic_block, row_blocks, row_messages
 from .stress import stress_messages, stress_values
-from .summary_contact import films, formulas, solution_messages
+from .summary_contact import film_temperature_maximum, films, formulas, solution_messages
 from .supply import starved_values, supply_block, supply_messages
 from .torque import contact_traction_values, torque_block, torque_messages
 from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE, MILLIRADIAN, NEWTON_MILLIMETRE, RPM
@@ -124,6 +124,7 @@ def _bearing_contact(
         "hirano_ratio": contact.hirano_ratio,
         **films(solution),
         "pressure_maximum_GPa": None if solution is None else solution.pressure_maximum / GIGAPASCAL,
+        "film_temperature_maximum_C": film_temperature_maximum(solution),
         "lambda_ratio": lambda_ratio(contact, solution, surface),
         "lambda_ratio_formula": _lambda_of_formula(contact, surface),
         "converged": None if solution is None else solution.converged,

@@ -12,7 +12,7 @@ from .messages import doubt_messages
 from .results import ContactResults
 from .rolling import contact_rolling_messages, contact_rolling_values
 from .torque import traction_values
-from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
 FORMULAS = (
@@ -31,6 +31,13 @@ def films(solution: ContactSolution | None) -> dict[str, float | None]:
     """Central and minimum film and their uncertainties [um], None where there is no film."""
     names = ("film_central", "film_central_uncertainty", "film_minimum", "film_minimum_uncertainty")
     return {f"{n}_um": None if solution is None else _in(getattr(solution, n), MICROMETRE) for n in names}
+
+
+def film_temperature_maximum(solution: ContactSolution | None) -> float | None:
+    """Largest mean temperature over the film [degrees C]; None where it was solved without heat."""
+    if solution is None or solution.state is None or solution.state.temperature is None:
+        return None
+    return float(solution.state.temperature.max()) - ZERO_CELSIUS
 
 
 def formulas(conditions: object) -> dict[str, float | None]:
@@ -74,6 +81,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "approach_dimensionless": solution.approach_dimensionless,
         "pressure_centre_dimensionless": _centre(solution),
         "pressure_maximum_GPa": solution.pressure_maximum / GIGAPASCAL if pressure else None,
+        "film_temperature_maximum_C": film_temperature_maximum(solution),
         **traction_values(results.traction),
         **contact_rolling_values(solution),
         "resolved": solution.resolved,

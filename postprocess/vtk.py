@@ -28,7 +28,7 @@ from .geometry import (
 from .results import BearingResults, ContactResults
 from .results_io import atomic_path, contact_name
 from .subsurface import StressVolume, stress_volume
-from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from bearing.contacts import BearingContact
@@ -38,7 +38,7 @@ Array = NDArray[np.float64]
 
 COLLECTION_FILE, STRESS_FILE, BLOCK_FOLDER = "fields.pvd", "subsurface.pvd", "vtk"
 AZIMUTH_FILE = "azimuth.pvd"
-FILM, PRESSURE = "film thickness [um]", "pressure [GPa]"
+FILM, PRESSURE, TEMPERATURE = "film thickness [um]", "pressure [GPa]", "film temperature [degC]"
 OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
 
 
@@ -154,6 +154,8 @@ def placed_patch(contact: BearingContact, solution: ContactSolution, ball_radius
     grid = structured_grid(place_patch(x, y, frame, placement, placement.film * film) / MILLIMETRE)
     add_point_data(grid, FILM, film / MICROMETRE)
     add_point_data(grid, PRESSURE, solution.pressure[rows, columns] / GIGAPASCAL)
+    if solution.state is not None and solution.state.temperature is not None:
+        add_point_data(grid, TEMPERATURE, solution.state.temperature[rows, columns] - ZERO_CELSIUS)
     add_point_data(grid, "rolling [mm]", x / MILLIMETRE)
     add_point_data(grid, "transverse [mm]", y / MILLIMETRE)
     for name, value in _patch_facts(contact, solution, placement).items():
@@ -187,6 +189,8 @@ def flat_patch(solution: ContactSolution, film_exaggeration: float) -> Any:
     grid = structured_grid(np.stack([a * x, a * y, height], axis=-1))
     add_point_data(grid, film_name, h * solution.H)
     add_point_data(grid, p_name, p * solution.P)
+    if solution.state is not None and solution.state.temperature is not None:
+        add_point_data(grid, TEMPERATURE, solution.state.temperature - ZERO_CELSIUS)
     add_field_data(grid, "coordinates", unit)
     add_field_data(grid, "film exaggeration [-]", film_exaggeration)
     return grid

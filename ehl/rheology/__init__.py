@@ -14,6 +14,7 @@ from .laws import (
     shear_rate_vector,
     shear_stress,
     shear_stress_vector,
+    thinning_by_gradient,
 )
 
 __all__ = [
@@ -28,4 +29,5 @@ __all__ = [
     "shear_rate_vector",
     "shear_stress",
     "shear_stress_vector",
+    "thinning_by_gradient",
 ]

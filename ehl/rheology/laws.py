@@ -21,6 +21,7 @@ from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
 
+SMALLEST_ARGUMENT = 1e-6  # of sinh(b)/b, which is 1 from there on to round-off
 LARGEST_ARGUMENT = 300.0  # of exponentials: keeps the rate at absurd stresses, met only while iterating, finite
 NEWTON_STEPS = 30  # of the inversion of Carreau and Yasuda's law; it takes about five
 
@@ -318,3 +319,21 @@ def shear_rate_vector(
     loaded = magnitude > 0.0
     fluidity = np.where(loaded, rate / np.where(loaded, magnitude, 1.0), 1.0 / np.asarray(viscosity, dtype=np.float64))
     return fluidity * x, fluidity * y
+
+
+def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
+    """Fluidity of a film in which the stress rises across it over that in which it does not [-]; Ree-Eyring only.
+
+    sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano (1987). The direction of
+    the sliding is not looked at. Other laws have no such factor that holds for any sliding: 1.
+
+    Parameters
+    ----------
+    rise : ndarray
+        Of the stress from wall to wall, h times the pressure gradient [Pa].
+    rheology : Rheology
+    """
+    if rheology.law is not ShearLaw.REE_EYRING:
+        return np.ones_like(rise)
+    b = np.clip(0.5 * np.abs(rise) / rheology.eyring_stress, SMALLEST_ARGUMENT, LARGEST_ARGUMENT)
+    return np.asarray(np.sinh(b) / b, dtype=np.float64)

@@ -32,6 +32,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..conditions import ContactConditions
+from ..film_state import FilmState
 from ..lubricant import viscosity
 from ..rheology import Rheology, shear_stress_vector
 from ..solution import ContactSolution
@@ -164,7 +165,7 @@ def shear_fields(
         In the frame of the solution's grid.
     rheology : Rheology
     temperature : float, optional
-        Of the film, for the limiting stress [K].
+        Of the film, for the limiting stress [K]; that of the solution where it was solved with heat.
     cavitation : Cavitation
 
     Returns
@@ -178,7 +179,8 @@ def shear_fields(
     eta = film_viscosity(solution)
     width = sheared_width(h, p, cavitation)
     gap = np.maximum(h, np.finfo(np.float64).tiny)
-    t_x, t_y = shear_stress_vector((s_x / gap, s_y / gap), eta, p, rheology, temperature)
+    warm = film_temperature(solution, temperature)
+    t_x, t_y = shear_stress_vector((s_x / gap, s_y / gap), eta, p, rheology, warm)
     t_x, t_y = width * t_x, width * t_y
     pump_x, pump_y = -0.5 * h * np.gradient(p, x, axis=0), -0.5 * h * np.gradient(p, y, axis=1)
     return ShearFields(
@@ -256,8 +258,21 @@ def integrate_traction(
 
 
 def film_viscosity(solution: ContactSolution) -> Array:
-    """Viscosity at the pressure of each node, shape (nx, ny) [Pa s]."""
-    return pressure_viscosity(solution.pressure, solution)
+    """Viscosity at the pressure of each node, shape (nx, ny) [Pa s].
+
+    Of a film that was solved with heat or shear that at its temperature, and with what the pressure's flow thins it.
+    """
+    state = solution.state
+    if state is None:
+        return pressure_viscosity(solution.pressure, solution)
+    oil = dimensional_conditions(solution).lubricant
+    warm = viscosity(solution.pressure, oil, state.temperature) * np.exp(-state.log_fluidity)
+    return np.asarray(np.minimum(warm, LARGEST_VISCOSITY), dtype=np.float64)
+
+
+def film_temperature(solution: ContactSolution, inlet: float | None) -> Array | float | None:
+    """Of the oil where it is sheared, shape (nx, ny) where the film was solved with heat, else as at the inlet [K]."""
+    return inlet if solution.state is None or solution.state.temperature is None else solution.state.temperature
 
 
 def pressure_viscosity(pressure: Array, solution: ContactSolution) -> Array:
@@ -312,7 +327,17 @@ def with_outlet(solution: ContactSolution) -> ContactSolution:
         X=np.concatenate([solution.X, further / solution.semi_axis_x]),
         P=np.concatenate([solution.P, np.zeros_like(height)]),
         H=np.concatenate([solution.H, height]),
+        state=_state_with_outlet(solution.state),
     )
+
+
+def _state_with_outlet(state: FilmState | None) -> FilmState | None:
+    """That of the last line for all lines further downstream."""
+    if state is None:
+        return None
+    more = ((0, OUTLET_NODES), (0, 0))
+    warm = None if state.temperature is None else np.pad(state.temperature, more, mode="edge")
+    return FilmState(temperature=warm, log_fluidity=np.pad(state.log_fluidity, more, mode="edge"))
 
 
 def _curvatures(solution: ContactSolution) -> tuple[float, float]:

@@ -51,12 +51,20 @@ def test_the_model_is_told(films):
     assert "generalized" not in told["newtonian"]
     assert "uniform temperature" in told["shear-thinning"]
     assert "with heat" in told["thermal"]
-    assert "without its own heat" in told["thermal"]
+    assert "sheared at the temperatures the film was solved with" in told["thermal"]
 
 
 def test_traction_coefficient_of_a_sliding_contact(films):
     """Between a part of the limiting coefficient, 0.047, and that."""
     assert 0.01 < films["newtonian"]["traction_coefficient"] < 0.047
+
+
+def test_heat_takes_traction_and_is_told(films):
+    """Warm oil shears more easily; without heat there is no temperature to tell."""
+    assert films["thermal"]["traction_coefficient"] < 0.9 * films["shear-thinning"]["traction_coefficient"]
+    assert films["thermal"]["film_temperature_maximum_C"] > 45.0
+    assert films["newtonian"]["film_temperature_maximum_C"] is None
+    assert films["shear-thinning"]["film_temperature_maximum_C"] is None
 
 
 def test_free_volume_laws_of_a_library_oil():

@@ -78,6 +78,25 @@ def heated_stress(slide, node, start, share, bodies, conductivity, base, limits,
 
 
 @compiled
+def line_walls(j, history, flux, answers, between):
+    """Mean rise of both walls without flux of their own, and by it; share of body 1 in that flux, what crosses besides.
+
+    answers: rise of the walls by their flux over the unit of `history`; between: conductivity over film.
+    """
+    past_1 = past_2 = 0.0
+    for m in range(j):
+        past_1 += history[j, m] * flux[0, m]
+        past_2 += history[j, m] * flux[1, m]
+    past_1, past_2 = past_1 * answers[0], past_2 * answers[1]
+    own_1, own_2 = answers[0] * history[j, j], answers[1] * history[j, j]
+    both = 1.0 + between * (own_1 + own_2)
+    across = between * (past_2 - past_1) / both
+    walls = 0.5 * (past_1 + past_2 + (own_1 - own_2) * across)
+    answer = 0.5 * (0.5 * (own_1 + own_2) + 2.0 * between * own_1 * own_2) / both
+    return walls, answer, (0.5 + between * own_2) / both, across
+
+
+@compiled
 def heated_sums(lines, span, history, heat, answers, base, limits, motion, bend, flux, out):
     """Forces and moments on body 1 by sliding over the lines of a film, added to out: F_x, F_y, M_n, M_y.
 
@@ -99,16 +118,8 @@ def heated_sums(lines, span, history, heat, answers, base, limits, motion, bend,
             s_x, s_y = slide_x - spin * y - rolling * bow, slide_y + spin * x
             slope = spin + (2.0 * rolling * curvature * y if abs(y) < width else 0.0)
             s = np.sqrt(s_x * s_x + s_y * s_y + slope * slope * node[ACROSS] + spin * spin * node[ALONG])
-            past_1 = past_2 = 0.0
-            for m in range(j):
-                past_1 += history[j, m] * flux[0, m]
-                past_2 += history[j, m] * flux[1, m]
-            past_1, past_2 = past_1 * first, past_2 * second
-            own_1, own_2, between = first * history[j, j], second * history[j, j], heat / gap
-            both = 1.0 + between * (own_1 + own_2)
-            across = between * (past_2 - past_1) / both
-            walls = 0.5 * (past_1 + past_2 + (own_1 - own_2) * across)
-            answer = 0.5 * (0.5 * (own_1 + own_2) + 2.0 * between * own_1 * own_2) / both
+            between = heat / gap
+            walls, answer, split, across = line_walls(j, history, flux, (first, second), between)
             outward = 12.0 * between / (1.0 + 12.0 * between * answer)
             tau, before, leaving, made = heated_stress(
                 s,
@@ -121,7 +132,7 @@ def heated_sums(lines, span, history, heat, answers, base, limits, motion, bend,
                 limits,
                 made,
             )
-            flux[0, j] = leaving * (0.5 + between * own_2) / both + across
+            flux[0, j] = leaving * split + across
             flux[1, j] = leaving - flux[0, j]
             if s <= 0.0:
                 continue

@@ -7,10 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ...film_state import log_mean_fluidity
 from ...generalized_reynolds.section import film_section
 from ...generalized_solver import GeneralizedSolution
 from ...lubricant import Lubricant, density, log_viscosity_ratio, viscosity
-from ...rheology import Rheology, ShearLaw, kernel_rheology, limiting_stress, shear_stress
+from ...rheology import Rheology, kernel_rheology, limiting_stress, shear_stress, thinning_by_gradient
 from ...thermal import SolidThermal
 from ...thermal.solids import resting_speed
 from ..kinematics import ContactKinematics
@@ -34,7 +35,6 @@ Array = NDArray[np.float64]
 
 SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
 FALL_SPAN = 100.0  # [K] above the film's own temperature, where the fall of the softening is taken from
-LARGEST_SINH = 300.0  # argument
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,7 +114,8 @@ def warm_nodes(
     oil = conditions.lubricant
     if solution.temperature is None or contact.x is None or contact.y is None or oil.thermal is None:
         raise ValueError("solution: no temperatures; solve the film with heat")
-    mean, profile = _warmth(solution, oil)
+    weights = film_section(solution.nodes.size).weights
+    mean, profile = log_mean_fluidity(solution.temperature, weights, contact.pressure, oil)
     zone = hertz_zone(contact)
     warm, fluid = _at_nodes(zone, contact.x, contact.y, mean, profile)
     lines = _lines(zone, (warm, fluid), oil, rheology, conditions.entrainment_speed)
@@ -136,16 +137,6 @@ def warm_nodes(
     )
 
 
-def _warmth(solution: GeneralizedSolution, oil: Lubricant) -> tuple[Array, Array]:
-    """Mean temperature [K] and ln of the mean fluidity over that at it [-], shape (nx, ny)."""
-    section, t = film_section(solution.nodes.size), solution.temperature
-    assert t is not None
-    mean = t @ section.weights
-    p = solution.contact.pressure
-    thinner = log_viscosity_ratio(p, oil, mean)[..., None] - log_viscosity_ratio(p[..., None], oil, t)
-    return mean, np.log(np.exp(thinner) @ section.weights)
-
-
 def _at_nodes(zone: HertzZone, x: Array, y: Array, *fields: Array) -> list[Array]:
     """Fields of the grid [any unit] at the nodes of a zone, linear between the grid's."""
     from scipy.interpolate import RegularGridInterpolator
@@ -154,7 +145,7 @@ def _at_nodes(zone: HertzZone, x: Array, y: Array, *fields: Array) -> list[Array
 
 
 def _lines(zone: HertzZone, warmth: tuple[Array, Array], oil: Lubricant, rheology: Rheology, speed: float) -> Array:
-    """Rows of `WarmLines.lines`; warmth: `_warmth` at the nodes [K], [-]."""
+    """Rows of `WarmLines.lines`; warmth: those of `log_mean_fluidity` at the nodes."""
     warm, fluid = warmth
     x, y, area, gap, pressure, along, across = zone.fields
     gap = np.maximum(gap, SMALLEST_FILM)
@@ -174,24 +165,6 @@ def _lines(zone: HertzZone, warmth: tuple[Array, Array], oil: Lubricant, rheolog
     capacity = density(pressure, oil, warm) * oil.thermal.specific_heat * gap * abs(speed) / step
     parts = (x, y, area, gap, eta, pressure, warm, soft, fall, along**2 / 12.0, across**2 / 12.0, capacity)
     return np.stack(parts, axis=-1)
-
-
-def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
-    """Fluidity of a film in which the stress rises across it over that in which it does not [-]; Ree-Eyring only.
-
-    sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano (1987). The direction of
-    the sliding is not looked at. Other laws have no such factor that holds for any sliding: 1.
-
-    Parameters
-    ----------
-    rise : ndarray
-        Of the stress from wall to wall, h times the pressure gradient [Pa].
-    rheology : Rheology
-    """
-    if rheology.law is not ShearLaw.REE_EYRING:
-        return np.ones_like(rise)
-    b = np.clip(0.5 * np.abs(rise) / rheology.eyring_stress, 1e-6, LARGEST_SINH)
-    return np.asarray(np.sinh(b) / b, dtype=np.float64)
 
 
 def _rest(

@@ -199,7 +199,7 @@ def test_files_of_an_older_format_are_refused(table, tmp_path):
     document = json.loads(str(parts["document"]))
     parts["document"] = np.array(json.dumps(document | {"format_version": document["format_version"] - 1}))
     np.savez(path, **parts)
-    with pytest.raises(ValueError, match="format version 1, this program reads 2; make the table again"):
+    with pytest.raises(ValueError, match="format version 2, this program reads 3; make the table again"):
         load_table(path)
 
 

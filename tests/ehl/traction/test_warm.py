@@ -12,15 +12,15 @@ from scipy.integrate import quad, solve_ivp
 from ehl import Lubricant, SolverOptions
 from ehl.generalized_solver import solve_generalized
 from ehl.lubricant import ThermalProperties
-from ehl.rheology import Rheology, ShearLaw
+from ehl.rheology import Rheology, ShearLaw, thinning_by_gradient
 from ehl.thermal import SolidThermal
-from ehl.traction import ContactKinematics, TableContact, TableRange
+from ehl.traction import ContactKinematics, TableContact, TableRange, integrate_traction
 from ehl.traction.full_solves import full_solves
 from ehl.traction.quadrature import FilmNodes, sliding_forces
 from ehl.traction.table_film import table_film
 from ehl.traction.warm import _kernels
 from ehl.traction.warm.heating import line_history, nahme, thinning_by_heat
-from ehl.traction.warm.nodes import thinning_by_gradient, warm_forces, warm_forces_twin, warm_nodes
+from ehl.traction.warm.nodes import warm_forces, warm_forces_twin, warm_nodes
 
 OIL = Lubricant(
     viscosity=0.04,
@@ -179,6 +179,18 @@ def test_films_with_heat_against_full_solves():
             assert one.converged
             assert_allclose(one.by_film, one.in_full, rtol=0.05)
             assert_allclose(one.film_ratio, 1.0, atol=0.02)
+
+
+def test_traction_of_a_film_solved_with_heat_is_that_of_its_own_stress():
+    """Sheared afterwards at the solved temperatures, against the stress in the middle of the film of the solve."""
+    sliding = replace(CONTACT.conditions(LOAD, SPEED), slide_roll_ratio=0.1)
+    solution = solve_generalized(sliding, EYRING, solids=(STEEL, ZIRCONIA), options=SolverOptions(points=65))
+    motion = ContactKinematics(entrainment_speed=SPEED, sliding_x=0.1 * SPEED, rolling=SPEED / 8e-3)
+    found = integrate_traction(solution.contact, motion, EYRING).sliding_force_x
+    own = np.trapezoid(np.trapezoid(solution.mid_stress[0], solution.contact.y, axis=1), solution.contact.x)
+    assert_allclose(found, own, rtol=0.02)
+    cold = integrate_traction(replace(solution.contact, state=None), motion, EYRING).sliding_force_x
+    assert abs(cold) > 1.1 * abs(own)
 
 
 def test_a_film_without_temperatures_is_refused():
