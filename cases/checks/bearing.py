@@ -10,6 +10,7 @@ from ..problems import MISSING, Problem, shown
 from .values import Names, Values, known
 
 GEOMETRY = ("ball_diameter_mm", "pitch_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm")
+DEEP_GROOVE_DEG = 10.0  # bearing.torque.models.ANGULAR_CONTACT, which is not imported here: validation stays quick
 CLEARANCE_AGREEMENT_UM = 0.5  # clearance and contact angle agree within this, or within 1 %
 
 
@@ -140,12 +141,11 @@ def skf_series(values: Values) -> Iterator[Problem]:
     given, angle = values.get("bearing", "skf_series"), _free_angle(values)
     if given is None:
         return
-    from bearing.torque.models import ANGULAR_CONTACT
     from bearing.torque.skf import Series, skf_series
 
     names = {kind: skf_series(kind) for kind in Series}
     found, allowed = f"found {shown(given)}", [name for kind in Series for name in names[kind]]
-    deep = angle is not None and angle <= degrees(ANGULAR_CONTACT)
+    deep = angle is not None and angle <= DEEP_GROOVE_DEG
     if deep and not any(values.given(table) for table in ("fit", "temperatures")):  # they change the clearance
         found += f" for a deep groove bearing, its free contact angle being {angle:.4g} deg"
         allowed = list(names[Series.DEEP_GROOVE])

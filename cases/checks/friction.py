@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..problems import MISSING, Problem, shown
+from ..schema import FrictionTable
 from .lubricant import oil_table
 from .values import Values
 
@@ -75,10 +76,12 @@ def _traction_file(values: Values) -> Iterator[Problem]:
 
 
 def _without_effect(values: Values) -> Iterator[Problem]:
-    """Keys of the oil supply and of the heat balance stand with the key that asks for it."""
+    """Keys of the oil supply and of the heat balance stand with the key that asks for it; their defaults may stay."""
     for asks, keys in BELONGING.items():
         for key in keys:
-            if values.given("friction", key) and not values.given("friction", asks):
+            value = values.get("friction", key)
+            chosen = value is not None and value != FrictionTable.model_fields[key].default
+            if chosen and not values.given("friction", asks):
                 allowed = f"allowed: with friction.{asks}"
                 yield Problem(path=("friction", key), found=f"found without {asks}", allowed=allowed)
 

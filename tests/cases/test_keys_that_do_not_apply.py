@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from math import radians
+
 import pytest
 from typer.testing import CliRunner
 
+from bearing.torque.models import ANGULAR_CONTACT
 from cases import CaseError
 from cases.batch.sweep import sweep_from_text
 from cases.case import case_from_text, validate_text
+from cases.checks.bearing import DEEP_GROOVE_DEG
 from cases.cli import app
 
 from .made_up_tables import made_up_tables
@@ -53,7 +57,7 @@ def messages(text):
 
 WRONG = [
     (added("coefficient", "ambient_C = 25.0"), "ambient_C", "found without heat_transfer_W_K"),
-    (added("coefficient", 'heating_torque = "skf"'), "heating_torque", "allowed: with friction.heat_transfer_W_K"),
+    (added("coefficient", 'heating_torque = "palmgren"'), "heating_torque", "allowed: with friction.heat_transfer_W_K"),
     (added("coefficient", "cooling_oil_C = 30.0"), "cooling_oil_C", "found without heat_transfer_W_K"),
     (added("coefficient", "supply_loss = 0.1"), "supply_loss", "found without supply_mL_min"),
     (added('name = "iso', 'rheology = "newtonian"', "eyring_stress_MPa = 5.0"), "eyring_stress_MPa", "newtonian"),
@@ -96,6 +100,7 @@ def test_what_does_not_apply_is_refused_with_its_line(text, key, expected):
 
 def test_an_angular_contact_bearing_has_other_series():
     """And a deep groove bearing keeps its series when a large clearance gives it a large angle."""
+    assert radians(DEEP_GROOVE_DEG) == pytest.approx(ANGULAR_CONTACT, rel=1e-12)
     text = added('name = "6208', 'skf_series = "72 B"')
     validate_text(text.replace('"6208"', '"7008"'), "case.toml")
     wide = added('name = "6208', 'skf_series = "62"', "diametral_clearance_um = 40.0")
@@ -106,6 +111,7 @@ def test_keys_with_what_they_belong_to_are_valid():
     for text in (
         added("coefficient", "heat_transfer_W_K = 1.0", "ambient_C = 25.0", 'heating_torque = "skf"'),
         added("coefficient", "supply_mL_min = 1.0", "supply_loss = 0.1") + SURFACE,
+        added("coefficient", "ambient_C = 20.0", 'heating_torque = "skf"', "supply_loss = 0.05"),  # the defaults
         added('name = "iso', 'rheology = "ree-eyring"', "eyring_stress_MPa = 5.0"),
         added('name = "iso', "eyring_stress_MPa = 5.0"),
         added('name = "iso', 'rheology = "carreau-yasuda"', "carreau_modulus_MPa = 5.0", "carreau_exponent = 0.5"),
