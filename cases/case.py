@@ -40,7 +40,6 @@ NOT_SUPPORTED = "not supported by this version"
 LATER_TABLES = ("load_cases",)
 LATER_VALUES = {
     ("model", "ball_kinematics"): ("minimum dissipation",),
-    ("lubricant", "viscosity_law"): ("yasutomi",),
 }
 NOT_OFFERED = {
     "minimum dissipation": "not offered, since it jumps between the two race controls and has no balance there; "

@@ -8,6 +8,7 @@ from typing import Any
 
 from ..problems import MISSING, Problem, shown
 from ..toml_lines import Path
+from .free_volume import WITH_CONSTANTS, free_volume
 from .values import Names, Values, known
 
 LIBRARY_TEMPERATURE_C = (
@@ -21,7 +22,6 @@ SHEAR_KEYS = {
     "yasuda_exponent": "carreau-yasuda",
 }
 SHEAR_LAWS = ("newtonian", "ree-eyring", "carreau-yasuda")
-FREE_VOLUME = (("viscosity_law", "tait-doolittle"), ("density_law", "tait"))
 
 
 def oil_table(document: dict[str, Any]) -> tuple[dict[str, Any], bool]:
@@ -55,7 +55,7 @@ def lubricant(values: Values, names: Names) -> Iterator[Problem]:
         yield from _oil_is_complete(oil, moes=values.given("contact", "moes_M"))
     yield from _roelands(oil, values)
     yield from _shear(oil, values)
-    yield from _free_volume(oil, values, library=library)
+    yield from free_volume(oil, values, library=library)
     yield from _moes_pressure_scale(oil, values)
 
 
@@ -97,7 +97,7 @@ def _oil_is_complete(oil: dict[str, Any], *, moes: bool) -> Iterator[Problem]:
         allowed = "needed: viscosity_mPa_s, kinematic_viscosity_mm2_s, or the name of a lubricant"
         allowed = "needed: roelands_z, or a viscosity that gives it" if moes else allowed
         yield Problem(path=("lubricant", "viscosity_mPa_s"), found=MISSING, allowed=allowed)
-    if law != "isoviscous" and "pressure_viscosity_1_GPa" not in oil:
+    if law not in ("isoviscous", *WITH_CONSTANTS) and "pressure_viscosity_1_GPa" not in oil:
         allowed = 'needed, unless viscosity_law = "isoviscous"'
         yield Problem(path=("lubricant", "pressure_viscosity_1_GPa"), found=MISSING, allowed=allowed)
 
@@ -118,23 +118,6 @@ def _shear(oil: dict[str, Any], values: Values) -> Iterator[Problem]:
             if "rheology" not in oil:
                 found = f'found without rheology = "{own}"'
             yield Problem(path=place, found=found, allowed=f'allowed with "{own}" only')
-
-
-def _free_volume(oil: dict[str, Any], values: Values, *, library: bool) -> Iterator[Problem]:
-    """The laws of Tait and Doolittle take an oil with their constants."""
-    asked = [(key, law) for key, law in FREE_VOLUME if oil.get(key) == law]
-    if not asked:
-        return
-    from bearing.lubricant_library import list_lubricants, lubricant_data
-
-    name, known = oil.get("name"), [one for one in list_lubricants() if "doolittle" in lubricant_data(one)]
-    if library and (name in known or name not in list_lubricants()):
-        return
-    for key, law in asked:
-        place: Path = ("lubricant", key) if values.given("lubricant", key) else ("lubricants", str(name), key)
-        words = "an oil without a name in the library" if name is None else f"the oil {shown(name)}"
-        found = f"found {shown(law)}, for which {words} has no constants"
-        yield Problem(path=place, found=found, allowed=f"allowed: with the oils {', '.join(known)}; or another law")
 
 
 def _roelands(oil: dict[str, Any], values: Values) -> Iterator[Problem]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import TYPE_CHECKING, Any
 
 from ..checks import oil_table
 from ..schema import BearingFile, ContactFile
+from .free_volume import free_volume, tell_temperature, with_coefficient
 from .units import GPA, MM2_S, MPA, MPA_S, ZERO_CELSIUS, rounded
 
 if TYPE_CHECKING:
@@ -14,7 +14,6 @@ if TYPE_CHECKING:
     from ehl.lubricant import ThermalProperties
 
 DENSITY = 870.0  # of an oil whose density is not given [kg/m^3]
-SAME_TEMPERATURE = 0.5  # difference up to which constants count as those of a temperature [K]
 VISCOSITY_UNUSED = 1.0  # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
 
 
@@ -36,35 +35,32 @@ def lubricant(file: BearingFile | ContactFile) -> Lubricant:
         given["viscosity_law"] = ViscosityLaw(oil["viscosity_law"])
     if "density_law" in oil:
         given["density_law"] = DensityLaw(oil["density_law"])
+    at = temperature(file)
+    constants, reference = free_volume(oil, at), oil.get("tait_temperature_C")
+    reference = None if reference is None else reference + ZERO_CELSIUS
     if library:
-        from bearing.lubricant_library import library_lubricant
-
-        laws = {key: given[key] for key in ("viscosity_law", "density_law") if key in given}
-        base = library_lubricant(given.pop("name"), temperature(file), **laws)
-        _tell_free_volume(base)
+        base, measured = _of_library(given, at, own=bool(constants))
+        reference = reference if constants else measured
         given = {field: getattr(base, field) for field in Lubricant.__dataclass_fields__} | given
-    given.setdefault("temperature", temperature(file))
+    given.setdefault("temperature", at)
     thermal = _thermal(oil)
     if thermal is not None:
         given["thermal"] = thermal
-    return Lubricant(**_with_viscosity(given, oil))
+    found = Lubricant(**with_coefficient(_with_viscosity(given | constants, oil), oil))
+    tell_temperature(found, reference)
+    return found
 
 
-def _tell_free_volume(oil: Lubricant) -> None:
-    """Warn where constants of Tait and Doolittle are taken at another temperature than they were measured at."""
-    from bearing.lubricant_library import lubricant_data
-    from ehl import DensityLaw, ViscosityLaw
+def _of_library(given: dict[str, Any], kelvin: float, *, own: bool) -> tuple[Lubricant, float | None]:
+    """The library's oil at a temperature [K], and that at which its constants of free volume were measured [K].
 
-    data = lubricant_data(oil.name).get("doolittle")
-    asked = oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE or oil.density_law is DensityLaw.TAIT
-    if data is None or not asked or oil.temperature is None:
-        return
-    if abs(oil.temperature - data["reference_K"]) > SAME_TEMPERATURE:
-        warnings.warn(
-            f"lubricant {oil.name!r}: constants of Tait and Doolittle of {data['reference_K'] - ZERO_CELSIUS:g} C are "
-            f"taken at {oil.temperature - ZERO_CELSIUS:g} C; only viscosity and density at ambient pressure follow it",
-            stacklevel=2,
-        )
+    With constants of the case's `own` it comes with the library's own laws.
+    """
+    from bearing.lubricant_library import library_lubricant, lubricant_data
+
+    laws = {} if own else {key: given[key] for key in ("viscosity_law", "density_law") if key in given}
+    base = library_lubricant(given.pop("name"), kelvin, **laws)
+    return base, lubricant_data(base.name).get("doolittle", {}).get("reference_K")
 
 
 def _thermal(oil: dict[str, Any]) -> ThermalProperties | None:

@@ -22,9 +22,9 @@ class OilTable(Table):
         None, ge=0.0, le=100.0, description="d(ln eta)/dp at ambient pressure"
     )
     density_kg_m3: float | None = Field(None, gt=0.0, le=2.0e4, description="density at ambient pressure")
-    viscosity_law: Literal["roelands", "barus", "isoviscous", "tait-doolittle"] | None = Field(
+    viscosity_law: Literal["roelands", "barus", "isoviscous", "tait-doolittle", "yasutomi"] | None = Field(
         None,
-        description="pressure dependence of the viscosity; tait-doolittle for oils with its constants",
+        description="pressure dependence of the viscosity; the last two for oils with their constants",
     )
     roelands_z: float | None = Field(
         None, gt=0.0, le=2.0, description="Roelands' exponent; left out, from Roelands' identity"
@@ -33,6 +33,42 @@ class OilTable(Table):
     density_law: Literal["dowson-higginson", "incompressible", "tait"] | None = Field(
         None, description="pressure dependence of the density; tait for oils with its constants"
     )
+    tait_bulk_modulus_GPa: float | None = Field(
+        None, gt=0.0, le=100.0, description="Tait's K_0, at ambient pressure and tait_temperature_C"
+    )
+    tait_bulk_modulus_derivative: float | None = Field(None, gt=0.0, le=100.0, description="Tait's K_0' = dK/dp")
+    tait_temperature_C: float | None = Field(
+        None, ge=-200.0, le=500.0, description="of Tait's and Doolittle's constants; left out, that of operation"
+    )
+    tait_bulk_modulus_temperature_1_K: float | None = Field(
+        None, ge=0.0, le=1.0, description="b of K_0 exp[-b (T - T_R)]; 0 if left out"
+    )
+    tait_expansion_1_K: float | None = Field(
+        None, ge=0.0, le=0.1, description="a of V_R [1 + a (T - T_R)], volume at ambient pressure; 0 if left out"
+    )
+    doolittle_factor: float | None = Field(None, gt=0.0, le=100.0, description="Doolittle's B")
+    doolittle_occupied_share: float | None = Field(
+        None, gt=0.0, lt=1.0, description="Doolittle's R, occupied over total volume at tait_temperature_C"
+    )
+    doolittle_occupied_expansion_1_K: float | None = Field(
+        None, ge=-0.1, le=0.1, description="of the occupied volume; left out, the constants hold at every temperature"
+    )
+    yasutomi_glass_temperature_C: float | None = Field(
+        None, gt=-273.15, le=500.0, description="T_g at ambient pressure"
+    )
+    yasutomi_glass_rise_K: float | None = Field(None, gt=0.0, le=1.0e4, description="A_1 of T_g + A_1 ln(1 + A_2 p)")
+    yasutomi_glass_pressure_1_GPa: float | None = Field(None, gt=0.0, le=1.0e3, description="A_2 of it")
+    yasutomi_expansivity_1_GPa: float | None = Field(
+        None, gt=0.0, le=1.0e3, description="b_1 of (1 + b_1 p)^b_2, or B_2 of 1 - B_1 ln(1 + B_2 p)"
+    )
+    yasutomi_expansivity_exponent: float | None = Field(
+        None, ge=-10.0, le=0.0, description="b_2, of the improved law; or yasutomi_expansivity_factor"
+    )
+    yasutomi_expansivity_factor: float | None = Field(
+        None, gt=0.0, le=100.0, description="B_1, of the first law; or yasutomi_expansivity_exponent"
+    )
+    yasutomi_slope: float | None = Field(None, gt=0.0, le=100.0, description="C_1")
+    yasutomi_width_K: float | None = Field(None, gt=0.0, le=1.0e4, description="C_2")
     thermal_conductivity_W_m_K: float | None = Field(None, gt=0.0, le=10.0, description="for film_model thermal")
     specific_heat_J_kg_K: float | None = Field(None, gt=0.0, le=1.0e4, description="for film_model thermal")
     viscosity_temperature_1_K: float | None = Field(
