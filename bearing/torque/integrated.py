@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from ehl.rheology import Rheology, shear_stress
 from ehl.solution import ContactSolution
-from ehl.traction.shear import Cavitation, film_viscosity, sheared_width, with_outlet
+from ehl.traction.shear import Cavitation, film_temperature, film_viscosity, sheared_width, with_outlet
 
 from ..contacts import BearingContact
 from ..geometry import Array, Race
@@ -275,12 +275,13 @@ def _film_law(
     hydrodynamic = float(np.sum(area * x * film.pressure))
     chosen = width > 0.0
     kinematics = bearing_kinematics(solution, contact)
-    temperature = solution.operation.temperature
+    inlet = film_temperature(film, solution.operation.temperature)
     gap, eta = np.maximum(film.film, TINY), film_viscosity(film)
-    stress = shear_stress(LITTLE * abs(kinematics.entrainment_speed) / gap, eta, film.pressure, rheology, temperature)
+    stress = shear_stress(LITTLE * abs(kinematics.entrainment_speed) / gap, eta, film.pressure, rheology, inlet)
     chosen &= _counting(area * width * stress, left_out)
     x, y, area = x[chosen], y[chosen], (area * width)[chosen]
     gap, pressure, eta = gap[chosen], film.pressure[chosen], eta[chosen]
+    temperature = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
     bow = kinematics.bow(y)
     pumping = -hydrodynamic * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
     zeros, ones = np.zeros_like(x), np.ones_like(x)
