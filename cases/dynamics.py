@@ -316,5 +316,5 @@ def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
         found = run_table(case, progress=notify).tables
     else:
         assert case.rheology is not None  # of every bearing case
-        found = read_race_tables(path, case.bearing, case.lubricant, case.rheology)
+        found = read_race_tables(path, case.bearing, case.lubricant, case.rheology, case.films.solids)
     return RaceFriction(inner=found[Race.INNER], outer=found[Race.OUTER])

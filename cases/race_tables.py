@@ -11,13 +11,18 @@ if TYPE_CHECKING:
     from bearing.traction_tables import Tables
     from ehl import Lubricant
     from ehl.rheology import Rheology
+    from ehl.thermal.solids import SolidThermal
+
+    Solids = tuple[SolidThermal, SolidThermal]  # ball and race
 
 NEAR = 1.0e-6  # relative difference up to which a table is for this bearing [-]
 NEAR_RADIUS = 0.05  # the same of the rolling radius, which goes with the contact angle [-]
 
 
-def read_race_tables(path: Path, bearing: Bearing, oil: Lubricant, rheology: Rheology) -> Tables:
-    """Tables of both races for a bearing, an oil and the law by which it shears.
+def read_race_tables(
+    path: Path, bearing: Bearing, oil: Lubricant, rheology: Rheology, solids: Solids | None = None
+) -> Tables:
+    """Tables of both races for a bearing, an oil and the law by which it shears; with heat, for `solids`.
 
     Raises
     ------
@@ -31,11 +36,16 @@ def read_race_tables(path: Path, bearing: Bearing, oil: Lubricant, rheology: Rhe
         tables = load_race_tables(path, oil=oil)
     except OSError as problem:
         raise ValueError(f"{path} cannot be read: {problem.strerror or problem}") from None
-    return made_for(tables, str(path), bearing, oil, rheology)
+    return made_for(tables, str(path), bearing, oil, rheology, solids)
 
 
-def made_for(tables: Tables, name: str, bearing: Bearing, oil: Lubricant, rheology: Rheology) -> Tables:
-    """The tables themselves, `name` in messages, if they were made for this bearing and oil; else ValueError."""
+def made_for(
+    tables: Tables, name: str, bearing: Bearing, oil: Lubricant, rheology: Rheology, solids: Solids | None = None
+) -> Tables:
+    """The tables themselves, `name` in messages, if they were made for this bearing and oil; else ValueError.
+
+    Tables with heat must be of the ball and race of a case with heat; a case without leaves that to its tables.
+    """
     from bearing.geometry import contact_modulus, reduced_radii
 
     for race, found in tables.items():
@@ -47,6 +57,7 @@ def made_for(tables: Tables, name: str, bearing: Bearing, oil: Lubricant, rheolo
             "moduli": isclose(contact.reduced_modulus, contact_modulus(bearing, race), rel_tol=NEAR),
             "groove": isclose(contact.radius_y, radius_y, rel_tol=NEAR),
             "rolling radius": isclose(contact.radius_x, radius_x, rel_tol=NEAR_RADIUS),
+            "thermal properties": None in (contact.solids, solids) or contact.solids == solids,
         }
         wrong = [what for what, fits in fitting.items() if not fits]
         if wrong:

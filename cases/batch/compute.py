@@ -145,7 +145,7 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
     from ..run import run_case
 
     assert case.rheology is not None  # of every bearing case
-    made_for(tables, "the traction table", case.bearing, case.lubricant, case.rheology)
+    made_for(tables, "the traction table", case.bearing, case.lubricant, case.rheology, case.films.solids)
     resistance = FREE if case.model.traction is None else case.model.traction.resistance
     traction = BallTraction(source=LawTraction(laws=dict(tables)), lubricant=case.lubricant, resistance=resistance)
     model = replace(case.model, traction=traction)

@@ -53,7 +53,7 @@ def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
 def bodies_and_oil(case: Case) -> str:
     """Hash of what points that share tables must have in common."""
     try:
-        return content_key(case.bearing, case.lubricant, case.rheology, case.operation.temperature)
+        return content_key(case.bearing, case.lubricant, case.rheology, case.operation.temperature, case.films.solids)
     except TypeError:
         return json.dumps(case.document, sort_keys=True, default=str)
 
@@ -81,7 +81,7 @@ def with_tables(points: Sequence[Point], common: dict[int, str], given: str | No
             content = {key: value for key, value in point.resolved.items() if key not in UNAFFECTED}
             text = json.dumps(content, sort_keys=True, ensure_ascii=False, default=str)
             sharing.setdefault(common[point.number], set()).add(text)
-    names = {same: given or _hash(*sorted(texts), str(nodes), version()) for same, texts in sharing.items()}
+    names = {same: given or _hash(same, *sorted(texts), str(nodes), version()) for same, texts in sharing.items()}
 
     def named(point: Point) -> Point:
         tables = names.get(common.get(point.number, ""))
@@ -112,7 +112,7 @@ def foreign_points(path: Path, common: Mapping[int, str], examples: Mapping[str,
     for same, case in examples.items():
         assert case.rheology is not None  # of every bearing case
         try:
-            made_for(tables, path.name, case.bearing, case.lubricant, case.rheology)
+            made_for(tables, path.name, case.bearing, case.lubricant, case.rheology, case.films.solids)
         except ValueError as problem:
             told[same] = str(problem)
     for number, same in common.items():
@@ -206,7 +206,7 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
     )
     heaviest = max(states, key=lambda state: float(max(state.outer_load.max(), state.inner_load.max())))
     options, tables = TableOptions(points=sweep.table_points, workers=cores()), {}
-    for race, contact in table_contacts(heaviest, oil, rheology).items():
+    for race, contact in table_contacts(heaviest, oil, rheology, solids=cases[0].films.solids).items():
 
         def told(done: int, total: int, state: str, race: Race = race) -> None:
             progress(done, total, f"traction tables, {race.value} race: {state}")

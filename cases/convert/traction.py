@@ -62,7 +62,7 @@ def _source(
     if table.traction == "table":
         assert table.traction_table is not None  # checked before
         try:
-            tables = read_race_tables(Path(table.traction_table), bearing, oil, rheology)
+            tables = read_race_tables(Path(table.traction_table), bearing, oil, rheology, films.solids)
         except ValueError as problem:
             raise UnfitKey(("friction", "traction_table"), str(problem)) from None
         return LawTraction(laws=dict(tables))

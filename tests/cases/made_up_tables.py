@@ -36,5 +36,5 @@ def made_up_tables(case, seed=70441):
             converged=True,
             message="made up",
         )
-        for race, contact in table_contacts(state, case.lubricant, case.rheology).items()
+        for race, contact in table_contacts(state, case.lubricant, case.rheology, solids=case.films.solids).items()
     }

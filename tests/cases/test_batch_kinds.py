@@ -11,6 +11,7 @@ from typer.testing import CliRunner
 
 import postprocess
 from bearing import Race
+from bearing.operation import BallKinematics
 from bearing.traction_tables import load_race_tables
 from cases import CaseError, load_case, run_case
 from cases.batch import run_batch
@@ -22,11 +23,13 @@ from cases.batch.tables import ready_tables
 from cases.batch.task import Task, compute_point
 from cases.cli import app
 from ehl.traction.sampling import TableOptions
+from postprocess import summary
 from postprocess.batch_results import batch_summary
 from postprocess.main_results import main_results
 from postprocess.plots_batch import quantities, varied_keys
 
 from .test_batch import HerePool
+from .test_batch_torque import case_text, sweep_of, without_times
 
 TORQUE = """
 case = "6208_five_terms"
@@ -116,6 +119,28 @@ def test_tables_that_are_given(shared, tmp_path):
     thick = replace(case, lubricant=replace(case.lubricant, viscosity=2.0 * case.lubricant.viscosity))
     with pytest.raises(ValueError, match=r"another bearing or oil \(inner race: oil\)"):
         torque_by_tables(thick, ready_tables(str(tmp_path / "ready.zip")))
+
+
+@pytest.mark.slow
+def test_a_point_from_tables_is_the_run_of_the_case_with_them(shared, tmp_path):
+    """To the last bit, and its power balance closes."""
+    _, file, _ = shared
+    (tmp_path / "ready.zip").write_bytes(file.read_bytes())
+    results = gathered(run_batch(sweep_of(tmp_path, case_text(), 'table = "ready.zip"'), tmp_path / "out", HerePool))
+    found = results.points[1].summary
+    named = case_text(f'traction = "table"\ntraction_table = "{file}"\n')
+    path = tmp_path / "named.toml"
+    path.write_text(named.replace('film_maps = "all"', 'film_maps = "none"'), encoding="utf-8")
+    assert found["converged"], found["messages"]
+    assert without_times(found) == without_times(summary(run_case(load_case(path))))
+    balance = found["torque_N_mm"]["power_balance"]
+    assert balance["hypothesis"] == "traction equilibrium"
+    assert balance["imbalance"] == pytest.approx(0.0, abs=1e-6)
+    assert balance["hypothesis_imbalance"] == pytest.approx(0.0, abs=1e-6)
+    (tmp_path / "half.toml").write_text(case_text(kinematics="half and half"), encoding="utf-8")
+    half, _ = torque_by_tables(load_case(tmp_path / "half.toml"), ready_tables(str(tmp_path / "ready.zip")))
+    assert half.quasistatic.model.ball_kinematics is BallKinematics.HALF_AND_HALF
+    assert found["balls"] != summary(half)["balls"]
 
 
 @pytest.mark.slow

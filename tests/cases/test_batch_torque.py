@@ -4,20 +4,17 @@ from __future__ import annotations
 
 import pytest
 
+from bearing import Race
 from bearing.operation import BallKinematics
 from cases import load_case, run_case
 from cases.batch import run_batch
-from cases.batch.compute import torque_by_tables
 from cases.batch.results import gathered
 from cases.batch.sweep import sweep_from_text
-from cases.batch.tables import _without_films, case_of_document, ready_tables
+from cases.batch.tables import _without_films, case_of_document, shared_tables
 from cases.shipped import find_case
 from postprocess import summary
 
 from .test_batch import HerePool
-from .test_batch_kinds import shared
-
-__all__ = ["shared"]  # the fixture with tables of solved films
 
 SWEEP = 'case = "case.toml"\ncompute = "torque"\n[sweep]\n"operation.radial_load_N" = [2000.0, 3000.0]\n'
 LAW = 'traction = "four constants"\ntraction_maximum = 0.05\ntraction_maximum_slide = 0.03\ntraction_limit = 0.03\n'
@@ -31,9 +28,10 @@ def case_text(friction="", kinematics=None):
     return text.replace("[friction]\n", f"[friction]\n{friction}")
 
 
-def sweep_of(tmp_path, text):
+def sweep_of(tmp_path, text, more=""):
+    """Two loads of a case, with more lines at the top of the sweep."""
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
-    return sweep_from_text(SWEEP, "sweep.toml", tmp_path)
+    return sweep_from_text(SWEEP.replace("[sweep]", f"{more}\n[sweep]"), "sweep.toml", tmp_path)
 
 
 def without_times(document):
@@ -76,25 +74,20 @@ def test_a_law_of_the_case_itself_is_taken_as_by_run(tmp_path, kinematics):
     assert found["torque_N_mm"]["power_balance"]["hypothesis"] == (kinematics or "traction equilibrium")
 
 
-@pytest.mark.slow
-def test_a_point_from_tables_is_the_run_of_the_case_with_them(shared, tmp_path):
-    """To the last bit, and its power balance closes."""
-    _, file, _ = shared
-    (tmp_path / "ready.zip").write_bytes(file.read_bytes())
-    (tmp_path / "case.toml").write_text(case_text(), encoding="utf-8")
-    text = SWEEP.replace("[sweep]", 'table = "ready.zip"\n[sweep]')
-    results = gathered(run_batch(sweep_from_text(text, "sweep.toml", tmp_path), tmp_path / "out", HerePool))
-    found = results.points[1].summary
-    named = case_text(f'traction = "table"\ntraction_table = "{file}"\n')
-    path = tmp_path / "named.toml"
-    path.write_text(named.replace('film_maps = "all"', 'film_maps = "none"'), encoding="utf-8")
-    assert found["converged"], found["messages"]
-    assert without_times(found) == without_times(summary(run_case(load_case(path))))
-    balance = found["torque_N_mm"]["power_balance"]
-    assert balance["hypothesis"] == "traction equilibrium"
-    assert balance["imbalance"] == pytest.approx(0.0, abs=1e-6)
-    assert balance["hypothesis_imbalance"] == pytest.approx(0.0, abs=1e-6)
-    (tmp_path / "half.toml").write_text(case_text(kinematics="half and half"), encoding="utf-8")
-    half, _ = torque_by_tables(load_case(tmp_path / "half.toml"), ready_tables(str(tmp_path / "ready.zip")))
-    assert half.quasistatic.model.ball_kinematics is BallKinematics.HALF_AND_HALF
-    assert found["balls"] != summary(half)["balls"]
+def test_tables_of_points_with_heat_have_heat(tmp_path, monkeypatch):
+    """Made with the thermal properties of ball and race, and named apart from those without."""
+    monkeypatch.setattr("ehl.traction.sampling.build_table", lambda contact, *arguments: contact)
+    oil = "viscosity_mPa_s = 26.1 # assumed: 30 mm2/s of the paper times 870 kg/m3, at no stated temperature\n"
+    warm = "thermal_conductivity_W_m_K = 0.14\nspecific_heat_J_kg_K = 2000.0\nviscosity_temperature_1_K = 0.04\n"
+    text = case_text().replace(oil, oil + warm)
+    assert text != case_text()
+    names = set()
+    for heated in (False, True):
+        sweep = sweep_of(tmp_path, text.replace("[ehl]\n", '[ehl]\nfilm_model = "thermal"\n') if heated else text)
+        (name,) = {point.tables for point in sweep.points}
+        names.add(name)
+        made = shared_tables(sweep, name, lambda done, total, state: None)
+        solids = case_of_document(sweep.points[0].document).films.solids
+        assert (solids is not None) == heated
+        assert made[Race.INNER].solids == made[Race.OUTER].solids == solids
+    assert len(names) == 2

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
+from bearing.material import load_material
 from bearing.traction_tables import save_race_tables
 from cases.batch.sweep import sweep_from_text
 from cases.case import case_from_text
@@ -100,3 +101,26 @@ def test_tables_that_a_simulation_has_no_use_for(folder, tmp_path):
     missing = CliRunner().invoke(app, ["dynamics", str(file_of(tmp_path, text_of())), "--table", "no.zip", "--json"])
     assert missing.exit_code == 2
     assert "no.zip cannot be read" in missing.stderr
+
+
+def test_tables_with_heat_are_of_the_bodies_of_a_case_with_heat(tmp_path):
+    """Another conductivity is another table; a case without heat takes the tables it is given."""
+    steel = load_material("bearing steel")
+    own = f"""
+[materials."bearing steel"]
+youngs_modulus_GPa = {1e-9 * steel.youngs_modulus!r}
+poisson_ratio = {steel.poisson_ratio!r}
+density_kg_m3 = {steel.density!r}
+thermal_conductivity_W_m_K = 20.0
+"""
+    cold = text_of(
+        "viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 18.0\ndensity_kg_m3 = 870.0", 'name = "iso vg 32"'
+    )
+    cold = cold[cold.index("[bearing]") :]
+    heat = "schema_version = 1\n" + cold.replace("[ehl]\n", '[ehl]\nfilm_model = "thermal"\n')
+    save_race_tables(made_up_tables(case_from_text(heat, "case.toml")), tmp_path / "made.zip")
+    named = f'[friction]\ntraction = "table"\ntraction_table = "{tmp_path / "made.zip"}"\n'
+    for text in (heat, "schema_version = 1\n" + cold):
+        case_from_text(text + named, "case.toml")
+    with pytest.raises(CaseError, match=r"inner race: thermal properties"):
+        case_from_text(heat + named + own, "case.toml")
