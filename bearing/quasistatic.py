@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ehl.hertz import hertz_contact
 
 from .ball_equilibrium import EDGE_COSINE, BallProblem, BallRow, BallState, ball_problem, ball_state
+from .contact_stiffness import stiffness_at
 from .geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from .kinematics import HeldBalls
 from .operation import DEGREES_OF_FREEDOM, BallKinematics, Model, Operation
@@ -65,6 +66,8 @@ class QuasistaticSolution:
         couple [N].
     inner_drive : ndarray
         Friction of the ball on the inner ring along the tangent of the orbit; not asked for under a hypothesis [N].
+    carried : ndarray of bool
+        In traction equilibrium: loaded at the inner race, which cannot drive it, so that it goes with the cage.
     cage_speed : float
         Mean orbit speed of the balls loaded at the inner race, of all balls where there are none [rad/s].
     residual : float
@@ -101,6 +104,7 @@ class QuasistaticSolution:
     inner_friction: Array
     outer_friction: Array
     inner_drive: Array
+    carried: NDArray[np.bool_]
     cage_speed: float
     residual: float
     iterations: int
@@ -146,6 +150,7 @@ BALL_ARRAYS = (
     "inner_friction",
     "outer_friction",
     "inner_drive",
+    "carried",
 )
 
 
@@ -273,23 +278,21 @@ def _verdict(
             f"no equilibrium found in {iterations} iterations: relative residual {point.residual:.1e} "
             f"(balls {worst:.1e}); {advice}"
         )
-    if _ellipse_share(bearing, state) > 1.0:
+    if _too_wide(bearing, problem, state):
         return False, "no equilibrium within Hertz' theory: a contact ellipse is wider than the ball"
     names = [DEGREES_OF_FREEDOM[k] for k in range(5) if ring.free[k]]
     if names and not loaded.any():
         return False, f"the inner ring floats: no ball touches it and {', '.join(names)} is not determined"
     undetermined = _undetermined(ring, point)
     if undetermined:
-        return (
-            True,
-            f"converged in {iterations} iterations; without stiffness, hence arbitrary: {', '.join(undetermined)}",
-        )
+        words = f"without stiffness, hence arbitrary: {', '.join(undetermined)}"
+        return True, f"converged in {iterations} iterations; {words}"
     return True, f"converged in {iterations} iterations"
 
 
 def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState) -> str:
     """What most likely keeps balls and ring from a balance, and what to change."""
-    if _ellipse_share(bearing, state) > 1.0:
+    if _too_wide(bearing, problem, state):
         return "contact ellipses came out wider than the ball, take smaller loads or speeds"
     share = float(np.linalg.norm(ring.load[:3])) / max(state.inner_load.size * problem.nominal_force, 1e-300)
     if problem.nominal_force > 0.0 and share < LIGHT_LOAD and ring.free[0]:
@@ -305,19 +308,26 @@ def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState
     return "check the loads for a direction in which nothing holds the ring"
 
 
-def _ellipse_share(bearing: Bearing, state: BallState) -> float:
-    """Largest transverse semi-axis of the contacts over the ball radius [-]; where it nears 1 Hertz' theory is void."""
-    share = 0.0
-    for race, load, cosine in (
-        (Race.INNER, state.inner_load, state.inner.cos),
-        (Race.OUTER, state.outer_load, state.outer.cos),
+def _too_wide(bearing: Bearing, problem: BallProblem, state: BallState) -> bool:
+    """Whether a contact ellipse is wider than the ball, where Hertz' theory is void.
+
+    Over the semi-axis b the gap rises by b^2/(2 Ry), which is less than the approach (Q/K)^(2/3): most fit by that.
+    """
+    radius = 0.5 * bearing.ball_diameter
+    for race, load, cosine, series in (
+        (Race.INNER, state.inner_load, state.inner.cos, problem.inner_series),
+        (Race.OUTER, state.outer_load, state.outer.cos, problem.outer_series),
     ):
         worst = int(np.argmax(load))
-        if load[worst] > 0.0:
-            radii = reduced_radii(bearing, race, float(np.arccos(cosine[worst])))
+        if load[worst] <= 0.0:
+            continue
+        radii = reduced_radii(bearing, race, float(np.arccos(cosine[worst])))
+        approach = (load[worst] / stiffness_at(series, cosine[[worst]])[0]) ** (2.0 / 3.0)
+        if 2.0 * radii[1] * approach > radius**2:
             contact = hertz_contact(float(load[worst]), *radii, contact_modulus(bearing, race))
-            share = max(share, contact.semi_axis_y / (0.5 * bearing.ball_diameter))
-    return share
+            if contact.semi_axis_y > radius:
+                return True
+    return False
 
 
 def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
@@ -361,6 +371,7 @@ def _solution(
         ball_radial=bearing.outer_centre_radius + row.u[1],
         pivot_speed=none if held is None else held.pivot_speed,
         inner_drive=none if held is None else held.inner_drive,
+        carried=np.zeros(none.size, dtype=np.bool_),
         cage_speed=_cage_speed(state.motion.orbit_speed, state.inner_load),
         residual=point.residual,
         iterations=iterations,

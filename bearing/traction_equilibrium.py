@@ -98,7 +98,7 @@ def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSo
             carried = ", ".join(str(ball + 1) for ball in np.flatnonzero(state.carried))
             words = f"converged in traction equilibrium, forces to {state.change:.0e} of the largest load"
             words += f"; balls {carried} go with the cage, their inner contacts cannot drive them" if carried else ""
-            return replace(start, message=words)
+            return replace(start, message=words, carried=state.carried & (start.inner_load > 0.0))
         message = f"films solved {films} times, and a load still changes by {moved:.1e} of the largest"
     return replace(start, converged=False, message=f"no traction equilibrium found: {message}")
 

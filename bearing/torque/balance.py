@@ -105,9 +105,10 @@ def balance_driven_balls(
     """As `balance_balls`, with balls that would skid given to the cage.
 
     Where the oil's resistance asks more traction than a light contact has, the ball would slide at speeds for which its
-    film was not solved; beyond `SKID` of the entrainment it counts as one that the inner race does not drive. SI.
+    film was not solved; beyond `SKID` of the entrainment it counts as one that the inner race does not drive. So do
+    those that the equilibrium found to be carried. SI.
     """
-    driven = solution.inner_load > 0.0
+    driven = (solution.inner_load > 0.0) & ~solution.carried
     found = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
     for _ in range(SKID_ROUNDS):
         skidding = driven & (sliding_ratio(found, contacts) > SKID)
@@ -364,9 +365,4 @@ def _result(
 
 def ring_power(solution: QuasistaticSolution, contact: BearingContact, force: Array) -> float:
     """Power that a contact's ring feeds into it [W], from the forces (4,) on the ball."""
-    return ring_powers(solution, [contact], force)
-
-
-def ring_powers(solution: QuasistaticSolution, contacts: Sequence[BearingContact], forces: Array) -> float:
-    """Power that the rings feed into contacts [W], from the forces (contacts, 4) on the balls."""
-    return -float(np.sum(forces * motion_map(solution, contacts).ring))
+    return -float(np.sum(force * motion_map(solution, [contact]).ring))

@@ -20,10 +20,10 @@ from ehl.traction.table import TractionTable
 from ..contacts import BearingContact
 from ..geometry import Array, Race
 from ..quasistatic import QuasistaticSolution
-from .balance import BalancedFriction, ContactLaw, balance_driven_balls, resisted_power, ring_powers
+from .balance import BalancedFriction, ContactLaw, balance_driven_balls, resisted_power
 from .contact_friction import Dissipation
 from .integrated import STRENGTH
-from .motion_map import ball_speeds, motion_map
+from .motion_map import MotionMap, ball_speeds, motion_map
 from .resistance import FREE, Resistance
 from .shear_torque import IntegratedTorque, SolvedShear, carried_balls, not_balanced, not_closed
 
@@ -76,16 +76,17 @@ def law_torque(
     SolvedShear
         [N m], [W].
     """
-    motion = motion_map(solution, contacts).motion(*ball_speeds(solution))
+    move = motion_map(solution, contacts)
+    motion = move.motion(*ball_speeds(solution))
     forces = -law.dissipation(motion, np.arange(len(contacts))).gradient
     untold = (ONE_MOMENT if law.pumps else NO_OIL) | NO_ASPERITIES
-    hypothesis = _torque(solution, contacts, (motion, forces), law)
+    hypothesis = _torque(solution, move, (motion, forces), law)
     hypothesis = replace(hypothesis, resisted=resisted_power(solution, resistance))
     balance = balance_driven_balls(solution, contacts, law, resistance)
     if not balance.converged:
         return SolvedShear(hypothesis=hypothesis, note=not_balanced(balance), untold=untold)
     balanced = balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4)
-    found = replace(_torque(solution, contacts, balanced, law), resisted=balance.resisted)
+    found = replace(_torque(solution, move, balanced, law), resisted=balance.resisted)
     carried = carried_balls(solution, balance)
     return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried, note=not_closed(found), untold=untold)
 
@@ -193,7 +194,7 @@ def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, 
 
 
 def _torque(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], moved: tuple[Array, Array], law: ContactLaw
+    solution: QuasistaticSolution, move: MotionMap, moved: tuple[Array, Array], law: ContactLaw
 ) -> IntegratedTorque:
     """Torque from the motions and forces (contacts, 4) of all contacts [m/s], [rad/s], [N], [N m]."""
     motion, forces = moved
@@ -207,7 +208,7 @@ def _torque(
         spin=float(powers[:, 2].sum()) / speed,
         curvature=None if law.pumps else across,
         asperity=None,
-        shaft_power=ring_powers(solution, contacts, forces),
+        shaft_power=-float(np.sum(forces * move.ring)),
         heat=float(heat.sum()),
         per_ball=heat.reshape(-1, 2).sum(axis=1) / speed,
     )

@@ -18,11 +18,13 @@ from bearing import (
     contact_conditions,
     solve_quasistatic,
 )
-from bearing.torque.balance import curvature_slip, ring_power
+from bearing.dynamics.friction import contact_shape
+from bearing.torque.balance import balance_driven_balls, curvature_slip, ring_power
 from bearing.torque.resistance import Cage, Resistance, resistance_of
-from bearing.torque.traction_source import BallTraction, CoulombTraction, FourConstantTraction
+from bearing.torque.traction_source import BallTraction, CoulombTraction, FourConstantTraction, LawTraction
 from bearing.traction_forces import bearing_kinematics
 from ehl import Lubricant
+from ehl.traction import CoulombLaw
 from ehl.traction.laws import four_constants
 
 from .test_random_bearings import random_bearing, random_operation
@@ -170,6 +172,34 @@ def test_rows_are_in_equilibrium_together(bearings):
     for index in range(2):
         assert_allclose(pair.row(index).inner_load, one.inner_load, rtol=1e-8)
         assert_allclose(pair.row(index).inner_friction, one.inner_friction, rtol=1e-6)
+
+
+class RollingResistance:
+    """Coulomb's law and a moment against rolling as oil makes it, which light contacts cannot overcome."""
+
+    def __init__(self, shape):
+        self.law = CoulombLaw(shape=shape, friction=0.05, slide_full=0.02)
+
+    def forces(self, *motion):
+        """As the law, less 1e-3 N m."""
+        found = self.law.forces(*motion)
+        return found._replace(rolling_moment=found.rolling_moment - 1e-3)
+
+
+def test_the_torque_takes_the_balance_of_the_equilibrium(bearings):
+    """Balls found to be carried stay so, and the motion found is that of the torque: no step is made any more."""
+    shapes = {race: contact_shape(bearings.b6208, race, 0.1) for race in Race}
+    source = LawTraction(laws={race: RollingResistance(shape) for race, shape in shapes.items()})
+    state = solve_quasistatic(bearings.b6208, Operation(inner_speed=500.0, force=(400.0, 1500.0, 0.0)), model(source))
+    assert state.converged, state.message
+    assert state.carried.any() and (state.inner_load[state.carried] > 0.0).all()
+    contacts = contact_conditions(state, OIL)
+    balance = balance_driven_balls(state, contacts, source.law(state, contacts))
+    assert balance.converged
+    assert (balance.driven == ((state.inner_load > 0.0) & ~state.carried)).all()
+    speeds = np.array([motion.orbit_speed for motion in balance.motions])
+    assert_allclose(speeds, state.orbit_speed, rtol=1e-9)
+    assert balance.energy_error == pytest.approx(0.0, abs=1e-6)
 
 
 def test_rings_that_turn_as_one_have_nothing_to_balance(bearings):
