@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 from math import isclose
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +14,8 @@ if TYPE_CHECKING:
     from ehl import Lubricant
     from ehl.rheology import Rheology
     from ehl.thermal.solids import SolidThermal
+    from ehl.traction.table import TableContact, TractionTable
+    from ehl.traction.temperature import TemperatureTable
 
     Solids = tuple[SolidThermal, SolidThermal]  # ball and race
 
@@ -30,13 +34,55 @@ def read_race_tables(
         If the file cannot be read, is damaged, or was made for another bearing or oil; the message begins with its
         name.
     """
+    return made_for(tables_of_file(path)(oil, rheology), str(path), bearing, oil, rheology, solids)
+
+
+def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
+    """A file read once: its tables of both races, those at the temperature of an oil if it has several temperatures.
+
+    Raises
+    ------
+    ValueError
+        As `read_race_tables`; what comes back does if the oil's temperature is out of range, or the oil another one.
+    """
+    from bearing.temperature_tables import holds_temperatures, load_temperature_tables
     from bearing.traction_tables import load_race_tables
 
     try:
-        tables = load_race_tables(path, oil=oil)
+        if not holds_temperatures(path):
+            single = load_race_tables(path)
+            return lambda oil, rheology: single
+        several = load_temperature_tables(path)
     except OSError as problem:
         raise ValueError(f"{path} cannot be read: {problem.strerror or problem}") from None
-    return made_for(tables, str(path), bearing, oil, rheology, solids)
+
+    def tables_at(oil: Lubricant, rheology: Rheology) -> Tables:
+        try:
+            return {race: _at(found, oil, rheology) for race, found in several.items()}
+        except ValueError as problem:
+            raise ValueError(f"{path}: {problem}") from problem
+
+    return tables_at
+
+
+def _at(found: TemperatureTable, oil: Lubricant, rheology: Rheology) -> TractionTable:
+    """The table at the temperature of an oil, with its rheology where that is the tables' own at this temperature."""
+    if oil.temperature is None:
+        raise ValueError("has tables at several temperatures, and the lubricant has none")
+    table = found.at(oil.temperature, oil)
+    if not all(_same_shear(one.contact, oil, rheology) for one in found.tables):
+        return table
+    return replace(table, contact=replace(table.contact, rheology=rheology))
+
+
+def _same_shear(contact: TableContact, oil: Lubricant, rheology: Rheology) -> bool:
+    """Whether a table shears by this law; an Eyring stress may go with 1/alpha over temperature, as assumed ones do."""
+    stress = rheology.eyring_stress
+    if contact.rheology.eyring_stress != stress and oil.pressure_viscosity > 0.0:
+        stress *= oil.pressure_viscosity / contact.lubricant.pressure_viscosity
+    if not isclose(contact.rheology.eyring_stress, stress, rel_tol=NEAR):
+        return False
+    return replace(rheology, eyring_stress=contact.rheology.eyring_stress) == contact.rheology
 
 
 def made_for(

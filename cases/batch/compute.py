@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..case import Case, ContactCase
 from ..race_tables import made_for
-from .tables import ready_tables
+from .tables import tables_once
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -56,7 +56,8 @@ def compute(case: Case | ContactCase, task: Task, tables: Path | None, solve: So
     if task.compute == "table":
         return _table(case, task)
     if task.compute == "torque":
-        return _torque(case, None if tables is None else ready_tables(str(tables)))
+        assert case.rheology is not None  # of every bearing case
+        return _torque(case, None if tables is None else tables_once(str(tables))(case.lubricant, case.rheology))
     return _with_fields(run_case(case, 1, None, solve), task)
 
 

@@ -24,6 +24,8 @@ from .store import TABLES
 if TYPE_CHECKING:
     from bearing.operation import Model
     from bearing.traction_tables import Tables
+    from ehl import Lubricant
+    from ehl.rheology import Rheology
 
     from .sweep import Point, Sweep
 
@@ -99,22 +101,21 @@ def foreign_points(path: Path, common: Mapping[int, str], examples: Mapping[str,
 
     `common` has by the number of a point what it must have in common with others, `examples` a case of each kind.
     """
-    from bearing.traction_tables import load_race_tables
-
-    from ..race_tables import made_for
+    from ..race_tables import made_for, tables_of_file
 
     try:
-        tables = load_race_tables(path)
+        tables = tables_of_file(path)
     except ValueError:
         return {}
     wrong: dict[str, list[int]] = {}
     told = {}
     for same, case in examples.items():
         assert case.rheology is not None  # of every bearing case
+        oil = (case.lubricant, case.rheology)
         try:
-            made_for(tables, path.name, case.bearing, case.lubricant, case.rheology, case.films.solids)
+            made_for(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
         except ValueError as problem:
-            told[same] = str(problem)
+            told[same] = str(problem).replace(str(path), path.name)
     for number, same in common.items():
         if same in told:
             wrong.setdefault(told[same], []).append(number)
@@ -154,7 +155,7 @@ def prepare_tables(sweep: Sweep, wanted: Iterable[str], directory: Path, progres
         path = table_path(directory, name)
         try:
             if path.exists():
-                ready_tables(str(path))
+                tables_once(str(path))
             else:
                 _put(sweep, name, path, progress)
         except ValueError as error:
@@ -163,13 +164,15 @@ def prepare_tables(sweep: Sweep, wanted: Iterable[str], directory: Path, progres
 
 
 def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:
-    from bearing.traction_tables import load_race_tables, save_race_tables
+    from bearing.traction_tables import save_race_tables
+
+    from ..race_tables import tables_of_file
 
     path.parent.mkdir(parents=True, exist_ok=True)
     if sweep.table is None:
         save_race_tables(shared_tables(sweep, name, progress), path)
         return
-    load_race_tables(sweep.table)  # damaged ones are told before anything is copied
+    tables_of_file(sweep.table)  # damaged ones are told before anything is copied
     partial = path.with_name(f"{path.name}.partial")
     shutil.copyfile(sweep.table, partial)
     os.replace(partial, path)
@@ -241,8 +244,8 @@ def case_of_document(document: dict[str, Any]) -> Case:
 
 
 @lru_cache(maxsize=2)
-def ready_tables(path: str) -> Tables:
-    """Tables of both races, read once by each worker."""
-    from bearing.traction_tables import load_race_tables
+def tables_once(path: str) -> Callable[[Lubricant, Rheology], Tables]:
+    """Tables of both races for an oil and its shear law, the file read once by each worker."""
+    from ..race_tables import tables_of_file
 
-    return load_race_tables(Path(path))
+    return tables_of_file(Path(path))

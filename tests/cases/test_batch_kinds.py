@@ -19,7 +19,6 @@ from cases.batch.compute import torque_by_tables
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
-from cases.batch.tables import ready_tables
 from cases.batch.task import Task, compute_point
 from cases.cli import app
 from ehl.traction.sampling import TableOptions
@@ -118,7 +117,7 @@ def test_tables_that_are_given(shared, tmp_path):
     case = load_case("6208_five_terms")
     thick = replace(case, lubricant=replace(case.lubricant, viscosity=2.0 * case.lubricant.viscosity))
     with pytest.raises(ValueError, match=r"another bearing or oil \(inner race: oil\)"):
-        torque_by_tables(thick, ready_tables(str(tmp_path / "ready.zip")))
+        torque_by_tables(thick, load_race_tables(tmp_path / "ready.zip"))
 
 
 @pytest.mark.slow
@@ -138,7 +137,7 @@ def test_a_point_from_tables_is_the_run_of_the_case_with_them(shared, tmp_path):
     assert balance["imbalance"] == pytest.approx(0.0, abs=1e-6)
     assert balance["hypothesis_imbalance"] == pytest.approx(0.0, abs=1e-6)
     (tmp_path / "half.toml").write_text(case_text(kinematics="half and half"), encoding="utf-8")
-    half, _ = torque_by_tables(load_case(tmp_path / "half.toml"), ready_tables(str(tmp_path / "ready.zip")))
+    half, _ = torque_by_tables(load_case(tmp_path / "half.toml"), load_race_tables(tmp_path / "ready.zip"))
     assert half.quasistatic.model.ball_kinematics is BallKinematics.HALF_AND_HALF
     assert found["balls"] != summary(half)["balls"]
 

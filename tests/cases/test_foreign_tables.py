@@ -5,14 +5,18 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
+from bearing.geometry import Race
 from bearing.material import load_material
+from bearing.temperature_tables import save_temperature_tables
 from bearing.traction_tables import save_race_tables
 from cases.batch.sweep import sweep_from_text
+from cases.batch.tables import tables_once
 from cases.case import case_from_text
 from cases.cli import app
 from cases.dynamics import build_model
 from cases.problems import CaseError
 from cases.shipped import find_case
+from ehl.traction.temperature import TemperatureTable
 
 from .made_up_tables import made_up_tables
 
@@ -124,3 +128,58 @@ thermal_conductivity_W_m_K = 20.0
         case_from_text(text + named, "case.toml")
     with pytest.raises(CaseError, match=r"inner race: thermal properties"):
         case_from_text(heat + named + own, "case.toml")
+
+
+@pytest.fixture(scope="module")
+def over_temperature(tmp_path_factory):
+    """Tables at three temperatures of an oil of the library, whose Eyring stress is assumed and goes with 1/alpha."""
+    tables = [made_up_tables(case_from_text(warm_text(celsius), "case.toml")) for celsius in (30.0, 50.0, 70.0)]
+    found = {race: TemperatureTable(tables=tuple(one[race] for one in tables)) for race in Race}
+    path = tmp_path_factory.mktemp("warm") / "made.zip"
+    save_temperature_tables(found, path)
+    return path
+
+
+def warm_text(celsius, oil="iso vg 32"):
+    old = "viscosity_mPa_s = 20.0\npressure_viscosity_1_GPa = 18.0\ndensity_kg_m3 = 870.0"
+    text = text_of(old, f'name = "{oil}"').replace("[operation]\n", f"[operation]\ntemperature_C = {celsius}\n")
+    return f"schema_version = 1\n[bearing]{text.partition('[bearing]')[2]}"
+
+
+def test_tables_over_the_temperature_are_taken_at_that_of_the_case(over_temperature, tmp_path):
+    """By run, the simulation and a batch over temperatures, at and between those of the tables."""
+    for celsius in (50.0, 57.0):
+        case = case_from_text(warm_text(celsius), "case.toml")
+        model = build_model(case, case.dynamics, over_temperature, lambda done, total, state: None)
+        assert model.friction.outer.contact.temperature == celsius + 273.15
+        assert model.friction.outer.contact.rheology == case.rheology
+        named = f'[friction]\ntraction = "table"\ntraction_table = "{over_temperature}"\n'
+        laws = case_from_text(warm_text(celsius) + named, "case.toml").model.traction.source.laws
+        assert laws[Race.INNER].contact == model.friction.inner.contact
+    file_of(tmp_path, warm_text(40.0))
+    (tmp_path / "made.zip").write_bytes(over_temperature.read_bytes())
+    sweep = 'case = "case.toml"\ncompute = "{}"\ntable = "made.zip"\n[sweep]\n"operation.temperature_C" = [{}]\n'
+    for compute in ("dynamics", "torque"):
+        points = sweep_from_text(sweep.format(compute, "35.0, 50.0, 65.0"), "sweep.toml", tmp_path).points
+        assert len({point.tables for point in points}) == 1
+        with pytest.raises(CaseError, match=r"made.zip: temperature must lie within .*: point 2;"):
+            sweep_from_text(sweep.format(compute, "35.0, 80.0"), "sweep.toml", tmp_path)
+    case = case_from_text(warm_text(57.0), "case.toml")
+    tables = tables_once(str(over_temperature))(case.lubricant, case.rheology)
+    assert tables[Race.OUTER].contact.lubricant == case.lubricant
+
+
+@pytest.mark.parametrize(
+    ("change", "told"),
+    [
+        (("iso vg 32", "iso vg 68"), "another oil"),
+        (("[operation]", "eyring_stress_MPa = 9.0\n[operation]"), "shear law"),
+        (("inner_groove_radius_mm = 3.99", "inner_groove_radius_mm = 3.98"), "groove"),
+    ],
+)
+def test_foreign_tables_over_the_temperature_are_refused(over_temperature, tmp_path, change, told):
+    case = file_of(tmp_path, warm_text(57.0).replace(*change))
+    found = CliRunner().invoke(app, ["dynamics", str(case), "--table", str(over_temperature), "--json"])
+    assert found.exit_code == 2, found.output
+    assert "made.zip" in found.stderr
+    assert told in found.stderr
