@@ -11,6 +11,7 @@ from ehl import ContactConditions, ContactSolution, ViscosityLaw, film_formulas
 from .messages import doubt_messages
 from .results import ContactResults
 from .rolling import contact_rolling_messages, contact_rolling_values
+from .supply import contact_starved_values, contact_supply_messages
 from .torque import traction_values
 from .units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
@@ -84,6 +85,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "film_temperature_maximum_C": film_temperature_maximum(solution),
         **traction_values(results.traction),
         **contact_rolling_values(solution),
+        **contact_starved_values(results),
         "resolved": solution.resolved,
         "domain": list(solution.domain),
         "points": list(solution.P.shape),
@@ -130,6 +132,7 @@ def _contact_messages(results: ContactResults) -> Iterator[str]:
     solution = results.solution
     yield from results.messages
     yield from solution_messages("contact", solution)
+    yield from contact_supply_messages(results)
     if isinstance(solution.conditions, ContactConditions) and solution.conditions.coating is not None:
         yield "Hertz values, M, L and film formulas: those of bodies of the coating's material throughout"
     if not isinstance(solution.conditions, ContactConditions):

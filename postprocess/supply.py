@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from math import isfinite
+from math import cos, hypot, isfinite, sin
 from typing import TYPE_CHECKING, Any
 
 from .units import MICROMETRE, NEWTON_MILLIMETRE
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from bearing.torque.breakdown import TorqueBreakdown
     from bearing.torque.starved_films import StarvedFilm
 
-    from .results import BearingResults
+    from .results import BearingResults, ContactResults
 
 KEYS = ("film_share", "film_share_least", "lambda_least", "oil_fraction", "torque_N_mm", "flooded_torque_N_mm")
 OF_CONTACT = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um", "starved_lambda_ratio")
@@ -76,6 +76,34 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         yield "supply: torque and oil_fraction null as the model starved"
     if films and all(film.share > 1.0 - FLOOD_MARGIN for film in films):
         yield f"supply: ample, every contact keeps its flooded film to {FLOOD_MARGIN:.1%}"
+
+
+def contact_starved_values(results: ContactResults) -> dict[str, float | None]:
+    """Share of the flooded film [-] and the films left [um] of a single contact; None without an inlet film."""
+    solution, layer = results.solution, results.case.get("lubricant", {}).get("inlet_film_um")
+    central, minimum = solution.film_central, solution.film_minimum
+    if layer is None or central is None or minimum is None or not solution.converged:
+        return dict.fromkeys(OF_CONTACT[:3])
+    from bearing.torque.supply import compression, starvation_exponent, starved_share
+    from ehl import ContactConditions
+
+    given = solution.conditions
+    assert isinstance(given, ContactConditions)  # the film has a length
+    along, across = cos(given.entrainment_angle), sin(given.entrainment_angle)
+    ratio = hypot(across, solution.semi_axis_ratio * along) / hypot(along, solution.semi_axis_ratio * across)
+    packed = compression(solution.hertz_pressure, given.lubricant) * central
+    share = starved_share(layer * MICROMETRE / packed, starvation_exponent(ratio))
+    return dict(zip(OF_CONTACT[:3], (share, share * central / MICROMETRE, share * minimum / MICROMETRE), strict=True))
+
+
+def contact_supply_messages(results: ContactResults) -> Iterator[str]:
+    """Which numbers of a single contact are starved, or why none is."""
+    if "inlet_film_um" not in results.case.get("lubricant", ()):
+        yield "starved_film_...: null, the supply is flooded"
+    elif results.solution.converged:
+        yield "supply: inlet film; starved are starved_film_... alone, all else is that of the flooded film"
+    else:
+        yield "starved_film_...: null, the flooded film did not converge"
 
 
 def supply_rows(results: BearingResults) -> dict[str, str]:

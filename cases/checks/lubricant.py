@@ -68,9 +68,9 @@ def _supply(values: Values) -> Iterator[Problem]:
     if values.get("lubricant", "supply") == "starved" and not (layer or flow):
         allowed = "allowed: with inlet_film_um, or friction.supply_mL_min of a bearing"
         yield Problem(path=("lubricant", "supply"), found='found "starved"', allowed=allowed)
-    if layer and values.given("contact"):
-        found = "found with [contact]"
-        yield Problem(path=("lubricant", "inlet_film_um"), found=found, allowed="allowed: with a bearing")
+    if layer and values.given("contact", "moes_M"):
+        found = "found with Moes' groups"
+        yield Problem(path=("lubricant", "inlet_film_um"), found=found, allowed="allowed: with dimensions")
 
 
 def _library_temperature(values: Values) -> Iterator[Problem]:

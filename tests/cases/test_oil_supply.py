@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from bearing.torque.supply import starvation_exponent, starved_share
 from cases.batch.sweep import read_sweep
 from cases.batch.tables import case_of_document
 from cases.case import case_from_text
 from cases.heating import self_heated
 from cases.problems import CaseError
-from cases.run import run_case
+from cases.run import run_case, run_contact
 from postprocess import summary
 
 SURFACE = "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
@@ -170,12 +171,61 @@ def test_bad_supply(text, expected):
         case_from_text(text, "case.toml")
 
 
-def test_a_single_contact_has_no_inlet_film():
+CONTACT = """
+schema_version = 1
+[contact]
+load_N = 15.0
+radius_x_mm = 12.5
+radius_y_mm = 12.5
+reduced_modulus_GPa = 110.0
+entrainment_speed_m_s = 0.09
+[ehl]
+points = 65
+[lubricant]
+viscosity_mPa_s = 40.0
+pressure_viscosity_1_GPa = 20.0
+density_kg_m3 = 870.0
+"""
+
+
+def contact(text):
+    return summary(run_contact(case_from_text(text, "case.toml")))
+
+
+def test_a_single_contact_at_an_inlet_film():
+    """A circle, gamma 3: r of 1 leaves 2^(-1/3) of the flooded film; ample oil all of it."""
+    flooded = contact(CONTACT)
+    assert flooded["starved_film_share"] is None
+    assert any("supply is flooded" in message for message in flooded["messages"])
+    ample = contact(CONTACT + "inlet_film_um = 1e4\n")
+    assert ample["starved_film_share"] == pytest.approx(1.0, abs=1e-12)
+    assert ample["starved_film_central_um"] == pytest.approx(flooded["film_central_um"], rel=1e-12)
+    assert ample["film_central_um"] == flooded["film_central_um"]
+    assert any("starved_film_... alone" in message for message in ample["messages"])
+    pressure = 2.0 / 3.0 * flooded["hertz_pressure_GPa"]
+    packed = 1.0 + 0.6 * pressure / (1.0 + 1.7 * pressure)
+    even = contact(CONTACT + f"inlet_film_um = {packed * flooded['film_central_um']!r}\n")
+    assert even["starved_film_share"] == pytest.approx(2.0 ** (-1 / 3), rel=1e-9)
+    assert even["starved_film_minimum_um"] == pytest.approx(2.0 ** (-1 / 3) * flooded["film_minimum_um"], rel=1e-9)
+
+
+def test_the_exponent_of_a_contact_goes_by_the_ellipse_as_the_oil_meets_it():
+    """The same ellipse entrained along its short and its long axis."""
+    wide = CONTACT.replace("radius_y_mm = 12.5", "radius_y_mm = 125.0") + "inlet_film_um = 0.1\n"
+    found = [contact(wide), contact(wide.replace("[ehl]", "entrainment_angle_deg = 90.0\n[ehl]"))]
+    for document, exponent in zip(found, (None, 3.0), strict=True):
+        pressure = 2.0 / 3.0 * document["hertz_pressure_GPa"]
+        packed = (1.0 + 0.6 * pressure / (1.0 + 1.7 * pressure)) * document["film_central_um"]
+        gamma = exponent or starvation_exponent(document["semi_axis_y_mm"] / document["semi_axis_x_mm"])
+        assert document["starved_film_share"] == pytest.approx(starved_share(0.1 / packed, gamma), rel=1e-9)
+
+
+def test_groups_have_no_inlet_film():
     text = (
         "schema_version = 1\n[contact]\nmoes_M = 20.0\nmoes_L = 10.0\n[lubricant]\nviscosity_mPa_s = 20.0\n"
         "pressure_viscosity_1_GPa = 18.0\ninlet_film_um = 1.0\n"
     )
-    with pytest.raises(CaseError, match="found with"):
+    with pytest.raises(CaseError, match="found with Moes"):
         case_from_text(text, "case.toml")
 
 
