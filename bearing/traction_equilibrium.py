@@ -26,8 +26,8 @@ from .quasistatic import QuasistaticSolution, solve_held_balls, solve_quasistati
 from .rows import Row
 from .torque.balance import SKID, BalancedFriction, balance_balls, balance_driven_balls, sliding_ratio
 from .torque.balance_newton import BALANCE_TOLERANCE, ContactLaw
+from .torque.motion_map import contact_frames
 from .torque.traction_source import PREPARED, BallTraction, PreparedTraction
-from .traction_forces import contact_axes
 
 STARTS = (BallKinematics.HALF_AND_HALF, BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL)
 TARGET = 1.0e-11  # change of the forces in a round over the largest load at which iterating stops [-]
@@ -220,7 +220,7 @@ def _held_of(solution: QuasistaticSolution) -> HeldBalls:
 
 def _held(row: QuasistaticSolution, contacts: Sequence[BearingContact], balance: BalancedFriction) -> HeldBalls:
     """Motion [rad/s] and friction [N] of a row by the balance of its balls."""
-    axes = np.array([contact_axes(contact) for contact in contacts]).reshape(-1, 2, 3, 3)
+    axes = contact_frames(contacts).reshape(-1, 2, 3, 3)
     along, across = balance.forces[:, :, 0], balance.forces[:, :, 1]
     inner, outer = row.inner_contact_angle, row.outer_contact_angle
     orbit = np.array([motion.orbit_speed for motion in balance.motions])

@@ -59,11 +59,7 @@ def motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]
     bearing, operation = solution.bearing, solution.operation
     inner = np.array([contact.race is Race.INNER for contact in contacts])
     angle = np.array([contact.contact_angle for contact in contacts])
-    azimuth = np.array([contact.azimuth for contact in contacts])
-    axes = np.array([(contact.axis_x, contact.axis_y, contact.normal) for contact in contacts])
-    c, s = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
-    radial, tangential = c * axes[..., 1] + s * axes[..., 2], c * axes[..., 2] - s * axes[..., 1]
-    axes = np.stack([axes[..., 0], radial, tangential], axis=-1)  # along e_x, e_r, e_t of the ball
+    axes = contact_frames(contacts)
     radius = 0.5 * bearing.ball_diameter
     track = 0.5 * bearing.pitch_diameter + np.where(inner, -radius, radius) * np.cos(angle)
     along, across, normal = axes[:, 0], axes[:, 1], axes[:, 2]
@@ -73,6 +69,15 @@ def motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]
         ring_speed=np.where(inner, operation.inner_speed, operation.outer_speed),
         ball=np.array([contact.ball - 1 for contact in contacts]),
     )
+
+
+def contact_frames(contacts: Sequence[BearingContact]) -> Array:
+    """Rows x, y, n of contacts [-], by their components along e_x, e_r, e_t of their balls, shape (contacts, 3, 3)."""
+    azimuth = np.array([contact.azimuth for contact in contacts])
+    axes = np.array([(contact.axis_x, contact.axis_y, contact.normal) for contact in contacts])
+    c, s = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
+    radial, tangential = c * axes[..., 1] + s * axes[..., 2], c * axes[..., 2] - s * axes[..., 1]
+    return np.stack([axes[..., 0], radial, tangential], axis=-1)
 
 
 def ball_speeds(solution: QuasistaticSolution) -> tuple[Array, Array]:
