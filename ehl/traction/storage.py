@@ -138,7 +138,7 @@ def _restored(value: Any) -> Any:
     """The inverse of `_plain`; only types of this package are made."""
     if isinstance(value, list):
         return tuple(_restored(part) for part in value)
-    if value in ("inf", "-inf"):
+    if value in ("inf", "-inf", "nan"):
         return float(value)
     if not isinstance(value, dict):
         return value

@@ -15,6 +15,7 @@ from numpy.testing import assert_allclose
 
 import ehl
 from ehl.rheology import Rheology, ShearLaw
+from ehl.thermal import SolidThermal
 from ehl.traction import (
     ContactKinematics,
     CoulombLaw,
@@ -34,6 +35,7 @@ from ehl.traction import (
 from ehl.traction.laws import ContactShape
 from ehl.traction.quadrature import film_nodes, sliding_forces, sliding_forces_twin
 from ehl.traction.splines import spline_coefficients, spline_weights
+from ehl.traction.table import FullSolve
 
 RHEOLOGY = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=2.0 * 0.047 / 18e-9, limiting_coefficient=0.047)
 CIRCLE = TableContact(
@@ -189,6 +191,21 @@ def test_damaged_or_foreign_files_are_refused(table, tmp_path):
     np.savez(path, document=np.array(json.dumps({"format": "else"})), axes=0.0, scalars=0.0, values=0.0)
     with pytest.raises(ValueError, match="no traction table"):
         load_table(path)
+
+
+def test_heat_and_full_solves_are_kept(table, tmp_path):
+    """Another digest than without heat; a full solve that ran away comes back as no number."""
+    steel = SolidThermal(conductivity=46.0, density=7850.0, specific_heat=470.0, temperature=320.0)
+    good = FullSolve(load=50.0, speed=1.5, slide_ratio=0.01, by_film=0.02, in_full=0.01, film_ratio=0.9, converged=True)
+    lost = replace(good, in_full=np.nan, film_ratio=np.nan, converged=False)
+    warm = replace(table, contact=replace(CIRCLE, solids=(steel, steel)), full_solves=(good, lost))
+    save_table(warm, tmp_path / "table.npz")
+    found = load_table(tmp_path / "table.npz", inputs_digest(warm.contact, LIMITS, 65))
+    assert found.contact == warm.contact
+    assert found.full_solves[0] == good
+    assert np.isnan(found.full_solves[1].in_full)
+    with pytest.raises(ValueError, match="another contact, oil"):
+        load_table(tmp_path / "table.npz", inputs_digest(CIRCLE, LIMITS, 65))
 
 
 def test_files_of_an_older_format_are_refused(table, tmp_path):

@@ -14,7 +14,14 @@ from ehl.generalized_solver import solve_generalized
 from ehl.lubricant import ThermalProperties
 from ehl.rheology import Rheology, ShearLaw, thinning_by_gradient
 from ehl.thermal import SolidThermal
-from ehl.traction import ContactKinematics, TableContact, TableRange, integrate_traction
+from ehl.traction import (
+    ContactKinematics,
+    TableContact,
+    TableOptions,
+    TableRange,
+    build_table,
+    integrate_traction,
+)
 from ehl.traction.full_solves import full_solves
 from ehl.traction.quadrature import FilmNodes, sliding_forces
 from ehl.traction.table_film import table_film
@@ -197,3 +204,20 @@ def test_a_film_without_temperatures_is_refused():
     plain = solve_generalized(CONTACT.conditions(LOAD, SPEED), EYRING, options=SolverOptions(points=33))
     with pytest.raises(ValueError, match="no temperatures"):
         warm_nodes(plain, (STEEL, STEEL), EYRING, SPEED)
+
+
+@pytest.mark.slow
+def test_table_with_heat():
+    """Its lookups against the film it would shear at a load and speed that are not nodes."""
+    limits = TableRange(load=(40.0, 80.0), speed=(3.0, 5.0), slide_x=0.5, slide_y=0.3, spin=0.3)
+    options = TableOptions(
+        points=33, tolerance=0.03, check_films=2, check_motions=40, rounds=1, nodes=(4, 4, 25, 7, 9), workers=2
+    )
+    table = build_table(CONTACT, limits, options)
+    assert table.error.quantile < 0.03
+    film = table_film(CONTACT, 57.0, 4.1, 0.5 * 4.1, SolverOptions(points=33))
+    ratio = np.geomspace(1e-3, 0.5, 9)
+    none = np.zeros(9)
+    wanted = film.forces((4.1 * ratio, none, none), np.full(9, 4.1 / 8e-3), 50.0)[:, 0]
+    found = np.array([table.forces(57.0, 4.1, 4.1 * one, 0.0, 0.0).force_x for one in ratio])
+    assert_allclose(found, wanted, atol=0.03 * table.largest(57.0, 4.1)[0])
