@@ -180,7 +180,7 @@ def _film(study: _Study, place: tuple[float, float]) -> _Film:
     contact, load, speed, points = study.contact, exp(place[0]), exp(place[1]), study.options.points
     film = table_film(contact, load, speed, study.range.slide_x * speed, SolverOptions(points=points))
     solution = film.solution
-    assert solution.x is not None and solution.y is not None and solution.film_central is not None  # `table_film`
+    assert solution.x is not None and solution.y is not None  # `table_film`
     cold, coarse = contact.solids is None, min(points, RESPONSE_POINTS)
     response = normal_response(
         solution
@@ -196,7 +196,7 @@ def _film(study: _Study, place: tuple[float, float]) -> _Film:
         place=place,
         sheared=film,
         scales=_scales(study, film, speed),
-        film=solution.film_central,
+        film=film.central,
         moment=float(moment),
         stiffness=response.stiffness if response.converged else None,
         damping=response.damping if response.converged else None,

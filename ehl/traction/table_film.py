@@ -24,6 +24,14 @@ class TableFilm:
     solution: ContactSolution
     nodes: FilmNodes | WarmNodes
 
+    @property
+    def central(self) -> float:
+        """Central film [m]: extrapolated; with heat that of the finest grid, as on the others heat is not at rest."""
+        found = self.solution.film_central_dimensionless
+        scale = self.solution.film_scale
+        assert scale is not None  # of conditions with dimensions
+        return scale * (found.finest if isinstance(self.nodes, WarmNodes) else found.value)
+
     def forces(self, slide: tuple[Array, Array, Array], rolling: Array, curvature: float) -> Array:
         """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, as `quadrature.sliding_forces`."""
         if isinstance(self.nodes, WarmNodes):
