@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING
 
@@ -36,9 +36,9 @@ class FilmPhysics:
             return solve_contact(conditions, options)
         from ehl.generalized_solver import solve_generalized
 
-        unlimited = replace(self.rheology, limiting_coefficient=None)  # at the limit the flow has no finite tangent
+        base = self.rheology.unlimited  # at the limit the flow has no finite tangent
         solids = self.solids if self.model is FilmModel.THERMAL else None
-        return solve_generalized(conditions, unlimited, solids=solids, options=options).contact
+        return solve_generalized(conditions, base, solids=solids, options=options).contact
 
     @property
     def messages(self) -> tuple[str, ...]:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from math import pi
 from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
-from validation_004 import SIZES
+from validation_004 import SIZES, resized
 
 from bearing.torque.sweeps import TorqueStudy, torque_sweep
 from cases import load_case
@@ -33,24 +32,14 @@ INK, BLUE, RED, ORANGE, GREEN = "#1b1f24", "#4c78a8", "#b23a3a", "#d67b1f", "#5a
 
 def swept(stem: str, speeds: np.ndarray, loads: list[tuple[float, float]] | None = None, size: str = "6206"):
     """Torques of a case over speeds [rad/s] and (axial, radial) loads [N], of another size if wanted."""
-    case = load_case(stem)
-    assert case.friction is not None
-    ball, pitch, bore, outside, rating = SIZES[size]
-    bearing = replace(
-        case.bearing,
-        ball_diameter=1e-3 * ball,
-        pitch_diameter=1e-3 * pitch,
-        inner_groove_radius=0.515e-3 * ball,
-        outer_groove_radius=0.525e-3 * ball,
-        bore=1e-3 * bore,
-        outside_diameter=1e-3 * outside,
-    )
+    case = resized(load_case(stem), size)
+    assert case.friction is not None  # of every bearing case
     study = TorqueStudy(
-        bearing=bearing,
+        bearing=case.bearing,
         operation=case.operation,
         model=case.model,
         oil=lambda _: case.lubricant,
-        friction=replace(case.friction, static_rating=1e3 * rating),
+        friction=case.friction,
     )
     forces = [case.operation.force] if loads is None else [(*load, 0.0) for load in loads]
     return torque_sweep(study, speeds, forces)

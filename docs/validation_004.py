@@ -9,10 +9,9 @@ from dataclasses import replace
 from math import pi
 from pathlib import Path
 
-from bearing import BallKinematics, Bearing, contact_conditions, solve_quasistatic
+from bearing import BallKinematics, contact_conditions, solve_quasistatic
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.coulomb import balanced_friction
-from bearing.torque.models import FrictionInput
 from bearing.torque.sliding import shaft_speed, sliding_contacts
 from bearing.torque.traction_source import BallTraction, CoulombTraction
 from cases import Case, load_case
@@ -131,16 +130,15 @@ is left is the quadrature of the ellipse (Coulomb's law rounded at 0.3 % of the 
 def solved(case: Case, speed: float, loads: tuple[float, float], **changes: object):
     """Breakdown [N m], solution and contacts at a speed [r/min], axial and radial load [N]."""
     operation = replace(case.operation, inner_speed=speed * RPM, force=(*loads, 0.0))
-    bearing: Bearing = changes.get("bearing", case.bearing)  # type: ignore[assignment]
     if changes.get("free"):
         operation = replace(operation, moment=(0.0, 0.0), tilt=(None, None))
     kinematics = changes.get("kinematics", case.model.ball_kinematics)
     model = replace(case.model, ball_kinematics=kinematics, traction=changes.get("traction"))  # type: ignore[arg-type]
-    state = solve_quasistatic(bearing, operation, model)
+    state = solve_quasistatic(case.bearing, operation, model)
     assert state.converged
     contacts = contact_conditions(state, case.lubricant)
-    friction: FrictionInput = changes.get("friction", case.friction)  # type: ignore[assignment]
-    return torque_breakdown(state, contacts, case.lubricant, friction), state, contacts
+    assert case.friction is not None  # of every bearing case
+    return torque_breakdown(state, contacts, case.lubricant, case.friction), state, contacts
 
 
 def total(found, name: str) -> float:
@@ -325,7 +323,12 @@ def _three(values: list[float]) -> str:
 
 def sized(name: str, loads: tuple[float, float]) -> float:
     """Balanced lines of a bearing of Table 1 at 5000 r/min [N mm]."""
-    case = CASES["6206_axial_500N"]
+    case = resized(CASES["6206_axial_500N"], name)
+    return total(solved(case, 5000.0, loads)[0], "balanced_lines")
+
+
+def resized(case: Case, name: str) -> Case:
+    """A case of the 6206 with the dimensions and the static rating of another bearing of Table 1."""
     ball, pitch, bore, outside, rating = SIZES[name]
     bearing = replace(
         case.bearing,
@@ -336,8 +339,8 @@ def sized(name: str, loads: tuple[float, float]) -> float:
         bore=1e-3 * bore,
         outside_diameter=1e-3 * outside,
     )
-    friction = replace(case.friction, static_rating=1e3 * rating)
-    return total(solved(case, 5000.0, loads, bearing=bearing, friction=friction)[0], "balanced_lines")
+    assert case.friction is not None  # of every bearing case
+    return replace(case, bearing=bearing, friction=replace(case.friction, static_rating=1e3 * rating))
 
 
 def page() -> str:

@@ -41,7 +41,7 @@ def contact() -> TableContact:
     case = load_case("6208_with_heat")
     state = solve_quasistatic(case.bearing, case.operation, case.model)
     found = table_contacts(state, case.lubricant, case.rheology, solids=case.films.solids)[Race.INNER]
-    return replace(found, rheology=replace(found.rheology, limiting_coefficient=None))
+    return replace(found, rheology=found.rheology.unlimited)
 
 
 def by_films(wanted: TableContact, load: float, ratios: Array) -> Array:

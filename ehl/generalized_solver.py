@@ -13,7 +13,7 @@ from .conditions import ContactConditions
 from .film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from .generalized_continuation import SETTLED, continued
 from .generalized_reynolds.flow import BeganAnewError, GeneralizedFlow
-from .generalized_reynolds.section import Section
+from .generalized_reynolds.section import film_section
 from .options import SolverOptions
 from .rheology import Rheology
 from .solution import ContactSolution
@@ -115,7 +115,6 @@ def solve_generalized(
     contact = _reached(conditions, options or SolverOptions(), flow)
     contact = replace(contact, record=replace(contact.record, wall_time=perf_counter() - began))
     nx, ny = contact.P.shape
-    contact = replace(contact, state=_state(contact, rheology))
     shape = next((s for s in ((ny, nx), (ny // 2 + 1, nx)) if s in flow.stresses), None)
     solution = GeneralizedSolution(
         contact=contact,
@@ -126,19 +125,18 @@ def solve_generalized(
         beyond=flow.beyond,
     )
     if shape is None:
-        return solution
+        return _with_state(solution)
     solution = replace(solution, mid_stress=_whole(flow.stresses[shape], ny, (1.0, -1.0)))
     if heat is None:
-        return solution
+        return _with_state(solution)
     state = heat.states[shape]
-    temperature = np.moveaxis(_whole(np.moveaxis(state.temperature, -1, 0), ny), 0, -1)
-    return replace(
+    warm = replace(
         solution,
-        contact=replace(contact, state=_state(contact, rheology, temperature, flow.section)),
-        temperature=temperature,
+        temperature=np.moveaxis(_whole(np.moveaxis(state.temperature, -1, 0), ny), 0, -1),
         heat_flux=_whole(state.flux, ny),
         dissipation=_whole(state.dissipation, ny),
     )
+    return _with_state(warm)
 
 
 def _reached(conditions: ContactConditions, options: SolverOptions, flow: GeneralizedFlow) -> ContactSolution:
@@ -166,17 +164,18 @@ def _reached(conditions: ContactConditions, options: SolverOptions, flow: Genera
     return replace(contact, record=replace(contact.record, fallbacks=(*fallbacks, *contact.record.fallbacks)))
 
 
-def _state(
-    contact: ContactSolution, rheology: Rheology, temperature: Array | None = None, section: Section | None = None
-) -> FilmState | None:
-    """Of the oil in a film of dimensional conditions; temperature across the film, shape (nx, ny, n) [K]."""
+def _with_state(solution: GeneralizedSolution) -> GeneralizedSolution:
+    """The solution whose contact, if it has dimensions, knows the state of its oil."""
+    contact = solution.contact
     if contact.x is None or contact.y is None or contact.film is None:
-        return None
-    thinner = log_gradient_thinning(contact.x, contact.y, contact.pressure, contact.film, rheology)
-    if temperature is None or section is None:
-        return FilmState(temperature=None, log_fluidity=thinner)
-    mean, profile = log_mean_fluidity(temperature, section.weights, contact.pressure, contact.conditions.lubricant)
-    return FilmState(temperature=mean, log_fluidity=profile + thinner)
+        return solution
+    thinner = log_gradient_thinning(contact.x, contact.y, contact.pressure, contact.film, solution.rheology)
+    mean = None
+    if solution.temperature is not None:
+        weights = film_section(solution.nodes.size).weights
+        mean, profile = log_mean_fluidity(solution.temperature, weights, contact.pressure, contact.conditions.lubricant)
+        thinner = profile + thinner
+    return replace(solution, contact=replace(contact, state=FilmState(temperature=mean, log_fluidity=thinner)))
 
 
 def _missed(flow: GeneralizedFlow) -> int:

@@ -175,11 +175,9 @@ def draw_batch(figure: Figure, results: BatchResults, keys: list[Varied], shown:
         else:
             mapped = axes.scatter(x[sound], y[sound], c=colour[sound], s=14)
             axes.scatter(x[~sound], y[~sound], c=colour[~sound], s=18, marker="x")
-        axes.set_xlabel(keys[0].label)
-        _word_ticks(axes, keys[0])
+        _first_key(axes, keys[0])
         axes.set_ylabel(f"{quantity_label(name)} [{quantity_unit(name)}]")
         axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
-        axes.grid(linewidth=0.3, alpha=0.5)
     if mapped is not None:
         figure.colorbar(mapped, ax=panels, label=keys[1].label)
     notes = ["error bars: uncertainty of the film"] if shown[0].startswith("film") and mapped is None else []
@@ -216,11 +214,9 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
         if len(keys) > 1:
             head, _, unit = keys[1].label.partition(" [")
             axes.set_title(f"{head} {keys[1].text(value)} {unit.rstrip(']')}".strip())
-        axes.set_xlabel(keys[0].label)
-        _word_ticks(axes, keys[0])
+        _first_key(axes, keys[0])
         if not keys[0].words:
             axes.locator_params(axis="x", nbins=9 // len(values) + 2)
-        axes.grid(linewidth=0.3, alpha=0.5)
     top = panels[0].get_ylim()[1]
     panels[0].set_ylim(1.1 * min(least, 0.0) - (0.02 * top if least < 0.01 * top else 0.0), 1.05 * top)
     words = f"{LABELS[model]}: torque" if model else _common_words(shown)
@@ -248,8 +244,10 @@ def _note(figure: Figure, results: BatchResults, keys: list[Varied], notes: list
     figure.supxlabel("; ".join(notes), fontsize=6.5, color=REFERENCE)
 
 
-def _word_ticks(axes: Axes, key: Varied) -> None:
-    """Words of a key along the axis."""
+def _first_key(axes: Axes, key: Varied) -> None:
+    """Name of a key along the axis, its words as ticks, and a grid."""
+    axes.set_xlabel(key.label)
+    axes.grid(linewidth=0.3, alpha=0.5)
     if key.words:
         words = ["\n".join(fill(part, WORD_WIDTH) for part in word.split(" / ")) for word in key.words]
         axes.set_xticks(range(len(words)), words, fontsize=6.5)

@@ -18,7 +18,7 @@ h grad p exceeds the limit, which no tau_m helps, no oil of that law flows stead
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,7 +68,7 @@ def _newtonian_stress(tau: Array, rheology: Rheology, limit: Array, margin: Arra
         beyond = tau - share * limit
         slope = 1.0 / (1.0 - share)
         tau = -limit * np.log1p(-share)
-    newtonian = shear_rate(tau, 1.0, 0.0, replace(rheology, limiting_coefficient=None))
+    newtonian = shear_rate(tau, 1.0, 0.0, rheology.unlimited)
     if rheology.law is ShearLaw.REE_EYRING:
         slope = slope * np.hypot(1.0, newtonian / rheology.eyring_stress)
     elif rheology.law is ShearLaw.CARREAU_YASUDA:
@@ -83,7 +83,7 @@ def _limits(columns: FilmColumns, rheology: Rheology, rate: Array) -> tuple[Arra
     """Limiting stress of each column, shape (m, 1), and the margin e from which on the law follows its tangent."""
     limit = limiting_stress(columns.pressure, rheology, columns.temperature)[:, None]
     thickest = columns.viscosity.max(axis=1, keepdims=True)
-    base = shear_stress(np.hypot(rate[:, :1], rate[:, 1:]), thickest, 0.0, replace(rheology, limiting_coefficient=None))
+    base = shear_stress(np.hypot(rate[:, :1], rate[:, 1:]), thickest, 0.0, rheology.unlimited)
     return limit, LIMIT_EXCESS / np.maximum(base / limit, 1.0)
 
 

@@ -104,6 +104,11 @@ class Rheology:
         """Whether the stress is eta times the rate whatever the rate."""
         return self.law is ShearLaw.NEWTONIAN and self.limiting_coefficient is None
 
+    @property
+    def unlimited(self) -> Rheology:
+        """The base law, without a limiting stress."""
+        return replace(self, limiting_coefficient=None)
+
 
 def _require_positive(field: str, value: float) -> None:
     if not (isfinite(value) and value > 0.0):

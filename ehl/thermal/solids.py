@@ -73,13 +73,8 @@ def response_factor(speed: Array, solid: SolidThermal, radius: float) -> Array:
     radius : float
         Half length of the heated area along it [m].
     """
-    moving = np.abs(speed) + resting_speed(solid, radius)
+    moving = np.abs(speed) + 8.0 / pi * solid.diffusivity / radius
     return 1.0 / (np.sqrt(pi * moving) * solid.effusivity)
-
-
-def resting_speed(solid: SolidThermal, radius: float) -> float:
-    """(4/pi) 2 kappa/a, the speed at which a body at rest seems to move [m/s]; radius as in `response_factor` [m]."""
-    return 8.0 / pi * solid.diffusivity / radius
 
 
 def history_weights(count: int, mesh: float) -> Array:

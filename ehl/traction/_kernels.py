@@ -21,6 +21,21 @@ BELOW_LOAD, ABOVE_LOAD, BELOW_SPEED, ABOVE_SPEED, SLIDE_X, SLIDE_Y, SPIN = 1, 2,
 
 
 @compiled
+def mean_sliding(x, y, along, across, motion, bend):
+    """Sliding along x and y at a node, its root mean square over it, and y^2/(2R) held back at the width.
+
+    along, across: a twelfth of the node's squared size; motion: slide_x, slide_y, spin, rolling; bend: 1/(2R) of the
+    surface over +-width across.
+    """
+    slide_x, slide_y, spin, rolling = motion
+    curvature, width = bend
+    bow = curvature * min(y * y, width * width)
+    s_x, s_y = slide_x - spin * y - rolling * bow, slide_y + spin * x
+    slope = spin + (2.0 * rolling * curvature * y if abs(y) < width else 0.0)
+    return s_x, s_y, np.sqrt(s_x * s_x + s_y * s_y + slope * slope * across + spin * spin * along), bow
+
+
+@compiled
 def sliding_sums(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out):
     """Forces and moments on body 1 by sliding: F_x, F_y, M_n, M_y.
 
@@ -28,13 +43,10 @@ def sliding_sums(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, 
     size along x and y. curvature: 1/(2R) of the surface over +-width across.
     """
     f_x = f_y = m_n = m_y = 0.0
+    motion = (slide_x, slide_y, spin, rolling)
     for k in range(nodes.shape[1]):
         x, y = nodes[0, k], nodes[1, k]
-        bend = curvature * min(y * y, width * width)
-        s_x = slide_x - spin * y - rolling * bend
-        s_y = slide_y + spin * x
-        slope = spin + (2.0 * rolling * curvature * y if abs(y) < width else 0.0)
-        s = np.sqrt(s_x * s_x + s_y * s_y + slope * slope * nodes[7, k] + spin * spin * nodes[6, k])
+        s_x, s_y, s, bend = mean_sliding(x, y, nodes[6, k], nodes[7, k], motion, (curvature, width))
         if s <= 0.0:
             continue
         tau = shear_stress(s / nodes[3, k], nodes[4, k], nodes[5, k], law, stress, exponent, breadth)

@@ -82,10 +82,9 @@ def _both(contact: TableContact, place: tuple[float, float, float], options: Sol
     none = np.zeros(1)
     by_film = abs(float(film.forces((np.array([ratio * speed]), none, none), rolling, 0.0)[0, 0]))
 
-    unlimited = replace(contact.rheology, limiting_coefficient=None)
     full = solve_generalized(
         replace(contact.conditions(load, speed), slide_roll_ratio=ratio),
-        unlimited,
+        contact.rheology.unlimited,
         solids=contact.solids,
         oil_temperature=None if contact.solids is None else contact.temperature,
         options=options,

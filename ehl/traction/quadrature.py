@@ -226,20 +226,48 @@ def sliding_forces(film: FilmNodes, slide: tuple[Array, Array, Array], rolling: 
 def sliding_forces_twin(film: FilmNodes, kinematics: ContactKinematics) -> Array:
     """`sliding_forces` of one motion in NumPy, shape (4,), [N] and [N m]."""
     x, y, area, gap, eta, limit, along, across = film.nodes
-    k = kinematics
-    s_x, s_y = k.sliding(x, y)
-    slope = k.spin + 2.0 * k.rolling * k.curvature * np.where(np.abs(y) < k.curvature_width, y, 0.0)
-    speed = np.sqrt(s_x**2 + s_y**2 + slope**2 * across + k.spin**2 * along)
-    base = Rheology(
-        law=film.rheology.law,
-        eyring_stress=film.rheology.eyring_stress,
-        carreau_modulus=film.rheology.carreau_modulus,
-        carreau_exponent=film.rheology.carreau_exponent,
-        yasuda_exponent=film.rheology.yasuda_exponent,
-    )
-    tau = shear_stress(speed / gap, eta, 0.0 * eta, base)
+    sliding = mean_sliding(kinematics, x, y, (along, across))
+    tau = shear_stress(sliding[2] / gap, eta, 0.0 * eta, film.rheology.unlimited)
     finite = np.isfinite(limit)
     tau = np.where(finite, -np.where(finite, limit, 1.0) * np.expm1(-tau / np.where(finite, limit, 1.0)), tau)
-    pull = area * tau / np.where(speed > 0.0, speed, 1.0)
+    return summed_forces(kinematics, (x, y, area), tau, sliding)
+
+
+def mean_sliding(
+    kinematics: ContactKinematics, x: Array, y: Array, sizes: tuple[Array, Array]
+) -> tuple[Array, Array, Array]:
+    """Sliding at nodes along x and y, and its root mean square over each [m/s].
+
+    Parameters
+    ----------
+    kinematics : ContactKinematics
+    x, y : ndarray
+        Places of the nodes [m].
+    sizes : tuple of ndarray
+        A twelfth of their squared size along x and y [m^2].
+    """
+    k, (along, across) = kinematics, sizes
+    s_x, s_y = k.sliding(x, y)
+    slope = k.spin + 2.0 * k.rolling * k.curvature * np.where(np.abs(y) < k.curvature_width, y, 0.0)
+    return s_x, s_y, np.sqrt(s_x**2 + s_y**2 + slope**2 * across + k.spin**2 * along)
+
+
+def summed_forces(
+    kinematics: ContactKinematics, nodes: tuple[Array, Array, Array], stress: Array, sliding: tuple[Array, Array, Array]
+) -> Array:
+    """F_x, F_y [N] and M_n, M_y [N m] on body 1, shape (4,), of stresses [Pa] at nodes.
+
+    Parameters
+    ----------
+    kinematics : ContactKinematics
+    nodes : tuple of ndarray
+        x, y [m] and area [m^2].
+    stress : ndarray
+        [Pa].
+    sliding : tuple of ndarray
+        As of `mean_sliding` [m/s].
+    """
+    (x, y, area), (s_x, s_y, speed) = nodes, sliding
+    pull = area * stress / np.where(speed > 0.0, speed, 1.0)
     t_x, t_y = pull * s_x, pull * s_y
     return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), -(kinematics.bow(y) * t_x).sum()])

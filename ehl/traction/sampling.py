@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..options import SolverOptions
+from ..solution import ContactSolution
 from .response import normal_response
 from .splines import left_out_error, spline_coefficients
 from .table import (
@@ -181,16 +182,15 @@ def _film(study: _Study, place: tuple[float, float]) -> _Film:
     film = table_film(contact, load, speed, study.range.slide_x * speed, SolverOptions(points=points))
     solution = film.solution
     assert solution.x is not None and solution.y is not None  # `table_film`
-    cold, coarse = contact.solids is None, min(points, RESPONSE_POINTS)
-    response = normal_response(
-        solution
-        if cold and points == coarse
-        else solve_contact(contact.conditions(load, speed), SolverOptions(points=coarse))
-    )
+
+    def cold(count: int) -> ContactSolution:
+        if contact.solids is None and count == points:
+            return solution
+        return solve_contact(contact.conditions(load, speed), SolverOptions(points=count))
+
+    response = normal_response(cold(min(points, RESPONSE_POINTS)))
     if not response.converged and points > RESPONSE_POINTS:
-        response = normal_response(
-            solution if cold else solve_contact(contact.conditions(load, speed), SolverOptions(points=points))
-        )
+        response = normal_response(cold(points))
     moment = -np.trapezoid(np.trapezoid(solution.pressure * solution.x[:, None], solution.y, axis=1), solution.x)
     return _Film(
         place=place,

@@ -33,7 +33,7 @@ from numpy.typing import NDArray
 
 from ..conditions import ContactConditions
 from ..film_state import FilmState
-from ..lubricant import viscosity
+from ..lubricant import Lubricant, viscosity
 from ..rheology import Rheology, shear_stress_vector
 from ..solution import ContactSolution
 from .kinematics import ContactKinematics
@@ -266,8 +266,8 @@ def film_viscosity(solution: ContactSolution) -> Array:
     if state is None:
         return pressure_viscosity(solution.pressure, solution)
     oil = dimensional_conditions(solution).lubricant
-    warm = viscosity(solution.pressure, oil, state.temperature) * np.exp(-state.log_fluidity)
-    return np.asarray(np.minimum(warm, LARGEST_VISCOSITY), dtype=np.float64)
+    warm: Array = bounded_viscosity(solution.pressure, oil, state.temperature) * np.exp(-state.log_fluidity)
+    return warm
 
 
 def film_temperature(solution: ContactSolution, inlet: float | None) -> Array | float | None:
@@ -277,8 +277,13 @@ def film_temperature(solution: ContactSolution, inlet: float | None) -> Array | 
 
 def pressure_viscosity(pressure: Array, solution: ContactSolution) -> Array:
     """Viscosity [Pa s] of a solution's oil at pressures [Pa], at most `LARGEST_VISCOSITY`."""
+    return bounded_viscosity(pressure, dimensional_conditions(solution).lubricant)
+
+
+def bounded_viscosity(pressure: Array, oil: Lubricant, temperature: Array | None = None) -> Array:
+    """Viscosity [Pa s] at pressures [Pa] and temperatures [K], at most `LARGEST_VISCOSITY`."""
     with np.errstate(over="ignore"):
-        return np.minimum(viscosity(pressure, dimensional_conditions(solution).lubricant), LARGEST_VISCOSITY)
+        return np.minimum(viscosity(pressure, oil, temperature), LARGEST_VISCOSITY)
 
 
 def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array:

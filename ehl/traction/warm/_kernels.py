@@ -6,13 +6,13 @@ import numpy as np
 
 from ...compiled import compiled
 from ...rheology._kernels import limiting_stress, shear_stress
+from .._kernels import mean_sliding
 from .heating import nahme
 
 AREA, FILM, VISCOSITY, PRESSURE, TEMPERATURE, SOFTENING, FALL, ALONG, ACROSS, CAPACITY = 2, 3, 4, 5, 6, 7, 8, 9, 10, 11
 STRESS_TOLERANCE = 2e-4  # of the stress of a node, relative
 HEAT_STEPS = 20  # of the Newton's method for its heat at most
 SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3
-PROFILE_TURNS = 1  # between softening and profile
 LARGEST_ROOT, ROOTS = 8.0, 2048  # of X in the table of the profile: ln(g) reaches 120 there
 
 
@@ -41,9 +41,8 @@ def thinning_by_heat(wall, flux, gap, softening, fall, conductivity):
         return thinned + 2.0 / 3.0 * loading * first
     share = fall * cold
     local = first / (1.0 + share * loading)
-    for _ in range(PROFILE_TURNS):  # Newton's method for b = first - share 2 ln(cosh m), which is nearly linear in b
-        _, swell, slope = heated_profile(loading * local)
-        local = max(local - (local - first + share * swell) / (1.0 + share * loading * slope), 0.0)
+    _, swell, slope = heated_profile(loading * local)  # a Newton step for b = first - share 2 ln(cosh m), nearly linear
+    local = max(local - (local - first + share * swell) / (1.0 + share * loading * slope), 0.0)
     return thinned + heated_profile(loading * local)[0]
 
 
@@ -106,18 +105,13 @@ def heated_sums(lines, span, history, heat, answers, base, limits, motion, bend,
     answers: 1/(sqrt(pi u) e) of both bodies. motion: slide_x, slide_y, spin, rolling. bend: 1/(2R) and the half width
     over which it counts. flux, shape (2, N): workspace.
     """
-    slide_x, slide_y, spin, rolling = motion
-    curvature, width = bend
     for k in range(lines.shape[0]):
         first, second = answers[0] * np.sqrt(span[k]), answers[1] * np.sqrt(span[k])
         before = made = 0.0
         for j in range(lines.shape[1]):
             node = lines[k, j]
             x, y, gap = node[0], node[1], node[FILM]
-            bow = curvature * min(y * y, width * width)
-            s_x, s_y = slide_x - spin * y - rolling * bow, slide_y + spin * x
-            slope = spin + (2.0 * rolling * curvature * y if abs(y) < width else 0.0)
-            s = np.sqrt(s_x * s_x + s_y * s_y + slope * slope * node[ACROSS] + spin * spin * node[ALONG])
+            s_x, s_y, s, bow = mean_sliding(x, y, node[ALONG], node[ACROSS], motion, bend)
             between = heat / gap
             walls, answer, split, across = line_walls(j, history, flux, (first, second), between)
             outward = 12.0 * between / (1.0 + 12.0 * between * answer)
@@ -145,17 +139,9 @@ def heated_sums(lines, span, history, heat, answers, base, limits, motion, bend,
 
 
 @compiled
-def heated_sums_many(
-    lines, span, history, heat, speed, solids, base, limits, slide_x, slide_y, spin, rolling, bend, out
-):
-    """`heated_sums` for each of n motions given as arrays, added to out of shape (n, 4).
-
-    speed: of entrainment; solids, shape (2, 2): sqrt(k rho c) of each body and the speed that stands for its rest.
-    """
+def heated_sums_many(lines, span, history, heat, answers, base, limits, slide_x, slide_y, spin, rolling, bend, out):
+    """`heated_sums` for each of n motions given as arrays, answers of shape (n, 2), added to out of shape (n, 4)."""
     flux = np.zeros((2, lines.shape[1]))
     for k in range(slide_x.size):
-        first = abs(speed + 0.5 * slide_x[k]) + solids[0, 1]
-        second = abs(speed - 0.5 * slide_x[k]) + solids[1, 1]
-        answers = (1.0 / (np.sqrt(np.pi * first) * solids[0, 0]), 1.0 / (np.sqrt(np.pi * second) * solids[1, 0]))
         motion = (slide_x[k], slide_y[k], spin[k], rolling[k])
-        heated_sums(lines, span, history, heat, answers, base, limits, motion, bend, flux, out[k])
+        heated_sums(lines, span, history, heat, answers[k], base, limits, motion, bend, flux, out[k])

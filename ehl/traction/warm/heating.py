@@ -31,8 +31,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ...rheology import limiting_stress, shear_stress
-from ..kinematics import ContactKinematics
+from ...rheology import shear_stress
 
 if TYPE_CHECKING:
     from .nodes import WarmLines
@@ -106,16 +105,12 @@ def thinning_by_heat(
     return soft * wall / (1.0 + fall * wall) + rise
 
 
-def heated_stress_twin(film: WarmLines, kinematics: ContactKinematics) -> tuple[Array, Array, Array, Array]:
-    """Stress [Pa], sliding along x and y and its root mean square [m/s] at the nodes, each of shape (L, N)."""
-    x, y, _, gap, eta, pressure, temperature, soft, fall, along, across, capacity = np.moveaxis(film.lines, -1, 0)
-    s_x, s_y = kinematics.sliding(x, y)
-    inside = np.abs(y) < kinematics.curvature_width
-    slope = kinematics.spin + 2.0 * kinematics.rolling * kinematics.curvature * np.where(inside, y, 0.0)
-    slide = np.sqrt(s_x**2 + s_y**2 + slope**2 * across + kinematics.spin**2 * along)
-    answers = film.answers(kinematics.sliding_x)[:, None] * np.sqrt(film.span)
-    flux, before, tau = np.zeros((2, *x.shape)), np.zeros(x.shape[0]), np.zeros_like(x)
-    for j in range(x.shape[1]):
+def heated_stress_twin(film: WarmLines, slide: Array, slide_x: float) -> Array:
+    """Stress at the nodes that slide at so much [m/s], shape (L, N) [Pa]; slide_x [m/s]: at the contact's centre."""
+    _, _, _, gap, eta, pressure, temperature, soft, fall, _, _, capacity = np.moveaxis(film.lines, -1, 0)
+    answers = film.answers(np.array([slide_x])).T * np.sqrt(film.span)
+    flux, before, tau = np.zeros((2, *gap.shape)), np.zeros(gap.shape[0]), np.zeros_like(gap)
+    for j in range(gap.shape[1]):
         past = np.einsum("blm,m->bl", flux[:, :, :j], film.history[j, :j]) * answers
         own, between = answers * film.history[j, j], film.conductivity / gap[:, j]
         both = 1.0 + between * own.sum(axis=0)
@@ -129,10 +124,8 @@ def heated_stress_twin(film: WarmLines, kinematics: ContactKinematics) -> tuple[
             thinner = thinning_by_heat(
                 walls + answer * leaving, leaving, gap[:, j], (soft[:, j], fall[:, j]), film.conductivity
             )
-            base = shear_stress(slide[:, j] / gap[:, j], eta[:, j] * np.exp(-thinner), 0.0 * rise, film.base)
-            limit = limiting_stress(pressure[:, j], film.rheology, temperature[:, j] + rise)
-            finite = np.where(np.isfinite(limit), limit, 1.0)
-            return np.where(np.isfinite(limit), -finite * np.expm1(-base / finite), base), leaving
+            thinned, warm = eta[:, j] * np.exp(-thinner), temperature[:, j] + rise
+            return shear_stress(slide[:, j] / gap[:, j], thinned, pressure[:, j], film.rheology, warm), leaving
 
         low, high = np.zeros_like(walls), np.full_like(walls, HOTTEST)
         for _ in range(HALVINGS):
@@ -144,4 +137,4 @@ def heated_stress_twin(film: WarmLines, kinematics: ContactKinematics) -> tuple[
         tau[:, j], leaving = column(before)
         flux[0, :, j] = leaving * (0.5 + between * own[1]) / both + step
         flux[1, :, j] = leaving - flux[0, :, j]
-    return tau, s_x, s_y, slide
+    return tau

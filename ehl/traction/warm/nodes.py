@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 from ...film_state import log_mean_fluidity
 from ...generalized_reynolds.section import film_section
 from ...generalized_solver import GeneralizedSolution
-from ...lubricant import Lubricant, density, log_viscosity_ratio, viscosity
+from ...lubricant import Lubricant, density, log_viscosity_ratio
 from ...rheology import Rheology, kernel_rheology, limiting_stress, shear_stress, thinning_by_gradient
 from ...thermal import SolidThermal
-from ...thermal.solids import resting_speed
+from ...thermal.solids import response_factor
 from ..kinematics import ContactKinematics
 from ..quadrature import (
     SHARE_LEFT_OUT,
@@ -23,12 +23,14 @@ from ..quadrature import (
     counting,
     hertz_zone,
     low_pressure_blocks,
+    mean_sliding,
     node_rows,
     sliding_forces,
     sliding_forces_twin,
+    summed_forces,
     transverse_semi_axis,
 )
-from ..shear import LARGEST_VISCOSITY, OUTLET_NODES, dimensional_conditions, with_outlet
+from ..shear import OUTLET_NODES, bounded_viscosity, dimensional_conditions, with_outlet
 from .heating import heated_stress_twin, line_history
 
 Array = NDArray[np.float64]
@@ -54,8 +56,10 @@ class WarmLines:
         Of the oil [W/(m K)].
     speed : float
         Of entrainment [m/s].
-    solids : ndarray, shape (2, 2)
-        sqrt(k rho c) of body 1 and 2 [W s^0.5/(m^2 K)] and the speed that stands for their rest [m/s].
+    solids : tuple of SolidThermal
+        Body 1 and body 2.
+    semi_axis : float
+        Of the contact along the lines [m].
     rheology : Rheology
     """
 
@@ -64,18 +68,15 @@ class WarmLines:
     history: Array
     conductivity: float
     speed: float
-    solids: Array
+    solids: tuple[SolidThermal, SolidThermal]
+    semi_axis: float
     rheology: Rheology
 
-    @property
-    def base(self) -> Rheology:
-        """The rheology without its limiting stress."""
-        return replace(self.rheology, limiting_coefficient=None)
-
-    def answers(self, slide_x: float) -> Array:
-        """1/(sqrt(pi u) e) of both bodies at a sliding speed [m/s], shape (2,) [K m^1.5/W]."""
-        speeds = np.abs(self.speed + 0.5 * slide_x * np.array([1.0, -1.0])) + self.solids[:, 1]
-        return np.asarray(1.0 / (np.sqrt(np.pi * speeds) * self.solids[:, 0]))
+    def answers(self, slide_x: Array) -> Array:
+        """1/(sqrt(pi u) e) of both bodies at n sliding speeds [m/s], shape (n, 2) [K m^1.5/W]."""
+        speeds = self.speed + 0.5 * slide_x, self.speed - 0.5 * slide_x
+        parts = zip(speeds, self.solids, strict=True)
+        return np.stack([response_factor(u, solid, self.semi_axis) for u, solid in parts], axis=1)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -122,7 +123,6 @@ def warm_nodes(
     strength = lines[..., 2] * shear_stress(
         largest_slide / lines[..., 3], lines[..., 4], lines[..., 5], rheology, lines[..., 6]
     )
-    a = float(contact.semi_axis_x or 0.0)
     return WarmNodes(
         lines=WarmLines(
             lines=np.ascontiguousarray(lines),
@@ -130,7 +130,8 @@ def warm_nodes(
             history=line_history(zone.shares),
             conductivity=oil.thermal.conductivity,
             speed=conditions.entrainment_speed,
-            solids=np.array([[solid.effusivity, resting_speed(solid, a)] for solid in solids]),
+            solids=solids,
+            semi_axis=float(contact.semi_axis_x or 0.0),
             rheology=rheology,
         ),
         rest=_rest(solution, mean, rheology, largest_slide, float(strength.sum())),
@@ -157,9 +158,11 @@ def _lines(zone: HertzZone, warmth: tuple[Array, Array], oil: Lubricant, rheolog
     far = log_viscosity(0.0) - log_viscosity(FALL_SPAN)
     soft = np.maximum(soft, np.finfo(np.float64).tiny)
     fall = np.maximum(soft / np.maximum(far, np.finfo(np.float64).tiny) - 1.0 / FALL_SPAN, 0.0)
-    with np.errstate(over="ignore"):
-        eta = np.minimum(viscosity(pressure, oil, warm), LARGEST_VISCOSITY)
-    eta = eta * np.exp(-fluid) / thinning_by_gradient(gap * np.hypot(*zone.gradient), rheology)
+    eta = (
+        bounded_viscosity(pressure, oil, warm)
+        * np.exp(-fluid)
+        / thinning_by_gradient(gap * np.hypot(*zone.gradient), rheology)
+    )
     step = np.maximum(np.diff(zone.shares, prepend=0.0) * zone.span[:, None], SMALLEST_FILM)
     assert oil.thermal is not None
     capacity = density(pressure, oil, warm) * oil.thermal.specific_heat * gap * abs(speed) / step
@@ -176,10 +179,8 @@ def _rest(
     further = np.pad(mean, ((0, OUTLET_NODES), (0, 0)), mode="edge")
     *fields, warm = low_pressure_blocks(with_outlet(contact), further)
     rows = np.stack(fields)
-    pressure = rows[4]
-    with np.errstate(over="ignore"):
-        eta = np.minimum(viscosity(pressure, oil, warm), LARGEST_VISCOSITY)
-    film = np.maximum(rows[3], SMALLEST_FILM)
+    film, pressure = np.maximum(rows[3], SMALLEST_FILM), rows[4]
+    eta = bounded_viscosity(pressure, oil, warm)
     strength = rows[2] * shear_stress(largest_slide / film, eta, pressure, rheology, warm)
     counts = counting(strength, SHARE_LEFT_OUT * (friction + float(strength.sum())))
     nodes = node_rows(rows, eta, limiting_stress(pressure, rheology, warm))[:, counts]
@@ -204,8 +205,7 @@ def warm_forces(film: WarmNodes, slide: tuple[Array, Array, Array], rolling: Arr
         lines.span,
         lines.history,
         lines.conductivity,
-        lines.speed,
-        lines.solids,
+        lines.answers(slide[0]),
         (numbers[0], *(float(number) for number in numbers[1:4])),
         tuple(float(number) for number in numbers[4:]),
         *slide,
@@ -218,10 +218,7 @@ def warm_forces(film: WarmNodes, slide: tuple[Array, Array, Array], rolling: Arr
 
 def warm_forces_twin(film: WarmNodes, kinematics: ContactKinematics) -> Array:
     """`warm_forces` of one motion in NumPy, shape (4,), [N] and [N m]."""
-    tau, s_x, s_y, slide = heated_stress_twin(film.lines, kinematics)
-    x, y, area = np.moveaxis(film.lines.lines, -1, 0)[:3]
-    pull = area * tau / np.where(slide > 0.0, slide, 1.0)
-    t_x, t_y = pull * s_x, pull * s_y
-    bow = kinematics.bow(y)
-    own = np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), (-bow * t_x).sum()])
-    return own + sliding_forces_twin(film.rest, kinematics)
+    x, y, area, _, _, _, _, _, _, *sizes, _ = np.moveaxis(film.lines.lines, -1, 0)
+    sliding = mean_sliding(kinematics, x, y, (sizes[0], sizes[1]))
+    tau = heated_stress_twin(film.lines, sliding[2], kinematics.sliding_x)
+    return summed_forces(kinematics, (x, y, area), tau, sliding) + sliding_forces_twin(film.rest, kinematics)

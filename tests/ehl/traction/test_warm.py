@@ -149,8 +149,8 @@ def test_compiled_sums_agree_with_their_twin(rheology):
 
 
 def test_bodies_and_oil_that_take_all_heat_leave_the_film_of_rolling(film):
-    lines = film.nodes.lines
-    cold = replace(film.nodes, lines=replace(lines, conductivity=1e9, solids=lines.solids * [[1e9, 1.0]]))
+    lines, endless = film.nodes.lines, replace(STEEL, conductivity=1e18)
+    cold = replace(film.nodes, lines=replace(lines, conductivity=1e9, solids=(endless, endless)))
     x, y, area, gap, eta, pressure, warm, _, _, along, across, _ = np.moveaxis(lines.lines, -1, 0).reshape(12, -1)
     limit = 0.05 * pressure
     rows = np.stack([x, y, area, gap, eta, np.maximum(limit, LIMITED.limiting_minimum), along, across])
@@ -171,7 +171,7 @@ def test_heat_takes_more_friction_the_faster_it_slides(film):
     assert 5 < top < 24
     assert np.all(np.diff(friction[: top + 1]) > 0.0)
     assert np.all(np.diff(friction[top:]) < 0.0)
-    better = replace(film.nodes.lines, solids=film.nodes.lines.solids[[0, 0]])
+    better = replace(film.nodes.lines, solids=(STEEL, STEEL))
     steel = -warm_forces(replace(film.nodes, lines=better), slide, rolling, 0.0)[:, 0] / LOAD
     assert np.all(steel > friction)
     assert steel[-1] > 1.05 * friction[-1]
