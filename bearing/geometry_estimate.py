@@ -3,7 +3,8 @@
 The ratings of ISO 281 and ISO 76 are functions of ball diameter, number of balls, pitch diameter and contact angle
 alone as long as the grooves are not wide. Balls come in standard sizes and whole numbers. So the pair (D, Z) whose
 computed ratings come nearest to the catalogue's is looked for; for makers who rate by the standards without a factor of
-their own it fits within a percent, and the next best pair misses by some percent. docs/libraries.md has the errors.
+their own it fits within a percent, and the next best pair misses by some percent.
+docs/user/libraries.md has the errors.
 """
 
 from __future__ import annotations
@@ -22,8 +23,8 @@ BALL_TO_SECTION = (0.20, 0.36)  # smallest and largest D over D_o - d that are t
 FEWEST_BALLS = 5
 INNER_CONFORMITY, OUTER_CONFORMITY = 0.515, 0.525  # groove radius over ball diameter, assumed [-]
 INNER_CONFORMITY_RANGE, OUTER_CONFORMITY_RANGE = (0.51, 0.525), (0.515, 0.53)  # of the bearings with known ones [-]
-BALL_RANGE, PITCH_RANGE, BALLS_RANGE = 0.07, 0.015, 1  # relative [-], relative [-], balls: docs/libraries.md
-TYPICAL_BALL = 0.30  # D over D_o - d without ratings: mean of the catalogue's, docs/libraries.md [-]
+BALL_RANGE, PITCH_RANGE, BALLS_RANGE = 0.07, 0.015, 1  # relative [-], relative [-], balls: docs/user/libraries.md
+TYPICAL_BALL = 0.30  # D over D_o - d without ratings: mean of the catalogue's, docs/user/libraries.md [-]
 TYPICAL_FILL = ((0.0, 0.60), (15.0, 0.78), (40.0, 0.86))  # angle [deg], share of the pitch circle: likewise [-]
 NORMAL_CLEARANCE = (  # bore up to [mm], group CN of deep groove bearings from, to [um]: ISO 5753-1 as makers print it
     (10.0, 2.0, 13.0),
@@ -235,7 +236,8 @@ def _fill(angle: float) -> float:
 def normal_clearance(bore: float) -> tuple[float, float]:
     """Smallest and largest radial internal clearance of the group CN of deep groove bearings [m].
 
-    ISO 5753-1; the standard was not read, the numbers are those of two makers' tables, which agree (docs/libraries.md).
+    ISO 5753-1; the standard was not read, the numbers are those of two makers' tables, which agree
+    (docs/user/libraries.md).
 
     Parameters
     ----------

@@ -1,9 +1,9 @@
 """Rating life of a ball bearing from its solved ball loads, after ISO 281 and ISO 16281, and its static safety.
 
 The standards themselves were not read: formulas and constants come from public transcriptions that agree with each
-other (docs/life.md says which). They cover one row of balls between rings of hardened bearing steel, the balls of
-steel or of silicon nitride (DIN ISO 281 Supplement 5 and ISO 20056-1, after their published abstracts: the dynamic
-rating of a hybrid is that of the steel bearing). For any other material no life is given.
+other (docs/theory/life.md says which). They cover one row of balls between rings of hardened bearing steel, the
+balls of steel or of silicon nitride (DIN ISO 281 Supplement 5 and ISO 20056-1, after their published abstracts:
+the dynamic rating of a hybrid is that of the steel bearing). For any other material no life is given.
 """
 
 from __future__ import annotations

@@ -43,7 +43,7 @@ LATER_VALUES = {
 }
 NOT_OFFERED = {
     "minimum dissipation": "not offered, since it jumps between the two race controls and has no balance there; "
-    "allowed: 'traction equilibrium', which balances the friction, or one of the race controls (docs/bearing.md)"
+    "allowed: 'traction equilibrium', which balances the friction, or one of the race controls (docs/theory/bearing.md)"
 }
 NAMED_TABLES: dict[str, type[Table]] = {"materials": MaterialTable, "lubricants": OilTable, "rows": RowTable}
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")

@@ -103,7 +103,7 @@ def run_dynamics(
 
 def _plan(case: Case, name: str) -> DynamicsPlan:
     if case.dynamics is None:
-        raise CaseError([f"{name}: has no table [dynamics]; it needs end_time_s, see docs/cases.md"])
+        raise CaseError([f"{name}: has no table [dynamics]; it needs end_time_s, see docs/reference/cases.md"])
     if case.rows is not None and len(case.rows) > 1:
         raise CaseError([f"{name}: [[rows]]: a simulation takes one row of balls"])
     return case.dynamics

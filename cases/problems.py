@@ -121,7 +121,7 @@ def _unknown(path: Path, schema: dict[str, Any]) -> Problem:
     nearest = nearest_name(key, names)
     if nearest and nearest.startswith(key + "_"):
         return Problem(path=path, found="unknown key", allowed="keys end in their unit", nearest=nearest)
-    shortened = [*names[:MOST_NAMES], "... (see docs/cases.md)"] if len(names) > MOST_NAMES + 2 else names
+    shortened = [*names[:MOST_NAMES], "... (see docs/reference/cases.md)"] if len(names) > MOST_NAMES + 2 else names
     listed = "" if nearest else "allowed: " + ", ".join(shortened)
     return Problem(path=path, found="unknown key" if parent else "unknown name", allowed=listed, nearest=nearest)
 

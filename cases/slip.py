@@ -85,7 +85,8 @@ def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
     from bearing.slip import SlipStudy
 
     if case.slip is None:
-        raise CaseError([f"{name}: has no table [slip]; it needs speeds_rpm and axial_loads_N, see docs/cases.md"])
+        needs = "it needs speeds_rpm and axial_loads_N, see docs/reference/cases.md"
+        raise CaseError([f"{name}: has no table [slip]; {needs}"])
     operation = case.operation
     if operation.force[0] is None or (case.slip.critical_speeds and operation.force[1] is None):
         varied = "the axial load" if operation.force[0] is None else "the radial load"

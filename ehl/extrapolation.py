@@ -9,7 +9,7 @@ from .solution import FilmValue
 
 ORDER = 2.0  # of the discretisation
 ORDER_RANGE = (1.0, 2.5)  # observed orders outside are not believed
-ORDER_DOUBT = 0.4  # the true order may be this much below the observed one; calibrated in docs/contact.md
+ORDER_DOUBT = 0.4  # the true order may be this much below the observed one; calibrated in docs/theory/contact.md
 
 
 def extrapolate(values: Sequence[float], noise: float) -> FilmValue:

@@ -1,7 +1,7 @@
 """Film thickness formulas from curve fits: starting guesses and comparisons, never oracles.
 
 All take the entrainment along the principal direction x, smooth surfaces, an isothermal Newtonian oil and a flooded
-inlet. Ranges of the fits: `docs/contact.md`.
+inlet. Ranges of the fits: `docs/theory/contact.md`.
 """
 
 from __future__ import annotations

@@ -7,11 +7,12 @@ from pathlib import Path
 
 import pytest
 
-DOCS = Path(__file__).parents[1] / "docs"
+ROOT = Path(__file__).parents[1]
+DOCS = ROOT / "docs"
 
 
 def load(name):
-    spec = importlib.util.spec_from_file_location(name, DOCS / f"{name}.py")
+    spec = importlib.util.spec_from_file_location(name, ROOT / "tools" / "docs" / f"{name}.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -32,7 +33,7 @@ def test_the_gallery_shows_the_slip_cases():
     """Every case of the slip paper with its command and a picture; a case is not given the pictures of another."""
     gallery = load("site_pages").gallery()
     parts = {part.splitlines()[0]: part for part in gallery.split("### ")[1:]}
-    cases = sorted(path.stem for path in (DOCS.parent / "cases" / "hirano_slip").glob("*.toml"))
+    cases = sorted(path.stem for path in (ROOT / "cases" / "hirano_slip").glob("*.toml"))
     assert len(cases) == 7
     for case in cases:
         assert f"oilfilm slip {case}\n" in parts[case]
@@ -58,7 +59,7 @@ def test_the_page_of_commands_names_every_command_and_option():
 
     from cases.cli import app
 
-    page = (DOCS / "commands.md").read_text(encoding="utf-8")
+    page = (DOCS / "reference" / "commands.md").read_text(encoding="utf-8")
     for name, command in get_command(app).commands.items():
         assert f"oilfilm {name}" in page
         for parameter in command.params:

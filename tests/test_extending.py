@@ -9,7 +9,8 @@ from pathlib import Path
 
 from cases.case import Case, case_from_text
 
-PAGE = Path(__file__).parents[1] / "docs" / "extending.md"
+ROOT = Path(__file__).parents[1]
+PAGE = ROOT / "docs" / "tutorial" / "extending.md"
 BLOCKS = re.findall(r"^```(\w+)\n(.*?)^```$", PAGE.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
 
 
@@ -30,10 +31,10 @@ def test_the_law_gives_a_torque(tmp_path):
 
 
 def test_files_and_names_that_the_page_speaks_of_exist():
-    text, root = PAGE.read_text(encoding="utf-8"), PAGE.parents[1]
-    for name in re.findall(r"`((?:bearing|ehl|cases|docs)/[\w/.]+)`", text):
-        assert (root / name).exists(), name
-    source = "".join(path.read_text(encoding="utf-8") for path in (root / "ehl" / "rheology").glob("*.py"))
+    text = PAGE.read_text(encoding="utf-8")
+    for name in re.findall(r"`((?:bearing|ehl|cases|docs|tools)/[\w/.]+)`", text):
+        assert (ROOT / name).exists(), name
+    source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "ehl" / "rheology").glob("*.py"))
     for name in ("LAW_CODES", "class ShearLaw", "def shear_rate"):
         assert name in source
-    assert "class ModelTorque" in (root / "bearing" / "torque" / "models.py").read_text(encoding="utf-8")
+    assert "class ModelTorque" in (ROOT / "bearing" / "torque" / "models.py").read_text(encoding="utf-8")

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from .friction import RaceFriction
 
 IMPACT_FLOOR = 0.05  # [m/s], see `NormalContact.impact_floor`
-TOLERANCE = 1.0e-4  # of the error of a step in units of `scales` [-]; see docs/dynamics.md
+TOLERANCE = 1.0e-4  # of the error of a step in units of `scales` [-]; see docs/theory/dynamics.md
 SPHERE_DRAG = 0.47  # drag coefficient of a smooth sphere, Re 1e3 to 2e5 (Hoerner 1965) [-]
 
 

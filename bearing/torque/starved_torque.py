@@ -2,8 +2,8 @@
 
 Every contact keeps the share of its flooded film that the supply leaves it (`supply`). Its rolling resistance falls
 with that share squared: a rule of ours, between what solves with shortened inlets of a heavy and a light contact of a
-6208 give (docs/torque.md). Its sliding friction is that of film and asperities in the proportion of the lambda ratio
-(`mixed`), on the lines of pure rolling. The balls plough through the oil that stands in the cavity.
+6208 give (docs/theory/torque.md). Its sliding friction is that of film and asperities in the proportion of
+the lambda ratio (`mixed`), on the lines of pure rolling. The balls plough through the oil that stands in the cavity.
 """
 
 from __future__ import annotations

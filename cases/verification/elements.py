@@ -17,8 +17,8 @@ CONTACTS = (
 )
 TEXT = """\
 The solution by finite elements shares with the multigrid the dimensionless problem and the box, and neither mesh,
-discrete equations, deflection, treatment of cavitation nor iteration ([finite_element.md](finite_element.md) has
-the whole comparison)."""
+discrete equations, deflection, treatment of cavitation nor iteration ([finite_element.md](../theory/finite_element.md)
+has the whole comparison)."""
 
 
 def elements(quick: bool = False) -> Section:

@@ -26,7 +26,7 @@ ESTIMATED = tuple(name for name in list_bearings() if name not in published_bear
 
 
 def generator():
-    spec = importlib.util.spec_from_file_location("estimated_bearings", ROOT / "docs" / "estimated_bearings.py")
+    spec = importlib.util.spec_from_file_location("estimated_bearings", ROOT / "tools" / "estimated_bearings.py")
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
@@ -91,7 +91,7 @@ def test_the_factor_f0_of_the_catalogue_follows_though_it_is_not_used(name):
     ],
 )
 def test_known_geometries_are_found(row, balls, ball_mm, pitch_mm):
-    """Numbers of balls exactly, balls within 1 %, pitch diameters within 0.5 %: the errors docs/libraries.md states."""
+    """Numbers of balls exactly, balls within 1 %, pitch diameters within 0.5 % (docs/user/libraries.md)."""
     found = SCRIPT.estimate(ROWS[row])
     assert found.balls == balls
     assert found.ball_diameter == pytest.approx(ball_mm * 1e-3, rel=0.01)
@@ -117,7 +117,7 @@ def test_boundary_dimensions_enclose_the_balls(name):
 
 @pytest.mark.parametrize("name", ESTIMATED)
 def test_a_guess_from_the_boundary_dimensions_is_near(name):
-    """Balls -10 to +25 %, numbers -2 to +1: what docs/libraries.md says of it."""
+    """Balls -10 to +25 %, numbers -2 to +1: what docs/user/libraries.md says of it."""
     entry = load_catalogue_entry(name)
     angle = radians(entry.get("free_contact_angle_deg", 0.0))
     ball, pitch, balls = typical_geometry(entry["bore_mm"] * 1e-3, entry["outside_diameter_mm"] * 1e-3, angle)

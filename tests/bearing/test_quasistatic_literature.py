@@ -2,7 +2,7 @@
 
 Sources: Harris and Kotzalas, Rolling Bearing Analysis (218, 209); Yao et al. 2022 (6208, silicon nitride); a slip
 study of the 7000C after Hirano. Frame as everywhere: x axial, psi = 0 the load line. The numbers are those of
-docs/bearing.md; each was computed by a program that shares no code with this one, to the digits given.
+docs/theory/bearing.md; each was computed by a program that shares no code with this one, to the digits given.
 """
 
 from __future__ import annotations

@@ -28,7 +28,7 @@ from ehl.conditions import moes_groups
 from ehl.film_formulas import moes_film_nijenbanning
 from ehl.scaling import scale_contact
 
-DOCS = Path(__file__).parents[2] / "docs"
+PAGES = Path(__file__).parents[2] / "docs" / "validation"
 POINTS = (65,)
 
 
@@ -289,10 +289,10 @@ def test_numbers_of_a_page_are_compared_with_care():
 
 def test_the_page_of_random_contacts_is_that_of_its_file():
     """The page in the docs is made from the draws beside it."""
-    drawn = sorted(read_finished(DOCS / "robustness.jsonl"), key=lambda f: f.number)
+    drawn = sorted(read_finished(PAGES / "robustness.jsonl"), key=lambda f: f.number)
     assert len(drawn) >= 300
-    page = (DOCS / "robustness.md").read_text(encoding="utf-8")
-    seed = json.loads((DOCS / "robustness.jsonl").read_text(encoding="utf-8").splitlines()[0])["seed"]
+    page = (PAGES / "robustness.md").read_text(encoding="utf-8")
+    seed = json.loads((PAGES / "robustness.jsonl").read_text(encoding="utf-8").splitlines()[0])["seed"]
     for table in robustness_section(drawn, seed).tables:
         for row in table.rows:
             assert "| " + " | ".join(row) + " |" in page
@@ -304,7 +304,7 @@ def test_the_page_in_the_docs_is_up_to_date(name):
     from cases.verification.run import run_sections
 
     (section,) = run_sections([name], silent)
-    page = (DOCS / "verification.md").read_text(encoding="utf-8").splitlines()
+    page = (PAGES / "verification.md").read_text(encoding="utf-8").splitlines()
     start = page.index(f"## {section.title}")
     lines = iter(line for line in page[start:] if line.startswith("|") and not line.startswith("| ---"))
     for table in section.tables:

@@ -6,7 +6,7 @@ the stress that law gives 0.23 at 10 % slide and 1.3 GPa, isothermal, which no o
 assumed, within the 0.035 to 0.088 of the oils in Arana et al. (2019). What measured curves of smooth contacts have in
 common (Bjorling et al., 2013; Jacod, Venner and Lugt, 2001; both by their abstracts): a linear rise, a maximum or
 plateau of some hundredths, the higher the pressure the steeper and the higher. Every property and the comparison stand
-in docs/traction.md; the contact is that of the shipped case, the loads give Hertz pressures of 0.8 and 1.3 GPa.
+in docs/theory/traction.md; the contact is that of the shipped case, the loads give Hertz pressures of 0.8 and 1.3 GPa.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Contact stress of the full-ceramic 6208, Yao et al. (2022), Lubricants 10, 174, Table 4.
 
-The level of the printed table does not follow from the paper's inputs (docs/validation_002.md). What can be compared:
-its growth with load, its ratio of inner to outer race, and the ball load it implies.
+The level of the printed table does not follow from the paper's inputs (docs/validation/validation_002.md).
+What can be compared: its growth with load, its ratio of inner to outer race, and the ball load it implies.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-PAGE = Path(__file__).parents[2] / "docs" / "validation_002.py"
+PAGE = Path(__file__).parents[2] / "tools" / "docs" / "validation_002.py"
 SCATTER = 0.01  # two printed decimals leave 0.3 % each; the printed ratios differ by 0.4 % among themselves
 
 

@@ -1,0 +1,117 @@
+"""Tables of keys of docs/reference/cases.md, from the schema: `python tools/docs/case_reference.py`."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+from cases.problems import allowed_values, resolved
+from cases.schema import BearingFile, ContactFile
+from postprocess.named_units import unit_of
+
+DOCS = Path(__file__).parents[2] / "docs"
+PAGE = DOCS / "reference" / "cases.md"
+START, END = "<!-- tables: written by tools/docs/case_reference.py -->", "<!-- end of tables -->"
+SYMBOLS = {
+    "um": "µm", "us": "µs", "degC": "°C", "rpm": "r/min", "mm2/s": "mm²/s", "m/s2": "m/s²", "kg/m3": "kg/m³",
+    "g mm2": "g mm²", "um/(m K)": "µm/(m K)",
+}  # fmt: skip
+SPECIAL = {
+    "force_N": "three numbers, ±1e8",
+    "moment_N_mm": "two numbers, ±1e10",
+    "displacement_um": "three numbers ±1e5, or `free`",
+    "tilt_mrad": "two numbers ±100, or `free`",
+    "points": "33, 65, 129, 257, 513, 1025, 2049, 4097",
+    "domain": "x_in < -1, x_out > 1, y_half > 1",
+    "film_maps": "`all`, `loaded`, `none`, azimuths in degrees",
+    "speeds_rpm": "two numbers, 0 < first < last",
+    "axial_loads_N": "two numbers, 0 < first < last",
+    "critical_radial_loads_N": "two numbers, 0 <= first < last",
+    "critical_speeds_rpm": "up to six numbers > 0 and <= 1e6",
+    "speed_table_rpm": "rows of time in s and a number",
+    "load_table_N": "rows of time in s and three numbers",
+    "gravity_m_s2": "three numbers",
+    "assumed": "list of `table.key`",
+}
+ORDER = (
+    "bearing",
+    "contact",
+    "lubricant",
+    "operation",
+    "model",
+    "ehl",
+    "surface",
+    "fit",
+    "temperatures",
+    "friction",
+    "cage",
+    "dynamics",
+    "rows",
+    "slip",
+    "materials",
+    "lubricants",
+)
+NAMED = {"rows": "[rows]", "materials": "materials.NAME", "lubricants": "lubricants.NAME"}
+
+
+def unit(key: str) -> str:
+    """Unit that a key ends in; a dash if it has none."""
+    found = unit_of(key)
+    return SYMBOLS.get(found, found) or "–"
+
+
+def default(key: str, node: dict[str, Any], required: list[str]) -> str:
+    """Value of a key that is left out."""
+    if key in required:
+        return "required"
+    value = node.get("default")
+    return "–" if value is None or value == "" or value == [] else f"`{value}`"
+
+
+def row(key: str, node: dict[str, Any], schema: dict[str, Any], required: list[str]) -> str:
+    """One line of a table."""
+    of_films = key != "points" or node.get("minimum") == 33  # the slip maps have points of their own
+    text = (SPECIAL.get(key) if of_films else None) or allowed_values(resolved(schema, node))
+    text = text.replace("a whole number ", "").replace("a number ", "").replace("whole number ", "")
+    text = re.sub(r'"([^"]*)"', r"`\1`", text.replace("text in quotes", "text"))
+    meaning = re.sub(r'"([^"]*)"', r"`\1`", node.get("description", ""))
+    return f"| `{key}` | {unit(key)} | {default(key, node, required)} | {text} | {meaning} |"
+
+
+def table(name: str, node: dict[str, Any], schema: dict[str, Any]) -> list[str]:
+    """Heading and keys of one table of the file."""
+    required = node.get("required", [])
+    lines = [f"### {name}", "", node.get("description", ""), ""]
+    lines += ["| key | unit | default | range | meaning |", "|---|---|---|---|---|"]
+    return [*lines, *(row(key, item, schema, required) for key, item in node["properties"].items()), ""]
+
+
+def tables() -> str:
+    """All tables as Markdown."""
+    bearing, contact = BearingFile.model_json_schema(), ContactFile.model_json_schema()
+    scalars = {key: node for key, node in bearing["properties"].items() if "properties" not in _content(bearing, node)}
+    top = {"description": "Before the first table.", "properties": scalars, "required": bearing["required"]}
+    lines = table("Top of the file", top, bearing)
+    for key in ORDER:
+        schema = contact if key == "contact" else bearing
+        lines += table(f"[{NAMED.get(key, key)}]", _content(schema, schema["properties"][key]), schema)
+    return "\n".join(lines)
+
+
+def _content(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
+    """The table behind a key; of tables by name or in a list, the one they all are."""
+    node = resolved(schema, node)
+    several = node.get("additionalProperties") or node.get("items")
+    return resolved(schema, several) if isinstance(several, dict) and "$ref" in several else node
+
+
+def page() -> str:
+    """The page with its tables up to date."""
+    before, _, rest = PAGE.read_text(encoding="utf-8").partition(START)
+    _, _, after = rest.partition(END)
+    return f"{before}{START}\n\n{tables()}\n{END}{after}"
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page(), encoding="utf-8")

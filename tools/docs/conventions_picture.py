@@ -1,0 +1,29 @@
+"""Figure of docs/theory/conventions.md, the solved bearing 218: `python tools/docs/conventions_picture.py`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import matplotlib as mpl
+from matplotlib.figure import Figure
+
+from bearing import BallKinematics, Model, solve_quasistatic
+from cases import load_case
+from postprocess.plot_style import RC, save
+from postprocess.plots_frame import draw_frame
+
+PICTURE = Path(__file__).parents[2] / "docs" / "images" / "conventions.png"
+
+
+def main() -> None:
+    """The 218 at 10000 r/min under thrust, friction shared by both races."""
+    case = load_case("218_axial_22250N")
+    state = solve_quasistatic(case.bearing, case.operation, Model(ball_kinematics=BallKinematics.HALF_AND_HALF))
+    with mpl.rc_context(RC):
+        figure = Figure()
+        draw_frame(figure, state)
+        save(figure, PICTURE)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,202 @@
+"""Write the tables of docs/user/libraries.md from the data of the libraries: `python tools/docs/libraries.py`."""
+
+from __future__ import annotations
+
+import importlib.util
+from collections.abc import Iterator, Sequence
+from math import radians
+from pathlib import Path
+from typing import Any
+
+from bearing import library_lubricant, list_bearings, list_lubricants, list_materials, load_catalogue_entry
+from bearing.catalogue import published_bearings
+from bearing.geometry_estimate import GeometryEstimate, typical_geometry
+from bearing.lubricant_library import PROPERTIES, lubricant_data
+from bearing.material import FIELDS, material_data
+
+DOCS = Path(__file__).parents[2] / "docs"
+PAGE = DOCS / "user" / "libraries.md"
+MARK = "<!-- {}: written by tools/docs/libraries.py -->"
+END = "<!-- end -->"
+KNOWN = (  # row of the ratings, balls, ball and pitch diameter [mm], where from
+    ("6203", 8, 6.746, 28.50, "Case Western Reserve University: 0.2656 and 1.122 in (from memory, unverified)"),
+    ("6205", 9, 7.940, 39.04, "Case Western Reserve University: 0.3126 and 1.537 in"),
+    ("6206", 9, 9.525, 46.00, "catalogue entry 6206"),
+    ("6207", 9, 11.12, 53.50, "catalogue entry 6207"),
+    ("6208", 9, 12.00, 60.00, "catalogue entry 6208"),
+    ("6304", 7, 9.52, 36.01, "catalogue entry 6304"),
+    ("7218B", 16, 22.23, 125.26, "textbook 218, 40°"),
+    ("6209", 9, 12.70, 65.00, "textbook 209: another design than the maker's 6209"),
+    ("7000C", 10, 4.485, 18.00, "catalogue entry 7000C: another design than the maker's"),
+    ("7008C", 18, 7.00, 54.00, "catalogue entry 7008: another design than the maker's"),
+)  # fmt: skip
+
+
+def ratings() -> Any:
+    """The script that estimates."""
+    path = Path(__file__).parents[1] / "estimated_bearings.py"
+    spec = importlib.util.spec_from_file_location("estimated_bearings", path)
+    assert spec is not None and spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def table(header: Sequence[str], rows: Iterator[Sequence[str]]) -> str:
+    """A Markdown table."""
+    lines = ["| " + " | ".join(header) + " |", "|" + "---|" * len(header)]
+    return "\n".join([*lines, *("| " + " | ".join(row) + " |" for row in rows)])
+
+
+def checks() -> Iterator[Sequence[str]]:
+    """Estimates beside known geometries."""
+    script = ratings()
+    for name, balls, ball, pitch, source in KNOWN:
+        found: GeometryEstimate = script.estimate(script.rows()[name])
+        own, pitch_found = 1e3 * found.ball_diameter, 1e3 * found.pitch_diameter
+        errors = f"{100 * (own / ball - 1):+.1f} %", f"{100 * (pitch_found / pitch - 1):+.1f} %"
+        yield (
+            name,
+            f"{balls} × {ball:g} on {pitch:g}",
+            f"{found.balls} × {own:.4g} on {pitch_found:.4g}",
+            *errors,
+            source,
+        )
+
+
+def fit() -> Iterator[Sequence[str]]:
+    """How well the ratings are met, and what the guess without ratings misses."""
+    script = ratings()
+    for title, angle in (("deep groove", "0"), ("15° (C)", "15"), ("40° (B)", "40")):
+        rows = [r for r in script.rows().values() if r["contact_angle_deg"] == angle and r["dynamic_rating_kN"]]
+        found = [script.estimate(row) for row in rows]
+        guesses = [guess(row) for row in rows]
+        dynamic, static = [e.dynamic_error for e in found], [e.static_error for e in found]
+        ball = [g[0] / e.ball_diameter - 1.0 for g, e in zip(guesses, found, strict=True)]
+        number = [g[2] - e.balls for g, e in zip(guesses, found, strict=True)]
+        yield (
+            title,
+            str(len(rows)),
+            f"{100 * min(dynamic):+.1f} to {100 * max(dynamic):+.1f} %",
+            f"{100 * min(static):+.1f} to {100 * max(static):+.1f} %",
+            f"{100 * max(e.misfit for e in found):.1f} %",
+            f"{100 * min(e.next_misfit for e in found):.1f} %",
+            f"{100 * min(ball):+.0f} to {100 * max(ball):+.0f} %",
+            f"{min(number):+d} to {max(number):+d}",
+        )
+
+
+def guess(row: dict[str, str]) -> tuple[float, float, int]:
+    """Geometry from the boundary dimensions alone [m]."""
+    bore, outside = 1e-3 * float(row["bore_mm"]), 1e-3 * float(row["outside_diameter_mm"])
+    return typical_geometry(bore, outside, radians(float(row["contact_angle_deg"])))
+
+
+def bearings() -> Iterator[Sequence[str]]:
+    """Every bearing of the catalogue."""
+    for name in list_bearings():
+        entry = load_catalogue_entry(name)
+        size = [entry.get(key) for key in ("bore_mm", "outside_diameter_mm", "width_mm")]
+        boundary = " × ".join("–" if value is None else f"{value:g}" for value in size)
+        rating = [entry.get(f"basic_{kind}_rating_kN") for kind in ("dynamic", "static")]
+        angle, clearance = entry.get("free_contact_angle_deg"), entry.get("diametral_clearance_um")
+        yield (
+            name,
+            boundary,
+            " / ".join("–" if value is None else f"{value:g}" for value in rating),
+            f"{entry['balls']} × {entry['ball_diameter_mm']:g} on {entry['pitch_diameter_mm']:g}",
+            f"{entry['inner_groove_radius_mm'] / entry['ball_diameter_mm']:.4g} / "
+            f"{entry['outer_groove_radius_mm'] / entry['ball_diameter_mm']:.4g}",
+            f"{angle:g}°" if angle else f"{clearance:g} µm",
+            "published" if name in published_bearings() else "estimated",
+        )
+
+
+def materials() -> Iterator[Sequence[str]]:
+    """Every material; a dagger where no source was read."""
+    for name in list_materials():
+        data = material_data(name)
+        cells = []
+        for key, _ in FIELDS.values():
+            number = data.get(key)
+            low, high = number["range"] if number else (0.0, 0.0)
+            cells.append("–" if not number else f"{number['value']:g} ({low:g}–{high:g}){_dagger(number)}")
+        yield name, str(data["kind"]), *cells
+
+
+def _dagger(data: dict[str, Any]) -> str:
+    return "" if data.get("verified", True) else "†"
+
+
+def _dagger_of_oil(data: dict[str, Any]) -> str:
+    """Also where a part of the property is unverified."""
+    return "†" if "unverified" in data["source"] else ""
+
+
+def oils() -> Iterator[Sequence[str]]:
+    """Every oil at 40 °C; a dagger where no source was read."""
+    for name in list_lubricants():
+        data, oil = lubricant_data(name), library_lubricant(name, 313.15)
+        low, high = data["range_C"]
+        marks = {field: _dagger_of_oil(data[field]) for field in PROPERTIES}
+        heat = oil.thermal
+        assert heat is not None
+        hot = "–"
+        if high >= 100.0:
+            warm = library_lubricant(name, 373.15)
+            hot = f"{1e6 * warm.viscosity / warm.density:.3g}"
+        yield (
+            name,
+            f"{low:g} to {high:g}",
+            f"{1e6 * oil.viscosity / oil.density:.4g} / {hot}{marks['viscosity']}",
+            f"{1e3 * heat.viscosity_temperature:.1f}",
+            f"{1e9 * oil.pressure_viscosity:.3g}{marks['pressure_viscosity']}",
+            f"{oil.density:.0f}{marks['density']}",
+            f"{1e4 * heat.expansion:.2g}",
+            f"{heat.conductivity:.3g}{marks['conductivity']}",
+            f"{heat.specific_heat:.0f}{marks['specific_heat']}",
+        )
+
+
+def oil_sources() -> Iterator[Sequence[str]]:
+    """Law and source of every property of every oil."""
+    for name in list_lubricants():
+        data = lubricant_data(name)
+        for field in PROPERTIES:
+            yield name, field.replace("_", " "), data[field]["law"], data[field]["source"]
+
+
+HEADS = {
+    "checks": "bearing|known: balls × D on d_m, mm|estimated|D|d_m|known from",
+    "fit": "bearings|number|C computed/printed|C_0 computed/printed|worst misfit|nearest second best"
+    "|D from dimensions alone|balls from dimensions alone",
+    "bearings": "name|d × D × B, mm|C / C_0, kN|balls × D on d_m, mm|r_i/D, r_o/D|angle or clearance|geometry",
+    "materials": "name|kind|E, GPa|ν|ρ, kg/m³|expansion, µm/(m K)|conductivity, W/(m K)|specific heat, J/(kg K)",
+    "oils": "name|range, °C|ν at 40 / 100 °C, mm²/s|−∂ln η/∂T, 10⁻³/K|α, 1/GPa|ρ, kg/m³|expansion, 10⁻⁴/K"
+    "|conductivity, W/(m K)|specific heat, J/(kg K)",
+    "sources of the oils": "oil|property|law|source",
+}
+ROWS = {
+    "checks": checks,
+    "fit": fit,
+    "bearings": bearings,
+    "materials": materials,
+    "oils": oils,
+    "sources of the oils": oil_sources,
+}
+
+
+def page() -> str:
+    """The page with its tables renewed."""
+    text = PAGE.read_text(encoding="utf-8")
+    for name, rows in ROWS.items():
+        start = MARK.format(name)
+        block = f"{start}\n\n{table(HEADS[name].split('|'), rows())}\n\n{END}"
+        before, found, rest = text.partition(start)
+        assert found, name
+        text = before + block + rest.partition(END)[2]
+    return text
+
+
+if __name__ == "__main__":
+    PAGE.write_text(page(), encoding="utf-8")

@@ -1,0 +1,74 @@
+"""Pages of the site that are written from the repository: gallery and change log (a hook of mkdocs)."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).parents[2]
+IMAGES = ROOT / "docs" / "images"
+
+
+def on_files(files: Any, config: Any) -> Any:
+    """Add the pages that are no files of docs/."""
+    from mkdocs.structure.files import File
+
+    changelog = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    files.append(File.generated(config, "gallery.md", content=gallery()))
+    files.append(File.generated(config, "reference/changelog.md", content=changelog))
+    return files
+
+
+def gallery() -> str:
+    """The figures of the validation pages, then every shipped case: source, command, pictures."""
+    lines = [
+        "# Gallery",
+        "",
+        "Figures of papers, computed, and every case that comes with the program: a complete file",
+        "to start from, `oilfilm init NAME --from CASE`.",
+        "",
+        *_paper_figures(),
+    ]
+    folders: dict[str, list[Path]] = {}
+    for path in sorted((ROOT / "cases").rglob("*.toml")):
+        folders.setdefault(path.parent.name.replace("_", " "), []).append(path)
+    for folder, paths in sorted(folders.items()):
+        lines += [f"## {folder.capitalize()}", ""]
+        for path in paths:
+            lines += _case(path)
+    return "\n".join(lines) + "\n"
+
+
+def _paper_figures() -> list[str]:
+    """Every picture of the pages that compare with literature, under the page's title."""
+    lines = ["## Figures of papers", ""]
+    for page in sorted((ROOT / "docs" / "validation").glob("validation_*.md")):
+        text = page.read_text(encoding="utf-8")
+        pictures = re.findall(r"!\[([^\]]*)\]\(\.\./(images/[^)]+)\)", text)
+        if pictures:
+            title = text.partition("\n")[0].removeprefix("# ")
+            lines += [f"### [{title}](validation/{page.name})", ""]
+            for words, file in pictures:
+                lines += [f"![{words}]({file})", "", f"*{words}*", ""]
+    return lines
+
+
+def _case(path: Path) -> list[str]:
+    document = tomllib.loads(path.read_text(encoding="utf-8"))
+    lines = [f"### {path.stem}", "", str(document.get("title", "")), ""]
+    if document.get("source"):
+        lines += [f"Source: {document['source']}", ""]
+    lines += ["```console", f"oilfilm {_command(path, document)} {path.stem}", "```", ""]
+    for picture in sorted([*IMAGES.glob(f"{path.stem}.png"), *IMAGES.glob(f"{path.stem}.*.png")]):
+        words = picture.stem.removeprefix(path.stem).strip(".").replace("_", " ")
+        lines += [f"![{words or document.get('title', path.stem)}](images/{picture.name})", ""]
+    return lines
+
+
+def _command(path: Path, document: dict[str, Any]) -> str:
+    """What computes a case."""
+    if path.parent.name == "sweeps":
+        return "batch"
+    return next((name for name in ("contact", "slip", "dynamics") if name in document), "run")

@@ -1,0 +1,109 @@
+"""Traction of films with heat beside full solves, for traction.md: `python tools/docs/warm_film_pictures.py`.
+
+Inner race of the shipped case `6208_with_heat` at 15 m/s, Eyring's oil without a limiting stress, so that what heat and
+thinning do is not cut; no spin, no curvature slip.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from numpy.typing import NDArray
+
+from bearing import solve_quasistatic
+from bearing.geometry import Race
+from bearing.traction_tables import table_contacts
+from cases import load_case
+from ehl import SolverOptions
+from ehl.generalized_solver import solve_generalized
+from ehl.traction.table import TableContact
+from ehl.traction.table_film import table_film
+from postprocess.plot_style import PAGE_WIDTH, RC, save
+
+DOCS = Path(__file__).parents[2] / "docs"
+IMAGE = DOCS / "images" / "6208_with_heat.png"
+PAGE = DOCS / "theory" / "traction.md"
+START, END = "<!-- written by tools/docs/warm_film_pictures.py -->", "<!-- end of films with heat -->"
+LOADS, SPEED = (50.0, 500.0, 1600.0), 15.0
+RATIOS = np.geomspace(1e-3, 2.0, 41)
+SAMPLES = (0.002, 0.02, 0.1, 0.5, 1.5)
+COLOURS = ("#4c78a8", "#d67b1f", "#b23a3a")
+POINTS = 129
+Array = NDArray[np.float64]
+
+
+def contact() -> TableContact:
+    """What the table of the inner race is made for, without a limiting stress."""
+    case = load_case("6208_with_heat")
+    state = solve_quasistatic(case.bearing, case.operation, case.model)
+    found = table_contacts(state, case.lubricant, case.rheology, solids=case.films.solids)[Race.INNER]
+    return replace(found, rheology=found.rheology.unlimited)
+
+
+def by_films(wanted: TableContact, load: float, ratios: Array) -> Array:
+    """Coefficients of the film that a table of this contact shears [-]."""
+    film = table_film(wanted, load, SPEED, 2.0 * SPEED, SolverOptions(points=POINTS))
+    none = np.zeros(ratios.size)
+    forces = film.forces((SPEED * ratios, none, none), np.full(ratios.size, SPEED / wanted.radius_x), 0.0)
+    return np.asarray(-forces[:, 0] / load)
+
+
+def in_full(wanted: TableContact, load: float, ratio: float) -> tuple[float, bool]:
+    """Coefficient of a full solve [-], and whether it converged."""
+    conditions = replace(wanted.conditions(load, SPEED), slide_roll_ratio=ratio)
+    found = solve_generalized(conditions, wanted.rheology, solids=wanted.solids, options=SolverOptions(points=POINTS))
+    x, y = found.contact.x, found.contact.y
+    assert found.mid_stress is not None and x is not None and y is not None
+    return -float(np.trapezoid(np.trapezoid(found.mid_stress[0], y, axis=1), x)) / load, found.contact.converged
+
+
+def draw(axes: Axes, wanted: TableContact, load: float, colour: str) -> list[str]:
+    """Curves and points of one load; the rows of the table."""
+    cold = replace(wanted, solids=None)
+    axes.plot(RATIOS, by_films(cold, load, RATIOS), color=colour, linestyle=":", linewidth=1.2)
+    axes.plot(RATIOS, by_films(wanted, load, RATIOS), color=colour, linewidth=1.6, label=f"{load:.0f} N")
+    samples = np.array(SAMPLES)
+    sheared = zip(SAMPLES, by_films(cold, load, samples), by_films(wanted, load, samples), strict=True)
+    rows = []
+    for ratio, isothermal, warm in sheared:
+        full, converged = in_full(wanted, load, ratio)
+        axes.plot(ratio, full, "o", color=colour, markersize=5, fillstyle="full" if converged else "none")
+        told = "" if converged else ", not converged"
+        rows.append(
+            f"| {load:.0f} N | {ratio} | {isothermal:.4f} | {warm:.4f} | {full:.4f}{told} | {warm / full - 1.0:+.1%} |"
+        )
+    return rows
+
+
+def main() -> None:
+    """Picture and table."""
+    wanted, rows = contact(), []
+    with mpl.rc_context(RC):
+        figure = Figure(figsize=(PAGE_WIDTH, 0.62 * PAGE_WIDTH))
+        axes = figure.subplots()
+        for load, colour in zip(LOADS, COLOURS, strict=True):
+            rows += draw(axes, wanted, load, colour)
+        axes.plot([], [], ":", color="0.3", label="films without heat")
+        axes.plot([], [], "-", color="0.3", label="films with heat")
+        axes.plot([], [], "o", color="0.3", label="full solves, each slides")
+        axes.set_xscale("log")
+        axes.set_ylim(0.0, None)
+        axes.set_xlabel("slide–roll ratio [–]")
+        axes.set_ylabel("traction coefficient [–]")
+        axes.legend(frameon=False, ncols=2, loc="upper left")
+        save(figure, IMAGE)
+    head = "| load | slide–roll ratio | film without heat | film with heat | full solve | with heat, error |\n"
+    table = head + "|---|---|---|---|---|---|\n" + "\n".join(rows)
+    text = PAGE.read_text(encoding="utf-8")
+    before, _, rest = text.partition(START)
+    _, _, after = rest.partition(END)
+    PAGE.write_text(f"{before}{START}\n{table}\n{END}{after}", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
