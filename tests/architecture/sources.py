@@ -1,0 +1,40 @@
+"""The product's source files as the tests of this folder read them."""
+
+from __future__ import annotations
+
+import ast
+from functools import cache
+
+from .import_graph import LAYERS, ROOT, module_files
+
+FILES = {path.relative_to(ROOT).as_posix(): path for path in module_files().values()}
+
+
+@cache
+def text(name):
+    """Contents of a file, named from the root of the repository."""
+    return FILES[name].read_text(encoding="utf-8")
+
+
+@cache
+def tree(name):
+    """Syntax tree of a file."""
+    return ast.parse(text(name))
+
+
+def layer(name):
+    """Package at the root that a file lies in."""
+    return name.partition("/")[0]
+
+
+def nodes(kind):
+    """(file, node) for every node of a kind in the product."""
+    return [(name, node) for name in FILES for node in ast.walk(tree(name)) if isinstance(node, kind)]
+
+
+def at(name, node):
+    """Where a node stands, as an editor opens it."""
+    return f"{name}:{node.lineno}"
+
+
+__all__ = ["FILES", "LAYERS", "ROOT", "at", "layer", "nodes", "text", "tree"]

@@ -1,0 +1,120 @@
+"""The architecture as tests: layers, homes of heavy libraries, sizes. Each lists all offenders."""
+
+from __future__ import annotations
+
+import ast
+import sys
+
+from .sources import FILES, LAYERS, at, layer, nodes, text, tree
+
+HOMES = {
+    "numba": ("_kernels.py", "ehl/compiled.py"),
+    "skfem": ("ehl/reynolds_fem.py", "ehl/layered_fem.py", "ehl/subsurface.py"),
+    "pyamg": ("ehl/linear_solvers.py",),
+    "vtk": ("postprocess/vtk.py",),
+    "vtkmodules": ("postprocess/vtk.py",),
+    "meshio": ("postprocess/vtk.py",),
+    "pyvista": ("postprocess/scene*.py", "postprocess/vtk.py", "postprocess/animation.py"),
+    "matplotlib": ("postprocess/plot*.py", "postprocess/scene.py"),
+    "xarray": ("postprocess/results_io.py", "postprocess/history_io.py"),
+    "h5netcdf": ("postprocess/results_io.py", "postprocess/history_io.py"),
+    "h5py": ("postprocess/history_io.py",),
+    "typer": ("cases/commands/*.py", "cases/terminal.py"),
+    "pydantic": ("cases/schema/*.py", "cases/case.py", "cases/problems.py", "cases/batch/sweep.py"),
+    "pydantic_core": ("cases/schema/*.py",),
+    "rich": ("cases/commands/*.py", "cases/terminal.py", "postprocess/*table.py", "postprocess/slip_results.py"),
+    "PIL": ("postprocess/scene_motion.py", "postprocess/animation.py"),
+    "trame_pyvista": ("postprocess/scene.py",),
+    "distributed": ("cases/batch/pools.py",),
+}
+FUNCTION_LINES, MODULE_LINES, ARGUMENTS = 40, 400, 7
+COMMANDS = ("run", "contact", "batch", "table")  # of the command line: an argument each option
+
+
+def is_type_checking(node):
+    return isinstance(node, ast.If) and isinstance(node.test, ast.Name) and node.test.id == "TYPE_CHECKING"
+
+
+def imports(name, *, typing_only=True):
+    """Top names of the absolute imports of a module; without those for type checkers if not `typing_only`."""
+    skipped = set()
+    if not typing_only:
+        blocks = [node for node in ast.walk(tree(name)) if is_type_checking(node)]
+        skipped = {id(child) for node in blocks for child in ast.walk(node)}
+    found = set()
+    for node in ast.walk(tree(name)):
+        if id(node) in skipped:
+            continue
+        if isinstance(node, ast.Import):
+            found |= {alias.name.split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+            found.add(node.module.split(".")[0])
+    return found
+
+
+def test_layers():
+    """ehl <- bearing <- postprocess <- cases: a layer imports only those before it."""
+    later = {own: set(LAYERS[LAYERS.index(own) + 1 :]) for own in LAYERS}
+    offenders = {name: found for name in FILES if (found := imports(name) & later[layer(name)])}
+    assert offenders == {}
+
+
+def test_a_layer_speaks_to_itself_in_relative_imports():
+    assert [name for name in FILES if layer(name) in imports(name)] == []
+
+
+def test_homes_of_heavy_libraries():
+    offenders = [
+        f"{name} imports {library}, which belongs in {HOMES[library]}"
+        for name, path in FILES.items()
+        for library in sorted(imports(name, typing_only=False) & HOMES.keys())
+        if not any(path.match(home) for home in HOMES[library])
+    ]
+    assert offenders == []
+
+
+def test_only_known_libraries():
+    known = {"numpy", "scipy", *LAYERS, *HOMES, *sys.stdlib_module_names}
+    assert {name: found for name in FILES if (found := imports(name) - known)} == {}
+
+
+def test_modules_are_short():
+    lengths = {name: len(text(name).splitlines()) for name in FILES}
+    assert {name: lines for name, lines in lengths.items() if lines > MODULE_LINES} == {}
+
+
+def docstring_lines(function):
+    first = function.body[0]
+    is_text = isinstance(first, ast.Expr) and isinstance(first.value, ast.Constant)
+    if is_text and isinstance(first.value.value, str):
+        return first.end_lineno - first.lineno + 1
+    return 0
+
+
+def test_functions_are_short():
+    """A body without its docstring."""
+    offenders = []
+    for name, node in nodes(ast.FunctionDef):
+        body = node.end_lineno - node.body[0].lineno + 1 - docstring_lines(node)
+        if body > FUNCTION_LINES:
+            offenders.append(f"{at(name, node)} {node.name} has {body} lines")
+    assert offenders == []
+
+
+def test_functions_take_few_arguments():
+    """Kernels may take more."""
+    offenders = []
+    for name, node in nodes(ast.FunctionDef):
+        arguments = len(node.args.posonlyargs) + len(node.args.args) + len(node.args.kwonlyargs)
+        if arguments > ARGUMENTS and not name.endswith("_kernels.py") and node.name not in COMMANDS:
+            offenders.append(f"{at(name, node)} {node.name} takes {arguments} arguments")
+    assert offenders == []
+
+
+def test_no_print_below_the_command():
+    offenders = [
+        at(name, node)
+        for name, node in nodes(ast.Call)
+        if isinstance(node.func, ast.Name) and node.func.id == "print" and FILES[name].parent.name != "cases"
+    ]
+    assert offenders == []
