@@ -20,11 +20,12 @@ PAGE, SWEEP_PAGE, SWEEP = "verification.md", "robustness.md", "robustness.jsonl"
 TITLES = {PAGE: "Verification of the contact solver", SWEEP_PAGE: "Random contacts"}
 INTRODUCTIONS = {
     PAGE: """\
-This page is written by `oilfilm verify -o docs/validation`: every number on it is computed when the command runs.
-`--section NAME` computes a part of it, `--quick` all of it on coarse grids, and
-`--robustness DRAWS` the sweep over random contacts, which has [a page of its own](robustness.md). Equations, method and limits are those of
-[contact.md](../theory/contact.md). Film values carry the error bar the solver gives them. A
-statement that does not hold is shown as such, and the command ends with exit code 1.""",
+This page is written by `oilfilm verify -o docs/validation`: every number on it is computed when the
+command runs. `--section NAME` computes a part of it, `--quick` all of it on coarse grids, and
+`--robustness DRAWS` the sweep over random contacts, see [robustness.md](robustness.md). Equations,
+method and limits are those of [contact.md](../theory/contact.md). Each film value has the error bar
+that the solver gives. A statement that does not hold is marked, and the command ends with
+exit code 1.""",
     SWEEP_PAGE: """\
 This page is written by `oilfilm verify --robustness 300 -o docs/validation`, from the finished contacts in
 `robustness.jsonl`: the command goes on where it was interrupted, and a larger number adds to them.""",

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import csv
-import importlib.util
 from math import cos, pi, radians
-from pathlib import Path
 
+import estimated_bearings
 import pytest
 
 from bearing import list_bearings, load_catalogue_entry
@@ -21,19 +20,8 @@ from bearing.geometry_estimate import (
 )
 from bearing.names import matching_name, plain_name
 
-ROOT = Path(__file__).parents[2]
 ESTIMATED = tuple(name for name in list_bearings() if name not in published_bearings())
-
-
-def generator():
-    spec = importlib.util.spec_from_file_location("estimated_bearings", ROOT / "tools" / "estimated_bearings.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
-
-
-SCRIPT = generator()
-ROWS = SCRIPT.rows()
+ROWS = estimated_bearings.rows()
 
 
 def test_there_are_the_common_bearings():
@@ -59,13 +47,13 @@ def test_a_name_itself_comes_before_its_likes():
 
 
 def test_the_data_file_is_what_the_estimator_makes_of_the_ratings():
-    assert SCRIPT.TARGET.read_text(encoding="utf-8") == SCRIPT.text()
+    assert estimated_bearings.TARGET.read_text(encoding="utf-8") == estimated_bearings.text()
 
 
 @pytest.mark.parametrize("name", [name for name, row in ROWS.items() if row["dynamic_rating_kN"]])
 def test_one_pair_of_ball_and_number_explains_both_ratings(name):
     """C within 1 %, C_0 within 2 % (its definition, not the table of the standard), the next pair clearly worse."""
-    found = SCRIPT.estimate(ROWS[name])
+    found = estimated_bearings.estimate(ROWS[name])
     assert abs(found.dynamic_error) < 0.01
     assert abs(found.static_error) < 0.02
     assert found.next_misfit > 1.7 * found.misfit
@@ -74,7 +62,7 @@ def test_one_pair_of_ball_and_number_explains_both_ratings(name):
 @pytest.mark.parametrize("name", [name for name, row in ROWS.items() if row["f0"]])
 def test_the_factor_f0_of_the_catalogue_follows_though_it_is_not_used(name):
     """f_0 = C_0/(Z D^2 cos alpha), ISO 76; printed to one decimal, C_0 to three figures: 0.05 + 0.3 %."""
-    row, found = ROWS[name], SCRIPT.estimate(ROWS[name])
+    row, found = ROWS[name], estimated_bearings.estimate(ROWS[name])
     squares = found.balls * (1e3 * found.ball_diameter) ** 2 * cos(radians(float(row["contact_angle_deg"])))
     assert 1e3 * float(row["static_rating_kN"]) / squares == pytest.approx(float(row["f0"]), abs=0.05 + 0.045)
 
@@ -92,7 +80,7 @@ def test_the_factor_f0_of_the_catalogue_follows_though_it_is_not_used(name):
 )
 def test_known_geometries_are_found(row, balls, ball_mm, pitch_mm):
     """Numbers of balls exactly, balls within 1 %, pitch diameters within 0.5 % (docs/user/libraries.md)."""
-    found = SCRIPT.estimate(ROWS[row])
+    found = estimated_bearings.estimate(ROWS[row])
     assert found.balls == balls
     assert found.ball_diameter == pytest.approx(ball_mm * 1e-3, rel=0.01)
     assert found.pitch_diameter == pytest.approx(pitch_mm * 1e-3, rel=0.005)
@@ -100,7 +88,7 @@ def test_known_geometries_are_found(row, balls, ball_mm, pitch_mm):
 
 @pytest.mark.parametrize(("row", "name"), [("6209", "209"), ("7000C", "7000C")])
 def test_other_designs_of_a_designation_lie_within_the_range(row, name):
-    found, known = SCRIPT.estimate(ROWS[row]).ranges(), load_catalogue_entry(name)
+    found, known = estimated_bearings.estimate(ROWS[row]).ranges(), load_catalogue_entry(name)
     assert found["ball_diameter"][0] <= known["ball_diameter_mm"] * 1e-3 <= found["ball_diameter"][1]
     assert found["balls"][0] <= known["balls"] <= found["balls"][1]
 
@@ -129,7 +117,7 @@ def test_a_guess_from_the_boundary_dimensions_is_near(name):
 
 def test_series_and_dimensions_agree():
     """ISO 15: bore numbers 00 to 03 are 10, 12, 15, 17 mm, from 04 on five times the number."""
-    with SCRIPT.RATINGS.open(encoding="utf-8", newline="") as file:
+    with estimated_bearings.RATINGS.open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
             number = int(row["designation"][2:4])
             assert float(row["bore_mm"]) == (10.0, 12.0, 15.0, 17.0)[number] if number < 4 else 5.0 * number

@@ -8,7 +8,8 @@ from pathlib import Path
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
-from validation_004 import SIZES, resized
+from validation_004 import SIZES, resized, table
+from validation_004 import SPEEDS as PRINTED_SPEEDS
 
 from bearing.torque.sweeps import TorqueStudy, torque_sweep
 from cases import load_case
@@ -18,12 +19,6 @@ from postprocess.plots_torque import Curve, draw_over_speed
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
 RPM = pi / 30.0  # [rad/s]
 SPEEDS = RPM * np.geomspace(300.0, 15000.0, 25)
-PRINTED_SPEEDS = RPM * np.array([500.0, 5000.0, 15000.0])
-PRINTED = {  # "proposed" of Tables 2 to 4, N m
-    "6206_axial_500N": (26.4162e-3, 14.1291e-3, 14.1289e-3),
-    "6206_radial_500N": (1.6932e-3, 0.9057e-3, 0.9056e-3),
-    "6206_combined_1000N": (67.6801e-3, 36.1996e-3, 36.1996e-3),
-}
 TITLES = {"6206_axial_500N": "500 N axial", "6206_radial_500N": "500 N radial"}
 TITLES["6206_combined_1000N"] = "1000 N axial, 1000 N radial"
 LOADS = (500.0, 1000.0, 1500.0)  # [N]
@@ -60,7 +55,11 @@ def curves(stem: str) -> list[Curve]:
         model("pure rolling lines", found.totals["pure_rolling_lines"], BLUE, "--"),
         model("lines, µ = 0.07", found.totals["constant_coulomb"], GREEN, "-."),
         Curve(
-            label="printed, proposed", speeds=PRINTED_SPEEDS, values=np.array(PRINTED[stem]), colour=INK, points=True
+            label="printed, proposed",
+            speeds=RPM * np.array(PRINTED_SPEEDS),
+            values=1e-3 * np.array(table(stem, "proposed_torque_N_mm")),
+            colour=INK,
+            points=True,
         ),
     ]
 
@@ -167,7 +166,7 @@ def main() -> None:
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 2.9))
         panels = figure.subplots(1, 3)
-        for axes, stem in zip(panels, PRINTED, strict=True):
+        for axes, stem in zip(panels, TITLES, strict=True):
             draw_over_speed(axes, curves(stem), f"6206, {TITLES[stem]}")
         handles, labels = panels[0].get_legend_handles_labels()
         figure.legend(handles, labels, ncols=4, loc="outside lower center")

@@ -18,8 +18,14 @@ COLOURS = (INNER_COLOUR, OUTER_COLOUR, "#3a7d44", "#7a3e9d")
 TURNS = 1.5  # of the cage that are shown
 
 
-def draw_loads(speeds: dict[float, dict[float, float]], balance: Callable[[float], float], no_slip: float) -> None:
-    """Speed of the cage [r/min] over the load [N], one line a drag [N]."""
+def draw_loads(
+    speeds: dict[float, dict[float, float]],
+    balance: Callable[[float], float],
+    no_slip: float,
+    plateau: dict[str, float],
+) -> None:
+    """Speed of the cage [r/min] over the load [N], one line a drag [N]; the band is the paper's plateau."""
+    middle, width = plateau["cage_speed_rpm"], plateau["cage_speed_tolerance_rpm"]
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 2.9))
         left, right = figure.subplots(1, 2)
@@ -31,10 +37,10 @@ def draw_loads(speeds: dict[float, dict[float, float]], balance: Callable[[float
             left.axvline(balance(drag), color=colour, linestyle=":", linewidth=0.9)
         for ax in (left, right):
             ax.axhline(8000.0 * no_slip, color=REFERENCE, linewidth=0.6)
-            ax.axhspan(2920.0, 2950.0, color=REFERENCE, alpha=0.2, linewidth=0)
+            ax.axhspan(middle - width, middle + width, color=REFERENCE, alpha=0.2, linewidth=0)
             ax.set_xlabel("radial load [N]")
         left.set(ylabel="speed of the cage [r/min]", ylim=(0.0, 3100.0), title="dotted: drag balances friction")
-        right.set(ylim=(2850.0, 2960.0), title="grey: 2935 ± 15 r/min; line: no slip")
+        right.set(ylim=(2850.0, 2960.0), title=f"grey: {middle:.0f} ± {width:.0f} r/min; line: no slip")
         left.legend(title="drag at 8000 r/min", loc="lower right")
         save(figure, IMAGES / "validation_001_loads.png")
 

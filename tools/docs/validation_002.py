@@ -5,55 +5,26 @@ Run it with `python tools/docs/validation_002.py`.
 
 from __future__ import annotations
 
-import csv
 from pathlib import Path
 
-import cases
+from printed import printed
+
 from bearing import Bearing, Race, contact_conditions, reduced_modulus, reduced_radii, solve_quasistatic
 from cases import load_case
 from ehl.hertz import hertz_contact
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_002.md"
-REFERENCE = Path(cases.__file__).parent / "reference" / "yao_2022_table_4.csv"
+TEMPLATE = PAGE.with_suffix(".md.in")
 STEMS = {400.0: "6208_full_ceramic_400N", 900.0: "6208_full_ceramic_900N", 1750.0: "6208_full_ceramic_1750N"}
 STEMS[3000.0] = "6208_full_ceramic"
-TEXT = """\
-# Contact stress of the full-ceramic 6208 beside Yao et al. (2022)
-
-Yao et al., Lubricants 10, 174 (2022), print the largest contact stress at each race for four radial loads (Table 4).
-The table below holds their numbers beside ours, at 10000 rpm: largest Hertz pressure, inner / outer race, in GPa. Ours
-are those of the shipped cases {stems}.
-
-| radial load N | printed | ours | ratio | Q of ball 1, inner / outer, N | Q = 5 F/Z | Q = 8 F/Z |
-|---|---|---|---|---|---|---|
-{rows}
-
-The page is written by `python tools/docs/validation_002.py`, and a test keeps it up to date.
-
-## Why they differ
-
-- The printed stresses grow with the load as F^(1/3): from 400 N to 3000 N by {printed_growth:.3f}, and
-  (3000/400)^(1/3) = {cube_root:.3f}. So they were computed with the heaviest ball's load in a fixed ratio to the radial
-  load, without the influence of clearance and of centrifugal force on that ratio.
-- The ratio of inner to outer stress is {least_ratio:.3f} to {most_ratio:.3f} as printed, and {hertz_ratio:.3f} for
-  equal loads with the groove radii of Table 2: the radii are those the stresses were computed with, within 1 %.
-- The level does not follow from the inputs of the paper. With Stribeck's Q = 5 F/Z (the usual estimate for bearings
-  with clearance) and E = 310 GPa the stresses are those of the column before the last; the printed level needs
-  Q = 8 F/Z. The range of E in the paper, 300 to 320 GPa, moves the stress by 2 % either way and does not explain it.
-- Ours come from the equilibrium with a clearance of 13 µm (assumed: the paper says CN, no number), E = 310 GPa (middle
-  of the printed range) and the centrifugal force of the balls, {centrifugal:.2f} N at 10000 rpm, which the outer race
-  carries in addition.
-
-Nothing was adjusted to come closer to the printed values.
-"""
 
 
-def printed() -> list[tuple[float, float, float]]:
-    """Radial load [N], inner and outer stress [GPa] of Table 4."""
-    lines = [line for line in REFERENCE.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+def table_4() -> list[tuple[float, float, float]]:
+    """Radial load [N], inner and outer stress [GPa] as printed."""
     keys = ("radial_load_N", "inner_hertz_pressure_GPa", "outer_hertz_pressure_GPa")
-    return [(float(row[keys[0]]), float(row[keys[1]]), float(row[keys[2]])) for row in csv.DictReader(lines)]
+    rows = printed("yao_2022_table_4")
+    return [(float(row[keys[0]]), float(row[keys[1]]), float(row[keys[2]])) for row in rows]
 
 
 def computed(load: float) -> tuple[tuple[float, float], tuple[float, float], float]:
@@ -88,9 +59,9 @@ def row(load: float, inner: float, outer: float) -> str:
 
 def page() -> str:
     """The page, computed anew."""
-    table = printed()
+    table = table_4()
     hertz = dry(load_case(STEMS[3000.0]).bearing, 1000.0)
-    return TEXT.format(
+    return TEMPLATE.read_text(encoding="utf-8").format(
         stems=", ".join(f"`{stem}`" for stem in STEMS.values()),
         rows="\n".join(row(*line) for line in table),
         printed_growth=table[-1][1] / table[0][1],

@@ -13,6 +13,7 @@ from pathlib import Path
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
+from printed import printed
 
 from bearing import contact_conditions, load_material, solve_quasistatic
 from bearing.torque.breakdown import torque_breakdown
@@ -27,6 +28,7 @@ from postprocess.plot_style import PAGE_WIDTH, RC, REFERENCE, save
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_002_torque.md"
+TEMPLATE = PAGE.with_suffix(".md.in")
 IMAGE = DOCS / "images" / "friction_over_supply.png"
 CASE, SUPPLIED = load_case("6208_five_terms"), load_case("6208_oil_supply")
 SUPPLY, FRICTION = SUPPLIED.friction.supply, SUPPLIED.friction
@@ -47,103 +49,6 @@ CHANGES = {  # of the case; what is changed of its supply, of its friction
     ),
     "`supply_residence_s` 200: ten times the churning": ({"residence_time": 200.0}, {}),
 }
-TEXT = """\
-# Friction of the full-ceramic 6208 beside Yao et al. (2022)
-
-Yao et al., Lubricants 10, 174 (2022), measure friction and outer ring temperature of a 6208 of silicon nitride over
-load, speed and oil supply (Figs. 3 and 5, without numbers that can be read here) and print five friction terms. Ours:
-shipped case `6208_five_terms`, sweeps `6208_five_terms_over_load_and_speed`, `6208_materials_at_equal_load`. The models
-and what M_C and M_L were replaced with stand in [torque.md](../theory/torque.md); **every number below rests on assumed
-inputs** that the case names. Films here are those of formulas. The page is written by
-`python tools/docs/validation_002_torque.py`, and a test keeps it up to date.
-
-## Five terms over load and speed, N mm
-
-| speed, r/min | radial load, N | M_E | M_D | M_S | M_C | M_L | sum |
-|---|---|---|---|---|---|---|---|
-{terms}
-
-## Friction over the oil supply, N mm
-
-Case `6208_oil_supply`, sweep `6208_over_oil_supply`: model `starved`, roughness 0.2 µm (race and ball together), half
-of the supply on the tracks, 5 % of a layer lost between two balls, 20 s in the bearing: all assumed. The order of the
-loss was chosen so that starvation falls into the measured range of supply; the place of the minima was not adjusted.
-0.05 stands for the least supply looked at.
-
-| supply, mL/min | {heads} |
-|---|{dashes}|
-{flows}
-| **minimum at, mL/min** | {minima} |
-| paper | {optimum} |
-
-![Parts of the torque over the supply, totals, temperature by its own friction](../images/friction_over_supply.png)
-
-At {one_speed:.0f} r/min and {one_load:.0f} N, at 0.2 mL/min, the minimum and 2 mL/min: rolling resistance
-{rolling}, films {films}, asperities {asperities}, churning {churning} N mm; smallest λ {lambdas}.
-
-**Why the minimum is not the paper's.** A starved contact is rid of rolling resistance, and that is more than asperities
-take. At {one_speed:.0f} r/min, under {loads} N:
-
-| N mm | {load_heads} |
-|---|{load_dashes}|
-| rolling resistance of flooded contacts, which starvation takes away | {flooded_rolling} |
-| friction of dry asperities, µ 0.12, which it adds | {dry_asperity} |
-| churning at 2 mL/min | {churned} |
-
-So light loads have no minimum worth the name, and the rise above it is that of the rolling resistance (starved contacts
-keep it by the square of their film's share, a rule from two solved contacts, [torque.md](../theory/torque.md)), not of
-churning.
-Were the resistance of every contact the flooded one at any supply, asperities and churning would put the minima at
-{unstarved}
-mL/min, in the order above: under the larger loads the order and the growth with speed of the paper. No source is at
-hand for either rule. What a case can change:
-
-| minimum at, mL/min | {heads} |
-|---|{dashes}|
-{changes}
-
-None of these, nor any other set tried, moves all loads at once: the asperities of 400 N cost too little.
-
-**A layer at the inlets instead of a flow** (`[lubricant] inlet_film_um`, sweep `6208_over_inlet_film`), at
-{one_speed:.0f} r/min and {one_load:.0f} N with the roughness above; a thick one is the flooded bearing:
-
-| inlet film, µm | {layers} |
-|---|{layer_dashes}|
-| film over the flooded one | {layer_shares} |
-| smallest λ | {layer_lambdas} |
-| torque, N mm | {layer_torques} |
-
-## Temperature
-
-Case `6208_self_heating`, sweep `6208_self_heating_over_supply`: one node, {conductance:g} W/K to surroundings of
-{ambient:.0f} °C, oil supplied at that temperature, an ISO VG 32 oil of the library (the paper names 30 mm²/s at no
-temperature), clearance kept (all parts of one material); torque of the model `starved`. Temperature, °C (torque, N mm):
-
-| speed, r/min | load, N | {warm_heads} |
-|---|---|{warm_dashes}|
-{temperatures}
-
-The supply itself hardly cools: 2 mL/min carry {carried:.2f} W a kelvin, {carried_share:.1f} W of {power:.0f} at
-{one_speed:.0f} r/min and 900 N. Where friction falls with the supply so does the temperature; elsewhere it rises with
-the friction. With more oil (or the air of an oil-air supply) that passes through and takes heat along,
-`cooling_oil_mL_min` a hundred times the supply in the sweep `{cooled_sweep}`, it falls with the supply and then stays,
-although the friction rises: {cooled} °C at {cooled_flows} mL/min ({one_speed:.0f} r/min, 900 N). No such flow stands in
-the paper.
-
-## Materials at equal load
-
-3000 N, 10000 r/min, flooded, geometry and oil alike; the sweep has the same with solved films.
-
-| rings, balls | p_h inner, GPa | hysteresis | lines, µ 0.05 | oil's rolling resistance | sum, N mm |
-|---|---|---|---|---|---|
-{materials}
-
-## Statements
-
-| statement | holds? | ours |
-|---|---|---|
-{statements}
-"""
 
 
 @cache
@@ -264,7 +169,7 @@ def statement_rows(minima: dict[tuple[float, float], float]) -> str:
             "rolling resistance of fuller inlets returns, which is more than asperities took",
         ),
         (
-            "the optimum supply grows with the speed, 1.2 to 1.6 mL/min",
+            f"the optimum supply grows with the speed, {' to '.join(optimum().values())} mL/min",
             "yes under 3000 N",
             f"3000 N: {slow[-1]:.2f} to {fast[-1]:.2f} mL/min",
         ),
@@ -306,7 +211,7 @@ def of_supply(minima: dict[tuple[float, float], float]) -> dict[str, object]:
             for flow in FLOWS
         ),
         "minima": " | ".join(f"{minima[point]:.2f}" for point in grid),
-        "optimum": " | ".join("1.2" if n < 7500.0 else "1.6" for n, _ in grid),
+        "optimum": " | ".join(optimum()[n] for n, _ in grid),
         "one_speed": speed,
         "one_load": load,
         "rolling": _values([t.rolling for t in three]),
@@ -355,12 +260,18 @@ def of_heat() -> dict[str, object]:
     }
 
 
+def optimum() -> dict[float, str]:
+    """Supply of least friction as printed [mL/min], by speed [r/min]."""
+    rows = printed("yao_2022_optimum_supply")
+    return {float(row["inner_speed_rpm"]): row["optimum_supply_mL_min"] for row in rows}
+
+
 def page() -> str:
     """The page, computed anew."""
     grid = [(speed, load) for speed in SPEEDS for load in LOADS]
     five = {point: terms(*point) for point in grid}
     minima = {point: minimum(*point) for point in grid}
-    return TEXT.format(
+    return TEMPLATE.read_text(encoding="utf-8").format(
         terms="\n".join(
             f"| {n:.0f} | {f:.0f} | " + " | ".join(f"{v:.2f}" for v in (*t.values(), sum(t.values()))) + " |"
             for (n, f), t in five.items()

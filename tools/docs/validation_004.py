@@ -9,6 +9,8 @@ from dataclasses import replace
 from math import pi
 from pathlib import Path
 
+from printed import printed
+
 from bearing import BallKinematics, contact_conditions, solve_quasistatic
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.coulomb import balanced_friction
@@ -18,115 +20,13 @@ from cases import Case, load_case
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "validation" / "validation_004.md"
+TEMPLATE = PAGE.with_suffix(".md.in")
 RPM = pi / 30.0  # [rad/s]
 LOADS = {"6206_axial_500N": (500.0, 0.0), "6206_radial_500N": (0.0, 500.0), "6206_combined_1000N": (1000.0, 1000.0)}
 CASES = {stem: load_case(stem) for stem in LOADS}
 SPEEDS = (500.0, 5000.0, 15000.0)
-PRINTED = {  # proposed and SKF of Tables 2 to 4, N mm
-    "6206_axial_500N": ((26.4162, 14.1291, 14.1289), (26.3645, 14.1014, 14.1013)),
-    "6206_radial_500N": ((1.6932, 0.9057, 0.9056), (1.7574, 0.9400, 0.9400)),
-    "6206_combined_1000N": ((67.6801, 36.1996, 36.1996), (68.4875, 36.6315, 36.6312)),
-}
-SIZES = {"6206": (9.525, 46.0, 30.0, 62.0, 11.2), "6207": (11.12, 53.5, 35.0, 72.0, 15.3)}
-SIZES["6208"] = (12.3, 60.0, 40.0, 80.0, 19.0)  # ball, pitch, bore, outside [mm], C_0 [kN]
-TEXT = """\
-# Sliding friction of deep groove bearings beside a study by pure rolling lines
-
-The study computes the sliding friction torque of the 6206 (and 6207, 6208) from the lines of pure rolling in the
-contacts and compares it with the sliding moment of SKF's model. Below, its Tables 2 to 4 and the statements of its
-figures beside ours: shipped cases `6206_axial_500N`, `6206_radial_500N`, `6206_combined_1000N`, and the sweeps
-`6206_axial_over_speed`, `6206_radial_over_speed`, `6206_combined_over_speed`, `6206_to_6208_axial` and `_radial`.
-Groove radii (0.515 and 0.525 of the ball), clearance (none), the steel and the ratings of 6207 and 6208 are
-**assumed**: the study gives none. µ is SKF's µ_sl, as in the study. The models stand in
-[torque.md](../theory/torque.md). The page is written by `python tools/docs/validation_004.py`, and a test keeps it up to date.
-
-## SKF's sliding moment, N mm
-
-| load | speed, r/min | printed | ours, as printed | true |
-|---|---|---|---|---|
-{skf}
-
-The printed values under radial load are **half** of what the catalogue's formula gives, M_sl = G_sl µ_sl with G_sl =
-S_1 d_m^-0.26 F_r^(5/3). Under combined load they are the axial moment plus half of the radial one; the formula takes
-both under one root. `as_printed = true` in `[friction]` computes them so (`skf_as_printed`), beside the true ones; the
-program uses it nowhere else.
-
-## Pure rolling lines, N mm
-
-| load | speed, r/min | printed | lines | lines, balanced | Coulomb, 2-D | lines / printed | lines / true SKF |
-|---|---|---|---|---|---|---|---|
-{lines}
-
-![Sliding friction torque over speed](../images/sliding_friction_6206.png)
-
-*lines*: no net force in the rolling direction, spin by the hypothesis "half and half"; *balanced*: force and moments
-in balance on every ball, the study's equilibrium without its shortcuts; *Coulomb*: the same over the whole ellipse with
-sliding across, and the gyroscopic couple. Nothing was calibrated: with the assumed grooves ours lies {least:.1f} and
-{most:.1f} % below the printed values under axial and combined load at 500 r/min. Radially the printed value is half
-again: ours is {radial:.0f} % of it and {true_radial:.0f} % of the true SKF value. No physical geometry gives all three
-printed numbers at once (axial, radial, combined).
-
-## Its figures
-
-By `python tools/docs/torque_pictures.py`; the shipped sweeps draw the same numbers with
-`oilfilm batch 6206_axial_over_speed --plot` and so on. What the study
-says of each figure, and whether it holds, stands below under Statements.
-
-![Differential sliding, spin, and components of the lines](../images/sliding_friction_6206_methods.png)
-
-*500 N axial, µ_sl.* Houpert's curves lie on those of the balanced lines. Spin grows with the speed, for the centrifugal
-force turns the contacts of both races apart.
-
-![Sliding friction torque over speed by load](../images/sliding_friction_6206_loads.png)
-
-*Balanced lines, and SKF's true sliding moment (dotted).* In SKF's model the speed enters by µ_sl alone.
-
-![Sliding friction torque of 6206, 6207 and 6208](../images/sliding_friction_6206_sizes.png)
-
-## What the study leaves open
-
-Its ball kinematics, and whether its inner ring may tilt, are not told. Each of them moves the torque of the lines by
-as much as is missing or more. 500 r/min, N mm, and against the printed value (radially the true SKF value):
-
-| balls, inner ring | 500 N axial | 500 N radial | 1000 N axial, 1000 N radial |
-|---|---|---|---|
-{choices}
-
-Under combined load more than a quarter is missing where the ring is held straight and the balls rotate as in balance.
-With outer race control (not in balance), or free to tilt, less is. None of these was chosen by the printed numbers: the
-tables above keep the tilt held, as a shaft in two bearings holds it, and half and half, which is the balance nearly.
-
-## Error of the line model
-
-Against the integral over the ellipse, at 500 r/min, both balanced; a/b is the ellipse's ratio at the inner race.
-
-| axial, N | radial, N | a/b | lines, N mm | ellipse, N mm | error of the lines |
-|---|---|---|---|---|---|
-{errors}
-
-The line model leaves out the sliding across the rolling direction, Ω x, and with it friction power: its error is
-negative and grows with the spin and with the width b of the ellipse. Without spin there is no sliding across, and what
-is left is the quadrature of the ellipse (Coulomb's law rounded at 0.3 % of the largest sliding).
-
-## Statements
-
-| statement | holds? | ours |
-|---|---|---|
-{statements}
-
-## Why they differ
-
-- **The spin.** Under axial load every ball spins at both races: in balance {inner:.0f} % of it at the inner one and the
-  rest at the outer one (500 N, 500 r/min), near the hypothesis "half and half". Outer race control, which is not in
-  balance, puts the whole spin on the inner race: {control:.1f} N mm instead of {half:.1f}.
-- **The split into rotation and orbit.** The equations of the study are lost in the copy at hand. Ours splits the power
-  of the curvature slip by what it works against: the ball's own rotation, and the motion of the race past the ball.
-  Their sum does not depend on that.
-- **Kakuta's method** is known here from its description alone: spin on one race, lines without the effect of the spin.
-  So taken it gives more, not less, than the lines that spin moves.
-- **Independent numbers.** The printed "proposed" values at 500, 5000 and 15000 r/min stand in the ratio of µ_sl to four
-  figures: each table holds one number and no effect of speed. Ours contain the centrifugal force.
-"""
+STATIC_RATINGS = {"6206": 11.2, "6207": 15.3, "6208": 19.0}  # C_0, assumed [kN]
+SIZES = {row["bearing"]: row for row in printed("sliding_friction_6206_table_1")}
 
 
 def solved(case: Case, speed: float, loads: tuple[float, float], **changes: object):
@@ -141,6 +41,14 @@ def solved(case: Case, speed: float, loads: tuple[float, float], **changes: obje
     contacts = contact_conditions(state, case.lubricant)
     assert case.friction is not None  # of every bearing case
     return torque_breakdown(state, contacts, case.lubricant, case.friction), state, contacts
+
+
+def table(stem: str, column: str) -> list[float]:
+    """Torque over `SPEEDS` at the loads of a case as Tables 2 to 4 print it [N mm]."""
+    rows = printed("sliding_friction_6206_tables_2_to_4")
+    at_loads = [r for r in rows if (float(r["axial_load_N"]), float(r["radial_load_N"])) == LOADS[stem]]
+    of_speed = {float(row["inner_speed_rpm"]): float(row[column]) for row in at_loads}
+    return [of_speed[speed] for speed in SPEEDS]
 
 
 def total(found, name: str) -> float:
@@ -166,16 +74,16 @@ def tables() -> tuple[str, str, dict[str, float]]:
     """Lines of the first two tables, and lines over printed at 500 r/min by case."""
     skf, lines, ratios = [], [], {}
     for stem, loads in LOADS.items():
-        for i, speed in enumerate(SPEEDS):
+        columns = table(stem, "proposed_torque_N_mm"), table(stem, "skf_torque_N_mm")
+        for speed, proposed, of_skf in zip(SPEEDS, *columns, strict=True):
             found, _, _ = solved(CASES[stem], speed, loads)
-            proposed, printed = PRINTED[stem][0][i], PRINTED[stem][1][i]
             true = sliding(found, "skf")
             head = f"| {named(stem)} | {speed:.0f} |"
-            skf.append(f"{head} {printed:.4f} | {sliding(found, 'skf_as_printed'):.4f} | {true:.4f} |")
+            skf.append(f"{head} {of_skf:.4f} | {sliding(found, 'skf_as_printed'):.4f} | {true:.4f} |")
             ours = total(found, "pure_rolling_lines")
             others = f"{total(found, 'balanced_lines'):.2f} | {total(found, 'coulomb'):.2f}"
             lines.append(f"{head} {proposed} | {ours:.2f} | {others} | {ours / proposed:.3f} | {ours / true:.3f} |")
-            if i == 0:
+            if speed == SPEEDS[0]:
                 ratios[stem], ratios[f"{stem} true"] = ours / proposed, ours / true
     return "\n".join(skf), "\n".join(lines), ratios
 
@@ -199,7 +107,7 @@ def choices() -> str:
         cells = []
         for stem, loads in LOADS.items():
             found, _, _ = solved(CASES[stem], 500.0, loads, **way)
-            ours, reference = total(found, "pure_rolling_lines"), PRINTED[stem][0][0]
+            ours, reference = total(found, "pure_rolling_lines"), table(stem, "proposed_torque_N_mm")[0]
             if loads[0] == 0.0:
                 reference = sliding(found, "skf")
             cells.append(f"{ours:.2f} ({100.0 * (ours / reference - 1.0):+.1f} %)")
@@ -331,18 +239,18 @@ def sized(name: str, loads: tuple[float, float]) -> float:
 
 def resized(case: Case, name: str) -> Case:
     """A case of the 6206 with the dimensions and the static rating of another bearing of Table 1."""
-    ball, pitch, bore, outside, rating = SIZES[name]
+    size = {key: 1e-3 * float(value) for key, value in SIZES[name].items() if key.endswith("_mm")}
     bearing = replace(
         case.bearing,
-        ball_diameter=1e-3 * ball,
-        pitch_diameter=1e-3 * pitch,
-        inner_groove_radius=0.515e-3 * ball,
-        outer_groove_radius=0.525e-3 * ball,
-        bore=1e-3 * bore,
-        outside_diameter=1e-3 * outside,
+        ball_diameter=size["ball_diameter_mm"],
+        pitch_diameter=size["pitch_diameter_mm"],
+        inner_groove_radius=0.515 * size["ball_diameter_mm"],
+        outer_groove_radius=0.525 * size["ball_diameter_mm"],
+        bore=size["bore_mm"],
+        outside_diameter=size["outside_diameter_mm"],
     )
     assert case.friction is not None  # of every bearing case
-    return replace(case, bearing=bearing, friction=replace(case.friction, static_rating=1e3 * rating))
+    return replace(case, bearing=bearing, friction=replace(case.friction, static_rating=1e3 * STATIC_RATINGS[name]))
 
 
 def page() -> str:
@@ -357,7 +265,7 @@ def page() -> str:
     _, state, contacts = solved(axial, 500.0, (500.0, 0.0))
     spin = abs(balanced_friction(state, contacts, 0.1).kinematics[0, :, 2])
     rows = [*figures_6_to_9(), *figures_10_to_16()]
-    return TEXT.format(
+    return TEMPLATE.read_text(encoding="utf-8").format(
         skf=skf,
         lines=lines,
         least=min(gaps),
