@@ -85,13 +85,15 @@ def run(case: Case) -> Run:
     """Simulate a case; the last third of its history is kept."""
     assert case.dynamics is not None
     model = build_model(case, case.dynamics, None, lambda done, total, state: None)
-    made, tally, kept = simulation(case.bearing, case.operation, model), Tally(case.bearing.balls), None
-    for record in made.pieces():
-        tally.add(record, made.start_energy)
+    simulated = simulation(case.bearing, case.operation, model)
+    tally = Tally(case.bearing.balls)
+    last = None
+    for record in simulated.pieces():
+        tally.add(record, simulated.start_energy)
         if record.time[-1] > 2.0 / 3.0 * model.options.end_time:
-            kept = record if kept is None else join(kept, record)
-    found = outcome(made, tally)
-    assert found is not None
-    assert kept is not None
-    assert made.converged, made.messages
-    return Run(made, found, tally, kept)
+            last = record if last is None else join(last, record)
+    statistics = outcome(simulated, tally)
+    assert statistics is not None
+    assert last is not None
+    assert simulated.converged, simulated.messages
+    return Run(simulated, statistics, tally, last)

@@ -143,8 +143,8 @@ def oils() -> Iterator[Sequence[str]]:
         assert heat is not None
         hot = "–"
         if high >= 100.0:
-            warm = library_lubricant(name, 373.15)
-            hot = f"{1e6 * warm.viscosity / warm.density:.3g}"
+            at_100 = library_lubricant(name, 373.15)
+            hot = f"{1e6 * at_100.viscosity / at_100.density:.3g}"
         yield (
             name,
             f"{low:g} to {high:g}",

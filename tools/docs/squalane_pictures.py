@@ -93,7 +93,7 @@ def isothermal(contact: ContactConditions) -> list[np.ndarray]:
     ]
 
 
-def warm(contact: ContactConditions) -> list[np.ndarray]:
+def with_heat(contact: ContactConditions) -> list[np.ndarray]:
     """The same with the heat of rolling in the film and that of sliding where it is sheared."""
     film = solve_generalized(contact, Rheology(), solids=(STEEL, STEEL), options=SolverOptions(points=POINTS))
     slide, none = RATIOS * contact.entrainment_speed, np.zeros_like(RATIOS)
@@ -143,7 +143,7 @@ def draw(curves: list[list[list[np.ndarray]]]) -> None:
 def main() -> None:
     """Three pressures, two limiting stresses, without heat and with it."""
     read, remembered = read_oil(), remembered_oil()
-    ways = ((isothermal, read), (warm, read), (warm, remembered))
+    ways = ((isothermal, read), (with_heat, read), (with_heat, remembered))
     curves = [[way(conditions(pressure, oil)) for pressure in PRESSURES] for way, oil in ways]
     draw(curves)
     head, rest = PAGE.read_text(encoding="utf-8").split(START)

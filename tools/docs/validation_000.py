@@ -145,10 +145,10 @@ def balance_load(speed: float) -> float:
     low, high = 1.0, 1e5
     while high > 1.001 * low:
         middle = (low * high) ** 0.5
-        held = replace(
+        operation = replace(
             case.operation, inner_speed=speed * RPM, force=(middle, None, None), displacement=(None, 0.0, 0.0)
         )
-        inner = solve_quasistatic(case.bearing, held, Model()).inner_load.mean()
+        inner = solve_quasistatic(case.bearing, operation, Model()).inner_load.mean()
         low, high = (middle, high) if inner < wanted else (low, middle)
     return low
 
@@ -333,7 +333,7 @@ def main() -> None:
     points = [onset(speed) for speed in SPEEDS]
     at_5000 = next(p for p in points if p.speed == 5000.0)
     ended = critical(False, "quasi-static", (250.0, 420.0))
-    rested = critical(True, "rest", (90.0, 150.0)), critical(False, "rest", (250.0, 420.0))
+    from_rest = critical(True, "rest", (90.0, 150.0)), critical(False, "rest", (250.0, 420.0))
     smooth = zones(without_pocket_friction())
     counts = {
         found[100.0].simulation.point.kind.value: found[100.0].simulation.equations for found in (axial, radial, mixed)
@@ -343,7 +343,7 @@ def main() -> None:
         f"dynamic {c['ring']} + {c['cage']} + {c['balls']}"
         for kind, c in counts.items()
     ]
-    ratio, ratio_rest = at_5000.load / ended, rested[0] / rested[1]
+    ratio, ratio_rest = at_5000.load / ended, from_rest[0] / from_rest[1]
     rows = of_radial(radial) + of_axial(axial) + of_mixed(mixed)
     rows += [
         judged("–", "axial critical load 0.25 to 0.40 of the radial one, balls at rest at first (from the equations)",
@@ -369,8 +369,8 @@ def main() -> None:
             axial_onset=at_5000.load,
             radial_onset=ended,
             ratio=ratio,
-            axial_rest=rested[0],
-            radial_rest=rested[1],
+            axial_rest=from_rest[0],
+            radial_rest=from_rest[1],
             ratio_rest=ratio_rest,
             smooth=smooth[3],
             smooth_loaded=smooth[2],

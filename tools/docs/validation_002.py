@@ -31,11 +31,11 @@ def computed(load: float) -> tuple[tuple[float, float], tuple[float, float], flo
     """Largest Hertz pressure [GPa] and load [N] of inner and outer race, centrifugal force [N]."""
     case = load_case(STEMS[load])
     state = solve_quasistatic(case.bearing, case.operation, case.model)
-    found = {}
+    largest = {}
     for race in Race:
         contacts = [c for c in contact_conditions(state, case.lubricant) if c.race is race and c.hertz is not None]
-        found[race] = max((c.hertz.pressure * 1e-9, c.load) for c in contacts)
-    (inner, inner_load), (outer, outer_load) = found[Race.INNER], found[Race.OUTER]
+        largest[race] = max((c.hertz.pressure * 1e-9, c.load) for c in contacts)
+    (inner, inner_load), (outer, outer_load) = largest[Race.INNER], largest[Race.OUTER]
     return (inner, outer), (inner_load, outer_load), float(state.centrifugal_force[0])
 
 
@@ -53,8 +53,9 @@ def row(load: float, inner: float, outer: float) -> str:
     five, eight = (dry(bearing, factor * load / bearing.balls) for factor in (5.0, 8.0))
     ratios = f"{ours[0] / inner:.3f} / {ours[1] / outer:.3f}"
     pairs = [f"{a:.3f} / {b:.3f}" for a, b in (ours, five, eight)]
-    carried = f"{loads[0]:.1f} / {loads[1]:.1f}"
-    return f"| {load:.0f} | {inner:.2f} / {outer:.2f} | {pairs[0]} | {ratios} | {carried} | {pairs[1]} | {pairs[2]} |"
+    ball_1 = f"{loads[0]:.1f} / {loads[1]:.1f}"
+    stresses = f"{inner:.2f} / {outer:.2f} | {pairs[0]} | {ratios}"
+    return f"| {load:.0f} | {stresses} | {ball_1} | {pairs[1]} | {pairs[2]} |"
 
 
 def page() -> str:

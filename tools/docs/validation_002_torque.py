@@ -93,7 +93,7 @@ def unstarved_minimum(speed: float, load: float) -> float:
 
 
 @cache
-def warm(sweep: str) -> dict[tuple[float, float, float], WarmState]:
+def heat_balances(sweep: str) -> dict[tuple[float, float, float], WarmState]:
     """Heat balances of a sweep, by speed [r/min], load [N] and supply [mL/min]."""
     found = {}
     for point in read_sweep(sweep).points:
@@ -152,8 +152,8 @@ def statement_rows(minima: dict[tuple[float, float], float]) -> str:
     """Statements of the paper, verdicts, numbers."""
     slow, fast = ([minima[speed, load] for load in LOADS] for speed in SPEEDS)
     low, best = (at_flow(5000.0, 3000.0, flow) for flow in (0.2, minima[5000.0, 3000.0]))
-    heat = {key: celsius(state) for key, state in warm("6208_self_heating_over_supply").items()}
-    cooled = [celsius(state) for state in warm(COOLED).values()]
+    heat = {key: celsius(state) for key, state in heat_balances("6208_self_heating_over_supply").items()}
+    cooled = [celsius(state) for state in heat_balances(COOLED).values()]
     loaded = [heat[5000.0, 3000.0, flow] for flow in (0.2, 0.4, 2.0)]
     rows = [
         (
@@ -241,18 +241,18 @@ def of_supply(minima: dict[tuple[float, float], float]) -> dict[str, object]:
 
 def of_heat() -> dict[str, object]:
     """What the section on the temperature has."""
-    states, cooled = warm("6208_self_heating_over_supply"), warm(COOLED)
+    states, cooled = heat_balances("6208_self_heating_over_supply"), heat_balances(COOLED)
     flows = sorted({key[2] for key in states})
     ample = states[5000.0, 900.0, 2.0]
     assert ample.balance is not None
     return {
         "conductance": ample.cooling.conductance,
         "ambient": ample.cooling.ambient - ZERO,
-        "warm_heads": " | ".join(f"{flow:g} mL/min" for flow in flows),
-        "warm_dashes": "|".join(["---"] * len(flows)),
+        "heat_heads": " | ".join(f"{flow:g} mL/min" for flow in flows),
+        "heat_dashes": "|".join(["---"] * len(flows)),
         "temperatures": temperature_rows(states),
-        "carried": ample.cooling.oil_flow,
-        "carried_share": ample.oil_heat,
+        "heat_flow": ample.cooling.oil_flow,
+        "heat_of_oil": ample.oil_heat,
         "power": ample.balance.power,
         "cooled_sweep": COOLED,
         "cooled": ", ".join(f"{celsius(state):.1f}" for state in cooled.values()),
@@ -319,13 +319,13 @@ def draw() -> None:
             totals.plot([], [], style, color=REFERENCE, label=f"{speed:.0f} r/min")
         totals.set_title("totals; dots: the least")
         for speed, load in ((5000.0, 900.0), (5000.0, 3000.0), (10000.0, 900.0), (10000.0, 3000.0)):
-            states = warm("6208_self_heating_over_supply")
+            states = heat_balances("6208_self_heating_over_supply")
             line = [(key[2], celsius(state)) for key, state in states.items() if key[:2] == (speed, load)]
             shade = shades[LOADS.index(load)]
             heat.plot(
                 *zip(*line, strict=True), "-" if speed < 7500.0 else "--", color=shade, marker="o", markersize=2.5
             )
-        line = [(key[2], celsius(state)) for key, state in warm(COOLED).items()]
+        line = [(key[2], celsius(state)) for key, state in heat_balances(COOLED).items()]
         heat.plot(*zip(*line, strict=True), ":", color=shades[LOADS.index(900.0)], label="with cooling oil")
         heat.set_title("temperature by its own friction")
         for axes, words_of in ((parts, "torque, N mm"), (totals, "torque, N mm"), (heat, "temperature, °C")):

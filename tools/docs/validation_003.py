@@ -194,8 +194,8 @@ def deflections() -> list[tuple[str, str, str]]:
     ]
 
 
-def _ends(first: tuple[float, float], last: tuple[float, float], held: str) -> str:
-    return f"{1e3 * deflection(*first):.2f} to {1e3 * deflection(*last):.2f} mrad at {held}"
+def _ends(first: tuple[float, float], last: tuple[float, float], fixed: str) -> str:
+    return f"{1e3 * deflection(*first):.2f} to {1e3 * deflection(*last):.2f} mrad at {fixed}"
 
 
 def draw() -> None:

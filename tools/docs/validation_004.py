@@ -91,13 +91,13 @@ def tables() -> tuple[str, str, dict[str, float]]:
 def choices() -> str:
     """Lines of the table of ball kinematics and tilt."""
     ways: list[tuple[str, dict[str, object]]] = [
-        (f"{k.value}, held straight", {"kinematics": k})
+        (f"{k.value}, kept straight", {"kinematics": k})
         for k in (BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL, BallKinematics.HALF_AND_HALF)
     ]
     coulomb = CoulombTraction(friction=solved(CASES["6206_axial_500N"], 500.0, (500.0, 0.0))[0].coefficient)
     traction = BallTraction(source=coulomb, lubricant=CASES["6206_axial_500N"].lubricant)
     equilibrium = {"kinematics": BallKinematics.TRACTION_EQUILIBRIUM, "traction": traction}
-    ways += [("traction equilibrium (Coulomb, µ_sl), held straight", equilibrium)]
+    ways += [("traction equilibrium (Coulomb, µ_sl), kept straight", equilibrium)]
     ways += [
         ("half and half, free to tilt", {"free": True}),
         ("traction equilibrium, free to tilt", equilibrium | {"free": True}),

@@ -1,4 +1,4 @@
-"""Traction of films with heat beside full solves, for traction.md: `python tools/docs/warm_film_pictures.py`.
+"""Traction of films with heat beside full solves, for traction.md: `python tools/docs/heated_film_pictures.py`.
 
 Inner race of the shipped case `6208_with_heat` at 15 m/s, Eyring's oil without a limiting stress, so that what heat and
 thinning do is not cut; no spin, no curvature slip.
@@ -28,7 +28,7 @@ from postprocess.plot_style import PAGE_WIDTH, RC, save
 DOCS = Path(__file__).parents[2] / "docs"
 IMAGE = DOCS / "images" / "6208_with_heat.png"
 PAGE = DOCS / "theory" / "traction.md"
-START, END = "<!-- written by tools/docs/warm_film_pictures.py -->", "<!-- end of films with heat -->"
+START, END = "<!-- written by tools/docs/heated_film_pictures.py -->", "<!-- end of films with heat -->"
 LOADS, SPEED = (50.0, 500.0, 1600.0), 15.0
 RATIOS = np.geomspace(1e-3, 2.0, 41)
 SAMPLES = (0.002, 0.02, 0.1, 0.5, 1.5)
@@ -70,13 +70,12 @@ def draw(axes: Axes, wanted: TableContact, load: float, colour: str) -> list[str
     samples = np.array(SAMPLES)
     sheared = zip(SAMPLES, by_films(cold, load, samples), by_films(wanted, load, samples), strict=True)
     rows = []
-    for ratio, isothermal, warm in sheared:
+    for ratio, isothermal, heated in sheared:
         full, converged = in_full(wanted, load, ratio)
         axes.plot(ratio, full, "o", color=colour, markersize=5, fillstyle="full" if converged else "none")
-        told = "" if converged else ", not converged"
-        rows.append(
-            f"| {load:.0f} N | {ratio} | {isothermal:.4f} | {warm:.4f} | {full:.4f}{told} | {warm / full - 1.0:+.1%} |"
-        )
+        note = "" if converged else ", not converged"
+        coefficients = f"{isothermal:.4f} | {heated:.4f} | {full:.4f}{note}"
+        rows.append(f"| {load:.0f} N | {ratio} | {coefficients} | {heated / full - 1.0:+.1%} |")
     return rows
 
 
