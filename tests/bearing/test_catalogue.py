@@ -50,21 +50,36 @@ def test_the_data_file_is_what_the_estimator_makes_of_the_ratings():
     assert estimated_bearings.TARGET.read_text(encoding="utf-8") == estimated_bearings.text()
 
 
-@pytest.mark.parametrize("name", [name for name, row in ROWS.items() if row["dynamic_rating_kN"]])
-def test_one_pair_of_ball_and_number_explains_both_ratings(name):
+@pytest.fixture(scope="module")
+def estimates():
+    """The estimated geometry of each row of the catalogue with a rating."""
+    return {name: estimated_bearings.estimate(row) for name, row in ROWS.items() if row["dynamic_rating_kN"]}
+
+
+def test_one_pair_of_ball_and_number_explains_both_ratings(estimates):
     """C within 1 %, C_0 within 2 % (its definition, not the table of the standard), the next pair clearly worse."""
-    found = estimated_bearings.estimate(ROWS[name])
-    assert abs(found.dynamic_error) < 0.01
-    assert abs(found.static_error) < 0.02
-    assert found.next_misfit > 1.7 * found.misfit
+    offenders = {
+        name: estimate
+        for name, estimate in estimates.items()
+        if abs(estimate.dynamic_error) >= 0.01
+        or abs(estimate.static_error) >= 0.02
+        or estimate.next_misfit <= 1.7 * estimate.misfit
+    }
+    assert len(estimates) > 70
+    assert offenders == {}
 
 
-@pytest.mark.parametrize("name", [name for name, row in ROWS.items() if row["f0"]])
-def test_the_factor_f0_of_the_catalogue_follows_though_it_is_not_used(name):
+def test_the_factor_f0_of_the_catalogue_follows_though_it_is_not_used(estimates):
     """f_0 = C_0/(Z D^2 cos alpha), ISO 76; printed to one decimal, C_0 to three figures: 0.05 + 0.3 %."""
-    row, found = ROWS[name], estimated_bearings.estimate(ROWS[name])
-    squares = found.balls * (1e3 * found.ball_diameter) ** 2 * cos(radians(float(row["contact_angle_deg"])))
-    assert 1e3 * float(row["static_rating_kN"]) / squares == pytest.approx(float(row["f0"]), abs=0.05 + 0.045)
+    factors = {}
+    for name, row in ROWS.items():
+        if row["f0"]:
+            estimate = estimates[name]
+            angle = radians(float(row["contact_angle_deg"]))
+            squares = estimate.balls * (1e3 * estimate.ball_diameter) ** 2 * cos(angle)
+            factors[name] = 1e3 * float(row["static_rating_kN"]) / squares, float(row["f0"])
+    assert factors
+    assert {name: pair for name, pair in factors.items() if abs(pair[0] - pair[1]) > 0.05 + 0.045} == {}
 
 
 @pytest.mark.parametrize(
@@ -93,26 +108,37 @@ def test_other_designs_of_a_designation_lie_within_the_range(row, name):
     assert found["balls"][0] <= known["balls"] <= found["balls"][1]
 
 
-@pytest.mark.parametrize("name", ESTIMATED)
-def test_boundary_dimensions_enclose_the_balls(name):
-    entry = load_catalogue_entry(name)
-    ball, pitch = entry["ball_diameter_mm"], entry["pitch_diameter_mm"]
-    assert entry["bore_mm"] < pitch - ball
-    assert pitch + ball < entry["outside_diameter_mm"]
-    assert entry["balls"] <= most_balls(ball, pitch)
-    assert "estimated" in entry["source"]
+def encloses_its_balls(entry):
+    ball = entry["ball_diameter_mm"]
+    pitch = entry["pitch_diameter_mm"]
+    inside = entry["bore_mm"] < pitch - ball and pitch + ball < entry["outside_diameter_mm"]
+    return inside and entry["balls"] <= most_balls(ball, pitch)
 
 
-@pytest.mark.parametrize("name", ESTIMATED)
-def test_a_guess_from_the_boundary_dimensions_is_near(name):
-    """Balls -10 to +25 %, numbers -2 to +1: what docs/user/libraries.md says of it."""
-    entry = load_catalogue_entry(name)
+def test_boundary_dimensions_enclose_the_balls():
+    entries = [load_catalogue_entry(name) for name in ESTIMATED]
+    assert len(entries) > 80
+    assert [entry for entry in entries if not encloses_its_balls(entry)] == []
+    assert [entry for entry in entries if "estimated" not in entry["source"]] == []
+
+
+def guess_and_estimate(entry):
+    """Ratios of ball and pitch diameters, difference of the numbers of balls."""
     angle = radians(entry.get("free_contact_angle_deg", 0.0))
     ball, pitch, balls = typical_geometry(entry["bore_mm"] * 1e-3, entry["outside_diameter_mm"] * 1e-3, angle)
-    assert 0.89 < 1e3 * ball / entry["ball_diameter_mm"] < 1.26
-    assert pitch == pytest.approx(entry["pitch_diameter_mm"] * 1e-3, rel=0.02)
-    if angle != radians(25.0):  # its angle has the balls of the 15 degrees
-        assert -3 < balls - entry["balls"] < 2
+    more = 0 if angle == radians(25.0) else balls - entry["balls"]  # 25 degrees: the balls of the 15 degrees
+    return 1e3 * ball / entry["ball_diameter_mm"], 1e3 * pitch / entry["pitch_diameter_mm"], more
+
+
+def test_a_guess_from_the_boundary_dimensions_is_near():
+    """Balls -10 to +25 %, numbers -2 to +1: what docs/user/libraries.md says of it."""
+    guesses = {name: guess_and_estimate(load_catalogue_entry(name)) for name in ESTIMATED}
+    offenders = {
+        name: guess
+        for name, guess in guesses.items()
+        if not (0.89 < guess[0] < 1.26 and abs(guess[1] - 1.0) <= 0.02 and -3 < guess[2] < 2)
+    }
+    assert offenders == {}
 
 
 def test_series_and_dimensions_agree():
