@@ -34,15 +34,6 @@ def in_a_folder_of_its_own(tmp_path, monkeypatch):
     return tmp_path
 
 
-def test_help_is_quick_and_imports_little():
-    """0.3 s is asked for; heavy imports, which cost that alone, are what would break it, on any machine."""
-    code = "import sys, cases.cli; print([m for m in sys.argv[1:] if m in sys.modules])"
-    heavy = ["numpy", "scipy", "numba", "xarray", "matplotlib", "pyvista", "vtk", "rich", "pydantic"]
-    answer = subprocess.run([sys.executable, "-c", code, *heavy], capture_output=True, text=True, check=True)
-    assert answer.stdout.strip() == "[]"
-    assert oilfilm("--help").exit_code == 0
-
-
 def test_version():
     answer = oilfilm("--version")
     assert answer.exit_code == 0

@@ -57,7 +57,7 @@ def _to(simulation: Simulation, end: float) -> int:
             message = solver.step()
         except ValueError:  # LSODA's own complaint about a state that is not finite
             return TOO_SMALL
-        if solver.status == "failed" or message or not np.all(np.isfinite(solver.y)):
+        if message or not np.all(np.isfinite(solver.y)):
             return TOO_SMALL
         step = solver.t - solver.t_old
         state.y[: solver.n] = solver.y
