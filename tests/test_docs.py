@@ -33,7 +33,7 @@ def test_a_generated_page_is_up_to_date(script):
 
 @pytest.mark.parametrize("template", sorted(DOCS.rglob("*.md.in")), ids=lambda path: path.stem)
 def test_a_page_has_the_text_of_its_template(template):
-    """Also pages whose numbers take minutes to compute: everything between the placeholders is there, in order."""
+    """Also where the numbers take minutes: the text between placeholders is there."""
     page = template.with_suffix("").read_text(encoding="utf-8")
     text = re.split(r"\{[^{}]*\}", template.read_text(encoding="utf-8"))
     assert re.fullmatch(".*?".join(re.escape(part) for part in text), page, re.DOTALL)
@@ -46,7 +46,7 @@ def test_every_page_is_in_the_navigation():
 
 
 def test_printed_numbers_name_their_source():
-    """Each table of printed values: source in the first line, a unit at the end of each column, full rows."""
+    """Source in the first line, a unit at the end of each column, full rows."""
     from printed import REFERENCE, printed
 
     tables = sorted(REFERENCE.glob("*.csv"))
@@ -62,7 +62,7 @@ def test_printed_numbers_name_their_source():
 
 
 def test_the_gallery_shows_the_slip_cases():
-    """Every case of the slip paper with its command and a picture; a case is not given the pictures of another."""
+    """Every case of the slip paper with its command and its own pictures."""
     gallery = importlib.import_module("site_pages").gallery()
     parts = {part.splitlines()[0]: part for part in gallery.split("### ")[1:]}
     cases = sorted(path.stem for path in (ROOT / "cases" / "hirano_slip").glob("*.toml"))

@@ -1,7 +1,8 @@
-"""Write bearing/data/estimated_bearings.toml from catalogue_ratings.csv: `python tools/estimated_bearings.py`.
+"""Write bearing/data/estimated_bearings.toml from catalogue_ratings.csv.
 
-Each row of the table is a bearing of a maker's catalogue; `bearing.geometry_estimate` finds the ball and the number of
-balls that explain its ratings. Bearings that bearing/data/bearings.toml has with a geometry from a source are left out.
+Run it with `python tools/estimated_bearings.py`. Each row of the table is a bearing of a maker's
+catalogue; `bearing.geometry_estimate` determines the ball and the number of balls that explain its
+ratings. Bearings whose geometry has a source (bearing/data/bearings.toml) are left out.
 """
 
 from __future__ import annotations
@@ -20,9 +21,10 @@ MM, UM, KN = 1e-3, 1e-6, 1e3  # in SI
 ANGLE_RANGE = 3.0  # around the nominal contact angle, unverified [deg]
 MAKER = "C and C_0: NSK, Rolling Bearings"
 HEAD = """\
-# Written by tools/estimated_bearings.py from catalogue_ratings.csv; do not edit. Bearings whose internal geometry no
-# maker publishes: estimated from boundary dimensions and load ratings (docs/user/libraries.md). `estimated` lists the
-# keys that are estimates, `range` an interval of each; the grooves' radii follow the ball diameter if that is changed.
+# Written by tools/estimated_bearings.py from catalogue_ratings.csv; do not edit. Bearings whose
+# internal geometry no maker publishes: estimated from boundary dimensions and load ratings
+# (docs/user/libraries.md). `estimated` lists the keys that are estimates, `range` an interval of
+# each; the grooves' radii follow the ball diameter if that is changed.
 """
 
 

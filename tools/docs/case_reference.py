@@ -1,4 +1,4 @@
-"""Tables of keys of docs/reference/cases.md, from the schema: `python tools/docs/case_reference.py`."""
+"""Write the tables of keys of docs/reference/cases.md, from the schema of case files."""
 
 from __future__ import annotations
 

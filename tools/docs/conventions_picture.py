@@ -1,4 +1,4 @@
-"""Figure of docs/theory/conventions.md, the solved bearing 218: `python tools/docs/conventions_picture.py`."""
+"""Draw the figure of docs/theory/conventions.md from the solved bearing 218."""
 
 from __future__ import annotations
 

@@ -27,13 +27,13 @@ class Run:
 
     @property
     def slides(self) -> Any:
-        """Sliding speed at the centres of the contacts over the last third, shape (m, 2, Z) [m/s]; NaN where free."""
+        """Sliding speed at the contacts over the last third, (m, 2, Z) [m/s]; NaN where free."""
         races = self.record.races
         return np.where(races[..., 0] > 0.0, np.hypot(races[..., 5], races[..., 6]), np.nan)
 
     @property
     def surface_slides(self) -> Any:
-        """As `slides`, but at a gap too: of the nearest points of the surfaces, shape (m, 2, Z) [m/s]."""
+        """As `slides`, and at a gap that of the nearest points of the surfaces [m/s]."""
         from bearing.dynamics._kernels import derivative
 
         problem, found = self.simulation.problem, []
@@ -62,7 +62,7 @@ class Run:
 
 
 def over_azimuth(found: Run, values: Any, bins: int = 60) -> tuple[Any, Any]:
-    """Mean of values, shape (m, Z), in equal parts of the turn; middles of the parts [deg] and means, NaN if empty."""
+    """Middles of equal parts of the turn [deg], means of values (m, Z) there; NaN if empty."""
     edges = np.linspace(-180.0, 180.0, bins + 1)
     sound = np.isfinite(values)
     place, weights = found.azimuths[sound], values[sound]
@@ -71,7 +71,7 @@ def over_azimuth(found: Run, values: Any, bins: int = 60) -> tuple[Any, Any]:
 
 
 def changed(case: Case, load: tuple[float, float] | None = None, speed: float | None = None, **plan: Any) -> Case:
-    """A case with another axial and radial load [N], speed [r/min], and fields of its plan [SI]."""
+    """A case with another axial and radial load [N], speed [r/min], plan [SI]."""
     assert case.dynamics is not None
     operation = case.operation
     if load is not None:

@@ -1,4 +1,4 @@
-"""Draw a picture for shipped cases and sweeps that have none: `python tools/docs/gallery_pictures.py [NAME ...]`.
+"""Draw pictures for shipped cases without one: `python tools/docs/gallery_pictures.py [NAME ...]`.
 
 What a run draws first becomes `docs/images/NAME.png`, at the width of a page and in few colours.
 """

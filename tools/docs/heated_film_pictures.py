@@ -1,4 +1,4 @@
-"""Traction of films with heat beside full solves, for traction.md: `python tools/docs/heated_film_pictures.py`.
+"""Traction of films with heat beside full solves: picture and table of docs/theory/traction.md.
 
 Inner race of the shipped case `6208_with_heat` at 15 m/s, Eyring's oil without a limiting stress, so that what heat and
 thinning do is not cut; no spin, no curvature slip.

@@ -1,4 +1,4 @@
-"""Write the tables of docs/user/libraries.md from the data of the libraries: `python tools/docs/libraries.py`."""
+"""Write the tables of docs/user/libraries.md from the data of the libraries."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "user" / "libraries.md"
 MARK = "<!-- {}: written by tools/docs/libraries.py -->"
 END = "<!-- end -->"
+UNVERIFIED_6203 = "Case Western Reserve University: 0.2656 and 1.122 in (from memory, unverified)"
 KNOWN = (  # row of the ratings, balls, ball and pitch diameter [mm], where from
-    ("6203", 8, 6.746, 28.50, "Case Western Reserve University: 0.2656 and 1.122 in (from memory, unverified)"),
+    ("6203", 8, 6.746, 28.50, UNVERIFIED_6203),
     ("6205", 9, 7.940, 39.04, "Case Western Reserve University: 0.3126 and 1.537 in"),
     ("6206", 9, 9.525, 46.00, "catalogue entry 6206"),
     ("6207", 9, 11.12, 53.50, "catalogue entry 6207"),
@@ -168,12 +169,12 @@ def oil_sources() -> Iterator[Sequence[str]]:
 
 HEADS = {
     "checks": "bearing|known: balls × D on d_m, mm|estimated|D|d_m|known from",
-    "fit": "bearings|number|C computed/printed|C_0 computed/printed|worst misfit|nearest second best"
-    "|D from dimensions alone|balls from dimensions alone",
+    "fit": "bearings|number|C computed/printed|C_0 computed/printed|worst misfit"
+    "|nearest second best|D from dimensions alone|balls from dimensions alone",
     "bearings": "name|d × D × B, mm|C / C_0, kN|balls × D on d_m, mm|r_i/D, r_o/D|angle or clearance|geometry",
     "materials": "name|kind|E, GPa|ν|ρ, kg/m³|expansion, µm/(m K)|conductivity, W/(m K)|specific heat, J/(kg K)",
-    "oils": "name|range, °C|ν at 40 / 100 °C, mm²/s|−∂ln η/∂T, 10⁻³/K|α, 1/GPa|ρ, kg/m³|expansion, 10⁻⁴/K"
-    "|conductivity, W/(m K)|specific heat, J/(kg K)",
+    "oils": "name|range, °C|ν at 40 / 100 °C, mm²/s|−∂ln η/∂T, 10⁻³/K|α, 1/GPa|ρ, kg/m³"
+    "|expansion, 10⁻⁴/K|conductivity, W/(m K)|specific heat, J/(kg K)",
     "sources of the oils": "oil|property|law|source",
 }
 ROWS = {

@@ -1,4 +1,4 @@
-"""Pages of the site that are written from the repository: gallery and change log (a hook of mkdocs)."""
+"""Hook of mkdocs: gallery and change log, pages written from the repository."""
 
 from __future__ import annotations
 

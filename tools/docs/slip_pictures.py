@@ -1,4 +1,4 @@
-"""Draw the pictures of the slip cases for the gallery and validation_003.md: `python tools/docs/slip_pictures.py`."""
+"""Draw the pictures of the slip cases for the gallery and docs/validation/validation_003.md."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""Draw the traction curves of squalane for docs/theory/traction.md: `python tools/docs/squalane_pictures.py`.
+"""Draw the traction curves of squalane for docs/theory/traction.md and write the table there.
 
-It also writes the table of that page. The contact is that of the shipped case `squalane_ball_on_disc`.
+The contact is that of the shipped case `squalane_ball_on_disc`.
 """
 
 from __future__ import annotations
@@ -40,12 +40,12 @@ LAWS = {"viscosity_law": ViscosityLaw.TAIT_DOOLITTLE, "density_law": DensityLaw.
 
 
 def read_oil() -> Lubricant:
-    """Squalane at 25 degrees Celsius by the constants read: heat softens it as at ambient pressure, everywhere."""
+    """Squalane at 25 °C by the constants read: heat softens it as at ambient pressure."""
     return library_lubricant("squalane", OPERATION, **LAWS)
 
 
 def remembered_oil() -> Lubricant:
-    """Squalane by Tait and Doolittle with temperature, Bair (2006), from memory: pressure makes it softer by heat."""
+    """Squalane by Tait and Doolittle with temperature, Bair (2006), from memory."""
     tait = TaitVolume(
         bulk_modulus=8.658e9 * exp(-6.332e-3 * REFERENCE),
         bulk_modulus_derivative=11.74,
@@ -105,7 +105,7 @@ def with_heat(contact: ContactConditions) -> list[np.ndarray]:
 
 
 def table(curves: list[list[list[np.ndarray]]]) -> str:
-    """Largest coefficient, where it is, and the coefficients at 5 and 150 % slide, as lines of Markdown."""
+    """Largest coefficient, its slide, coefficients at 5 and 150 % slide, as Markdown."""
     rows = ["| | Hertz pressure | Λ | at 5 % | largest | at | at 150 % |", "|---|---|---|---|---|---|---|"]
     for title, column in zip(TITLES, curves, strict=True):
         for pressure, pair in zip(PRESSURES, column, strict=True):
@@ -118,7 +118,7 @@ def table(curves: list[list[list[np.ndarray]]]) -> str:
 
 
 def draw(curves: list[list[list[np.ndarray]]]) -> None:
-    """Bands between the two limiting stresses, over the logarithm of the slide-roll ratio and over itself."""
+    """Bands between the two limiting stresses over the slide-roll ratio, on both scales."""
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 4.9))
         panels = figure.subplots(2, 3, sharey=True)

@@ -1,4 +1,4 @@
-"""Draw the pictures of docs/validation/validation_004.md: `python tools/docs/torque_pictures.py`."""
+"""Draw the pictures of docs/validation/validation_004.md."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ INK, BLUE, RED, ORANGE, GREEN = "#1b1f24", "#4c78a8", "#b23a3a", "#d67b1f", "#5a
 
 
 def swept(stem: str, speeds: np.ndarray, loads: list[tuple[float, float]] | None = None, size: str = "6206"):
-    """Torques of a case over speeds [rad/s] and (axial, radial) loads [N], of another size if wanted."""
+    """Torques of a case over speeds [rad/s] and (axial, radial) loads [N]."""
     case = resized(load_case(stem), size)
     assert case.friction is not None  # of every bearing case
     study = TorqueStudy(
@@ -151,7 +151,7 @@ def draw_sizes() -> None:
 
 
 def draw_panels(name: str, panels: dict[str, list[Curve]]) -> None:
-    """Panels side by side over speed, a legend below where all have the same lines, else in each."""
+    """Panels over speed; one legend below where all have the same lines, else one in each."""
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 2.7))
         found = figure.subplots(1, len(panels))

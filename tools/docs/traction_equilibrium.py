@@ -1,4 +1,4 @@
-"""Tables and picture of docs/theory/traction_equilibrium.md: `python tools/docs/traction_equilibrium.py`."""
+"""Write tables and picture of docs/theory/traction_equilibrium.md."""
 
 from __future__ import annotations
 
@@ -127,14 +127,16 @@ def at(case: Case, rpm: float, axial: float) -> Case:
 def table(found: dict[str, Row]) -> list[str]:
     """Lines of one operation's table."""
     lines = [
-        "| | β | α_i, α_o | spin over roll, inner, outer | inner share of 2 M_g/D | cage over shaft "
+        "| | β | α_i, α_o | spin over roll, inner, outer | inner share of 2 M_g/D | cage over "
+        "shaft "
         "| power left over |",
         "|---|---|---|---|---|---|---|",
     ]
     for name, r in found.items():
         left = "" if r.imbalance is None else f"{r.imbalance:.0e}"
         lines.append(
-            f"| {name} | {r.attitude:.2f}° | {r.inner_angle:.2f}°, {r.outer_angle:.2f}° | {r.inner_spin:.4f}, "
+            f"| {name} | {r.attitude:.2f}° | {r.inner_angle:.2f}°, {r.outer_angle:.2f}° | "
+            f"{r.inner_spin:.4f}, "
             f"{r.outer_spin:.4f} | {r.inner_share:.3f} | {r.cage:.5f} | {left} |"
         )
     return lines

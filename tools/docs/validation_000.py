@@ -1,7 +1,7 @@
-"""Write docs/validation/validation_000.md: sliding in the 7008 beside the statements of Ma et al. (2023).
+"""Write docs/validation/validation_000.md: sliding in the 7008 beside Ma et al. (2023).
 
-Run it with `python tools/docs/validation_000.py`; it simulates for about ten minutes of one core. Pictures are
-drawn by `validation_000_pictures.py`.
+Run it with `python tools/docs/validation_000.py`; it simulates for about ten minutes of one
+core. Pictures are drawn by `validation_000_pictures.py`.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ CATALOGUE = 5.0  # A of the catalogue's minimum axial load, assumed [N]
 
 @dataclass(frozen=True)
 class Onset:
-    """End of gross skid at a speed [r/min]: loads [N], and what the last ball that holds shows [-]."""
+    """End of gross skid at a speed [r/min]: loads [N], ratios of the last ball that rolls [-]."""
 
     speed: float
     load: float
@@ -95,7 +95,7 @@ def axial_rows(runs: dict[float, Run]) -> str:
 
 
 def zones(found: Run) -> tuple[float, float, float, float]:
-    """Sliding speeds: inner race loaded, inner at a gap, outer where the inner is loaded, outer elsewhere [m/s]."""
+    """Sliding: inner loaded, inner at a gap, outer where inner is loaded, elsewhere [m/s]."""
     slides, inside = found.surface_slides, found.record.races[:, 0, :, 0] > 0.0
     touching = found.record.races[:, 1, :, 0] > 0.0
     inner, outer = slides[:, 0], slides[:, 1]
@@ -139,7 +139,7 @@ def rolls(found: Run) -> bool:
 
 
 def balance_load(speed: float) -> float:
-    """Axial load [N] at which the drag of a ball at the kinematic speed equals 2 kappa_max Qi, at a speed [r/min]."""
+    """Axial load [N] at which a ball's drag at a speed [r/min] equals 2 kappa_max Qi."""
     case = load_case("7008_axial")
     wanted = DRAG * (speed / 5000.0) ** 2 / (2.0 * LARGEST)
     low, high = 1.0, 1e5
@@ -213,7 +213,8 @@ def skid_rows(points: list[Onset]) -> str:
         parts = f"{p.drag:.3f} | {p.inner:.3f} | {p.share:.3f}"
         line = minimum_axial_load_skf(CATALOGUE, p.speed * RPM)
         lines.append(
-            f"| {p.speed:.0f} | {p.load:.1f} | {p.balance:.1f} | {p.load / p.balance:.3f} | {parts} | {p.hirano:.0f} "
+            f"| {p.speed:.0f} | {p.load:.1f} | {p.balance:.1f} | {p.load / p.balance:.3f} | "
+            f"{parts} | {p.hirano:.0f} "
             f"| {line:.0f} |"
         )
     return "\n".join(lines)
@@ -245,25 +246,56 @@ def of_radial(runs: dict[float, Run]) -> list[str]:
     free = [float((one.record.races[:, 0, :, 0] > 0.0).mean()) for one in runs.values()]
     jumps = gap - inner
     return [
-        judged("4.1", "inner sliding is less in the loaded zone than outside", bool(np.all(inner < gap)),
-               f"loaded {listed(inner)}; outside {listed(gap)} m/s at {loads} N"),
-        judged("4.1", "at the outer race the opposite", bool(np.all(outer > bare)),
-               f"loaded {listed(outer)}; outside {listed(bare)} m/s"),
-        judged("4.1", f"{FASTEST:.0f} m/s and more at the inner race, loaded, under 50 N", fastest >= FASTEST,
-               f"{fastest:.1f} m/s at most; no drag and traction of the paper known"),
+        judged(
+            "4.1",
+            "inner sliding is less in the loaded zone than outside",
+            bool(np.all(inner < gap)),
+            f"loaded {listed(inner)}; outside {listed(gap)} m/s at {loads} N",
+        ),
+        judged(
+            "4.1",
+            "at the outer race the opposite",
+            bool(np.all(outer > bare)),
+            f"loaded {listed(outer)}; outside {listed(bare)} m/s",
+        ),
+        judged(
+            "4.1",
+            f"{FASTEST:.0f} m/s and more at the inner race, loaded, under 50 N",
+            fastest >= FASTEST,
+            f"{fastest:.1f} m/s at most; no drag and traction of the paper known",
+        ),
         judged("4.1", "inner sliding falls as the load grows", rises(-inner, 0.01), f"{listed(inner)} m/s"),
-        judged("4.1", "its step at the edge of the loaded zone grows with the load", rises(jumps, 0.01),
-               f"outside less inside {listed(jumps)} m/s"),
-        judged("4.1", "the load changes little at the outer race outside the loaded zone",
-               float(np.ptp(bare)) < 0.5 * float(np.ptp(inner)),
-               f"{listed(bare)} m/s, a range of {np.ptp(bare):.2f} against {np.ptp(inner):.2f} m/s at the inner race"),
-        judged("4.1", "inside it, outer sliding rises with the load, then falls", 0 < top < len(outer) - 1,
-               f"{listed(outer)} m/s"),
-        judged("4.1", "the inner race pulls in the loaded zone alone", max(free) < 1.0,
-               f"loaded for {listed(free, 2)} of the time"),
-        judged("4.1", "the inner traction factor is constant first, then falls with the load",
-               abs(factors[1] / factors[0] - 1.0) < 0.1 and factors[-1] < 0.9 * factors[0], listed(factors, 4)),
-    ]  # fmt: skip
+        judged(
+            "4.1",
+            "its step at the edge of the loaded zone grows with the load",
+            rises(jumps, 0.01),
+            f"outside less inside {listed(jumps)} m/s",
+        ),
+        judged(
+            "4.1",
+            "the load changes little at the outer race outside the loaded zone",
+            float(np.ptp(bare)) < 0.5 * float(np.ptp(inner)),
+            f"{listed(bare)} m/s, a range of {np.ptp(bare):.2f} against {np.ptp(inner):.2f} m/s at the inner race",
+        ),
+        judged(
+            "4.1",
+            "inside it, outer sliding rises with the load, then falls",
+            0 < top < len(outer) - 1,
+            f"{listed(outer)} m/s",
+        ),
+        judged(
+            "4.1",
+            "the inner race pulls in the loaded zone alone",
+            max(free) < 1.0,
+            f"loaded for {listed(free, 2)} of the time",
+        ),
+        judged(
+            "4.1",
+            "the inner traction factor is constant first, then falls with the load",
+            abs(factors[1] / factors[0] - 1.0) < 0.1 and factors[-1] < 0.9 * factors[0],
+            listed(factors, 4),
+        ),
+    ]
 
 
 def of_axial(runs: dict[float, Run]) -> list[str]:
@@ -279,32 +311,71 @@ def of_axial(runs: dict[float, Run]) -> list[str]:
     skidding = factors[[k for k, load in enumerate(loads) if load < SKID_BELOW]]
     between = factors[loads.index(SKID_BELOW), 0] > factors[loads.index(NO_SKID_FROM), 0]
     return [
-        judged("4.2", "sliding is the same all round (50 N)", waver < 0.05,
-               f"deviation {100.0 * waver:.1f} % of the mean"),
-        judged("4.2", "inner sliding is always more than outer", bool(np.all(inner > outer)),
-               f"inner {listed(inner)}; outer {listed(outer)} m/s"),
-        judged("4.2", "outer sliding rises, then falls", 0 < top < len(loads) - 1,
-               f"largest, {outer[top]:.3f} m/s, at {loads[top]:.0f} N"),
-        judged("4.2", f"it turns before {NO_SKID_FROM:.0f} N, where skid has not ended", loads[top] < NO_SKID_FROM,
-               "it turns where skid ends: the outer race slides most where it pulls most"),
-        judged("4.2", f"inner sliding changes little beyond {NO_SKID_FROM:.0f} N",
-               float(np.ptp(inner[heavy])) < 0.1 * float(inner.max()), f"{listed(inner[heavy])} m/s"),
-        judged("4.2", "inner and outer sliding become equal", abs(inner[-1] / outer[-1] - 1.0) < 0.2,
-               f"{inner[-1]:.3f} and {outer[-1]:.3f} m/s at 200 N"),
-        judged("4.2", f"below {SKID_BELOW:.0f} N the inner factor stays as it is",
-               float(np.ptp(skidding[:, 0])) < 0.05 * skidding[0, 0], f"{listed(skidding[:, 0], 4)}"),
-        judged("4.2", "and the inner factor is above the outer", bool(np.all(skidding[:, 0] >= skidding[:, 1])),
-               f"inner {listed(skidding[:, 0], 4)}; outer {listed(skidding[:, 1], 4)}"),
-        judged("4.2",
-               f"between {SKID_BELOW:.0f} and {NO_SKID_FROM:.0f} N the factor falls while sliding is still strong",
-               bool(between),
-               f"inner factor {listed(factors[:, 0], 4)}: with κ_∞ = 0.03 < κ_max it is largest where skid ends"),
-        judged("4.2", f"{NO_SKID_FROM:.0f} N or more is a load without gross sliding", bool(without > SKIDS),
-               f"{without:.3f} of the kinematic speed at {NO_SKID_FROM:.0f} N, with the drag fitted to it"),
+        judged(
+            "4.2", "sliding is the same all round (50 N)", waver < 0.05, f"deviation {100.0 * waver:.1f} % of the mean"
+        ),
+        judged(
+            "4.2",
+            "inner sliding is always more than outer",
+            bool(np.all(inner > outer)),
+            f"inner {listed(inner)}; outer {listed(outer)} m/s",
+        ),
+        judged(
+            "4.2",
+            "outer sliding rises, then falls",
+            0 < top < len(loads) - 1,
+            f"largest, {outer[top]:.3f} m/s, at {loads[top]:.0f} N",
+        ),
+        judged(
+            "4.2",
+            f"it turns before {NO_SKID_FROM:.0f} N, where skid has not ended",
+            loads[top] < NO_SKID_FROM,
+            "it turns where skid ends: the outer race slides most where it pulls most",
+        ),
+        judged(
+            "4.2",
+            f"inner sliding changes little beyond {NO_SKID_FROM:.0f} N",
+            float(np.ptp(inner[heavy])) < 0.1 * float(inner.max()),
+            f"{listed(inner[heavy])} m/s",
+        ),
+        judged(
+            "4.2",
+            "inner and outer sliding become equal",
+            abs(inner[-1] / outer[-1] - 1.0) < 0.2,
+            f"{inner[-1]:.3f} and {outer[-1]:.3f} m/s at 200 N",
+        ),
+        judged(
+            "4.2",
+            f"below {SKID_BELOW:.0f} N the inner factor stays as it is",
+            float(np.ptp(skidding[:, 0])) < 0.05 * skidding[0, 0],
+            f"{listed(skidding[:, 0], 4)}",
+        ),
+        judged(
+            "4.2",
+            "and the inner factor is above the outer",
+            bool(np.all(skidding[:, 0] >= skidding[:, 1])),
+            f"inner {listed(skidding[:, 0], 4)}; outer {listed(skidding[:, 1], 4)}",
+        ),
+        judged(
+            "4.2",
+            f"between {SKID_BELOW:.0f} and {NO_SKID_FROM:.0f} N the factor falls while sliding is still strong",
+            bool(between),
+            f"inner factor {listed(factors[:, 0], 4)}: with κ_∞ = 0.03 < κ_max it is largest where skid ends",
+        ),
+        judged(
+            "4.2",
+            f"{NO_SKID_FROM:.0f} N or more is a load without gross sliding",
+            bool(without > SKIDS),
+            f"{without:.3f} of the kinematic speed at {NO_SKID_FROM:.0f} N, with the drag fitted to it",
+        ),
         judged("3.2", "cage speed rises with the load and levels off", rises(speeds, 2e-3), listed(speeds, 4)),
-        judged("–", "more than 0.98 of the kinematic speed at 200 N (from the equations)", bool(speeds[-1] > 0.98),
-               f"{speeds[-1]:.4f}"),
-    ]  # fmt: skip
+        judged(
+            "–",
+            "more than 0.98 of the kinematic speed at 200 N (from the equations)",
+            bool(speeds[-1] > 0.98),
+            f"{speeds[-1]:.4f}",
+        ),
+    ]
 
 
 def of_mixed(runs: dict[float, Run]) -> list[str]:
@@ -314,17 +385,34 @@ def of_mixed(runs: dict[float, Run]) -> list[str]:
     free = np.array([one.outcome.shares[:, :, 0].mean(axis=1) for one in runs.values()])
     speeds = [cage(one) for one in runs.values()]
     return [
-        judged("4.3", "more radial load: sliding more uneven", rises(deviation),
-               f"deviation at the inner race {listed(deviation, 4)} m/s at 0, 100, 200, 300 N"),
-        judged("4.3", "its largest value falls", rises([-value for value in top]),
-               f"98th percentile {listed(top)} m/s"),
-        judged("4.3", "without radial load sliding is severe", speeds[0] < SKIDS,
-               f"{speeds[0]:.3f} of the kinematic speed; section 4.2 of the paper says itself that 100 N is enough"),
-        judged("4.3", "the inner factor becomes 0 in places above 200 N", bool(free[-1, 0] > 0.0 and free[1, 0] == 0.0),
-               f"inner race free for {listed(free[:, 0])} of the time"),
-        judged("4.3", "the outer factor never does", bool(np.all(free[:, 1] < 1e-3)),
-               f"outer race free for {listed(free[:, 1], 4)}"),
-    ]  # fmt: skip
+        judged(
+            "4.3",
+            "more radial load: sliding more uneven",
+            rises(deviation),
+            f"deviation at the inner race {listed(deviation, 4)} m/s at 0, 100, 200, 300 N",
+        ),
+        judged(
+            "4.3", "its largest value falls", rises([-value for value in top]), f"98th percentile {listed(top)} m/s"
+        ),
+        judged(
+            "4.3",
+            "without radial load sliding is severe",
+            speeds[0] < SKIDS,
+            f"{speeds[0]:.3f} of the kinematic speed; section 4.2 of the paper says itself that 100 N is enough",
+        ),
+        judged(
+            "4.3",
+            "the inner factor becomes 0 in places above 200 N",
+            bool(free[-1, 0] > 0.0 and free[1, 0] == 0.0),
+            f"inner race free for {listed(free[:, 0])} of the time",
+        ),
+        judged(
+            "4.3",
+            "the outer factor never does",
+            bool(np.all(free[:, 1] < 1e-3)),
+            f"outer race free for {listed(free[:, 1], 4)}",
+        ),
+    ]
 
 
 def main() -> None:
@@ -346,11 +434,19 @@ def main() -> None:
     ratio, ratio_rest = at_5000.load / ended, from_rest[0] / from_rest[1]
     rows = of_radial(radial) + of_axial(axial) + of_mixed(mixed)
     rows += [
-        judged("–", "axial critical load 0.25 to 0.40 of the radial one, balls at rest at first (from the equations)",
-               0.25 <= ratio_rest <= 0.40, f"{ratio_rest:.2f}"),
-        judged("–", "the same, balls that roll at first", 0.25 <= ratio <= 0.40,
-               f"{ratio:.2f}: κ_max holds them under an axial load, κ_∞ has to drive them under a radial one"),
-    ]  # fmt: skip
+        judged(
+            "–",
+            "axial critical load 0.25 to 0.40 of the radial one, balls at rest at first (from the equations)",
+            0.25 <= ratio_rest <= 0.40,
+            f"{ratio_rest:.2f}",
+        ),
+        judged(
+            "–",
+            "the same, balls that roll at first",
+            0.25 <= ratio <= 0.40,
+            f"{ratio:.2f}: κ_max holds them under an axial load, κ_∞ has to drive them under a radial one",
+        ),
+    ]
     worst = [abs(p.load / p.balance - 1.0) for p in points]
     forces = [abs(2.0 * p.drag / (p.inner * (1.0 + p.share)) - 1.0) for p in points]
     draw_axial({load: (*averages(one), cage(one)) for load, one in axial.items()})

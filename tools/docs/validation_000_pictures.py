@@ -16,7 +16,7 @@ IMAGES = Path(__file__).parents[2] / "docs" / "images"
 
 
 def draw_axial(rows: dict[float, tuple[Any, Any, float]]) -> None:
-    """Sliding [m/s], traction factors [-] and cage speed over kinematic [-] over the axial load [N]."""
+    """Sliding [m/s], traction factors [-] and cage speed ratio [-] over the axial load [N]."""
     loads = list(rows)
     slides, factors = np.array([row[0] for row in rows.values()]), np.array([row[1] for row in rows.values()])
     with mpl.rc_context(RC):
@@ -35,7 +35,7 @@ def draw_axial(rows: dict[float, tuple[Any, Any, float]]) -> None:
 
 
 def draw_azimuth(name: str, words: str, runs: dict[float, Run], *, gaps: bool) -> None:
-    """Sliding speed [m/s] and traction factor [-] of both races over the azimuth [deg], one line a load [N]."""
+    """Sliding [m/s] and traction factor [-] of both races over the azimuth [deg]."""
     colours = mpl.colormaps["viridis"](np.linspace(0.0, 0.85, len(runs)))
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 4.4))

@@ -1,7 +1,7 @@
-"""Write docs/validation/validation_001.md: the planar 6304 beside the statements of Shan et al. (2023).
+"""Write docs/validation/validation_001.md: the planar 6304 beside Shan et al. (2023).
 
-Run it with `python tools/docs/validation_001.py`; it simulates for some minutes. Pictures are drawn by
-`validation_001_pictures.py`.
+Run it with `python tools/docs/validation_001.py`; it simulates for some minutes. Pictures are
+drawn by `validation_001_pictures.py`.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ TIME = {"end_time": 0.4, "sample_interval": 1e-4, "start": "rolling", "speed_tab
 
 
 def start(gap: float = 5.0, balls: int = 7, **changes: Any) -> Case:
-    """The shipped case with another gap between ball and race [um] and number of balls, rolling from the start."""
+    """The shipped case with another gap [um] and number of balls, rolling from the start."""
     case = load_case("6304_planar")
     bearing = replace(case.bearing, diametral_clearance=4.0e-6 * gap, balls=balls)
     return changed(replace(case, bearing=bearing), **(TIME | changes))
@@ -70,7 +70,7 @@ def load_series() -> dict[float, dict[float, Run]]:
 
 
 def knee(of_drag: dict[float, Run]) -> float:
-    """Load [N] at which the cage reaches 0.9 of the speed without slip, between the loads; NaN if always beyond."""
+    """Load [N] at which the cage reaches 0.9 of the speed without slip; NaN if always beyond."""
     speeds, wanted = np.array([cage(found) for found in of_drag.values()]), 0.9 * 8000.0 * NO_SLIP
     if speeds[0] >= wanted:
         return float("nan")
@@ -138,7 +138,7 @@ def slip_in_time(found: Run) -> tuple[Any, Any]:
 
 
 def grips(found: Run) -> float:
-    """Time from rest until the slip of the cage first comes below `GRIP` [s]; NaN if it never does."""
+    """Time from rest until the slip of the cage first falls below `GRIP` [s]; NaN if never."""
     time, slips = slip_in_time(found)
     return float(time[np.argmax(slips < GRIP)]) if (slips < GRIP).any() else float("nan")
 
@@ -172,7 +172,8 @@ def mean_slide(found: Run, race: int) -> float:
 def other_rows(runs: dict[str, Run], ups: dict[str, Run]) -> str:
     """Table of the other series."""
     lines = [
-        "| | cage, r/min | slip, % | largest Qi, Qo, N | free, inner | impact, inner, outer | sliding, m/s |"
+        "| | cage, r/min | slip, % | largest Qi, Qo, N | free, inner | impact, inner, outer | "
+        "sliding, m/s |"
         " ring moves, µm | repeats | grips, s |",
         "|---|---|---|---|---|---|---|---|---|---|",
     ]
@@ -181,11 +182,16 @@ def other_rows(runs: dict[str, Run], ups: dict[str, Run]) -> str:
         slip = 100.0 * (1.0 - cage(found) / (NO_SLIP * found.simulation.problem.schedule[-1, 1] / RPM))
         impacts = o.shares[:, :, 2].mean(axis=1)
         cells = [
-            f"{cage(found):.1f}", f"{slip:.2f}", f"{largest(found, 0):.1f}, {largest(found, 1):.1f}",
-            f"{o.shares[0, :, 0].mean():.3f}", f"{impacts[0]:.4f}, {impacts[1]:.4f}",
-            f"{mean_slide(found, 0):.3f}, {mean_slide(found, 1):.3f}", f"{moves(found):.2f}", f"{repeats(found):.2f}",
+            f"{cage(found):.1f}",
+            f"{slip:.2f}",
+            f"{largest(found, 0):.1f}, {largest(found, 1):.1f}",
+            f"{o.shares[0, :, 0].mean():.3f}",
+            f"{impacts[0]:.4f}, {impacts[1]:.4f}",
+            f"{mean_slide(found, 0):.3f}, {mean_slide(found, 1):.3f}",
+            f"{moves(found):.2f}",
+            f"{repeats(found):.2f}",
             f"{grips(ups[name]):.3f}",
-        ]  # fmt: skip
+        ]
         lines.append(f"| {name} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
 
@@ -211,20 +217,43 @@ def of_loads(loads: dict[float, dict[float, Run]]) -> list[str]:
     ratios = [value / balance(drag) for drag, value in knees.items() if np.isfinite(value)]
     falls = min(float(np.diff([cage(found) for found in of_drag.values()]).min()) for of_drag in loads.values())
     return [
-        judged("3", f"plateau (about 2940; {plateau_words()} r/min) for 100 N and more, drag of the shipped case",
-               all(on_plateau(speed) for speed in plateaus[SHIPPED]), f"{listed(plateaus[SHIPPED], 1)} r/min"),
-        judged("–", "the same with every drag", all(on_plateau(s) for p in plateaus.values() for s in p),
-               f"{heights} r/min"),
-        judged("3", "the cage's speed rises with the load, drag of the shipped case", steps.min() > -LEVEL,
-               f"{light[0]:.0f} ... {light[-1]:.0f} r/min; "
-               f"largest fall from load to load {-min(0.0, steps.min()):.1f}"),
-        judged("–", "the same with every drag", falls > -LEVEL,
-               f"largest fall from load to load {-min(0.0, falls):.1f} r/min"),
-        judged("3", "it ceases to rise above 70 N", False,
-               "decided by the drag, which the paper does not give: knees in the table above"),
-        judged("–", "knee within a factor of 2 of T_drag/(2.4 μ R_m)", all(0.5 <= r <= 2.0 for r in ratios),
-               f"{listed(ratios)} of it, where the knee lies among the loads"),
-    ]  # fmt: skip
+        judged(
+            "3",
+            f"plateau (about 2940; {plateau_words()} r/min) for 100 N and more, drag of the shipped case",
+            all(on_plateau(speed) for speed in plateaus[SHIPPED]),
+            f"{listed(plateaus[SHIPPED], 1)} r/min",
+        ),
+        judged(
+            "–",
+            "the same with every drag",
+            all(on_plateau(s) for p in plateaus.values() for s in p),
+            f"{heights} r/min",
+        ),
+        judged(
+            "3",
+            "the cage's speed rises with the load, drag of the shipped case",
+            steps.min() > -LEVEL,
+            f"{light[0]:.0f} ... {light[-1]:.0f} r/min; largest fall from load to load {-min(0.0, steps.min()):.1f}",
+        ),
+        judged(
+            "–",
+            "the same with every drag",
+            falls > -LEVEL,
+            f"largest fall from load to load {-min(0.0, falls):.1f} r/min",
+        ),
+        judged(
+            "3",
+            "it ceases to rise above 70 N",
+            False,
+            "decided by the drag, which the paper does not give: knees in the table above",
+        ),
+        judged(
+            "–",
+            "knee within a factor of 2 of T_drag/(2.4 μ R_m)",
+            all(0.5 <= r <= 2.0 for r in ratios),
+            f"{listed(ratios)} of it, where the knee lies among the loads",
+        ),
+    ]
 
 
 def of_speeds(runs: dict[str, Run], ups: dict[str, Run]) -> list[str]:
@@ -238,26 +267,52 @@ def of_speeds(runs: dict[str, Run], ups: dict[str, Run]) -> list[str]:
     times, path = [grips(ups[n]) for n in speeds], [repeats(runs[n]) for n in speeds]
     regular, settled = [repeats(runs[n]) for n in heavy], [grips(ups[n]) for n in heavy]
     return [
-        judged("4.1", "more speed: the largest force at the inner race stays alike", inner.max() < 1.25 * inner.min(),
-               f"{listed(inner, 1)} N at 2000, 4000, 8000, 15000 r/min"),
+        judged(
+            "4.1",
+            "more speed: the largest force at the inner race stays alike",
+            inner.max() < 1.25 * inner.min(),
+            f"{listed(inner, 1)} N at 2000, 4000, 8000, 15000 r/min",
+        ),
         judged("4.1", "and grows at the outer race", bool(np.all(np.diff(outer) > 0.0)), f"{listed(outer, 1)} N"),
-        judged("4.1", "the outer force does not come to 0 once it runs", free[-1] < 1e-3,
-               f"outer race free for {listed(free, 3)} of the time"),
-        judged("4.1", "more speed: more sliding at the inner race", bool(np.all(np.diff(slides[0]) > 0.0)),
-               f"{listed(slides[0], 3)} m/s"),
-        judged("4.1", "and slightly less at the outer", bool(slides[1, -1] < slides[1, 0]),
-               f"{listed(slides[1], 3)} m/s"),
-        judged("4.1", "more load: less slip", of_load[-1] < of_load[0],
-               f"{listed(100.0 * np.array(of_load))} % at 30, 50, 100, 1000 N"),
-        judged("4.1", "more speed: more slip of the cage", slips[-1] > slips[0],
-               f"{listed(100.0 * np.array(slips))} %"),
-        judged("4.1", "more speed: longer until the cage is steady", bool(np.all(np.diff(times) > 0.0)),
-               f"{listed(times, 3)} s"),
+        judged(
+            "4.1",
+            "the outer force does not come to 0 once it runs",
+            free[-1] < 1e-3,
+            f"outer race free for {listed(free, 3)} of the time",
+        ),
+        judged(
+            "4.1",
+            "more speed: more sliding at the inner race",
+            bool(np.all(np.diff(slides[0]) > 0.0)),
+            f"{listed(slides[0], 3)} m/s",
+        ),
+        judged(
+            "4.1", "and slightly less at the outer", bool(slides[1, -1] < slides[1, 0]), f"{listed(slides[1], 3)} m/s"
+        ),
+        judged(
+            "4.1",
+            "more load: less slip",
+            of_load[-1] < of_load[0],
+            f"{listed(100.0 * np.array(of_load))} % at 30, 50, 100, 1000 N",
+        ),
+        judged(
+            "4.1", "more speed: more slip of the cage", slips[-1] > slips[0], f"{listed(100.0 * np.array(slips))} %"
+        ),
+        judged(
+            "4.1",
+            "more speed: longer until the cage is steady",
+            bool(np.all(np.diff(times) > 0.0)),
+            f"{listed(times, 3)} s",
+        ),
         judged("4.1", "more load: sooner steady", settled[-1] < settled[0], f"{listed(settled, 3)} s"),
-        judged("4.1", "the ring's path repeats at low speed, less at high speed", path[-1] < path[0] - 0.05,
-               f"{listed(path)} of its variance"),
+        judged(
+            "4.1",
+            "the ring's path repeats at low speed, less at high speed",
+            path[-1] < path[0] - 0.05,
+            f"{listed(path)} of its variance",
+        ),
         judged("4.1", "more load makes it regular", regular[-1] > regular[0], listed(regular)),
-    ]  # fmt: skip
+    ]
 
 
 def of_shapes(runs: dict[str, Run], ups: dict[str, Run]) -> list[str]:
@@ -268,17 +323,33 @@ def of_shapes(runs: dict[str, Run], ups: dict[str, Run]) -> list[str]:
     times = [grips(ups[n]) for n in gaps]
     balls = [largest(runs[n], 0) for n in numbers]
     return [
-        judged("4.2", "more clearance: larger forces", force[-1] > force[0],
-               f"{listed(force, 1)} N at the inner race, gaps of 5, 10, 50, 100 µm"),
+        judged(
+            "4.2",
+            "more clearance: larger forces",
+            force[-1] > force[0],
+            f"{listed(force, 1)} N at the inner race, gaps of 5, 10, 50, 100 µm",
+        ),
         judged("4.2", "more clearance: the ring moves more", path[-1] > path[0], f"{listed(path, 1)} µm"),
-        judged("4.2", "more clearance: more sliding", slides[-1] > 1.05 * slides[0],
-               f"{listed(slides, 3)} m/s at the inner race"),
+        judged(
+            "4.2",
+            "more clearance: more sliding",
+            slides[-1] > 1.05 * slides[0],
+            f"{listed(slides, 3)} m/s at the inner race",
+        ),
         judged("4.2", "less clearance: sooner steady", times[0] < times[-1], f"{listed(times, 3)} s"),
-        judged("4.2", "more balls: less force on each", bool(np.all(np.diff(balls) < 0.0)),
-               f"{listed(balls, 1)} N with 7, 9, 11 balls"),
-        judged("4.2", "beyond 12 balls no further fall", False,
-               f"12 and 15 do not fit; from 9 to 11 it still falls, by {100.0 * (1.0 - balls[2] / balls[1]):.0f} %"),
-    ]  # fmt: skip
+        judged(
+            "4.2",
+            "more balls: less force on each",
+            bool(np.all(np.diff(balls) < 0.0)),
+            f"{listed(balls, 1)} N with 7, 9, 11 balls",
+        ),
+        judged(
+            "4.2",
+            "beyond 12 balls no further fall",
+            False,
+            f"12 and 15 do not fit; from 9 to 11 it still falls, by {100.0 * (1.0 - balls[2] / balls[1]):.0f} %",
+        ),
+    ]
 
 
 def stiffnesses() -> dict[str, float]:

@@ -24,7 +24,7 @@ def draw_loads(
     no_slip: float,
     plateau: dict[str, float],
 ) -> None:
-    """Speed of the cage [r/min] over the load [N], one line a drag [N]; the band is the paper's plateau."""
+    """Speed of the cage [r/min] over the load [N] by drag [N]; band: the paper's plateau."""
     middle, width = plateau["cage_speed_rpm"], plateau["cage_speed_tolerance_rpm"]
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 2.9))
@@ -72,7 +72,7 @@ def draw_forces(runs: dict[str, Run]) -> None:
 
 
 def draw_sliding(runs: dict[str, Run]) -> None:
-    """Sliding speed of ball 1 at both races [m/s] over the last turns of the cage, and the state of the contact."""
+    """Sliding speed [m/s] and contact state of ball 1 over the last turns of the cage."""
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 3.6))
         axes = figure.subplots(2, len(runs), sharex=True, gridspec_kw={"height_ratios": (2, 1)})
@@ -112,7 +112,7 @@ def draw_run_ups(slips: dict[str, tuple[Any, Any]], ramp: float) -> None:
 
 
 def draw_orbits(runs: dict[str, Run]) -> None:
-    """Paths of the ring's centre [um]: speeds, loads, gaps, numbers of balls, one column a kind."""
+    """Paths of the ring's centre [um] by speed, load and gap."""
     names = [name for name in runs if "balls" not in name]
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 5.4))

@@ -1,4 +1,4 @@
-"""Write docs/validation/validation_002.md: contact stresses of the 6208 beside Table 4 of Yao et al. (2022).
+"""Write docs/validation/validation_002.md: contact stresses of the 6208, Yao et al. (2022).
 
 Run it with `python tools/docs/validation_002.py`.
 """

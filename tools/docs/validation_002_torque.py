@@ -1,4 +1,4 @@
-"""Write docs/validation/validation_002_torque.md: friction of the ceramic 6208 beside Yao et al. (2022).
+"""Write docs/validation/validation_002_torque.md: friction of the 6208, Yao et al. (2022).
 
 Run it with `python tools/docs/validation_002_torque.py`.
 """
@@ -159,13 +159,15 @@ def statement_rows(minima: dict[tuple[float, float], float]) -> str:
         (
             "Fig. 3: friction over supply has a minimum",
             "yes, above a load",
-            f"5000 r/min: at {', '.join(f'{m:.2f}' for m in slow)} mL/min under 400, 900, 1750, 3000 N; asperities of "
+            f"5000 r/min: at {', '.join(f'{m:.2f}' for m in slow)} mL/min under 400, 900, 1750, "
+            "3000 N; asperities of "
             "light contacts cost too little",
         ),
         (
             "Fig. 3: below it the rise is steep, above it moderate",
             "no",
-            f"3000 N: {1e3 * low.total:.1f} N mm at 0.2 mL/min, {1e3 * best.total:.1f} at the minimum; above it the "
+            f"3000 N: {1e3 * low.total:.1f} N mm at 0.2 mL/min, {1e3 * best.total:.1f} at the "
+            "minimum; above it the "
             "rolling resistance of fuller inlets returns, which is more than asperities took",
         ),
         (
@@ -178,18 +180,21 @@ def statement_rows(minima: dict[tuple[float, float], float]) -> str:
             "Fig. 5: below the optimum the temperature falls with the supply",
             "under 3000 N at 5000 r/min",
             f"{loaded[0]:.1f} to {loaded[1]:.1f} °C at 0.2 and 0.4 mL/min; under 900 N it rises, "
-            f"{heat[5000.0, 900.0, 0.2]:.1f} to {heat[5000.0, 900.0, 2.0]:.1f} °C at 0.2 and 2 mL/min",
+            f"{heat[5000.0, 900.0, 0.2]:.1f} to {heat[5000.0, 900.0, 2.0]:.1f} °C at 0.2 and 2 "
+            "mL/min",
         ),
         (
             "Fig. 5: above the optimum it falls by the oil's cooling",
             "no, unless more oil cools",
-            f"{loaded[2]:.1f} °C under 3000 N at 2 mL/min; with a hundred times the supply as cooling oil "
+            f"{loaded[2]:.1f} °C under 3000 N at 2 mL/min; with a hundred times the supply as "
+            "cooling oil "
             f"{cooled[0]:.1f} to {cooled[-1]:.1f} °C",
         ),
         (
             "Fig. 5: it grows with speed and load",
             "yes",
-            f"1.2 mL/min: {heat[5000.0, 900.0, 1.2]:.1f} °C at 5000 r/min, 900 N; {heat[10000.0, 900.0, 1.2]:.1f} at "
+            f"1.2 mL/min: {heat[5000.0, 900.0, 1.2]:.1f} °C at 5000 r/min, 900 N; "
+            f"{heat[10000.0, 900.0, 1.2]:.1f} at "
             f"10000 r/min; {heat[10000.0, 3000.0, 1.2]:.1f} with 3000 N",
         ),
     ]

@@ -1,4 +1,4 @@
-"""Write docs/validation/validation_003.md: slip of the 7000C beside the statements of Wang et al. (2024).
+"""Write docs/validation/validation_003.md: slip of the 7000C beside Wang et al. (2024).
 
 Run it with `python tools/docs/validation_003.py`.
 """
@@ -102,7 +102,8 @@ def radial() -> list[tuple[str, str, str]]:
         (
             "Fig. 7: without axial load the contact loads grow with the radial load, most at the load line",
             "yes",
-            f"50 to 100 N at 20000 r/min: ball 1 {few.inner_load[0]:.1f} to {more.inner_load[0]:.1f} N, ball 2 "
+            f"50 to 100 N at 20000 r/min: ball 1 {few.inner_load[0]:.1f} to "
+            f"{more.inner_load[0]:.1f} N, ball 2 "
             f"{few.inner_load[1]:.1f} to {more.inner_load[1]:.1f} N; the others carry none",
         ),
         (
@@ -113,7 +114,8 @@ def radial() -> list[tuple[str, str, str]]:
         (
             "Fig. 8: one ball of a half needs less preload under radial load, the four others more",
             "no",
-            f"three less, three more: at 24000 r/min 100 N radial change the critical axial load at 0°, 36°, … 180° "
+            "three less, three more: at 24000 r/min 100 N radial change the critical axial load "
+            "at 0°, 36°, … 180° "
             f"by {change} N",
         ),
         (
@@ -168,7 +170,7 @@ def tilted() -> list[tuple[str, str, str]]:
 
 
 def deflection(axial: float, moment: float) -> float:
-    """Tilt about z of a ring that is free to, at 20000 r/min under 100 N radial [rad]; axial load [N], moment [N m]."""
+    """Free tilt about z [rad] at 20000 r/min, 100 N radial; axial load [N], moment [N m]."""
     free = replace(CASE.operation, moment=(None, moment), tilt=(0.0, None))
     operation = replace(free, inner_speed=20e3 * RPM, force=(axial, 100.0, 0.0))
     solution = solve_quasistatic(CASE.bearing, operation, CASE.model)
@@ -239,7 +241,8 @@ def preload() -> list[tuple[str, str, str]]:
         (
             "Fig. 14: the factor is proportional to the axial load",
             "nearly, on average",
-            f"{0.5 * HIGH:.0f} to {HIGH:.0f} N: mean {pair[0].mean():.3f} to {pair[1].mean():.3f}, "
+            f"{0.5 * HIGH:.0f} to {HIGH:.0f} N: mean {pair[0].mean():.3f} to "
+            f"{pair[1].mean():.3f}, "
             f"worst ball {pair[0].min():.3f} to {pair[1].min():.3f}",
         ),
         ("Fig. 16: the minimum preload grows with speed, ever steeper", "yes", "first table"),

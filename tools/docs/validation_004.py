@@ -1,4 +1,4 @@
-"""Write docs/validation/validation_004.md: sliding friction of the 6206 beside a study by pure rolling lines.
+"""Write docs/validation/validation_004.md: sliding friction of the 6206 by pure rolling lines.
 
 Run it with `python tools/docs/validation_004.py`.
 """
@@ -174,7 +174,8 @@ def figures_6_to_9() -> list[tuple[str, str, str]]:
         (
             "Fig. 9: spin and differential sliding by orbit dominate, that by ball rotation is small",
             "depends on the definition",
-            f"spin {lines['spin']:.2f}, rotation {lines['rotation']:.2f}, orbit {lines['orbit']:.2f} N mm "
+            f"spin {lines['spin']:.2f}, rotation {lines['rotation']:.2f}, orbit "
+            f"{lines['orbit']:.2f} N mm "
             f"(split: see below)",
         ),
     ]
@@ -205,7 +206,8 @@ def figures_10_to_16() -> list[tuple[str, str, str]]:
         (
             "Fig. 13: the torque grows more than in proportion to the radial load",
             "yes",
-            f"500, 1000, 1500 N: {_three(by_radial)}; doubling it at 10 r/min multiplies the lines' torque by "
+            f"500, 1000, 1500 N: {_three(by_radial)}; doubling it at 10 r/min multiplies the "
+            "lines' torque by "
             f"{exact:.4f}, 2^(5/3) = {2 ** (5 / 3):.4f}",
         ),
         ("Fig. 14: under 500 N radial the torque falls with the size", "yes", f"{_three(sizes['r'])} N mm"),
@@ -238,7 +240,7 @@ def sized(name: str, loads: tuple[float, float]) -> float:
 
 
 def resized(case: Case, name: str) -> Case:
-    """A case of the 6206 with the dimensions and the static rating of another bearing of Table 1."""
+    """A case of the 6206 with dimensions and static rating of another bearing of Table 1."""
     size = {key: 1e-3 * float(value) for key, value in SIZES[name].items() if key.endswith("_mm")}
     bearing = replace(
         case.bearing,
