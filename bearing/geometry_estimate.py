@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from math import asin, floor, hypot, isfinite, log, pi
 
 from .geometry import Bearing, contact_angle_to_clearance
-from .load_rating import dynamic_rating, static_rating
 from .material import Material, load_material
+from .rating.load_rating import dynamic_rating, static_rating
 
 INCH = 25.4e-3  # [m]
 FINE_STEP, COARSE_STEP = INCH / 64.0, INCH / 32.0  # between ball sizes below and above FINE_LARGEST [m]

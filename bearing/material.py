@@ -10,7 +10,7 @@ from importlib import resources
 from math import isfinite
 from typing import Any
 
-from .names import matching_name
+from .library.names import matching_name
 
 FIELDS = {  # field of Material: key of the data file and its unit in SI
     "youngs_modulus": ("youngs_modulus_GPa", 1e9),
@@ -152,5 +152,5 @@ def material_data(name: str) -> dict[str, Any]:
 
 @cache
 def _table() -> dict[str, dict[str, Any]]:
-    text = resources.files(__package__).joinpath("data/materials.toml").read_text(encoding="utf-8")
+    text = resources.files("bearing.library").joinpath("data/materials.toml").read_text(encoding="utf-8")
     return tomllib.loads(text)

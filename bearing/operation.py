@@ -8,7 +8,7 @@ from math import isfinite, pi
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from .torque.traction_source import BallTraction
+    from .friction.sources import BallTraction
 
 DEGREES_OF_FREEDOM = ("x", "y", "z", "tilt y", "tilt z")
 

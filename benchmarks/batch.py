@@ -19,7 +19,7 @@ from pathlib import Path
 
 import numpy as np
 
-from cases.batch import run_batch
+from cases.batch.engine import run_batch
 from cases.batch.pools import LocalPool
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text

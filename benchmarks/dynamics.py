@@ -14,7 +14,7 @@ from time import perf_counter, process_time
 
 from bearing.dynamics.simulation import simulation
 from cases import Case, load_case
-from cases.dynamics import build_model
+from cases.runs.dynamics import build_model
 
 
 def timed(case: Case, tables: Path | None) -> str:

@@ -12,7 +12,7 @@ from time import perf_counter, process_time
 
 from bearing import Arrangement, duplex, solve_quasistatic
 from cases import load_case
-from cases.slip import run_slip
+from cases.runs.slip import run_slip
 from cases.slip_plan import SlipPlan
 
 REPEATS = 50

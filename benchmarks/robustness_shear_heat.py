@@ -13,10 +13,10 @@ from time import perf_counter
 import numpy as np
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized_solver import solve_generalized
-from ehl.lubricant import ThermalProperties
-from ehl.rheology import Rheology, ShearLaw
-from ehl.thermal import SolidThermal
+from ehl.generalized.solver import solve_generalized
+from ehl.oil.lubricant import ThermalProperties
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.solid.heat import SolidThermal
 
 STEEL = SolidThermal(conductivity=46.0, density=7850.0, specific_heat=460.0)
 HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.035, expansion=7e-4)

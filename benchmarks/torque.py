@@ -5,15 +5,22 @@ from __future__ import annotations
 from dataclasses import replace
 from time import process_time
 
-from bearing import BallKinematics, Model, Operation, Race, contact_conditions, solve_quasistatic
+from bearing import (
+    BallKinematics,
+    Model,
+    Operation,
+    Race,
+    contact_conditions,
+    solve_quasistatic,
+)
+from bearing.friction.coulomb import balanced_friction
+from bearing.friction.race_tables import build_race_tables
+from bearing.friction.sources import BallTraction, LawTraction
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.coulomb import balanced_friction
 from bearing.torque.tabulated import law_torque, tabulated_torque
-from bearing.torque.traction_source import BallTraction, LawTraction
-from bearing.traction_tables import build_race_tables
 from cases import Case, load_case
-from ehl.traction.sampling import TableOptions
-from ehl.traction.table import TractionTable
+from ehl.traction.table.build import TableOptions
+from ehl.traction.table.table import TractionTable
 
 REPEATS = 40
 TABLE_LOADS = ((0.0, 3000.0), (400.0, 1500.0))

@@ -13,11 +13,11 @@ from numba import njit
 from numpy.typing import NDArray
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.rheology import Rheology, ShearLaw
+from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction._kernels import table_lookup
 from ehl.traction.quadrature import film_nodes, sliding_forces
-from ehl.traction.sampling import START
-from ehl.traction.table import load_place
+from ehl.traction.table.build import START
+from ehl.traction.table.table import load_place
 
 Array = NDArray[np.float64]
 

@@ -9,8 +9,8 @@ from __future__ import annotations
 import numpy as np
 
 from ehl import Lubricant, MoesConditions, SolverOptions
-from ehl.extrapolation import extrapolate
-from ehl.full_multigrid import Progress, solve_with_fallbacks
+from ehl.multigrid.extrapolation import extrapolate
+from ehl.multigrid.full_multigrid import Progress, solve_with_fallbacks
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain
 

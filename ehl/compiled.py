@@ -33,7 +33,7 @@ def forget_old_kernels(folder: Path, digest: str) -> None:
     if stamp.exists():
         return
     with suppress(OSError):  # a folder that cannot be written is numba's to complain about
-        for old in [*folder.glob("_kernels.*.nbi"), *folder.glob(".kernels-*")]:
+        for old in [*folder.glob("*_kernels.*.nbi"), *folder.glob(".kernels-*")]:
             old.unlink(missing_ok=True)
         folder.mkdir(parents=True, exist_ok=True)
         stamp.touch()

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import isfinite
 
-from .coating import Coating
-from .lubricant import Lubricant
+from .oil.lubricant import Lubricant
+from .solid.coating import Coating
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

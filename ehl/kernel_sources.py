@@ -9,14 +9,14 @@ from pathlib import Path
 PACKAGES = ("ehl", "bearing")
 CONSTANTS = (  # modules from which kernels take constants, beside other kernels
     "bearing/dynamics/problem.py",
-    "ehl/traction/warm/heating.py",
+    "ehl/traction/heated/heating.py",
 )
 
 
 def kernel_sources() -> list[Path]:
     """Files whose contents end up in compiled code."""
     root = Path(__file__).parents[1]
-    kernels = [path for package in PACKAGES for path in (root / package).rglob("_kernels.py")]
+    kernels = [path for package in PACKAGES for path in (root / package).rglob("*_kernels.py")]
     return sorted([*kernels, *(root / name for name in CONSTANTS)])
 
 

@@ -10,17 +10,17 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from math import atan2, cos, pi, sin, sqrt
 
-from .coating import ScaledCoating, scaled_coating
+from .closed_form.film import moes_film_nijenbanning
+from .closed_form.hertz import ellipse_ratio, hertz_coefficients
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
-from .film_formulas import moes_film_nijenbanning
-from .hertz import ellipse_ratio, hertz_coefficients
-from .lubricant import (
+from .oil.lubricant import (
     DOWSON_HIGGINSON_DENOMINATOR,
     DOWSON_HIGGINSON_NUMERATOR,
     DensityLaw,
     Lubricant,
     ViscosityLaw,
 )
+from .solid.coating import ScaledCoating, scaled_coating
 
 CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)  # s [(1 + q P)^z - 1]
 ALIGNED = 1e-12  # |C| below this is an entrainment along a principal direction

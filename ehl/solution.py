@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .conditions import ContactConditions, MoesConditions
-from .film_state import FilmState
+from .oil.film_state import FilmState
 from .options import SolverOptions
 
 Array = NDArray[np.float64]

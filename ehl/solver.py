@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .conditions import ContactConditions, MoesConditions
-from .extrapolation import extrapolate
-from .flow_model import FlowModel
-from .full_multigrid import (
+from .grid import Grid
+from .multigrid.cycle import Multigrid
+from .multigrid.extrapolation import extrapolate
+from .multigrid.flow_model import FlowModel
+from .multigrid.full_multigrid import (
     ATTEMPTS,
     DivergedError,
     Outcome,
@@ -21,12 +23,10 @@ from .full_multigrid import (
     full_multigrid,
     solve_with_fallbacks,
 )
-from .grid import Grid
-from .multigrid import Multigrid
+from .multigrid.thin_film import at_load, thin_film
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
 from .solution import ContactSolution, ConvergenceRecord, FilmValue
-from .thin_film import at_load, thin_film
 
 Array = NDArray[np.float64]
 

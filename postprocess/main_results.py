@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from .heating import KEYS as HEATING
-from .supply import KEYS as SUPPLY
-from .torque import AS_PRINTED, MODELS
+from .bearing.heating import KEYS as HEATING
+from .bearing.torque import AS_PRINTED, MODELS
+from .contact.supply import KEYS as SUPPLY
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
 SIMULATION = (

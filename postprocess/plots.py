@@ -8,10 +8,11 @@ from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .plot_style import RC, ContactView, contact_view, save
-from .plots_bearing import draw_load_zone, draw_per_azimuth
-from .plots_contact import draw_contact, film_text
-from .plots_torque import draw_torque
+from .bearing.plots import draw_load_zone, draw_per_azimuth
+from .bearing.plots_torque import draw_torque
+from .contact.plots import draw_contact, film_text
+from .contact.view import ContactView, contact_view
+from .plot_style import RC, save
 from .results import BearingResults, ContactResults, DistinctContact, distinct_contacts
 
 if TYPE_CHECKING:

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .history_io import FORMAT as HISTORY_FORMAT
-from .history_io import HISTORY_FILE
-from .results_io import FIELDS_FILE, FORMAT, SUMMARY_FILE, open_tree
+from .dynamics.history import FORMAT as HISTORY_FORMAT
+from .dynamics.history import HISTORY_FILE
+from .files import FIELDS_FILE, FORMAT, SUMMARY_FILE, open_tree
 
 if TYPE_CHECKING:
     import xarray

@@ -6,19 +6,19 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import TYPE_CHECKING, Any
 
-from .messages import listed
+from .text import listed
 
 if TYPE_CHECKING:
-    from bearing.clearance import ClearanceBudget
-    from bearing.contacts import BearingContact
-    from bearing.frequencies import Frequencies
-    from bearing.life import LifeRating
-    from bearing.quasistatic import QuasistaticSolution
+    from bearing.contacts.contacts import BearingContact
+    from bearing.contacts.traction import ContactTraction
+    from bearing.fits.clearance import ClearanceBudget
+    from bearing.heating.self_heating import WarmState
+    from bearing.quasistatic.solution import QuasistaticSolution
+    from bearing.rating.frequencies import Frequencies
+    from bearing.rating.life import LifeRating
     from bearing.torque.breakdown import TorqueBreakdown
-    from bearing.torque.self_heating import WarmState
-    from bearing.traction_forces import ContactTraction
     from ehl import ContactSolution, Lubricant
-    from ehl.traction import TractionResult
+    from ehl.traction.shear import TractionResult
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

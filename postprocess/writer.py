@@ -6,9 +6,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
+from .bearing.document import summary
+from .bearing.files import write_contacts_csv, write_netcdf
+from .files import CONTACTS_FILE, FIELDS_FILE, SUMMARY_FILE, write_json
 from .results import BearingResults, ContactResults
-from .results_io import CONTACTS_FILE, FIELDS_FILE, SUMMARY_FILE, write_contacts_csv, write_json, write_netcdf
-from .summaries import summary
 
 
 def write_results(results: BearingResults | ContactResults, directory: str | Path) -> tuple[str, ...]:
@@ -61,7 +62,7 @@ def _plots(results: BearingResults | ContactResults, folder: Path) -> tuple[str,
 
 
 def _vtk(results: BearingResults | ContactResults, folder: Path) -> tuple[str, ...]:
-    from .vtk import write_collection, write_subsurface
+    from .scene.vtk import write_collection, write_subsurface
 
     write_collection(results, folder)
     if isinstance(results, BearingResults):

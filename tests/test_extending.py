@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from cases.case import Case, case_from_text
+from cases.format.case import Case, case_from_text
 
 ROOT = Path(__file__).parents[1]
 PAGE = ROOT / "docs" / "tutorial" / "extending.md"

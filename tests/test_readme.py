@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from cases.shipped import shipped_cases, shipped_sweeps
+from cases.format.shipped import shipped_cases, shipped_sweeps
 
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
@@ -47,7 +47,7 @@ def test_links_and_pictures_exist():
 def test_the_commands_of_the_tour_exist():
     from typer.main import get_command
 
-    from cases.cli import app
+    from cases.cli.main import app
 
     commands = get_command(app).commands
     lines = [line for block in blocks("console") for line in block.splitlines() if line.startswith("oilfilm ")]

@@ -6,11 +6,11 @@ from math import pi
 
 import numpy as np
 
-from ehl.hertz import contact_stiffness
+from ehl.closed_form.hertz import contact_stiffness
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
-from ..kinematics import ball_mass
 from ..operation import Operation
+from ..quasistatic.kinematics import ball_mass
 from .bodies import free_coordinates, load_type
 from .films.laws import check_film
 from .inputs import CageBody, DynamicsModel, Guidance, NormalContact, NormalLaw

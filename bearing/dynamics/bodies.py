@@ -6,7 +6,7 @@ from math import pi
 
 import numpy as np
 
-from ehl.hertz import contact_stiffness
+from ehl.closed_form.hertz import contact_stiffness
 
 from ..geometry import Bearing
 from ..material import Material, reduced_modulus

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..geometry import Bearing, Race, contact_modulus, reduced_radii
-from ..traction_forces import groove_curvature_radius
+from ..contacts.shape import contact_shape
+from ..geometry import Bearing, Race
 from .problem import COEFFICIENT, FRICTIONLESS, TABLE, Array, FrictionData
 
 if TYPE_CHECKING:
-    from ehl.traction.laws import ContactShape, CoulombLaw, FourConstantLaw
-    from ehl.traction.table import TractionTable
+    from ehl.traction.laws import CoulombLaw, FourConstantLaw
+    from ehl.traction.table.table import TractionTable
 
     Law = CoulombLaw | FourConstantLaw
 
@@ -84,20 +84,6 @@ def ellipse_points(rings: int, rays: int) -> Array:
     return np.stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), share])
 
 
-def contact_shape(bearing: Bearing, race: Race, contact_angle: float) -> ContactShape:
-    """Ellipse at 1 N and curvatures of the contact of a ball with a race at a contact angle [rad]."""
-    from ehl.hertz import hertz_contact
-    from ehl.traction.laws import ContactShape
-
-    radius_x, radius_y = reduced_radii(bearing, race, contact_angle)
-    hertz = hertz_contact(1.0, radius_x, radius_y, contact_modulus(bearing, race))
-    return ContactShape(
-        semi_axis_x=hertz.semi_axis_x,
-        semi_axis_y=hertz.semi_axis_y,
-        radius_x=radius_x,
-        curvature_radius=groove_curvature_radius(bearing, race),
-        curvature_difference=1.0 / radius_x - 4.0 / bearing.ball_diameter,
-    )
 
 
 def coulomb_friction(

@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 
 from ..geometry import Bearing
-from ..kinematics import centrifugal_force
 from ..operation import Model, Operation
-from ..quasistatic import QuasistaticSolution, solve_quasistatic
+from ..quasistatic.kinematics import centrifugal_force
+from ..quasistatic.solution import QuasistaticSolution
+from ..quasistatic.solver import solve_quasistatic
 from .bodies import free_coordinates, load_type
 from .inputs import DynamicsModel, LoadType, Start
 from .layout import CAGE_ROTATION, Layout

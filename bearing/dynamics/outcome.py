@@ -9,7 +9,8 @@ import numpy as np
 from .initial import kinematic_cage_speed
 from .layout import CAGE_ROTATION, Layout
 from .problem import Array
-from .simulation import Record, Simulation
+from .record import Record
+from .simulation import Simulation
 from .statistics import batch_interval, whirl_speed
 
 LAST_PART = 1.0 / 3.0  # of the time, over which speeds are averaged [-]

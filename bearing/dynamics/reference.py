@@ -1,6 +1,6 @@
 """The equations of motion once more, by vector algebra in NumPy: the twin that the compiled kernels are tested against.
 
-Traction tables are looked up by their own twin (`ehl.traction.table`), within their range.
+Traction tables are looked up by their own twin (`ehl.traction.table.table`), within their range.
 """
 
 from __future__ import annotations
@@ -12,10 +12,20 @@ import numpy as np
 from .films.laws import elastic_approach
 from .laws import normal_force
 from .layout import Layout
-from .problem import COEFFICIENT, FILM, LAND, POCKET, TABLE, Array, Constants, FrictionData, Problem
+from .problem import (
+    COEFFICIENT,
+    FILM,
+    LAND,
+    POCKET,
+    TABLE,
+    Array,
+    Constants,
+    FrictionData,
+    Problem,
+)
 
 if TYPE_CHECKING:
-    from ehl.traction.table import TractionTable
+    from ehl.traction.table.table import TractionTable
 
 X = np.array([1.0, 0.0, 0.0])
 LIMIT = 0.95  # of the eccentricity of a land's film [-]

@@ -7,9 +7,11 @@ from dataclasses import dataclass
 
 from ehl import ContactSolution, Lubricant
 
-from ..contacts import BearingContact
-from ..quasistatic import QuasistaticSolution
-from ..traction_forces import ContactTraction
+from ..contacts.contacts import BearingContact
+from ..contacts.traction import ContactTraction
+from ..quasistatic.solution import QuasistaticSolution
+from ..supply.starved_films import StarvedFilm, starved_films
+from ..supply.supply import Supply
 from . import sliding
 from .integrated import integrated_torque
 from .models import (
@@ -24,9 +26,7 @@ from .models import (
     yao_model,
 )
 from .shear_torque import IntegratedTorque, SolvedShear
-from .starved_films import StarvedFilm, starved_films
-from .starved_torque import StarvedTorque, starved_torque
-from .supply import Supply
+from .starved import StarvedTorque, starved_torque
 
 INTEGRATED, SKF, STARVED = "integrated", "skf", "starved"
 NAMES = (

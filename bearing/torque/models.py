@@ -8,13 +8,20 @@ from math import cos, hypot, pi, sin
 
 from ehl import Lubricant
 
-from ..contacts import BearingContact
+from ..contacts.contacts import BearingContact
+from ..friction.coulomb import balanced_friction
+from ..friction.resistance import (
+    Cage,
+    churning_power,
+    hysteresis_torque,
+    land_power,
+    pocket_power,
+    rolling_power,
+)
 from ..geometry import Bearing
-from ..quasistatic import QuasistaticSolution
+from ..quasistatic.solution import QuasistaticSolution
+from ..supply.supply import InletFilm, Supply
 from . import palmgren, skf, sliding
-from .coulomb import balanced_friction
-from .resistance import Cage, churning_power, hysteresis_torque, land_power, pocket_power, rolling_power
-from .supply import InletFilm, Supply
 
 ANGULAR_CONTACT = pi / 18.0  # free contact angle from which a bearing counts as one of angular contact [rad]
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]

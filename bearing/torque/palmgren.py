@@ -28,7 +28,7 @@ class PalmgrenTorque:
 
 @cache
 def _data() -> dict[str, Any]:
-    return tomllib.loads((files("bearing") / "data" / "palmgren.toml").read_text(encoding="utf-8"))
+    return tomllib.loads((files("bearing.library") / "data" / "palmgren.toml").read_text(encoding="utf-8"))
 
 
 def viscous_factor(kind: str, lubrication: str) -> float:

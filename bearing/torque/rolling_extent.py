@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from ehl.solution import ContactSolution
 from ehl.traction.rolling_moment import RollingMoment, moment_of_doubling, rolling_moment
 
-from ..quasistatic import QuasistaticSolution
-from ..traction_forces import ContactTraction
+from ..contacts.traction import ContactTraction
+from ..quasistatic.solution import QuasistaticSolution
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -6,10 +6,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..contacts.traction import ContactTraction
+from ..friction.balance import BalancedFriction
 from ..geometry import Array
-from ..quasistatic import QuasistaticSolution
-from ..traction_forces import ContactTraction
-from .balance import BalancedFriction
+from ..quasistatic.solution import QuasistaticSolution
 
 POWER_TOLERANCE = 1.0e-6  # rings' power less heat and drag over the heat up to which balls count as balanced [-]
 

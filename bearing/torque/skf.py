@@ -105,7 +105,7 @@ class SkfTorque:
 
 @cache
 def _data() -> dict[str, Any]:
-    return tomllib.loads((files("bearing") / "data" / "skf_friction.toml").read_text(encoding="utf-8"))
+    return tomllib.loads((files("bearing.library") / "data" / "skf_friction.toml").read_text(encoding="utf-8"))
 
 
 def skf_series(kind: Series) -> tuple[str, ...]:

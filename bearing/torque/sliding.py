@@ -14,10 +14,10 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 from scipy.special import ellipe
 
-from ..contacts import BearingContact
+from ..contacts.contacts import BearingContact
+from ..contacts.motion import bearing_kinematics
 from ..geometry import Race
-from ..quasistatic import QuasistaticSolution
-from ..traction_forces import bearing_kinematics
+from ..quasistatic.solution import QuasistaticSolution
 from .pure_rolling_lines import rolling_lines
 
 SYMMETRIC_CURVATURE = 0.161142  # S of two lines at c = 0.347296, no spin

@@ -8,12 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.lubricant import Lubricant
+from ehl.oil.lubricant import Lubricant
 
-from ..contacts import contact_conditions
+from ..contacts.contacts import contact_conditions
 from ..geometry import Array, Bearing
 from ..operation import Model, Operation
-from ..quasistatic import solve_quasistatic
+from ..quasistatic.solver import solve_quasistatic
 from .breakdown import NAMES, torque_breakdown
 from .models import FrictionInput
 

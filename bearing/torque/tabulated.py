@@ -8,32 +8,37 @@ has the slip alone. No law has asperities: tables hold the central film, their s
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ehl.traction.laws import CoulombLaw, FourConstantLaw, FrictionLaw
-from ehl.traction.table import TractionTable
+from ehl.traction.laws import FrictionLaw
 
-from ..contacts import BearingContact
+from ..contacts.contacts import BearingContact
+from ..contacts.motion import MotionMap, ball_speeds, motion_map
+from ..friction.balance import (
+    ContactLaw,
+    balance_driven_balls,
+    resisted_power,
+)
+from ..friction.resistance import FREE, Resistance
+from ..friction.tables import contact_law
 from ..geometry import Array, Race
-from ..quasistatic import QuasistaticSolution
-from .balance import BalancedFriction, ContactLaw, balance_driven_balls, resisted_power
-from .contact_friction import Dissipation
-from .integrated import STRENGTH
-from .motion_map import MotionMap, ball_speeds, motion_map
-from .resistance import FREE, Resistance
-from .shear_torque import IntegratedTorque, SolvedShear, carried_balls, not_balanced, not_closed
+from ..quasistatic.solution import QuasistaticSolution
+from .shear_torque import (
+    IntegratedTorque,
+    SolvedShear,
+    carried_balls,
+    not_balanced,
+    not_closed,
+)
 
-Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 ONE_MOMENT = {
     "curvature": "the friction law has one moment about the transverse axis: rolling holds the curvature slip"
 }
 NO_OIL = {"rolling": "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"}
 NO_ASPERITIES = {"asperity": "the friction law holds no minimum film, from which the share of asperities follows"}
-STEP = 1.0e-5  # of slides over u, and spin over u/R_x, for difference quotients [-]
 
 
 def tabulated_torque(
@@ -91,106 +96,16 @@ def law_torque(
     return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried, note=not_closed(found), untold=untold)
 
 
-def law_balance(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], laws: Mapping[Race, FrictionLaw]
-) -> BalancedFriction:
-    """Motion of all balls in which the laws' forces balance themselves; arguments as in `tabulated_torque`, SI."""
-    law = contact_law(contacts, [laws[contact.race] for contact in contacts])
-    return balance_driven_balls(solution, contacts, law)
 
 
-def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]) -> ContactLaw:
-    """Friction [N] of all contacts by a law each, where they are lubricated."""
-    groups = _groups(contacts, laws)
-    places = np.array([_place(contact) for contact in contacts])
-
-    def law(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
-        gradient, slope = np.zeros((numbers.size, 4)), np.zeros((numbers.size, 4, 4))
-        for members, evaluate in groups:
-            rows = np.flatnonzero(members[numbers])
-            if rows.size:
-                gradient[rows], slope[rows] = evaluate(numbers[rows], places[numbers[rows]], motion[rows])
-        return Dissipation(np.zeros(numbers.size), gradient, slope)
-
-    load = np.array([contact.load if contact.conditions is not None else 0.0 for contact in contacts])
-    pumps = not all(isinstance(one, CoulombLaw | FourConstantLaw) for one in laws)
-    return ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False, pumps=pumps)
 
 
-def _place(contact: BearingContact) -> tuple[float, float, float]:
-    """Load [N], entrainment speed [m/s] and rolling radius [m]."""
-    c = contact.conditions
-    return (0.0, 0.0, 1.0) if c is None else (c.load, c.entrainment_speed, c.radius_x)
 
 
-def _groups(
-    contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]
-) -> list[tuple[NDArray[np.bool_], Evaluate]]:
-    """Lubricated contacts that are evaluated together: those of one table, those of one kind of coefficient."""
-    kinds: dict[object, list[int]] = {}
-    for number, (contact, law) in enumerate(zip(contacts, laws, strict=True)):
-        if contact.conditions is not None:
-            alike = type(law) if isinstance(law, CoulombLaw | FourConstantLaw) else id(law)
-            kinds.setdefault(alike, []).append(number)
-    groups = []
-    for numbers in kinds.values():
-        members = np.zeros(len(contacts), dtype=np.bool_)
-        members[numbers] = True
-        groups.append((members, _evaluation(laws, laws[numbers[0]])))
-    return groups
 
 
-def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
-    """Minus the forces and their slopes of some contacts, by number, place and motion, for laws like the first."""
-    from . import _kernels
-
-    if isinstance(first, CoulombLaw | FourConstantLaw):
-        disc, blank = first.disc, (first.kernel_law(), first.shape.constants)
-        alike = [law if isinstance(law, type(first)) else None for law in laws]
-        constants = np.array([blank[0] if law is None else law.kernel_law() for law in alike])
-        shapes = np.array([blank[1] if law is None else law.shape.constants for law in alike])
-
-        def coefficients(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
-            found = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
-            _kernels.hertz_gradients(disc, constants[numbers], shapes[numbers], places, motion, STEP, *found)
-            return found
-
-        return coefficients
-    if isinstance(first, TractionTable):
-        arguments = first.kernel_arguments()
-
-        def table(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
-            found = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
-            _kernels.table_gradients(*arguments, places, motion, STEP, *found)
-            return found
-
-        return table
-
-    def one_by_one(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
-        found = [law_gradient(first, place, k) for place, k in zip(places, motion, strict=True)]
-        return np.array([gradient for gradient, _ in found]), np.array([slope for _, slope in found])
-
-    return one_by_one
 
 
-def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, Array]:
-    """Minus the forces and moments (4,) on the ball by a law, and their slope (4, 4) by sliding and spin.
-
-    Parameters
-    ----------
-    law : FrictionLaw
-    place : ndarray, shape (3,)
-        Load [N], entrainment speed [m/s], rolling radius [m]; the entrainment is that of the rolling speed.
-    motion : ndarray, shape (4,)
-        Sliding along and across [m/s], spin and rolling [rad/s].
-    """
-    load, speed, radius = (float(value) for value in place)
-    here, slope = np.array(law.forces(load, speed, *(float(part) for part in motion[:3]))[:4]), np.zeros((4, 4))
-    for j, step in enumerate((STEP * speed, STEP * speed, STEP * speed / radius)):
-        moved = motion[:3].copy()
-        moved[j] += step
-        slope[:, j] = -(np.array(law.forces(load, speed, *(float(part) for part in moved))[:4]) - here) / step
-    return -here, slope
 
 
 def _torque(

@@ -1,8 +1,5 @@
 """Many points of one case: sweep files, their plan, execution, and the folder that holds what is finished."""
 
-from __future__ import annotations
+import lazy_loader
 
-from .engine import Batch, run_batch
-from .sweep import Point, Sweep, read_sweep
-
-__all__ = ["Batch", "Point", "Sweep", "read_sweep", "run_batch"]
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

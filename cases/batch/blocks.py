@@ -9,9 +9,10 @@ from itertools import product
 from math import prod
 from typing import Any
 
-from ..problems import Problem, shown
-from ..schema import HypercubeOptions, SensitivityTable, SweepFile, is_number
-from ..toml_lines import Path
+from ..format.problems import Problem, shown
+from ..format.toml_lines import Path
+from ..schema.fields import is_number
+from ..schema.sweep import HypercubeOptions, SensitivityTable, SweepFile
 
 MOST_POINTS = 100_000
 NAMED = ("materials", "lubricants")  # tables whose keys stand below a name

@@ -7,19 +7,19 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..case import Case, ContactCase
-from ..race_tables import made_for
+from ..format.case import Case, ContactCase
+from ..runs.race_tables import made_for
 from .tables import tables_once
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from bearing.contacts import BearingContact
-    from bearing.traction_tables import Tables
+    from bearing.contacts.contacts import BearingContact
+    from bearing.friction.race_tables import Tables
     from postprocess.results import BearingResults, ContactResults
 
-    from ..run import Solve
-    from .task import Task
+    from ..runs.films import Solve
+    from .tasks import Task
 
 Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
 
@@ -41,14 +41,15 @@ def compute(case: Case | ContactCase, task: Task, tables: Path | None, solve: So
     dict, dict of bytes
         Summary, and files by suffix.
     """
-    from ..run import run_case, run_contact
+    from ..runs.bearing import run_case
+    from ..runs.contact import run_contact
 
     if isinstance(case, ContactCase):
         return _with_fields(run_contact(case), task)
     if task.compute == "slip":
-        from postprocess.slip_results import slip_summary
+        from postprocess.slip.results import slip_summary
 
-        from ..slip import run_slip
+        from ..runs.slip import run_slip
 
         return slip_summary(run_slip(case, "case", 1)), {}
     if task.compute == "dynamics":
@@ -68,7 +69,7 @@ def _with_fields(results: BearingResults | ContactResults, task: Task) -> Comput
     document = summary(results)
     if not task.fields:
         return document, {}
-    from postprocess.results_io import write_netcdf
+    from postprocess.bearing.files import write_netcdf
 
     with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
         path = Path(temporary) / "results.nc"
@@ -78,9 +79,9 @@ def _with_fields(results: BearingResults | ContactResults, task: Task) -> Comput
 
 def _dynamics(case: Case, task: Task, tables: Path | None) -> Computed:
     """Time simulation; its history is a file if it is wanted."""
-    from postprocess.dynamics_results import dynamics_summary
+    from postprocess.dynamics.results import dynamics_summary
 
-    from ..dynamics import run_dynamics
+    from ..runs.dynamics import run_dynamics
 
     with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
         history = Path(temporary) / "history.nc"
@@ -90,10 +91,10 @@ def _dynamics(case: Case, task: Task, tables: Path | None) -> Computed:
 
 def _table(case: Case, task: Task) -> Computed:
     """Traction tables of the point's own loads and speeds, as a file."""
-    from bearing.traction_tables import save_race_tables
-    from postprocess.traction_results import traction_summary
+    from bearing.friction.race_tables import save_race_tables
+    from postprocess.traction.results import traction_summary
 
-    from ..traction_table import run_table
+    from ..runs.traction_table import run_table
 
     results = run_table(case, task.table_points, 1)
     with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
@@ -107,7 +108,7 @@ def _torque(case: Case, tables: Tables | None) -> Computed:
     from postprocess import summary
 
     if tables is None:
-        from ..run import run_case
+        from ..runs.bearing import run_case
 
         return summary(run_case(replace(case, film_maps="none"), 1)), {}
     results, notes = torque_by_tables(case, tables)
@@ -140,10 +141,10 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
     ValueError
         If the tables were made for other bodies or another oil.
     """
-    from bearing.torque.resistance import FREE
-    from bearing.torque.traction_source import BallTraction, LawTraction
+    from bearing.friction.resistance import FREE
+    from bearing.friction.sources import BallTraction, LawTraction
 
-    from ..run import run_case
+    from ..runs.bearing import run_case
 
     assert case.rheology is not None  # of every bearing case
     made_for(tables, "the traction table", case.bearing, case.lubricant, case.rheology, case.films.solids)
@@ -156,7 +157,7 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
 
 def _notes(contacts: Sequence[BearingContact], tables: Tables) -> tuple[str, ...]:
     """Accuracy of the tables, and how many contacts lie outside them."""
-    from postprocess.batch_results import OUTSIDE
+    from postprocess.batch.results import OUTSIDE
 
     outside = 0
     for contact in contacts:

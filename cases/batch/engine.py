@@ -11,11 +11,12 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
+from .points import Sweep
 from .pools import Pool
 from .store import SWEEP_FILE, finished_keys, open_folder, write_file, write_point
-from .sweep import Sweep
 from .tables import prepare_tables, table_path
-from .task import FAILED, LOST, Receipt, Task, failure
+from .task import FAILED, LOST, failure
+from .tasks import Receipt, Task
 
 Notify = Callable[[int, int, str], None]
 TICK = 1.0  # the time left is told anew at least as often [s]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from postprocess.main_results import result_names
-from postprocess.named_units import unit_of
+from postprocess.units import unit_of
 
-from ..problems import Problem, nearest_name, shown
+from ..format.problems import Problem, nearest_name, shown
 
 MOST_PANELS = 3  # of a figure
 

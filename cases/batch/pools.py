@@ -10,8 +10,9 @@ from multiprocessing import active_children, connection, get_context, parent_pro
 from pathlib import Path
 from typing import Any, Protocol
 
-from ..problems import CaseError
-from .task import DONE, Receipt, Task, compute_point
+from ..format.problems import CaseError
+from .task import DONE, compute_point
+from .tasks import Receipt, Task
 
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "NUMBA_NUM_THREADS")
 AHEAD = 2  # points in the hands of each worker, so that none waits for the next one

@@ -10,7 +10,7 @@ from .engine import Batch
 from .store import read_point
 
 if TYPE_CHECKING:
-    from postprocess.batch_results import BatchResults
+    from postprocess.batch.points import BatchResults
 
 SUMMARY, TABLE, DATA = "summary.json", "batch.csv", "results.nc"
 MISSING: dict[str, Any] = {
@@ -22,7 +22,7 @@ MISSING: dict[str, Any] = {
 
 def gathered(batch: Batch) -> BatchResults:
     """Every point of a batch with its summary, in the order of the sweep file."""
-    from postprocess.batch_results import BatchPoint, BatchResults
+    from postprocess.batch.points import BatchPoint, BatchResults
 
     points = []
     for point in batch.sweep.points:
@@ -56,8 +56,8 @@ def gathered(batch: Batch) -> BatchResults:
 
 def write_batch(results: BatchResults, directory: Path) -> None:
     """Write the table, the data set and, last, the summary of a batch."""
-    from postprocess.batch_results import batch_summary, write_batch_csv, write_batch_netcdf
-    from postprocess.results_io import write_json
+    from postprocess.batch.results import batch_summary, write_batch_csv, write_batch_netcdf
+    from postprocess.files import write_json
 
     write_batch_csv(results, directory / TABLE)
     write_batch_netcdf(results, directory / DATA)

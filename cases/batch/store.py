@@ -17,8 +17,8 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from ..output_directory import check_output, umask
-from ..problems import CaseError
+from ..format.problems import CaseError
+from ..runs.output_directory import check_output, umask
 
 POINTS, CONTACTS, TABLES, SWEEP_FILE = "points", "contacts", "tables", "sweep.toml"
 

@@ -5,17 +5,16 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
 
 from pydantic import ValidationError
 
-from ..case import Case, ContactCase, case_of_file, check_document, parse, read_text
-from ..problems import CaseError, Problem, schema_problems, shown
-from ..schema import HypercubeOptions, SweepFile
-from ..shipped import find_case, find_sweep
-from ..toml_lines import Path, key_lines
+from ..format.case import Case, ContactCase, case_of_file, check_document, parse, read_text
+from ..format.problems import CaseError, Problem, schema_problems, shown
+from ..format.shipped import find_case, find_sweep
+from ..format.toml_lines import Path, key_lines
+from ..schema.sweep import HypercubeOptions, SweepFile
 from ..version import version
 from .blocks import (
     MOST_POINTS,
@@ -29,7 +28,15 @@ from .blocks import (
     listed,
 )
 from .plotted import plot_problems
-from .tables import bodies_and_oil, file_hash, foreign_points, needs_tables, with_equilibrium, with_tables
+from .points import Point, Sweep
+from .tables import (
+    bodies_and_oil,
+    file_hash,
+    foreign_points,
+    needs_tables,
+    with_equilibrium,
+    with_tables,
+)
 
 FORMAT = 1  # of what a point leaves on disk
 UNIMPORTANT = ("title", "source", "assumed")  # for what is computed
@@ -40,54 +47,8 @@ HIDING = {
 }
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Point:
-    """One point of a sweep, checked.
-
-    Attributes
-    ----------
-    number : int
-        Counted from 1, in the order of the file.
-    block : str
-        Block of the sweep file it comes from.
-    values : dict
-        Every key that the sweep varies somewhere, with its value here; None where the case does not have it.
-    document : dict
-        The case with these values, as to be run.
-    resolved : dict
-        The same, defaults and library values filled in.
-    key : str
-        Name in the batch's folder: equal for points whose results are equal.
-    tables : str or None
-        Name of the traction tables it needs; equal for points that share them.
-    """
-
-    number: int
-    block: str
-    values: dict[str, Any]
-    document: dict[str, Any]
-    resolved: dict[str, Any]
-    key: str
-    tables: str | None = None
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Sweep:
-    """A sweep, ready to run; `text` is the file, `case` the name of the case it varies, `table` a file of tables."""
-
-    name: str
-    text: str
-    title: str
-    case: str
-    compute: str
-    fields: bool
-    keys: tuple[str, ...]
-    points: tuple[Point, ...]
-    messages: tuple[str, ...] = ()
-    assumed: tuple[str, ...] = field(default=())
-    table: FilePath | None = None
-    table_points: int = 257
-    plot: tuple[str, ...] = ()
 
 
 def read_sweep(name_or_path: str | FilePath) -> Sweep:

@@ -15,19 +15,19 @@ from functools import lru_cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..case import Case, ContactCase
 from ..convert.operation import TRACTION_EQUILIBRIUM
+from ..format.case import Case, ContactCase
 from ..version import version
 from .contact_cache import content_key
 from .store import TABLES
 
 if TYPE_CHECKING:
+    from bearing.friction.race_tables import Tables
     from bearing.operation import Model
-    from bearing.traction_tables import Tables
     from ehl import Lubricant
-    from ehl.rheology import Rheology
+    from ehl.oil.rheology import Rheology
 
-    from .sweep import Point, Sweep
+    from .points import Point, Sweep
 
 UNAFFECTED = ("title", "source", "assumed", "surface", "slip", "friction", "cage", "dynamics", "ehl")
 Progress = Callable[[int, int, str], None]
@@ -38,7 +38,7 @@ def needs_tables(case: Case | ContactCase, compute: str) -> bool:
     if not isinstance(case, Case):
         return False
     if compute == "torque":
-        from bearing.torque.traction_source import FilmTraction
+        from bearing.friction.sources import FilmTraction
 
         return case.model.traction is None or isinstance(case.model.traction.source, FilmTraction)
     return compute == "dynamics" and case.dynamics is not None and case.dynamics.friction == "table"
@@ -101,7 +101,7 @@ def foreign_points(path: Path, common: Mapping[int, str], examples: Mapping[str,
 
     `common` has by the number of a point what it must have in common with others, `examples` a case of each kind.
     """
-    from ..race_tables import made_for, tables_of_file
+    from ..runs.race_tables import made_for, tables_of_file
 
     try:
         tables = tables_of_file(path)
@@ -164,9 +164,9 @@ def prepare_tables(sweep: Sweep, wanted: Iterable[str], directory: Path, progres
 
 
 def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:
-    from bearing.traction_tables import save_race_tables
+    from bearing.friction.race_tables import save_race_tables
 
-    from ..race_tables import tables_of_file
+    from ..runs.race_tables import tables_of_file
 
     path.parent.mkdir(parents=True, exist_ok=True)
     if sweep.table is None:
@@ -183,13 +183,13 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
 
     Rolling radii are those of the heaviest contact of each race among all points.
     """
+    from bearing.friction.race_tables import LOAD_SPAN, table_contacts, table_range
     from bearing.geometry import Race
-    from bearing.quasistatic import solve_quasistatic
-    from bearing.traction_tables import LOAD_SPAN, table_contacts, table_range
-    from ehl.traction.sampling import TableOptions, build_table
-    from ehl.traction.table import TableRange
+    from bearing.quasistatic.solver import solve_quasistatic
+    from ehl.traction.table.build import TableOptions, build_table
+    from ehl.traction.table.table import TableRange
 
-    from ..run import cores
+    from ..runs.films import cores
 
     cases = [case_of_document(point.document) for point in sweep.points if point.tables == name]
     states = []
@@ -220,8 +220,8 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
 
 def _without_films(model: Model) -> Model:
     """Half and half in place of an equilibrium by films, which tables are to spare; loads hardly depend on it."""
+    from bearing.friction.sources import FilmTraction
     from bearing.operation import BallKinematics
-    from bearing.torque.traction_source import FilmTraction
 
     if model.traction is None or not isinstance(model.traction.source, FilmTraction):
         return model
@@ -232,8 +232,8 @@ def _without_films(model: Model) -> Model:
 
 def case_of_document(document: dict[str, Any]) -> Case:
     """A point's case, which was checked with the sweep."""
-    from ..case import case_of_file, check_document
-    from ..problems import CaseError
+    from ..format.case import case_of_file, check_document
+    from ..format.problems import CaseError
 
     file, problems = check_document(document)
     if file is None or problems:
@@ -246,6 +246,6 @@ def case_of_document(document: dict[str, Any]) -> Case:
 @lru_cache(maxsize=2)
 def tables_once(path: str) -> Callable[[Lubricant, Rheology], Tables]:
     """Tables of both races for an oil and its shear law, the file read once by each worker."""
-    from ..race_tables import tables_of_file
+    from ..runs.race_tables import tables_of_file
 
     return tables_of_file(Path(path))

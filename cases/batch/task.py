@@ -6,7 +6,6 @@ import atexit
 import json
 import shutil
 import tempfile
-from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 from time import perf_counter
@@ -14,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..version import version
 from .store import CONTACTS, read_point, write_file, write_point
+from .tasks import Receipt, Task
 
 if TYPE_CHECKING:
     from .compute import Computed
@@ -21,30 +21,8 @@ if TYPE_CHECKING:
 DONE, FAILED, LOST = "done", "failed", "lost"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Task:
-    """What a worker is asked; `folder` is None where it cannot reach the folder of the batch."""
-
-    key: str
-    document: dict[str, Any]
-    compute: str
-    fields: bool
-    share: bool  # whether contacts may be equal in several points
-    folder: str | None
-    tables: str | None = None  # file of traction tables on the machine of the batch
-    table_points: int = 257
-    program: str = field(default_factory=version)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Receipt:
-    """What a worker answers: how the point ended, its wall time [s], and its files where it did not write them."""
-
-    key: str
-    status: str
-    message: str = ""
-    wall: float = 0.0
-    files: dict[str, bytes] = field(default_factory=dict)
 
 
 def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
@@ -86,8 +64,8 @@ def _record(task: Task, folder: Path | None, tables: bytes | None) -> Computed:
 
 def _computed(task: Task, folder: Path | None, content: bytes | None) -> Computed:
     """Summary and files of a point; tables that did not come as a file become one."""
-    from ..case import case_of_file, check_document
-    from ..problems import CaseError
+    from ..format.case import case_of_file, check_document
+    from ..format.problems import CaseError
     from .compute import compute
     from .contact_cache import cached_solver
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from math import acos, asin, cos, degrees, floor, pi, radians
 from typing import Any
 
-from ..problems import MISSING, Problem, shown
+from ..format.problems import MISSING, Problem, shown
 from .values import Names, Values, known
 
 GEOMETRY = ("ball_diameter_mm", "pitch_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm")

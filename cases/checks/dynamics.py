@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..problems import MISSING, Problem
+from ..format.problems import MISSING, Problem
 from .values import Values
 
 LARGEST_HISTORY = 2_000_000  # rows

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..problems import Problem
+from ..format.problems import Problem
 from .bearing import (
     ball_count,
     bearing_materials,

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from ..problems import MISSING, Problem, shown
-from ..toml_lines import Path
+from ..format.problems import MISSING, Problem, shown
+from ..format.toml_lines import Path
 from .values import Values
 
 TAIT = ("tait_bulk_modulus_GPa", "tait_bulk_modulus_derivative")
@@ -84,7 +84,7 @@ def _needed(oil: dict[str, Any], given: list[str], asked: list[tuple[str, str]])
 
 
 def _no_constants(oil: _Oil, law: tuple[str, str], *, library: bool) -> Iterator[Problem]:
-    from bearing.lubricant_library import list_lubricants, lubricant_data
+    from bearing.library.lubricants import list_lubricants, lubricant_data
 
     name, names = oil.keys.get("name"), list_lubricants()
     known = [] if law[1] == "yasutomi" else [one for one in names if "doolittle" in lubricant_data(one)]

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ..problems import MISSING, Problem, shown
-from ..schema import FrictionTable
+from ..format.problems import MISSING, Problem, shown
+from ..schema.friction import FrictionTable
 from .lubricant import oil_table
 from .values import Values
 

@@ -6,13 +6,13 @@ from collections.abc import Iterator
 from math import log
 from typing import Any
 
-from ..problems import MISSING, Problem, shown
-from ..toml_lines import Path
+from ..format.problems import MISSING, Problem, shown
+from ..format.toml_lines import Path
 from .free_volume import WITH_CONSTANTS, free_volume
 from .values import Names, Values, known
 
 LIBRARY_TEMPERATURE_C = (
-    426.85  # 700 K, below which bearing.lubricant_library has its laws; the schema keeps the lower end
+    426.85  # 700 K, below which bearing.library.lubricants has its laws; the schema keeps the lower end
 )
 
 SHEAR_KEYS = {

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from ..problems import Problem, shown
-from ..schema import FREE, is_number
+from ..format.problems import Problem, shown
+from ..schema.fields import FREE, is_number
 from .rows import row_tables
 from .values import Values
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import Any
 
-from ..problems import Problem, shown
+from ..format.problems import Problem, shown
 from .values import Values
 
 

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from ..problems import Problem, nearest_name, shown
-from ..toml_lines import Path
+from ..format.problems import Problem, nearest_name, shown
+from ..format.toml_lines import Path
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,13 +6,13 @@ from dataclasses import replace
 from math import radians
 from typing import TYPE_CHECKING
 
-from ..schema import BearingFile, BearingTable
+from ..schema.bearing import BearingTable
+from ..schema.files import BearingFile
 from .materials import materials, ring_materials, seat_materials
 from .units import KN, MM, UM, mm
 
 if TYPE_CHECKING:
-    from bearing.cage_clearance import CageClearance
-    from bearing.clearance import ClearanceBudget, Fit, Warming
+    from bearing.fits.clearance import CageClearance, ClearanceBudget, Fit, Warming
     from bearing.geometry import Bearing
     from bearing.operation import Operation, RatingInput
 
@@ -58,7 +58,7 @@ def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing,
     given = bearing(file)
     if file.fit is None and file.temperatures is None:
         return given, None
-    from bearing.clearance import Warming, clearance_budget
+    from bearing.fits.clearance import Warming, clearance_budget
 
     fit, warming = seats(file), None
     if file.temperatures is not None:
@@ -77,7 +77,7 @@ def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing,
 
 def seats(file: BearingFile) -> Fit | None:
     """Fits of the rings [m]; None where the case gives none."""
-    from bearing.clearance import Fit
+    from bearing.fits.clearance import Fit
 
     if file.fit is None:
         return None
@@ -96,7 +96,7 @@ def seats(file: BearingFile) -> Fit | None:
 
 def _warm_cage(file: BearingFile, given: Bearing, warming: Warming) -> CageClearance | None:
     """What heat does to the clearances of the cage [m]; None without its temperature."""
-    from bearing.cage_clearance import cage_clearance
+    from bearing.fits.cage import cage_clearance
     from bearing.geometry import Race
 
     at, cage = file.temperatures, file.cage

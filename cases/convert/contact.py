@@ -5,13 +5,14 @@ from __future__ import annotations
 from math import radians
 from typing import TYPE_CHECKING, Any
 
-from ..schema import ContactEhlTable, ContactFile
+from ..schema.contact import ContactEhlTable
+from ..schema.files import ContactFile
 from .materials import materials
 from .units import GPA, UM, mm
 
 if TYPE_CHECKING:
     from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
-    from ehl.coating import Coating
+    from ehl.solid.coating import Coating
 
 
 def contact(file: ContactFile, oil: Lubricant) -> ContactConditions | MoesConditions:
@@ -47,7 +48,7 @@ def contact(file: ContactFile, oil: Lubricant) -> ContactConditions | MoesCondit
 
 def _coating(file: ContactFile) -> Coating | None:
     """Coating of body 1: thickness [m], moduli [Pa]."""
-    from ehl.coating import Coating
+    from ehl.solid.coating import Coating
 
     table = file.contact
     if table.coating_thickness_um is None:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from math import radians
 from typing import TYPE_CHECKING, Any
 
-from ..schema import BearingFile, CageTable
+from ..schema.files import BearingFile
+from ..schema.friction import CageTable
 from .materials import materials
 from .units import MM, RPM, UM
 

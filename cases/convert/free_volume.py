@@ -5,12 +5,12 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING, Any
 
-from ..problems import UnfitKey
+from ..format.problems import UnfitKey
 from .units import GPA, ZERO_CELSIUS
 
 if TYPE_CHECKING:
     from ehl import Lubricant
-    from ehl.free_volume import DoolittleFreeVolume, TaitVolume, YasutomiGlass
+    from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, YasutomiGlass
 
 SAME_TEMPERATURE = 0.5  # difference up to which constants count as those of a temperature [K]
 
@@ -28,7 +28,7 @@ def free_volume(oil: dict[str, Any], temperature: float) -> dict[str, Any]:
 
 
 def _tait(oil: dict[str, Any], temperature: float) -> TaitVolume:
-    from ehl.free_volume import TaitVolume
+    from ehl.oil.free_volume import TaitVolume
 
     celsius = oil.get("tait_temperature_C")
     return TaitVolume(
@@ -41,7 +41,7 @@ def _tait(oil: dict[str, Any], temperature: float) -> TaitVolume:
 
 
 def _doolittle(oil: dict[str, Any]) -> DoolittleFreeVolume:
-    from ehl.free_volume import DoolittleFreeVolume
+    from ehl.oil.free_volume import DoolittleFreeVolume
 
     return DoolittleFreeVolume(
         factor=oil["doolittle_factor"],
@@ -52,7 +52,7 @@ def _doolittle(oil: dict[str, Any]) -> DoolittleFreeVolume:
 
 def _yasutomi(oil: dict[str, Any]) -> YasutomiGlass:
     """The improved law with an exponent, the first one with a factor."""
-    from ehl.free_volume import ExpansivityForm, YasutomiGlass
+    from ehl.oil.free_volume import ExpansivityForm, YasutomiGlass
 
     coefficient = oil["yasutomi_expansivity_1_GPa"] / GPA
     power = "yasutomi_expansivity_exponent" in oil
@@ -76,7 +76,7 @@ def _yasutomi(oil: dict[str, Any]) -> YasutomiGlass:
 def law_coefficient(given: dict[str, Any]) -> float | None:
     """d(ln eta)/dp at ambient pressure that the constants of the viscosity law give [1/Pa]; None for other laws."""
     from ehl import ViscosityLaw
-    from ehl.free_volume import pressure_viscosity_doolittle, pressure_viscosity_yasutomi
+    from ehl.oil.free_volume import pressure_viscosity_doolittle, pressure_viscosity_yasutomi
 
     law, temperature = given.get("viscosity_law"), given["temperature"]
     if law is ViscosityLaw.TAIT_DOOLITTLE:
@@ -94,7 +94,7 @@ def with_coefficient(given: dict[str, Any], oil: dict[str, Any]) -> dict[str, An
     UnfitKey
         If it does not, or the law does not hold at the temperature.
     """
-    from ehl.lubricant import PRESSURE_VISCOSITY_TOLERANCE
+    from ehl.oil.lubricant import PRESSURE_VISCOSITY_TOLERANCE
 
     own, key = law_coefficient(given), "pressure_viscosity_1_GPa"
     if own is None:

@@ -7,20 +7,20 @@ import warnings
 from math import hypot
 from typing import TYPE_CHECKING, Any
 
-from ..checks import oil_table
-from ..schema import BearingFile, ContactFile
+from ..checks.lubricant import oil_table
+from ..schema.files import BearingFile, ContactFile
 from .materials import materials, ring_materials
 from .units import KN, MM, MPA, UM
 
 if TYPE_CHECKING:
+    from bearing.friction.resistance import Cage
+    from bearing.supply.supply import InletFilm, Supply
     from bearing.torque.breakdown import FrictionInput
-    from bearing.torque.resistance import Cage
-    from bearing.torque.supply import InletFilm, Supply
     from ehl import Lubricant
-    from ehl.rheology import Rheology
-    from ehl.thermal.solids import SolidThermal
+    from ehl.oil.rheology import Rheology
+    from ehl.solid.heat import SolidThermal
 
-    from ..film_model import FilmPhysics
+    from ..format.film_model import FilmPhysics
 
 ML_MIN = 1e-6 / 60.0  # mL/min [m^3/s]
 LIMITING_COEFFICIENT = 0.047  # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
@@ -59,7 +59,7 @@ def friction(file: BearingFile) -> FrictionInput:
 
 def _supply(file: BearingFile) -> Supply | InletFilm | None:
     """Layer of oil at the inlets [m], or flow [m^3/s] and what is assumed of it; None: flooded."""
-    from bearing.torque.supply import InletFilm, Supply
+    from bearing.supply.supply import InletFilm, Supply
 
     table = file.friction
     if file.lubricant.inlet_film_um is not None:
@@ -86,7 +86,7 @@ def _roughness(file: BearingFile) -> tuple[float, float] | None:
 
 def _cage(file: BearingFile) -> Cage | None:
     """Friction of the cage [m]; None without a pocket's coefficient."""
-    from bearing.torque.resistance import Cage
+    from bearing.friction.resistance import Cage
 
     table = file.cage
     if table is None or table.pocket_friction is None:
@@ -125,7 +125,7 @@ def film_physics(file: BearingFile | ContactFile, shear: Rheology | None) -> Fil
     ValueError
         If heat is asked for and the oil or a body has no thermal properties.
     """
-    from ..film_model import FilmModel, FilmPhysics
+    from ..format.film_model import FilmModel, FilmPhysics
 
     model = FilmModel(file.ehl.film_model)
     if model is not FilmModel.THERMAL:
@@ -135,7 +135,7 @@ def film_physics(file: BearingFile | ContactFile, shear: Rheology | None) -> Fil
 
 def _solids(file: BearingFile | ContactFile) -> tuple[SolidThermal, SolidThermal]:
     """Ball and race, the inner one where they differ."""
-    from ehl.thermal.solids import SolidThermal
+    from ehl.solid.heat import SolidThermal
 
     if isinstance(file, BearingFile):
         ball, race, _ = ring_materials(file.bearing)
@@ -158,7 +158,7 @@ def _solids(file: BearingFile | ContactFile) -> tuple[SolidThermal, SolidThermal
 
 def rheology(file: BearingFile | ContactFile, oil: Lubricant) -> Rheology:
     """How the oil shears: stresses [Pa]; what the case leaves out is assumed, and warned of."""
-    from ehl.rheology import Rheology, ShearLaw
+    from ehl.oil.rheology import Rheology, ShearLaw
 
     keys, _ = oil_table(file.model_dump(exclude_none=True))
     law = ShearLaw(keys.get("rheology", "ree-eyring"))

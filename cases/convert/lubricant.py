@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ..checks import oil_table
-from ..schema import BearingFile, ContactFile
+from ..checks.lubricant import oil_table
+from ..schema.files import BearingFile, ContactFile
 from .free_volume import free_volume, tell_temperature, with_coefficient
 from .units import GPA, MM2_S, MPA, MPA_S, ZERO_CELSIUS, rounded
 
 if TYPE_CHECKING:
     from ehl import Lubricant
-    from ehl.lubricant import ThermalProperties
+    from ehl.oil.lubricant import ThermalProperties
 
 DENSITY = 870.0  # of an oil whose density is not given [kg/m^3]
 VISCOSITY_UNUSED = 1.0  # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
@@ -56,7 +56,7 @@ def _of_library(given: dict[str, Any], kelvin: float, *, own: bool) -> tuple[Lub
 
     With constants of the case's `own` it comes with the library's own laws.
     """
-    from bearing.lubricant_library import library_lubricant, lubricant_data
+    from bearing.library.lubricants import library_lubricant, lubricant_data
 
     laws = {} if own else {key: given[key] for key in ("viscosity_law", "density_law") if key in given}
     base = library_lubricant(given.pop("name"), kelvin, **laws)
@@ -65,7 +65,7 @@ def _of_library(given: dict[str, Any], kelvin: float, *, own: bool) -> tuple[Lub
 
 def _thermal(oil: dict[str, Any]) -> ThermalProperties | None:
     """Thermal properties given by the case: conductivity [W/(m K)], heat [J/(kg K)], beta and expansion [1/K]."""
-    from ehl.lubricant import ThermalProperties
+    from ehl.oil.lubricant import ThermalProperties
 
     if "thermal_conductivity_W_m_K" not in oil:
         return None

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ..schema import BearingFile, BearingTable, ContactFile, MaterialTable
+from ..schema.bearing import BearingTable, MaterialTable
+from ..schema.files import BearingFile, ContactFile
 from .units import GPA, UM, rounded
 
 if TYPE_CHECKING:
@@ -30,8 +31,8 @@ def materials(file: BearingFile | ContactFile, names: tuple[str, ...]) -> dict[s
 
 def _material(name: str, table: MaterialTable) -> Material:
     """A material of the case's own; kind and thermal data of the library's where it has the name of one [1/K, SI]."""
+    from bearing.library.names import matching_name
     from bearing.material import Material, MaterialKind, list_materials, load_material
-    from bearing.names import matching_name
 
     library = load_material(name) if matching_name(name, list_materials()) else None
     kind = MaterialKind(table.kind) if table.kind else library.kind if library else MaterialKind.OTHER

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from ..schema import FREE, BearingFile, OperationTable, SlipTable
+from ..schema.fields import FREE
+from ..schema.files import BearingFile
+from ..schema.operation import OperationTable, SlipTable
 from .units import KN, MRAD, N_MM, RPM, UM, ZERO_CELSIUS
 
 if TYPE_CHECKING:
+    from bearing.friction.sources import BallTraction
     from bearing.operation import Model, Operation
-    from bearing.torque.traction_source import BallTraction
 
     from ..slip_plan import SlipPlan
 

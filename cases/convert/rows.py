@@ -5,7 +5,7 @@ from __future__ import annotations
 from math import radians
 from typing import TYPE_CHECKING
 
-from ..schema import BearingFile
+from ..schema.files import BearingFile
 from .bearing import bearing
 from .units import MM, UM
 
@@ -20,7 +20,7 @@ def rows(file: BearingFile) -> tuple[Row, ...] | None:
     from dataclasses import replace
 
     from bearing.operation import Curvature, Model
-    from bearing.preload import preloaded_row
+    from bearing.studies.preload import preloaded_row
 
     given, found = bearing(file), []
     at_rest = Model(curvature=Curvature(file.model.curvature))  # where nothing turns, no kinematics counts

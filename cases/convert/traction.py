@@ -6,20 +6,20 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from ..problems import UnfitKey
-from ..race_tables import read_race_tables
-from ..schema import BearingFile
+from ..format.problems import UnfitKey
+from ..runs.race_tables import read_race_tables
+from ..schema.files import BearingFile
 from .contact import solver_options
 from .friction import friction
 from .operation import TRACTION_EQUILIBRIUM, kinematics_name
 
 if TYPE_CHECKING:
+    from bearing.friction.sources import BallTraction, TractionSource
     from bearing.geometry import Bearing
-    from bearing.torque.traction_source import BallTraction, TractionSource
     from ehl import Lubricant
-    from ehl.rheology import Rheology
+    from ehl.oil.rheology import Rheology
 
-    from ..film_model import FilmPhysics
+    from ..format.film_model import FilmPhysics
 
 FILM_POINTS = 129  # along x of the films that traction is taken from, at most [-]
 
@@ -36,8 +36,8 @@ def ball_traction(
     """
     if file.friction.traction is None and kinematics_name(file) != TRACTION_EQUILIBRIUM:
         return None
-    from bearing.torque.resistance import resistance_of
-    from bearing.torque.traction_source import BallTraction
+    from bearing.friction.resistance import resistance_of
+    from bearing.friction.sources import BallTraction
 
     asked = friction(file)
     resistance = resistance_of(asked.cage, bearing, oil.viscosity, oil.density, asked.oil_fraction)
@@ -47,7 +47,12 @@ def ball_traction(
 def _source(
     file: BearingFile, bearing: Bearing, oil: Lubricant, rheology: Rheology, films: FilmPhysics
 ) -> TractionSource:
-    from bearing.torque.traction_source import CoulombTraction, FilmTraction, FourConstantTraction, LawTraction
+    from bearing.friction.sources import (
+        CoulombTraction,
+        FilmTraction,
+        FourConstantTraction,
+        LawTraction,
+    )
 
     table = file.friction
     if table.traction == "coulomb":
@@ -66,9 +71,9 @@ def _source(
         except ValueError as problem:
             raise UnfitKey(("friction", "traction_table"), str(problem)) from None
         return LawTraction(laws=dict(tables))
-    from bearing.torque.integrated import Asperities
+    from bearing.friction.films import Asperities
 
-    from ..traction_films import FilmSolver
+    from ..runs.traction_films import FilmSolver
 
     options = solver_options(file.ehl)
     options = replace(options, points=min(options.points, FILM_POINTS), tolerance=None)

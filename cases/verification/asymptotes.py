@@ -9,9 +9,9 @@ from math import log, nan
 import numpy as np
 
 from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.film_formulas import moes_film_nijenbanning
-from ehl.hertz import hertz_coefficients
-from postprocess.plots_verification import Curve, draw_moes
+from ehl.closed_form.film import moes_film_nijenbanning
+from ehl.closed_form.hertz import hertz_coefficients
+from postprocess.verification.plots import Curve, draw_moes
 
 from .contacts import OIL, WATER_LIKE, MoesConditions, moes
 from .page import Check, Picture, Section, Table, each, percent

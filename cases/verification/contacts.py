@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from math import pi
 
 from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, ViscosityLaw
-from ehl.hertz import ellipse_ratio, hertz_coefficients
+from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
 
 Box = tuple[float, float, float]
 Conditions = ContactConditions | MoesConditions

@@ -11,12 +11,12 @@ from functools import partial
 import numpy as np
 
 from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.deformation import deflect, deflection_kernel
 from ehl.grid import Grid
-from postprocess.plots_verification import ScalingCurve, draw_scaling
+from ehl.solid.deformation import deflect, deflection_kernel
+from postprocess.verification.plots import ScalingCurve, draw_scaling
 
-from ..case import Case, load_case
-from ..run import run_case
+from ..format.case import Case, load_case
+from ..runs.bearing import run_case
 from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
 from .page import Check, Picture, Section, Table
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.finite_element import solve_contact_finite_element
+from ehl.finite_element.solver import solve_contact_finite_element
 
 from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, CIRCULAR_BOX, OIL, Named, moes
 from .page import Check, Section, Table, each, percent, with_bar

@@ -8,13 +8,13 @@ from functools import partial
 import numpy as np
 
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
-from ehl.film_formulas import (
+from ehl.closed_form.film import (
     film_chittenden_central,
     film_hamrock_dowson_central,
     film_hamrock_dowson_minimum,
     film_nijenbanning_central,
 )
-from postprocess.plots_verification import FormulaMap, draw_formulas
+from postprocess.verification.plots import FormulaMap, draw_formulas
 
 from .contacts import NAMED, from_groups, moes
 from .page import Check, Picture, Section, Table, each, percent

@@ -8,11 +8,23 @@ from math import pi, sqrt
 
 import numpy as np
 
-from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
+from ehl import (
+    ContactConditions,
+    ContactSolution,
+    MoesConditions,
+    SolverOptions,
+    solve_contact,
+)
 from ehl.conditions import moes_groups
-from ehl.full_multigrid import ATTEMPTS, Outcome, Progress, contact_multigrid, full_multigrid
+from ehl.multigrid.full_multigrid import (
+    ATTEMPTS,
+    Outcome,
+    Progress,
+    contact_multigrid,
+    full_multigrid,
+)
 from ehl.scaling import scale_contact
-from postprocess.plots_verification import Curve, draw_hertz
+from postprocess.verification.plots import Curve, draw_hertz
 
 from .contacts import (
     CIRCULAR_20_10,

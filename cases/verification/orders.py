@@ -7,15 +7,24 @@ from math import log2, pi
 
 import numpy as np
 
-from ehl.deformation import deflect, deflection_kernel
-from ehl.far_field import far_field
+from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
 from ehl.grid import Grid
-from ehl.hertz import ellipse_ratio, hertz_coefficients
-from ehl.reynolds import poiseuille
+from ehl.multigrid.far_field import far_field
+from ehl.multigrid.reynolds import poiseuille
 from ehl.scaling import scale_contact
-from postprocess.plots_verification import Curve, draw_orders
+from ehl.solid.deformation import deflect, deflection_kernel
+from postprocess.verification.plots import Curve, draw_orders
 
-from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, INNER_500N, SPINNING, WATER_LIKE, Named, from_groups, moes
+from .contacts import (
+    CIRCULAR_20_10,
+    CIRCULAR_200_10,
+    INNER_500N,
+    SPINNING,
+    WATER_LIKE,
+    Named,
+    from_groups,
+    moes,
+)
 from .page import Check, Picture, Section, Table, each
 from .rested import RestedFilms, rested_films
 

@@ -7,7 +7,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
 
-from ..run import cores
+from ..runs.films import cores
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -81,7 +81,7 @@ def each(function: Callable[[Item], Result], items: Iterable[Item]) -> list[Resu
 
 def with_bar(value: float, error: float) -> str:
     """Value and error bar, to the bar's first digit [same unit]."""
-    from postprocess.plot_style import value_with_error
+    from postprocess.text import value_with_error
 
     return value_with_error(value, error)
 

@@ -5,8 +5,15 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ehl import SolverOptions
-from ehl.full_multigrid import ATTEMPTS, Outcome, Progress, contact_multigrid, film_values, full_multigrid
-from ehl.multigrid import cycle
+from ehl.multigrid.cycle import cycle
+from ehl.multigrid.full_multigrid import (
+    ATTEMPTS,
+    Outcome,
+    Progress,
+    contact_multigrid,
+    film_values,
+    full_multigrid,
+)
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain
 

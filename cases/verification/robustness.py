@@ -12,11 +12,11 @@ from pathlib import Path
 from typing import Any
 
 from ehl import ContactSolution, SolverOptions, solve_contact
+from ehl.multigrid.thin_film import FALLBACK as THIN_FILM
 from ehl.scaling import scale_contact
-from ehl.thin_film import FALLBACK as THIN_FILM
 
-from ..problems import CaseError
-from ..run import cores
+from ..format.problems import CaseError
+from ..runs.films import cores
 from .draws import Draw, draws
 
 POINTS, QUICK_POINTS = (257, 513, 1025), (65,)

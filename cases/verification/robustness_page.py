@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from functools import partial
 
-from postprocess.plots_verification import MapPoint, draw_robustness
+from postprocess.verification.plots import MapPoint, draw_robustness
 
 from .page import Check, Picture, Section, Table
 from .robustness import POINTS, RESOLVABLE, THIN_FILM, Finished, strongest

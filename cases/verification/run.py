@@ -8,13 +8,13 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from ..output_directory import check_output
-from ..problems import CaseError
+from ..format.problems import CaseError
+from ..runs.output_directory import check_output
 from .names import SectionName
 from .page import PICTURES, Section, markdown
 
 if TYPE_CHECKING:
-    from ..run import Progress
+    from ..runs.films import Progress
 
 PAGE, SWEEP_PAGE, SWEEP = "verification.md", "robustness.md", "robustness.jsonl"
 TITLES = {PAGE: "Verification of the contact solver", SWEEP_PAGE: "Random contacts"}
@@ -72,8 +72,8 @@ def check_page(directory: Path, page: str) -> None:
 
 def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
     """Write the page, its pictures and its numbers into a folder; each file appears when it is complete."""
-    from postprocess.plots_verification import draw_pictures
-    from postprocess.results_io import atomic_path
+    from postprocess.files import atomic_path
+    from postprocess.verification.plots import draw_pictures
 
     (directory / PICTURES).mkdir(parents=True, exist_ok=True)
     pictures = [(picture.stem, picture.draw) for section in sections for picture in section.pictures]

@@ -11,7 +11,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic, overload
 
 from ..compiled import compiled
-from ..rheology._kernels import inverse_sine, shear_stress
+from ..oil._rheology_kernels import inverse_sine, shear_stress
 
 COLUMNS = 4  # of a table's values: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
 SCALARS = 10  # of a table's films: logarithms of three scales, film, hydrodynamic moment, stiffness, damping, largest

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
+from ..kinematics import ContactKinematics
+from ..oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
 from ..solution import ContactSolution
-from .kinematics import ContactKinematics
 from .shear import Cavitation, pressure_viscosity, sheared_width, with_outlet
 
 Array = NDArray[np.float64]

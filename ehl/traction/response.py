@@ -18,9 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..conditions import ContactConditions
-from ..full_multigrid import ATTEMPTS, CAUTIOUS, Attempt, contact_multigrid
-from ..lubricant import Lubricant, density
-from ..multigrid import Damping, Multigrid, cycle, start_level
+from ..multigrid.cycle import Damping, Multigrid, cycle, start_level
+from ..multigrid.full_multigrid import ATTEMPTS, CAUTIOUS, Attempt, contact_multigrid
+from ..oil.lubricant import Lubricant, density
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution

@@ -1,6 +1,6 @@
 r"""Hydrodynamic rolling moment of a contact's oil, in the solver's box and out to a stated distance.
 
-Far from a flooded contact Kapitza's (1955) pressure is :math:`-k_x x/H^2` with H a paraboloid (`ehl.far_field`), so
+Far from a flooded contact Kapitza's (1955) pressure is :math:`-k_x x/H^2` with H a paraboloid (`ehl.multigrid.far_field`), so
 that the moment :math:`-\iint x p` of the oil between two distances from the centre is
 
 .. math:: \frac{24 \pi\,\eta_0 u R_x^2}{(3 + 2 R_x/R_y)\sqrt{R_x/R_y}}\,\ln\frac{r_2}{r_1},
@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..conditions import ContactConditions
-from ..far_field import FarField, far_field
+from ..multigrid.far_field import FarField, far_field
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
 

@@ -32,11 +32,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..conditions import ContactConditions
-from ..film_state import FilmState
-from ..lubricant import Lubricant, viscosity
-from ..rheology import Rheology, shear_stress_vector
+from ..kinematics import ContactKinematics
+from ..oil.film_state import FilmState
+from ..oil.lubricant import Lubricant, viscosity
+from ..oil.rheology import Rheology, shear_stress_vector
 from ..solution import ContactSolution
-from .kinematics import ContactKinematics
 
 Array = NDArray[np.float64]
 

@@ -9,7 +9,6 @@ import estimated_bearings
 import pytest
 
 from bearing import list_bearings, load_catalogue_entry
-from bearing.catalogue import published_bearings, warn_of_estimates
 from bearing.geometry_estimate import (
     CatalogueData,
     ball_sizes,
@@ -18,7 +17,8 @@ from bearing.geometry_estimate import (
     normal_clearance,
     typical_geometry,
 )
-from bearing.names import matching_name, plain_name
+from bearing.library.bearings import published_bearings, warn_of_estimates
+from bearing.library.names import matching_name, plain_name
 
 ESTIMATED = tuple(name for name in list_bearings() if name not in published_bearings())
 ROWS = estimated_bearings.rows()

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from bearing import Operation, Race, contact_conditions, contact_stress, solve_quasistatic
-from bearing.stresses import largest_sliding, shoulder_angle, truncation
+from bearing.contacts.stress import largest_sliding, shoulder_angle, truncation
 from ehl import Lubricant
-from ehl.hertz import hertz_contact
+from ehl.closed_form.hertz import hertz_contact
 
 OIL = Lubricant(viscosity=0.03, pressure_viscosity=18e-9)
 

@@ -18,7 +18,7 @@ from bearing import (
     kinematic_frequencies,
     solve_quasistatic,
 )
-from bearing.contacts import rolling_and_spin
+from bearing.contacts.contacts import rolling_and_spin
 from ehl import Lubricant
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)

@@ -7,8 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import BallKinematics
-from bearing.kinematics import Direction, attitude, blend, rolling_motion
 from bearing.operation import HYPOTHESES
+from bearing.quasistatic.kinematics import Direction, attitude, blend, rolling_motion
 
 GAMMA = 0.2
 INNER, OUTER = 1100.0, -300.0  # [rad/s]

@@ -17,7 +17,7 @@ from bearing import (
     load_material,
     reduced_modulus,
 )
-from bearing.lubricant_library import lubricant_data
+from bearing.library.lubricants import lubricant_data
 from ehl import DensityLaw
 
 

@@ -16,7 +16,7 @@ from scipy.special import ellipe
 
 from bearing import Operation, Race, load_material, reduced_radii, solve_quasistatic
 from bearing.geometry import contact_modulus
-from bearing.life import (
+from bearing.rating.life import (
     RatingInput,
     bearing_life,
     equivalent_ball_load,
@@ -24,7 +24,7 @@ from bearing.life import (
     reference_life,
     viscosity_ratio,
 )
-from bearing.load_rating import (
+from bearing.rating.load_rating import (
     F_C_POINTS,
     GAMMA_POINTS,
     ball_ratings,
@@ -35,7 +35,7 @@ from bearing.load_rating import (
     static_rating,
 )
 from ehl import Lubricant
-from ehl.hertz import ellipse_ratio, hertz_contact
+from ehl.closed_form.hertz import ellipse_ratio, hertz_contact
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)  # 30 mm^2/s
 RPM = pi / 30.0

@@ -9,9 +9,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import library_lubricant, list_lubricants
-from bearing.lubricant_library import LAWS, PROPERTIES, lubricant_data
+from bearing.library.lubricants import LAWS, PROPERTIES, lubricant_data
 from ehl import DensityLaw, ViscosityLaw
-from ehl.lubricant import density, viscosity
+from ehl.oil.lubricant import density, viscosity
 
 VOGEL = {10: (0.1, 623.0), 22: (0.087, 748.0), 32: (0.0813, 808.0), 46: (0.0762, 866.0), 68: (0.071, 929.0)}
 VOGEL[100] = (0.0662, 990.0)

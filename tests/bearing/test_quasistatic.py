@@ -9,9 +9,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import BallKinematics, Curvature, Model, Operation, solve_quasistatic
-from bearing.ball_equilibrium import ball_balance, ball_problem, ball_state
 from bearing.operation import HYPOTHESES
-from bearing.ring_equilibrium import ring_of
+from bearing.quasistatic.balls import ball_balance, ball_problem, ball_state
+from bearing.quasistatic.ring import ring_of
 
 FREE = (None, None)
 COMBINED = {"force": (900.0, 700.0, -300.0), "moment": (2.0, -5.0), "tilt": FREE}

@@ -27,7 +27,7 @@ from bearing import (
 )
 from bearing.geometry import contact_modulus
 from bearing.operation import HYPOTHESES
-from ehl.hertz import hertz_coefficients
+from ehl.closed_form.hertz import hertz_coefficients
 
 SMALLEST, LARGEST = 3e-3, 30e-3  # ball diameters [m]
 

@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import BallKinematics, Model, Operation, solve_quasistatic
-from bearing.slip import (
+from bearing.studies.slip import (
     SlipStudy,
     critical_curves,
     critical_loads,

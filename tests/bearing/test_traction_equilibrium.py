@@ -18,14 +18,18 @@ from bearing import (
     contact_conditions,
     solve_quasistatic,
 )
-from bearing.dynamics.friction import contact_shape
-from bearing.torque.balance import balance_driven_balls, curvature_slip, ring_power
-from bearing.torque.resistance import Cage, Resistance, resistance_of
-from bearing.torque.traction_source import BallTraction, CoulombTraction, FourConstantTraction, LawTraction
-from bearing.traction_forces import bearing_kinematics
+from bearing.contacts.motion import bearing_kinematics
+from bearing.contacts.shape import contact_shape
+from bearing.friction.balance import balance_driven_balls, curvature_slip, ring_power
+from bearing.friction.resistance import Cage, Resistance, resistance_of
+from bearing.friction.sources import (
+    BallTraction,
+    CoulombTraction,
+    FourConstantTraction,
+    LawTraction,
+)
 from ehl import Lubricant
-from ehl.traction import CoulombLaw
-from ehl.traction.laws import four_constants
+from ehl.traction.laws import CoulombLaw, four_constants
 
 from .test_random_bearings import random_bearing, random_operation
 

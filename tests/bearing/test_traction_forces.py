@@ -8,10 +8,17 @@ from numpy.testing import assert_allclose
 
 import ehl
 from bearing import Operation, solve_quasistatic
-from bearing.contacts import contact_conditions, rolling_and_spin
+from bearing.contacts.contacts import contact_conditions, rolling_and_spin
+from bearing.contacts.motion import (
+    BallMotion,
+    ball_motion,
+    ball_speeds,
+    bearing_kinematics,
+    contact_axes,
+    groove_curvature_radius,
+    motion_map,
+)
 from bearing.geometry import Race
-from bearing.torque.motion_map import ball_speeds, motion_map
-from bearing.traction_forces import BallMotion, ball_motion, bearing_kinematics, contact_axes, groove_curvature_radius
 
 OIL = ehl.Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from bearing import solve_quasistatic
-from bearing.traction_tables import table_contacts, table_range
-from ehl.traction.table import TableError, TractionTable
+from bearing.friction.race_tables import table_contacts, table_range
+from ehl.traction.table.table import TableError, TractionTable
 
 NODES = (4, 4, 9, 5, 9)
 NO_ERROR = TableError(

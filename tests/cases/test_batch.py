@@ -14,15 +14,16 @@ from typer.testing import CliRunner
 
 import postprocess
 from cases import CaseError
-from cases.batch import engine, read_sweep, run_batch
+from cases.batch import engine
 from cases.batch.contact_cache import cached_solver, content_key
-from cases.batch.engine import Pace, duration
+from cases.batch.engine import Pace, duration, run_batch
 from cases.batch.pools import LocalPool, scheduler_address
 from cases.batch.results import gathered, write_batch
 from cases.batch.store import finished_keys, read_point
-from cases.batch.sweep import sweep_from_text
-from cases.batch.task import Receipt, Task, compute_point
-from cases.cli import app
+from cases.batch.sweep import read_sweep, sweep_from_text
+from cases.batch.task import compute_point
+from cases.batch.tasks import Receipt, Task
+from cases.cli.main import app
 
 HEAD = 'case = "6208_full_ceramic"\n'
 QUICK = (
@@ -260,7 +261,7 @@ def test_a_failing_point_is_recorded_and_does_not_stop_the_others(tmp_path, monk
             raise ArithmeticError("no such equilibrium")
         return original(case, 1)
 
-    from cases import run as module
+    from cases.runs import bearing as module
 
     original = module.run_case
     monkeypatch.setattr(module, "run_case", run)

@@ -11,21 +11,22 @@ from typer.testing import CliRunner
 
 import postprocess
 from bearing import Race
+from bearing.friction.race_tables import load_race_tables
 from bearing.operation import BallKinematics
-from bearing.traction_tables import load_race_tables
 from cases import CaseError, load_case, run_case
-from cases.batch import run_batch
 from cases.batch.compute import torque_by_tables
+from cases.batch.engine import run_batch
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
-from cases.batch.task import Task, compute_point
-from cases.cli import app
-from ehl.traction.sampling import TableOptions
+from cases.batch.task import compute_point
+from cases.batch.tasks import Task
+from cases.cli.main import app
+from ehl.traction.table.build import TableOptions
 from postprocess import summary
-from postprocess.batch_results import batch_summary
+from postprocess.batch.plots import quantities, varied_keys
+from postprocess.batch.results import batch_summary
 from postprocess.main_results import main_results
-from postprocess.plots_batch import quantities, varied_keys
 
 from .test_batch import HerePool
 from .test_batch_torque import case_text, sweep_of, without_times
@@ -54,7 +55,7 @@ fields = true
 @pytest.fixture(scope="module")
 def shared(tmp_path_factory):
     """A batch that made coarse tables of few films and motions, and the tables that were made."""
-    from ehl.traction import sampling
+    from ehl.traction.table import build as sampling
 
     made, build = [], sampling.build_table
 

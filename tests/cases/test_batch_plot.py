@@ -6,14 +6,14 @@ import pytest
 from matplotlib.figure import Figure
 from typer.testing import CliRunner
 
-from cases.batch import run_batch
+from cases.batch.engine import run_batch
 from cases.batch.results import gathered
 from cases.batch.sweep import read_sweep, sweep_from_text
-from cases.cli import app
-from cases.shipped import shipped_sweeps
-from postprocess.batch_results import columns
+from cases.cli.main import app
+from cases.format.shipped import shipped_sweeps
+from postprocess.batch.plots import draw_together, quantities, varied_keys
+from postprocess.batch.results import columns
 from postprocess.main_results import result_names
-from postprocess.plots_batch import draw_together, quantities, varied_keys
 
 from .test_batch import HerePool
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import postprocess
-from cases.batch import run_batch
+from cases.batch.engine import run_batch
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
@@ -179,7 +179,7 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
 def test_no_scheduler_is_told(monkeypatch):
     from typer.testing import CliRunner
 
-    from cases.cli import app
+    from cases.cli.main import app
 
     pytest.importorskip("distributed")
     monkeypatch.setattr("cases.batch.pools.PATIENCE", 1.0)

@@ -7,11 +7,11 @@ import pytest
 from bearing import Race
 from bearing.operation import BallKinematics
 from cases import load_case, run_case
-from cases.batch import run_batch
+from cases.batch.engine import run_batch
 from cases.batch.results import gathered
 from cases.batch.sweep import sweep_from_text
 from cases.batch.tables import _without_films, case_of_document, shared_tables
-from cases.shipped import find_case
+from cases.format.shipped import find_case
 from postprocess import summary
 
 from .test_batch import HerePool

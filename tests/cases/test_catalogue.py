@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from cases.case import case_from_text
+from cases.format.case import case_from_text
 
 CASE = """
 schema_version = 1

@@ -15,10 +15,10 @@ import pytest
 from rich.console import Group
 from typer.testing import CliRunner
 
-from cases import terminal
-from cases.cli import app
-from cases.commands import compute, output
-from cases.shipped import find_case, shipped_cases
+from cases.cli import compute, output
+from cases.cli.main import app
+from cases.format.shipped import find_case, shipped_cases
+from cases.runs import terminal
 
 AT_REST = "209_radial_8900N"  # no films: quick
 OILFILM = [sys.executable, "-m", "cases.cli"]
@@ -42,7 +42,7 @@ def test_version():
 
 def test_validation_imports_no_solver():
     code = (
-        "import sys; from cases.case import validate_text; from cases.shipped import shipped_cases\n"
+        "import sys; from cases.format.case import validate_text; from cases.format.shipped import shipped_cases\n"
         "for p in shipped_cases().values(): validate_text(p.read_text(), p.name)\n"
         "print([m for m in sys.argv[1:] if m in sys.modules])"
     )
@@ -93,7 +93,7 @@ def test_notes_tell_what_bears_on_the_numbers(tmp_path):
 
 def test_the_case_of_a_result_is_a_case(tmp_path):
     """The document as run, defaults filled in, describes the same case."""
-    from cases.case import check_document
+    from cases.format.case import check_document
 
     document = json.loads(oilfilm("run", AT_REST, "--json").stdout)["case"]
     file, problems = check_document(document)
@@ -253,7 +253,7 @@ def test_not_converged_is_written_flagged_and_told(monkeypatch, tmp_path):
         solved = solve(*arguments, **options)
         return dataclasses.replace(solved, converged=False, message="the load exceeds every capacity")
 
-    monkeypatch.setattr(bearing.quasistatic, "solve_quasistatic", fail)
+    monkeypatch.setattr(bearing.quasistatic.solver, "solve_quasistatic", fail)
     answer = oilfilm("run", AT_REST, "-o", "out", "--quiet")
     assert answer.exit_code == 1
     assert "the load exceeds every capacity" in answer.stderr
@@ -273,7 +273,7 @@ def test_interrupted(monkeypatch):
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
 def test_a_signal_ends_a_command_with_code_3(name, tmp_path):
-    code = "import time; from cases.terminal import exit_code; print('up', flush=True); "
+    code = "import time; from cases.runs.terminal import exit_code; print('up', flush=True); "
     code += "import sys; sys.exit(exit_code(lambda: time.sleep(30)))"
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout.readline() == b"up\n"

@@ -17,12 +17,12 @@ from rich.console import Console
 from typer.testing import CliRunner
 
 from cases import load_case
-from cases.cli import app
-from cases.dynamics import Interrupted, case_key, run_dynamics
-from cases.problems import CaseError
-from cases.shipped import find_case
-from postprocess.dynamics_table import dynamics_table
-from postprocess.history_io import open_history
+from cases.cli.main import app
+from cases.format.problems import CaseError
+from cases.format.shipped import find_case
+from cases.runs.dynamics import Interrupted, case_key, run_dynamics
+from postprocess.dynamics.history import open_history
+from postprocess.dynamics.table import dynamics_table
 
 SHORT = "end_time_s = 0.004\noutput_interval_us = 50.0\n"
 PICTURES = ("speeds", "forces", "sliding", "states", "orbits", "spectrum", "energy")
@@ -165,7 +165,7 @@ def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
     """A real signal, at any moment: no time counts twice, and the restart reaches the end of an uninterrupted run."""
     path = short(tmp_path / "case.toml", "7008_axial", ("interval_us = 50.0", "interval_us = 5.0"), ("0.004", "0.012"))
     whole = run_dynamics(load_case(path), "case", tmp_path / "whole.nc")
-    command = [sys.executable, "-c", "from cases.cli import app; app()", "dynamics", str(path), "-o", "out", "--quiet"]
+    command = [sys.executable, "-c", "from cases.cli.main import app; app()", "dynamics", str(path), "-o", "out", "--quiet"]
     run = subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
     while run.poll() is None and not any(file.stat().st_size > 20_000 for file in tmp_path.glob(".oilfilm-*/*")):
         time.sleep(0.005)

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from cases.case import case_from_text
-from cases.film_model import FilmModel
-from cases.problems import CaseError
-from cases.run import run_case, run_contact
+from cases.format.case import case_from_text
+from cases.format.film_model import FilmModel
+from cases.format.problems import CaseError
+from cases.runs.bearing import run_case
+from cases.runs.contact import run_contact
 from postprocess import summary
 
 CONTACT = """

@@ -5,18 +5,18 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
+from bearing.friction.race_tables import save_race_tables
+from bearing.friction.temperature_tables import save_temperature_tables
 from bearing.geometry import Race
 from bearing.material import load_material
-from bearing.temperature_tables import save_temperature_tables
-from bearing.traction_tables import save_race_tables
 from cases.batch.sweep import sweep_from_text
 from cases.batch.tables import tables_once
-from cases.case import case_from_text
-from cases.cli import app
-from cases.dynamics import build_model
-from cases.problems import CaseError
-from cases.shipped import find_case
-from ehl.traction.temperature import TemperatureTable
+from cases.cli.main import app
+from cases.format.case import case_from_text
+from cases.format.problems import CaseError
+from cases.format.shipped import find_case
+from cases.runs.dynamics import build_model
+from ehl.traction.table.temperature import TemperatureTable
 
 from .made_up_tables import made_up_tables
 

@@ -6,10 +6,15 @@ import json
 
 import pytest
 
-from cases.case import case_from_text, validate_text
-from cases.problems import CaseError
-from ehl.free_volume import ExpansivityForm, YasutomiGlass, log_viscosity_yasutomi, pressure_viscosity_yasutomi
-from ehl.lubricant import density, viscosity
+from cases.format.case import case_from_text, validate_text
+from cases.format.problems import CaseError
+from ehl.oil.free_volume import (
+    ExpansivityForm,
+    YasutomiGlass,
+    log_viscosity_yasutomi,
+    pressure_viscosity_yasutomi,
+)
+from ehl.oil.lubricant import density, viscosity
 
 CONTACT = """\
 schema_version = 1

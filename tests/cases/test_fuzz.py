@@ -7,8 +7,8 @@ import random
 import pytest
 
 from cases import CaseError
-from cases.case import case_from_text
-from cases.shipped import shipped_cases
+from cases.format.case import case_from_text
+from cases.format.shipped import shipped_cases
 
 TEXTS = [path.read_text(encoding="utf-8") for path in shipped_cases().values()]
 SEED = 20_570_193

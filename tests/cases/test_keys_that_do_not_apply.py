@@ -10,9 +10,9 @@ from typer.testing import CliRunner
 from bearing.torque.models import ANGULAR_CONTACT
 from cases import CaseError
 from cases.batch.sweep import sweep_from_text
-from cases.case import case_from_text, validate_text
 from cases.checks.bearing import DEEP_GROOVE_DEG
-from cases.cli import app
+from cases.cli.main import app
+from cases.format.case import case_from_text, validate_text
 
 from .made_up_tables import made_up_tables
 
@@ -140,7 +140,7 @@ def test_a_law_without_constants_in_an_oil_of_ones_own_has_the_line_of_the_oil()
 
 def test_a_foreign_table_is_told_with_its_line(tmp_path):
     """Also in a sweep, at the key that varies."""
-    from bearing.traction_tables import save_race_tables
+    from bearing.friction.race_tables import save_race_tables
 
     path = tmp_path / "made.zip"
     save_race_tables(made_up_tables(case_from_text(BEARING, "case.toml")), path)

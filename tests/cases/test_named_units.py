@@ -6,12 +6,12 @@ import csv
 
 import pytest
 
-from cases.batch import run_batch
+from cases.batch.engine import run_batch
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
-from cases.schema import BearingFile, ContactFile
-from postprocess.compare import _group
-from postprocess.named_units import UNITS, unit_of, without_unit
+from cases.schema.files import BearingFile, ContactFile
+from postprocess.compare.compare import _group
+from postprocess.units import UNITS, unit_of, without_unit
 
 from .test_batch import HerePool
 

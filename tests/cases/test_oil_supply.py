@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import pytest
 
-from bearing.torque.supply import starvation_exponent, starved_share
+from bearing.supply.supply import starvation_exponent, starved_share
 from cases.batch.sweep import read_sweep
 from cases.batch.tables import case_of_document
-from cases.case import case_from_text
-from cases.heating import self_heated
-from cases.problems import CaseError
-from cases.run import run_case, run_contact
+from cases.format.case import case_from_text
+from cases.format.problems import CaseError
+from cases.runs.bearing import run_case
+from cases.runs.contact import run_contact
+from cases.runs.heating import self_heated
 from postprocess import summary
 
 SURFACE = "[surface]\ninner_ring_roughness_um = 0.2\nouter_ring_roughness_um = 0.2\nball_roughness_um = 0.02\n"
@@ -148,7 +149,7 @@ def test_at_rest_nothing_is_starved():
 def test_the_terminal_tells_the_supply():
     from rich.console import Console
 
-    from postprocess.table import result_table
+    from postprocess.bearing.table import result_table
 
     console = Console(width=80)
     with console.capture() as capture:
@@ -259,9 +260,9 @@ def test_a_sweep_draws_supply_and_temperature_a_line_for_each_load_and_speed():
     """Films over the flooded ones have a line for each of the eight combinations of load and speed, named beside."""
     from matplotlib.figure import Figure
 
-    from postprocess.batch_results import BatchPoint, BatchResults
+    from postprocess.batch.plots import draw_batch, quantities, varied_keys
+    from postprocess.batch.points import BatchPoint, BatchResults
     from postprocess.main_results import result_names
-    from postprocess.plots_batch import draw_batch, quantities, varied_keys
 
     assert {"supply.film_share", "supply.lambda_least", "self_heating.temperature_C"} <= set(result_names("run"))
     sweep = read_sweep("6208_over_oil_supply")

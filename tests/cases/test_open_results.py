@@ -9,9 +9,9 @@ import pytest
 from typer.testing import CliRunner
 
 import postprocess
-from cases.case import read_text
-from cases.cli import app
-from cases.shipped import find_case
+from cases.cli.main import app
+from cases.format.case import read_text
+from cases.format.shipped import find_case
 
 CHANGES = {
     "slip": ("hirano_7000C", (("points = 51\n", "points = 3\ncritical_points = 2\n"),)),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from cases import CaseError
-from cases.output_directory import MANIFEST, check_output, save
+from cases.runs.output_directory import MANIFEST, check_output, save
 
 
 def writer(**files):

@@ -7,8 +7,8 @@ from dataclasses import replace
 import pytest
 
 from cases import load_case, run_case
-from cases.case import case_from_text
-from cases.problems import CaseError
+from cases.format.case import case_from_text
+from cases.format.problems import CaseError
 from postprocess import summary
 
 CASE = """\

@@ -23,7 +23,7 @@ SHUT = "/proc/nowhere"  # no folder can be made there, by root either
 )
 def test_no_home_directory_and_no_cache(words, tmp_path):
     """Exit code 0 and not a word of matplotlib or numba."""
-    from cases.shipped import find_case
+    from cases.format.shipped import find_case
 
     text = find_case("hirano_7000C").read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if not line.startswith(("points", "critical_points"))]

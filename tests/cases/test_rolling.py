@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from cases.case import case_from_text
-from cases.run import run_case, run_contact
+from cases.format.case import case_from_text
+from cases.runs.bearing import run_case
+from cases.runs.contact import run_contact
 from postprocess import summary
 
 TEXT = """

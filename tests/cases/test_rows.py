@@ -8,12 +8,12 @@ import pytest
 from rich.console import Console
 
 from cases import load_case, run_case
-from cases.case import case_from_text
-from cases.problems import CaseError
+from cases.format.case import case_from_text
+from cases.format.problems import CaseError
 from postprocess import summary
+from postprocess.bearing.table import result_table
 from postprocess.plots import write_plots
-from postprocess.table import result_table
-from postprocess.vtk import bodies
+from postprocess.scene.vtk import bodies
 
 CASE = """\
 schema_version = 1
@@ -91,7 +91,7 @@ def test_films_of_both_rows_by_azimuth():
     """The azimuth of a ball names those of every row."""
     case = load_case("7008_back_to_back")
     from bearing import contact_conditions, solve_quasistatic
-    from cases.run import wanted_contacts
+    from cases.runs.films import wanted_contacts
 
     state = solve_quasistatic(case.bearing, case.operation, case.model, rows=case.rows)
     contacts = contact_conditions(state, case.lubricant)

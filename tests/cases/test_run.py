@@ -11,7 +11,8 @@ import pytest
 
 import ehl
 from cases import load_case, run_case, run_contact
-from cases.run import Interrupted, equal_contacts
+from cases.runs.bearing import Interrupted
+from cases.runs.films import equal_contacts
 
 CASE = "6208_full_ceramic"
 
@@ -84,7 +85,7 @@ def test_no_films_without_equilibrium(solver, monkeypatch):
     def fail(*arguments, **named):
         return dataclasses.replace(solve(*arguments, **named), converged=False, message="no equilibrium")
 
-    monkeypatch.setattr(bearing.quasistatic, "solve_quasistatic", fail)
+    monkeypatch.setattr(bearing.quasistatic.solver, "solve_quasistatic", fail)
     results = run_case(load_case(CASE))
     assert solver.asked == []
     assert not results.converged
@@ -132,7 +133,7 @@ def test_a_single_contact(solver):
 
 
 def test_a_warning_of_the_library_reaches_the_results(solver, tmp_path):
-    from cases.shipped import shipped_cases
+    from cases.format.shipped import shipped_cases
 
     text = shipped_cases()["ball_on_disc"].read_text()
     text = text.replace(
@@ -146,7 +147,7 @@ def test_a_warning_of_the_library_reaches_the_results(solver, tmp_path):
 
 def test_the_lambda_ratio_of_a_case_with_roughness():
     """h_min over the rms roughness of race and ball, sqrt(0.03^2 + 0.04^2) = 0.05 um."""
-    from postprocess.messages import lambda_ratio
+    from postprocess.contact.messages import lambda_ratio
 
     surface = {"inner_ring_roughness_um": 0.03, "outer_ring_roughness_um": 0.0, "ball_roughness_um": 0.04}
     inner = SimpleNamespace(race=SimpleNamespace(value="inner"))

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 from typer.testing import CliRunner
 
-from cases.case import read_text
-from cases.cli import app
-from cases.shipped import find_case
+from cases.cli.main import app
+from cases.format.case import read_text
+from cases.format.shipped import find_case
 
 FEW = "points = 3\ncritical_points = 2\n"
 PLOTS = ("slip_factors.png", "critical_loads.png", "minimum_preload.png", "slip_per_ball.png")

@@ -9,14 +9,14 @@ from dataclasses import replace
 import pytest
 from typer.testing import CliRunner
 
+from bearing.friction.race_tables import load_race_tables
 from bearing.geometry import Race
-from bearing.lubricant_library import library_lubricant
-from bearing.traction_tables import load_race_tables
-from cases.case import load_case
-from cases.cli import app
-from ehl.traction.full_solves import FullSolve
-from ehl.traction.sampling import TableOptions
-from postprocess.traction_results import TractionResults, _beside, traction_summary
+from bearing.library.lubricants import library_lubricant
+from cases.cli.main import app
+from cases.format.case import load_case
+from ehl.traction.table.build import TableOptions
+from ehl.traction.table.full_solves import FullSolve
+from postprocess.traction.results import TractionResults, _beside, traction_summary
 
 from .made_up_tables import made_up_tables
 

@@ -6,9 +6,9 @@ from math import pi
 
 import pytest
 
-from cases.case import case_from_text
-from cases.problems import CaseError
-from cases.run import run_case
+from cases.format.case import case_from_text
+from cases.format.problems import CaseError
+from cases.runs.bearing import run_case
 from postprocess import summary
 
 TEXT = """

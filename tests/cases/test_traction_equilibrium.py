@@ -6,13 +6,13 @@ from math import radians
 
 import pytest
 
+from bearing.friction.race_tables import save_race_tables
+from bearing.friction.sources import CoulombTraction, FilmTraction, FourConstantTraction
 from bearing.operation import BallKinematics
-from bearing.torque.traction_source import CoulombTraction, FilmTraction, FourConstantTraction
-from bearing.traction_tables import save_race_tables
-from cases.case import case_from_text
-from cases.problems import CaseError
-from cases.run import run_case
-from cases.slip import run_slip
+from cases.format.case import case_from_text
+from cases.format.problems import CaseError
+from cases.runs.bearing import run_case
+from cases.runs.slip import run_slip
 from postprocess import summary
 
 from .made_up_tables import made_up_tables

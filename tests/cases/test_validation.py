@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from cases import CaseError
-from cases.case import validate_text
+from cases.format.case import validate_text
 
 BEARING = """\
 schema_version = 1

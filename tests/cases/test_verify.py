@@ -12,8 +12,8 @@ import pytest
 from numpy.testing import assert_allclose
 from typer.testing import CliRunner
 
-from cases.cli import app
-from cases.problems import CaseError
+from cases.cli.main import app
+from cases.format.problems import CaseError
 from cases.verification.asymptotes import asymptotes
 from cases.verification.contacts import NAMED, from_groups, moes
 from cases.verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
@@ -24,8 +24,8 @@ from cases.verification.rigid import half_kapitza, reynolds_over_sommerfeld
 from cases.verification.robustness import Finished, read_finished, strongest, sweep
 from cases.verification.robustness_page import robustness_section
 from cases.verification.run import MAKERS, document
+from ehl.closed_form.film import moes_film_nijenbanning
 from ehl.conditions import moes_groups
-from ehl.film_formulas import moes_film_nijenbanning
 from ehl.scaling import scale_contact
 
 PAGES = Path(__file__).parents[2] / "docs" / "validation"

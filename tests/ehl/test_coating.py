@@ -11,11 +11,11 @@ from scipy.integrate import quad
 from scipy.special import j0
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.coating import Coating
-from ehl.finite_element import solve_contact_finite_element
-from ehl.layered import patch_compliance, point_compliance
-from ehl.layered_fem import correction
+from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.scaling import scale_contact
+from ehl.solid.coating import Coating
+from ehl.solid.layered import patch_compliance, point_compliance
+from ehl.solid.layered_fem import correction
 
 STEEL = 210e9
 BARE = ContactConditions(

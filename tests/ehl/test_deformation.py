@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.deformation import deflect, deflection_kernel, patch_integral
+from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
 from ehl.grid import Grid
-from ehl.hertz import ellipse_ratio, hertz_coefficients
+from ehl.solid.deformation import deflect, deflection_kernel, patch_integral
 
 
 def make_grid(symmetric, cells=16):

@@ -12,14 +12,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import ContactConditions, Lubricant
-from ehl.conditions import moes_groups
-from ehl.film_formulas import (
+from ehl.closed_form.film import (
     film_chittenden_central,
     film_hamrock_dowson_central,
     film_hamrock_dowson_minimum,
     film_nijenbanning_central,
     moes_film_nijenbanning,
 )
+from ehl.conditions import moes_groups
 
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=20e-9)
 CONTACT = ContactConditions(

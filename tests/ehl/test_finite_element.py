@@ -10,9 +10,7 @@ from numpy.testing import assert_allclose
 from scipy.integrate import dblquad
 
 from ehl import Lubricant, MoesConditions, SolverOptions, solve_contact
-from ehl.compliance import compliance_matrix, graded_nodes
-from ehl.finite_element import solve_contact_finite_element
-from ehl.reynolds_fem import (
+from ehl.finite_element.reynolds import (
     coefficients,
     film_derivative,
     film_space,
@@ -20,7 +18,9 @@ from ehl.reynolds_fem import (
     pressure_derivative,
     reynolds_residual,
 )
+from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.scaling import scale_contact
+from ehl.solid.compliance import compliance_matrix, graded_nodes
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
 BOX = (-4.5, 1.5, 3.0)

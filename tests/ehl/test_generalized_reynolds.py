@@ -12,11 +12,12 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
-from ehl.generalized_reynolds import FilmColumns, _kernels, film_section, flow_integrals, mid_stress
-from ehl.generalized_reynolds.columns import _stresses, fluidities
-from ehl.lubricant import Lubricant, ThermalProperties, ViscosityLaw, density, viscosity
-from ehl.properties import oil_numbers
-from ehl.rheology import Rheology, ShearLaw, kernel_rheology
+from ehl.generalized import _kernels
+from ehl.generalized.columns import FilmColumns, _stresses, flow_integrals, fluidities, mid_stress
+from ehl.generalized.section import film_section
+from ehl.oil.lubricant import Lubricant, ThermalProperties, ViscosityLaw, density, viscosity
+from ehl.oil.numbers import oil_numbers
+from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 
 SECTION = film_section()
 NEWTON = Rheology()

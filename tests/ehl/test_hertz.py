@@ -10,7 +10,13 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.hertz import contact_stiffness, ellipse_ratio, hertz_coefficients, hertz_contact, radius_ratio_of_ellipse
+from ehl.closed_form.hertz import (
+    contact_stiffness,
+    ellipse_ratio,
+    hertz_coefficients,
+    hertz_contact,
+    radius_ratio_of_ellipse,
+)
 
 # F(rho): a*, b*, delta*
 HARRIS = {

@@ -6,13 +6,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import Lubricant, MoesConditions, ViscosityLaw, _kernels, relaxation, reynolds
-from ehl.deformation import deflection_kernel
+from ehl import Lubricant, MoesConditions, ViscosityLaw
 from ehl.grid import Grid
-from ehl.multigrid import Damping, make_multigrid, relax, start_level, update_film
-from ehl.properties import _kernels as properties
-from ehl.properties import oil_numbers
+from ehl.multigrid import _kernels, relaxation, reynolds
+from ehl.multigrid.cycle import Damping, make_multigrid, relax, start_level, update_film
+from ehl.oil import _kernels as properties
+from ehl.oil.numbers import oil_numbers
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
+from ehl.solid.deformation import deflection_kernel
 
 ROUND_OFF = 1e-12  # relative; sums of a few terms in another order
 

@@ -12,7 +12,8 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.free_volume import (
+from ehl.oil import _kernels
+from ehl.oil.free_volume import (
     DoolittleFreeVolume,
     ExpansivityForm,
     TaitVolume,
@@ -22,7 +23,7 @@ from ehl.free_volume import (
     pressure_viscosity_yasutomi,
     relative_volume,
 )
-from ehl.lubricant import (
+from ehl.oil.lubricant import (
     DensityLaw,
     Lubricant,
     ThermalProperties,
@@ -33,7 +34,7 @@ from ehl.lubricant import (
     viscosity_barus,
     viscosity_roelands,
 )
-from ehl.properties import _kernels, oil_numbers
+from ehl.oil.numbers import oil_numbers
 
 TAIT = TaitVolume(bulk_modulus=1.312e9, bulk_modulus_derivative=11.74, reference_temperature=298.0)
 DOOLITTLE = DoolittleFreeVolume(factor=5.258, occupied_share=0.6633)

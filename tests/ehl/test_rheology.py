@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.rheology import (
+from ehl.oil import _rheology_kernels as _kernels
+from ehl.oil.rheology import (
     Rheology,
     ShearLaw,
-    _kernels,
     effective_viscosity,
     kernel_rheology,
     limiting_stress,

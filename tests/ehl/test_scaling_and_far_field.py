@@ -8,13 +8,20 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw
+from ehl import (
+    ContactConditions,
+    DensityLaw,
+    Lubricant,
+    MoesConditions,
+    SolverOptions,
+    ViscosityLaw,
+)
+from ehl.closed_form.hertz import hertz_contact
 from ehl.conditions import moes_groups
-from ehl.far_field import edge_pressure, exterior_load, far_field
 from ehl.grid import Grid
-from ehl.hertz import hertz_contact
-from ehl.lubricant import density, viscosity
-from ehl.reynolds import poiseuille
+from ehl.multigrid.far_field import edge_pressure, exterior_load, far_field
+from ehl.multigrid.reynolds import poiseuille
+from ehl.oil.lubricant import density, viscosity
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)

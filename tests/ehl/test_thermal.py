@@ -14,14 +14,15 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import ContactConditions, Lubricant, ViscosityLaw
-from ehl.generalized_reynolds import film_section
-from ehl.lubricant import DensityLaw, ThermalProperties
-from ehl.properties import oil_numbers
-from ehl.rheology import Rheology, kernel_rheology
-from ehl.thermal import SolidThermal, _kernels, film_reduction_gupta, thermal_loading
-from ehl.thermal.columns import HeatColumn, column_temperature, curvature, wall_slopes
-from ehl.thermal.film_heat import FilmHeat
-from ehl.thermal.solids import history_weights, response_factor
+from ehl.closed_form.heat import film_reduction_gupta, thermal_loading
+from ehl.generalized import _heat_kernels as _kernels
+from ehl.generalized.film_heat import FilmHeat
+from ehl.generalized.heat_columns import HeatColumn, column_temperature, curvature, wall_slopes
+from ehl.generalized.section import film_section
+from ehl.oil.lubricant import DensityLaw, ThermalProperties
+from ehl.oil.numbers import oil_numbers
+from ehl.oil.rheology import Rheology, kernel_rheology
+from ehl.solid.heat import SolidThermal, history_weights, response_factor
 
 SECTION = film_section()
 DIFFERENCES = (*wall_slopes(SECTION), curvature(SECTION))

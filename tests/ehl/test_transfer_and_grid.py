@@ -6,10 +6,15 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl.extrapolation import extrapolate
-from ehl.full_multigrid import central_film, film_values
 from ehl.grid import Grid, grid_hierarchy
-from ehl.transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
+from ehl.multigrid.extrapolation import extrapolate
+from ehl.multigrid.full_multigrid import central_film, film_values
+from ehl.multigrid.transfer import (
+    full_weighting,
+    inject,
+    interpolate_cubic,
+    interpolate_linear,
+)
 
 HIERARCHY = grid_hierarchy(65, (-4.0, 2.0, 3.0), 1.5, 3, True)
 

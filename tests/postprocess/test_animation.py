@@ -6,8 +6,16 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from postprocess.animation import AnimationOptions, about_axis, animate, ball_marks, cage_surface, rotation, shown_rows
-from postprocess.history_io import open_history
+from postprocess.dynamics.history import open_history
+from postprocess.scene.animation import (
+    AnimationOptions,
+    about_axis,
+    animate,
+    ball_marks,
+    cage_surface,
+    rotation,
+    shown_rows,
+)
 
 
 def test_rotation_of_a_quaternion():
@@ -48,7 +56,7 @@ def test_a_gif_and_steps(tmp_path):
     from PIL import Image
 
     from cases import load_case
-    from cases.dynamics import run_dynamics
+    from cases.runs.dynamics import run_dynamics
 
     case = load_case("7008_axial")
     from dataclasses import replace

@@ -10,14 +10,15 @@ import pytest
 from rich.console import Console
 from typer.testing import CliRunner
 
-from cases.cli import app
+from cases.cli.main import app
 from postprocess import open_results, summary
-from postprocess.compare import compare, relative
-from postprocess.compare_table import comparison_table
-from postprocess.field_io import open_contact
-from postprocess.line_cut import write_line_cut
-from postprocess.plots_interferogram import Optics, intensity, write_interferogram
-from postprocess.results_io import FIELDS_FILE, SUMMARY_FILE, write_json, write_netcdf
+from postprocess.bearing.files import write_netcdf
+from postprocess.compare.compare import compare, relative
+from postprocess.compare.table import comparison_table
+from postprocess.contact.fields import open_contact
+from postprocess.contact.interferogram import Optics, intensity, write_interferogram
+from postprocess.contact.line_cut import write_line_cut
+from postprocess.files import FIELDS_FILE, SUMMARY_FILE, write_json
 
 
 def write_results(results, folder):

@@ -10,10 +10,11 @@ from numpy.testing import assert_allclose
 
 from ehl import FilmValue
 from postprocess import plots, summary
-from postprocess.plot_style import contact_view, value_with_error
+from postprocess.bearing.plots import ball_columns
+from postprocess.bearing.table import result_table
+from postprocess.contact.view import contact_view
 from postprocess.plots import write_plots
-from postprocess.plots_bearing import ball_columns
-from postprocess.table import result_table
+from postprocess.text import value_with_error
 
 pytest.importorskip("matplotlib")
 

@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 
 from bearing import BallKinematics, Model, solve_quasistatic
 from cases import load_case
-from postprocess.plots_frame import draw_frame
+from postprocess.bearing.plots_frame import draw_frame
 
 
 @pytest.fixture(scope="module")

@@ -12,8 +12,8 @@ from matplotlib.figure import Figure
 from bearing.torque.breakdown import NAMES, TorqueBreakdown
 from bearing.torque.models import ModelTorque, summed
 from bearing.torque.shear_torque import IntegratedTorque, SolvedShear
-from postprocess.plots_torque import KINDS, LABELS, draw_models, draw_torque
-from postprocess.torque import MODELS
+from postprocess.bearing.plots_torque import KINDS, LABELS, draw_models, draw_torque
+from postprocess.bearing.torque import MODELS
 
 
 def test_every_model_has_a_label_and_every_component_one_colour():

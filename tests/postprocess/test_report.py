@@ -11,11 +11,11 @@ from html.parser import HTMLParser
 import pytest
 
 from postprocess import write_results
-from postprocess.named_units import unit_of, without_unit
-from postprocess.report import report_page, write_report
-from postprocess.report_html import number, text
-from postprocess.report_svg import stacked_bars
-from postprocess.results_io import SUMMARY_FILE
+from postprocess.files import SUMMARY_FILE
+from postprocess.report.html import number, text
+from postprocess.report.page import report_page, write_report
+from postprocess.report.svg import stacked_bars
+from postprocess.units import unit_of, without_unit
 
 VOID = {"meta", "img", "br", "rect", "line"}
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")

@@ -11,7 +11,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from postprocess import open_results, summary
-from postprocess.results_io import atomic_path, write_contacts_csv, write_json, write_netcdf
+from postprocess.bearing.files import write_contacts_csv, write_netcdf
+from postprocess.files import atomic_path, write_json
 
 xr = pytest.importorskip("xarray")
 
@@ -85,7 +86,7 @@ def test_foreign_file_is_refused(tmp_path):
 
 def test_the_first_format_is_read(contact_results, tmp_path):
     """Written before a grid could lie at an angle to the entrainment."""
-    from postprocess.patch import Patch
+    from postprocess.scene.patch import Patch
 
     write_netcdf(contact_results, tmp_path / "new.nc")
     with xr.open_datatree(tmp_path / "new.nc", engine="h5netcdf") as tree:

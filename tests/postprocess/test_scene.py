@@ -10,14 +10,14 @@ import numpy as np
 import pytest
 
 from postprocess import write_results
-from postprocess.rendering import (
+from postprocess.scene.rendering import (
     WINDOW_VARIABLE,
     RenderingError,
     rendering_environment,
     require_rendering,
     run_python,
 )
-from postprocess.scene import SceneOptions, screenshot, show
+from postprocess.scene.scene import SceneOptions, screenshot, show
 
 LINUX = sys.platform.startswith("linux")
 
@@ -101,7 +101,7 @@ def test_bad_requests(run_folder, tmp_path):
 
 
 def test_importing_the_scene_opens_nothing():
-    code = "import sys, postprocess.scene; print('pyvista' in sys.modules)"
+    code = "import sys, postprocess.scene.scene; print('pyvista' in sys.modules)"
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert answer.stdout.strip() == "False"
 

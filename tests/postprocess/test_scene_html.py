@@ -9,8 +9,8 @@ import subprocess
 import pytest
 
 from postprocess import write_results
-from postprocess.rendering import RenderingError, require_rendering
-from postprocess.scene import export_html
+from postprocess.scene.rendering import RenderingError, require_rendering
+from postprocess.scene.scene import export_html
 
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")
 
@@ -78,7 +78,7 @@ def test_wrong_names_and_missing_packages_are_told(tmp_path, monkeypatch):
 
 def test_the_colour_scale_of_the_page():
     """Logarithmic where the scene's colours are: equal ratios take equal heights."""
-    from postprocess.scene_page import ColourBar, bar_html
+    from postprocess.scene.page import ColourBar, bar_html
 
     bar = ColourBar(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
     assert [bar.height(h) for h in (0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.5, 1.0])
@@ -95,7 +95,7 @@ def test_letters_face_the_camera():
     """Flat, across x, upright where the picture's top is; read from the side of +x."""
     import numpy as np
 
-    from postprocess.scene_page import flat_words
+    from postprocess.scene.page import flat_words
 
     up = np.array([0.0, 1.0, 0.0])
     body = flat_words("120°", np.array([5.0, 30.0, 0.0]), up, 3.0)
@@ -128,7 +128,7 @@ def test_a_click_tells_numbers_and_the_slider_turns(page, bearing_results, tmp_p
     import json
     import sys
 
-    from postprocess.rendering import rendering_environment
+    from postprocess.scene.rendering import rendering_environment
 
     write_results(bearing_results, tmp_path)
     run = subprocess.run(
@@ -151,7 +151,7 @@ def test_a_click_tells_numbers_and_the_slider_turns(page, bearing_results, tmp_p
 @pytest.mark.slow
 def test_a_movie_has_different_frames(page, tmp_path):
     image = pytest.importorskip("PIL.Image")
-    from postprocess.scene import SceneOptions, movie
+    from postprocess.scene.scene import SceneOptions, movie
 
     file = movie(page.parent, tmp_path / "turn.gif", SceneOptions(size=(160, 120)))
     with image.open(file) as frames:

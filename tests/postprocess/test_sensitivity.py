@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from postprocess.batch_results import BatchPoint, BatchResults, batch_summary
-from postprocess.sensitivity import bands, sensitivities
+from postprocess.batch.points import BatchPoint, BatchResults
+from postprocess.batch.results import batch_summary
+from postprocess.batch.sensitivity import bands, sensitivities
 
 CASE = {"lubricant.viscosity_mPa_s": 20.0, "operation.axial_load_N": -50.0}
 STEP = 0.02

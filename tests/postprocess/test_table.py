@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 from rich.console import Console
 
-from postprocess.table import result_table
+from postprocess.bearing.table import result_table
 
 
 def printed(results):

@@ -11,8 +11,14 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from postprocess.geometry import ContactFrame, Placement, place_patch, ring_surface
-from postprocess.vtk import FILM, PRESSURE, collection_text, write_collection, write_subsurface
+from postprocess.scene.geometry import ContactFrame, Placement, place_patch, ring_surface
+from postprocess.scene.vtk import (
+    FILM,
+    PRESSURE,
+    collection_text,
+    write_collection,
+    write_subsurface,
+)
 
 pv = pytest.importorskip("pyvista")
 
@@ -119,7 +125,7 @@ def test_single_contact_is_flat(contact_results, moes_results, tmp_path):
 
 def test_writing_needs_no_rendering_library():
     code = (
-        "import sys, postprocess.vtk, vtkmodules.vtkIOXML; "
+        "import sys, postprocess.scene.vtk, vtkmodules.vtkIOXML; "
         "print(any('Rendering' in m or 'pyvista' in m for m in sys.modules))"
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from cases import Case, load_case, run_case, run_contact
-from cases.shipped import HERE, shipped_cases, shipped_sweeps
+from cases.format.shipped import HERE, shipped_cases, shipped_sweeps
 
 STEMS = tuple(shipped_cases())
 QUICK = ("209_radial_8900N", "218_axial_22250N", "ball_on_disc", "moes_20_10", "6208_full_ceramic")

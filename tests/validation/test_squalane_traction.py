@@ -18,11 +18,12 @@ import pytest
 
 import ehl
 from cases import load_case
-from ehl.generalized_solver import solve_generalized
-from ehl.rheology import Rheology, ShearLaw
-from ehl.thermal import SolidThermal
-from ehl.traction import ContactKinematics, integrate_traction
-from ehl.traction.warm.nodes import warm_forces, warm_nodes
+from ehl.generalized.solver import solve_generalized
+from ehl.kinematics import ContactKinematics
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.solid.heat import SolidThermal
+from ehl.traction.heated.lines import warm_forces, warm_nodes
+from ehl.traction.shear import integrate_traction
 
 CARREAU = Rheology(
     law=ShearLaw.CARREAU_YASUDA, carreau_modulus=6.94e6, carreau_exponent=0.463, limiting_coefficient=0.05

@@ -15,12 +15,13 @@ import pytest
 from scipy.interpolate import CubicSpline
 
 from bearing import solve_quasistatic
+from bearing.friction.race_tables import build_race_tables, load_race_tables, save_race_tables
 from bearing.geometry import Race
-from bearing.traction_tables import build_race_tables, load_race_tables, save_race_tables
 from cases import load_case
 from ehl import SolverOptions, solve_contact
-from ehl.traction import ContactKinematics, integrate_traction
-from ehl.traction.sampling import TableOptions
+from ehl.kinematics import ContactKinematics
+from ehl.traction.shear import integrate_traction
+from ehl.traction.table.build import TableOptions
 
 POINTS, FILMS = 257, 20  # 10 motions in each of 20 films
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.lubricant_library import library_lubricant
+from bearing.library.lubricants import library_lubricant
 from ehl import (
     ContactConditions,
     DensityLaw,
@@ -26,9 +26,10 @@ from ehl import (
     solve_contact,
 )
 from ehl.conditions import moes_groups
-from ehl.extrapolation import extrapolate
-from ehl.flow_model import FlowFactors
-from ehl.full_multigrid import (
+from ehl.multigrid.cycle import Damping, cycle, start_level, update_film
+from ehl.multigrid.extrapolation import extrapolate
+from ehl.multigrid.flow_model import FlowFactors
+from ehl.multigrid.full_multigrid import (
     ATTEMPTS,
     LOAD_TOLERANCE,
     Progress,
@@ -36,10 +37,9 @@ from ehl.full_multigrid import (
     contact_multigrid,
     solve_with_fallbacks,
 )
-from ehl.multigrid import Damping, cycle, start_level, update_film
+from ehl.multigrid.thin_film import FALLBACK
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain
-from ehl.thin_film import FALLBACK
 
 OIL = Lubricant(viscosity=0.05, pressure_viscosity=22e-9, roelands_z=0.68)
 CIRCULAR = MoesConditions(load_parameter=20.0, lubricant_parameter=10.0, lubricant=OIL)

@@ -26,14 +26,15 @@ from bearing import (
 from bearing.dynamics.bodies import ring_body
 from bearing.dynamics.friction import RaceFriction, four_constant_friction
 from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
-from bearing.dynamics.simulation import join, simulation
-from bearing.torque.tabulated import law_balance
-from bearing.torque.traction_source import BallTraction, LawTraction
-from bearing.traction_tables import build_race_tables
+from bearing.dynamics.record import join
+from bearing.dynamics.simulation import simulation
+from bearing.friction.race_tables import build_race_tables
+from bearing.friction.sources import BallTraction, LawTraction
+from bearing.friction.tables import law_balance
 from cases import load_case
 from ehl import Lubricant
 from ehl.traction.laws import four_constants
-from ehl.traction.sampling import TableOptions
+from ehl.traction.table.build import TableOptions
 
 STEEL = Material(name="test steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
 OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)  # makes contact conditions; the friction is a law's

@@ -9,14 +9,14 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized_continuation import CARRIED, NAME, continued
-from ehl.generalized_reynolds.flow import BeganAnewError, GeneralizedFlow
-from ehl.generalized_solver import _judged, solve_generalized
-from ehl.lubricant import ThermalProperties, log_viscosity_ratio
-from ehl.rheology import Rheology, ShearLaw, eased, shear_stress
+from ehl.generalized.continuation import CARRIED, NAME, continued
+from ehl.generalized.film_heat import FilmHeat
+from ehl.generalized.flow import BeganAnewError, GeneralizedFlow
+from ehl.generalized.solver import _judged, solve_generalized
+from ehl.oil.lubricant import ThermalProperties, log_viscosity_ratio
+from ehl.oil.rheology import Rheology, ShearLaw, eased, shear_stress
 from ehl.scaling import scale_contact
-from ehl.thermal import SolidThermal
-from ehl.thermal.film_heat import FilmHeat
+from ehl.solid.heat import SolidThermal
 
 HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.04, expansion=7e-4)
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=2e-8, temperature=333.0, thermal=HEAT)
@@ -187,7 +187,7 @@ def test_columns_beyond_the_limiting_stress_are_counted_and_told():
 
 
 def _grid(points):
-    from ehl.full_multigrid import ATTEMPTS, contact_multigrid
+    from ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid
     from ehl.scaling import scale_contact
 
     contact = scale_contact(CIRCULAR)

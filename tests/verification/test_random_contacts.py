@@ -14,11 +14,11 @@ from numpy.testing import assert_allclose
 from cases.verification.contacts import from_groups
 from cases.verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
 from ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, solve_contact
-from ehl.deformation import deflect, deflection_kernel
 from ehl.grid import Grid
-from ehl.reynolds import flow_properties, reynolds_operator
+from ehl.multigrid.reynolds import flow_properties, reynolds_operator
+from ehl.multigrid.thin_film import FALLBACK as THIN_FILM
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
-from ehl.thin_film import FALLBACK as THIN_FILM
+from ehl.solid.deformation import deflect, deflection_kernel
 
 FILMS = ("film_central_dimensionless", "film_minimum_dimensionless")
 

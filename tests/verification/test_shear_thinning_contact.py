@@ -9,8 +9,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized_reynolds.flow import GeneralizedFlow
-from ehl.rheology import Rheology, ShearLaw
+from ehl.generalized.flow import GeneralizedFlow
+from ehl.oil.rheology import Rheology, ShearLaw
 
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=2e-8)
 CIRCULAR = ContactConditions(

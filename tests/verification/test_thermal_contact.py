@@ -9,10 +9,11 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized_solver import solve_generalized
-from ehl.lubricant import ThermalProperties
-from ehl.rheology import Rheology, ShearLaw
-from ehl.thermal import SolidThermal, film_reduction_gupta, thermal_loading
+from ehl.closed_form.heat import film_reduction_gupta, thermal_loading
+from ehl.generalized.solver import solve_generalized
+from ehl.oil.lubricant import ThermalProperties
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.solid.heat import SolidThermal
 
 HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.04, expansion=7e-4)
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=2e-8, temperature=313.15, thermal=HEAT)

@@ -6,9 +6,9 @@ import re
 from pathlib import Path
 from typing import Any
 
-from cases.problems import allowed_values, resolved
-from cases.schema import BearingFile, ContactFile
-from postprocess.named_units import unit_of
+from cases.format.problems import allowed_values, resolved
+from cases.schema.files import BearingFile, ContactFile
+from postprocess.units import unit_of
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "reference" / "cases.md"

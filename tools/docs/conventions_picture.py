@@ -9,8 +9,8 @@ from matplotlib.figure import Figure
 
 from bearing import BallKinematics, Model, solve_quasistatic
 from cases import load_case
+from postprocess.bearing.plots_frame import draw_frame
 from postprocess.plot_style import RC, save
-from postprocess.plots_frame import draw_frame
 
 PICTURE = Path(__file__).parents[2] / "docs" / "images" / "conventions.png"
 

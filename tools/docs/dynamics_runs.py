@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 
 from bearing.dynamics.outcome import Outcome, Tally, orbit_speeds, outcome
-from bearing.dynamics.simulation import Record, Simulation, join, simulation
+from bearing.dynamics.record import Record, join
+from bearing.dynamics.simulation import Simulation, simulation
 from cases import Case
-from cases.dynamics import build_model
+from cases.runs.dynamics import build_model
 
 RPM = pi / 30.0  # [rad/s]
 

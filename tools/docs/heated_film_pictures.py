@@ -16,13 +16,13 @@ from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from bearing import solve_quasistatic
+from bearing.friction.race_tables import table_contacts
 from bearing.geometry import Race
-from bearing.traction_tables import table_contacts
 from cases import load_case
 from ehl import SolverOptions
-from ehl.generalized_solver import solve_generalized
-from ehl.traction.table import TableContact
-from ehl.traction.table_film import table_film
+from ehl.generalized.solver import solve_generalized
+from ehl.traction.table.film import table_film
+from ehl.traction.table.table import TableContact
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"

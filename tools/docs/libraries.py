@@ -8,10 +8,16 @@ from math import radians
 from pathlib import Path
 from typing import Any
 
-from bearing import library_lubricant, list_bearings, list_lubricants, list_materials, load_catalogue_entry
-from bearing.catalogue import published_bearings
+from bearing import (
+    library_lubricant,
+    list_bearings,
+    list_lubricants,
+    list_materials,
+    load_catalogue_entry,
+)
 from bearing.geometry_estimate import GeometryEstimate, typical_geometry
-from bearing.lubricant_library import PROPERTIES, lubricant_data
+from bearing.library.bearings import published_bearings
+from bearing.library.lubricants import PROPERTIES, lubricant_data
 from bearing.material import FIELDS, material_data
 
 DOCS = Path(__file__).parents[2] / "docs"

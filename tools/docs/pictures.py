@@ -8,7 +8,7 @@ from pathlib import Path
 
 from cases import load_case, run_case
 from postprocess import write_results
-from postprocess.scene import screenshot
+from postprocess.scene.scene import screenshot
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
 CASE = "6208_full_ceramic"

@@ -9,8 +9,8 @@ from pathlib import Path
 from PIL import Image
 
 from cases import load_case
-from cases.slip import run_slip
-from postprocess.slip_results import write_slip
+from cases.runs.slip import run_slip
+from postprocess.slip.write import write_slip
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
 COLOURS = 128  # of the picture files [-]

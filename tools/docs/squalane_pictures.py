@@ -15,13 +15,21 @@ from matplotlib.figure import Figure
 
 from bearing import library_lubricant
 from cases import load_case
-from ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, ViscosityLaw, solve_contact
-from ehl.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
-from ehl.generalized_solver import solve_generalized
-from ehl.rheology import Rheology, ShearLaw
-from ehl.thermal import SolidThermal
-from ehl.traction import ContactKinematics, integrate_traction
-from ehl.traction.warm.nodes import warm_forces, warm_nodes
+from ehl import (
+    ContactConditions,
+    DensityLaw,
+    Lubricant,
+    SolverOptions,
+    ViscosityLaw,
+    solve_contact,
+)
+from ehl.generalized.solver import solve_generalized
+from ehl.kinematics import ContactKinematics
+from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.solid.heat import SolidThermal
+from ehl.traction.heated.lines import warm_forces, warm_nodes
+from ehl.traction.shear import integrate_traction
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -13,8 +13,8 @@ from validation_004 import SPEEDS as PRINTED_SPEEDS
 
 from bearing.torque.sweeps import TorqueStudy, torque_sweep
 from cases import load_case
+from postprocess.bearing.plots_torque import Curve, draw_over_speed
 from postprocess.plot_style import PAGE_WIDTH, RC, save
-from postprocess.plots_torque import Curve, draw_over_speed
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
 RPM = pi / 30.0  # [rad/s]

@@ -12,20 +12,20 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from bearing import BallKinematics, Model, contact_conditions, solve_quasistatic
-from bearing.quasistatic import QuasistaticSolution
-from bearing.torque.balance import ring_power
-from bearing.torque.traction_source import (
+from bearing.contacts.motion import bearing_kinematics
+from bearing.friction.balance import ring_power
+from bearing.friction.sources import (
     BallTraction,
     CoulombTraction,
     FilmTraction,
     FourConstantTraction,
     TractionSource,
 )
-from bearing.traction_forces import bearing_kinematics
+from bearing.quasistatic.solution import QuasistaticSolution
 from cases import load_case
-from cases.case import Case
-from cases.film_model import NEWTONIAN
-from cases.traction_films import FilmSolver
+from cases.format.case import Case
+from cases.format.film_model import NEWTONIAN
+from cases.runs.traction_films import FilmSolver
 from ehl import SolverOptions
 from ehl.traction.laws import four_constants
 from postprocess.plot_style import PAGE_WIDTH, RC, save

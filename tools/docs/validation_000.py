@@ -16,8 +16,8 @@ from printed import printed
 from validation_000_pictures import draw_axial, draw_azimuth, draw_skid
 
 from bearing.operation import BallKinematics, Model
-from bearing.quasistatic import solve_quasistatic
-from bearing.slip import SlipStudy, minimum_axial_load_skf, minimum_preload
+from bearing.quasistatic.solver import solve_quasistatic
+from bearing.studies.slip import SlipStudy, minimum_axial_load_skf, minimum_preload
 from cases import load_case
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -355,7 +355,7 @@ def of_shapes(runs: dict[str, Run], ups: dict[str, Run]) -> list[str]:
 def stiffnesses() -> dict[str, float]:
     """K of both races as printed, corrected, and of Hertz [N/m^1.5]."""
     from bearing.dynamics.simulation import simulation
-    from cases.dynamics import build_model
+    from cases.runs.dynamics import build_model
 
     found = {}
     for key, name in (("printed", "planar as printed"), ("planar", "planar"), ("hertz", "hertz")):

@@ -16,14 +16,14 @@ from matplotlib.figure import Figure
 from printed import printed
 
 from bearing import contact_conditions, load_material, solve_quasistatic
+from bearing.heating.self_heating import WarmState
+from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.self_heating import WarmState
-from bearing.torque.starved_torque import StarvedTorque, starved_torque
-from bearing.torque.supply import InletFilm, Supply
+from bearing.torque.starved import StarvedTorque, starved_torque
 from cases import load_case
 from cases.batch.sweep import read_sweep
 from cases.batch.tables import case_of_document
-from cases.heating import self_heated
+from cases.runs.heating import self_heated
 from postprocess.plot_style import PAGE_WIDTH, RC, REFERENCE, save
 
 DOCS = Path(__file__).parents[2] / "docs"

@@ -13,7 +13,13 @@ import numpy as np
 from printed import printed
 
 from bearing import QuasistaticSolution, solve_quasistatic
-from bearing.slip import SlipStudy, critical_loads, minimum_preload, slip_factors, slip_surface
+from bearing.studies.slip import (
+    SlipStudy,
+    critical_loads,
+    minimum_preload,
+    slip_factors,
+    slip_surface,
+)
 from cases import load_case
 
 DOCS = Path(__file__).parents[2] / "docs"

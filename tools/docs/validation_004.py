@@ -12,10 +12,10 @@ from pathlib import Path
 from printed import printed
 
 from bearing import BallKinematics, contact_conditions, solve_quasistatic
+from bearing.friction.coulomb import balanced_friction
+from bearing.friction.sources import BallTraction, CoulombTraction
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.coulomb import balanced_friction
 from bearing.torque.sliding import shaft_speed, sliding_contacts
-from bearing.torque.traction_source import BallTraction, CoulombTraction
 from cases import Case, load_case
 
 DOCS = Path(__file__).parents[2] / "docs"

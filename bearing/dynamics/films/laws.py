@@ -12,8 +12,8 @@ from math import exp, log
 import numpy as np
 from scipy.optimize import brentq
 
-from ehl.traction.splines import spline_weights
-from ehl.traction.table import LOAD_POWER, load_place
+from ehl.traction.table.splines import spline_weights
+from ehl.traction.table.table import LOAD_POWER, load_place
 
 from ..problem import EXPONENT, STIFFNESS, Array, FrictionData
 

@@ -10,12 +10,13 @@ from ..problem import Array
 from . import _kernels
 
 if TYPE_CHECKING:
-    from ..simulation import Record, Simulation
+    from ..record import Record
+    from ..simulation import Simulation
 
 
 def control_of(simulation: Simulation) -> Array:
     """Least and longest step, and the step below which a stiff problem is given back [s]."""
-    from ..simulation import LEAST_STEP, STEP_ANGLE, STIFF_STEP
+    from ..record import LEAST_STEP, STEP_ANGLE, STIFF_STEP
 
     options, frequency = simulation.model.options, simulation.frequency
     longest = options.longest_step or STEP_ANGLE / frequency
@@ -25,7 +26,7 @@ def control_of(simulation: Simulation) -> Array:
 
 def advance_explicit(simulation: Simulation, times: Array) -> tuple[int, Record]:
     """Move a simulation on to the given times [s]; the kernel's status, and the rows reached."""
-    from ..simulation import Record, empty_record
+    from ..record import Record, empty_record
 
     state, size = simulation.state, simulation.layout.size
     record = empty_record(times, simulation.bearing.balls)

@@ -12,7 +12,8 @@ from . import _kernels
 from .explicit import control_of
 
 if TYPE_CHECKING:
-    from ..simulation import Record, Simulation
+    from ..record import Record
+    from ..simulation import Simulation
 
 DONE, TOO_SMALL = 0, 1
 TIGHTER = 0.1  # LSODA holds its error less closely than a method of order five its own [-]
@@ -21,7 +22,7 @@ ACCUMULATED = 1.0e-6  # tolerance of the accumulators, of themselves [-]
 
 def advance_implicit(simulation: Simulation, times: Array) -> tuple[int, Record]:
     """Move a simulation on to the given times [s]; 0 or 1 (the step became too small), and the rows reached."""
-    from ..simulation import Record, empty_record
+    from ..record import Record, empty_record
 
     record = empty_record(times, simulation.bearing.balls)
     simulation.state.counters[[_kernels.STIFF_SEEN, _kernels.SOFT_SEEN]] = 0  # explicit steps begin anew after it

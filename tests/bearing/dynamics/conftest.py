@@ -79,7 +79,7 @@ def operation(rpm, axial=0.0, radial=0.0, **fields):
 
 def run(simulation):
     """All records of a simulation as one."""
-    from bearing.dynamics.simulation import join
+    from bearing.dynamics.record import join
 
     record = None
     for piece in simulation.pieces():

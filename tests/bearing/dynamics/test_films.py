@@ -20,12 +20,18 @@ from bearing.dynamics.reference import accelerations
 from bearing.dynamics.simulation import simulation
 from bearing.geometry import contact_modulus, reduced_radii
 from ehl import Lubricant, SolverOptions, solve_contact
+from ehl.closed_form.hertz import contact_stiffness
 from ehl.conditions import ContactConditions
-from ehl.hertz import contact_stiffness
-from ehl.rheology import Rheology
+from ehl.oil.rheology import Rheology
 from ehl.traction.response import normal_response
-from ehl.traction.splines import spline_coefficients
-from ehl.traction.table import LOAD_POWER, TableContact, TableError, TableRange, TractionTable
+from ehl.traction.table.splines import spline_coefficients
+from ehl.traction.table.table import (
+    LOAD_POWER,
+    TableContact,
+    TableError,
+    TableRange,
+    TractionTable,
+)
 
 OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)
 LOADS, SPEEDS = (2.0, 800.0), (0.5, 20.0)

@@ -10,10 +10,18 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing.dynamics.friction import coulomb_friction, four_constant_friction
-from bearing.dynamics.inputs import Guidance, LoadType, NormalContact, NormalLaw, Schedule, Start
+from bearing.dynamics.inputs import (
+    Guidance,
+    LoadType,
+    NormalContact,
+    NormalLaw,
+    Schedule,
+    Start,
+)
 from bearing.dynamics.integration.implicit import advance_implicit
 from bearing.dynamics.laws import damping_factor, restitution_returned
-from bearing.dynamics.simulation import empty_record, from_state, simulation
+from bearing.dynamics.record import empty_record
+from bearing.dynamics.simulation import from_state, simulation
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # of 0.05, 0.03, 0.03
 

@@ -7,11 +7,11 @@ from dataclasses import replace
 import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
+from bearing.contacts.traction import contact_traction
 from bearing.torque.integrated import integrated_torque
 from bearing.torque.rolling_extent import rolling_extent, rolling_moments
-from bearing.traction_forces import contact_traction
 from ehl import Lubricant, SolverOptions, solve_contact
-from ehl.rheology import Rheology
+from ehl.oil.rheology import Rheology
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)
 

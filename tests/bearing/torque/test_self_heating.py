@@ -15,13 +15,13 @@ from bearing import (
     load_material,
     solve_quasistatic,
 )
-from bearing.torque.heat_balance import Cooling
+from bearing.friction.resistance import rolling_power
+from bearing.heating.heat_balance import Cooling
+from bearing.heating.self_heating import WarmBearing, self_heating
+from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.models import FrictionInput
-from bearing.torque.resistance import rolling_power
-from bearing.torque.self_heating import WarmBearing, self_heating
 from bearing.torque.sliding import shaft_speed
-from bearing.torque.starved_torque import starved_torque
-from bearing.torque.supply import InletFilm, Supply
+from bearing.torque.starved import starved_torque
 from ehl import ViscosityLaw
 
 STEEL = load_material("bearing steel")

@@ -10,12 +10,13 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.torque import balance as balancing
-from bearing.torque.integrated import NEGLIGIBLE, Asperities, film_balance, film_law, solved_shear
-from bearing.torque.resistance import FREE, Cage, resistance_of
+from bearing.friction import balance as balancing
+from bearing.friction.films import NEGLIGIBLE, Asperities, film_balance, film_law
+from bearing.friction.resistance import FREE, Cage, resistance_of
+from bearing.torque.integrated import solved_shear
 from bearing.torque.shear_torque import POWER_TOLERANCE, SolvedShear
 from ehl import Lubricant, SolverOptions, solve_contact
-from ehl.rheology import Rheology, ShearLaw
+from ehl.oil.rheology import Rheology, ShearLaw
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)
 EYRING = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5.2e6, limiting_coefficient=0.047)

@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from bearing import Bearing, Material, Operation, contact_conditions, solve_quasistatic
-from bearing.torque.pure_rolling_lines import rolling_lines
-from bearing.torque.resistance import (
+from bearing.friction.resistance import (
     Cage,
     churning_power,
     hysteresis_torque,
@@ -18,6 +17,7 @@ from bearing.torque.resistance import (
     pocket_power,
     rolling_moment,
 )
+from bearing.torque.pure_rolling_lines import rolling_lines
 from bearing.torque.sliding import (
     SlidingContact,
     coulomb_power,
@@ -121,7 +121,14 @@ def test_models_side_by_side_under_axial_load():
 
 def test_friction_of_a_6206_is_that_of_the_sliding_friction_paper_within_its_open_inputs():
     """Axial 500 N, 500 r/min: 26.416 N mm there with mu 0.0935; groove radii and clearance are not given there."""
-    from bearing.torque.skf import MM2_S, Series, SkfBearing, SkfOperation, skf_constants, skf_torque
+    from bearing.torque.skf import (
+        MM2_S,
+        Series,
+        SkfBearing,
+        SkfOperation,
+        skf_constants,
+        skf_torque,
+    )
 
     skf = skf_torque(
         SkfBearing(

@@ -9,10 +9,15 @@ import numpy as np
 import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.torque.heat_balance import LARGEST_RISE, Cooling, heat_balance
-from bearing.torque.mixed import asperity_share, mixed_friction
-from bearing.torque.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
-from bearing.torque.supply import (
+from bearing.friction.asperities import asperity_share, mixed_friction
+from bearing.heating.heat_balance import LARGEST_RISE, Cooling, heat_balance
+from bearing.supply.starved_films import (
+    least_lambda,
+    mean_share,
+    of_driven_balls,
+    starved_films,
+)
+from bearing.supply.supply import (
     InletFilm,
     Supply,
     cavity_volume,
@@ -25,7 +30,7 @@ from bearing.torque.supply import (
     supplied_films,
 )
 from ehl import Lubricant, ViscosityLaw
-from ehl.film_formulas import film_nijenbanning_central
+from ehl.closed_form.film import film_nijenbanning_central
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 ML_MIN = 1e-6 / 60.0  # [m^3/s]

@@ -9,19 +9,25 @@ import numpy as np
 import pytest
 
 from bearing import Operation, Race, contact_conditions, reduced_radii, solve_quasistatic
+from bearing.contacts.motion import bearing_kinematics
+from bearing.friction.coulomb import balanced_friction
+from bearing.friction.tables import contact_law, law_gradient
 from bearing.geometry import contact_modulus
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.coulomb import balanced_friction
 from bearing.torque.models import FrictionInput
 from bearing.torque.sliding import shaft_speed
-from bearing.torque.tabulated import contact_law, law_gradient, tabulated_torque
-from bearing.traction_forces import bearing_kinematics
+from bearing.torque.tabulated import tabulated_torque
 from ehl import Lubricant
-from ehl.hertz import hertz_contact
-from ehl.rheology import Rheology
-from ehl.traction import ContactShape, CoulombLaw
-from ehl.traction.laws import FourConstantLaw
-from ehl.traction.table import TableContact, TableError, TableRange, TractionTable, load_place
+from ehl.closed_form.hertz import hertz_contact
+from ehl.oil.rheology import Rheology
+from ehl.traction.laws import ContactShape, CoulombLaw, FourConstantLaw
+from ehl.traction.table.table import (
+    TableContact,
+    TableError,
+    TableRange,
+    TractionTable,
+    load_place,
+)
 
 OIL = Lubricant(viscosity=0.0174, pressure_viscosity=18e-9)
 MU = 0.08

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.testing import assert_allclose
 
 from ehl import Lubricant, SolverOptions
-from ehl.lubricant import ThermalProperties
-from ehl.rheology import Rheology, ShearLaw
-from ehl.thermal import SolidThermal
-from ehl.traction.full_solves import SLIDE_RATIOS, full_solves
-from ehl.traction.table import TableContact, TableRange
+from ehl.oil.lubricant import ThermalProperties
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.solid.heat import SolidThermal
+from ehl.traction.table.full_solves import SLIDE_RATIOS, full_solves
+from ehl.traction.table.table import TableContact, TableRange
 
 OIL = Lubricant(
     viscosity=0.04,

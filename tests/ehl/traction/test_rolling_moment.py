@@ -16,9 +16,15 @@ from scipy.linalg import solve_banded
 from scipy.optimize import brentq
 
 import ehl
+from ehl.kinematics import contact_kinematics
 from ehl.scaling import scale_contact
-from ehl.traction import contact_kinematics, integrate_traction
-from ehl.traction.rolling_moment import SHARE_OF_RADIUS, moment_of_doubling, rolling_moment, scaled_as_solved
+from ehl.traction.rolling_moment import (
+    SHARE_OF_RADIUS,
+    moment_of_doubling,
+    rolling_moment,
+    scaled_as_solved,
+)
+from ehl.traction.shear import integrate_traction
 
 HEAVY = ((4.0, 129), (8.0, 257), (16.0, 513))  # inlet in semi-axes and points, the mesh along x kept
 
@@ -41,7 +47,7 @@ def paraboloid(solution, approach=0.0):
 
 
 def test_moment_of_the_box_is_that_of_the_traction(solution, conditions):
-    found = integrate_traction(solution, contact_kinematics(conditions), ehl.rheology.Rheology())
+    found = integrate_traction(solution, contact_kinematics(conditions), ehl.oil.rheology.Rheology())
     moment = rolling_moment(solution)
     assert_allclose(moment.box, -found.hydrodynamic_moment, rtol=1e-9)
     assert_allclose(moment.extent, SHARE_OF_RADIUS * conditions.radius_x)

@@ -16,9 +16,9 @@ from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
 import ehl
-from ehl.rheology import Rheology, ShearLaw
-from ehl.traction import Cavitation, ContactKinematics, contact_kinematics, integrate_traction, shear_fields
-from ehl.traction.shear import sheared_width
+from ehl.kinematics import ContactKinematics, contact_kinematics
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.traction.shear import Cavitation, integrate_traction, shear_fields, sheared_width
 
 NEWTON = Rheology()
 MU = 0.05

@@ -14,28 +14,17 @@ import pytest
 from numpy.testing import assert_allclose
 
 import ehl
-from ehl.rheology import Rheology, ShearLaw
-from ehl.thermal import SolidThermal
-from ehl.traction import (
-    ContactKinematics,
-    CoulombLaw,
-    FourConstantLaw,
-    TableContact,
-    TableOptions,
-    TableRange,
-    build_table,
-    contact_kinematics,
-    four_constants,
-    inputs_digest,
-    integrate_traction,
-    load_table,
-    normal_response,
-    save_table,
-)
-from ehl.traction.laws import ContactShape
+from ehl.kinematics import ContactKinematics, contact_kinematics
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.solid.heat import SolidThermal
+from ehl.traction.laws import ContactShape, CoulombLaw, FourConstantLaw, four_constants
 from ehl.traction.quadrature import film_nodes, sliding_forces, sliding_forces_twin
-from ehl.traction.splines import spline_coefficients, spline_weights
-from ehl.traction.table import FullSolve
+from ehl.traction.response import normal_response
+from ehl.traction.shear import integrate_traction
+from ehl.traction.table.build import TableOptions, build_table
+from ehl.traction.table.splines import spline_coefficients, spline_weights
+from ehl.traction.table.storage import inputs_digest, load_table, save_table
+from ehl.traction.table.table import FullSolve, TableContact, TableRange
 
 RHEOLOGY = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=2.0 * 0.047 / 18e-9, limiting_coefficient=0.047)
 CIRCLE = TableContact(

@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing.lubricant_library import library_lubricant
-from ehl.rheology import Rheology, ShearLaw
-from ehl.traction import TableContact, TableOptions, TableRange, TemperatureTable, build_temperature_table
-from ehl.traction.temperature import lagrange_weights
+from bearing.library.lubricants import library_lubricant
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.traction.table.build import TableOptions
+from ehl.traction.table.table import TableContact, TableRange
+from ehl.traction.table.temperature import TemperatureTable, build_temperature_table, lagrange_weights
 
 LIMITS = TableRange(load=(40.0, 80.0), speed=(4.0, 8.0), slide_x=0.5, slide_y=0.3, spin=0.3)
 OPTIONS = TableOptions(points=65, tolerance=0.03, check_films=2, check_motions=40, rounds=1, nodes=(4, 4, 17, 7, 9))

@@ -10,24 +10,20 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad, solve_ivp
 
 from ehl import Lubricant, SolverOptions
-from ehl.generalized_solver import solve_generalized
-from ehl.lubricant import ThermalProperties
-from ehl.rheology import Rheology, ShearLaw, thinning_by_gradient
-from ehl.thermal import SolidThermal
-from ehl.traction import (
-    ContactKinematics,
-    TableContact,
-    TableOptions,
-    TableRange,
-    build_table,
-    integrate_traction,
-)
-from ehl.traction.full_solves import full_solves
+from ehl.generalized.solver import solve_generalized
+from ehl.kinematics import ContactKinematics
+from ehl.oil.lubricant import ThermalProperties
+from ehl.oil.rheology import Rheology, ShearLaw, thinning_by_gradient
+from ehl.solid.heat import SolidThermal
+from ehl.traction.heated import _kernels
+from ehl.traction.heated.heating import line_history, nahme, thinning_by_heat
+from ehl.traction.heated.lines import warm_forces, warm_forces_twin, warm_nodes
 from ehl.traction.quadrature import FilmNodes, sliding_forces
-from ehl.traction.table_film import table_film
-from ehl.traction.warm import _kernels
-from ehl.traction.warm.heating import line_history, nahme, thinning_by_heat
-from ehl.traction.warm.nodes import warm_forces, warm_forces_twin, warm_nodes
+from ehl.traction.shear import integrate_traction
+from ehl.traction.table.build import TableOptions, build_table
+from ehl.traction.table.film import table_film
+from ehl.traction.table.full_solves import full_solves
+from ehl.traction.table.table import TableContact, TableRange
 
 OIL = Lubricant(
     viscosity=0.04,

@@ -1,0 +1,67 @@
+from .contacts.contacts import BearingContact, contact_conditions
+from .contacts.stress import ContactStress, Truncation, contact_stress
+from .fits.clearance import ClearanceBudget, Fit, Warming, clearance_budget
+from .geometry import Bearing, Race, clearance_to_contact_angle, contact_angle_to_clearance, reduced_radii
+from .library.bearings import list_bearings, load_catalogue_entry
+from .library.lubricants import library_lubricant, list_lubricants
+from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus
+from .operation import BallKinematics, Curvature, Model, Operation, RatingInput
+from .quasistatic.solution import QuasistaticSolution
+from .quasistatic.solver import solve_quasistatic
+from .rating.frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
+from .rating.life import LifeRating, bearing_life
+from .rows import Row
+from .studies.preload import Arrangement, duplex, preload_offset, preloaded_row
+from .studies.slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
+from .studies.stiffness import StiffnessOverSpeed, ross_table, stiffness_over_speed
+
+__all__ = [
+    "Arrangement",
+    "BallKinematics",
+    "Bearing",
+    "BearingContact",
+    "ClearanceBudget",
+    "ContactStress",
+    "Curvature",
+    "Fit",
+    "Frequencies",
+    "LifeRating",
+    "Material",
+    "MaterialKind",
+    "Model",
+    "Operation",
+    "QuasistaticSolution",
+    "Race",
+    "RatingInput",
+    "Row",
+    "SlipStudy",
+    "StiffnessOverSpeed",
+    "Truncation",
+    "Warming",
+    "bearing_frequencies",
+    "bearing_life",
+    "clearance_budget",
+    "clearance_to_contact_angle",
+    "contact_angle_to_clearance",
+    "contact_conditions",
+    "contact_stress",
+    "critical_curves",
+    "duplex",
+    "kinematic_frequencies",
+    "library_lubricant",
+    "list_bearings",
+    "list_lubricants",
+    "list_materials",
+    "load_catalogue_entry",
+    "load_material",
+    "minimum_preload",
+    "preload_offset",
+    "preloaded_row",
+    "reduced_modulus",
+    "reduced_radii",
+    "ross_table",
+    "slip_factors",
+    "slip_surface",
+    "solve_quasistatic",
+    "stiffness_over_speed",
+]

@@ -1,0 +1,1 @@
+"""The lubricated contacts that follow from an equilibrium: shape, motion, stress."""

@@ -1,0 +1,199 @@
+"""What a loaded contact does to its bodies: stress below it, sliding in it, and the shoulder that may cut it.
+
+The ellipse, pressure and stresses are those of the dry Hertz contact. Sliding is that of the ball hypotheses: none in
+the middle, spin about the normal, and the difference of radii across the curved contact (Heathcote).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import acos, pi, sin, sqrt
+
+import numpy as np
+
+from ehl.closed_form.hertz import HertzContact
+from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_shear
+
+from ..geometry import Bearing, Race
+from ..quasistatic.solution import QuasistaticSolution
+from .contacts import BearingContact, rolling_and_spin
+
+ANGLES, RINGS = 180, 40  # points at which pressure times sliding is looked at, round and across half the ellipse
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Truncation:
+    """Ellipse and shoulder.
+
+    Attributes
+    ----------
+    margin : float
+        From the end of the ellipse to the edge of the groove [m]; negative where the shoulder cuts the ellipse.
+    length_share, load_share : float
+        Share of the ellipse's length, and of the load of the uncut ellipse, beyond the edge [-].
+    edge_pressure : float
+        Pressure of the uncut ellipse at the edge [Pa], a lower bound of that of the cut one; 0 without a cut.
+    """
+
+    margin: float
+    length_share: float
+    load_share: float
+    edge_pressure: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactStress:
+    """Stress and sliding of one loaded contact.
+
+    Attributes
+    ----------
+    mean_pressure : float
+        2/3 p_h [Pa].
+    shear_maximum, shear_depth : float
+        Largest principal shear below the contact [Pa] and its depth [m].
+    orthogonal_shear, orthogonal_depth : float
+        Amplitude of the orthogonal shear along the rolling direction [Pa] and its depth [m].
+    sliding_speed : float
+        Largest sliding speed in the ellipse [m/s].
+    pressure_sliding : float
+        Largest product of pressure and sliding speed [W/m^2].
+    truncation : Truncation or None
+        None where no shoulder diameter is given.
+    """
+
+    mean_pressure: float
+    shear_maximum: float
+    shear_depth: float
+    orthogonal_shear: float
+    orthogonal_depth: float
+    sliding_speed: float
+    pressure_sliding: float
+    truncation: Truncation | None
+
+
+def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> ContactStress | None:
+    """Stress, sliding and truncation of a contact; None where it is unloaded.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Loads [N], speeds [rad/s].
+    contact : BearingContact
+        One of its contacts.
+
+    Returns
+    -------
+    ContactStress or None
+    """
+    hertz = contact.hertz
+    if hertz is None:
+        return None
+    bearing, race = solution.bearing, contact.race
+    ring = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
+    axes = (hertz.semi_axis_x, hertz.semi_axis_y)
+    shear = hertz_maximum_shear(axes, hertz.pressure, ring.poisson_ratio)
+    orthogonal = hertz_orthogonal_shear(*axes, hertz.pressure)
+    _, rolling, spin = rolling_and_spin(solution, contact.ball - 1, race)
+    groove = groove_radius(bearing, race)
+    common = 2.0 * groove * bearing.ball_diameter / (2.0 * groove + bearing.ball_diameter)
+    sliding = largest_sliding(hertz, spin, rolling, common)
+    return ContactStress(
+        mean_pressure=2.0 / 3.0 * hertz.pressure,
+        shear_maximum=shear[0],
+        shear_depth=shear[1],
+        orthogonal_shear=orthogonal[0],
+        orthogonal_depth=orthogonal[1],
+        sliding_speed=sliding[0],
+        pressure_sliding=sliding[1],
+        truncation=truncation(bearing, race, contact.contact_angle, hertz),
+    )
+
+
+def groove_radius(bearing: Bearing, race: Race) -> float:
+    """Radius of a race's groove in section [m]."""
+    return bearing.inner_groove_radius if race is Race.INNER else bearing.outer_groove_radius
+
+
+def largest_sliding(hertz: HertzContact, spin: float, rolling: float, radius: float) -> tuple[float, float]:
+    """Largest sliding speed, and largest product of pressure and sliding speed, in an ellipse.
+
+    v_x = -w_s y + w_r y^2/(2 R), v_y = w_s x, x along the rolling direction; no sliding in the middle. |v| is
+    largest on the rim.
+
+    Parameters
+    ----------
+    hertz : HertzContact
+        Semi-axes [m], pressure [Pa].
+    spin, rolling : float
+        Relative angular speeds w_s about the normal and w_r about the transverse direction [rad/s].
+    radius : float
+        R of the deformed surface across the rolling direction, 2 r D/(2 r + D) [m].
+
+    Returns
+    -------
+    speed : float
+        [m/s].
+    product : float
+        [W/m^2].
+    """
+    angle = np.linspace(0.0, 2.0 * pi, ANGLES, endpoint=False)[:, None]
+    share = np.linspace(0.0, 1.0, RINGS + 1)[None, :]
+    x, y = hertz.semi_axis_x * share * np.cos(angle), hertz.semi_axis_y * share * np.sin(angle)
+    speed = np.hypot(-spin * y + 0.5 * rolling * y * y / radius, spin * x)
+    pressure = hertz.pressure * np.sqrt(1.0 - share**2)
+    return float(speed.max()), float((pressure * speed).max())
+
+
+def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
+    """Angle in the groove from its bottom to the edge of the shoulder [rad]; None without a shoulder diameter.
+
+    cos = (R_i - d_s/2)/r_i at the inner ring, (d_s/2 - R_o)/r_o at the outer one, R the radius of the centres of
+    curvature.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    race : Race
+
+    Returns
+    -------
+    float or None
+        [rad].
+    """
+    if race is Race.INNER:
+        shoulder, height = bearing.inner_shoulder_diameter, bearing.inner_centre_radius
+        return None if shoulder is None else acos((height - 0.5 * shoulder) / bearing.inner_groove_radius)
+    shoulder, height = bearing.outer_shoulder_diameter, bearing.outer_centre_radius
+    return None if shoulder is None else acos((0.5 * shoulder - height) / bearing.outer_groove_radius)
+
+
+def truncation(bearing: Bearing, race: Race, contact_angle: float, hertz: HertzContact) -> Truncation | None:
+    """How much of the ellipse the shoulder cuts, both shoulders of a ring being alike.
+
+    The edge lies r sin(shoulder angle - |contact angle|) from the contact's middle, r the radius of the groove. With s
+    that distance over the semi-axis, the semi-ellipsoid has (1 - s)^2 (2 + s)/4 of its load beyond.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    race : Race
+    contact_angle : float
+        [rad].
+    hertz : HertzContact
+
+    Returns
+    -------
+    Truncation or None
+        None without a shoulder diameter; lengths [m], pressure [Pa].
+    """
+    angle = shoulder_angle(bearing, race)
+    if angle is None:
+        return None
+    edge = groove_radius(bearing, race) * sin(angle - abs(contact_angle))
+    s = min(max(edge / hertz.semi_axis_y, -1.0), 1.0)
+    return Truncation(
+        margin=edge - hertz.semi_axis_y,
+        length_share=0.5 * (1.0 - s),
+        load_share=0.25 * (1.0 - s) ** 2 * (2.0 + s),
+        edge_pressure=hertz.pressure * sqrt(1.0 - s * s),
+    )

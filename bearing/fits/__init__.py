@@ -1,0 +1,1 @@
+"""Fits, clearance and the cage's clearance."""

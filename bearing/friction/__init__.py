@@ -1,0 +1,1 @@
+"""Friction of balls on races: laws, balance of the balls, traction equilibrium."""

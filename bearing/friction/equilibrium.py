@@ -1,0 +1,288 @@
+"""Traction equilibrium: speeds and attitude of every ball from the friction of the races instead of a hypothesis.
+
+Two balances are solved in turn until neither changes: ring and balls under the loads, the balls' motion and the
+friction on them held (`solve_held_balls`); and on each ball the force along the orbit and the three moments, the
+contact loads and angles held (`bearing.friction.balance`). What goes round is, for each ball, the centrifugal force and
+the friction at both races across and at the inner race along the orbit; Anderson's mixing (1965) speeds it up. Friction
+is a few hundredths of the loads, hence each round changes them by a few hundredths of the round before.
+
+A ball that the inner race does not drive rolls on the outer race with the cage about an axis parallel to the bearing's,
+without friction across.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, fields, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..contacts.contacts import BearingContact, contact_conditions
+from ..contacts.motion import contact_frames
+from ..geometry import Array, Bearing
+from ..operation import BallKinematics, Model, Operation
+from ..quasistatic.kinematics import HeldBalls, ball_mass
+from ..quasistatic.solution import QuasistaticSolution
+from ..quasistatic.solver import solve_held_balls, solve_quasistatic
+from ..rows import Row
+from .balance import SKID, BalancedFriction, balance_balls, balance_driven_balls, sliding_ratio
+from .newton import BALANCE_TOLERANCE, ContactLaw
+from .sources import PREPARED, BallTraction, PreparedTraction
+
+STARTS = (BallKinematics.HALF_AND_HALF, BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL)
+TARGET = 1.0e-11  # change of the forces in a round over the largest load at which iterating stops [-]
+TOLERANCE = 1.0e-8  # change that is accepted [-]
+MAX_ROUNDS = 60
+MEMORY = 4  # rounds that Anderson's mixing looks back
+FILM_ROUNDS = 4  # of solving films anew at the loads found
+FILM_TOLERANCE = 1.0e-3  # change of a load over the largest from which films are solved anew [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _State:
+    """An equilibrium under held motion and friction, and what the balance of the balls there makes of these."""
+
+    solution: QuasistaticSolution
+    balances: tuple[BalancedFriction, ...]  # row by row
+    contacts: tuple[tuple[BearingContact, ...], ...]  # row by row
+    carried: NDArray[np.bool_]  # (N,) loaded at the inner race, which cannot drive them
+    held: HeldBalls
+    found: HeldBalls
+    change: float  # of the forces from held to found, over the largest load [-]
+
+    @property
+    def balanced(self) -> bool:
+        """Whether both balances were found."""
+        return self.solution.converged and all(balance.converged for balance in self.balances)
+
+
+def solve_traction_equilibrium(
+    bearing: Bearing, operation: Operation, model: Model, near: QuasistaticSolution | None, rows: tuple[Row, ...]
+) -> QuasistaticSolution:
+    """Equilibrium of ring and balls with the friction of the races in balance on every ball.
+
+    Parameters
+    ----------
+    bearing, operation, model, near, rows
+        As in `solve_quasistatic`, SI; the friction is `model.traction`.
+
+    Returns
+    -------
+    QuasistaticSolution
+        With `converged` False and a `message` where one of the balances was not found.
+    """
+    traction = model.traction
+    assert traction is not None  # `Model` sees to it
+    start = _hypothesis(bearing, operation, model, near, rows)
+    if not start.converged:
+        return replace(start, model=model, message=f"traction equilibrium: nowhere to begin; {start.message}")
+    if operation.inner_speed == operation.outer_speed:
+        return replace(start, model=model, message=f"{start.message}; the rings turn as one, no friction to balance")
+    return _solved(replace(start, model=model), traction)
+
+
+def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSolution:
+    """Equilibria with the friction as it is near one after the other, until the loads stay where they are."""
+    held = _held_of(start)
+    for films in range(1, FILM_ROUNDS + 1):
+        try:
+            prepared = _prepared(start, traction)
+        except ValueError as problem:
+            return replace(start, converged=False, message=f"no traction equilibrium: {problem}")
+        state = _iterate(start, held, traction, prepared)
+        start, held, message = state.solution, state.found, _complaint(state)
+        if message:
+            break
+        moved = max(part.change(row) for part, row in zip(prepared, state.contacts, strict=True))
+        if moved <= FILM_TOLERANCE:
+            carried = ", ".join(str(ball + 1) for ball in np.flatnonzero(state.carried))
+            words = f"converged in traction equilibrium, forces to {state.change:.0e} of the largest load"
+            words += f"; balls {carried} go with the cage, their inner contacts cannot drive them" if carried else ""
+            return replace(start, message=words, carried=state.carried & (start.inner_load > 0.0))
+        message = f"films solved {films} times, and a load still changes by {moved:.1e} of the largest"
+    return replace(start, converged=False, message=f"no traction equilibrium found: {message}")
+
+
+def _hypothesis(
+    bearing: Bearing, operation: Operation, model: Model, near: QuasistaticSolution | None, rows: tuple[Row, ...]
+) -> QuasistaticSolution:
+    """Equilibrium under the first hypothesis that has one."""
+    for kinematics in STARTS:
+        assumed = replace(model, ball_kinematics=kinematics, traction=None)
+        found = solve_quasistatic(bearing, operation, assumed, near, rows)
+        if found.converged:
+            break
+    return found
+
+
+def _contacts(solution: QuasistaticSolution, traction: BallTraction) -> list[tuple[BearingContact, ...]]:
+    """Contacts of each row, counted by themselves."""
+    return [contact_conditions(solution.row(i), traction.lubricant) for i in range(len(solution.rows))]
+
+
+def _prepared(solution: QuasistaticSolution, traction: BallTraction) -> list[PreparedTraction]:
+    source = traction.source
+    if isinstance(source, PREPARED):
+        return [source] * len(solution.rows)
+    return [source.prepare(solution.row(i), part) for i, part in enumerate(_contacts(solution, traction))]
+
+
+def _iterate(
+    start: QuasistaticSolution, held: HeldBalls, traction: BallTraction, prepared: Sequence[PreparedTraction]
+) -> _State:
+    """Rounds of both balances from a motion; the last state."""
+    mixing, state = _Anderson(), None
+    weight = _orbit_weight(start)
+    for _ in range(MAX_ROUNDS):
+        state = _round(start, held, traction, prepared, state)
+        if not state.balanced:
+            break
+        if state.change <= TARGET:  # friction may turn within slides far smaller: the motion is that of the balance
+            last = solve_held_balls(start.bearing, start.operation, start.model, state.solution, state.found)
+            return replace(state, solution=last)
+        mixed = mixing.next(_vector(state.held, weight), _vector(state.found, weight))
+        start, held = state.solution, _with_vector(state.found, mixed, weight)
+    assert state is not None  # there is a round at least
+    return state
+
+
+def _complaint(state: _State) -> str:
+    """What keeps a state from being an equilibrium; empty if nothing does."""
+    if not state.solution.converged:
+        return state.solution.message
+    if not state.balanced:
+        if not any(balance.driven.any() for balance in state.balances):
+            return "the inner race drives no ball"
+        worst = max(balance.residual for balance in state.balances)
+        pushed = max(balance.cage_change for balance in state.balances)
+        if worst <= BALANCE_TOLERANCE:
+            return f"balls and cage find no common speed (the push of the cage still changes by {pushed:.1e} of it)"
+        return f"friction cannot balance a ball (force left {worst:.1e} of the friction that counts as large)"
+    if state.change > TOLERANCE:
+        return f"forces still change by {state.change:.1e} of the largest load after {MAX_ROUNDS} rounds"
+    return ""
+
+
+def _round(
+    start: QuasistaticSolution,
+    held: HeldBalls,
+    traction: BallTraction,
+    prepared: Sequence[PreparedTraction],
+    before: _State | None,
+) -> _State:
+    """Ring and balls under held motion and friction, then the balance of friction on the balls."""
+    solution = solve_held_balls(start.bearing, start.operation, start.model, start, held)
+    carried = np.zeros(solution.azimuth.size, dtype=np.bool_) if before is None else before.carried
+    if not solution.converged:
+        return _State(
+            solution=solution, balances=(), contacts=(), carried=carried, held=held, found=held, change=np.inf
+        )
+    balances, carried, found, lubricated = [], carried.copy(), [], _contacts(solution, traction)
+    for i, contacts in enumerate(lubricated):
+        row, part = solution.row(i), slice(i * solution.bearing.balls, (i + 1) * solution.bearing.balls)
+        law = prepared[i].law(row, contacts)
+        balance = _balance(row, contacts, law, traction, None if before is None else carried[part])
+        loaded = row.inner_load > 0.0
+        carried[part] |= loaded & (~balance.driven | (sliding_ratio(balance, contacts) > SKID))
+        balances.append(balance)
+        found.append(_held(row, contacts, balance))
+    joined = _joined(found)
+    weight, largest = _orbit_weight(solution), max(solution.inner_load.max(), solution.outer_load.max())
+    change = float(np.abs(_vector(joined, weight) - _vector(held, weight)).max() / largest)
+    return _State(
+        solution=solution,
+        balances=tuple(balances),
+        contacts=tuple(lubricated),
+        carried=carried,
+        held=held,
+        found=joined,
+        change=change,
+    )
+
+
+def _balance(
+    row: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    law: ContactLaw,
+    traction: BallTraction,
+    carried: NDArray[np.bool_] | None,
+) -> BalancedFriction:
+    """Balance of the balls of a row, without those that the cage carries; None: which these are is not yet known."""
+    if carried is None:
+        return balance_driven_balls(row, contacts, law, traction.resistance)
+    return balance_balls(row, contacts, law, driven=(row.inner_load > 0.0) & ~carried, resistance=traction.resistance)
+
+
+def _held_of(solution: QuasistaticSolution) -> HeldBalls:
+    """Motion [rad/s] and friction [N] of an equilibrium."""
+    return HeldBalls(**{field.name: getattr(solution, field.name) for field in fields(HeldBalls)})
+
+
+def _held(row: QuasistaticSolution, contacts: Sequence[BearingContact], balance: BalancedFriction) -> HeldBalls:
+    """Motion [rad/s] and friction [N] of a row by the balance of its balls."""
+    axes = contact_frames(contacts).reshape(-1, 2, 3, 3)
+    along, across = balance.forces[:, :, 0], balance.forces[:, :, 1]
+    inner, outer = row.inner_contact_angle, row.outer_contact_angle
+    orbit = np.array([motion.orbit_speed for motion in balance.motions])
+    turn = np.array([motion.rotation for motion in balance.motions])
+    sign = np.sign(row.operation.inner_speed - row.operation.outer_speed)
+    gamma, speeds = row.bearing.ball_diameter / row.bearing.pitch_diameter, orbit - row.operation.outer_speed
+    rolling = speeds * (1.0 + gamma * np.cos(outer)) / (gamma * np.cos(outer))  # on the outer race, parallel to x
+    driven = balance.driven
+    towards_inner = axes[:, 0, 1, 0] * np.cos(inner) - axes[:, 0, 1, 1] * np.sin(inner)
+    towards_outer = axes[:, 1, 1, 1] * np.sin(outer) - axes[:, 1, 1, 0] * np.cos(outer)
+    return HeldBalls(
+        orbit_speed=orbit,
+        spin_speed=np.where(driven, sign * np.hypot(turn[:, 0], turn[:, 1]), rolling),
+        pivot_speed=np.where(driven, turn[:, 2], 0.0),
+        attitude=np.where(driven, np.arctan2(sign * turn[:, 1], -sign * turn[:, 0]), 0.0),
+        inner_friction=np.where(driven, across[:, 0] * towards_inner, 0.0),
+        outer_friction=np.where(driven, across[:, 1] * towards_outer, 0.0),
+        inner_drive=-along[:, 0] * axes[:, 0, 0, 2],
+    )
+
+
+def _joined(parts: Sequence[HeldBalls]) -> HeldBalls:
+    """Those of all rows as one."""
+    names = [field.name for field in fields(HeldBalls)]
+    return HeldBalls(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
+
+
+def _orbit_weight(solution: QuasistaticSolution) -> float:
+    """Force that an orbit speed is worth, m d_m/2 times the fastest [N s/rad]."""
+    bearing = solution.bearing
+    mass = ball_mass(bearing.ball_diameter, bearing.ball_material.density)
+    return float(0.5 * mass * bearing.pitch_diameter * np.abs(solution.orbit_speed).max())
+
+
+def _vector(held: HeldBalls, weight: float) -> Array:
+    """What goes round, as forces, shape (4, N) [N]."""
+    return np.stack([weight * held.orbit_speed, held.inner_friction, held.outer_friction, held.inner_drive])
+
+
+def _with_vector(held: HeldBalls, vector: Array, weight: float) -> HeldBalls:
+    """Motion with other forces [N]."""
+    orbit, inner, outer, drive = vector
+    orbit = orbit / weight if weight > 0.0 else held.orbit_speed
+    return replace(held, orbit_speed=orbit, inner_friction=inner, outer_friction=outer, inner_drive=drive)
+
+
+class _Anderson:
+    """Anderson's mixing of a fixed point x = g(x), D. G. Anderson (1965): least squares over the last rounds."""
+
+    def __init__(self) -> None:
+        self.rounds: list[tuple[Array, Array]] = []
+
+    def next(self, x: Array, g: Array) -> Array:
+        """The next x [N] from one and what it leads to; plain g where a round got worse."""
+        last = self.rounds[-1] if self.rounds else None
+        if last is not None and np.linalg.norm(g - x) > np.linalg.norm(last[1] - last[0]):
+            self.rounds.clear()
+        self.rounds = [*self.rounds[-MEMORY:], (x, g)]
+        if len(self.rounds) == 1:
+            return g
+        left = np.stack([(b - a).ravel() for a, b in self.rounds], axis=1)
+        ends = np.stack([b.ravel() for _, b in self.rounds], axis=1)
+        share = np.linalg.lstsq(np.diff(left, axis=1), left[:, -1], rcond=1e-8)[0]
+        return np.asarray(ends[:, -1] - np.diff(ends, axis=1) @ share).reshape(x.shape)

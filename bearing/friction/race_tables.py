@@ -1,0 +1,175 @@
+"""Traction tables of a bearing's two races, in one file.
+
+The rolling radius of a race changes little from ball to ball with the contact angle: the table takes that of its
+heaviest loaded contact. Loads reach from below the lightest ball (which carries its centrifugal force only) to above
+the heaviest one at either race, speeds from half to 1.25 times the entrainment speeds of the case.
+"""
+
+from __future__ import annotations
+
+import io
+import os
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+
+from ehl.oil.lubricant import Lubricant
+from ehl.oil.rheology import Rheology
+from ehl.solid.heat import SolidThermal
+from ehl.traction.table.build import TableOptions, build_table
+from ehl.traction.table.storage import inputs_digest, read_table, write_table
+from ehl.traction.table.table import TableContact, TableRange, TractionTable
+
+from ..contacts.contacts import BearingContact, contact_conditions
+from ..contacts.motion import bearing_kinematics
+from ..geometry import Race
+from ..quasistatic.solution import QuasistaticSolution
+
+LOAD_MARGIN = (0.7, 1.5)  # below the lightest and above the heaviest contact
+SPEED_MARGIN = (0.5, 1.25)
+LOAD_SPAN = 300.0  # largest over smallest load of a table at most
+Progress = Callable[[int, int, str], None]
+Tables = dict[Race, TractionTable]
+Solids = tuple[SolidThermal, SolidThermal]
+
+
+def table_contacts(
+    solution: QuasistaticSolution,
+    lubricant: Lubricant,
+    rheology: Rheology,
+    temperature: float | None = None,
+    solids: Solids | None = None,
+) -> dict[Race, TableContact]:
+    """What the table of each race is made for, by its heaviest loaded contact; temperature [K], None: of operation.
+
+    With the thermal properties of ball and race (`solids`) the films are solved and sheared with heat.
+
+    Raises
+    ------
+    ValueError
+        If no contact of a race is loaded and entrains oil.
+    """
+    contacts = contact_conditions(solution, lubricant)
+    found = {}
+    for race in Race:
+        heaviest = max(_loaded(contacts, race), key=lambda contact: contact.load)
+        c, motion = heaviest.conditions, bearing_kinematics(solution, heaviest)
+        assert c is not None  # of a loaded contact
+        found[race] = TableContact(
+            radius_x=c.radius_x,
+            radius_y=c.radius_y,
+            reduced_modulus=c.reduced_modulus,
+            lubricant=lubricant,
+            rheology=rheology,
+            temperature=solution.operation.temperature if temperature is None else temperature,
+            curvature_radius=motion.curvature_radius,
+            curvature_difference=motion.curvature_difference,
+            solids=solids,
+        )
+    return found
+
+
+def table_range(solution: QuasistaticSolution, lubricant: Lubricant) -> TableRange:
+    """Loads [N] and speeds [m/s] around those of a bearing's contacts, the same for both races."""
+    contacts = [c for c in contact_conditions(solution, lubricant) if c.conditions is not None]
+    if not contacts:
+        raise ValueError("no contact is loaded and entrains oil: there is nothing to make a table for")
+    loads = [contact.load for contact in contacts]
+    speeds = [c.conditions.entrainment_speed for c in contacts if c.conditions is not None]
+    highest = LOAD_MARGIN[1] * max(loads)
+    return TableRange(
+        load=(max(LOAD_MARGIN[0] * min(loads), highest / LOAD_SPAN), highest),
+        speed=(SPEED_MARGIN[0] * min(speeds), SPEED_MARGIN[1] * max(speeds)),
+    )
+
+
+def build_race_tables(
+    solution: QuasistaticSolution,
+    lubricant: Lubricant,
+    rheology: Rheology,
+    options: TableOptions | None = None,
+    progress: Progress | None = None,
+    solids: Solids | None = None,
+) -> Tables:
+    """Traction tables of both races around a quasi-static solution.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    lubricant : Lubricant
+    rheology : Rheology
+    options : TableOptions, optional
+    progress : callable, optional
+        Called with films done, films wanted so far, and a word.
+    solids : tuple of SolidThermal, optional
+        Ball and race, for films with heat; None: at the temperature of operation [K].
+    """
+    limits, tables = table_range(solution, lubricant), {}
+    for race, contact in table_contacts(solution, lubricant, rheology, solids=solids).items():
+        tables[race] = build_table(contact, limits, options, race_progress(progress, race))
+    return tables
+
+
+def race_progress(progress: Progress | None, race: Race) -> Progress:
+    """A progress whose words begin with the race; nobody is told where there is none."""
+
+    def told(done: int, total: int, state: str) -> None:
+        if progress is not None:
+            progress(done, total, f"{race.value} race: {state}")
+
+    return told
+
+
+def _loaded(contacts: tuple[BearingContact, ...], race: Race) -> list[BearingContact]:
+    found = [contact for contact in contacts if contact.race is race and contact.conditions is not None]
+    if not found:
+        raise ValueError(f"no contact of the {race.value} race is loaded and entrains oil")
+    return found
+
+
+def save_race_tables(tables: Tables, path: Path) -> None:
+    """Write the tables of both races into one file; it appears under its name only when it is complete."""
+    partial = path.with_name(path.name + ".partial")
+    with zipfile.ZipFile(partial, "w") as archive:
+        for race, table in tables.items():
+            stream = io.BytesIO()
+            write_table(table, stream)
+            archive.writestr(f"{race.value}.npz", stream.getvalue())
+    os.replace(partial, path)
+
+
+def load_race_tables(path: Path, expected: Tables | None = None, *, oil: Lubricant | None = None) -> Tables:
+    """Read the tables of both races.
+
+    Parameters
+    ----------
+    path : Path
+    expected : dict of TractionTable, optional
+        Tables with whose inputs those of the file must agree.
+    oil : Lubricant, optional
+        At whose temperature the tables of a file with several temperatures are wanted; it must be theirs.
+
+    Raises
+    ------
+    ValueError
+        If the file is none of this kind, damaged, or made for other inputs; the message says which.
+    """
+    from .temperature_tables import holds_temperatures, tables_for_oil
+
+    if holds_temperatures(path):
+        if oil is None:
+            raise ValueError(f"{path}: has tables at several temperatures; one of a single temperature is needed here")
+        return tables_for_oil(path, oil)
+    tables = {}
+    try:
+        with zipfile.ZipFile(path) as archive:
+            parts = {race: archive.read(f"{race.value}.npz") for race in Race}
+    except (zipfile.BadZipFile, KeyError) as problem:
+        raise ValueError(f"{path}: no traction tables of a bearing, or damaged ones") from problem
+    for race, part in parts.items():
+        digest = None
+        if expected is not None:
+            wanted = expected[race]
+            digest = inputs_digest(wanted.contact, wanted.range, wanted.points)
+        tables[race] = read_table(io.BytesIO(part), str(path), digest)
+    return tables

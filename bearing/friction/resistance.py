@@ -1,0 +1,189 @@
+"""What brakes a bearing beside sliding: hysteresis of the contacts, the oil's rolling resistance, cage and churning."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import cos, pi
+
+import numpy as np
+from scipy.special import ellipe
+
+from ehl import ContactConditions
+
+from ..contacts.contacts import BearingContact
+from ..geometry import Array, Bearing
+from ..quasistatic.solution import QuasistaticSolution
+
+SPHERE_DRAG = 0.44  # C_d of a sphere in Newton's range, 1e3 < Re < 2e5; unverified for balls behind each other
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cage:
+    """Guidance of the cage and friction in its pockets."""
+
+    pocket_friction: float  # Coulomb's mu of ball against pocket [-]
+    land_diameter: float | None = None  # of the guiding land [m]; None: guided by the balls
+    land_width: float | None = None  # both lands together [m]
+    land_clearance: float | None = None  # radial [m]
+    outer_guided: bool = True
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Resistance:
+    """What holds the balls back on their orbits beside the races.
+
+    Attributes
+    ----------
+    ball : float
+        Drag of the oil over the square of a ball's speed [N s^2/m^2].
+    land : float
+        Torque of the cage's guiding land over its slip, Petroff (1883) [N m s].
+    outer_guided : bool
+        The land runs on the outer ring, else on the inner one.
+    """
+
+    ball: float = 0.0
+    land: float = 0.0
+    outer_guided: bool = True
+
+    def drag(self, speed: Array) -> Array:
+        """Of each ball against its motion along the orbit at a speed [m/s], in [N]."""
+        return self.ball * speed * np.abs(speed)
+
+    def cage_power(self, solution: QuasistaticSolution, cage_speed: float) -> float:
+        """Power [W] that the balls give to a cage that turns at a speed [rad/s] against the drag of its land."""
+        operation = solution.operation
+        ring = operation.outer_speed if self.outer_guided else operation.inner_speed
+        return self.land * (cage_speed - ring) * cage_speed
+
+
+FREE = Resistance()
+
+
+def resistance_of(
+    cage: Cage | None, bearing: Bearing, viscosity: float, density: float, oil_fraction: float | None
+) -> Resistance:
+    """Drag of the balls as `churning_power` has it, of the land as `land_power`; friction in the pockets is left out.
+
+    Parameters
+    ----------
+    cage : Cage or None
+    bearing : Bearing
+    viscosity, density : float
+        Of the oil [Pa s], [kg/m^3].
+    oil_fraction : float or None
+        Share of the cavity filled with oil [-].
+    """
+    area = 0.25 * pi * bearing.ball_diameter**2
+    ball = 0.5 * SPHERE_DRAG * density * (oil_fraction or 0.0) * area
+    if cage is None or cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
+        return Resistance(ball=ball)
+    radius = 0.5 * cage.land_diameter
+    land = viscosity * 2.0 * pi * radius**3 * cage.land_width / cage.land_clearance
+    return Resistance(ball=ball, land=land, outer_guided=cage.outer_guided)
+
+
+def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
+    """Moment that resists rolling in a lubricated contact [N m], Biboulet and Houpert (2010), elastohydrodynamic limit.
+
+    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1 - (a_x/a_y)^2. t is
+    Rx times the force that the pressure flow pulls one body with; both are pulled (checked against solved contacts).
+
+    Parameters
+    ----------
+    conditions : ContactConditions
+    semi_axis_y, semi_axis_x : float
+        Hertz semi-axes across and along rolling [m].
+
+    Returns
+    -------
+    float
+        Its power is the moment times the rolling speed u_m/Rx [N m].
+    """
+    c = conditions
+    speed = c.lubricant.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
+    shape = min(semi_axis_x, semi_axis_y) / max(semi_axis_x, semi_axis_y)
+    beta = 4.0 / pi * float(ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
+    width = 2.0 * semi_axis_y / c.radius_x
+    return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
+
+
+def rolling_power(contacts: Sequence[BearingContact]) -> float:
+    """Power of the oil's rolling resistance of all lubricated contacts [W]."""
+    power = 0.0
+    for contact in contacts:
+        c, hertz = contact.conditions, contact.hertz
+        if c is not None and hertz is not None:
+            power += rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x) * c.entrainment_speed / c.radius_x
+    return power
+
+
+def hysteresis_torque(solution: QuasistaticSolution, contacts: Sequence[BearingContact], loss: float) -> float:
+    """M_E = 1/4 D_pw [(1 - g_i^2) sum Phi_i + (1 - g_e^2) sum Phi_e] beta_a, Phi = 3/16 Q b/Rx [N m].
+
+    The energy stored in front of a rolling contact, of which the share `loss` is lost (Greenwood, Minshall and Tabor,
+    1961): Phi is the moment of the pressure ahead of the centre over the ball's radius; g = D cos(alpha)/D_pw.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    contacts : sequence of BearingContact
+    loss : float
+        beta_a [-].
+    """
+    pitch, torque = solution.bearing.pitch_diameter, 0.0
+    for contact in contacts:
+        if contact.hertz is not None:
+            phi = 3.0 / 16.0 * contact.load * contact.hertz.semi_axis_x / contact.hertz.radius_x
+            torque += 0.25 * pitch * (1.0 - _slope(solution, contact) ** 2) * phi * loss
+    return torque
+
+
+def _slope(solution: QuasistaticSolution, contact: BearingContact) -> float:
+    """g = D cos(alpha)/D_pw [-]."""
+    return solution.bearing.ball_diameter * cos(contact.contact_angle) / solution.bearing.pitch_diameter
+
+
+def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: float) -> float:
+    """Power sheared in the guiding lands, Petroff (1883): eta (w r)^2 2 pi r B/c [W]; zero if guided by the balls.
+
+    Parameters
+    ----------
+    cage : Cage
+    viscosity : float
+        Of the oil [Pa s].
+    ring_speed, cage_speed : float
+        Of the guiding ring and the cage [rad/s].
+    """
+    if cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
+        return 0.0
+    radius, slip = 0.5 * cage.land_diameter, abs(ring_speed - cage_speed)
+    return viscosity * (slip * radius) ** 2 * 2.0 * pi * radius * cage.land_width / cage.land_clearance
+
+
+def pocket_power(cage: Cage, bearing: Bearing, solution: QuasistaticSolution, drag_power: float) -> float:
+    """Power rubbed in the pockets by the forces that pull the cage against its land drag [W]; `drag_power` in [W]."""
+    slip = abs(solution.cage_speed)
+    if slip == 0.0:
+        return 0.0
+    force = drag_power / (slip * 0.5 * bearing.pitch_diameter)  # of all balls on the cage
+    turning = float(abs(solution.spin_speed).mean()) * 0.5 * bearing.ball_diameter
+    return cage.pocket_friction * force * turning
+
+
+def churning_power(solution: QuasistaticSolution, density: float, oil_fraction: float) -> float:
+    """Power of the balls' drag in the mixture of air and oil, Z C_d/2 rho X (pi D^2/4) v^3 [W].
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    density : float
+        Of the oil [kg/m^3].
+    oil_fraction : float
+        Share X of the bearing's cavity filled with oil [-].
+    """
+    bearing = solution.bearing
+    speeds = abs(solution.orbit_speed) * 0.5 * bearing.pitch_diameter
+    area = 0.25 * pi * bearing.ball_diameter**2
+    return float((0.5 * SPHERE_DRAG * density * oil_fraction * area * speeds**3).sum())

@@ -1,0 +1,1 @@
+"""Heat balance and self-heating of a bearing."""

@@ -1,0 +1,1 @@
+"""Bearings, materials and lubricants by name, with sources."""

@@ -1,0 +1,281 @@
+"""Lubricants by name: viscosity, pressure-viscosity coefficient, density and thermal properties at a temperature."""
+
+from __future__ import annotations
+
+import tomllib
+import warnings
+from collections.abc import Callable
+from functools import cache
+from importlib import resources
+from itertools import pairwise
+from math import exp, log, log10
+from typing import Any
+
+from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
+from ehl.oil.lubricant import ROELANDS_LOG_OFFSET, Lubricant, ThermalProperties, ViscosityLaw
+
+from .names import matching_name
+
+PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
+ZERO_CELSIUS = 273.15  # [K]
+STEP = 0.5  # of the differences that give the temperature coefficients [K]
+CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
+
+
+def list_lubricants() -> tuple[str, ...]:
+    """Names of the shipped lubricants, in the order of the data file."""
+    return tuple(_table())
+
+
+def lubricant_data(name: str) -> dict[str, Any]:
+    """What the data file says of an oil: range [degrees Celsius], and per property its law, constants and source.
+
+    Parameters
+    ----------
+    name : str
+        One of `list_lubricants()`.
+
+    Returns
+    -------
+    dict
+        `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units, `source`, and `verified`
+        false where the number was not read in a source.
+    """
+    return _table()[name]
+
+
+def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
+    """Lubricant of the library at a temperature; the laws of viscosity and density are the caller's.
+
+    Parameters
+    ----------
+    name : str
+        One of `list_lubricants()`; case, spaces and hyphens do not matter.
+    temperature : float
+        Temperature of the oil in the contact inlet [K].
+    **laws
+        Further fields of `ehl.Lubricant` (viscosity_law, density_law, roelands_z [-], roelands_pressure [Pa]).
+
+    Returns
+    -------
+    Lubricant
+        With its thermal properties; -d(ln eta)/dT and the expansion are those of the laws at this temperature.
+
+    Raises
+    ------
+    ValueError
+        If there is none of this name, or the temperature is not positive [K].
+
+    Warns
+    -----
+    UserWarning
+        If the temperature lies outside the range of the data.
+    """
+    table = _table()
+    key = matching_name(name, table)
+    if key is None:
+        raise ValueError(f"lubricant {name!r} is unknown; known: {', '.join(table)}")
+    if not 150.0 < temperature < 700.0:
+        raise ValueError(f"temperature must lie between 150 and 700 K, got {temperature!r}")
+    entry = table[key]
+    low, high = entry["range_C"]
+    if not low <= temperature - ZERO_CELSIUS <= high:
+        message = f"lubricant {key!r}: {temperature - ZERO_CELSIUS:.1f} C is outside {low} to {high} C"
+        warnings.warn(message, stacklevel=2)
+    constants = _free_volume(entry, temperature)
+    alpha = pressure_viscosity(entry, temperature)
+    if laws.get("viscosity_law") is ViscosityLaw.TAIT_DOOLITTLE and constants:
+        alpha = pressure_viscosity_doolittle(constants["tait"], constants["doolittle"], temperature)
+    return Lubricant(
+        viscosity=dynamic_viscosity(entry, temperature),
+        pressure_viscosity=alpha,
+        density=oil_density(entry, temperature),
+        name=key,
+        temperature=temperature,
+        thermal=_thermal(entry, temperature),
+        **constants,
+        **laws,
+    )
+
+
+def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
+    def fall(law: Callable[[dict[str, Any], float], float]) -> float:
+        """-d(ln law)/dT by a central difference [1/K]."""
+        warmer, colder = law(entry, temperature + STEP), law(entry, temperature - STEP)
+        return log(colder / warmer) / (2.0 * STEP)
+
+    conductivity, heat = entry["conductivity"], entry["specific_heat"]
+    return ThermalProperties(
+        conductivity=_linear(conductivity, temperature),
+        specific_heat=_linear(heat, temperature),
+        viscosity_temperature=fall(dynamic_viscosity),
+        expansion=fall(oil_density),
+    )
+
+
+def _free_volume(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
+    """Constants of Tait and Doolittle, which hold at the temperature of operation; none if the oil has none."""
+    data = entry.get("doolittle")
+    if data is None:
+        return {}
+    tait = TaitVolume(
+        bulk_modulus=data["bulk_modulus_Pa"],
+        bulk_modulus_derivative=data["bulk_modulus_derivative"],
+        reference_temperature=temperature,
+    )
+    return {
+        "tait": tait,
+        "doolittle": DoolittleFreeVolume(factor=data["factor"], occupied_share=data["occupied_share"]),
+    }
+
+
+def dynamic_viscosity(entry: dict[str, Any], temperature: float) -> float:
+    """Dynamic viscosity [Pa s] of an oil's data at a temperature [K] and ambient pressure."""
+    return LAWS[entry["viscosity"]["law"]](entry["viscosity"], temperature, oil_density(entry, temperature))
+
+
+def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -> float:
+    """Dynamic viscosity [Pa s], rho a exp(b/(t + c)) with a in mm^2/s, t in degrees Celsius, Vogel (1921).
+
+    Parameters
+    ----------
+    entry : dict
+        a [mm^2/s], b [K], c [K].
+    temperature : float
+        Temperature [K].
+    density : float
+        Density [kg/m^3].
+
+    Returns
+    -------
+    float
+        Dynamic viscosity [Pa s].
+    """
+    return float(1e-6 * density * entry["a_mm2_s"] * exp(entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"])))
+
+
+def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) -> float:
+    """Dynamic viscosity [Pa s], eta_0 exp(a D + b D^2), D = 1/T - 1/T_0; the temperature in [K]."""
+    delta = 1.0 / temperature - 1.0 / entry["reference_K"]
+    return float(entry["eta_Pa_s"] * exp(entry["a_K"] * delta + entry["b_K2"] * delta**2))
+
+
+def viscosity_walther(entry: dict[str, Any], temperature: float, _density: float) -> float:
+    """Dynamic viscosity [Pa s], c (exp(exp(a - b ln T)) - d), of Walther's form; the temperature in [K]."""
+    return float(entry["c_Pa_s"] * (exp(exp(entry["a"] - entry["b"] * log(temperature))) - entry["d"]))
+
+
+def viscosity_astm_d341(entry: dict[str, Any], temperature: float, density: float) -> float:
+    """Dynamic viscosity [Pa s], rho nu, log10 log10(nu + 0.7) = A - B log10 T, nu in mm^2/s: ASTM D341.
+
+    Parameters
+    ----------
+    entry : dict
+        Two temperatures [K] and kinematic viscosities there [mm^2/s], through which A and B go.
+    temperature : float
+        Temperature [K].
+    density : float
+        Density [kg/m^3].
+
+    Returns
+    -------
+    float
+        Dynamic viscosity [Pa s].
+    """
+    return 1e-6 * density * _d341(entry["temperature_K"], entry["value_mm2_s"], temperature)
+
+
+def viscosity_dynamic_d341(entry: dict[str, Any], temperature: float, _density: float) -> float:
+    """Dynamic viscosity [Pa s], the form of ASTM D341 through two dynamic viscosities in mPa s; temperature in [K]."""
+    return 1e-3 * _d341(entry["temperature_K"], entry["value_mPa_s"], temperature)
+
+
+def _d341(temperatures: list[float], values: list[float], temperature: float) -> float:
+    (x0, x1), (y0, y1) = ((log10(t) for t in temperatures), (log10(log10(v + CUTOFF)) for v in values))
+    y = y0 + (y1 - y0) * (log10(temperature) - x0) / (x1 - x0)
+    return float(10.0 ** (10.0**y) - CUTOFF)
+
+
+LAWS = {
+    "vogel": viscosity_vogel,
+    "adore": viscosity_adore,
+    "walther": viscosity_walther,
+    "astm d341": viscosity_astm_d341,
+    "dynamic d341": viscosity_dynamic_d341,
+}
+
+
+def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
+    """Pressure-viscosity coefficient [1/Pa] of an oil's data at a temperature [K].
+
+    exponent: exp(a ln eta + b)/eta, eta in Pa s; hyperbola: a + b/(T - c); table: linear in T, held beyond its ends;
+    roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), which is Roelands' (1966) identity with z held.
+
+    Parameters
+    ----------
+    entry : dict
+        Data of the oil, `lubricant_data`.
+    temperature : float
+        Temperature [K].
+
+    Returns
+    -------
+    float
+        d(ln eta)/dp at ambient pressure [1/Pa].
+    """
+    data = entry["pressure_viscosity"]
+    if data["law"] == "exponent":
+        viscosity = dynamic_viscosity(entry, temperature)
+        return float(exp(data["a"] * log(viscosity) + data["b"]) / viscosity)
+    if data["law"] == "hyperbola":
+        return float(data["a_1_Pa"] + data["b_K_Pa"] / (temperature - data["c_K"]))
+    if data["law"] == "roelands":
+        here, there = (log(dynamic_viscosity(entry, t)) for t in (temperature, data["reference_K"]))
+        return float(data["value"] * (here + ROELANDS_LOG_OFFSET) / (there + ROELANDS_LOG_OFFSET))
+    return _interpolate(data, temperature)
+
+
+def oil_density(entry: dict[str, Any], temperature: float) -> float:
+    """Density [kg/m^3] of an oil's data at a temperature [K].
+
+    table: linear in T, continued beyond its ends; expansion: rho_r exp[-e (T - T_r)].
+
+    Parameters
+    ----------
+    entry : dict
+        Data of the oil, `lubricant_data`.
+    temperature : float
+        Temperature [K].
+
+    Returns
+    -------
+    float
+        Density at ambient pressure [kg/m^3].
+    """
+    data = entry["density"]
+    if data["law"] == "expansion":
+        return float(data["value"] * exp(-data["expansion_1_K"] * (temperature - data["reference_K"])))
+    points = list(zip(data["temperature_K"], data["value"], strict=True))
+    (t0, v0), (t1, v1) = next((p for p in pairwise(points) if temperature <= p[1][0]), (points[-2], points[-1]))
+    return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
+
+
+def _linear(data: dict[str, Any], temperature: float) -> float:
+    return float(data["value"] + data["slope"] * (temperature - data["reference_K"]))
+
+
+def _interpolate(entry: dict[str, Any], temperature: float) -> float:
+    """Linear in T [K] between the given points, held outside them."""
+    points = sorted(zip(entry["temperature_K"], entry["value"], strict=True))
+    if temperature <= points[0][0]:
+        return float(points[0][1])
+    for (t0, v0), (t1, v1) in pairwise(points):
+        if temperature <= t1:
+            return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
+    return float(points[-1][1])
+
+
+@cache
+def _table() -> dict[str, dict[str, Any]]:
+    text = resources.files(__package__).joinpath("data/lubricants.toml").read_text(encoding="utf-8")
+    return tomllib.loads(text)

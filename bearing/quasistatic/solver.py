@@ -1,0 +1,273 @@
+"""Quasi-static equilibrium of a ball bearing in five degrees of freedom, after Jones (1960) and Harris.
+
+The inner ring, with one row of balls or several, moves by (x, y, z, tilt y, tilt z); every ball is in equilibrium with
+it (`ball_equilibrium`), and Newton's method with the condensed tangent brings the ring to balance. Small rotations: the
+grooves' centres move linearly with the five unknowns, the error being half the square of the tilt times their radius.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from ehl.closed_form.hertz import hertz_contact
+
+from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
+from ..operation import DEGREES_OF_FREEDOM, BallKinematics, Model, Operation
+from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
+from .balls import EDGE_COSINE, BallProblem, BallRow, BallState, ball_problem, ball_state
+from .contact_stiffness import stiffness_at
+from .kinematics import HeldBalls
+from .ring import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring
+from .solution import QuasistaticSolution, _cage_speed
+
+SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct solve fails [-]
+LIGHT_LOAD = 0.1  # load over the centrifugal forces of all balls below which these may leave no equilibrium [-]
+SINGULAR = 1.0e-9  # smallest over largest stiffness below which a direction counts as undetermined [-]
+
+
+
+
+
+
+
+
+def solve_quasistatic(
+    bearing: Bearing,
+    operation: Operation,
+    model: Model | None = None,
+    near: QuasistaticSolution | None = None,
+    rows: Sequence[Row] = SINGLE,
+) -> QuasistaticSolution:
+    """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        SI, lengths in [m].
+    operation : Operation
+        Speeds [rad/s], and per degree of freedom a load [N], [N m] or a displacement [m], [rad].
+    model : Model, optional
+    near : QuasistaticSolution, optional
+        A converged solution of the same bearing at speeds and loads nearby, from where the search begins.
+    rows : sequence of Row, optional
+        Rows of balls on the one inner ring; one row if left out.
+
+    Returns
+    -------
+    QuasistaticSolution
+        With `converged` False and a `message` where there is no equilibrium or none was found.
+    """
+    model = model or Model()
+    if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        from ..friction.equilibrium import solve_traction_equilibrium
+
+        return solve_traction_equilibrium(bearing, operation, model, near, tuple(rows))
+    inputs = (bearing, operation, model, tuple(rows))
+    ring = ring_of(bearing, operation, inputs[3])
+    problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
+    point, iterations = _from_near(ring, problem, near)
+    if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
+        start = None
+        for factor in SPEED_STEPS:
+            slower = ball_problem(bearing, factor * operation.inner_speed, factor * operation.outer_speed, model)
+            start, more = solve_ring(ring, slower, None if start is None else RingStart(start.q, start.row.u))
+            iterations += more
+            if start.residual > max(RESIDUAL_TOLERANCE, start.noise):
+                break
+        else:
+            point = start or point
+    return _solution(inputs, ring, problem, point, iterations)
+
+
+def solve_held_balls(
+    bearing: Bearing, operation: Operation, model: Model, near: QuasistaticSolution, held: HeldBalls
+) -> QuasistaticSolution:
+    """Equilibrium of balls and inner ring with motion and friction of the balls given, and what these do to the ring.
+
+    Parameters
+    ----------
+    bearing, operation, model
+        As in `solve_quasistatic`.
+    near : QuasistaticSolution
+        From where the search begins; the friction along the orbit acts at its inner contacts [rad].
+    held : HeldBalls
+        Speeds in [rad/s], forces in [N].
+
+    Returns
+    -------
+    QuasistaticSolution
+    """
+    inputs = (bearing, operation, model, near.rows)
+    ring = ring_of(bearing, operation, near.rows)
+    drive = _drive_loads(ring, near, held.inner_drive)
+    ring = ring._replace(load=ring.load + drive.sum(axis=0), drive=drive)
+    problem = replace(ball_problem(bearing, operation.inner_speed, operation.outer_speed, model), held=held)
+    point, iterations = _from_near(ring, problem, near)
+    return _solution(inputs, ring, problem, point, iterations)
+
+
+def _from_near(ring: Ring, problem: BallProblem, near: QuasistaticSolution | None) -> tuple[RingPoint, int]:
+    """Balance from a solution nearby, and from a guess where there is none or it does not help."""
+    point, iterations = solve_ring(ring, problem, None if near is None else _near(near, ring))
+    if near is not None and point.residual > max(RESIDUAL_TOLERANCE, point.noise):
+        return solve_ring(ring, problem, None)
+    return point, iterations
+
+
+def _drive_loads(ring: Ring, at: QuasistaticSolution, drive: Array) -> Array:
+    """Load of friction along the orbit on the ring, row by row, shape (rows, 5) [N], moments over R_i.
+
+    F e_t at the axial distance x_c makes the moment -F x_c e_r.
+    """
+    c, s = row_directions(at.bearing, at.rows)
+    centre = per_ball(at.bearing, [row.axial_position for row in at.rows])
+    arm = (centre - at.bearing.inner_groove_radius * np.sin(at.inner_contact_angle)) / ring.scale[3]
+    each = drive * np.array([np.zeros_like(c), -s, c, -arm * c, -arm * s])
+    return each.reshape(5, -1, at.bearing.balls).sum(axis=2).T
+
+
+def _near(solution: QuasistaticSolution, ring: Ring) -> RingStart:
+    """Ring and balls where another solution has them; what is prescribed is prescribed."""
+    q = np.concatenate([solution.displacement, solution.tilt]) * ring.scale
+    planes = per_ball(solution.bearing, [row.outer_plane for row in solution.rows])
+    u = np.stack([solution.ball_axial - planes, solution.ball_radial - solution.bearing.outer_centre_radius])
+    return RingStart(np.where(ring.free, q, ring.prescribed), u)
+
+
+def _verdict(
+    problem: BallProblem, bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, iterations: int
+) -> tuple[bool, str]:
+    """Whether the point is an equilibrium, and in words why not or what is left undetermined."""
+    loaded = state.inner_load > 0.0
+    beyond = (loaded & (state.inner.cos < EDGE_COSINE)) | (state.outer.cos < EDGE_COSINE)
+    if beyond.any():
+        return False, "no equilibrium: a contact angle passes 80 degrees, the balls leave the grooves"
+    if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
+        worst = float(np.max(point.row.residual))
+        advice = _advice(problem, bearing, ring, state)
+        return False, (
+            f"no equilibrium found in {iterations} iterations: relative residual {point.residual:.1e} "
+            f"(balls {worst:.1e}); {advice}"
+        )
+    if _too_wide(bearing, problem, state):
+        return False, "no equilibrium within Hertz' theory: a contact ellipse is wider than the ball"
+    names = [DEGREES_OF_FREEDOM[k] for k in range(5) if ring.free[k]]
+    if names and not loaded.any():
+        return False, f"the inner ring floats: no ball touches it and {', '.join(names)} is not determined"
+    undetermined = _undetermined(ring, point)
+    if undetermined:
+        words = f"without stiffness, hence arbitrary: {', '.join(undetermined)}"
+        return True, f"converged in {iterations} iterations; {words}"
+    return True, f"converged in {iterations} iterations"
+
+
+def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState) -> str:
+    """What most likely keeps balls and ring from a balance, and what to change."""
+    if _too_wide(bearing, problem, state):
+        return "contact ellipses came out wider than the ball, take smaller loads or speeds"
+    share = float(np.linalg.norm(ring.load[:3])) / max(state.inner_load.size * problem.nominal_force, 1e-300)
+    if problem.nominal_force > 0.0 and share < LIGHT_LOAD and ring.free[0]:
+        return (
+            f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to hold them in the grooves "
+            "under this hypothesis: take more thrust or less speed"
+        )
+    if problem.inner_speed * problem.outer_speed < 0.0:
+        return (
+            "rings turning against each other make the balls spin fast, and this ball hypothesis may have no steady "
+            "state: try another one, or less speed"
+        )
+    return "check the loads for a direction in which nothing holds the ring"
+
+
+def _too_wide(bearing: Bearing, problem: BallProblem, state: BallState) -> bool:
+    """Whether a contact ellipse is wider than the ball, where Hertz' theory is void.
+
+    Over the semi-axis b the gap rises by b^2/(2 Ry), which is less than the approach (Q/K)^(2/3): most fit by that.
+    """
+    radius = 0.5 * bearing.ball_diameter
+    for race, load, cosine, series in (
+        (Race.INNER, state.inner_load, state.inner.cos, problem.inner_series),
+        (Race.OUTER, state.outer_load, state.outer.cos, problem.outer_series),
+    ):
+        worst = int(np.argmax(load))
+        if load[worst] <= 0.0:
+            continue
+        radii = reduced_radii(bearing, race, float(np.arccos(cosine[worst])))
+        approach = (load[worst] / stiffness_at(series, cosine[[worst]])[0]) ** (2.0 / 3.0)
+        if 2.0 * radii[1] * approach > radius**2:
+            contact = hertz_contact(float(load[worst]), *radii, contact_modulus(bearing, race))
+            if contact.semi_axis_y > radius:
+                return True
+    return False
+
+
+def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
+    """Free degrees of freedom that the null space of the tangent leaves open."""
+    indices = np.flatnonzero(ring.free)
+    if indices.size == 0:
+        return []
+    tangent = point.stiffness[np.ix_(indices, indices)]
+    _, values, vectors = np.linalg.svd(tangent)
+    null = vectors[values < SINGULAR * values[0]]
+    return [DEGREES_OF_FREEDOM[k] for k, part in zip(indices, np.abs(null).T, strict=True) if (part > 0.1).any()]
+
+
+def _solution(
+    inputs: tuple[Bearing, Operation, Model, tuple[Row, ...]],
+    ring: Ring,
+    problem: BallProblem,
+    point: RingPoint,
+    iterations: int,
+) -> QuasistaticSolution:
+    bearing, operation, model, rows = inputs
+    row: BallRow = point.row
+    state = ball_state(row.u, ring.position(point.q) - row.u, problem)
+    converged, message = _verdict(problem, bearing, ring, point, state, iterations)
+    scale, movement = ring.scale, point.q / ring.scale
+    row_load = -(ring.loads(row, bearing.balls) + ring.drive) * scale
+    held, none = problem.held, np.zeros(row.u.shape[1])
+    load = -(point.force + ring.drive.sum(axis=0)) * scale
+    return QuasistaticSolution(
+        bearing=bearing,
+        operation=operation,
+        model=model,
+        displacement=movement[:3],
+        tilt=movement[3:],
+        ring_force=load[:3],
+        ring_moment=load[3:],
+        stiffness=point.stiffness * np.outer(scale, scale),
+        azimuth=row_azimuths(bearing, rows),
+        **_ball_arrays(state),
+        ball_axial=row.u[0] + per_ball(bearing, [part.outer_plane for part in rows]),
+        ball_radial=bearing.outer_centre_radius + row.u[1],
+        pivot_speed=none if held is None else held.pivot_speed,
+        inner_drive=none if held is None else held.inner_drive,
+        carried=np.zeros(none.size, dtype=np.bool_),
+        cage_speed=_cage_speed(state.motion.orbit_speed, state.inner_load),
+        residual=point.residual,
+        iterations=iterations,
+        converged=converged,
+        message=message,
+        rows=rows,
+        row_load=row_load,
+    )
+
+
+def _ball_arrays(state: BallState) -> dict[str, Array]:
+    """Loads and friction [N], angles [rad], body forces [N], [N m] and speeds [rad/s] of the balls."""
+    return {
+        "inner_load": state.inner_load,
+        "outer_load": state.outer_load,
+        "inner_contact_angle": np.arctan2(state.inner.sin, state.inner.cos),
+        "outer_contact_angle": np.arctan2(state.outer.sin, state.outer.cos),
+        "centrifugal_force": state.centrifugal_force,
+        "gyroscopic_moment": state.gyroscopic_moment,
+        "inner_friction": state.inner_friction,
+        "outer_friction": state.outer_friction,
+        "orbit_speed": state.motion.orbit_speed,
+        "spin_speed": state.motion.spin_speed,
+        "attitude": np.arctan2(state.motion.attitude.sin, state.motion.attitude.cos),
+    }

@@ -1,0 +1,1 @@
+"""Rating life, load ratings and defect frequencies."""

@@ -1,0 +1,306 @@
+"""Rating life of a ball bearing from its solved ball loads, after ISO 281 and ISO 16281, and its static safety.
+
+The standards themselves were not read: formulas and constants come from public transcriptions that agree with each
+other (docs/theory/life.md says which). They cover one row of balls between rings of hardened bearing steel, the
+balls of steel or of silicon nitride (DIN ISO 281 Supplement 5 and ISO 20056-1, after their published abstracts:
+the dynamic rating of a hybrid is that of the steel bearing). For any other material no life is given.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from math import degrees, hypot, pi, radians
+
+import numpy as np
+
+from ehl.closed_form.hertz import hertz_contact
+from ehl.oil.lubricant import Lubricant
+
+from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
+from ..material import MaterialKind
+from ..operation import RatingInput
+from ..quasistatic.solution import QuasistaticSolution
+from .load_rating import (
+    STATIC_PRESSURE,
+    ball_ratings,
+    dynamic_rating,
+    fatigue_load_limit,
+    geometry_not_rated,
+    static_equivalent_load,
+    static_rating,
+    wide_grooves,
+)
+
+STEEPEST = radians(45.0)  # a steeper bearing is a thrust bearing in the standards
+LIFE_EXPONENT = 3.0  # of point contact [-]
+ROWS_EXPONENT = 0.7  # of the number of rows in C_r, ISO 281 [-]
+ROTATING, STATIONARY = 3.0, 10.0 / 3.0  # exponents of the equivalent ball load of a ring, relative to the load [-]
+KAPPA_LEAST, KAPPA_MOST, A_ISO_MOST = 0.1, 4.0, 50.0  # [-]
+A_ISO_PIECES = (  # kappa up to, constant, exponent [-]; continuous at 0.4 and 1
+    (0.4, 2.2649, 0.054381),
+    (1.0, 1.9987, 0.19087),
+    (KAPPA_MOST, 1.9987, 0.071739),
+)
+LIGHT_ENOUGH = 0.5  # P/C_r up to which the life formula holds [-]
+RPM, MM = 2.0 * pi / 60.0, 1e-3  # in SI
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LifeRating:
+    """Rating life; None where it does not apply, the reason in `messages`.
+
+    Attributes
+    ----------
+    rating : RatingInput
+    dynamic_rating : float or None
+        C_r as given or computed [N].
+    equivalent_load : float or None
+        P_ref, dynamic equivalent reference load [N].
+    basic_life, modified_life : float or None
+        L_10r and L_10mr, at 90 % reliability [revolutions].
+    viscosity_ratio : float or None
+        kappa = nu/nu_1, from the viscosity at the temperature of operation alone [-].
+    life_factor : float or None
+        a_ISO [-].
+    fatigue_load_limit : float or None
+        C_u [N].
+    static_safety : float or None
+        (4200 MPa/p_max)^3 over the heaviest contact, steel on steel [-].
+    static_rating, static_load : float or None
+        C_0 as given or computed, and P_0 of the external loads [N], of the row that carries most.
+    static_safety_factor : float or None
+        S_0 = C_0/P_0 [-].
+    messages : tuple of str
+    """
+
+    rating: RatingInput
+    dynamic_rating: float | None = None
+    equivalent_load: float | None = None
+    basic_life: float | None = None
+    modified_life: float | None = None
+    viscosity_ratio: float | None = None
+    life_factor: float | None = None
+    fatigue_load_limit: float | None = None
+    static_safety: float | None = None
+    static_rating: float | None = None
+    static_load: float | None = None
+    static_safety_factor: float | None = None
+    messages: tuple[str, ...] = ()
+
+
+def bearing_life(solution: QuasistaticSolution, lubricant: Lubricant, rating: RatingInput) -> LifeRating:
+    """Basic and modified reference rating life, ISO 16281, from the ball loads of an equilibrium.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Ball loads [N].
+    lubricant : Lubricant
+        Viscosity [Pa s] and density [kg/m^3] at the temperature of operation.
+    rating : RatingInput
+
+    Returns
+    -------
+    LifeRating
+    """
+    bearing = solution.bearing
+    reason = _not_covered(bearing) or ("" if solution.converged else "there is no equilibrium")
+    if reason:
+        return LifeRating(rating=rating, messages=(f"life: null, {reason}",))
+    speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
+    kappa = viscosity_ratio(lubricant.viscosity / lubricant.density, speed, bearing.pitch_diameter) if speed else None
+    known, messages = _static(LifeRating(rating=rating, viscosity_ratio=kappa), solution)
+    why = _no_life(solution, rating, speed)
+    if why:
+        return replace(known, messages=(*messages, f"life: basic and modified rating null, {why}"))
+    capacity = rating.dynamic_rating or dynamic_rating(bearing, rating.nominal_contact_angle)
+    life, rows = reference_life(solution, capacity, rating.nominal_contact_angle), len(solution.rows)
+    capacity *= rows**ROWS_EXPONENT
+    load = capacity / life ** (1.0 / LIFE_EXPONENT)
+    limit = rows * fatigue_load_limit(bearing, rating.nominal_contact_angle)
+    if rows > 1:
+        messages.append(f"life: C_r, P and C_u are those of the {rows} rows together, C_r {rows}^0.7 times that of one")
+    assert kappa is not None  # without rotation there is a reason above
+    factor = _life_factor(kappa, limit / load, rating.contamination_factor)
+    return replace(
+        known,
+        dynamic_rating=capacity,
+        equivalent_load=load,
+        basic_life=1e6 * life,
+        modified_life=None if factor is None else 1e6 * life * factor,
+        life_factor=factor,
+        fatigue_load_limit=limit,
+        messages=(*messages, *_remarks(bearing, rating, kappa, load / capacity)),
+    )
+
+
+def _not_covered(bearing: Bearing) -> str:
+    """Why the standards do not cover the materials, empty if they do."""
+    rings = (bearing.inner_ring_material, bearing.outer_ring_material)
+    for ring in rings:
+        if ring.kind is not MaterialKind.BEARING_STEEL:
+            found = f"{ring.name!r} (kind {ring.kind.value!r})"
+            return f"the standards rate rings of hardened bearing steel only, not of {found}"
+    ball = bearing.ball_material
+    if ball.kind is MaterialKind.OTHER:
+        return f"the standards rate balls of bearing steel or silicon nitride only, not of {ball.name!r}"
+    return ""
+
+
+def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRating, list[str]]:
+    """Static safety by pressure and by S_0 = C_0/P_0, and what is left out."""
+    bearing, rating, messages = solution.bearing, known.rating, []
+    steel = bearing.ball_material.kind is MaterialKind.BEARING_STEEL
+    pressure = _largest_pressure(solution)
+    if not steel:
+        messages.append("life.static_safety: null, the permissible pressure of a hybrid was not at hand")
+    elif pressure:
+        known = replace(known, static_safety=(STATIC_PRESSURE / pressure) ** 3)
+    capacity = rating.static_rating
+    if capacity is None and steel:
+        capacity = static_rating(bearing, rating.nominal_contact_angle)
+        messages.append("life: static rating computed from the geometry, no basic_static_rating_kN was given")
+    elif capacity is None:
+        messages.append("life: static rating and S_0 null, give the basic_static_rating_kN of the hybrid")
+    loads = []
+    for x, y, z in solution.row_load[:, :3]:
+        loads.append(static_equivalent_load(hypot(y, z), abs(float(x)), rating.nominal_contact_angle))
+    load = max((found for found in loads if found is not None), default=None)
+    if load is None:
+        messages.append("life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 to 40 deg")
+    factor = capacity / load if capacity is not None and load else None
+    return replace(known, static_rating=capacity, static_load=load, static_safety_factor=factor), messages
+
+
+def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -> str:
+    if not speed:
+        return "the rings do not turn against each other"
+    if not (solution.inner_load > 0.0).any():
+        return "no ball loads the inner ring"
+    angle = rating.nominal_contact_angle
+    if angle > STEEPEST:
+        return f"a nominal contact angle of {degrees(angle):.4g} deg is that of a thrust bearing"
+    return "" if rating.dynamic_rating is not None else geometry_not_rated(solution.bearing, angle)
+
+
+def _remarks(bearing: Bearing, rating: RatingInput, kappa: float, share: float) -> Iterator[str]:
+    if rating.dynamic_rating is None:
+        yield "life: dynamic rating computed from the geometry, no basic_dynamic_rating_kN was given"
+        if wide_grooves(bearing):
+            yield "life: dynamic rating lowered for grooves wider than 0.52 (inner) or 0.53 (outer) ball diameters"
+    yield "life: kappa from the viscosity alone"
+    if rating.contamination_factor is None:
+        yield "life: a_iso and modified rating null, the case gives no [lubricant] contamination_factor"
+    elif kappa < KAPPA_LEAST:
+        yield f"life: a_iso and modified rating null, ISO 281 has no factor below kappa {KAPPA_LEAST}"
+    if share > LIGHT_ENOUGH:
+        yield f"life: the equivalent load is {share:.2f} of the dynamic rating, more than the {LIGHT_ENOUGH} of ISO 281"
+
+
+def _life_factor(kappa: float, limit_over_load: float, contamination: float | None) -> float | None:
+    if contamination is None or kappa < KAPPA_LEAST:
+        return None
+    return life_factor(kappa, contamination * limit_over_load)
+
+
+def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle: float) -> float:
+    """Basic reference rating life [10^6 revolutions], ISO 16281.
+
+    L_10r = [sum over rows of (Q_ci/Q_ei)^(-10/3) + (Q_ce/Q_ee)^(-10/3)]^(-9/10), Q_e = (sum Q_j^p/Z)^(1/p), p = 3 for a
+    ring that turns relative to the load and 10/3 for one that stands. The load stands in space.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Ball loads [N].
+    capacity : float
+        C_r of one row [N].
+    contact_angle : float
+        Nominal contact angle [rad].
+
+    Returns
+    -------
+    float
+        [10^6 revolutions of one ring against the other].
+    """
+    ratings = ball_ratings(solution.bearing, capacity, contact_angle)
+    speeds = (solution.operation.inner_speed, solution.operation.outer_speed)
+    rows = [solution.row(k) for k in range(len(solution.rows))]
+    races = tuple(zip(("inner_load", "outer_load"), speeds, ratings, strict=True))
+    total = sum(
+        (equivalent_ball_load(getattr(row, name), turning=speed != 0.0) / rating) ** (10.0 / 3.0)
+        for row in rows
+        for name, speed, rating in races
+    )
+    return float(total**-0.9)
+
+
+def equivalent_ball_load(loads: Array, *, turning: bool) -> float:
+    """Q_e [N] of the ball loads [N] on a ring, (sum Q^p/Z)^(1/p), ISO 16281."""
+    exponent = ROTATING if turning else STATIONARY
+    return float(np.mean(loads**exponent) ** (1.0 / exponent))
+
+
+def viscosity_ratio(kinematic_viscosity: float, speed: float, pitch_diameter: float) -> float:
+    """kappa = nu/nu_1 [-], ISO 281.
+
+    nu_1 = 45000 n^-0.83 d_m^-0.5 below 1000 r/min, 4500 n^-0.5 d_m^-0.5 from there, in mm^2/s with d_m in mm.
+
+    Parameters
+    ----------
+    kinematic_viscosity : float
+        At the temperature of operation [m^2/s].
+    speed : float
+        Of one ring against the other, positive [rad/s].
+    pitch_diameter : float
+        [m].
+
+    Returns
+    -------
+    float
+        kappa [-].
+    """
+    n = speed / RPM
+    reference = (45000.0 * n**-0.83 if n < 1000.0 else 4500.0 * n**-0.5) * (pitch_diameter / MM) ** -0.5
+    return kinematic_viscosity / (reference * MM**2)
+
+
+def life_factor(kappa: float, limit: float) -> float:
+    """a_ISO of radial ball bearings [-], ISO 281.
+
+    a_ISO = 0.1 [1 - (2.5671 - c/kappa^e)^0.83 (e_C C_u/P)^(1/3)]^-9.3, at most 50, with kappa at most 4; (c, e) =
+    (2.2649, 0.054381) below 0.4, (1.9987, 0.19087) up to 1, (1.9987, 0.071739) up to 4.
+
+    Parameters
+    ----------
+    kappa : float
+        Viscosity ratio, from 0.1 [-].
+    limit : float
+        e_C C_u/P [-].
+
+    Returns
+    -------
+    float
+        a_ISO [-].
+    """
+    if kappa < KAPPA_LEAST:
+        raise ValueError(f"kappa must be at least {KAPPA_LEAST}, got {kappa!r}")
+    kappa = min(kappa, KAPPA_MOST)
+    constant, exponent = next((c, e) for most, c, e in A_ISO_PIECES if kappa <= most)
+    base = 1.0 - (2.5671 - constant / kappa**exponent) ** 0.83 * limit ** (1.0 / 3.0)
+    return min(A_ISO_MOST, 0.1 * base**-9.3) if base > 0.0 else A_ISO_MOST
+
+
+def _largest_pressure(solution: QuasistaticSolution) -> float:
+    """Largest Hertz pressure of all contacts [Pa], 0 if none is loaded."""
+    largest, bearing = 0.0, solution.bearing
+    for race, loads, angles in (
+        (Race.INNER, solution.inner_load, solution.inner_contact_angle),
+        (Race.OUTER, solution.outer_load, solution.outer_contact_angle),
+    ):
+        for load, angle in zip(loads, angles, strict=True):
+            if load > 0.0:
+                radii = reduced_radii(bearing, race, float(angle))
+                largest = max(largest, hertz_contact(float(load), *radii, contact_modulus(bearing, race)).pressure)
+    return largest

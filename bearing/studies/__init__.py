@@ -1,0 +1,1 @@
+"""Studies over load and speed: slip, stiffness, preload."""

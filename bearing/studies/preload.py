@@ -1,0 +1,124 @@
+"""Rows set against each other: preload as a force or as a displacement, and the usual pairs.
+
+A preload is that of the reference position, ring undisplaced, nothing turning: there a row alone carries the force, or
+is displaced beyond first touch by the length. Pairs of equal rows then stand in balance with that force in both.
+"""
+
+from __future__ import annotations
+
+from enum import Enum
+
+from ..geometry import Bearing
+from ..operation import Model, Operation
+from ..quasistatic.solver import solve_quasistatic
+from ..rows import Row
+
+
+class Arrangement(Enum):
+    """Pairs of rows: lines of force that meet outside (DB, O), inside (DF, X), or run alike (DT)."""
+
+    BACK_TO_BACK = "back to back"
+    FACE_TO_FACE = "face to face"
+    TANDEM = "tandem"
+
+
+SENSES = {
+    Arrangement.BACK_TO_BACK: (1, -1),
+    Arrangement.FACE_TO_FACE: (-1, 1),
+    Arrangement.TANDEM: (1, 1),
+}  # pushes of the inner ring along x that load the rows at -x and +x
+
+
+def preload_offset(bearing: Bearing, preload_force: float, model: Model | None = None) -> float:
+    """Axial distance of the grooves' middles at which one row at rest carries a force [m].
+
+    Parameters
+    ----------
+    bearing : Bearing
+    preload_force : float
+        Not negative [N].
+    model : Model, optional
+
+    Returns
+    -------
+    float
+        [m]; the free axial position without force.
+    """
+    if not preload_force >= 0.0:
+        raise ValueError(f"preload_force must not be negative, got {preload_force!r} N")
+    if preload_force == 0.0:
+        return bearing.free_axial_position
+    solution = solve_quasistatic(bearing, Operation(inner_speed=0.0, force=(preload_force, 0.0, 0.0)), model)
+    if not solution.converged:
+        raise ValueError(f"preload_force {preload_force!r} N: {solution.message}")
+    return float(solution.displacement[0])
+
+
+def preloaded_row(
+    bearing: Bearing,
+    axial_position: float,
+    sense: int,
+    preload_force: float = 0.0,
+    preload_displacement: float = 0.0,
+    model: Model | None = None,
+) -> Row:
+    """A row with a preload, as a force or as a displacement beyond first touch.
+
+    Parameters
+    ----------
+    bearing : Bearing
+        With the clearance it is set with.
+    axial_position : float
+        [m].
+    sense : int
+        1 if a push of the inner ring to +x loads the row, else -1 [-].
+    preload_force : float
+        [N].
+    preload_displacement : float
+        [m]; negative leaves play.
+    model : Model, optional
+
+    Returns
+    -------
+    Row
+    """
+    if sense not in (1, -1):
+        raise ValueError(f"sense must be 1 or -1, got {sense!r}")
+    if preload_force and preload_displacement:
+        raise ValueError("preload_force and preload_displacement: a row takes one of them")
+    offset = preload_offset(bearing, preload_force, model) + preload_displacement
+    return Row(axial_position=axial_position, offset=sense * offset)
+
+
+def duplex(
+    bearing: Bearing,
+    arrangement: Arrangement,
+    distance: float,
+    preload_force: float = 0.0,
+    preload_displacement: float = 0.0,
+    model: Model | None = None,
+) -> tuple[Row, Row]:
+    """Two equal rows about the origin.
+
+    Parameters
+    ----------
+    bearing : Bearing
+    arrangement : Arrangement
+    distance : float
+        Between the middles of the rows [m].
+    preload_force : float
+        In each row at rest [N].
+    preload_displacement : float
+        Of each row beyond first touch [m]; the gap that mounting closes is twice that.
+    model : Model, optional
+
+    Returns
+    -------
+    tuple of Row
+        Left and right.
+    """
+    left, right = (
+        preloaded_row(bearing, position, sense, preload_force, preload_displacement, model)
+        for position, sense in zip((-0.5 * distance, 0.5 * distance), SENSES[arrangement], strict=True)
+    )
+    return left, right

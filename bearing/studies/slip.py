@@ -1,0 +1,336 @@
+"""Gross slip of balls after Hirano: slip factors, critical loads, minimum preload, and catalogue minimum loads.
+
+Hirano (1965) found that the balls of angular contact bearings slip as a whole where the axial part of the inner contact
+load falls below about ten times the centrifugal force, SF = Qi |sin ai|/Fc < 10. The axial balance of the inner ring
+holds the mean of the factors of Z balls at Fa/(Z Fc) or below, so no preload below 10 Z Fc can be enough. The source of
+1965 was not at hand; the criterion is that quoted by Wang et al. (2024), Eqs. (17) to (20).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from functools import partial
+from math import isfinite, nan
+from typing import Any
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ..geometry import Array, Bearing
+from ..operation import Model, Operation
+from ..quasistatic.balls import ball_problem
+from ..quasistatic.solution import QuasistaticSolution
+from ..quasistatic.solver import solve_quasistatic
+
+HIRANO_LIMIT = 10.0  # slip factor below which a ball slips, Hirano (1965) [-]
+PRECISION = 1.0e-7  # of critical loads, relative [-]
+FIRST, GROWTH, STEPS = 0.6, 1.2, 40  # search for a preload: first and next trial over the least possible, trials [-]
+LEAST = 0.02  # lightest axial load looked at for critical loads, over the least possible preload [-]
+EQUAL = 9  # digits to which two balls' factors agree where they count as one
+
+Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]  # map, or one that shares the work
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SlipStudy:
+    """A bearing whose axial load and speed are varied; tilt and the other loads are those of `operation`.
+
+    Attributes
+    ----------
+    bearing, operation, model : Bearing, Operation, Model
+        The axial direction of the operation must be loaded, not displaced.
+    limit : float
+        Slip factor below which a ball slips [-].
+    """
+
+    bearing: Bearing
+    operation: Operation
+    model: Model
+    limit: float = HIRANO_LIMIT
+
+    def __post_init__(self) -> None:
+        if self.operation.force[0] is None:
+            raise ValueError("operation: slip maps vary the axial load, so x must have a force, not a displacement")
+        if not (isfinite(self.limit) and self.limit > 0.0):
+            raise ValueError(f"limit must be positive and finite, got {self.limit!r}")
+
+    def solve(
+        self, speed: float, axial_load: float, near: QuasistaticSolution | None = None
+    ) -> QuasistaticSolution | None:
+        """Equilibrium at an inner speed [rad/s] and axial load [N], from a neighbour's; None where there is none."""
+        operation = replace(self.operation, inner_speed=speed, force=(axial_load, *self.operation.force[1:]))
+        solution = solve_quasistatic(self.bearing, operation, self.model, near)
+        return solution if solution.converged else None
+
+    def least_preload(self, speed: float) -> float:
+        """Axial load [N] without which some ball must slip at `speed` [rad/s], limit Z Fc at the free angle."""
+        problem = ball_problem(self.bearing, speed, self.operation.outer_speed, self.model)
+        return self.limit * self.bearing.balls * problem.nominal_force
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SlipSurface:
+    """Slip factors over speed and axial load: speeds [rad/s], axial_loads [N], factors (n, F, Z) [-], NaN unsolved."""
+
+    speeds: Array
+    axial_loads: Array
+    factors: Array
+
+    @property
+    def minimum(self) -> Array:
+        """Factor of the worst ball [-], shape (n, F)."""
+        least: Array = self.factors.min(axis=2)
+        return least
+
+    @property
+    def unsolved(self) -> int:
+        """Number of points without an equilibrium [-]."""
+        return int(np.isnan(self.minimum).sum())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CriticalCurves:
+    """Axial load [N], shape (R, Z), at which each ball just slips, over radial_loads [N], at one speed [rad/s]."""
+
+    speed: float
+    radial_loads: Array
+    axial_loads: Array
+
+
+def slip_factors(solution: QuasistaticSolution) -> Array:
+    """SF = Qi |sin ai|/Fc of every ball [-], Hirano (1965); infinite at rest.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        Loads in [N], angles in [rad].
+
+    Returns
+    -------
+    ndarray, shape (Z,)
+        Slip factors [-].
+    """
+    axial = solution.inner_load * np.abs(np.sin(solution.inner_contact_angle))
+    force = solution.centrifugal_force
+    factors: Array = np.where(force > 0.0, axial / np.where(force > 0.0, force, 1.0), np.inf)
+    return factors
+
+
+def slip_row(study: SlipStudy, axial_loads: Sequence[float], speed: float) -> Array:
+    """Slip factors at one speed, each solution the start of the next.
+
+    Parameters
+    ----------
+    study : SlipStudy
+    axial_loads : sequence of float
+        [N].
+    speed : float
+        Of the inner ring [rad/s].
+
+    Returns
+    -------
+    ndarray, shape (F, Z)
+        Slip factors [-], NaN where there is no equilibrium.
+    """
+    found = np.full((len(axial_loads), study.bearing.balls), nan)
+    near = None
+    for index in np.argsort(axial_loads)[::-1]:  # from the heaviest load, where the start is best
+        solution = study.solve(speed, float(axial_loads[index]), near)
+        if solution is not None:
+            found[index], near = slip_factors(solution), solution
+    return found
+
+
+def slip_surface(
+    study: SlipStudy, speeds: Sequence[float], axial_loads: Sequence[float], mapper: Mapper = map
+) -> SlipSurface:
+    """Slip factors of every ball over speed and axial load.
+
+    Parameters
+    ----------
+    study : SlipStudy
+    speeds : sequence of float
+        Of the inner ring [rad/s].
+    axial_loads : sequence of float
+        [N].
+    mapper : callable
+        `map`, or the map of a pool that shares the rows.
+
+    Returns
+    -------
+    SlipSurface
+        Slip factors [-].
+    """
+    rows = mapper(partial(slip_row, study, tuple(axial_loads)), [float(n) for n in speeds])
+    return SlipSurface(speeds=np.array(speeds), axial_loads=np.array(axial_loads), factors=np.array(list(rows)))
+
+
+def minimum_preload(study: SlipStudy, speed: float) -> float:
+    """Least axial load with which no ball slips at a given speed, radial load and tilt.
+
+    Parameters
+    ----------
+    study : SlipStudy
+    speed : float
+        Of the inner ring [rad/s].
+
+    Returns
+    -------
+    float
+        Axial load [N]; 0 without centrifugal force; NaN if none up to 700 times the least possible one is found.
+    """
+    if study.least_preload(speed) == 0.0:
+        return 0.0
+    near: QuasistaticSolution | None = None
+    before = nan
+    for load in _trials(study, speed):
+        solution = study.solve(speed, load, near)
+        near = solution or near
+        if solution is not None and slip_factors(solution).min() >= study.limit:
+            return _root(study, speed, (before, load), partial(np.min), solution)
+        before = load if solution is not None else nan
+    return nan
+
+
+def minimum_preloads(study: SlipStudy, speeds: Sequence[float], mapper: Mapper = map) -> Array:
+    """`minimum_preload` [N] over speeds [rad/s], shared by `mapper`; shape (n,)."""
+    return np.array(list(mapper(partial(minimum_preload, study), [float(n) for n in speeds])))
+
+
+def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
+    """Axial load at which the factor of each ball passes the limit, under one radial load.
+
+    Parameters
+    ----------
+    study : SlipStudy
+        Its radial load is replaced.
+    speed : float
+        Of the inner ring [rad/s].
+    radial_load : float
+        Along +y [N].
+
+    Returns
+    -------
+    ndarray, shape (Z,)
+        Axial load [N], the heaviest where there are several; NaN for a ball that does not pass the limit.
+    """
+    if study.operation.force[1] is None:
+        raise ValueError("operation: critical curves vary the radial load, so y must have a force, not a displacement")
+    force = (study.operation.force[0], radial_load, study.operation.force[2])
+    study = replace(study, operation=replace(study.operation, force=force))
+    found = np.full(study.bearing.balls, nan)
+    known: dict[tuple[float, ...], float] = {}
+    above: tuple[float, QuasistaticSolution] | None = None
+    for load, solution in _descent(study, speed):
+        if above is not None:
+            pair = np.array([slip_factors(above[1]), slip_factors(solution)])
+            for ball in np.flatnonzero((pair[0] >= study.limit) & (pair[1] < study.limit) & np.isnan(found)):
+                key = (load, *(float(f"{factor:.{EQUAL}g}") for factor in pair[:, ball]))
+                if key not in known:
+                    known[key] = _root(study, speed, (load, above[0]), partial(_of_ball, int(ball)), above[1])
+                found[ball] = known[key]
+        above = load, solution
+    return found
+
+
+def critical_curves(
+    study: SlipStudy, speed: float, radial_loads: Sequence[float], mapper: Mapper = map
+) -> CriticalCurves:
+    """`critical_loads` [N] over radial loads [N] at one speed [rad/s], shared by `mapper`."""
+    rows = mapper(partial(critical_loads, study, speed), [float(load) for load in radial_loads])
+    return CriticalCurves(speed=speed, radial_loads=np.array(radial_loads), axial_loads=np.array(list(rows)))
+
+
+def minimum_axial_load_skf(factor: float, speed: float) -> float:
+    """Catalogue minimum axial load F_am = A (n/1000)^2, SKF Rolling bearings catalogue.
+
+    Parameters
+    ----------
+    factor : float
+        A of the product table, there in kN; here [N].
+    speed : float
+        [rad/s]; n is in r/min.
+
+    Returns
+    -------
+    float
+        [N].
+    """
+    return factor * (_rpm(speed) / 1000.0) ** 2
+
+
+def minimum_radial_load_skf(factor: float, speed: float, kinematic_viscosity: float, pitch_diameter: float) -> float:
+    """Catalogue minimum radial load F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2, SKF Rolling bearings catalogue.
+
+    Parameters
+    ----------
+    factor : float
+        k_r of the product table, there in kN; here [N].
+    speed : float
+        [rad/s]; n is in r/min.
+    kinematic_viscosity : float
+        At operating temperature [m^2/s]; nu is in mm^2/s.
+    pitch_diameter : float
+        [m]; d_m is in mm.
+
+    Returns
+    -------
+    float
+        [N].
+    """
+    flow = 1.0e6 * kinematic_viscosity * abs(_rpm(speed)) / 1000.0
+    return float(factor * flow ** (2.0 / 3.0) * (1000.0 * pitch_diameter / 100.0) ** 2)
+
+
+def _rpm(speed: float) -> float:
+    return speed * 30.0 / np.pi
+
+
+def _trials(study: SlipStudy, speed: float) -> Iterator[float]:
+    least = study.least_preload(speed)
+    return (FIRST * least * GROWTH**step for step in range(STEPS))
+
+
+def _descent(study: SlipStudy, speed: float) -> Iterator[tuple[float, QuasistaticSolution]]:
+    """Axial loads and solutions, from one at which no ball slips down to where all do or the load is very light."""
+    near, load = None, nan
+    for load in _trials(study, speed):
+        near = study.solve(speed, load, near) or near
+        if near is not None and near.operation.force[0] == load and slip_factors(near).min() >= study.limit:
+            break
+    lightest = LEAST * study.least_preload(speed)
+    while near is not None and load > lightest:
+        solution = study.solve(speed, load, near)
+        if solution is None:
+            return
+        yield load, solution
+        if slip_factors(solution).max() < study.limit:
+            return
+        near, load = solution, load / GROWTH
+
+
+def _of_ball(ball: int, factors: Array) -> float:
+    return float(factors[ball])
+
+
+def _root(
+    study: SlipStudy,
+    speed: float,
+    bracket: tuple[float, float],
+    of_factors: Callable[[Array], Any],
+    near: QuasistaticSolution,
+) -> float:
+    """Axial load [N] within the bracket at which a value of the factors passes the limit; NaN without equilibrium."""
+    unsolved = False
+
+    def excess(load: float) -> float:
+        nonlocal unsolved
+        solution = study.solve(speed, load, near)
+        unsolved |= solution is None
+        return 0.0 if solution is None else float(of_factors(slip_factors(solution))) - study.limit
+
+    if not isfinite(bracket[0]):
+        return nan
+    found = brentq(excess, *bracket, rtol=PRECISION, xtol=PRECISION * bracket[0])
+    return nan if unsolved else float(found)

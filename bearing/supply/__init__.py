@@ -1,0 +1,1 @@
+"""Oil supply and starved films."""

@@ -1,0 +1,134 @@
+"""Films of the contacts of a bearing that gets little oil: what a supply leaves of the flooded ones."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+
+from ehl import ContactSolution, ViscosityLaw
+from ehl.closed_form.film import film_hamrock_dowson_minimum, film_nijenbanning_central
+
+from ..contacts.contacts import BearingContact
+from ..geometry import Race
+from ..quasistatic.solution import QuasistaticSolution
+from .supply import InletFilm, Supply, supplied_films
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StarvedFilm:
+    """Film of one contact at a supply.
+
+    Attributes
+    ----------
+    share : float
+        Of the flooded film, central as minimum [-].
+    flooded_central, flooded_minimum : float
+        Flooded films [m].
+    roughness : float
+        Root mean square of race and ball together, zero where it is not known [m].
+    solved : bool
+        Whether the flooded films were solved; else they are those of the formulas of Nijenbanning et al. and of Hamrock
+        and Dowson.
+    """
+
+    share: float
+    flooded_central: float
+    flooded_minimum: float
+    roughness: float = 0.0
+    solved: bool = False
+
+    @property
+    def central(self) -> float:
+        """Central film left [m]."""
+        return self.share * self.flooded_central
+
+    @property
+    def minimum(self) -> float:
+        """Minimum film left [m]."""
+        return self.share * self.flooded_minimum
+
+    @property
+    def lambda_ratio(self) -> float:
+        """Minimum film left over the roughness [-]; infinite without."""
+        return self.minimum / self.roughness if self.roughness > 0.0 else inf
+
+
+def starved_films(
+    contacts: Sequence[BearingContact],
+    supply: Supply | InletFilm,
+    balls: int,
+    roughness: tuple[float, float] | None = None,
+    solutions: Sequence[ContactSolution | None] | None = None,
+) -> tuple[StarvedFilm | None, ...]:
+    """What a supply leaves of the film of every contact; None where no oil is entrained or no flooded film is known.
+
+    The minimum film is taken to keep the share of the central one.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+    supply : Supply or InletFilm
+    balls : int
+        In one row [-].
+    roughness : tuple of float, optional
+        Root mean square of inner race and balls, outer race and balls [m].
+    solutions : sequence of ContactSolution or None, optional
+        Flooded films; formulas where one is missing or did not converge.
+
+    Returns
+    -------
+    tuple of StarvedFilm or None
+    """
+    solved = [None] * len(contacts) if solutions is None else solutions
+    flooded = [_flooded(contact, film) for contact, film in zip(contacts, solved, strict=True)]
+    shares = supplied_films(contacts, [film and film[0] for film in flooded], supply, balls)
+    found: list[StarvedFilm | None] = []
+    for contact, film, share in zip(contacts, flooded, map(float, shares), strict=True):
+        if film is None:
+            found.append(None)
+            continue
+        rough = 0.0 if roughness is None else roughness[0 if contact.race is Race.INNER else 1]
+        one = StarvedFilm(
+            share=share, flooded_central=film[0], flooded_minimum=film[1], roughness=rough, solved=film[2]
+        )
+        found.append(one)
+    return tuple(found)
+
+
+def of_driven_balls(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], films: Sequence[StarvedFilm | None]
+) -> list[StarvedFilm]:
+    """Films of the balls that both races load."""
+    return [
+        film
+        for film, contact in zip(films, contacts, strict=True)
+        if film is not None and solution.inner_load[contact.ball - 1] > 0.0
+    ]
+
+
+def mean_share(films: Sequence[StarvedFilm]) -> float:
+    """Mean share of the flooded film [-]; 1 of none."""
+    return float(np.mean([film.share for film in films])) if films else 1.0
+
+
+def least_lambda(films: Sequence[StarvedFilm]) -> float:
+    """Smallest lambda ratio [-]; infinite of none."""
+    return min((film.lambda_ratio for film in films), default=inf)
+
+
+def _flooded(contact: BearingContact, solution: ContactSolution | None) -> tuple[float, float, bool] | None:
+    """Central and minimum film [m], and whether they were solved; None where there is none or no formula applies."""
+    if contact.conditions is None or contact.hertz is None:
+        return None
+    if solution is not None and solution.converged:
+        central, minimum = solution.film_central, solution.film_minimum
+        if central is not None and minimum is not None:
+            return central, minimum, True
+    conditions = contact.conditions
+    oil = conditions.lubricant
+    if oil.viscosity_law is ViscosityLaw.ISOVISCOUS or oil.pressure_viscosity <= 0.0:
+        return None
+    return film_nijenbanning_central(conditions), film_hamrock_dowson_minimum(conditions), False

@@ -1,0 +1,250 @@
+r"""Oil supply, first order: how much film little oil leaves, and how much oil stands in the way of the balls.
+
+Either the layer of oil that every contact finds at its inlet is given (`InletFilm`), or a flow (`Supply`).
+
+Film: a contact that finds an oil layer of r times its compressed flooded film builds a film of
+:math:`r/(1 + r^\gamma)^{1/\gamma}` times the flooded one (Chevalier et al., 1998; Damiens et al., 2004) and presses the
+rest out of the track. Under a flow, the layer it leaves loses a share on the way to the next ball, and the supply adds
+to it. In the steady state
+
+    r = (1 - loss) r/(1 + r^gamma)^(1/gamma) + added layer/(density ratio times flooded film).
+
+**Assumed** (no source): of the flow a given share lands on the two tracks, half on each, and spreads evenly over the
+width of the contact's ellipse; the share of the layer that is flung off or pulled away between two balls is given, too;
+each contact is taken as if all were alike.
+
+Drag: the oil stays in the bearing for a **given residence time**, fills that share of its cavity, and the balls plough
+through a mixture of that density. Both numbers are inputs of a test rig, not constants of nature.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import exp, inf, isfinite, log, pi
+
+import numpy as np
+from scipy.optimize import brentq
+
+from ehl.oil.lubricant import Lubricant, density
+
+from ..contacts.contacts import BearingContact
+from ..geometry import Array, Bearing
+
+EXPONENTS, WIDE = (3.0, 15.0), 8.0  # gamma of a circle and of an ellipse of this ratio and more, Damiens et al. (2004)
+LARGEST = 1.0e6  # inlet layer over film from which a contact counts as flooded [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Supply:
+    """Flow of oil through a bearing.
+
+    Attributes
+    ----------
+    flow : float
+        Volume supplied [m^3/s].
+    track_share : float
+        Share of it that lands on the tracks [-]; assumed.
+    loss : float
+        Share of the layer on a track that is lost between two balls [-]; assumed.
+    residence_time : float
+        Mean time that oil stays in the bearing [s]; assumed.
+    exponent : float or None
+        gamma of the starved film [-]; None: by the ellipse.
+    """
+
+    flow: float
+    track_share: float
+    residence_time: float
+    exponent: float | None = None
+    loss: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not (isfinite(self.flow) and self.flow >= 0.0):
+            raise ValueError(f"flow must be zero or positive and finite, got {self.flow!r} m^3/s")
+        if not 0.0 < self.track_share <= 1.0:
+            raise ValueError(f"track_share must lie in (0, 1], got {self.track_share!r}")
+        if not 0.0 <= self.loss <= 1.0:
+            raise ValueError(f"loss must lie in [0, 1], got {self.loss!r}")
+        if not (isfinite(self.residence_time) and self.residence_time >= 0.0):
+            raise ValueError(f"residence_time must be zero or positive, got {self.residence_time!r} s")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class InletFilm:
+    """Layer of oil that every contact finds at its inlet.
+
+    Attributes
+    ----------
+    layer : float
+        Thickness on both surfaces together, at ambient density [m].
+    exponent : float or None
+        gamma of the starved film [-]; None: by the ellipse.
+    """
+
+    layer: float
+    exponent: float | None = None
+
+    def __post_init__(self) -> None:
+        if not (isfinite(self.layer) and self.layer >= 0.0):
+            raise ValueError(f"layer must be zero or positive and finite, got {self.layer!r} m")
+
+
+def starvation_exponent(ellipse_ratio: float) -> float:
+    """gamma of a starved film: 3 (circular) to 15 (wide), in proportion to the ratio's logarithm between [-].
+
+    Parameters
+    ----------
+    ellipse_ratio : float
+        Semi-axis across the entrainment over that along it [-]. The ends are Damiens et al.'s (2004), second hand; the
+        interpolation is ours.
+    """
+    share = min(max(log(max(ellipse_ratio, 1.0)) / log(WIDE), 0.0), 1.0)
+    return EXPONENTS[0] * exp(share * log(EXPONENTS[1] / EXPONENTS[0]))
+
+
+def starved_share(inlet_ratio: float, exponent: float) -> float:
+    """Central film of a starved contact over the flooded one, r/(1 + r^g)^(1/g), Chevalier et al. (1998).
+
+    Parameters
+    ----------
+    inlet_ratio : float
+        r, oil layer at the inlet over the compressed flooded film [-].
+    exponent : float
+        g [-].
+
+    Returns
+    -------
+    float
+        [-].
+    """
+    if inlet_ratio > 1.0:  # the same, so that ample oil leaves exactly 1
+        return float((1.0 + inlet_ratio**-exponent) ** (-1.0 / exponent))
+    return inlet_ratio / (1.0 + inlet_ratio**exponent) ** (1.0 / exponent)
+
+
+def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> float:
+    """Film over the flooded one where every ball finds what is left of the last one's and what was added.
+
+    Parameters
+    ----------
+    added_ratio : float
+        Layer added between two balls over the compressed flooded film [-].
+    exponent : float
+        g [-].
+    loss : float
+        Share of the layer lost between two balls [-].
+
+    Returns
+    -------
+    float
+        [-]; zero without supply: all oil is pressed out in the end.
+    """
+    if added_ratio <= 0.0:
+        return 0.0
+    if added_ratio >= LARGEST:
+        return 1.0
+
+    def surplus(log_r: float) -> float:
+        r = exp(log_r)
+        return log(max(r - (1.0 - loss) * starved_share(r, exponent), 1e-300)) - log(added_ratio)
+
+    log_r = brentq(surplus, log(added_ratio) - 1e-9, log(added_ratio + 1.0) + 1e-9, xtol=1e-12)
+    return starved_share(exp(log_r), exponent)
+
+
+def supplied_films(
+    contacts: Sequence[BearingContact], flooded: Sequence[float | None], supply: Supply | InletFilm, balls: int
+) -> Array:
+    """Central film over the flooded one of every contact, shape (contacts,) [-]; 1 where there is no film.
+
+    Parameters
+    ----------
+    contacts : sequence of BearingContact
+    flooded : sequence of float or None
+        Flooded central films, solved or from a formula [m].
+    supply : Supply or InletFilm
+        A layer that is ample leaves every film as it was, to the last digit.
+    balls : int
+        In one row [-].
+    """
+    shares = np.ones(len(contacts))
+    for i, (contact, film) in enumerate(zip(contacts, flooded, strict=True)):
+        conditions, hertz = contact.conditions, contact.hertz
+        if conditions is None or hertz is None or film is None:
+            continue
+        compressed = film * compression(hertz.pressure, conditions.lubricant)
+        exponent = supply.exponent
+        if exponent is None:
+            exponent = starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x)
+        if isinstance(supply, InletFilm):
+            shares[i] = starved_share(supply.layer / compressed, exponent)
+            continue
+        swept = 2.0 * hertz.semi_axis_y * conditions.entrainment_speed * balls  # area of track under all balls [m^2/s]
+        layer = 0.5 * supply.track_share * supply.flow / swept
+        shares[i] = steady_share(layer / compressed, exponent, supply.loss)
+    return shares
+
+
+def compression(hertz_pressure: float, lubricant: Lubricant) -> float:
+    """Density at the mean Hertz pressure, 2/3 p_h [Pa], over the ambient one [-]."""
+    return float(density(2.0 / 3.0 * hertz_pressure, lubricant)) / lubricant.density
+
+
+def cavity_volume(bearing: Bearing) -> float:
+    """Space between the rings less the balls [m^3]; the cage is left out.
+
+    Between cylinders at the shoulders (raceway and a third of the ball's radius where these are not given), over the
+    width.
+
+    Raises
+    ------
+    ValueError
+        If the width of the bearing is not given.
+    """
+    if bearing.width is None:
+        raise ValueError("width is needed for the volume of the cavity")
+    pitch, ball = bearing.pitch_diameter, bearing.ball_diameter
+    inner = pitch - 2.0 / 3.0 * ball if bearing.inner_shoulder_diameter is None else bearing.inner_shoulder_diameter
+    outer = pitch + 2.0 / 3.0 * ball if bearing.outer_shoulder_diameter is None else bearing.outer_shoulder_diameter
+    ring = 0.25 * pi * (outer**2 - inner**2) * bearing.width
+    return float(ring - bearing.balls * pi / 6.0 * ball**3 * _between(inner, outer, pitch, ball))
+
+
+def _between(inner: float, outer: float, pitch: float, ball: float) -> float:
+    """Share of a ball's volume between the two cylinders [-], these taken as planes."""
+    radius = 0.5 * ball
+
+    def cap(depth: float) -> float:
+        return depth**2 * (3.0 * radius - depth) / (4.0 * radius**3)
+
+    beyond = (radius - 0.5 * (pitch - inner), radius - 0.5 * (outer - pitch))
+    return 1.0 - sum(cap(min(max(depth, 0.0), ball)) for depth in beyond)
+
+
+def oil_fraction(supply: Supply, cavity: float) -> float:
+    """Share of the cavity [m^3] that is oil, flow times residence time over volume, at most 1 [-]."""
+    return min(supply.flow * supply.residence_time / cavity, 1.0) if cavity > 0.0 else inf
+
+
+def oil_fraction_parker(flow: float, speed: float, pitch_diameter: float) -> float:
+    """Share of the cavity that is oil with jets, X% = 1e5 W^0.37/(n d_m^1.7), Parker (NASA TP-2275), unverified.
+
+    W in cm^3/min, n in r/min, d_m in mm; the constants are from memory. A regression of jet-lubricated engine bearings.
+
+    Parameters
+    ----------
+    flow : float
+        [m^3/s].
+    speed : float
+        Of the inner ring [rad/s].
+    pitch_diameter : float
+        [m].
+
+    Returns
+    -------
+    float
+        [-].
+    """
+    w, n, d = 60.0e6 * flow, abs(speed) * 30.0 / pi, 1e3 * pitch_diameter
+    return float(min(1e3 * w**0.37 / (n * d**1.7), 1.0)) if n > 0.0 else 1.0

@@ -1,0 +1,164 @@
+"""Friction torque over the oil supply, first order: less film and rolling resistance, more asperities, less churning.
+
+Every contact keeps the share of its flooded film that the supply leaves it (`supply`). Its rolling resistance falls
+with that share squared: a rule of ours, between what solves with shortened inlets of a heavy and a light contact of a
+6208 give (docs/theory/torque.md). Its sliding friction is that of film and asperities in the proportion of
+the lambda ratio (`mixed`), on the lines of pure rolling. The balls plough through the oil that stands in the cavity.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+from ehl import ContactSolution
+from ehl.oil.lubricant import Lubricant
+
+from ..contacts.contacts import BearingContact
+from ..friction.asperities import asperity_share
+from ..friction.resistance import churning_power, rolling_moment
+from ..quasistatic.solution import QuasistaticSolution
+from ..supply.starved_films import (
+    StarvedFilm,
+    least_lambda,
+    mean_share,
+    of_driven_balls,
+    starved_films,
+)
+from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
+from .models import FrictionInput, cage_and_drag
+from .sliding import pure_rolling_line_torque, shaft_speed, sliding_contacts
+
+ROLLING_EXPONENT = 2.0  # of the film's share in that of the rolling resistance [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StarvedTorque:
+    """Friction torque at one supply.
+
+    Attributes
+    ----------
+    rolling, film, asperity, cage, drag : float
+        Rolling resistance, sliding of the films, of asperities, cage, churning [N m].
+    film_share : float
+        Mean of the central films of the balls loaded at both races over the flooded ones [-].
+    lambda_least : float
+        Smallest minimum film over roughness of these contacts [-].
+    oil_fraction : float
+        Of the cavity [-].
+    flooded : float
+        The total with flooded films, and the same oil in the cavity [N m].
+    """
+
+    rolling: float
+    film: float
+    asperity: float
+    cage: float
+    drag: float
+    film_share: float
+    lambda_least: float
+    oil_fraction: float
+    flooded: float
+
+    @property
+    def total(self) -> float:
+        """Sum of the five [N m]."""
+        return self.rolling + self.film + self.asperity + self.cage + self.drag
+
+
+class _OfFilms(NamedTuple):
+    """What the films make of the torque [N m]."""
+
+    rolling: float
+    film: float
+    asperity: float
+
+
+def starved_torque(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    lubricant: Lubricant,
+    friction: FrictionInput,
+    supply: Supply | InletFilm,
+    solutions: Sequence[ContactSolution | None] | None = None,
+) -> StarvedTorque:
+    """Friction torque of a bearing at a supply.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    contacts : sequence of BearingContact
+    lubricant : Lubricant
+    friction : FrictionInput
+        Its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or mu_EHL that of the films; its
+        `oil_fraction` [-] counts with an `InletFilm`, for a `Supply` tells its own.
+    supply : Supply or InletFilm
+    solutions : sequence of ContactSolution or None, optional
+        Flooded films; those of formulas where one is missing, as `starved_films` has it.
+
+    Returns
+    -------
+    StarvedTorque
+        [N m].
+
+    Raises
+    ------
+    ValueError
+        Without a roughness, at rest, or where a flooded film is not known.
+    """
+    speed = shaft_speed(solution)
+    if friction.roughness is None:
+        raise ValueError("roughness is needed for the torque over the supply")
+    if speed == 0.0:
+        raise ValueError("the rings do not turn against each other")
+    films = starved_films(contacts, supply, solution.bearing.balls, friction.roughness, solutions)
+    if any(film is None and c.conditions is not None for film, c in zip(films, contacts, strict=True)):
+        raise ValueError("needs films: no formula has those of an oil without pressure-viscosity")
+    if isinstance(supply, InletFilm):
+        fraction = friction.oil_fraction or 0.0
+    else:
+        fraction = oil_fraction(supply, cavity_volume(solution.bearing))
+    found = _of_films(solution, contacts, friction, films)
+    ample = _of_films(solution, contacts, friction, [film and replace(film, share=1.0) for film in films])
+    cage = cage_and_drag(solution, lubricant, friction, speed)["cage"]
+    drag = churning_power(solution, lubricant.density, fraction) / speed
+    driven = of_driven_balls(solution, contacts, films)
+    return StarvedTorque(
+        **found._asdict(),
+        cage=cage,
+        drag=drag,
+        film_share=mean_share(driven),
+        lambda_least=least_lambda(driven),
+        oil_fraction=fraction,
+        flooded=sum(ample) + cage + drag,
+    )
+
+
+def _of_films(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    friction: FrictionInput,
+    films: Sequence[StarvedFilm | None],
+) -> _OfFilms:
+    """Rolling resistance, and the lines of pure rolling as films and asperities share them [N m]."""
+    speed = shaft_speed(solution)
+    of_film = friction.film_friction if friction.coefficient is None else friction.coefficient
+    rolling = film = asperity = 0.0
+    for contact, one in zip(contacts, films, strict=True):
+        rolling += (1.0 if one is None else one.share) ** ROLLING_EXPONENT * _rolling_power(contact) / speed
+    loaded = [one for contact, one in zip(contacts, films, strict=True) if contact.hertz is not None]
+    for one, lines in zip(loaded, sliding_contacts(solution, contacts), strict=True):
+        share = 0.0 if one is None else asperity_share(one.lambda_ratio)
+        slid = pure_rolling_line_torque([lines], speed, 1.0).total
+        film += (1.0 - share) * of_film * slid
+        asperity += share * friction.boundary * slid
+    return _OfFilms(rolling, film, asperity)
+
+
+def _rolling_power(contact: BearingContact) -> float:
+    """Of the flooded contact [W]."""
+    c, hertz = contact.conditions, contact.hertz
+    if c is None or hertz is None:
+        return 0.0
+    return rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x) * c.entrainment_speed / c.radius_x

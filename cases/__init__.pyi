@@ -1,0 +1,13 @@
+from .format.case import Case, ContactCase, load_case
+from .format.problems import CaseError
+from .runs.bearing import run_case
+from .runs.contact import run_contact
+
+__all__ = [
+    "Case",
+    "CaseError",
+    "ContactCase",
+    "load_case",
+    "run_case",
+    "run_contact",
+]

@@ -1,0 +1,57 @@
+"""A sweep and its points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path as FilePath
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Point:
+    """One point of a sweep, checked.
+
+    Attributes
+    ----------
+    number : int
+        Counted from 1, in the order of the file.
+    block : str
+        Block of the sweep file it comes from.
+    values : dict
+        Every key that the sweep varies somewhere, with its value here; None where the case does not have it.
+    document : dict
+        The case with these values, as to be run.
+    resolved : dict
+        The same, defaults and library values filled in.
+    key : str
+        Name in the batch's folder: equal for points whose results are equal.
+    tables : str or None
+        Name of the traction tables it needs; equal for points that share them.
+    """
+
+    number: int
+    block: str
+    values: dict[str, Any]
+    document: dict[str, Any]
+    resolved: dict[str, Any]
+    key: str
+    tables: str | None = None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sweep:
+    """A sweep, ready to run; `text` is the file, `case` the name of the case it varies, `table` a file of tables."""
+
+    name: str
+    text: str
+    title: str
+    case: str
+    compute: str
+    fields: bool
+    keys: tuple[str, ...]
+    points: tuple[Point, ...]
+    messages: tuple[str, ...] = ()
+    assumed: tuple[str, ...] = field(default=())
+    table: FilePath | None = None
+    table_points: int = 257
+    plot: tuple[str, ...] = ()

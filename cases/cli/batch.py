@@ -1,0 +1,123 @@
+"""Commands on many points: batch."""
+
+from __future__ import annotations
+
+import errno
+import tempfile
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..format.problems import CaseError
+from ..runs.terminal import FAILED, finish_first, guarded, progress_bar, say
+from .app import Json, Output, Quiet, app
+from .output import prepare, report
+
+if TYPE_CHECKING:
+    from postprocess.batch.points import BatchResults
+
+    from ..batch.points import Sweep
+    from ..batch.pools import Pool
+
+FULL = (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC))  # of the disk, of the user's share of it
+Workers = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")]
+Scheduler = Annotated[
+    str | None, typer.Option(metavar="ADDRESS", help="Compute on the Dask cluster of this scheduler instead.")
+]
+
+
+@app.command()
+@guarded
+def batch(  # noqa: PLR0913
+    sweep: Annotated[str, typer.Argument(metavar="SWEEP", help="A sweep file, or the name of a shipped one.")],
+    output: Output = None,
+    workers: Workers = None,
+    scheduler: Scheduler = None,
+    resume: Annotated[bool, typer.Option("--resume", help="Take over the finished points in DIR.")] = False,
+    plot: Annotated[bool, typer.Option("--plot", help="Draw torque and film over the varied keys.")] = False,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Run many points of one case: factorial, listed, sampled."""
+    from ..batch.engine import run_batch
+    from ..batch.results import gathered, write_batch
+    from ..batch.sweep import read_sweep
+
+    if workers is not None and scheduler is not None:
+        raise CaseError(["--workers, --scheduler: found together; allowed: one of them"])
+    plan = read_sweep(sweep)
+    keep = output is not None or resume or not as_json
+    with _folder(output or Path(f"{Path(sweep).stem}_results"), keep=keep) as directory:
+        prepare()
+        with _kept(directory if keep else None):
+            with progress_bar(quiet=quiet) as progress:
+                done = run_batch(plan, directory, _pool(plan, workers, scheduler), resume=resume, progress=progress)
+            results = gathered(done)
+            with finish_first(f"results in {directory}"):
+                write_batch(results, directory)
+                if plot:
+                    _plot(results, directory)
+        return _tell(results, directory if keep else None, as_json=as_json, quiet=quiet)
+
+
+@contextmanager
+def _folder(directory: Path, *, keep: bool) -> Iterator[Path]:
+    """The folder of the batch; one that goes away where only the JSON is wanted."""
+    if keep:
+        yield directory
+        return
+    with tempfile.TemporaryDirectory(prefix="oilfilm-batch-") as temporary:
+        yield Path(temporary)
+
+
+@contextmanager
+def _kept(directory: Path | None) -> Iterator[None]:
+    """Say what is left of a batch that was stopped, or that the machine failed."""
+    from ..batch.store import POINTS
+
+    try:
+        yield
+    except (KeyboardInterrupt, OSError) as stop:
+        if directory is not None and any((directory / POINTS).glob("*.json")):
+            full = isinstance(stop, OSError) and stop.errno in FULL
+            say(f"finished points are kept in {directory}; {'make room, and ' if full else ''}go on with --resume")
+        raise
+
+
+def _pool(plan: Sweep, workers: int | None, scheduler: str | None) -> Callable[[], Pool]:
+    def start() -> Pool:
+        from ..batch.pools import ClusterPool, LocalPool
+        from ..runs.films import cores
+        from ..runs.kernel_cache import compiled_stamp
+
+        if scheduler is not None:
+            return ClusterPool(scheduler)
+        models = {str(point.resolved.get("ehl", {}).get("film_model")) for point in plan.points}
+        return LocalPool(workers or cores(), compiled_stamp(f"{plan.compute} {sorted(models)}"))
+
+    return start
+
+
+def _plot(results: BatchResults, directory: Path) -> None:
+    from postprocess.batch.plots import write_batch_plots
+
+    for problem in write_batch_plots(results, directory):
+        say(f"oilfilm: {problem}")
+
+
+def _tell(results: BatchResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
+    """The summary or the table, what went wrong, and the exit code: a lost worker is the machine's failure."""
+    from postprocess.batch.results import batch_summary
+    from postprocess.batch.table import batch_table
+
+    document = batch_summary(results)
+    code = report(document, lambda: batch_table(results), directory, as_json=as_json, quiet=quiet)
+    failed = [point for point in results.points if point.summary is None]
+    if failed:
+        say(f"oilfilm: {len(failed)} of {len(results.points)} points have no result:")
+        for point in failed[:10]:
+            say(f"  point {point.number} ({point.label}): {point.message}")
+    return FAILED if any(point.status == "lost" for point in failed) else code

@@ -1,0 +1,134 @@
+"""Commands that tell about results: report, compare, cut, interferogram."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator
+from contextlib import contextmanager
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ..format.problems import CaseError
+from ..runs.output_directory import add_to_manifest
+from ..runs.terminal import NOT_CONVERGED, guarded, print_lines, say
+from .app import app
+from .output import prepare
+
+Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
+Errors = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
+Contact = Annotated[
+    str | None, typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film.")
+]
+
+
+class Axis(StrEnum):
+    """Directions of a cut."""
+
+    X = "x"
+    Y = "y"
+
+
+@contextmanager
+def _as_case_errors(*directories: Path) -> Iterator[None]:
+    """What is wrong with a folder of results is bad input."""
+    for directory in directories:
+        if not directory.is_dir():
+            raise CaseError([f"{directory}: no such directory; allowed: a directory of results"])
+    try:
+        yield
+    except ValueError as error:
+        raise CaseError([str(error)]) from error
+
+
+@app.command()
+@guarded
+def report(directory: Directory, quiet: Errors = False) -> None:
+    """Write one self-contained HTML page of results."""
+    from postprocess.report.page import write_report
+
+    with _as_case_errors(directory):
+        path = write_report(directory)
+    add_to_manifest(directory, path.name)
+    if not quiet:
+        say(f"report in {path}")
+
+
+@app.command()
+@guarded
+def compare(
+    first: Directory,
+    second: Annotated[Path, typer.Argument(metavar="DIR", help="Another one.")],
+    within: Annotated[
+        float | None, typer.Option(min=0.0, metavar="X", help="Exit code 1 if a result differs by more, relative.")
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    quiet: Errors = False,
+) -> int:
+    """Compare two results: differences of input and numbers."""
+    from postprocess.compare.compare import compare as compared
+
+    with _as_case_errors(first, second):
+        found = compared(first, second)
+    if as_json:
+        print_lines(json.dumps(found.document(), indent=2, ensure_ascii=False, allow_nan=False))
+    elif not quiet:
+        from rich.console import Console
+
+        from postprocess.compare.table import comparison_table
+
+        Console().print(comparison_table(found))
+    for name, converged in zip(found.names, found.converged, strict=True):
+        if not converged:
+            say(f"oilfilm: {name}: not converged")
+    far = within is not None and found.largest > within
+    if far:
+        say(f"oilfilm: a result differs by more than {within:g}: {found.largest:.3g}")
+    return NOT_CONVERGED if far or not all(found.converged) else 0
+
+
+@app.command()
+@guarded
+def cut(
+    directory: Directory,
+    output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE.csv", help="Default: cut.csv.")] = None,
+    contact: Contact = None,
+    axis: Annotated[Axis, typer.Option(help="Direction of the line.")] = Axis.X,
+    at: Annotated[float, typer.Option(metavar="X", help="Where it crosses the other axis, in Hertz semi-axes.")] = 0.0,
+) -> None:
+    """Write film and pressure along a line through a contact as CSV."""
+    from postprocess.contact.line_cut import write_line_cut
+
+    with _as_case_errors(directory):
+        say(f"table in {write_line_cut(directory, output or Path('cut.csv'), contact, axis.value, at)}")
+
+
+@app.command()
+@guarded
+def interferogram(
+    directory: Directory,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE.png", help="Default: interferogram.png.")
+    ] = None,
+    contact: Contact = None,
+    wavelength: Annotated[
+        list[float] | None,
+        typer.Option("--wavelength-nm", metavar="X", help="In vacuum; three times for red, green, blue."),
+    ] = None,
+    index: Annotated[float, typer.Option("--refractive-index", metavar="X", help="Of the oil.")] = 1.5,
+) -> None:
+    """Draw the film of a contact as an optical interferometer would see it."""
+    prepare()
+    from postprocess.contact.interferogram import (
+        NANOMETRE,
+        SODIUM,
+        Optics,
+        write_interferogram,
+    )
+
+    with _as_case_errors(directory):
+        lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
+        optics = Optics(wavelengths=lengths, refractive_index=index)
+        say(f"picture in {write_interferogram(directory, output or Path('interferogram.png'), contact, optics)}")

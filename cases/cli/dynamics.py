@@ -1,0 +1,100 @@
+"""Command: dynamics."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..format.problems import CaseError
+from ..runs.terminal import guarded, progress_bar, say
+from .app import CaseName, Json, Output, Quiet, app
+from .output import prepare, report, results_directory, save_with
+
+if TYPE_CHECKING:
+    from bearing.dynamics.simulation import Simulation
+    from postprocess.dynamics.results import DynamicsResults
+
+    from ..format.case import Case
+
+Restart = Annotated[
+    Path | None, typer.Option("--restart", metavar="FILE", help="Go on from the restart file of an interrupted run.")
+]
+Tables = Annotated[
+    Path | None, typer.Option("--table", metavar="FILE", help="Traction tables that 'oilfilm table' made of the case.")
+]
+
+Animation = Annotated[
+    Path | None, typer.Option("--animate", metavar="FILE", help="The motion as a .gif, and as steps for ParaView.")
+]
+
+
+@app.command()
+@guarded
+def dynamics(
+    case: CaseName,
+    output: Output = None,
+    restart: Restart = None,
+    table: Tables = None,
+    animation: Animation = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Simulate a bearing over time: balls, cage and inner ring under contact, friction, drag and impact."""
+    from ..format.case import Case, load_case
+
+    loaded = load_case(case)
+    if not isinstance(loaded, Case):
+        raise CaseError([f"{case}: is a single contact; a simulation needs a bearing"])
+    directory = results_directory(case, output, as_json)
+    if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
+        raise CaseError([f"--animate {animation}: allowed: a .gif file, and results that are written (-o)"])
+    prepare()
+    from ..runs.dynamics import Interrupted, run_dynamics
+
+    home = None if directory is None else directory.absolute().parent  # the history may be large: not in /tmp
+    with tempfile.TemporaryDirectory(prefix=".oilfilm-", dir=home) as folder:
+        history = Path(folder) / "history.nc"
+        try:
+            with progress_bar(quiet=quiet) as progress:
+                results = run_dynamics(loaded, case, history, restart, table, progress)
+        except Interrupted as stop:
+            _keep(loaded, stop.results, stop.simulation, directory)
+            raise KeyboardInterrupt from None
+        from postprocess.dynamics.results import dynamics_summary, write_dynamics
+        from postprocess.dynamics.table import dynamics_table
+
+        save_with(lambda target: write_dynamics(results, target), directory)
+        document = dynamics_summary(results)
+        if animation is not None and directory is not None:
+            _animate(directory, animation)
+        return report(document, lambda: dynamics_table(document), directory, as_json=as_json, quiet=quiet)
+
+
+def _animate(directory: Path, file: Path) -> None:
+    """Draw the motion; a machine that cannot draw is told of, and the results stay."""
+    from postprocess.scene.animation import animate
+    from postprocess.scene.rendering import RenderingError
+
+    try:
+        animate(directory, file)
+    except (RenderingError, OSError) as problem:
+        say(f"oilfilm: {problem}")
+
+
+def _keep(case: Case, results: DynamicsResults, simulation: Simulation, directory: Path | None) -> None:
+    """Write what an interrupted simulation has so far, and the file to go on from."""
+    if directory is None:
+        return
+    from bearing.dynamics.restart import save_restart
+    from postprocess.dynamics.results import write_dynamics
+
+    from ..runs.dynamics import case_key
+
+    path = directory.with_name(f"{directory.name}_restart.npz")
+    save_restart(simulation, path, case_key(case))
+    kept = directory if not directory.exists() else directory.with_name(f"{directory.name}_interrupted")
+    save_with(lambda target: write_dynamics(results, target, pictures=False), kept)
+    say(f"history so far in {kept}; go on with --restart {path}")

@@ -1,0 +1,127 @@
+"""Commands about case files and libraries: list, validate, init, schema."""
+
+from __future__ import annotations
+
+import json
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ..format.problems import CaseError
+from ..runs.terminal import BAD_INPUT, guarded, print_lines, say
+from .app import app
+
+
+class Listing(StrEnum):
+    """What `oilfilm list` shows."""
+
+    CASES = "cases"
+    SWEEPS = "sweeps"
+    BEARINGS = "bearings"
+    MATERIALS = "materials"
+    LUBRICANTS = "lubricants"
+
+
+@app.command("list")
+@guarded
+def list_names(
+    what: Annotated[Listing | None, typer.Argument(help="What to list; all if left out.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+) -> None:
+    """List shipped cases, sweeps, bearings, materials and lubricants."""
+    from .listing import listing
+
+    names = {kind.value: listing(kind.value) for kind in (Listing if what is None else (what,))}
+    if as_json:
+        print_lines(json.dumps(names, indent=2, ensure_ascii=False))
+        return
+    width = max(len(name) for entries in names.values() for name in entries)
+    for kind, entries in names.items():
+        if what is None:
+            print_lines(f"{kind}:")
+        indent = "  " if what is None else ""
+        for name, remark in entries.items():
+            print_lines(f"{indent}{name:{width}}  {remark}".rstrip())
+
+
+@app.command()
+@guarded
+def validate(
+    cases: Annotated[list[str], typer.Argument(metavar="CASE...", help="Case files or names of shipped cases.")],
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")] = False,
+) -> int:
+    """Check case and sweep files without running them."""
+    errors: dict[str, list[str]] = {}
+    for case in cases:
+        try:
+            _check(case)
+            errors[case] = []
+        except CaseError as error:
+            errors[case] = list(error.messages)
+    if as_json:
+        report = {case: {"valid": not messages, "errors": messages} for case, messages in errors.items()}
+        print_lines(json.dumps(report, indent=2, ensure_ascii=False))
+    else:
+        for case, messages in errors.items():
+            if not messages and not quiet:
+                print_lines(f"{case}: valid")
+            for message in messages:
+                say(message)
+    return BAD_INPUT if any(errors.values()) else 0
+
+
+def _file(name: str) -> Path:
+    """The file of a case or of a sweep."""
+    from ..format.shipped import find_case, find_sweep, shipped_sweeps
+
+    return find_sweep(name) if name.removesuffix(".toml") in shipped_sweeps() else find_case(name)
+
+
+def _check(name: str) -> None:
+    """Check a case or a sweep; `CaseError` tells what is wrong."""
+    from ..format.case import SWEEP_TABLES, parse, read_text, validate_text
+
+    path = _file(name)
+    text = read_text(path)
+    document = parse(text, str(path))
+    if "case" in document or any(table in document for table in SWEEP_TABLES):
+        from ..batch.sweep import sweep_from_text
+
+        sweep_from_text(text, str(path), path.parent)
+    else:
+        validate_text(text, str(path))
+
+
+@app.command()
+@guarded
+def init(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Name of the new case file.")],
+    template: Annotated[
+        str, typer.Option("--from", metavar="CASE", help="The case or sweep to start from.")
+    ] = "6208_full_ceramic",
+) -> None:
+    """Write a new case file to start from."""
+    from ..format.case import read_text
+
+    path = Path(name if name.endswith(".toml") else f"{name}.toml")
+    text = read_text(_file(template))
+    try:
+        with path.open("x", encoding="utf-8", newline="\n") as file:
+            file.write(text)
+    except FileExistsError:
+        raise CaseError([f"{path}: exists already; choose another name"]) from None
+    except (OSError, ValueError) as error:
+        raise CaseError([f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}"]) from None
+    print_lines(f"{path} written; change it, then: oilfilm validate {path}")
+
+
+@app.command()
+@guarded
+def schema() -> None:
+    """Print the JSON Schema of case files, for editors."""
+    from ..format.case import json_schema
+
+    print_lines(json.dumps(json_schema(), indent=2))

@@ -1,0 +1,102 @@
+"""What the commands that compute share: where results go, how they are written and told."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from textwrap import fill
+from typing import TYPE_CHECKING, Any
+
+from ..runs.terminal import NOT_CONVERGED, finish_first, print_lines, say
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from rich.console import Group
+
+    from postprocess.results import BearingResults, ContactResults
+
+    from ..runs.films import Progress
+
+WIDTH = 80  # of a terminal [characters]
+
+
+def results_directory(case: str, output: Path | None, as_json: bool) -> Path | None:
+    """Where the results go; None with --json alone."""
+    from ..runs.output_directory import check_output
+
+    if output is None and as_json:
+        return None
+    directory = output if output is not None else Path(f"{Path(case).stem}_results")
+    check_output(directory)
+    return directory
+
+
+def prepare() -> None:
+    """What must be set before numba is imported."""
+    from ..runs.kernel_cache import ensure_kernel_cache
+
+    ensure_kernel_cache()
+
+
+def save(results: BearingResults | ContactResults, directory: Path | None, progress: Progress | None = None) -> None:
+    """Write the results, if a directory is asked for."""
+    if directory is not None and progress is not None:
+        progress(0, 1, "pictures and files")
+    from postprocess import write_results
+
+    save_with(lambda folder: write_results(results, folder), directory)
+
+
+def save_with(write: Callable[[Path], tuple[str, ...]], directory: Path | None) -> None:
+    """Have `write` fill the directory, if one is asked for."""
+    if directory is None:
+        return
+    from ..runs.output_directory import save
+
+    with finish_first(f"results in {directory}"):
+        for problem in save(write, directory):
+            say(f"oilfilm: {problem}")
+
+
+def finish(results: BearingResults | ContactResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
+    """Print what a run found, and tell what did not converge."""
+    from postprocess import summary
+    from postprocess.bearing.table import result_table
+
+    return report(summary(results), lambda: result_table(results), directory, as_json=as_json, quiet=quiet)
+
+
+def say_notes(messages: list[str]) -> None:
+    """Tell estimates, assumptions and what lies outside its data; why values are null is in the summary."""
+    for message in messages:
+        if "null" not in message and not _of_failure(message):
+            say(fill(message, WIDTH, initial_indent="note: ", subsequent_indent="      ", break_long_words=False))
+
+
+def _of_failure(message: str) -> bool:
+    """Whether a message is told with what did not converge."""
+    return "not converged" in message or message.startswith(("equilibrium of", "no film was computed"))
+
+
+def report(
+    document: dict[str, Any], table: Callable[[], Group], directory: Path | None, *, as_json: bool, quiet: bool
+) -> int:
+    """Print a summary or its table, and tell what did not converge."""
+    if directory is not None and not quiet:
+        say(f"results in {directory}")
+    if not (as_json or quiet):
+        say_notes(document["messages"])
+    if as_json:
+        print_lines(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
+    elif not quiet:
+        from rich.console import Console
+
+        Console().print(table())
+    if document["converged"]:
+        return 0
+    say("oilfilm: not converged; the results are flagged:")
+    reasons = [message for message in document["messages"] if _of_failure(message)]
+    for message in reasons or document["messages"]:
+        say(f"  {message}")
+    return NOT_CONVERGED

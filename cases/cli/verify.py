@@ -1,0 +1,125 @@
+"""The command that verifies the contact solver: verify."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from ..format.problems import CaseError
+from ..runs.terminal import (
+    NOT_CONVERGED,
+    finish_first,
+    guarded,
+    print_lines,
+    progress_bar,
+    say,
+)
+from ..verification.names import SectionName
+from .app import Json, Output, Quiet, app
+from .output import prepare
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+    from ..verification.page import Section
+
+DIRECTORY = Path("verify_results")
+SEED = 20261  # of the sweep shown in the docs
+
+Sections = Annotated[
+    list[SectionName] | None, typer.Option("--section", help="A part of the page; may be repeated. Default: all.")
+]
+Draws = Annotated[
+    int | None, typer.Option("--robustness", min=1, metavar="DRAWS", help="Solve so many random contacts instead.")
+]
+Seed = Annotated[int | None, typer.Option(min=0, metavar="N", help=f"Of the random contacts; default {SEED}.")]
+
+
+@app.command()
+@guarded
+def verify(
+    section: Sections = None,
+    output: Output = None,
+    quick: Annotated[bool, typer.Option("--quick", help="Coarse grids and few contacts: seconds.")] = False,
+    robustness: Draws = None,
+    seed: Seed = None,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Compute the verification page of the contact solver: orders, limits, converged films, costs."""
+    if robustness is not None and section:
+        raise CaseError(["--robustness, --section: found together; allowed: one of them"])
+    if robustness is None and seed is not None:
+        raise CaseError(["--seed: found without --robustness; it is the seed of the random contacts"])
+    prepare()
+    if robustness is None:
+        directory = None if as_json and output is None else output or DIRECTORY
+        sections = _page(list(section or SectionName), directory, quick=quick, quiet=quiet)
+    else:
+        directory = output or DIRECTORY
+        sections = [_sweep(robustness, SEED if seed is None else seed, directory, quick=quick, quiet=quiet)]
+    return _tell(sections, directory, as_json=as_json, quiet=quiet)
+
+
+def _page(names: list[SectionName], directory: Path | None, *, quick: bool, quiet: bool) -> list[Section]:
+    from ..verification.run import PAGE, check_page, run_sections, write_page
+
+    if directory is not None:
+        check_page(directory, PAGE)
+    with progress_bar(quiet=quiet) as progress:
+        sections = run_sections(names, progress, quick=quick)
+    if directory is not None:
+        with finish_first(f"results in {directory}"):
+            write_page(sections, directory, PAGE)
+    return sections
+
+
+def _sweep(draws: int, seed: int, directory: Path, *, quick: bool, quiet: bool) -> Section:
+    from ..verification.robustness import POINTS, QUICK_POINTS, sweep
+    from ..verification.robustness_page import robustness_section
+    from ..verification.run import SWEEP, SWEEP_PAGE, check_page, write_page
+
+    check_page(directory, SWEEP_PAGE)
+    points = QUICK_POINTS if quick else POINTS
+    try:
+        with progress_bar(quiet=quiet) as progress:
+            finished = sweep(draws, seed, directory / SWEEP, progress, points)
+    except KeyboardInterrupt:
+        say(f"finished contacts are kept in {directory / SWEEP}; the same command goes on with them")
+        raise
+    section = robustness_section(finished, seed, points)
+    with finish_first(f"results in {directory}"):
+        write_page([section], directory, SWEEP_PAGE)
+    return section
+
+
+def _tell(sections: list[Section], directory: Path | None, *, as_json: bool, quiet: bool) -> int:
+    from ..verification.run import document
+
+    found = document(sections)
+    if directory is not None and not quiet:
+        say(f"results in {directory}")
+    if as_json:
+        print_lines(json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False))
+    elif not quiet:
+        from rich.console import Console
+
+        Console().print(_table(sections))
+    if found["converged"]:
+        return 0
+    say("oilfilm: these statements do not hold:")
+    for message in found["messages"]:
+        say(f"  {message}")
+    return NOT_CONVERGED
+
+
+def _table(sections: list[Section]) -> Table:
+    from rich.table import Table
+
+    table = Table("statement", "found", "wanted", "holds")
+    for check in (check for section in sections for check in section.checks):
+        table.add_row(check.name, f"{check.value:.4g}", check.bounds, "yes" if check.passed else "no")
+    return table

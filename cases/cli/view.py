@@ -1,0 +1,64 @@
+"""Commands that look at results: view."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from enum import StrEnum
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from ..format.problems import CaseError
+from ..runs.terminal import FAILED, guarded, say
+from .app import app
+
+MOVIE_SIZE = (800, 600)  # pixels
+
+
+class Quantity(StrEnum):
+    """What the colours of the view show."""
+
+    FILM = "film"
+    PRESSURE = "pressure"
+
+
+@app.command()
+@guarded
+def view(
+    directory: Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")],
+    screenshot: Annotated[
+        Path | None, typer.Option(metavar="FILE.png", help="Write a picture, open no window.")
+    ] = None,
+    html: Annotated[
+        Path | None, typer.Option(metavar="FILE.html", help="Write a page to turn in a browser, open no window.")
+    ] = None,
+    movie: Annotated[Path | None, typer.Option(metavar="FILE.gif", help="Write one turn, open no window.")] = None,
+    quantity: Annotated[Quantity, typer.Option(help="What the colours show.")] = Quantity.FILM,
+    magnification: Annotated[
+        float | None, typer.Option(min=1.0, max=1e3, help="Of the patches; default: so that they can be seen.")
+    ] = None,
+    exaggeration: Annotated[float, typer.Option(min=0.0, max=1e6, help="Film drawn as height, times this.")] = 0.0,
+) -> int:
+    """Look at results in three dimensions."""
+    if not directory.is_dir():
+        raise CaseError([f"{directory}: no such directory; allowed: a directory of results of 'oilfilm run'"])
+    from postprocess.scene import scene
+
+    factors = None if magnification is None else (magnification, magnification)
+    options = scene.SceneOptions(quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration)
+    try:
+        if screenshot is not None:
+            say(f"picture in {scene.screenshot(directory, screenshot, options)}")
+        if html is not None:
+            say(f"page in {scene.export_html(directory, html, options)}")
+        if movie is not None:
+            say(f"movie in {scene.movie(directory, movie, replace(options, size=MOVIE_SIZE))}")
+        if screenshot is None and html is None and movie is None:
+            scene.show(directory, options)
+    except ValueError as error:
+        raise CaseError([str(error)]) from error
+    except scene.RenderingError as error:
+        say(f"oilfilm: {error}")
+        return FAILED
+    return 0

@@ -1,0 +1,1 @@
+"""The format of case files: tables, rules, conversion to SI."""

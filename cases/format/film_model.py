@@ -1,0 +1,59 @@
+"""Which physics the films of a case are solved with: Newtonian, thinning under shear, or with heat."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from enum import Enum
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ehl import ContactConditions, ContactSolution, SolverOptions
+    from ehl.oil.rheology import Rheology
+    from ehl.solid.heat import SolidThermal
+
+
+class FilmModel(Enum):
+    """Physics of the films."""
+
+    NEWTONIAN = "newtonian"
+    SHEAR_THINNING = "shear-thinning"
+    THERMAL = "thermal"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmPhysics:
+    """Film model of a case with what it needs."""
+
+    model: FilmModel = FilmModel.NEWTONIAN
+    rheology: Rheology | None = None
+    solids: tuple[SolidThermal, SolidThermal] | None = None  # body 1, the ball, and body 2, the race
+
+    def solve(self, conditions: ContactConditions, options: SolverOptions) -> ContactSolution:
+        """Film of one contact; lengths in [m], pressures in [Pa]."""
+        from ehl import solve_contact
+
+        if self.model is FilmModel.NEWTONIAN or self.rheology is None:
+            return solve_contact(conditions, options)
+        from ehl.generalized.solver import solve_generalized
+
+        base = self.rheology.unlimited  # at the limit the flow has no finite tangent
+        solids = self.solids if self.model is FilmModel.THERMAL else None
+        return solve_generalized(conditions, base, solids=solids, options=options).contact
+
+    @property
+    def messages(self) -> tuple[str, ...]:
+        """What is to be said of results with this model."""
+        if self.model is FilmModel.NEWTONIAN or self.rheology is None:
+            return ()
+        law = self.rheology.law.value
+        limited = self.rheology.limiting_coefficient is not None
+        law += " oil, its limiting stress in the traction only" if limited else " oil"
+        if self.model is FilmModel.SHEAR_THINNING:
+            return (f"film: generalized Reynolds equation, {law}, of uniform temperature",)
+        return (
+            f"film: generalized Reynolds equation, {law}, with heat",
+            "traction and torque: sheared at the temperatures the film was solved with",
+        )
+
+
+NEWTONIAN = FilmPhysics()

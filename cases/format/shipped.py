@@ -1,0 +1,73 @@
+"""The case files that come with the program, and how a name finds its file."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+from .problems import CaseError, nearest_name
+
+HERE = Path(__file__).parents[1] / "library"
+SWEEPS = "sweeps"  # the folder whose files name a case and vary it
+
+
+def shipped_cases() -> dict[str, Path]:
+    """Stem to file of every shipped case, in alphabetical order."""
+    files = (path for path in HERE.rglob("*.toml") if path.parent.name != SWEEPS)
+    return {path.stem: path for path in sorted(files, key=lambda path: path.stem)}
+
+
+def shipped_sweeps() -> dict[str, Path]:
+    """Stem to file of every shipped sweep, in alphabetical order."""
+    return {path.stem: path for path in sorted((HERE / SWEEPS).glob("*.toml"))}
+
+
+def find_case(name_or_path: str | Path) -> Path:
+    """The file of a case: an existing file, or the stem of a shipped case.
+
+    Raises
+    ------
+    CaseError
+        If there is neither; the message names the nearest stem.
+    """
+    return _find(name_or_path, shipped_cases(), "case")
+
+
+def find_sweep(name_or_path: str | Path) -> Path:
+    """The file of a sweep, likewise."""
+    return _find(name_or_path, shipped_sweeps(), "sweep")
+
+
+def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:
+    text, path = str(name_or_path), Path(name_or_path)
+    try:
+        if path.is_file():
+            return path
+        if text in cases:
+            return cases[text]
+        if text.endswith(".toml") and "/" not in text and text[:-5] in cases:
+            return cases[text[:-5]]
+        directory = path.is_dir()
+        special = path.exists() and not directory
+    except (OSError, ValueError) as error:  # a name too long, or with a null character
+        raise CaseError([f"{text[:200]!r}: not a usable file name: {error}"]) from None
+    if directory:
+        raise CaseError([f"{text}: is a directory; allowed: a {kind} file or the name of a shipped {kind}"])
+    if special:
+        raise CaseError([f"{text}: is not a regular file; allowed: a {kind} file or the name of a shipped {kind}"])
+    nearest = nearest_name(path.stem, [*cases, *(local.stem for local in _local_cases(path))])
+    hint = f"did you mean {nearest!r}?" if nearest else f"see 'oilfilm list {kind}s'"
+    raise CaseError([f"{text}: no such file, and no shipped {kind} has this name; {hint}"])
+
+
+def _local_cases(path: Path) -> list[Path]:
+    try:
+        return sorted(path.parent.glob("*.toml"))[:100]
+    except OSError:
+        return []
+
+
+def title(path: Path) -> str:
+    """Title of a case file; empty if it has none."""
+    with path.open("rb") as file:
+        return str(tomllib.load(file).get("title", ""))

@@ -1,0 +1,217 @@
+"""Run a case: equilibrium of the bearing, then the film of every distinct contact."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from ..format.case import Case
+from ..format.film_model import FilmModel
+from ..version import version
+from .films import Progress, Solve, solve_contacts, wanted_contacts
+from .heating import self_heated
+from .traction_films import traction_messages, with_workers
+
+if TYPE_CHECKING:
+    from bearing.contacts.contacts import BearingContact
+    from bearing.contacts.traction import ContactTraction
+    from bearing.operation import Model
+    from bearing.quasistatic.solution import QuasistaticSolution
+    from bearing.torque.breakdown import TorqueBreakdown
+    from bearing.torque.shear_torque import SolvedShear
+    from ehl import ContactSolution
+    from postprocess.results import BearingResults
+
+
+
+class Interrupted(Exception):  # noqa: N818
+    """The user stopped the run; `results` holds the finished parts, or is None."""
+
+    def __init__(self, results: BearingResults | None) -> None:
+        self.results = results
+        super().__init__("interrupted")
+
+
+
+
+def run_case(
+    case: Case, workers: int | None = None, progress: Progress | None = None, solve: Solve | None = None
+) -> BearingResults:
+    """Solve the bearing and the film of its contacts.
+
+    Parameters
+    ----------
+    case : Case
+    workers : int, optional
+        Contacts solved at a time [-]; as many as there are cores if left out.
+    progress : callable, optional
+        Called with the contacts done, the contacts in all, and a word on the state.
+    solve : callable, optional
+        Takes the place of `ehl.solve_contact`: a batch looks up what it has solved before.
+
+    Returns
+    -------
+    BearingResults
+
+    Raises
+    ------
+    Interrupted
+        On Ctrl-C, with the results of the finished contacts.
+    """
+    from bearing.contacts.contacts import contact_conditions
+    from bearing.rating.frequencies import bearing_frequencies
+    from bearing.rating.life import bearing_life
+    from postprocess.results import BearingResults
+
+    notify = progress or (lambda done, total, state: None)
+    notify(0, 1, "equilibrium of the bearing")
+    start = perf_counter()
+    state = _equilibrium(case, with_workers(case.model, workers, notify, solve))
+    contacts = contact_conditions(state, case.lubricant)
+    timing = {"quasistatic": perf_counter() - start}
+    wanted, messages = wanted_contacts(case, state, contacts)
+    start = perf_counter()
+    solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
+    solutions, interrupted = solve_contacts(wanted, case.solver, workers, notify, solver)
+    timing |= {"contacts": perf_counter() - start, "total": sum(timing.values()) + perf_counter() - start}
+    if interrupted:
+        messages = (*messages, "interrupted: the films that were not finished are null")
+    tractions, torque = _friction(case, state, contacts, solutions, timing)
+    results = BearingResults(
+        version=version(),
+        case=case.document,
+        quasistatic=state,
+        lubricant=case.lubricant,
+        contacts=contacts,
+        solutions=solutions,
+        frequencies=bearing_frequencies(state),
+        messages=(*case.warnings, *case.films.messages, *traction_messages(state, contacts), *messages),
+        interrupted=interrupted,
+        timing=timing,
+        life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
+        clearance=case.clearance,
+        tractions=tractions,
+        torque=torque,
+        heating=self_heated(case) if state.converged else None,
+    )
+    if interrupted:
+        raise Interrupted(results if any(solution is not None for solution in solutions) else None)
+    return results
+
+
+def _equilibrium(case: Case, model: Model) -> QuasistaticSolution:
+    """Loads, angles and motion of the balls; on Ctrl-C, while films are solved for the traction, `Interrupted`."""
+    from bearing.quasistatic.solver import solve_quasistatic
+    from bearing.rows import SINGLE
+
+    try:
+        return solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
+    except KeyboardInterrupt:
+        raise Interrupted(None) from None
+
+
+def _friction(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None],
+    timing: dict[str, float],
+) -> tuple[tuple[ContactTraction | None, ...], TorqueBreakdown | None]:
+    """Shear of the contacts, with the balls in traction equilibrium where that was found, and the friction torque."""
+    start = perf_counter()
+    torque = _torque(case, state, contacts, solutions)
+    tractions = _tractions(case, state, contacts, solutions)
+    if torque is not None and torque.shear is not None:
+        known = {(t.contact.ball, t.contact.race): t for t in torque.shear.tractions}
+        tractions = tuple(t and known.get((t.contact.ball, t.contact.race), t) for t in tractions)
+    timing |= {"torque": perf_counter() - start, "total": timing["total"] + perf_counter() - start}
+    return tractions, torque
+
+
+def _tractions(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None],
+) -> tuple[ContactTraction | None, ...]:
+    """Shear of every contact that has a film, at the motion of the equilibrium."""
+    from bearing.contacts.traction import contact_traction
+
+    rheology = case.rheology
+
+    def traction(contact: BearingContact, film: ContactSolution | None) -> ContactTraction | None:
+        if film is None or rheology is None or not film.converged:
+            return None
+        return contact_traction(state, contact, film, rheology)
+
+    return tuple(traction(contact, film) for contact, film in zip(contacts, solutions, strict=True))
+
+
+def _torque(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None],
+) -> TorqueBreakdown | None:
+    """Friction torque by every model; the integrated one needs a friction law, or the films of all contacts."""
+    from bearing.torque.breakdown import torque_breakdown
+
+    if case.friction is None or not state.converged:
+        return None
+    shear = None
+    if state.operation.inner_speed != state.operation.outer_speed:
+        shear = _law_shear(state, contacts) or _film_shear(case, state, contacts, solutions)
+    return torque_breakdown(state, contacts, case.lubricant, case.friction, shear=shear, solutions=solutions)
+
+
+def _law_shear(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> SolvedShear | None:
+    """Torque by the friction law that the case names; None where it takes that of its films."""
+    from bearing.friction.sources import FilmTraction
+    from bearing.torque.tabulated import law_torque
+
+    traction = state.model.traction
+    if traction is None or isinstance(traction.source, FilmTraction):
+        return None
+    law = traction.source.prepare(state, contacts).law(state, contacts)
+    return law_torque(state, contacts, law, traction.resistance)
+
+
+def _film_shear(
+    case: Case,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    solutions: Sequence[ContactSolution | None],
+) -> SolvedShear | None:
+    """Torque by the shear of the films; None unless those of all lubricated contacts converged."""
+    from bearing.friction.films import Asperities
+    from bearing.friction.resistance import FREE
+    from bearing.torque.integrated import solved_shear
+
+    solved = [film is not None and film.converged for film in solutions]
+    complete = all(film for film, contact in zip(solved, contacts, strict=True) if contact.loaded) and any(solved)
+    if not complete or case.rheology is None or case.friction is None:
+        return None
+    asperities, rough = None, case.friction.roughness
+    if rough is not None:
+        asperities = Asperities(inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary)
+    resistance = FREE if state.model.traction is None else state.model.traction.resistance
+    return solved_shear(state, contacts, solutions, case.rheology, asperities, resistance)
+
+
+
+
+
+
+
+
+
+
+
+
+
+
+
+
+
+

@@ -1,0 +1,65 @@
+"""Run of a single contact."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from time import perf_counter
+
+from ehl import ContactConditions, ContactSolution
+from ehl.traction.shear import TractionResult
+from postprocess.results import ContactResults
+
+from ..format.case import ContactCase
+from ..format.film_model import FilmModel
+from ..version import version
+from .films import _shared
+
+FINITE_ELEMENT_MESSAGES = ("finite elements: points are those of the graded mesh, cycles are Newton steps, no FFT",)
+
+
+def run_contact(case: ContactCase, *, finite_element: bool = False, workers: int = 1) -> ContactResults:
+    """Solve a single contact, by multigrid or by finite elements; times in the result are in [s].
+
+    A large contact is shared by as many threads as there are `workers` [-].
+    """
+    from postprocess.results import ContactResults
+
+    messages = (*case.warnings, *case.films.messages)
+    if finite_element:
+        from ehl.finite_element.solver import solve_contact_finite_element as solve_contact
+
+        messages = (*messages, *FINITE_ELEMENT_MESSAGES)
+        if case.solver.tolerance is not None:
+            messages = (*messages, "ehl.tolerance: not used by finite elements, the film is solved on ehl.points")
+    else:
+        solve_contact = _contact_solver(case)
+    start = perf_counter()
+    solution = solve_contact(case.conditions, _shared(case.solver, workers))
+    traction = _contact_traction(case, solution)
+    return ContactResults(
+        version=version(),
+        case=case.document,
+        solution=solution,
+        messages=messages,
+        timing={"total": perf_counter() - start},
+        traction=traction,
+    )
+
+
+def _contact_solver(case: ContactCase) -> Callable[..., ContactSolution]:
+    if case.films.model is FilmModel.NEWTONIAN:
+        from ehl import solve_contact
+
+        return solve_contact
+    return case.films.solve
+
+
+def _contact_traction(case: ContactCase, solution: ContactSolution) -> TractionResult | None:
+    """Shear of a single contact with lengths, None where the film did not converge."""
+    from ehl.kinematics import contact_kinematics
+    from ehl.traction.shear import integrate_traction
+
+    if not isinstance(case.conditions, ContactConditions) or case.rheology is None or not solution.converged:
+        return None
+    motion = contact_kinematics(case.conditions, grid_angle=solution.frame_angle)
+    return integrate_traction(solution, motion, case.rheology, temperature=case.temperature)

@@ -1,0 +1,330 @@
+"""Run the time simulation of a case: model from the case file, history streamed to disk, restart if interrupted."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from ..dynamics_plan import DynamicsPlan
+from ..format.case import Case
+from ..format.problems import CaseError
+from ..version import version
+from .race_tables import read_race_tables
+from .terminal import finish_first
+
+if TYPE_CHECKING:
+    from bearing.dynamics.friction import RaceFriction
+    from bearing.dynamics.inputs import (
+        CageBody,
+        DynamicsModel,
+        DynamicsOptions,
+        NormalContact,
+        Schedule,
+    )
+    from bearing.dynamics.simulation import Simulation
+    from bearing.material import Material
+    from postprocess.dynamics.results import DynamicsResults
+
+    from .films import Progress
+
+CAGE_MATERIAL = "pa66"  # where a case names none
+DIMENSIONS = (
+    "ball_diameter",
+    "pitch_diameter",
+    "inner_groove_radius",
+    "outer_groove_radius",
+    "diametral_clearance",
+    "first_ball_azimuth",
+    "bore",
+    "outside_diameter",
+    "width",
+)
+MILLISECONDS = 1000.0  # the progress counts in these
+
+
+class Interrupted(KeyboardInterrupt):
+    """A simulation stopped on the way, with what it has so far."""
+
+    def __init__(self, results: DynamicsResults, simulation: Simulation) -> None:
+        super().__init__()
+        self.results, self.simulation = results, simulation
+
+
+def run_dynamics(
+    case: Case,
+    name: str,
+    history: Path,
+    restart: Path | None = None,
+    tables: Path | None = None,
+    progress: Progress | None = None,
+) -> DynamicsResults:
+    """Simulate a case.
+
+    Parameters
+    ----------
+    case : Case
+    name : str
+        Of the case, for messages.
+    history : Path
+        File the history is streamed to.
+    restart : Path, optional
+        File of an interrupted simulation of the same case to go on from.
+    tables : Path, optional
+        Traction tables from `oilfilm table`, instead of new ones.
+    progress : callable, optional
+        Called with milliseconds done, milliseconds in all, and the time still to go.
+
+    Returns
+    -------
+    DynamicsResults
+
+    Raises
+    ------
+    CaseError
+        If the case has no [dynamics], or cannot be simulated.
+    Interrupted
+        With what there is so far, on Ctrl-C.
+    """
+    from bearing.dynamics.restart import load_restart
+    from bearing.dynamics.simulation import simulation
+
+    notify = progress or (lambda done, total, state: None)
+    plan = _plan(case, name)
+    if tables is not None and plan.friction != "table":
+        raise CaseError([f'{name}: traction tables are for dynamics.friction = "table", found "{plan.friction}"'])
+    try:
+        model = build_model(case, plan, tables, notify)
+        made = simulation(case.bearing, case.operation, model)
+        if restart is not None:
+            load_restart(made, restart, case_key(case))
+            made.messages.append(f"dynamics: gone on at t = {made.state.time:.6g} s; loads of the summary from there")
+    except ValueError as problem:
+        raise CaseError([f"{name}: {problem}"]) from problem
+    return _stream(case, made, history, notify)
+
+
+def _plan(case: Case, name: str) -> DynamicsPlan:
+    if case.dynamics is None:
+        raise CaseError([f"{name}: has no table [dynamics]; it needs end_time_s, see docs/reference/cases.md"])
+    if case.rows is not None and len(case.rows) > 1:
+        raise CaseError([f"{name}: [[rows]]: a simulation takes one row of balls"])
+    return case.dynamics
+
+
+def case_key(case: Case) -> str:
+    """The case as run in one line, by which a restart file knows it."""
+    return json.dumps(case.document, sort_keys=True)
+
+
+def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> DynamicsResults:
+    """Step, write, count; on Ctrl-C what there is so far goes up with `Interrupted`."""
+    from bearing.dynamics.outcome import Tally
+    from postprocess.dynamics.history import HistoryWriter
+    from postprocess.dynamics.results import DynamicsResults
+
+    began, tally = perf_counter(), Tally(case.bearing.balls)
+    end, first = made.model.options.end_time, made.state.time
+    attributes = _attributes(case)
+
+    def results() -> DynamicsResults:
+        return DynamicsResults(
+            version=version(),
+            case=case.document,
+            simulation=made,
+            tally=tally,
+            history=history,
+            messages=(*case.warnings, *_assumed(made.model), *made.messages),
+            timing={"simulation": made.wall, "total": perf_counter() - began},
+        )
+
+    with HistoryWriter(history, case.bearing.balls, attributes) as writer:
+        try:
+            pieces = made.pieces()
+            while True:
+                with finish_first("the samples under way"):  # state, history and tally stay in step
+                    record = next(pieces, None)
+                    if record is not None:
+                        writer.add(record)
+                        tally.add(record, made.start_energy)
+                if record is None:
+                    break
+                share = (made.state.time - first) / (end - first)
+                left = (perf_counter() - began) * (1.0 - share) / share
+                done = round(made.state.time * MILLISECONDS)
+                notify(done, round(end * MILLISECONDS), f"simulated ms, {left:.0f} s left")
+        except KeyboardInterrupt:
+            raise Interrupted(results(), made) from None
+    return results()
+
+
+def _attributes(case: Case) -> dict[str, str | float]:
+    """Of the history: what it is of, and the dimensions a picture of it needs [m], [rad]."""
+    attributes: dict[str, str | float] = {"oilfilm": version(), "case": case_key(case), "title": case.title}
+    for name in DIMENSIONS:
+        value = getattr(case.bearing, name)
+        if value is not None:
+            attributes[name] = float(value)
+    return attributes
+
+
+def _assumed(model: DynamicsModel) -> tuple[str, ...]:
+    names = [*model.ring.assumed, *(() if model.cage is None else model.cage.assumed)]
+    notes = [f"dynamics: {text}" for text in model.notes.values()]
+    return (*notes, f"dynamics: estimated, not given: {', '.join(names)}") if names else tuple(notes)
+
+
+def build_model(case: Case, plan: DynamicsPlan, tables: Path | None, notify: Progress) -> DynamicsModel:
+    """Model of the simulation from a case: options, ring, cage, contact laws, friction, schedule [SI]."""
+    from bearing.dynamics.bodies import ring_body
+    from bearing.dynamics.friction import RaceFriction
+    from bearing.dynamics.inputs import DynamicsModel
+
+    notes: dict[str, str] = {}
+    model = DynamicsModel(
+        options=_options(case, plan),
+        ring=ring_body(case.bearing, plan.ring_mass, plan.ring_damping, plan.unbalance),
+        friction=RaceFriction(),
+        cage=_cage(case, plan, notes),
+        normal=_normal(case, plan),
+        schedule=_schedule(case, plan),
+        film_viscosity=case.lubricant.viscosity if plan.cage_film else 0.0,
+        friction_ramp=plan.friction_ramp,
+        notes=notes,
+    )
+    return replace(model, friction=_friction(case, plan, model, (tables, notify)))
+
+
+def _options(case: Case, plan: DynamicsPlan) -> DynamicsOptions:
+    from bearing.dynamics.initial import kinematic_cage_speed
+    from bearing.dynamics.inputs import DynamicsOptions, LoadType, Start, drag_of_mixture
+
+    drag = 0.0
+    if plan.mixture_density is not None:
+        drag = drag_of_mixture(plan.mixture_density, case.bearing.ball_diameter, plan.drag_coefficient)
+    elif plan.ball_drag:
+        angle = case.bearing.free_contact_angle if case.operation.force[0] else 0.0
+        speeds = case.operation.inner_speed, case.operation.outer_speed
+        speed = kinematic_cage_speed(case.bearing, *speeds, angle) * 0.5 * case.bearing.pitch_diameter
+        if speed == 0.0:
+            raise ValueError("[dynamics] ball_drag_N: counts at the speed of the operation, which is zero")
+        drag = plan.ball_drag / speed**2
+    return DynamicsOptions(
+        end_time=plan.end_time,
+        sample_interval=plan.sample_interval,
+        start=Start(plan.start),
+        equations=None if plan.equations == "by load" else LoadType(plan.equations),
+        tolerance=plan.tolerance,
+        gravity=plan.gravity,
+        drag=drag,
+    )
+
+
+def _cage(case: Case, plan: DynamicsPlan, notes: dict[str, str]) -> CageBody:
+    from bearing.dynamics.bodies import cage_body
+    from bearing.library.names import matching_name
+    from bearing.material import list_materials, load_material
+
+    name = plan.cage_material
+    known = name is not None and (name in plan.materials or matching_name(name, list_materials()) is not None)
+    material: Material
+    if known and name is not None:
+        material = plan.materials[name] if name in plan.materials else load_material(name)
+    else:
+        material = load_material(CAGE_MATERIAL)
+        notes["cage"] = f"cage material {'not given' if name is None else repr(name) + ' unknown'}: {CAGE_MATERIAL}"
+    return cage_body(case.bearing, material, **plan.cage)
+
+
+def _normal(case: Case, plan: DynamicsPlan) -> NormalContact:
+    from bearing.dynamics.inputs import NormalContact, NormalLaw
+    from bearing.dynamics.laws import planar_stiffness, planar_stiffness_as_printed
+    from bearing.geometry import Race, contact_modulus
+
+    inner = outer = None
+    if plan.race_stiffness != "hertz":
+        bearing = case.bearing
+        ball = 0.5 * bearing.ball_diameter
+        races = {
+            Race.INNER: bearing.inner_centre_radius - bearing.inner_groove_radius,
+            Race.OUTER: bearing.outer_centre_radius + bearing.outer_groove_radius,
+        }
+        stiffness: dict[Race, float] = {}
+        for race, radius in races.items():
+            modulus = contact_modulus(bearing, race)
+            printed = plan.race_stiffness == "planar as printed"
+            one: Callable[..., float] = planar_stiffness_as_printed if printed else planar_stiffness
+            stiffness[race] = one(ball, radius, modulus) if printed else one(ball, radius, modulus, race)
+        inner, outer = stiffness[Race.INNER], stiffness[Race.OUTER]
+    return NormalContact(
+        law=NormalLaw(plan.contact_law),
+        restitution=plan.restitution,
+        impact_floor=plan.impact_floor,
+        inner_stiffness=inner,
+        outer_stiffness=outer,
+    )
+
+
+def _schedule(case: Case, plan: DynamicsPlan) -> Schedule | None:
+    """Both tables over time on one set of times."""
+    import numpy as np
+
+    from bearing.dynamics.inputs import Schedule
+
+    if plan.speed_table is None and plan.load_table is None:
+        return None
+    given = [np.array(table) for table in (plan.speed_table, plan.load_table) if table is not None]
+    times = np.unique(np.concatenate([table[:, 0] for table in given]))
+    values = np.zeros((times.size, 7))
+    loads = [0.0 if load is None else load for load in case.operation.loads]
+    values[:] = [case.operation.inner_speed, case.operation.outer_speed, *loads]
+    if plan.speed_table is not None:
+        table = np.array(plan.speed_table)
+        values[:, 0] = np.interp(times, table[:, 0], table[:, 1])
+    if plan.load_table is not None:
+        table = np.array(plan.load_table)
+        for column in range(3):
+            values[:, 2 + column] = np.interp(times, table[:, 0], table[:, 1 + column])
+    return Schedule(time=tuple(times.tolist()), values=tuple(tuple(row) for row in values.tolist()))
+
+
+def _friction(
+    case: Case, plan: DynamicsPlan, model: DynamicsModel, source: tuple[Path | None, Progress]
+) -> RaceFriction:
+    from bearing.dynamics.friction import (
+        RaceFriction,
+        coulomb_friction,
+        four_constant_friction,
+    )
+    from bearing.dynamics.initial import starting_point
+
+    if plan.friction == "none":
+        return RaceFriction()
+    angles = starting_point(case.bearing, case.operation, model).angles
+    if plan.friction == "coulomb":
+        mu, low, high = plan.coulomb
+        return coulomb_friction(case.bearing, angles, mu, (low, high), at_centre=plan.at_centre)
+    if plan.friction == "four constants":
+        from ehl.traction.laws import four_constants
+
+        constants = four_constants(*plan.four_constants)
+        return four_constant_friction(case.bearing, angles, constants, at_centre=plan.at_centre)
+    return _tables(case, *source)
+
+
+def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
+    """Traction tables of both races, read or made."""
+    from bearing.dynamics.friction import RaceFriction
+    from bearing.geometry import Race
+
+    from .traction_table import run_table
+
+    if path is None:
+        found = run_table(case, progress=notify).tables
+    else:
+        assert case.rheology is not None  # of every bearing case
+        found = read_race_tables(path, case.bearing, case.lubricant, case.rheology, case.films.solids)
+    return RaceFriction(inner=found[Race.INNER], outer=found[Race.OUTER])

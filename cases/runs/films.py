@@ -1,0 +1,141 @@
+"""Films of the contacts of a bearing, equal ones solved once, in parallel."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from dataclasses import fields, replace
+from math import degrees, isclose
+
+from bearing.contacts.contacts import BearingContact
+from bearing.quasistatic.solution import QuasistaticSolution
+from ehl import ContactConditions, ContactSolution, SolverOptions
+
+from ..checks.operation import ball_at
+from ..format.case import Case
+
+LARGE_CONTACT = 513  # points from which several threads solve one contact faster than one does [-]
+
+
+Solve = Callable[["ContactConditions", "SolverOptions"], "ContactSolution"]
+
+
+Progress = Callable[[int, int, str], None]  # contacts done, contacts in all, what is being done
+
+
+EQUAL = 1e-9  # relative difference below which two contacts count as one [-]
+
+
+# compared absolutely, too
+MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "spin", "mean_spin")
+
+
+def cores() -> int:
+    """Cores this process may use [-]."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def wanted_contacts(
+    case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> tuple[list[ContactConditions | None], tuple[str, ...]]:
+    """Conditions of the contacts to solve, None for the others, and a message if there is no equilibrium.
+
+    Parameters
+    ----------
+    case : Case
+    state : QuasistaticSolution
+    contacts : sequence of BearingContact
+        Inner race then outer, ball by ball.
+
+    Returns
+    -------
+    list of ContactConditions or None, tuple of str
+    """
+    conditions = [contact.conditions for contact in contacts]
+    if not state.converged:
+        return [None] * len(contacts), ("no film was computed, since there is no equilibrium",)
+    if case.film_maps == "all":
+        return conditions, ()
+    chosen = _chosen_balls(case, contacts)
+    return [conditions[i] if contact.ball in chosen else None for i, contact in enumerate(contacts)], ()
+
+
+def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
+    """Numbers of the balls whose contacts `film_maps` asks for; loaded means that the inner race carries load."""
+    if case.film_maps == "none":
+        return set()
+    if case.film_maps == "loaded":
+        return {c.ball for c in contacts if c.race.value == "inner" and c.load > 0.0}
+    wanted = [degrees(azimuth) for azimuth in case.film_maps if not isinstance(azimuth, str)]
+    return {c.ball for c in contacts if any(ball_at(at, (degrees(c.azimuth),)) is not None for at in wanted)}
+
+
+def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
+    """Whether two contacts are one to `EQUAL` relative [-]; the oil must be the same."""
+    for field in fields(first):
+        a, b = getattr(first, field.name), getattr(second, field.name)
+        if isinstance(a, float) and isinstance(b, float):
+            if not isclose(a, b, rel_tol=EQUAL, abs_tol=EQUAL if field.name in MAY_BE_ZERO else 0.0):
+                return False
+        elif a != b:
+            return False
+    return True
+
+
+def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
+    """Indices of equal contacts, one list each."""
+    groups: list[tuple[ContactConditions, list[int]]] = []
+    for index, contact in enumerate(conditions):
+        if contact is None:
+            continue
+        for known, members in groups:
+            if equal_contacts(known, contact):
+                members.append(index)
+                break
+        else:
+            groups.append((contact, [index]))
+    return [members for _, members in groups]
+
+
+def _shared(options: SolverOptions, threads: int) -> SolverOptions:
+    """The options with so many threads a contact, if it is large enough to gain by them."""
+    return replace(options, threads=threads) if threads > 1 and options.points >= LARGE_CONTACT else options
+
+
+def solve_contacts(
+    conditions: Sequence[ContactConditions | None],
+    options: SolverOptions,
+    workers: int | None,
+    notify: Progress,
+    solve: Solve | None,
+) -> tuple[tuple[ContactSolution | None, ...], bool]:
+    """Films of the distinct contacts, several at a time: the kernels release the interpreter's lock.
+
+    Only if they are large, and fewer than half the workers, does each get several threads.
+    """
+    solutions: list[ContactSolution | None] = [None] * len(conditions)
+    groups = _groups(conditions)
+    if not groups:
+        return tuple(solutions), False
+    from ehl import solve_contact
+
+    solver, workers = solve or solve_contact, workers or cores()
+    options = _shared(options, workers // len(groups))
+    notify(0, len(groups), "films")
+    pool = ThreadPoolExecutor(max_workers=min(workers, len(groups)))
+    try:
+        jobs: dict[Future[ContactSolution], list[int]] = {}
+        for members in groups:
+            first = conditions[members[0]]
+            assert first is not None  # only contacts with conditions are grouped
+            jobs[pool.submit(solver, first, options)] = members
+        for done, job in enumerate(as_completed(jobs), 1):
+            for index in jobs[job]:
+                solutions[index] = job.result()
+            notify(done, len(groups), "films")
+    except KeyboardInterrupt:
+        return tuple(solutions), True
+    finally:
+        pool.shutdown(wait=True, cancel_futures=True)
+    return tuple(solutions), False

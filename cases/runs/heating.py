@@ -1,0 +1,76 @@
+"""A case that warms itself: the temperature at which friction and cooling agree."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bearing.contacts.contacts import BearingContact
+    from bearing.heating.self_heating import WarmState
+    from bearing.quasistatic.solution import QuasistaticSolution
+    from ehl import Lubricant
+
+    from ..format.case import Case
+
+
+
+
+def self_heated(case: Case) -> WarmState | None:
+    """Temperature that the case's bearing warms itself to [K]; None where it is not asked for.
+
+    Balls in traction equilibrium are taken as half and half: loads hardly depend on it.
+    """
+    plan = case.heating
+    if plan is None or case.operation.inner_speed == case.operation.outer_speed:
+        return None
+    from bearing.heating.self_heating import WarmBearing, warm_state
+    from bearing.operation import BallKinematics
+
+    model = case.model
+    if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        model = replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
+
+    def torque(state: QuasistaticSolution, contacts: Sequence[BearingContact], oil: Lubricant) -> float:
+        return _torque(case, plan.model, state, contacts, oil)
+
+    warm = WarmBearing(
+        bearing=plan.bearing,
+        operation=case.operation,
+        model=model,
+        oil=plan.oil,
+        torque=torque,
+        fit=plan.fit,
+        reference=plan.reference,
+        inner_excess=plan.inner_excess,
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
+        found = warm_state(warm, plan.cooling, plan.model)
+    if found.balance is None or not found.converged:
+        return found
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        plan.oil(found.balance.temperature)
+    return replace(found, note="; ".join(str(warning.message) for warning in caught))
+
+
+def _torque(
+    case: Case, name: str, state: QuasistaticSolution, contacts: Sequence[BearingContact], oil: Lubricant
+) -> float:
+    """Friction torque by one model [N m].
+
+    Raises
+    ------
+    ValueError
+        If the model does not apply; the message says why.
+    """
+    from bearing.torque.breakdown import model_torque
+
+    assert case.friction is not None  # of every bearing case
+    found = model_torque(state, contacts, oil, case.friction, name)
+    if found.total is None:
+        raise ValueError(f"the torque model {name} {found.note}")
+    return found.total

@@ -1,0 +1,102 @@
+"""Where the compiled kernels are kept when neither the installation nor the home directory can be written."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import platform
+import stat
+import sys
+import tempfile
+from importlib import metadata
+from importlib.util import find_spec
+from pathlib import Path
+
+from ehl.kernel_sources import kernel_digest
+
+from ..version import version
+
+VARIABLE = "NUMBA_CACHE_DIR"
+
+
+def ensure_kernel_cache() -> None:
+    """Give numba a folder of this user's own for compiled kernels if it would find none; call before numba is imported.
+
+    Without one, importing the kernels fails ("no locator available", numba issues 4908 and 5566). A folder that the
+    user has set is left alone. matplotlib gets one, too, without which it complains.
+    """
+    if _in_the_home_directory():
+        return
+    os.environ.setdefault("MPLCONFIGDIR", str(_private_folder()))
+    if not _beside_the_package():
+        os.environ.setdefault(VARIABLE, str(_private_folder()))
+
+
+def compiled_stamp(kind: str) -> Path | None:
+    """File that stands where the kernels for a kind of work are known to be compiled; None if there is no place for it.
+
+    Its name holds a digest of the kernels' sources and of what compiles them; it lies where numba keeps its own files
+    or, failing that, in the user's cache.
+    """
+    spec = find_spec("ehl")
+    if spec is None or not spec.origin:
+        return None
+    package = Path(spec.origin).parent
+    try:
+        folder = package / "__pycache__" if _beside_the_package() else _user_cache() / "oilfilm"
+    except RuntimeError:  # no home directory
+        return None
+    folder = Path(os.environ.get(VARIABLE) or folder)
+    whole = repr([kind, kernel_digest(), version(), sys.version, _installed("numba"), platform.machine()])
+    return folder / f".oilfilm-compiled-{hashlib.sha256(whole.encode()).hexdigest()[:16]}"
+
+
+def _installed(package: str) -> str:
+    return metadata.version(package)
+
+
+def _beside_the_package() -> bool:
+    spec = find_spec("ehl")
+    if spec is None or not spec.origin:
+        return False
+    folder = Path(spec.origin).parent
+    cache = folder / "__pycache__"
+    return _writable(cache) if cache.exists() else _writable(folder)
+
+
+def _in_the_home_directory() -> bool:
+    try:
+        folder = _user_cache()
+    except RuntimeError:  # no home directory
+        return False
+    while not folder.exists() and folder != folder.parent:
+        folder = folder.parent
+    return _writable(folder)
+
+
+def _user_cache() -> Path:
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+
+
+def _writable(folder: Path) -> bool:
+    """Whether a file can be made; permission bits alone do not tell for read-only file systems and root."""
+    try:
+        with tempfile.TemporaryFile(dir=folder):
+            return True
+    except OSError:
+        return False
+
+
+def _private_folder() -> Path:
+    """A folder under the temporary one that nobody else can write: the cache is code."""
+    user = os.getuid() if hasattr(os, "getuid") else "user"
+    folder = Path(tempfile.gettempdir()) / f"oilfilm-kernels-{user}"
+    try:
+        folder.mkdir(mode=0o700, exist_ok=True)
+        status = folder.lstat()
+        mine = not hasattr(os, "getuid") or status.st_uid == os.getuid()
+        if mine and stat.S_ISDIR(status.st_mode) and not status.st_mode & 0o022:
+            return folder
+    except OSError:
+        pass
+    return Path(tempfile.mkdtemp(prefix="oilfilm-kernels-"))

@@ -1,0 +1,161 @@
+"""Run the slip maps of a case, the rows shared among processes."""
+
+from __future__ import annotations
+
+import signal
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import contextmanager
+from dataclasses import replace
+from multiprocessing import get_context
+from time import perf_counter
+from typing import TYPE_CHECKING, Any
+
+from ..format.case import Case
+from ..format.problems import CaseError
+from ..slip_plan import PRINTED_FORCE, SlipPlan
+from ..version import version
+from .films import Progress, cores
+
+if TYPE_CHECKING:
+    from bearing.studies.slip import Mapper, SlipStudy
+    from postprocess.slip.results import MinimumLoads, SlipResults
+
+
+def run_slip(case: Case, name: str, workers: int | None = None, progress: Progress | None = None) -> SlipResults:
+    """Slip factors at the case's own operation, over speed and axial load, critical curves, and minimum preloads.
+
+    Parameters
+    ----------
+    case : Case
+        With a plan of its slip maps.
+    name : str
+        Of the case, for messages.
+    workers : int, optional
+        Processes [-]; as many as there are cores if left out. With 1 nothing is started.
+    progress : callable, optional
+        Called with the rows done, the rows in all, and a word on the state.
+
+    Returns
+    -------
+    SlipResults
+
+    Raises
+    ------
+    CaseError
+        If the case has no [slip], or prescribes a displacement where the maps vary the load.
+    """
+    from bearing.quasistatic.solver import solve_quasistatic
+    from bearing.studies.slip import critical_curves, slip_surface
+    from postprocess.slip.results import SlipResults
+
+    start = perf_counter()
+    study, plan = _study(case, name)
+    speeds, loads = _range(plan.speeds, plan.points), _range(plan.axial_loads, plan.points)
+    radial = _range(plan.critical_radial_loads, plan.critical_points)
+    with _mapper(workers or cores(), progress or (lambda done, total, state: None)) as mapper:
+        surface = slip_surface(study, speeds, loads, mapper("slip factors", plan.points))
+        timing = {"surface": perf_counter() - start}
+        curves = tuple(
+            critical_curves(study, speed, radial, mapper("critical curves", plan.critical_points))
+            for speed in plan.critical_speeds
+        )
+        minimum = _minimum_loads(case, study, speeds, mapper)
+    timing["total"] = perf_counter() - start
+    return SlipResults(
+        version=version(),
+        case=case.document,
+        limit=plan.limit,
+        state=solve_quasistatic(case.bearing, case.operation, case.model),
+        surface=surface,
+        curves=curves,
+        minimum=minimum,
+        printed_force=PRINTED_FORCE[plan.as_printed] if plan.as_printed else None,
+        messages=case.warnings,
+        timing=timing,
+    )
+
+
+def _range(ends: tuple[float, float], points: int) -> list[float]:
+    return [ends[0] + (ends[1] - ends[0]) * k / (points - 1) for k in range(points)]
+
+
+def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
+    from bearing.operation import BallKinematics
+    from bearing.studies.slip import SlipStudy
+
+    if case.slip is None:
+        needs = "it needs speeds_rpm and axial_loads_N, see docs/reference/cases.md"
+        raise CaseError([f"{name}: has no table [slip]; {needs}"])
+    operation = case.operation
+    if operation.force[0] is None or (case.slip.critical_speeds and operation.force[1] is None):
+        varied = "the axial load" if operation.force[0] is None else "the radial load"
+        raise CaseError([f"{name}: [operation] displacement_um: slip maps vary {varied}; allowed: a load there"])
+    if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        raise CaseError([f"{name}: [model] ball_kinematics: slip maps take a hypothesis; allowed: one of the others"])
+    study = SlipStudy(bearing=case.bearing, operation=operation, model=case.model, limit=case.slip.limit)
+    return study, case.slip
+
+
+def _minimum_loads(
+    case: Case, study: SlipStudy, speeds: list[float], mapper: Callable[[str, int], Mapper]
+) -> MinimumLoads:
+    """Preload that Hirano's criterion asks, as a source printed it if the case says so, and the catalogue's loads."""
+    import numpy as np
+
+    from bearing.studies.slip import (
+        minimum_axial_load_skf,
+        minimum_preloads,
+        minimum_radial_load_skf,
+    )
+    from postprocess.slip.results import MinimumLoads
+
+    plan, oil = case.slip, case.lubricant
+    assert plan is not None  # checked before
+    own = case.operation.inner_speed
+    every = [*speeds, abs(own)] if own else [*speeds]
+    hirano = minimum_preloads(study, every, mapper("minimum preload", len(every)))
+    printed = None
+    if plan.as_printed:
+        as_printed = replace(study, limit=plan.limit * PRINTED_FORCE[plan.as_printed])
+        printed = minimum_preloads(as_printed, every, mapper("as printed", len(every)))
+    axial, radial = plan.minimum_axial_load_factor, plan.minimum_radial_load_factor
+    nu = oil.viscosity / oil.density
+    pitch = case.bearing.pitch_diameter
+    return MinimumLoads(
+        speeds=np.array(every),
+        hirano=hirano,
+        as_printed=printed,
+        skf_axial=None if axial is None else np.array([minimum_axial_load_skf(axial, n) for n in every]),
+        skf_radial=None if radial is None else np.array([minimum_radial_load_skf(radial, n, nu, pitch) for n in every]),
+        own=bool(own),
+    )
+
+
+def _ignore_interrupts() -> None:
+    """In a worker: Ctrl-C is the parent's to answer."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+@contextmanager
+def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Mapper]]:
+    """A function that makes a `map` for a stage: over processes if there are several, telling the progress."""
+    pool = None
+    if workers > 1:
+        context = get_context("spawn")
+        pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_ignore_interrupts)
+
+    def stage(state: str, total: int) -> Mapper:
+        def mapped(function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:
+            notify(0, total, state)
+            for done, result in enumerate(pool.map(function, items) if pool else map(function, items), 1):
+                notify(done, total, state)
+                yield result
+
+        return mapped
+
+    try:
+        yield stage
+    finally:
+        if pool is not None:
+            pool.shutdown(wait=True, cancel_futures=True)

@@ -1,0 +1,54 @@
+"""Run the stiffness of a case over the speed of its inner ring."""
+
+from __future__ import annotations
+
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from ..format.case import Case
+from ..format.problems import CaseError
+from ..version import version
+
+if TYPE_CHECKING:
+    from postprocess.stiffness.results import StiffnessResults
+
+
+def run_stiffness(
+    case: Case, name: str, speeds: tuple[float, float] | None, points: int, damping: float
+) -> StiffnessResults:
+    """Stiffness at evenly spaced speeds.
+
+    Parameters
+    ----------
+    case : Case
+    name : str
+        Of the case, for messages.
+    speeds : tuple of float or None
+        First and last [rad/s]; None goes from rest to the speed of the case.
+    points : int
+        Speeds [-].
+    damping : float
+        For the rotor code [N s/m].
+
+    Returns
+    -------
+    StiffnessResults
+    """
+    from bearing.rows import SINGLE
+    from bearing.studies.stiffness import stiffness_over_speed
+    from postprocess.stiffness.results import StiffnessResults
+
+    first, last = speeds or (0.0, case.operation.inner_speed)
+    if first == last:
+        raise CaseError([f"{name}: the inner ring stands still; give --speeds FIRST LAST in r/min"])
+    start = perf_counter()
+    steps = [first + (last - first) * k / (points - 1) for k in range(points)]
+    study = stiffness_over_speed(case.bearing, case.operation, steps, case.model, case.rows or SINGLE)
+    return StiffnessResults(
+        version=version(),
+        case=case.document,
+        study=study,
+        damping=damping,
+        messages=case.warnings,
+        timing={"total": perf_counter() - start},
+    )

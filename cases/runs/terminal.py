@@ -1,0 +1,151 @@
+"""What a command shows: progress and messages on standard error, results on standard output, exit codes."""
+
+from __future__ import annotations
+
+import functools
+import os
+import signal
+import sys
+import tempfile
+import threading
+import traceback
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, ParamSpec
+
+import typer
+
+from ..format.problems import CaseError
+
+if TYPE_CHECKING:
+    from .films import Progress
+
+NOT_CONVERGED, BAD_INPUT, INTERRUPTED, FAILED = 1, 2, 3, 4
+MOST_MESSAGES = 20  # lines of errors shown; a file of garbage has hundreds
+
+P = ParamSpec("P")
+
+
+def say(text: str) -> None:
+    """A message to the user."""
+    print(text, file=sys.stderr)  # noqa: T201
+
+
+def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
+    """Turn what a command raises or returns into an exit code and a message; a traceback never reaches the terminal."""
+
+    @functools.wraps(command)
+    def run(*args: P.args, **kwargs: P.kwargs) -> None:
+        code = exit_code(lambda: command(*args, **kwargs))
+        if code:
+            raise typer.Exit(code)
+
+    return run
+
+
+def exit_code(command: Callable[[], int | None]) -> int:
+    """Run a command; 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 the machine failed us [-]."""
+    main = threading.current_thread() is threading.main_thread()
+    previous = signal.signal(signal.SIGTERM, _interrupt) if main else None
+    try:
+        return command() or 0
+    except CaseError as error:
+        _say_errors(error.messages)
+        return BAD_INPUT
+    except KeyboardInterrupt:
+        say("oilfilm: interrupted")
+        return INTERRUPTED
+    except BrokenPipeError:  # the reader of a pipe has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except typer.Exit as stop:
+        return stop.exit_code
+    except Exception as error:
+        say(f"oilfilm: {_machine_failure(error)}; details: {_log(error)}")
+        return FAILED
+    finally:
+        if main:
+            signal.signal(signal.SIGTERM, previous)
+
+
+def _interrupt(_signal: int, _frame: object) -> None:
+    raise KeyboardInterrupt
+
+
+@contextmanager
+def finish_first(what: str) -> Iterator[None]:
+    """Obey an interrupt only when the work inside is done; a second one is obeyed at once."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    waiting: list[int] = []
+
+    def remember(number: int, _frame: object) -> None:
+        if waiting:
+            raise KeyboardInterrupt
+        waiting.append(number)
+        say(f"oilfilm: finishing first: {what}")
+
+    previous = {number: signal.signal(number, remember) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield
+    finally:
+        for number, handler in previous.items():
+            signal.signal(number, handler)
+    if waiting:
+        raise KeyboardInterrupt
+
+
+def _say_errors(messages: Iterable[str]) -> None:
+    lines = list(messages)
+    for line in lines[:MOST_MESSAGES]:
+        say(line)
+    if len(lines) > MOST_MESSAGES:
+        say(f"... and {len(lines) - MOST_MESSAGES} more errors")
+
+
+def _machine_failure(error: Exception) -> str:
+    if isinstance(error, OSError):
+        name = f" {error.filename}:" if error.filename else ""
+        return f"failed:{name} {error.strerror or error}"
+    if isinstance(error, MemoryError):
+        return "failed: out of memory"
+    text = " ".join(str(error).split())
+    return f"internal error: {type(error).__name__}: {text[:200]}"
+
+
+def _log(error: Exception) -> str:
+    """Write the traceback to a file and name it."""
+    try:
+        with tempfile.NamedTemporaryFile("w", prefix="oilfilm-", suffix=".log", delete=False, encoding="utf-8") as log:
+            log.write("".join(traceback.format_exception(error)))
+            return log.name
+    except OSError:
+        return "no log, the temporary directory cannot be written"
+
+
+@contextmanager
+def progress_bar(*, quiet: bool) -> Iterator[Progress]:
+    """A callback that draws progress on standard error; off when that is no terminal."""
+    if quiet or not sys.stderr.isatty():
+        yield lambda done, total, state: None
+        return
+    from rich.console import Console
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=None)
+        yield lambda done, total, state: bar.update(task, completed=done, total=total, description=state)
+
+
+def print_lines(text: str) -> None:
+    """Plain text to standard output."""
+    print(text, flush=True)  # noqa: T201
+
+
+def prepare_streams() -> None:
+    """Never fail on a character that the terminal's encoding does not have."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="replace")

@@ -1,0 +1,109 @@
+"""Films that traction equilibrium takes its friction from: those of a run, on a coarser grid."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from ..format.film_model import FilmModel, FilmPhysics
+
+if TYPE_CHECKING:
+    from bearing.contacts.contacts import BearingContact
+    from bearing.operation import Model
+    from bearing.quasistatic.solution import QuasistaticSolution
+    from ehl import ContactConditions, ContactSolution, SolverOptions
+
+    from .films import Progress
+
+
+@dataclass(frozen=True, kw_only=True)
+class FilmSolver:
+    """Solves the films of many contacts, equal ones once.
+
+    Attributes
+    ----------
+    options : SolverOptions
+    films : FilmPhysics
+    workers : int or None
+        Contacts solved at a time [-]; None: as many as there are cores.
+    progress : callable or None
+        As in `run_case`.
+    solve : callable or None
+        Takes the place of `ehl.solve_contact`.
+    """
+
+    options: SolverOptions
+    films: FilmPhysics
+    workers: int | None = None
+    progress: Progress | None = None
+    solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None = None
+
+    def __call__(self, conditions: Sequence[ContactConditions | None]) -> Sequence[ContactSolution | None]:
+        """Films [m] of the contacts that have conditions; KeyboardInterrupt on Ctrl-C."""
+        from .films import solve_contacts
+
+        solver = self.solve if self.films.model is FilmModel.NEWTONIAN else self.films.solve
+        notify = self.progress or (lambda done, total, state: None)
+        found, interrupted = solve_contacts(conditions, self.options, self.workers, notify, solver)
+        if interrupted:
+            raise KeyboardInterrupt
+        return found
+
+
+def with_workers(
+    model: Model,
+    workers: int | None,
+    progress: Progress,
+    solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None,
+) -> Model:
+    """The model with its films, if it takes any, solved by so many workers [-]."""
+    from bearing.friction.sources import FilmTraction
+
+    if model.traction is None or not isinstance(model.traction.source, FilmTraction):
+        return model
+    source = model.traction.source
+    if not isinstance(source.solve, FilmSolver):
+        return model
+
+    def told(done: int, total: int, state: str) -> None:
+        progress(done, total, f"{state} for the traction")
+
+    solver = replace(source.solve, workers=workers, progress=told, solve=solve)
+    return replace(model, traction=replace(model.traction, source=replace(source, solve=solver)))
+
+
+def traction_messages(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> tuple[str, ...]:
+    """Where the friction of balls on races came from, and where a table was asked outside its range (loads in [N])."""
+    from bearing.operation import BallKinematics
+
+    traction = state.model.traction
+    if traction is None:
+        return ()
+    words = f"friction of balls on races: {traction.source.words}"
+    if state.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        words = f"balls in traction equilibrium; {words}"
+        words += f"; {state.message}" if state.converged else ""
+    return (words, *_outside(state, contacts))
+
+
+def _outside(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> tuple[str, ...]:
+    """A message if a table's range does not hold a contact at its motion."""
+    from bearing.contacts.motion import bearing_kinematics
+    from bearing.friction.sources import LawTraction
+
+    source = None if state.model.traction is None else state.model.traction.source
+    if not isinstance(source, LawTraction):
+        return ()
+    places = {}
+    for contact in contacts:
+        if contact.conditions is not None:
+            k, u = bearing_kinematics(state, contact), contact.conditions.entrainment_speed
+            found = source.laws[contact.race].forces(contact.load, u, k.sliding_x, k.sliding_y, k.spin)
+            if found.outside:
+                places[f"{contact.race.value} race of ball {contact.ball}"] = ", ".join(found.outside)
+    if not places:
+        return ()
+    first = next(iter(places))
+    words = f"traction table: outside its range at {len(places)} of {len(contacts)} contacts, "
+    return (f"{words}first the {first} ({places[first]}); the nearest place counts, in proportion to the load",)

@@ -1,0 +1,135 @@
+"""Run `oilfilm table`: equilibrium of the bearing, then the traction tables of both races."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from itertools import pairwise
+from time import perf_counter
+from typing import TYPE_CHECKING
+
+from ..convert.units import ZERO_CELSIUS
+from ..format.case import Case, read_text, validate_text
+from ..format.problems import CaseError
+from ..format.shipped import find_case
+from ..schema.files import BearingFile
+from ..version import version
+from .films import Progress, cores
+
+if TYPE_CHECKING:
+    from ehl import Lubricant
+    from ehl.oil.rheology import Rheology
+    from postprocess.traction.results import TractionResults
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TemperatureAxis:
+    """Temperatures of the oil [K], and the oil and its rheology at each."""
+
+    temperatures: tuple[float, ...]
+    oil_at: Callable[[float], tuple[Lubricant, Rheology]]
+
+
+def temperature_axis(name: str, text: str) -> TemperatureAxis:
+    """The axis that `--temperatures` asks for, in degrees Celsius with commas, with the oil of a case by its name.
+
+    Raises
+    ------
+    CaseError
+        If they are no rising numbers, or the case's oil is known at one temperature only.
+    """
+    try:
+        celsius = [float(part) for part in text.split(",")]
+    except ValueError:
+        celsius = []
+    if len(celsius) < 2 or any(not b > a for a, b in pairwise(celsius)):
+        raise CaseError([f"--temperatures: {text!r}; allowed: two or more rising numbers of degrees Celsius, 40,60,80"])
+    path = find_case(name)
+    file = validate_text(read_text(path), str(path))
+    assert isinstance(file, BearingFile)  # asked for a bearing before
+
+    def oil_at(temperature: float) -> tuple[Lubricant, Rheology]:
+        from ..convert.friction import rheology
+        from ..convert.lubricant import lubricant
+
+        operation = file.operation.model_copy(update={"temperature_C": temperature - ZERO_CELSIUS})
+        warm = file.model_copy(update={"operation": operation})
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # the case told them already
+            oil = lubricant(warm)
+            return oil, rheology(warm, oil)
+
+    temperatures = tuple(one + ZERO_CELSIUS for one in celsius)
+    try:
+        first, last = (oil_at(one)[0] for one in (temperatures[0], temperatures[-1]))
+    except ValueError as problem:
+        raise CaseError([f"--temperatures: {problem}"]) from None
+    if first.viscosity == last.viscosity:
+        raise CaseError(
+            [f"--temperatures: {name} gives the viscosity at one temperature only; allowed with an oil of the library"]
+        )
+    return TemperatureAxis(temperatures=temperatures, oil_at=oil_at)
+
+
+def run_table(
+    case: Case,
+    points: int = 257,
+    workers: int | None = None,
+    progress: Progress | None = None,
+    over: TemperatureAxis | None = None,
+) -> TractionResults:
+    """Traction tables of a case, films on `points` nodes along x, `workers` at a time; times in [s].
+
+    With temperatures, the tables that summary and plots are of are those at the case's own, or the nearest.
+    """
+    from bearing.friction.race_tables import build_race_tables
+    from bearing.friction.temperature_tables import build_temperature_tables
+    from bearing.quasistatic.solver import solve_quasistatic
+    from ehl import SolverOptions
+    from ehl.traction.table.build import TableOptions
+    from postprocess.traction.results import TractionResults
+
+    try:
+        SolverOptions(points=points)
+    except ValueError as problem:
+        raise CaseError([f"--points: {problem}"]) from None
+    assert case.rheology is not None  # of every bearing case
+    start = perf_counter()
+    state = solve_quasistatic(case.bearing, case.operation, case.model)
+    if not state.converged:
+        raise CaseError([f"no table without an equilibrium of the bearing: {state.message}"])
+    options, solids = TableOptions(points=points, workers=workers or cores()), case.films.solids
+    try:
+        if over is None:
+            warm, tables = None, build_race_tables(state, case.lubricant, case.rheology, options, progress, solids)
+        else:
+            warm = build_temperature_tables(state, over.oil_at, over.temperatures, options, progress, solids)
+            own = min(max(case.operation.temperature, over.temperatures[0]), over.temperatures[-1])
+            tables = {race: found.at(own) for race, found in warm.items()}
+    except ValueError as problem:
+        raise CaseError([f"no table: {problem}"]) from None
+    return TractionResults(
+        version=version(),
+        case=case.document,
+        tables=tables,
+        over_temperature=warm,
+        messages=case.warnings,
+        timing={"total": perf_counter() - start},
+    )
+
+
+def with_full_solves(results: TractionResults, count: int, progress: Progress | None = None) -> TractionResults:
+    """The tables' films beside full solves at so many places each, with heat if the tables have it."""
+    from bearing.friction.race_tables import race_progress
+    from ehl.traction.table.full_solves import full_solves
+
+    found = dict(results.tables)
+    for race, table in results.tables.items():
+        told = race_progress(progress, race)
+        beside = full_solves(table.contact, table.range, count, progress=told)
+        found[race] = replace(table, full_solves=beside)
+    if results.over_temperature is None:
+        return replace(results, tables=found)
+    over = {race: tables.replaced(found[race]) for race, tables in results.over_temperature.items()}
+    return replace(results, tables=found, over_temperature=over)

@@ -1,0 +1,1 @@
+"""Closed-form references: Hertz contact and stress, film formulas, thermal reduction."""

@@ -1,0 +1,74 @@
+"""Film thickness formulas from curve fits: starting guesses and comparisons, never oracles.
+
+All take the entrainment along the principal direction x, smooth surfaces, an isothermal Newtonian oil and a flooded
+inlet. Ranges of the fits: `docs/theory/contact.md`.
+"""
+
+from __future__ import annotations
+
+from math import exp, log, sqrt
+
+from ..conditions import ContactConditions, moes_groups, speed_load_material
+
+
+def film_hamrock_dowson_minimum(conditions: ContactConditions) -> float:
+    """Minimum film [m], 3.63 U^0.68 G^0.49 W^-0.073 (1 - e^(-0.68 k)), Hamrock and Dowson (1977).
+
+    k = 1.03 (Ry/Rx)^0.64 is the ellipticity.
+    """
+    u, w, g = speed_load_material(conditions)
+    k = 1.03 * (conditions.radius_y / conditions.radius_x) ** 0.64
+    return conditions.radius_x * 3.63 * u**0.68 * g**0.49 * w**-0.073 * (1.0 - exp(-0.68 * k))
+
+
+def film_hamrock_dowson_central(conditions: ContactConditions) -> float:
+    """Central film [m], 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)), Hamrock and Dowson (1977)."""
+    u, w, g = speed_load_material(conditions)
+    k = 1.03 * (conditions.radius_y / conditions.radius_x) ** 0.64
+    return conditions.radius_x * 2.69 * u**0.67 * g**0.53 * w**-0.067 * (1.0 - 0.61 * exp(-0.73 * k))
+
+
+def film_chittenden_central(conditions: ContactConditions) -> float:
+    """Central film [m], 4.30 U^0.68 G^0.49 W^-0.073 (1 - e^(-1.23 (Ry/Rx)^(2/3))), Chittenden et al. (1985).
+
+    Reprints of the paper give 4.30 or 4.31 and 1.23, 1.28 or 1.30 in the exponent; with Ry > 3 Rx all agree within 2 %.
+    """
+    u, w, g = speed_load_material(conditions)
+    side_flow = 1.0 - exp(-1.23 * (conditions.radius_y / conditions.radius_x) ** (2 / 3))
+    return conditions.radius_x * 4.30 * u**0.68 * g**0.49 * w**-0.073 * side_flow
+
+
+def film_nijenbanning_central(conditions: ContactConditions) -> float:
+    """Central film [m] of Nijenbanning, Venner and Moes (1994), see `moes_film_nijenbanning`."""
+    u, _, _ = speed_load_material(conditions)
+    m, l = moes_groups(conditions)  # noqa: E741
+    ratio = conditions.radius_x / conditions.radius_y
+    return conditions.radius_x * sqrt(2.0 * u) * moes_film_nijenbanning(m, l, ratio)
+
+
+def moes_film_nijenbanning(load_parameter: float, lubricant_parameter: float, radius_ratio: float) -> float:
+    """Central film of an elliptical contact in Moes' groups, Nijenbanning, Venner and Moes (1994).
+
+    Parameters
+    ----------
+    load_parameter, lubricant_parameter : float
+        M and L [-], with 2U in both.
+    radius_ratio : float
+        Rx/Ry, entrainment along x [-]; fitted for Rx/Ry <= 1.
+
+    Returns
+    -------
+    float
+        (h/Rx) (2U)^(-1/2) [-].
+    """
+    m, l, d = load_parameter, max(lubricant_parameter, 1e-12), radius_ratio  # noqa: E741
+    q = 1.0 + 0.006 * log(d) + 0.63 * d ** (4 / 7)
+    rigid_isoviscous = 145.0 * (1.0 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
+    elastic_isoviscous = 3.18 * q ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15)
+    rigid_piezoviscous = 1.29 * (1.0 + 0.691 * d) ** (-2 / 3) * l ** (2 / 3)
+    elastic_piezoviscous = 1.48 * q ** (-7 / 20) * d ** (-1 / 24) * m ** (-1 / 12) * l**0.75
+    edge = 1.8 / d
+    s = 1.5 * (1.0 + exp(-1.2 * elastic_isoviscous / elastic_piezoviscous))
+    isoviscous = rigid_isoviscous**1.5 + (elastic_isoviscous**-4 + edge**-4) ** (-3 / 8)
+    piezoviscous = (rigid_piezoviscous**-8 + elastic_piezoviscous**-8) ** (-s / 8)
+    return float((isoviscous ** (2 * s / 3) + piezoviscous) ** (1 / s))

@@ -1,0 +1,1 @@
+"""Independent finite-element solution of the lubricated contact."""

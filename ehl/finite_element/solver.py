@@ -1,0 +1,345 @@
+"""Solve one lubricated contact by finite elements and Newton's method: a check that shares nothing with the multigrid.
+
+Unknowns are the nodal pressures on a graded rectangle mesh and the constant H0; equations are the weak Reynolds
+equation with the cavitation condition (`reynolds_fem.py`), the film H = H0 + gap + compliance P (`compliance.py`) and
+the load balance. Cavitation is the semi-smooth equation min(P, -R/d) = 0, d the diagonal (Hintermueller, Ito and
+Kunisch, 2002). Three meshes, each twice as fine as the one before; the coarsest starts from Hertz.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from math import ceil, nan
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from ..conditions import ContactConditions, MoesConditions
+from ..grid import Grid
+from ..multigrid.extrapolation import extrapolate
+from ..multigrid.far_field import FarField, exterior_load, far_field
+from ..options import SolverOptions
+from ..scaling import ScaledContact, scale_contact
+from ..solid.compliance import add_coating, compliance_matrix, graded_nodes, near_field
+from ..solution import ContactSolution, ConvergenceRecord
+from .linear_solvers import LinearSolverError, solve_bordered
+from .reynolds import (
+    FilmSpace,
+    coefficients,
+    film_derivative,
+    film_space,
+    integral_weights,
+    pressure_derivative,
+    reynolds_residual,
+)
+
+Array = NDArray[np.float64]
+LEVELS = 3
+MOST_POINTS, MOST_POINTS_SKEWED = 129, 65  # along x: the compliance matrix is dense
+CELLS_Y = 7 / 16  # cells across half the contact per cell along it
+STEPS = 60  # of Newton on each mesh
+PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]
+FILM_SHARE = 0.7  # of the film that a step may take away
+LEAST_FILM = 1e-3  # of the film guess, where the start has the bodies overlap
+TOLERANCE = 1e-6  # of the last change of pressure [-]
+LINEAR_TOLERANCE = 1e-5  # of each Newton step
+REACH = 2  # lines of nodes whose compliance enters the preconditioner
+RESOLVED = 5.0  # Hmin/hx^2 below this is reported as unresolved
+
+
+@dataclass(slots=True)
+class Level:
+    """One mesh and the state on it; nodes numbered i ny + j, lengths in units of a [-]."""
+
+    contact: ScaledContact
+    X: Array
+    Y: Array
+    space: FilmSpace
+    compliance: Array
+    near: sparse.csr_matrix
+    gap: Array
+    weights: Array  # integral of P = weights @ P, both halves
+    edge: NDArray[np.bool_]
+    far: FarField | None  # edge pressure of an open box
+    P: Array
+    approach: float = 0.0
+
+    @property
+    def film(self) -> Array:
+        """H0 + gap + deflection, shape (nodes,) [-]."""
+        return self.approach + self.gap + self.compliance @ self.P
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Nodes along x and y."""
+        return len(self.X), len(self.Y)
+
+    @property
+    def origin(self) -> int:
+        """Number of the node at (0, 0)."""
+        return int(abs(self.X).argmin()) * len(self.Y) + int(abs(self.Y).argmin())
+
+
+@dataclass(slots=True)
+class Progress:
+    """What each Newton step did [-]."""
+
+    residual: list[float] = field(default_factory=list)
+    load: list[float] = field(default_factory=list)
+    change: list[float] = field(default_factory=list)
+    inner: int = 0  # GMRES iterations in all
+
+
+def solve_contact_finite_element(
+    conditions: ContactConditions | MoesConditions, options: SolverOptions | None = None
+) -> ContactSolution:
+    """Pressure and film of a steady, isothermal, flooded elliptical point contact by finite elements.
+
+    Parameters
+    ----------
+    conditions : ContactConditions or MoesConditions
+    options : SolverOptions, optional
+        `points` asks for (points + 1)/2 nodes along x, at most 129 (65 for a skewed entrainment): the mesh is graded.
+        Without `domain` the open box is that of `choose_domain`; `tolerance` and `max_cycles` are not used.
+
+    Returns
+    -------
+    ContactSolution
+        On the nodes of the finest mesh, which are not equidistant; cycles are Newton steps on all meshes. A rotation of
+        the entrainment is left out.
+    """
+    options = options or SolverOptions()
+    if scale_contact(conditions).oil is not None:
+        laws = (conditions.lubricant.viscosity_law.value, conditions.lubricant.density_law.value)
+        raise ValueError(f"finite elements know Roelands, Barus, constant viscosity, not the laws {' and '.join(laws)}")
+    began, progress = time.perf_counter(), Progress()
+    contact = replace(scale_contact(conditions, along_entrainment=True), rotation=0.0)
+    domain = options.domain
+    if domain is None:
+        from ..solver import choose_domain
+
+        domain = choose_domain(contact)
+    most = MOST_POINTS if contact.symmetric else MOST_POINTS_SKEWED
+    cells = min(options.points - 1, 2 * (most - 1)) // 2
+    level, films, converged, message = None, [], False, "converged"
+    for index in reversed(range(LEVELS)):
+        level = _level(contact, domain, cells // 2**index, options.domain is None, level)
+        converged, message = newton(level, progress)
+        if not converged:
+            break
+        films.append((float(level.film[level.origin]), _minimum(level)))
+    assert level is not None
+    record = ConvergenceRecord(
+        residual=tuple(progress.residual),
+        force_error=tuple(progress.load),
+        film_change=tuple(progress.change),
+        cycles=len(progress.residual),
+        fft_equivalents=0.0,
+        fallbacks=(),
+        wall_time=time.perf_counter() - began,
+    )
+    return _solution(conditions, options, level, films or [(nan, nan)], (record, converged, message, domain))
+
+
+def newton(level: Level, progress: Progress) -> tuple[bool, str]:
+    """Newton's method on one mesh, in place; whether it converged, and a message."""
+    for _ in range(STEPS):
+        H = np.maximum(level.film, LEAST_FILM * level.contact.film_guess)
+        try:
+            change, rise, inner = _step(level, H, progress)
+        except LinearSolverError as error:
+            return False, f"the linear system was not solved: {error}; try more points or a smaller load"
+        growth = rise + level.compliance @ change
+        size, thinner = float(np.abs(change).max()), growth < 0.0
+        share = min(1.0, PRESSURE_STEP / max(size, 1e-30), *(FILM_SHARE * H[thinner] / -growth[thinner]))
+        level.P += share * change
+        level.approach += share * rise
+        progress.change.append(share * float(np.abs(growth[level.origin])) / float(H[level.origin]))
+        progress.inner += inner
+        if size < TOLERANCE and share == 1.0:
+            return True, "converged"
+    return False, f"not converged: pressure changed by {size:.1e} in the last of {STEPS} Newton steps; try more points"
+
+
+def _step(level: Level, H: Array, progress: Progress) -> tuple[Array, float, int]:
+    """Newton change of pressure and of H0 [-], and the number of inner iterations."""
+    k = coefficients(level.space, level.contact, level.P, H)
+    residual = reynolds_residual(level.space, k)
+    by_pressure, by_film = pressure_derivative(level.space, k), film_derivative(level.space, k)
+    column = np.asarray(by_film.sum(axis=1)).ravel()
+    scale = np.abs(by_pressure.diagonal()) + np.abs(by_film.diagonal() * level.compliance.diagonal())
+    fixed = level.edge | (level.P + residual / scale <= 0.0)
+    target, exterior = _edge_pressure(level, H)
+    load = level.contact.load - exterior
+    error = load - float(level.weights @ level.P)
+    progress.residual.append(float(np.abs(np.where(fixed, 0.0, residual / scale)).max()))
+    progress.load.append(abs(error) / load)
+    free = sparse.diags(np.where(fixed, 0.0, 1.0))
+    near = free @ (by_pressure + by_film @ level.near) + sparse.diags(np.where(fixed, 1.0, 0.0))
+
+    def operator(p: Array) -> Array:
+        return np.where(fixed, p, by_pressure @ p + by_film @ (level.compliance @ p))
+
+    right = np.where(fixed, target - level.P, -residual)
+    border = (np.where(fixed, 0.0, column), level.weights)
+    return solve_bordered(operator, near, border, (right, error), LINEAR_TOLERANCE)
+
+
+def _edge_pressure(level: Level, H: Array) -> tuple[Array, float]:
+    """Kapitza's (1955) pressure -(k X)/H^2 on the edge of an open box, zero elsewhere, and the load outside [-]."""
+    target = np.zeros_like(H)
+    if level.far is None:
+        return target, 0.0
+    x, y = (values.ravel() for values in np.meshgrid(level.X, level.Y, indexing="ij"))
+    drive = np.maximum(-(level.far.pressure_x * x + level.far.pressure_y * y), 0.0)
+    target[level.edge] = (drive / H**2)[level.edge]
+    x_in, x_out, y_out = float(level.X[0]), float(level.X[-1]), float(level.Y[-1])
+    corners = Grid(x_in=x_in, hx=x_out - x_in, hy=y_out, nx=2, ny=2, symmetric=True)
+    inlet = np.full((2, 2), H[level.origin % len(level.Y)])
+    return target, exterior_load(level.far, corners, inlet)
+
+
+def _level(
+    contact: ScaledContact, domain: tuple[float, float, float], cells: int, is_open: bool, coarse: Level | None
+) -> Level:
+    """Mesh with `cells` along x, started from Hertz or from the coarser mesh."""
+    X, Y = _lines(contact, domain, cells)
+    space, compliance = film_space(X, Y), compliance_matrix(X, Y, contact.symmetric)
+    if contact.coating is not None:
+        add_coating(compliance, contact.coating, (X, Y), integral_weights(space), contact.symmetric)
+    compliance *= contact.deformation
+    x, y = (values.ravel() for values in np.meshgrid(X, Y, indexing="ij"))
+    c = contact
+    edge = (x == X[0]) | (x == X[-1]) | (y == Y[-1]) | ((y == Y[0]) & (not c.symmetric))
+    level = Level(
+        contact=contact,
+        X=X,
+        Y=Y,
+        space=space,
+        compliance=compliance,
+        near=near_field(compliance, (len(X), len(Y)), REACH),
+        gap=0.5 * c.curvature_x * x**2 + 0.5 * c.curvature_y * y**2 + c.curvature_xy * x * y,
+        weights=(2.0 if c.symmetric else 1.0) * integral_weights(space),
+        edge=edge,
+        far=far_field(contact) if is_open else None,
+        P=_hertz(contact, x, y) if coarse is None else _interpolated(coarse, X, Y).ravel(),
+    )
+    origin = level.origin
+    level.approach = coarse.approach if coarse else c.film_guess - float(level.film[origin])
+    return level
+
+
+def _hertz(contact: ScaledContact, x: Array, y: Array) -> Array:
+    """Hertz pressure at nodes, in the frame of the entrainment [-]."""
+    c, s = np.cos(contact.frame_angle), np.sin(contact.frame_angle)
+    along, across = c * x - s * y, (s * x + c * y) / contact.semi_axis_ratio
+    return np.sqrt(np.maximum(0.0, 1.0 - along**2 - across**2))
+
+
+def _interpolated(coarse: Level, X: Array, Y: Array) -> Array:
+    """Pressure of a coarser mesh at the nodes of a finer one, shape (nx, ny) [-]."""
+    P = coarse.P.reshape(coarse.shape)
+    lines = np.array([np.interp(X, coarse.X, column) for column in P.T])
+    return np.array([np.interp(Y, coarse.Y, row) for row in lines.T])
+
+
+def _lines(contact: ScaledContact, domain: tuple[float, float, float], cells: int) -> tuple[Array, Array]:
+    """Lines of the mesh: dense at the outlet and at the sides of the Hertz ellipse; the origin is a node of all."""
+    x_in, x_out, y_half = domain
+
+    def along(s: Array) -> Array:
+        outside = np.maximum(0.0, -s - 1.0) + np.maximum(0.0, s - 1.5)
+        return 1.0 / (0.25 + 0.6 * outside) + 6.0 * np.exp(-(((s - 0.75) / 0.45) ** 2))
+
+    def across(s: Array) -> Array:
+        outside = np.maximum(0.0, abs(s) - 1.1)
+        return 1.0 / (0.4 + outside) + 1.5 * np.exp(-(((abs(s) - 0.85) / 0.35) ** 2))
+
+    coarse = 2 ** (LEVELS - 1) if cells % 4 == 0 else 1
+    upstream = _share(along, x_in, x_out) * cells / coarse
+    west = max(1, round(upstream)) * coarse
+    X = np.concatenate((graded_nodes((x_in, 0.0), west, along)[:-1], graded_nodes((0.0, x_out), cells - west, along)))
+    Y = graded_nodes((0.0, y_half), ceil(CELLS_Y * cells), across)
+    if not contact.symmetric:
+        Y = np.concatenate((-Y[:0:-1], Y))
+    return X * contact.half_extent_x, Y * contact.half_extent_y
+
+
+def _share(density: Callable[[Array], Array], first: float, last: float) -> float:
+    """Share of the nodes from `first` to `last` that lies below zero [-]."""
+    counts = []
+    for ends in ((first, 0.0), (0.0, last)):
+        s = np.linspace(*ends, 2001)
+        counts.append(float(density(s).mean()) * (ends[1] - ends[0]))
+    return counts[0] / sum(counts)
+
+
+def _minimum(level: Level) -> float:
+    """Smallest film [-]: least of the quadratic fitted to a smallest node and its neighbours."""
+    X, Y, H = _whole_box(level, level.film)
+    i, j = np.unravel_index(H.argmin(), H.shape)
+    least = float(H[i, j])
+    if not (0 < i < len(X) - 1 and 0 < j < len(Y) - 1):
+        return least
+    near = (slice(i - 1, i + 2), slice(j - 1, j + 2))
+    width = (X[i + 1] - X[i - 1], Y[j + 1] - Y[j - 1])
+    u, v = np.meshgrid((X[near[0]] - X[i]) / width[0], (Y[near[1]] - Y[j]) / width[1], indexing="ij")
+    u, v = u.ravel(), v.ravel()
+    fit = np.linalg.lstsq(np.stack((u**2, v**2, u * v, u, v), axis=1), H[near].ravel() - least, rcond=None)[0]
+    hessian, slope = np.array([[2 * fit[0], fit[2]], [fit[2], 2 * fit[1]]]), fit[3:]
+    if fit[0] <= 0.0 or np.linalg.det(hessian) <= 0.0:
+        return least
+    place = -np.linalg.solve(hessian, slope)
+    return least + 0.5 * float(slope @ place) if np.abs(place).max() <= 0.5 else least
+
+
+def _whole_box(level: Level, values: Array) -> tuple[Array, Array, Array]:
+    """X, Y and a nodal field over the whole box, shape (nx, ny)."""
+    Y, values = level.Y, values.reshape(level.shape)
+    if level.contact.symmetric:
+        Y, values = np.concatenate((-Y[:0:-1], Y)), np.concatenate((values[:, :0:-1], values), axis=1)
+    return level.X, Y, values
+
+
+def _solution(
+    conditions: ContactConditions | MoesConditions,
+    options: SolverOptions,
+    level: Level,
+    films: list[tuple[float, float]],
+    outcome: tuple[ConvergenceRecord, bool, str, tuple[float, float, float]],
+) -> ContactSolution:
+    record, converged, message, domain = outcome
+    contact = level.contact
+    X, Y, H = _whole_box(level, level.film)
+    noise = record.film_change[-1]
+    at_minimum = min(int(np.unravel_index(H.argmin(), H.shape)[0]), len(X) - 2)
+    ratio = films[-1][1] / float(X[at_minimum + 1] - X[at_minimum]) ** 2
+    resolved = converged and ratio >= RESOLVED
+    if converged and not resolved:
+        message = f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}"
+    return ContactSolution(
+        conditions=conditions,
+        options=options,
+        X=X,
+        Y=Y,
+        P=_whole_box(level, level.P)[2],
+        H=H,
+        film_central_dimensionless=extrapolate([film[0] for film in films[-2:]], noise),
+        film_minimum_dimensionless=extrapolate([film[1] for film in films[-2:]], noise),
+        approach_dimensionless=level.approach,
+        moes_load=contact.moes_load,
+        moes_lubricant=contact.moes_lubricant,
+        semi_axis_ratio=contact.semi_axis_ratio,
+        frame_angle=contact.frame_angle,
+        semi_axis_x=contact.semi_axis_x,
+        hertz_pressure=contact.hertz_pressure,
+        film_scale=contact.film_scale,
+        domain=domain,
+        resolved=resolved,
+        converged=converged,
+        message=message,
+        record=record,
+    )

@@ -1,0 +1,277 @@
+"""Temperature of the film, compiled: columns one after the other along the flow.
+
+The equations and the readable twin of one column stand in `columns.py`, those of the bodies in `solids.py`.
+rheology, section, work: as in `ehl.generalized._kernels`; differences: slopes at both walls and curvature of
+`columns.wall_slopes` and `columns.curvature`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..compiled import compiled
+from ..oil._kernels import thermal_expansion, viscosity_softening
+from ._kernels import FLUIDITY, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
+
+COLUMN_STEPS = 40  # Newton steps of one column
+CAREFUL_AFTER = 12  # steps from which on only half of each is taken, then a quarter
+COLUMN_TOLERANCE = 0.05  # [K] of the last step; convergence is quadratic
+LARGEST_STEP = 40.0  # [K] of one Newton step
+COLDEST, HOTTEST = 150.0, 2000.0  # [K], bounds of iterates
+U, V, RATE_X, RATE_Y, CROSSING, INFLOW, CARRIED, SOURCE = 0, 1, 2, 3, 4, 5, 6, 7  # rows of the flow's workspace
+FLOW_ROWS = 8
+
+
+@compiled
+def solve_dense(matrix, right):
+    """Gaussian elimination with partial pivoting; the solution replaces `right`."""
+    n = right.size
+    for i in range(n):
+        pivot = i
+        for k in range(i + 1, n):
+            if abs(matrix[k, i]) > abs(matrix[pivot, i]):
+                pivot = k
+        if pivot != i:
+            for m in range(i, n):
+                matrix[i, m], matrix[pivot, m] = matrix[pivot, m], matrix[i, m]
+            right[i], right[pivot] = right[pivot], right[i]
+        for k in range(i + 1, n):
+            factor = matrix[k, i] / matrix[i, i]
+            if factor != 0.0:
+                for m in range(i + 1, n):
+                    matrix[k, m] -= factor * matrix[i, m]
+                right[k] -= factor * right[i]
+    for i in range(n - 1, -1, -1):
+        total = right[i]
+        for m in range(i + 1, n):
+            total -= matrix[i, m] * right[m]
+        right[i] = total / matrix[i, i]
+
+
+@compiled
+def column_temperature(
+    film,
+    conductivity,
+    inflow,
+    carried,
+    crossing,
+    source,
+    slope,
+    compression,
+    last,
+    history,
+    response,
+    nodes,
+    differences,
+    out,
+):
+    """Temperature at the nodes of a column, its source linearised at the last one [K]."""
+    below, above, curvature = differences
+    n = last.size
+    matrix = np.empty((n, n))
+    spread, flux = conductivity / (film * film), conductivity / film
+    for k in range(1, n - 1):
+        right = carried[k] + source[k]
+        for m in range(n):
+            matrix[k, m] = -slope[k, m] - spread * curvature[k, m]
+            right -= slope[k, m] * last[m]
+        matrix[k, k] += inflow[k] - compression[k]
+        m = k - 1 if crossing[k] >= 0.0 else k
+        steep = crossing[k] / (nodes[m + 1] - nodes[m])
+        matrix[k, m] -= steep
+        matrix[k, m + 1] += steep
+        out[k] = right
+    for m in range(n):
+        matrix[0, m] = -response[0] * flux * below[m]
+        matrix[n - 1, m] = response[1] * flux * above[m]
+    matrix[0, 0] += 1.0
+    matrix[n - 1, n - 1] += 1.0
+    out[0], out[n - 1] = history[0], history[1]
+    solve_dense(matrix, out)
+
+
+@compiled
+def column_motion(middle, rise, speed, height, section, work, flow):
+    """Rates of shear [1/s] and velocities [m/s] at the nodes, and the heat of shear [W/m^3]."""
+    nodes, _, cumulative = section
+    n = nodes.size
+    for k in range(n):
+        t_x, t_y = middle[0] + (nodes[k] - 0.5) * rise[0], middle[1] + (nodes[k] - 0.5) * rise[1]
+        flow[RATE_X, k], flow[RATE_Y, k] = work[FLUIDITY, k] * t_x, work[FLUIDITY, k] * t_y
+        flow[SOURCE, k] = flow[RATE_X, k] * t_x + flow[RATE_Y, k] * t_y
+    for k in range(n):
+        flow[U, k], flow[V, k] = speed[0], speed[1]
+        for m in range(n):
+            flow[U, k] += height * cumulative[k, m] * flow[RATE_X, m]
+            flow[V, k] += height * cumulative[k, m] * flow[RATE_Y, m]
+
+
+@compiled
+def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow, slope):
+    """Derivative of the heat of shear by the temperatures [W/(m^3 K)].
+
+    At a given stress the heat grows with the softening b of the oil there; the stress in the middle gives way along
+    the mean rate's direction e, so that the difference of the surface velocities stays:
+    d(tau_m) = -sum(w b rate.e dT)/sum(w t), t the tangent fluidity along e.
+    """
+    nodes, weights, _ = section
+    n, size = nodes.size, np.hypot(rate[0], rate[1])
+    e_x, e_y = (rate[0] / size, rate[1] / size) if size > 0.0 else (0.0, 0.0)
+    give = 0.0
+    for k in range(n):
+        give += weights[k] * (work[T_XX, k] * e_x * e_x + 2.0 * work[T_XY, k] * e_x * e_y + work[T_YY, k] * e_y * e_y)
+    for m in range(n):
+        soft = viscosity_softening(p, temperature[m], oil)
+        pull = weights[m] * soft * (flow[RATE_X, m] * e_x + flow[RATE_Y, m] * e_y)
+        for k in range(n):
+            t_x, t_y = middle[0] + (nodes[k] - 0.5) * rise[0], middle[1] + (nodes[k] - 0.5) * rise[1]
+            along = flow[RATE_X, k] * e_x + flow[RATE_Y, k] * e_y
+            along += t_x * (work[T_XX, k] * e_x + work[T_XY, k] * e_y)
+            along += t_y * (work[T_XY, k] * e_x + work[T_YY, k] * e_y)
+            slope[k, m] = -along * pull / give if size > 0.0 else 0.0
+        slope[m, m] += soft * flow[SOURCE, m]
+
+
+@compiled
+def column_transport(j, i, mesh, symmetric, heat_density, temperature, inlet, mass, height, section, work, flow):
+    """Convection into a column: the upwind parts along x and y, and the flow through lines of constant z/h.
+
+    mass: mass fluxes int_0^z rho u dz of all columns along x over rho_0 [m^2/s]; the column's own is set here.
+    """
+    ny, nx, n = temperature.shape
+    cumulative = section[2]
+    for k in range(n):
+        total = 0.0
+        for m in range(n):
+            total += height * cumulative[k, m] * work[RHO, m] * flow[U, m]
+        mass[j, i, k] = total
+    before = i - 1 if mass[j, i, n - 1] >= 0.0 else i + 1
+    step = -mesh[0] if mass[j, i, n - 1] < 0.0 else mesh[0]
+    inside = 0 <= before < nx
+    for k in range(n):
+        dense = heat_density * work[RHO, k]
+        west = i - 1 if flow[U, k] >= 0.0 else i + 1
+        from_x = temperature[j, west, k] if 0 <= west < nx else inlet
+        south = j - 1 if flow[V, k] >= 0.0 else j + 1
+        if symmetric and south < 0:
+            south = 1
+        from_y = temperature[south, i, k] if 0 <= south < ny else inlet
+        a_x, a_y = dense * abs(flow[U, k]) / mesh[0], dense * abs(flow[V, k]) / mesh[1]
+        flow[INFLOW, k] = a_x + a_y
+        flow[CARRIED, k] = a_x * from_x + a_y * from_y
+        change = (mass[j, i, k] - mass[j, before, k]) / step if inside else 0.0
+        whole = (mass[j, i, n - 1] - mass[j, before, n - 1]) / step if inside else 0.0
+        # what the film gains or loses as a whole leaves sideways or in cavities, evenly over its thickness
+        flow[CROSSING, k] = -heat_density * (change - section[0][k] * whole) / height
+
+
+@compiled
+def change_temperature(temperature, wanted, share):
+    """Go a share of the way to the wanted temperatures, in bounds; returns the largest change [K]."""
+    largest = 0.0
+    for k in range(wanted.size):
+        if not np.isfinite(wanted[k]):
+            return np.inf
+    for k in range(wanted.size):
+        step = min(max(share * (wanted[k] - temperature[k]), -LARGEST_STEP), LARGEST_STEP)
+        largest = max(largest, abs(step))
+        temperature[k] = min(max(temperature[k] + step, COLDEST), HOTTEST)
+    return largest
+
+
+@compiled
+def solve_heat_column(
+    j, i, p, height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences, rheology,
+    temperature, inlet, history, response, middle, mass, work, flow, slope, out
+):  # fmt: skip
+    """Temperature and stress of one column together; returns heat of shear [W/m^2] and whether it came to rest.
+
+    heat: conductivity and rho_0 c of the oil.
+    """
+    n, found, dissipated = section[0].size, False, 0.0
+    compression = np.empty(n)
+    for turn in range(COLUMN_STEPS):
+        t_x, t_y, solved = solve_column(
+            p, temperature[j, i], (middle[0, j, i], middle[1, j, i]), rise, rate, oil, section, rheology, work
+        )
+        middle[0, j, i], middle[1, j, i] = t_x, t_y
+        column_motion((t_x, t_y), rise, speed, height, section, work, flow)
+        column_transport(j, i, mesh, symmetric, heat[1], temperature, inlet, mass, height, section, work, flow)
+        source_slope(p, temperature[j, i], (t_x, t_y), rise, rate, oil, section, work, flow, slope)
+        for k in range(n):
+            expansion = thermal_expansion(p, temperature[j, i, k], oil)
+            compression[k] = expansion * (flow[U, k] * rise[0] + flow[V, k] * rise[1]) / height
+        column_temperature(
+            height, heat[0], flow[INFLOW], flow[CARRIED], flow[CROSSING], flow[SOURCE], slope, compression,
+            temperature[j, i], history, response, section[0], differences, out,
+        )  # fmt: skip
+        largest = change_temperature(temperature[j, i], out, 0.5 ** (turn // CAREFUL_AFTER))
+        if largest < COLUMN_TOLERANCE:
+            found = solved
+            break
+    for k in range(n):
+        dissipated += height * section[1][k] * flow[SOURCE, k]
+    return dissipated, found
+
+
+@compiled
+def heat_sweep(
+    p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences, rheology,
+    inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation
+):  # fmt: skip
+    """Columns of all lines one after the other along x, or against it; returns how many did not come to rest.
+
+    p, h: (ny, nx); gradient, speed_1, speed_2, response, flux: (2, ny, nx); bulk: temperatures of both bodies [K];
+    response: 1/(sqrt(pi u) e) of both [K m^1.5/W]; weights: of their histories [m^0.5]; in and out: temperature
+    (ny, nx, n) [K], middle (2, ny, nx) [Pa], mass (ny, nx, n) [m^2/s], flux into both bodies and dissipation [W/m^2].
+    """
+    ny, nx = p.shape
+    n, missed = section[0].size, 0
+    work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
+    slope, out = np.zeros((n, n)), np.zeros(n)
+    for j in range(ny):
+        for turn in range(nx):
+            i = turn if forward else nx - 1 - turn
+            height = h[j, i]
+            past_1 = bulk[0] + response[0, j, i] * body_history(flux[0, j], i, speed_1[0, j, i], weights)
+            past_2 = bulk[1] + response[1, j, i] * body_history(flux[1, j], i, speed_2[0, j, i], weights)
+            if height <= 0.0:
+                flux[0, j, i] = flux[1, j, i] = dissipation[j, i] = 0.0
+                for k in range(n):
+                    temperature[j, i, k] = past_1 + section[0][k] * (past_2 - past_1)
+                continue
+            rise = (height * gradient[0, j, i], height * gradient[1, j, i])
+            rate = ((speed_2[0, j, i] - speed_1[0, j, i]) / height, (speed_2[1, j, i] - speed_1[1, j, i]) / height)
+            answer = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
+            speed = (speed_1[0, j, i], speed_1[1, j, i])
+            before = i - 1 if forward else i + 1
+            found = False
+            for attempt in range(2):
+                if attempt == 1 and 0 <= before < nx:  # what was left there may be absurd: start from the neighbour
+                    temperature[j, i], middle[:, j, i] = temperature[j, before], np.nan
+                dissipation[j, i], found = solve_heat_column(
+                    j, i, p[j, i], height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences,
+                    rheology, temperature, inlet, (past_1, past_2), answer, middle, mass, work, flow, slope, out,
+                )  # fmt: skip
+                if found:
+                    break
+            missed += 0 if found else 1
+            gain_1 = gain_2 = 0.0
+            for k in range(n):
+                gain_1 += differences[0][k] * temperature[j, i, k]
+                gain_2 -= differences[1][k] * temperature[j, i, k]
+            flux[0, j, i], flux[1, j, i] = heat[0] / height * gain_1, heat[0] / height * gain_2
+    return missed
+
+
+@compiled
+def body_history(flux, i, speed, weights):
+    """Sum of the weighted fluxes that a surface took up before it came to node i, without that at i [W/m^1.5]."""
+    total = 0.0
+    if speed >= 0.0:
+        for m in range(i):
+            total += weights[i - m] * flux[m]
+    else:
+        for m in range(i + 1, flux.size):
+            total += weights[m - i] * flux[m]
+    return total

@@ -1,0 +1,88 @@
+r"""Temperature of one column of film in NumPy: the readable twin of `_kernels.column_temperature`.
+
+Heat equation across the film at zeta = z/h, convection by upwind differences along x and y:
+
+.. math::
+    \rho c\,(u\,T_x + v\,T_y) + \frac{\rho c\,W}{h}\,T_\zeta = \frac{k}{h^2}\,T_{\zeta\zeta} + \tau\cdot\dot\gamma
+    + \epsilon\,T\,(u\,p_x + v\,p_y),
+
+epsilon the thermal expansion of the oil's own density law, W the velocity through the lines of constant zeta, which
+continuity gives. At the nodes inside by three-point differences for conduction and upwind ones for W, which keep the
+temperature between those it comes from where nothing heats; at the walls the bodies' temperatures answer the flux they
+take up (three-point, too),
+
+.. math:: T = T_{hist} + R\,q, \qquad q = \pm\frac{k}{h}\,T_\zeta .
+
+Conduction along the film is left out: it is thin.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .section import Section
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeatColumn:
+    """Coefficients of one column, SI; arrays of shape (n,) unless said otherwise."""
+
+    film: float  # h [m]
+    conductivity: float  # k [W/(m K)]
+    inflow: Array  # rho c (|u|/dx + |v|/dy) at the nodes [W/(m^3 K)]
+    carried: Array  # the same parts times the temperatures they come from, summed [W/m^3]
+    crossing: Array  # rho c W/h [W/(m^3 K)]
+    source: Array  # tau . rate at the last temperature [W/m^3]
+    slope: Array  # its derivative by the temperatures, shape (n, n) [W/(m^3 K)]
+    compression: Array  # eps (u p_x + v p_y) [W/(m^3 K)]
+    last: Array  # last temperature [K]
+    history: tuple[float, float]  # of body 1 and body 2 by the heat taken up before [K]
+    response: tuple[float, float]  # R of body 1 and body 2 [K m^2/W]
+
+
+def wall_slopes(section: Section) -> tuple[Array, Array]:
+    """Weights of dT/d(zeta) at both walls, each on the three nodes nearest to it, shape (n,) [-]."""
+    z, below, above = section.nodes, np.zeros(section.nodes.size), np.zeros(section.nodes.size)
+    a, b = z[1], z[2]
+    below[:3] = -(a + b) / (a * b), b / (a * (b - a)), -a / (b * (b - a))
+    above[-3:] = -below[2::-1]
+    return below, above
+
+
+def curvature(section: Section) -> Array:
+    """Matrix of d2T/d(zeta)2 at the nodes inside from their neighbours, shape (n, n), zero at the walls [-]."""
+    z = section.nodes
+    matrix = np.zeros((z.size, z.size))
+    for k in range(1, z.size - 1):
+        down, up = z[k] - z[k - 1], z[k + 1] - z[k]
+        matrix[k, k - 1 : k + 2] = np.array([1.0 / down, -1.0 / down - 1.0 / up, 1.0 / up]) * 2.0 / (down + up)
+    return matrix
+
+
+def upwind(crossing: Array, section: Section) -> Array:
+    """Matrix of W dT/d(zeta) at the nodes inside, the slope taken where W comes from, shape (n, n) [unit of W]."""
+    z = section.nodes
+    matrix = np.zeros((z.size, z.size))
+    for k in range(1, z.size - 1):
+        m = k - 1 if crossing[k] >= 0.0 else k
+        matrix[k, m : m + 2] = np.array([-1.0, 1.0]) * crossing[k] / (z[m + 1] - z[m])
+    return matrix
+
+
+def column_temperature(column: HeatColumn, section: Section) -> Array:
+    """Temperature at the nodes of a column, its source linearised at the last one, shape (n,) [K]."""
+    c = column
+    matrix = np.diag(c.inflow - c.compression) + upwind(c.crossing, section) - c.slope
+    matrix -= c.conductivity / c.film**2 * curvature(section)
+    right = c.carried + c.source - c.slope @ c.last
+    below, above = wall_slopes(section)
+    for wall, slope, body in ((0, -below, 0), (-1, above, 1)):
+        matrix[wall] = c.response[body] * c.conductivity / c.film * slope
+        matrix[wall, wall] += 1.0
+        right[wall] = c.history[body]
+    return np.asarray(np.linalg.solve(matrix, right), dtype=np.float64)

@@ -1,0 +1,1 @@
+"""Multigrid solution of the Reynolds and film equations."""

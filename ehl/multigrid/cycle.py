@@ -1,0 +1,330 @@
+"""Full approximation scheme for the lubricated contact: levels, relaxation, cycles.
+
+After Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapters 3 to 6. On every level
+
+    Reynolds   d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho u H) - d_Y(rho v H) = f,  P >= 0, complementary
+    film       H = H0 + s + c_def * double integral of P/r
+    load       integral of P = g
+
+f = 0, s = S X^2/2 + T Y^2/2 + C X Y and g = the load on the level being solved; below it they carry the coarse-grid
+correction, and the integral is over the change of P since it was injected. P and H are injected, residuals fully
+weighted, corrections interpolated bilinearly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..grid import Grid
+from ..oil.lubricant import log_viscosity_ratio
+from ..oil.numbers import oil_numbers
+from ..scaling import ScaledContact
+from ..solid.deformation import DeflectionKernel, deflect, deflection_kernel
+from . import _kernels
+from .far_field import FarField, edge_pressure, exterior_load
+from .flow_model import FlowFactors, FlowModel, entrainment_factors
+from .threads import Team
+from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
+
+Array = NDArray[np.float64]
+
+COARSEST_SWEEPS = 10
+SWEEPS = (2, 1)  # on every other level before and after the coarser ones
+# levels above the coarsest, and finest levels, that visit the next lower one once a cycle instead of twice: below,
+# calling costs more than arithmetic; above, a second visit costs more deflections than it saves
+SINGLE_VISITS = (2, 2)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Damping:
+    """Under-relaxation of one solve, all [-]."""
+
+    jacobi: float = 0.5  # of the distributive Jacobi changes
+    gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
+    correction: float = 1.0  # of the coarse-grid correction
+    approach: float = 0.1  # of the change of H0 by the load balance, on the coarsest grid
+    switch: float = 0.3  # Gauss-Seidel where Poiseuille exceeds this share of K00/hx, times (hy/hx)^1.5 if stretched
+
+    def halved(self) -> Damping:
+        """Half the changes, three quarters of the coarse-grid correction."""
+        return replace(
+            self,
+            jacobi=0.5 * self.jacobi,
+            gauss_seidel=0.5 * self.gauss_seidel,
+            correction=0.75 * self.correction,
+            approach=0.5 * self.approach,
+        )
+
+
+@dataclass(slots=True, kw_only=True)
+class Level:
+    """Workspace of one grid; all arrays of shape (ny, nx), all quantities [-]."""
+
+    grid: Grid
+    kernel: DeflectionKernel
+    gap: Array  # S X^2/2 + T Y^2/2 + C X Y
+    P: Array
+    H: Array
+    f: Array
+    s: Array
+    eps: Array
+    flow_x: Array  # rho u
+    slope_x: Array  # u d(rho)/dP
+    flow_y: Array  # rho v; empty if nothing flows along Y
+    slope_y: Array
+    scratch: Array  # always zero on the edge
+    kinds: NDArray[np.int8]  # of the nodes in the last sweep
+    factors: FlowFactors
+    start: Array | None = None  # pressure that s already holds the deflection of; below the level being solved
+    load: float = 0.0
+
+
+@dataclass(slots=True, kw_only=True)
+class Multigrid:
+    """All levels of one contact, the approach they share and the work done; all quantities [-]."""
+
+    contact: ScaledContact
+    far_field: FarField | None  # edge pressure of an open box; None: zero pressure on the edge
+    levels: tuple[Level, ...]  # coarsest first
+    damping: Damping
+    flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
+    team: Team = field(default_factory=Team)
+    approach: float = 0.0  # H0
+    exterior: float = 0.0  # load carried outside the box
+    deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
+
+    def deflected_nodes(self) -> int:
+        """Nodes times deflection FFTs so far, the measure of the work."""
+        return sum(count * self.levels[index].P.size for index, count in self.deflections.items())
+
+
+def make_multigrid(
+    contact: ScaledContact, grids: tuple[Grid, ...], far_field: FarField | None, damping: Damping
+) -> Multigrid:
+    """Allocate the levels, coarsest first."""
+    levels = []
+    for grid in grids:
+        X, Y = grid.X[None, :], grid.Y[:, None]
+        gap = 0.5 * contact.curvature_x * X**2 + 0.5 * contact.curvature_y * Y**2 + contact.curvature_xy * X * Y
+        shape = (grid.ny, grid.nx)
+        levels.append(
+            Level(
+                grid=grid,
+                kernel=deflection_kernel(grid, contact.deformation, contact.coating),
+                gap=gap,
+                s=gap,
+                P=np.zeros(shape),
+                H=np.zeros(shape),
+                f=np.zeros(shape),
+                eps=np.zeros(shape),
+                flow_x=np.zeros(shape),
+                slope_x=np.zeros(shape),
+                flow_y=np.zeros((0, 0) if grid.symmetric else shape),
+                slope_y=np.zeros((0, 0) if grid.symmetric else shape),
+                scratch=np.zeros(shape),
+                kinds=np.zeros(shape, dtype=np.int8),
+                factors=entrainment_factors(contact, grid),
+            )
+        )
+    return Multigrid(contact=contact, far_field=far_field, levels=tuple(levels), damping=damping)
+
+
+def start_level(state: Multigrid, index: int, pressure: Array) -> None:
+    """Make level `index` the one being solved, from a first guess of the pressure."""
+    level = state.levels[index]
+    level.P = np.maximum(pressure, 0.0)
+    level.f = np.zeros_like(level.P)
+    level.s, level.start = level.gap, None
+    level.load = state.contact.load - state.exterior
+    if state.far_field is None:
+        _zero_edge(level.P, level.grid)
+    update_film(state, index)
+
+
+def update_film(state: Multigrid, index: int) -> None:
+    """H = H0 + s + deflection; on the level being solved an open edge takes its pressure from the new film.
+
+    Below it s holds the film injected from above, and only the change of pressure is deflected.
+    """
+    level = state.levels[index]
+    pressure = level.P if level.start is None else level.P - level.start
+    level.H = deflect(level.kernel, pressure, state.team.threads_for(pressure.size))
+    level.H += level.s
+    level.H += state.approach
+    state.deflections[index] = state.deflections.get(index, 0) + 1
+    if state.far_field is not None and level.s is level.gap:
+        edge_pressure(state.far_field, level.grid, level.H, level.P)
+
+
+def refresh_factors(state: Multigrid, index: int) -> None:
+    """Ask the flow model for the factors of level `index`, and hand them down to the coarser ones."""
+    if state.flow_model is None:
+        return
+    level = state.levels[index]
+    factors = state.flow_model.factors(state.contact, level.grid, level.P, level.H)
+    level.factors = factors
+    for coarser in reversed(state.levels[:index]):
+        factors = factors.coarsened()
+        coarser.factors = factors
+
+
+def flow(state: Multigrid, level: Level) -> None:
+    """Flow coefficient, and density times velocity, of a level from its pressure and film."""
+    factors = level.factors
+    _oil(state, level)
+    if factors.couette_y is not None:
+        np.multiply(level.flow_x, factors.couette_y, out=level.flow_y)
+        np.multiply(level.slope_x, factors.couette_y, out=level.slope_y)
+    if factors.couette_x is not None:
+        level.flow_x *= factors.couette_x
+        level.slope_x *= factors.couette_x
+    if factors.poiseuille is not None:
+        level.eps *= factors.poiseuille
+    if factors.thinning is not None and factors.pressure is not None:
+        thicker = log_viscosity(state.contact, level.P) - log_viscosity(state.contact, factors.pressure)
+        level.eps *= np.exp(factors.thinning * thicker)
+
+
+def _oil(state: Multigrid, level: Level) -> None:
+    """eps, and rho and its slope in place of the flow, of a Newtonian oil of uniform temperature."""
+    c, out = state.contact, (level.eps, level.flow_x, level.slope_x)
+    if c.oil is None:
+        viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
+        density = (c.density_numerator, c.density_denominator)
+        _on_lines(state, level, _kernels.flow_properties, level.P, level.H, *viscosity, *density, c.speed, *out)
+    else:
+        from ..oil import _kernels as properties
+
+        law = (c.hertz_pressure, oil_numbers(c.oil), c.speed)
+        _on_lines(state, level, properties.flow_properties, level.P, level.H, *law, *out)
+
+
+def _on_lines(state: Multigrid, level: Level, kernel: Callable[..., None], *arguments: Any) -> None:
+    """Call a kernel for all lines of a level; its last arguments are the first line and the one after the last."""
+    state.team.share(partial(kernel, *arguments), range(level.grid.ny), level.P.size)
+
+
+def log_viscosity(contact: ScaledContact, P: Array) -> Array:
+    """ln(eta/eta_0) at a pressure P, shape of `P` [-]."""
+    c = contact
+    if c.oil is not None:
+        return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
+    return c.viscosity_slope * ((1.0 + c.viscosity_pressure * np.maximum(P, 0.0)) ** c.viscosity_exponent - 1.0)
+
+
+def relax(state: Multigrid, index: int) -> None:
+    """One line sweep, even lines before odd ones, and the film that belongs to it."""
+    level, damping = state.levels[index], state.damping
+    P, grid = level.P, level.grid
+    flow(state, level)
+    switch = damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5
+    couette = (level.flow_x, level.slope_x, level.flow_y, level.slope_y, level.factors.couette_y is not None)
+    mesh = (level.kernel.near, grid.hx, grid.hy, grid.symmetric)
+    numbers = (damping.gauss_seidel, switch, level.kinds, level.scratch)
+    lines = partial(_kernels.relax_lines, P, level.H, level.eps, *couette, level.f, *mesh, *numbers)
+    first = 0 if grid.symmetric else 1
+    for colour in (first, first + 1):
+        state.team.share(lines, range(colour, grid.ny - 1, 2), P.size)
+    changes = partial(_kernels.spread_changes, P, level.kinds, level.scratch, grid.hx, grid.hy, damping.jacobi)
+    state.team.share(changes, range(first, grid.ny - 1), P.size)
+    update_film(state, index)
+
+
+def reynolds_operator(level: Level) -> Array:
+    """L(P) of a level whose flow is up to date, shape (ny, nx); the level's own scratch [-]."""
+    grid, lateral = level.grid, level.factors.couette_y is not None
+    couette = (level.flow_x, level.flow_y, lateral)
+    _kernels.reynolds_operator(level.P, level.H, level.eps, *couette, grid.hx, grid.hy, grid.symmetric, level.scratch)
+    return level.scratch
+
+
+def reynolds_residual(state: Multigrid, index: int) -> Array:
+    """f - L(P), shape (ny, nx); zero on the edge and at cavitated nodes that obey L(P) <= f."""
+    level = state.levels[index]
+    flow(state, level)
+    residual = level.f - reynolds_operator(level)
+    _zero_edge(residual, level.grid)
+    residual[(level.P <= 0.0) & (residual >= 0.0)] = 0.0
+    return residual
+
+
+def load_error(state: Multigrid, index: int) -> float:
+    """(integral of P - load)/load of the contact [-]."""
+    level = state.levels[index]
+    return (level.grid.integral(level.P) - level.load) / state.contact.load
+
+
+def cycle(state: Multigrid, index: int) -> None:
+    """One cycle from level `index` down; the coarsest level also moves H0 towards the load balance.
+
+    W between the levels of `SINGLE_VISITS`, V above and below.
+    """
+    if index == 0:
+        _solve_coarsest(state)
+    else:
+        for _ in range(SWEEPS[0]):
+            relax(state, index)
+        start, approach = _restrict(state, index), state.approach
+        lowest, highest = SINGLE_VISITS
+        for _ in range(2 if lowest < index < len(state.levels) - highest else 1):
+            cycle(state, index - 1)
+        _correct(state, index, start, approach)
+        for _ in range(SWEEPS[1]):
+            relax(state, index)
+    if state.far_field is not None and state.levels[index].s is state.levels[index].gap:
+        _update_exterior(state, index)
+
+
+def _solve_coarsest(state: Multigrid) -> None:
+    level = state.levels[0]
+    stiffness = 1.0 + 2.0 * max(state.contact.film_guess, 0.0)  # a thick film answers softly
+    for _ in range(COARSEST_SWEEPS):
+        relax(state, 0)
+        step = state.damping.approach * stiffness * load_error(state, 0)
+        step = min(max(step, -0.1 * stiffness), 0.1 * stiffness)
+        state.approach += step
+        level.H += step
+
+
+def _restrict(state: Multigrid, index: int) -> Array:
+    """Set up the coarse-grid problem; returns the injected pressure the correction is counted from."""
+    fine, coarse = state.levels[index], state.levels[index - 1]
+    residual = reynolds_residual(state, index)
+    start = inject(fine.P)
+    coarse.P, coarse.start = start.copy(), start
+    coarse.H = inject(fine.H)
+    coarse.s = coarse.H - state.approach
+    coarse.load = coarse.grid.integral(start) + fine.load - fine.grid.integral(fine.P)
+    flow(state, coarse)
+    coarse.f = reynolds_operator(coarse) + full_weighting(residual, coarse.grid.symmetric)
+    return start
+
+
+def _correct(state: Multigrid, index: int, start: Array, approach: float) -> None:
+    """P += correction where P > 0, and the film by interpolation from below: the next sweep deflects it anew."""
+    fine, coarse = state.levels[index], state.levels[index - 1]
+    share = state.damping.correction
+    correction = interpolate_linear(coarse.P - start)
+    fine.P = np.where(fine.P > 0.0, np.maximum(fine.P + share * correction, 0.0), 0.0)
+    deflection = coarse.H - coarse.s - state.approach
+    fine.H += share * interpolate_cubic(deflection, fine.grid.symmetric)
+    fine.H += state.approach - approach
+
+
+def _update_exterior(state: Multigrid, index: int) -> None:
+    assert state.far_field is not None
+    level = state.levels[index]
+    state.exterior = exterior_load(state.far_field, level.grid, level.H)
+    level.load = state.contact.load - state.exterior
+
+
+def _zero_edge(values: Array, grid: Grid) -> None:
+    values[:, 0] = values[:, -1] = values[-1] = 0.0
+    if not grid.symmetric:
+        values[0] = 0.0

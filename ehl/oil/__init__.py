@@ -1,0 +1,1 @@
+"""The oil: density, viscosity, rheology and their numbers for compiled kernels."""

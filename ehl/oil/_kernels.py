@@ -1,0 +1,142 @@
+"""Viscosity and density for compiled kernels; their NumPy twins stand in `ehl.oil.lubricant`.
+
+oil: the array of `numbers.oil_numbers`.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..compiled import compiled
+
+ISOVISCOUS, BARUS, ROELANDS, TAIT_DOOLITTLE, YASUTOMI = 0, 1, 2, 3, 4  # as `numbers.VISCOSITY_CODES`
+INCOMPRESSIBLE, DOWSON_HIGGINSON, TAIT = 0, 1, 2  # as `numbers.DENSITY_CODES`
+ROELANDS_TEMPERATURE = 138.0  # as in `ehl.oil.lubricant`
+DOWSON_HIGGINSON_NUMERATOR = 0.6e-9
+DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9
+V, T = 7, 16  # as `numbers.VISCOSITY_START`, `numbers.TAIT_START`
+EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
+SLOPE_STEP = 1e-3  # [K], of difference quotients by temperature
+
+
+@compiled
+def relative_volume(pressure, temperature, oil):
+    """V/V_R after Tait [-]."""
+    above = temperature - oil[T + 2]
+    modulus = oil[T] * np.exp(-oil[T + 3] * above)
+    k = 1.0 + oil[T + 1]
+    return (1.0 + oil[T + 4] * above) * (1.0 - np.log1p(pressure * k / modulus) / k)
+
+
+@compiled
+def _log_doolittle(pressure, temperature, oil):
+    above = temperature - oil[4]
+    if oil[V + 3] > 0.0:  # an expansion of its own
+        occupied = 1.0 + oil[V + 2] * (temperature - oil[T + 2])
+        volume = relative_volume(pressure, temperature, oil)
+        extra = 0.0
+    else:
+        occupied = 1.0
+        volume = relative_volume(pressure, oil[T + 2], oil)
+        extra = -oil[5] * above
+    free = volume - oil[V + 1] * occupied
+    if free <= 0.0:
+        return EXPONENT_LIMIT
+    return oil[V] * oil[V + 1] * (occupied / free - 1.0 / (1.0 - oil[V + 1])) - oil[V + 4] + extra
+
+
+@compiled
+def _log_yasutomi(pressure, temperature, oil):
+    glass = oil[V] + oil[V + 1] * np.log1p(oil[V + 2] * pressure)
+    if oil[V + 7] > 0.0:
+        expansivity = 1.0 - oil[V + 3] * np.log1p(oil[V + 4] * pressure)
+    else:
+        expansivity = (1.0 + oil[V + 3] * pressure) ** oil[V + 4]
+    distance = max(temperature - glass, 0.0) * max(expansivity, 0.0)
+    return -oil[V + 5] * distance / (oil[V + 6] + distance) - oil[V + 8]
+
+
+@compiled
+def log_viscosity_ratio(pressure, temperature, oil):
+    """ln(eta/eta_0), at most EXPONENT_LIMIT [-]."""
+    law, above = int(oil[0]), temperature - oil[4]
+    if law == ISOVISCOUS:
+        return -oil[5] * above
+    if law == BARUS:
+        return min(oil[V] * pressure - oil[5] * above, EXPONENT_LIMIT)
+    if law == ROELANDS:
+        slope, room = oil[V], oil[4] - ROELANDS_TEMPERATURE
+        rise = np.exp(oil[V + 2] * np.log1p(pressure / oil[V + 1]))
+        if above != 0.0:
+            rise *= max(1.0 + above / room, 1e-3) ** (-oil[5] * room / slope)
+        return min(slope * (rise - 1.0), EXPONENT_LIMIT)
+    if law == TAIT_DOOLITTLE:
+        return min(_log_doolittle(pressure, temperature, oil), EXPONENT_LIMIT)
+    return min(_log_yasutomi(pressure, temperature, oil), EXPONENT_LIMIT)
+
+
+@compiled
+def viscosity(pressure, temperature, oil):
+    """Dynamic viscosity [Pa s]."""
+    return oil[2] * np.exp(log_viscosity_ratio(pressure, temperature, oil))
+
+
+@compiled
+def viscosity_softening(pressure, temperature, oil):
+    """-d(ln eta)/dT [1/K], central difference."""
+    cold = log_viscosity_ratio(pressure, temperature - SLOPE_STEP, oil)
+    return (cold - log_viscosity_ratio(pressure, temperature + SLOPE_STEP, oil)) / (2.0 * SLOPE_STEP)
+
+
+@compiled
+def density_ratio(pressure, temperature, oil):
+    """rho/rho_0 [-]."""
+    law, above = int(oil[1]), temperature - oil[4]
+    if law == TAIT:
+        ratio = relative_volume(0.0, oil[4], oil) / relative_volume(pressure, temperature, oil)
+        if oil[T + 4] > 0.0:
+            return ratio
+    elif law == DOWSON_HIGGINSON:
+        ratio = 1.0 + DOWSON_HIGGINSON_NUMERATOR * pressure / (1.0 + DOWSON_HIGGINSON_DENOMINATOR * pressure)
+    else:
+        ratio = 1.0
+    return ratio * np.exp(-oil[6] * above)
+
+
+@compiled
+def thermal_expansion(pressure, temperature, oil):
+    """-d(ln rho)/dT [1/K], central difference."""
+    cold = density_ratio(pressure, temperature - SLOPE_STEP, oil)
+    return np.log(cold / density_ratio(pressure, temperature + SLOPE_STEP, oil)) / (2.0 * SLOPE_STEP)
+
+
+@compiled
+def density_slope(pressure, oil):
+    """d(rho/rho_0)/dp at the temperature of operation [1/Pa]."""
+    law = int(oil[1])
+    if law == TAIT:
+        above = oil[4] - oil[T + 2]
+        modulus = oil[T] * np.exp(-oil[T + 3] * above)
+        k = 1.0 + oil[T + 1]
+        volume = 1.0 - np.log1p(pressure * k / modulus) / k
+        return 1.0 / ((modulus + k * pressure) * volume * volume)
+    if law == DOWSON_HIGGINSON:
+        return DOWSON_HIGGINSON_NUMERATOR / (1.0 + DOWSON_HIGGINSON_DENOMINATOR * pressure) ** 2
+    return 0.0
+
+
+@compiled
+def flow_properties(P, H, hertz_pressure, oil, speed, eps, rho, rho_slope, first, stop):
+    """eps = rho H^3/(eta lambda), rho and d(rho)/dP [-] of the lines from `first` to before `stop`, any law.
+
+    At the temperature of operation.
+    """
+    nx = P.shape[1]
+    for j in range(first, stop):
+        for i in range(nx):
+            h = max(H[j, i], 0.0)
+            p = max(P[j, i], 0.0) * hertz_pressure
+            density = density_ratio(p, oil[4], oil)
+            rho[j, i] = density
+            rho_slope[j, i] = density_slope(p, oil) * hertz_pressure
+            eps[j, i] = density * h * h * h / speed * np.exp(-log_viscosity_ratio(p, oil[4], oil))

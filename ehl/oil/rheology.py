@@ -1,0 +1,344 @@
+"""Generalised Newtonian laws: the stress vector is parallel to the shear-rate vector, its magnitude follows a law.
+
+The magnitude is a base law (Newton; Ree and Eyring; Carreau and Yasuda), and, if the rheology has a limiting stress
+tau_L, the form of Bair and Winer (1979) on top of it,
+
+    tau = tau_L [1 - exp(-tau_base/tau_L)],
+
+which for the Newtonian base is theirs to the letter, rate = -(tau_L/eta) ln(1 - tau/tau_L), never reaches tau_L, and
+leaves the base law as it is where its stress is small. On other bases it is a composition of ours with that property.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from enum import Enum
+from math import inf, isfinite
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+SMALLEST_ARGUMENT = 1e-6  # of sinh(b)/b, which is 1 from there on to round-off
+LARGEST_ARGUMENT = 300.0  # of exponentials: keeps the rate at absurd stresses, met only while iterating, finite
+NEWTON_STEPS = 30  # of the inversion of Carreau and Yasuda's law; it takes about five
+
+
+class ShearLaw(Enum):
+    """Base law of the stress magnitude."""
+
+    NEWTONIAN = "newtonian"
+    REE_EYRING = "ree-eyring"
+    CARREAU_YASUDA = "carreau-yasuda"
+
+
+LAW_CODES = {ShearLaw.NEWTONIAN: 0, ShearLaw.REE_EYRING: 1, ShearLaw.CARREAU_YASUDA: 2}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Rheology:
+    """Shear behaviour of an oil; only the constants of its own law are looked at.
+
+    Attributes
+    ----------
+    law : ShearLaw
+        Newtonian unless said otherwise.
+    eyring_stress : float
+        tau_0 of rate = (tau_0/eta) sinh(tau/tau_0), Eyring (1936) [Pa].
+    carreau_modulus : float
+        G of eta* = eta [1 + (eta rate/G)^a]^((n - 1)/a), Carreau (1972), Yasuda (1979) [Pa].
+    carreau_exponent : float
+        n, slope of ln(tau) against ln(rate) at high rates [-].
+    yasuda_exponent : float
+        a, breadth of the transition [-]; 2 is Carreau's law.
+    limiting_coefficient : float or None
+        Lambda of the limiting stress tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)] [-]; None: no limit.
+    limiting_stress : float
+        tau_L0 [Pa]; zero is Bair and Winer's tau_L = Lambda p.
+    limiting_temperature_slope : float
+        s [1/K]; Dyson's law as printed by Zhou and Hoeprich (1991), tau_L = 0.25 [1.2 p/(2.52 + 0.024 t) - 1e8 Pa]
+        with t in degrees Celsius, is Lambda = 0.3/2.52, s = 0.024/2.52 /K, T_r = 273.15 K, tau_L0 = -25 MPa.
+    reference_temperature : float
+        T_r [K].
+    limiting_minimum : float
+        Smallest tau_L [Pa]: the linear law vanishes where the pressure does, which an oil does not. A magnitude from
+        memory (unverified), above the stresses of an inlet.
+
+    Raises
+    ------
+    ValueError
+        If a constant of the law in use is out of range; the message names the field.
+    """
+
+    law: ShearLaw = ShearLaw.NEWTONIAN
+    eyring_stress: float = inf
+    carreau_modulus: float = inf
+    carreau_exponent: float = 1.0
+    yasuda_exponent: float = 2.0
+    limiting_coefficient: float | None = None
+    limiting_stress: float = 0.0
+    limiting_temperature_slope: float = 0.0
+    reference_temperature: float = 313.15
+    limiting_minimum: float = 5e6
+
+    def __post_init__(self) -> None:
+        if self.law is ShearLaw.REE_EYRING:
+            _require_positive("eyring_stress", self.eyring_stress)
+        if self.law is ShearLaw.CARREAU_YASUDA:
+            _require_positive("carreau_modulus", self.carreau_modulus)
+            _require_positive("yasuda_exponent", self.yasuda_exponent)
+            if not 0.0 < self.carreau_exponent <= 1.0:
+                raise ValueError(f"carreau_exponent must lie in (0, 1], got {self.carreau_exponent!r}")
+        if self.limiting_coefficient is not None:
+            _require_positive("limiting_coefficient", self.limiting_coefficient)
+            _require_positive("limiting_minimum", self.limiting_minimum)
+            _require_positive("reference_temperature", self.reference_temperature)
+            for field in ("limiting_stress", "limiting_temperature_slope"):
+                if not isfinite(getattr(self, field)):
+                    raise ValueError(f"{field} must be finite, got {getattr(self, field)!r}")
+
+    @property
+    def newtonian(self) -> bool:
+        """Whether the stress is eta times the rate whatever the rate."""
+        return self.law is ShearLaw.NEWTONIAN and self.limiting_coefficient is None
+
+    @property
+    def unlimited(self) -> Rheology:
+        """The base law, without a limiting stress."""
+        return replace(self, limiting_coefficient=None)
+
+
+def _require_positive(field: str, value: float) -> None:
+    if not (isfinite(value) and value > 0.0):
+        raise ValueError(f"{field} must be positive and finite, got {value!r}")
+
+
+class KernelRheology(NamedTuple):
+    """A rheology as plain numbers, to be unpacked into the arguments of compiled kernels.
+
+    `law` is the code of the base law, `stress` tau_0 or G [Pa], `exponent` n and `breadth` a [-]; the rest are the
+    constants of the limiting stress, its coefficient infinite where there is none [-], [Pa], [1/K], [K], [Pa].
+    """
+
+    law: int
+    stress: float
+    exponent: float
+    breadth: float
+    limit_coefficient: float
+    limit_stress: float
+    limit_slope: float
+    limit_temperature: float
+    limit_minimum: float
+
+
+def kernel_rheology(rheology: Rheology) -> KernelRheology:
+    """Numbers of a rheology for the kernels of `ehl.oil._rheology_kernels`; the one place where a law becomes a code."""
+    return KernelRheology(
+        law=LAW_CODES[rheology.law],
+        stress=rheology.eyring_stress if rheology.law is ShearLaw.REE_EYRING else rheology.carreau_modulus,
+        exponent=rheology.carreau_exponent,
+        breadth=rheology.yasuda_exponent,
+        limit_coefficient=inf if rheology.limiting_coefficient is None else rheology.limiting_coefficient,
+        limit_stress=rheology.limiting_stress,
+        limit_slope=rheology.limiting_temperature_slope,
+        limit_temperature=rheology.reference_temperature,
+        limit_minimum=rheology.limiting_minimum,
+    )
+
+
+def eased(rheology: Rheology, share: float) -> Rheology:
+    """The same law with all its stresses divided by a share: the smaller that is, the more Newtonian the oil.
+
+    Parameters
+    ----------
+    rheology : Rheology
+    share : float
+        In (0, 1] [-]; 1 returns the rheology itself.
+    """
+    if share == 1.0:
+        return rheology
+    coefficient = rheology.limiting_coefficient
+    return replace(
+        rheology,
+        eyring_stress=rheology.eyring_stress / share,
+        carreau_modulus=rheology.carreau_modulus / share,
+        limiting_coefficient=None if coefficient is None else coefficient / share,
+        limiting_stress=rheology.limiting_stress / share,
+        limiting_minimum=rheology.limiting_minimum / share,
+    )
+
+
+def limiting_stress(pressure: ArrayLike, rheology: Rheology, temperature: ArrayLike | None = None) -> Array:
+    """tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least `limiting_minimum` [Pa]; infinite if there is no limit.
+
+    Parameters
+    ----------
+    pressure : array_like
+        Pressure p [Pa].
+    rheology : Rheology
+    temperature : array_like, optional
+        Temperature T [K]; None: the reference temperature.
+    """
+    p = np.asarray(pressure, dtype=np.float64)
+    if rheology.limiting_coefficient is None:
+        return np.full_like(p, inf)
+    excess = 0.0 if temperature is None else np.asarray(temperature) - rheology.reference_temperature
+    softening = np.maximum(1.0 + rheology.limiting_temperature_slope * excess, 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        limit = rheology.limiting_stress + rheology.limiting_coefficient * p / softening
+    return np.fmax(limit, rheology.limiting_minimum)
+
+
+def shear_stress(
+    rate: ArrayLike,
+    viscosity: ArrayLike,
+    pressure: ArrayLike,
+    rheology: Rheology,
+    temperature: ArrayLike | None = None,
+) -> Array:
+    """Shear stress tau at a shear rate [Pa]; odd in the rate.
+
+    Parameters
+    ----------
+    rate : array_like
+        Shear rate [1/s].
+    viscosity : array_like
+        Low-shear viscosity eta at pressure and temperature [Pa s].
+    pressure : array_like
+        Pressure [Pa], for the limiting stress.
+    rheology : Rheology
+    temperature : array_like, optional
+        Temperature [K], for the limiting stress; None: its reference temperature.
+
+    Returns
+    -------
+    ndarray, shape of the arguments together
+        Shear stress [Pa].
+    """
+    rate, eta = np.asarray(rate, dtype=np.float64), np.asarray(viscosity, dtype=np.float64)
+    newtonian = eta * np.abs(rate)
+    if rheology.law is ShearLaw.REE_EYRING:
+        stress = rheology.eyring_stress * np.arcsinh(newtonian / rheology.eyring_stress)
+    elif rheology.law is ShearLaw.CARREAU_YASUDA:
+        n, a = rheology.carreau_exponent, rheology.yasuda_exponent
+        stress = newtonian * (1.0 + (newtonian / rheology.carreau_modulus) ** a) ** ((n - 1.0) / a)
+    else:
+        stress = newtonian
+    if rheology.limiting_coefficient is not None:
+        limit = limiting_stress(pressure, rheology, temperature)
+        stress = -limit * np.expm1(-stress / limit)
+    return np.copysign(stress, rate)
+
+
+def shear_rate(
+    stress: ArrayLike,
+    viscosity: ArrayLike,
+    pressure: ArrayLike,
+    rheology: Rheology,
+    temperature: ArrayLike | None = None,
+) -> Array:
+    """Shear rate at a shear stress [1/s], the inverse of `shear_stress`; infinite at and beyond the limiting stress.
+
+    Parameters
+    ----------
+    stress : array_like
+        Shear stress [Pa].
+    viscosity, pressure, rheology, temperature
+        As in `shear_stress`.
+
+    Returns
+    -------
+    ndarray, shape of the arguments together
+        Shear rate [1/s].
+    """
+    tau, eta = np.abs(np.asarray(stress, dtype=np.float64)), np.asarray(viscosity, dtype=np.float64)
+    if rheology.limiting_coefficient is not None:
+        limit = limiting_stress(pressure, rheology, temperature)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            tau = np.where(tau < limit, -limit * np.log1p(-np.minimum(tau / limit, 1.0)), inf)
+    if rheology.law is ShearLaw.REE_EYRING:
+        tau_0 = rheology.eyring_stress
+        newtonian = np.where(np.isinf(tau), inf, tau_0 * np.sinh(np.minimum(tau / tau_0, LARGEST_ARGUMENT)))
+    elif rheology.law is ShearLaw.CARREAU_YASUDA:
+        newtonian = rheology.carreau_modulus * _carreau_inverse(tau / rheology.carreau_modulus, rheology)
+    else:
+        newtonian = tau
+    return np.copysign(newtonian / eta, stress)
+
+
+def _carreau_inverse(s: Array, rheology: Rheology) -> Array:
+    """x of x [1 + x^a]^((n - 1)/a) = s, x = eta rate/G and s = tau/G, by Newton's method in ln x [-]."""
+    n, a = rheology.carreau_exponent, rheology.yasuda_exponent
+    safe = np.where((s > 0.0) & np.isfinite(s), s, 1.0)
+    wanted = np.log(safe)
+    u = np.maximum(wanted, wanted / n)  # the larger of the two asymptotes
+    for _ in range(NEWTON_STEPS):
+        knee = np.logaddexp(0.0, a * u)  # ln(1 + x^a)
+        step = (u + (n - 1.0) / a * knee - wanted) / (1.0 + (n - 1.0) * np.exp(a * u - knee))
+        u = u - step
+        if np.max(np.abs(step), initial=0.0) < 1e-14:
+            break
+    return np.where((s > 0.0) & np.isfinite(s), np.exp(np.minimum(u, LARGEST_ARGUMENT)), s)
+
+
+def effective_viscosity(
+    rate: ArrayLike,
+    viscosity: ArrayLike,
+    pressure: ArrayLike,
+    rheology: Rheology,
+    temperature: ArrayLike | None = None,
+) -> Array:
+    """eta* = tau/rate at a shear rate, eta where the rate vanishes; arguments as `shear_stress` [Pa s]."""
+    rate, eta = np.asarray(rate, dtype=np.float64), np.asarray(viscosity, dtype=np.float64)
+    moving = rate != 0.0
+    stress = shear_stress(rate, eta, pressure, rheology, temperature)
+    return np.where(moving, stress / np.where(moving, rate, 1.0), eta)
+
+
+def shear_stress_vector(
+    rates: tuple[ArrayLike, ArrayLike],
+    viscosity: ArrayLike,
+    pressure: ArrayLike,
+    rheology: Rheology,
+    temperature: ArrayLike | None = None,
+) -> tuple[Array, Array]:
+    """Stresses (tau_x, tau_y) [Pa] at the rates (rate_x, rate_y) [1/s]: parallel, eta* by the rate's magnitude."""
+    x, y = (np.asarray(rate, dtype=np.float64) for rate in rates)
+    effective = effective_viscosity(np.hypot(x, y), viscosity, pressure, rheology, temperature)
+    return effective * x, effective * y
+
+
+def shear_rate_vector(
+    stresses: tuple[ArrayLike, ArrayLike],
+    viscosity: ArrayLike,
+    pressure: ArrayLike,
+    rheology: Rheology,
+    temperature: ArrayLike | None = None,
+) -> tuple[Array, Array]:
+    """Rates (rate_x, rate_y) [1/s] at the stresses (tau_x, tau_y) [Pa], the inverse of `shear_stress_vector`."""
+    x, y = (np.asarray(stress, dtype=np.float64) for stress in stresses)
+    magnitude = np.hypot(x, y)
+    rate = shear_rate(magnitude, viscosity, pressure, rheology, temperature)
+    loaded = magnitude > 0.0
+    fluidity = np.where(loaded, rate / np.where(loaded, magnitude, 1.0), 1.0 / np.asarray(viscosity, dtype=np.float64))
+    return fluidity * x, fluidity * y
+
+
+def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
+    """Fluidity of a film in which the stress rises across it over that in which it does not [-]; Ree-Eyring only.
+
+    sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano (1987). The direction of
+    the sliding is not looked at. Other laws have no such factor that holds for any sliding: 1.
+
+    Parameters
+    ----------
+    rise : ndarray
+        Of the stress from wall to wall, h times the pressure gradient [Pa].
+    rheology : Rheology
+    """
+    if rheology.law is not ShearLaw.REE_EYRING:
+        return np.ones_like(rise)
+    b = np.clip(0.5 * np.abs(rise) / rheology.eyring_stress, SMALLEST_ARGUMENT, LARGEST_ARGUMENT)
+    return np.asarray(np.sinh(b) / b, dtype=np.float64)

@@ -1,0 +1,1 @@
+"""The bodies: elastic deflection, coatings, heat conduction, stress below the contact."""

@@ -1,0 +1,34 @@
+from .laws import ContactShape, CoulombLaw, FourConstantLaw, FrictionLaw, TractionForces, four_constants
+from .response import NormalResponse, normal_response
+from .shear import Cavitation, ShearFields, TractionResult, integrate_traction, shear_fields
+from .table.build import TableOptions, build_table
+from .table.storage import inputs_digest, load_table, save_table
+from .table.table import TableContact, TableError, TableRange, TractionTable
+from .table.temperature import TemperatureTable, build_temperature_table
+
+__all__ = [
+    "Cavitation",
+    "ContactShape",
+    "CoulombLaw",
+    "FourConstantLaw",
+    "FrictionLaw",
+    "NormalResponse",
+    "ShearFields",
+    "TableContact",
+    "TableError",
+    "TableOptions",
+    "TableRange",
+    "TemperatureTable",
+    "TractionForces",
+    "TractionResult",
+    "TractionTable",
+    "build_table",
+    "build_temperature_table",
+    "four_constants",
+    "inputs_digest",
+    "integrate_traction",
+    "load_table",
+    "normal_response",
+    "save_table",
+    "shear_fields",
+]

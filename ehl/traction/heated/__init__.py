@@ -1,0 +1,1 @@
+"""Shear of films heated by sliding."""

@@ -1,0 +1,1 @@
+"""Traction tables: films, sampling, storage, interpolation."""

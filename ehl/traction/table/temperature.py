@@ -1,0 +1,170 @@
+"""Traction tables over the temperature of the oil at the inlet: tables of one contact at several, and between them.
+
+Scales, films and forces between the temperatures are those of the polynomial in T through the nearest tables, up to
+four. All tables have the same nodes, so that one at any temperature between is the weighted sum of their coefficients:
+it is made once, and a lookup in it costs what one in a table of a single temperature does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from itertools import pairwise
+
+import numpy as np
+
+from ...oil.lubricant import Lubricant
+from .build import Progress, TableOptions, build_table, check_table
+from .table import Array, TableContact, TableError, TableRange, TractionTable
+
+NEAREST = 4  # tables that a place between them is made of
+OIL_TOLERANCE = 0.03  # relative; what interpolation over the temperature may be off by
+SIMILAR = 1e-12  # relative difference of the axes of tables of the same nodes
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TemperatureTable:
+    """Traction of one contact at several temperatures of its oil.
+
+    Attributes
+    ----------
+    tables : tuple of TractionTable
+        Of the same range and nodes, at rising temperatures.
+    errors : tuple of TableError
+        Of the tables half-way between neighbours, against films and shear at that temperature.
+    """
+
+    tables: tuple[TractionTable, ...]
+    errors: tuple[TableError, ...] = ()
+
+    def __post_init__(self) -> None:
+        if len(self.tables) < 2 or any(b <= a for a, b in pairwise(self.temperatures)):
+            raise ValueError(f"tables must be two or more at rising temperatures, got {self.temperatures} K")
+        first = self.tables[0]
+        for table in self.tables[1:]:
+            if table.range != first.range or not np.allclose(table.axes, first.axes, rtol=SIMILAR):
+                raise ValueError("tables must have the same range and nodes")
+
+    @property
+    def temperatures(self) -> tuple[float, ...]:
+        """Of the tables [K]."""
+        return tuple(table.contact.temperature for table in self.tables)
+
+    @property
+    def converged(self) -> bool:
+        """Whether every table is, and those between keep the tolerance."""
+        return all(table.converged for table in self.tables) and all(error.reached for error in self.errors)
+
+    def replaced(self, table: TractionTable) -> TemperatureTable:
+        """These with a table in place of the one at its temperature [K]; without it where there is none there."""
+        at = table.contact.temperature
+        return replace(self, tables=tuple(table if one.contact.temperature == at else one for one in self.tables))
+
+    def at(self, temperature: float, lubricant: Lubricant | None = None) -> TractionTable:
+        """The table at a temperature.
+
+        Parameters
+        ----------
+        temperature : float
+            [K].
+        lubricant : Lubricant, optional
+            The oil there; None: that of the nearest table, but for viscosities and density between.
+
+        Raises
+        ------
+        ValueError
+            If the temperature is out of range, or the lubricant's viscosities are not those between the tables'.
+        """
+        known = np.array(self.temperatures)
+        if not known[0] <= temperature <= known[-1]:
+            raise ValueError(
+                f"temperature must lie within {known[0]:.2f} to {known[-1]:.2f} K, those of the table, "
+                f"got {temperature:.2f} K"
+            )
+        order = np.argsort(np.abs(known - temperature), kind="stable")
+        nearest = self.tables[int(order[0])]
+        if known[order[0]] == temperature:
+            _require_same(nearest.contact.lubricant, lubricant)
+            return nearest
+        chosen = order[:NEAREST]
+        weights, tables = lagrange_weights(known[chosen], temperature), [self.tables[int(k)] for k in chosen]
+        oil = _oil(nearest.contact.lubricant, [table.contact.lubricant for table in tables], weights, temperature)
+        _require_same(oil, lubricant)
+        return replace(
+            nearest,
+            contact=replace(nearest.contact, temperature=temperature, lubricant=lubricant or oil),
+            scalars=_sum(weights, [table.scalars for table in tables]),
+            values=_sum(weights, [table.values for table in tables]),
+            kappa_max=max(table.kappa_max for table in tables),
+            converged=self.converged,
+            message=f"between tables at {', '.join(f'{table.contact.temperature:.2f}' for table in tables)} K",
+        )
+
+
+def build_temperature_table(
+    contact_at: Callable[[float], TableContact],
+    temperatures: Sequence[float],
+    limits: TableRange,
+    options: TableOptions | None = None,
+    progress: Progress | None = None,
+) -> TemperatureTable:
+    """Tables at several temperatures [K], checked half-way between them.
+
+    Parameters
+    ----------
+    contact_at : callable
+        The contact with its oil at a temperature [K].
+    temperatures : sequence of float
+        Two or more, rising [K].
+    limits : TableRange
+    options : TableOptions, optional
+    progress : callable, optional
+        Called with films done, films wanted so far, and a word.
+
+    Returns
+    -------
+    TemperatureTable
+    """
+    options = options or TableOptions()
+    tables = [build_table(contact_at(one), limits, options, progress) for one in temperatures]
+    most = np.max([table.axes[:, 2] for table in tables], axis=0)
+    load, speed, slide_x, slide_y, spin = (int(count) for count in most)
+    same = replace(options, nodes=(load, speed, slide_x, slide_y, spin), rounds=1)
+    tables = [
+        table if np.array_equal(table.axes[:, 2], most) else build_table(table.contact, limits, same, progress)
+        for table in tables
+    ]
+    found = TemperatureTable(tables=tuple(tables))
+    middles = [0.5 * (a + b) for a, b in pairwise(found.temperatures)]
+    return replace(found, errors=tuple(check_table(found.at(one), contact_at(one), options) for one in middles))
+
+
+def lagrange_weights(places: Array, place: float) -> Array:
+    """Weights of values at places [same unit] in the polynomial through them at another place [-], Lagrange."""
+    return np.array([np.prod([(place - b) / (a - b) for b in places if b != a]) for a in places])
+
+
+def _require_same(expected: Lubricant, given: Lubricant | None) -> None:
+    """An oil is that of the tables, to `OIL_TOLERANCE`."""
+    for field in ("viscosity", "pressure_viscosity"):
+        wanted = getattr(expected, field)
+        if given is not None and abs(getattr(given, field) - wanted) > OIL_TOLERANCE * wanted:
+            raise ValueError(f"made for another oil: its {field} is {wanted:.4g}, not {getattr(given, field):.4g}")
+
+
+def _sum(weights: Array, parts: Sequence[Array]) -> Array:
+    total = np.zeros_like(parts[0])
+    for weight, part in zip(weights, parts, strict=True):
+        total += weight * part
+    return total
+
+
+def _oil(nearest: Lubricant, oils: Sequence[Lubricant], weights: Array, temperature: float) -> Lubricant:
+    """An oil with the viscosities and the density between; further constants of its laws are the nearest one's."""
+    viscosity = float(np.exp(weights @ np.log([oil.viscosity for oil in oils])))
+    slope = float(weights @ np.array([oil.pressure_viscosity for oil in oils]))
+    density = float(weights @ np.array([oil.density for oil in oils]))
+    given = {"viscosity": viscosity, "density": density, "temperature": temperature}
+    if nearest.tait is None and nearest.yasutomi is None:  # else the coefficient is that of the law's constants
+        given["pressure_viscosity"] = slope
+    return replace(nearest, **given)  # type: ignore[arg-type]

@@ -1,0 +1,55 @@
+"""Results of a batch, point by point."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BatchPoint:
+    """One point: its place in the sweep, the values varied, how it ended, and its summary if it has one."""
+
+    number: int
+    block: str
+    values: dict[str, Any]
+    case: dict[str, Any]
+    key: str
+    resumed: bool
+    status: str
+    message: str
+    summary: dict[str, Any] | None
+
+    @property
+    def converged(self) -> bool:
+        """Whether the point was computed and everything in it converged."""
+        return self.summary is not None and bool(self.summary.get("converged"))
+
+    @property
+    def label(self) -> str:
+        """The varied values in words."""
+        return ", ".join(f"{key} = {value}" for key, value in self.values.items())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BatchResults:
+    """A whole batch: `sweep` is the text of its file, `case` the name of the case it varies.
+
+    `plot`: names of the numbers that its file wants to be drawn.
+    """
+
+    version: str
+    title: str
+    case: str
+    sweep: str
+    keys: tuple[str, ...]
+    points: tuple[BatchPoint, ...]
+    messages: tuple[str, ...] = ()
+    assumed: tuple[str, ...] = ()
+    plot: tuple[str, ...] = ()
+    timing: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def converged(self) -> bool:
+        """Whether every point converged."""
+        return all(point.converged for point in self.points)

@@ -1,0 +1,270 @@
+"""Figures of the whole bearing: film or pressure of every ball over the azimuth, and the load zone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import degrees, pi
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ..contact.plots import draw_map
+from ..contact.view import ContactView, contact_view
+from ..plot_style import (
+    INK,
+    INNER_COLOUR,
+    OUTER_COLOUR,
+    PAGE_WIDTH,
+    REFERENCE,
+    SHOWN_INLET,
+    SHOWN_OUTLET,
+    SHOWN_SIDE,
+    common_film_range,
+    film_ticks,
+)
+from ..results import BearingResults
+from ..units import GIGAPASCAL, MICROMETRE
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from bearing.quasistatic.solution import QuasistaticSolution
+    from ehl import ContactSolution
+
+DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
+ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
+FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])  # of the central film, contour lines of small maps
+PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
+WIDE_LABEL = 8  # characters of azimuths that fit above a map
+COLUMNS = 6  # maps side by side at most
+RACES = ("inner", "outer")
+FOOTNOTES = {
+    "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and minimum film; "
+    "film beyond the colour scale is grey;\ncontour lines at 0.8 ... 1.5 of each contact's central film; "
+    "error bars: uncertainty of the solution",
+    "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest pressure; "
+    "contour lines at 0.1, 0.3 ... 0.9 of it",
+}
+COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BallColumn:
+    """Balls whose two contacts are the same, at azimuths that mirror each other about the load line."""
+
+    azimuths: tuple[float, ...]  # [deg]
+    views: dict[str, ContactView | None]  # by race
+    row: int | None  # of several, from 1
+    window: tuple[float, float, float]  # ends along the rolling direction, half width, of every column [mm]
+
+    @property
+    def label(self) -> str:
+        """Azimuths in words, on two lines if they are long."""
+        words = [f"{a:.4g}°" for a in self.azimuths]
+        if self.row is not None:
+            words[-1] += f"\nrow {self.row}"
+        return ", ".join(words) if sum(map(len, words)) <= WIDE_LABEL else ",\n".join(words)
+
+
+def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
+    """Columns of the overview: one per ball, mirrored equal balls together, at most `COLUMNS` spread evenly.
+
+    Parameters
+    ----------
+    results : BearingResults
+
+    Returns
+    -------
+    tuple of BallColumn
+        Azimuths in [deg], ascending; all views show one window.
+    """
+    groups: dict[tuple[float, int, int, int], list[float]] = {}
+    pairs: dict[tuple[float, int, int, int], tuple[ContactSolution | None, ContactSolution | None]] = {}
+    for i in range(0, len(results.contacts), 2):
+        azimuth = degrees(results.contacts[i].azimuth) % 360.0
+        pair = results.solutions[i], results.solutions[i + 1]
+        key = (round(min(azimuth, 360.0 - azimuth), 6), results.contacts[i].row, id(pair[0]), id(pair[1]))
+        groups.setdefault(key, []).append(azimuth)
+        pairs[key] = pair
+    with_film = [key for key, pair in pairs.items() if pair != (None, None)]  # else no film was asked for
+    keys = sorted(with_film or groups, key=lambda key: (groups[key][0], key[1]))
+    chosen = np.unique(np.linspace(0, len(keys) - 1, min(COLUMNS, len(keys))).round().astype(int))
+    distinct = {id(s): s for key in keys for s in pairs[key] if s is not None}
+    window = _common_window([contact_view(s) for s in distinct.values()])
+    views = {name: contact_view(s, window) for name, s in distinct.items()}
+    return tuple(
+        BallColumn(
+            azimuths=tuple(sorted(groups[key])),
+            views={race: views.get(id(s)) for race, s in zip(RACES, pairs[key], strict=True)},
+            row=key[1] if len(results.quasistatic.rows) > 1 else None,
+            window=window,
+        )
+        for key in (keys[i] for i in chosen)
+    )
+
+
+def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
+    """Part of the contact plane that all maps show: ends along the rolling direction, half width [mm]."""
+    x_in = max((-SHOWN_INLET * v.half_x for v in views), default=1.0)
+    x_out = max((SHOWN_OUTLET * v.half_x for v in views), default=1.0)
+    return -x_in, x_out, max((SHOWN_SIDE * v.half_y for v in views), default=1.0)
+
+
+def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> None:
+    """Maps of both races ball by ball on one colour scale, above the values over the azimuth.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Empty.
+    results : BearingResults
+        With at least one film.
+    quantity : {"film", "pressure"}
+        Film in [um] or pressure in [GPa].
+    """
+    columns = ball_columns(results)
+    figure.set_size_inches(PAGE_WIDTH, 6.0)
+    figure.suptitle(str(results.case.get("title", "")), fontsize=8.5)
+    halves: Any = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
+    upper, lower = halves
+    panels: Any = upper.subplots(2, len(columns), squeeze=False)
+    limits = _limits([c.views[race] for c in columns for race in RACES], quantity)
+    image = None
+    for row, race in enumerate(RACES):
+        for panel, column in zip(panels[row], columns, strict=True):
+            image = _small_map(panel, column.views[race], quantity, limits) or image
+            panel.set_xlim(*columns[0].window[:2])
+            _few_ticks(panel, columns[0].window)
+            panel.set_ylim(-columns[0].window[2], columns[0].window[2])
+        panels[row, 0].set_ylabel(f"{race} race\ntransverse $y$ [mm]")
+    for panel, column in zip(panels[0], columns, strict=True):
+        panel.set_title(f"ψ = {column.label}")
+        panel.set_xticklabels([])
+    for panel in panels[1]:
+        panel.set_xlabel("rolling $x$ [mm]")
+    for panel in panels[:, 1:].flat:
+        panel.set_yticklabels([])
+    label = "film thickness [µm]" if quantity == "film" else "pressure [GPa]"
+    bar = upper.colorbar(image, ax=panels, label=label, extend="max" if quantity == "film" else "neither", aspect=40)
+    if quantity == "film":
+        bar.ax.minorticks_off()
+        bar.set_ticks(film_ticks(*limits), labels=[f"{tick:.3g}" for tick in film_ticks(*limits)])
+    _over_azimuth(lower.subplots(), results, quantity)
+    lower.supxlabel(FOOTNOTES[quantity], fontsize=6.5, color=REFERENCE)
+
+
+def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, float]:
+    """Ends of the common colour scale over all maps."""
+    shown = [v for v in views if v is not None]
+    if quantity == "pressure":
+        return 0.0, max(v.pressure_top for v in shown)
+    return common_film_range([v.central for v in shown], [v.minimum for v in shown])
+
+
+def _few_ticks(axes: Axes, window: tuple[float, float, float]) -> None:
+    """Ticks along the rolling direction that fit below a narrow map."""
+    step = float(f"{0.4 * (window[1] - window[0]):.0e}")
+    ticks = [k * step for k in (-2, -1, 0, 1, 2) if window[0] <= k * step <= window[1]]
+    axes.set_xticks(ticks, [f"{tick:.3g}".replace("-", "−") for tick in ticks])
+
+
+def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tuple[float, float]) -> Any:
+    """One map in semi-axes of its own Hertz ellipse; an empty panel says that there is no contact."""
+    if view is None:
+        axes.set_facecolor("#eeeeee")
+        axes.text(0.5, 0.5, "no film", ha="center", va="center", transform=axes.transAxes, color=REFERENCE)
+        axes.set_xticks([])
+        axes.set_yticks([])
+        return None
+    film = quantity == "film"
+    levels = view.central * FILM_LEVELS if film else view.pressure_top * PRESSURE_LEVELS
+    levels = levels[levels < limits[1]]
+    image = draw_map(axes, view, quantity, limits, levels)
+    axes.set_facecolor(image.get_cmap()(np.inf if film else 0.0))
+    axes.set_xlabel("")
+    axes.set_ylabel("")
+    text = f"{view.central:#.3g}\n{view.minimum:#.3g} µm" if film else f"{view.pressure_top:#.3g} GPa"
+    axes.text(0.04, 0.03, text, fontsize=6.5, transform=axes.transAxes, color=INK)
+    axes.text(0.04, 0.97, view.doubt, fontsize=6.5, va="top", transform=axes.transAxes, color=OUTER_COLOUR)
+    return image
+
+
+def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
+    """Film with error bars, or pressure, of every contact over the azimuth."""
+    for race in RACES:
+        pairs = [
+            (degrees(c.azimuth) % 360.0 + ROW_DODGE * (c.row - 0.5 * (1 + len(results.quasistatic.rows))), s)
+            for c, s in zip(results.contacts, results.solutions, strict=True)
+            if s is not None and c.race.value == race
+        ]
+        if not pairs:
+            continue
+        azimuth = np.array([p[0] for p in pairs])
+        azimuth += -DODGE if race == "inner" else DODGE
+        if quantity == "film":
+            _film_points(axes, azimuth, [p[1] for p in pairs], race)
+        else:
+            maximum = [p[1].pressure_maximum / GIGAPASCAL for p in pairs]
+            hertz = [p[1].hertz_pressure / GIGAPASCAL for p in pairs]
+            axes.plot(azimuth, maximum, "o", color=COLOURS[race], markersize=4, label=f"{race} race, largest")
+            axes.plot(azimuth, hertz, "_", color=COLOURS[race], markersize=9, label=f"{race} race, Hertz")
+    axes.set_xlim(-12.0, 372.0)
+    balls = np.unique(np.round(np.degrees(results.quasistatic.azimuth) % 360.0, 6))
+    axes.set_xticks(balls if len(balls) <= 12 else np.arange(0.0, 361.0, 30.0))
+    axes.set_ylim(0.0, 1.12 * axes.get_ylim()[1])
+    axes.set_xlabel("azimuth ψ from the load line [deg]")
+    axes.set_ylabel("film thickness [µm]" if quantity == "film" else "pressure [GPa]")
+    axes.grid(linewidth=0.3, alpha=0.5)
+    axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+
+
+def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], race: str) -> None:
+    for name, marker, filled in (("central", "o", True), ("minimum", "v", False)):
+        value = [getattr(s, f"film_{name}") / MICROMETRE for s in solutions]
+        error = [getattr(s, f"film_{name}_uncertainty") / MICROMETRE for s in solutions]
+        face = COLOURS[race] if filled else "white"
+        style: Any = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4, "capsize": 3, "linewidth": 0.9}
+        axes.errorbar(azimuth, value, error, fmt=marker, label=f"{race} race, {name}", **style)
+
+
+def draw_load_zone(figure: Figure, results: BearingResults) -> None:
+    """Contact loads over the azimuth, seen against the axis x: the load line upwards, azimuth counter-clockwise.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Empty.
+    results : BearingResults
+        Loads in [N].
+    """
+    state = results.quasistatic
+    rows = len(state.rows)
+    figure.set_size_inches(min(0.5 * rows, 1.0) * PAGE_WIDTH, 3.9 if rows == 1 else 4.3)
+    figure.suptitle(str(results.case.get("title", "")), fontsize=7.5, wrap=True)
+    panels: Any = figure.subplots(1, rows, squeeze=False, subplot_kw={"projection": "polar"})
+    top = float(max(state.outer_load.max(), state.inner_load.max()))
+    for index, axes in enumerate(panels[0]):
+        _load_zone(axes, state.row(index), top, f"row {index + 1}: " if rows > 1 else "")
+
+
+def _load_zone(axes: Any, state: QuasistaticSolution, top: float, name: str) -> None:
+    """Contact loads of one row as bars, on a scale up to the largest load of all rows [N]."""
+    axes.set_theta_zero_location("N")
+    width = 0.55 * 2.0 * pi / len(state.azimuth)
+    axes.bar(state.azimuth, state.outer_load, width, color=OUTER_COLOUR, alpha=0.35, label="outer race")
+    axes.bar(state.azimuth, state.inner_load, 0.55 * width, color=INNER_COLOUR, label="inner race")
+    axes.set_xticks(state.azimuth, [f"{degrees(a) % 360.0:.4g}°" for a in state.azimuth])
+    emptiest = int(np.argmin(state.outer_load + np.roll(state.outer_load, -1)))
+    axes.set_rlabel_position(degrees(state.azimuth[emptiest] + pi / len(state.azimuth)) % 360.0)
+    axes.set_rlim(0.0, 1.05 * top if top > 0.0 else 1.0)
+    axes.set_rticks([tick for tick in axes.get_yticks() if 0.0 < tick <= top][1::2])
+    axes.set_axisbelow(True)
+    axes.grid(linewidth=0.3)
+    axes.legend(
+        title=f"{name}contact load [N] by azimuth ψ",
+        title_fontsize=7,
+        ncols=2,
+        loc="upper center",
+        bbox_to_anchor=(0.5, -0.08),
+    )

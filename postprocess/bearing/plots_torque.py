@@ -1,0 +1,155 @@
+"""Figures of the friction torque: all models side by side in their components, and the share of every ball."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import degrees
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..plot_style import INK, PAGE_WIDTH, REFERENCE
+from ..units import NEWTON_MILLIMETRE, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from bearing.torque.models import ModelTorque
+
+    from ..results import BearingResults
+
+LABELS = {
+    "integrated": "integrated films",
+    "pure_rolling_lines": "pure rolling lines",
+    "balanced_lines": "lines, balanced",
+    "coulomb": "Coulomb, 2-D, balanced",
+    "constant_coulomb": "lines, µ = 0.07",
+    "kakuta": "Kakuta",
+    "houpert": "Houpert",
+    "starved": "by oil supply",
+    "skf": "SKF",
+    "skf_lambda": "SKF, λ of the films",
+    "skf_as_printed": "SKF, as printed",
+    "palmgren": "Palmgren",
+    "yao": "Yao et al.",
+}
+OIL, SLIDING, SPIN, CURVATURE, ROTATION, ORBIT = "#4c78a8", "#d67b1f", "#b23a3a", "#e0b35a", "#f0dcae", "#8c6bb1"
+CAGE, DRAG, SEAL, ASPERITY, LOAD = "#5a8f5a", "#79b7c9", "#9a9a9a", "#4d3b2f", "#a65e7d"
+KINDS = (  # what one colour stands for, and the components of the models that are of this kind
+    ("oil: rolling resistance", OIL, ("rolling", "hydrodynamic", "viscous", "ML")),
+    ("sliding", SLIDING, ("sliding", "film")),
+    ("spin", SPIN, ("spin", "MS")),
+    ("curvature slip", CURVATURE, ("curvature", "MD")),
+    ("curvature slip: ball rotation", ROTATION, ("rotation",)),
+    ("curvature slip: orbit", ORBIT, ("orbit",)),
+    ("asperities", ASPERITY, ("asperity",)),
+    ("hysteresis", REFERENCE, ("ME",)),
+    ("load term", LOAD, ("load",)),
+    ("cage", CAGE, ("cage", "MC")),
+    ("churning", DRAG, ("drag",)),
+    ("seals", SEAL, ("seal",)),
+)
+VISIBLE = 1.0e-4  # of the largest torque: smaller parts are not drawn
+
+
+def draw_torque(figure: Figure, results: BearingResults) -> None:
+    """Stacked bars of every model that applies; beside them the torque of each ball over its azimuth, where known.
+
+    Parameters
+    ----------
+    figure : Figure
+    results : BearingResults
+        With a torque of at least one model [N m].
+    """
+    torque = results.torque
+    if torque is None:
+        raise ValueError("no torque to draw")
+    known = {name: model for name, model in torque.models.items() if model.total is not None}
+    shares = None if torque.shear is None else torque.shear.torque.per_ball
+    figure.set_size_inches(PAGE_WIDTH, 1.1 + 0.26 * len(known) + (1.9 if shares is not None else 0.0))
+    figure.suptitle(f"{results.case.get('title', '')}\nfriction torque by model", fontsize=8.5)
+    if shares is None:
+        draw_models(figure.subplots(), known, torque.chosen)
+        return
+    upper, lower = figure.subplots(2, 1, height_ratios=[0.26 * len(known) + 0.5, 1.6])
+    draw_models(upper, known, torque.chosen)
+    _draw_balls(lower, results, shares / NEWTON_MILLIMETRE)
+
+
+def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None = None) -> None:
+    """Horizontal stacked bars of models [N mm], the chosen one in bold."""
+    largest = max((sum(map(abs, model.components.values())) for model in models.values()), default=0.0)
+    names = [name for name in LABELS if name in models]
+    for row, name in enumerate(names):
+        _draw_bar(axes, row, models[name], VISIBLE * largest)
+    axes.set_yticks(range(len(names)), [LABELS[name] for name in names])
+    for label, name in zip(axes.get_yticklabels(), names, strict=True):
+        if name == chosen:
+            label.set_fontweight("bold")
+    axes.invert_yaxis()
+    axes.set_xlim(right=1.13 * max((model.total or 0.0) for model in models.values()) / NEWTON_MILLIMETRE)
+    axes.set_xlabel("torque, N mm")
+    axes.spines[["top", "right"]].set_visible(False)
+    used = {part for model in models.values() for part, v in model.components.items() if abs(v) > VISIBLE * largest}
+    shown = [(label, colour) for label, colour, parts in KINDS if used & set(parts)]
+    handles = [axes.barh(0.0, 0.0, color=colour, label=label) for label, colour in shown]
+    axes.legend(handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.42, 1.0))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Curve:
+    """One line over speed: values [N m] with speeds [rad/s]; points alone where `points` is set."""
+
+    label: str
+    speeds: np.ndarray
+    values: np.ndarray
+    colour: str
+    style: str = "-"
+    points: bool = False
+
+
+def draw_over_speed(axes: Axes, curves: Sequence[Curve], title: str) -> None:
+    """Torques over speed, values printed elsewhere as points.
+
+    Parameters
+    ----------
+    axes : Axes
+    curves : sequence of Curve
+        Speeds in [rad/s], torques in [N m]; drawn in r/min and N mm.
+    title : str
+    """
+    for curve in curves:
+        line = {"linestyle": "none", "marker": "o", "markersize": 3.5} if curve.points else {"linestyle": curve.style}
+        axes.plot(curve.speeds / RPM, curve.values / NEWTON_MILLIMETRE, color=curve.colour, label=curve.label, **line)
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlabel("inner ring, r/min")
+    axes.set_ylabel("torque, N mm")
+    axes.set_title(title)
+    axes.spines[["top", "right"]].set_visible(False)
+
+
+def _draw_bar(axes: Axes, row: int, model: ModelTorque, least: float) -> None:
+    right = left = 0.0
+    for _, colour, parts in KINDS:
+        value = sum(model.components.get(part, 0.0) for part in parts)
+        if abs(value) <= least:
+            continue
+        start = right if value > 0.0 else left
+        axes.barh(row, value / NEWTON_MILLIMETRE, left=start / NEWTON_MILLIMETRE, color=colour, height=0.72)
+        right, left = (right + value, left) if value > 0.0 else (right, left + value)
+    total = model.total or 0.0
+    axes.text(max(right, 0.0) / NEWTON_MILLIMETRE, row, f" {total / NEWTON_MILLIMETRE:.4g}", va="center", fontsize=7)
+
+
+def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None:
+    """Torque of each ball's contacts over its azimuth from the load line."""
+    azimuth = np.array([(degrees(a) + 180.0) % 360.0 - 180.0 for a in results.quasistatic.azimuth])
+    axes.bar(azimuth, shares, width=min(18.0, 200.0 / azimuth.size), color=OIL)
+    axes.set_xlim(-190.0, 190.0)
+    axes.set_xticks(range(-180, 181, 60))
+    axes.axvline(0.0, color=INK, linewidth=0.5, linestyle=":")
+    axes.set_xlabel("azimuth from the load line, °")
+    axes.set_ylabel("contacts of a ball, N mm")
+    axes.spines[["top", "right"]].set_visible(False)

@@ -1,0 +1,182 @@
+"""Results as tables for a terminal of 80 columns."""
+
+from __future__ import annotations
+
+from math import degrees
+from typing import TYPE_CHECKING
+
+from ..contact.messages import lambda_ratio
+from ..contact.supply import supply_rows
+from ..results import BearingResults, ContactResults
+from ..text import value_with_error
+from ..units import GIGAPASCAL, MICROMETRE, RPM
+from .ratings import rating_rows
+from .rows import frequency_lines, row_lines
+from .torque import torque_rows
+
+if TYPE_CHECKING:
+    from rich.console import Group
+    from rich.table import Table
+
+    from bearing.contacts.contacts import BearingContact
+    from ehl import ContactSolution
+
+NOTHING = "–"
+DECIMALS = 4  # of films [um]; more do not fit 80 columns, and beside a lambda ratio one less
+
+
+def result_table(results: BearingResults | ContactResults) -> Group:
+    """Lay out what a run found: a few lines on the whole, then one line per contact.
+
+    Parameters
+    ----------
+    results : BearingResults or ContactResults
+
+    Returns
+    -------
+    rich.console.Group
+        To be printed by a rich console; loads [N], pressures [GPa], films [um] as the headers say.
+    """
+    from rich.console import Group
+    from rich.text import Text
+
+    title = Text(str(results.case.get("title", "")), style="bold")
+    if isinstance(results, ContactResults):
+        return Group(title, _contact_table(results))
+    return Group(title, _bearing_table(results), _contacts_table(results), *_legend(results))
+
+
+def _facts_table() -> Table:
+    from rich.table import Table
+
+    table = Table(box=None, show_header=False, pad_edge=False)
+    table.add_column(style="dim", no_wrap=True)
+    table.add_column()
+    return table
+
+
+def _bearing_table(results: BearingResults) -> Table:
+    from rich.text import Text
+
+    state = results.quasistatic
+    x, y, z = (value / MICROMETRE for value in state.displacement)
+    rows = {
+        "ring displacement": f"x {x:.2f}, y {y:.2f}, z {z:.2f} µm".replace("-0.00", "0.00"),
+        "ring tilt": f"y {state.tilt[0] * 1e3:.3f}, z {state.tilt[1] * 1e3:.3f} mrad",
+        "ring load": "x {:.1f}, y {:.1f}, z {:.1f} N".format(*(round(v, 1) + 0.0 for v in state.ring_force)),
+        "cage speed": f"{state.cage_speed / RPM:.1f} rpm",
+        "balls loaded": f"{int((state.inner_load > 0.0).sum())} of {len(state.azimuth)}",
+        "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",
+    }
+    if not state.converged:
+        rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
+    if not state.tilt.any():
+        del rows["ring tilt"]
+    rows |= row_lines(state) | frequency_lines(results) | rating_rows(results) | torque_rows(results)
+    rows |= supply_rows(results)
+    table = _facts_table()
+    for name, value in rows.items():
+        table.add_row(name, Text(value))
+    return table
+
+
+def _contacts_table(results: BearingResults) -> Table:
+    from rich import box
+    from rich.table import Table
+
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), collapse_padding=True)
+    surface = results.case.get("surface")
+    last = ("α °", "h_c µm", "h_min µm", "λ") if surface else ("angle °", "h_c µm", "h_min µm")
+    for header in ("ball", "ψ °", "race", "load N", "p_h GPa", *last):
+        table.add_column(header, justify="left" if header == "race" else "right", no_wrap=True)
+    table.add_column("", no_wrap=True)
+    rows = {contact.row for contact in results.contacts}
+    row = None
+    for contact, solution in zip(results.contacts, results.solutions, strict=True):
+        if len(rows) > 1 and contact.row != row:
+            row = contact.row
+            table.add_row(f"row {row}")
+        cells = _contact_cells(contact, solution, DECIMALS - 1 if surface else DECIMALS)
+        if surface:
+            value = lambda_ratio(contact, solution, surface)
+            cells.append(NOTHING if value is None else f"{value:.3g}")
+        table.add_row(*cells, _flags(solution), end_section=False)
+    return table
+
+
+def _contact_cells(contact: BearingContact, solution: ContactSolution | None, most: int) -> list[str]:
+    inner = contact.race.value == "inner"
+    loaded = contact.load > 0.0
+    return [
+        str(contact.ball) if inner else "",
+        f"{degrees(contact.azimuth) % 360.0:.1f}".removesuffix(".0") if inner else "",
+        contact.race.value,
+        f"{contact.load:.1f}" if loaded else "0",
+        NOTHING if contact.hertz is None else f"{contact.hertz.pressure / GIGAPASCAL:.3f}",
+        f"{degrees(contact.contact_angle) + 0.0:.2f}" if loaded else NOTHING,
+        _film(solution, "film_central", most),
+        _film(solution, "film_minimum", most),
+    ]
+
+
+def _film(solution: ContactSolution | None, name: str, most: int = DECIMALS) -> str:
+    """Film and its uncertainty [um] with at most so many decimals."""
+    value = None if solution is None else getattr(solution, name)
+    if value is None:
+        return NOTHING
+    error = getattr(solution, f"{name}_uncertainty")
+    return value_with_error(value / MICROMETRE, error / MICROMETRE, most=most)
+
+
+def _flags(solution: ContactSolution | None) -> str:
+    if solution is None:
+        return ""
+    return ("" if solution.converged else "!") + ("" if solution.resolved else "?")
+
+
+def _legend(results: BearingResults) -> list[str]:
+    flags = "".join(_flags(s) for s in results.solutions)
+    words = {"!": "! not converged", "?": "? film not resolved on this grid"}
+    return ["  ".join(text for flag, text in words.items() if flag in flags)] if flags else []
+
+
+def _contact_table(results: ContactResults) -> Table:
+    from rich.text import Text
+
+    solution = results.solution
+    table = _facts_table()
+    for name, value in (_contact_rows(solution) | _traction_row(results)).items():
+        table.add_row(name, Text(value))
+    if not solution.converged:
+        table.add_row("NOT CONVERGED", Text(solution.message))
+    if not solution.resolved:
+        table.add_row("NOT RESOLVED", Text(f"{solution.message}; take a larger [ehl] points"))
+    return table
+
+
+def _traction_row(results: ContactResults) -> dict[str, str]:
+    """Traction coefficient [-] and heat [W], where the surfaces slide."""
+    found = results.traction
+    if found is None or not found.sliding_loss > 0.0:
+        return {}
+    return {"traction": f"coefficient {found.coefficient:.4f}, heat {found.power_loss:.4g} W"}
+
+
+def _contact_rows(solution: ContactSolution) -> dict[str, str]:
+    central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
+    rows = {
+        "M, L": f"{solution.moes_load:.4g}, {solution.moes_lubricant:.4g}",
+        "central film": f"{value_with_error(central.value, central.uncertainty)} a²/Rx",
+        "minimum film": f"{value_with_error(minimum.value, minimum.uncertainty)} a²/Rx",
+    }
+    if solution.film_scale is not None:
+        rows["central film"] += f" = {_film(solution, 'film_central')} µm"
+        rows["minimum film"] += f" = {_film(solution, 'film_minimum')} µm"
+    if solution.hertz_pressure > 0.0:
+        pressures = (solution.hertz_pressure / GIGAPASCAL, solution.pressure_maximum / GIGAPASCAL)
+        rows["pressure"] = "Hertz {:.4g} GPa, largest {:.4g} GPa".format(*pressures)
+    nx, ny = solution.P.shape
+    x_in, x_out, y_half = solution.domain
+    rows["box"] = f"x/a {x_in:.3g} ... {x_out:.3g}, |y|/b < {y_half:.3g}, {nx} x {ny} points"
+    rows["work"] = f"{solution.record.cycles} cycles, {solution.record.wall_time:.2f} s"
+    return rows

@@ -1,0 +1,205 @@
+"""Two results side by side: what differs in the input, what differs in the numbers, and by how much."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import hypot, inf
+from pathlib import Path
+from typing import Any, TypeGuard
+
+from ..main_results import main_results
+from ..report.page import read_summary
+from ..units import unit_of
+
+NOT_COMPARED = ("oilfilm", "case", "messages", "timing_s", "sweep", "file", "resumed", "key")
+OF_THE_SOLUTION = ("domain", "points", "iterations", "residual", "message", "cycles", "fft_equivalents", "wall_s")
+ROUND_OFF = 1e-9  # of the largest component of a vector: what lies below is no difference
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Difference:
+    """One value in both results; `relative` is the difference over the larger magnitude [-].
+
+    `covered` tells whether the error bars of both enclose the difference; None where there are none.
+    """
+
+    path: str
+    first: Any
+    second: Any
+    relative: float | None
+    covered: bool | None = None
+
+    @property
+    def differs(self) -> bool:
+        """Whether the two are not the same."""
+        return self.first != self.second
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Comparison:
+    """Differences of two result folders; `main` are the results looked at first, equal ones included.
+
+    How a result was found (nodes, box, iterations, error bars) is not compared; whether it converged is.
+    """
+
+    names: tuple[str, str]
+    versions: tuple[str, str]
+    converged: tuple[bool, bool]
+    inputs: tuple[Difference, ...]
+    main: tuple[Difference, ...]
+    results: tuple[Difference, ...]
+
+    @property
+    def largest(self) -> float:
+        """Largest relative difference of a result [-]; infinite if a number is in one of them only."""
+        return max((inf if d.relative is None else d.relative for d in self.results), default=0.0)
+
+    def document(self) -> dict[str, Any]:
+        """The comparison as plain JSON types."""
+        listed = {name: [_plain(d) for d in getattr(self, name)] for name in ("inputs", "main", "results")}
+        largest = None if self.largest == inf else self.largest
+        heads = {"names": list(self.names), "oilfilm": list(self.versions), "converged": list(self.converged)}
+        return heads | {"largest_relative_difference": largest} | listed
+
+
+def compare(first: str | Path, second: str | Path) -> Comparison:
+    """Compare two result folders of the same kind.
+
+    Parameters
+    ----------
+    first, second : str or Path
+
+    Returns
+    -------
+    Comparison
+        Differences [-] relative to the larger value; in the order of the summaries.
+
+    Raises
+    ------
+    ValueError
+        If one of them holds no readable results, or they are of different kinds.
+    """
+    one, two = read_summary(Path(first)), read_summary(Path(second))
+    kinds = _kind(one), _kind(two)
+    if kinds[0] != kinds[1]:
+        raise ValueError(f"{first} holds results of a {kinds[0]}, {second} of a {kinds[1]}; allowed: two of one kind")
+    inputs = dict(flat(_input(one))), dict(flat(_input(two)))
+    results = dict(flat(_results(one))), dict(flat(_results(two)))
+    main = dict(flat(_main(one))), dict(flat(_main(two)))
+    return Comparison(
+        names=(str(first), str(second)),
+        versions=(str(one["oilfilm"]), str(two["oilfilm"])),
+        converged=(bool(one["converged"]), bool(two["converged"])),
+        inputs=tuple(d for d in _differences(*inputs) if d.differs),
+        main=tuple(_differences(*main)),
+        results=tuple(d for d in _differences(*results) if d.differs and not _of_the_solution(d.path)),
+    )
+
+
+def _of_the_solution(path: str) -> bool:
+    """Whether a value tells how the result was found, not what it is."""
+    name = path.rpartition(".")[2].partition("[")[0]
+    return "_uncertainty_" in name or name in OF_THE_SOLUTION
+
+
+def _kind(summary: dict[str, Any]) -> str:
+    if summary.get("kind"):
+        return str(summary["kind"])
+    return "bearing" if "contacts" in summary else "slip map" if "critical_curves" in summary else "contact"
+
+
+def _input(summary: dict[str, Any]) -> Any:
+    """The case as run; of a batch the name of its case and its sweep file."""
+    if summary.get("kind") == "batch":
+        return {"case": summary["case"], "sweep": summary.get("sweep")}
+    return summary["case"]
+
+
+def _main(summary: dict[str, Any]) -> dict[str, Any]:
+    return {} if summary.get("kind") == "batch" else main_results(summary)
+
+
+def _results(summary: dict[str, Any]) -> dict[str, Any]:
+    """What is compared, balls, contacts and points by their names."""
+    found = {key: value for key, value in summary.items() if key not in NOT_COMPARED}
+    if "contacts" in found:
+        found["contacts"] = {f"ball {c['ball']} {c['race']}": c for c in found["contacts"]}
+    if isinstance(found.get("balls"), list):
+        found["balls"] = {f"ball {ball['ball']}": ball for ball in found["balls"]}
+    if found.get("kind") == "batch":
+        label = ", ".join
+        points = {label(f"{k} = {v}" for k, v in p["keys"].items()) or "case": p for p in found["points"]}
+        found = {
+            "points": {name: {k: v for k, v in p.items() if k not in ("point", "keys")} for name, p in points.items()}
+        }
+    return found
+
+
+def flat(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
+    """Every single value of a document by its dotted path."""
+    if isinstance(value, dict):
+        for key, item in value.items():
+            if key not in NOT_COMPARED or not path:
+                yield from flat(item, f"{path}.{key}" if path else str(key))
+    elif isinstance(value, list):
+        for index, item in enumerate(value):
+            yield from flat(item, f"{path}[{index}]")
+    else:
+        yield path, value
+
+
+def _differences(first: dict[str, Any], second: dict[str, Any]) -> Iterator[Difference]:
+    scales = _scales(first), _scales(second)
+    for path in dict.fromkeys((*first, *second)):
+        a, b = first.get(path), second.get(path)
+        noise = ROUND_OFF * max(scale.get(_group(path), 0.0) for scale in scales)
+        if _is_number(a) and _is_number(b) and max(abs(a), abs(b)) <= noise:
+            continue
+        yield Difference(
+            path=path, first=a, second=b, relative=relative(a, b), covered=_covered(path, a, b, first, second)
+        )
+
+
+def _scales(values: dict[str, Any]) -> dict[str, float]:
+    """Largest magnitude among the numbers of one unit that belong together."""
+    found: dict[str, float] = {}
+    for path, value in values.items():
+        if _is_number(value):
+            group = _group(path)
+            found[group] = max(found.get(group, 0.0), abs(value))
+    return found
+
+
+def _group(path: str) -> str:
+    """What a number is a component of: its vector, or the block that has the unit, like the parts of a torque."""
+    name, bracket, _ = path.partition("[")
+    block, _, last = name.rpartition(".")
+    return name if bracket or unit_of(last) or not unit_of(name) else block
+
+
+def _is_number(value: Any) -> TypeGuard[float]:
+    return isinstance(value, int | float) and not isinstance(value, bool)
+
+
+def relative(a: Any, b: Any) -> float | None:
+    """Difference of two numbers over the larger magnitude [-]; None where they are not two numbers."""
+    if a == b:
+        return 0.0
+    if not (_is_number(a) and _is_number(b)):
+        return None
+    return abs(a - b) / max(abs(a), abs(b))
+
+
+def _covered(path: str, a: Any, b: Any, first: dict[str, Any], second: dict[str, Any]) -> bool | None:
+    """Whether both error bars together enclose the difference of two films."""
+    head, _, unit = path.rpartition("_")
+    error = f"{head}_uncertainty_{unit}"
+    if "uncertainty" in path or relative(a, b) is None or first.get(error) is None or second.get(error) is None:
+        return None
+    return abs(a - b) <= hypot(first[error], second[error])
+
+
+def _plain(difference: Difference) -> dict[str, Any]:
+    shown = {"path": difference.path, "first": difference.first, "second": difference.second}
+    return shown | {"relative": difference.relative, "within_error_bars": difference.covered}

@@ -1,0 +1,227 @@
+"""Figure of one contact: film map, pressure map, and both along the two centre lines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..plot_style import (
+    BEYOND_SCALE,
+    COLOUR_MAPS,
+    INNER_COLOUR,
+    OUTER_COLOUR,
+    PAGE_WIDTH,
+    REFERENCE,
+)
+from ..text import value_with_error
+from .view import ContactView
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+HEIGHT = 5.9  # of the figure [in]
+LINES = 8  # contour intervals of a map
+QUANTITIES = ("film", "pressure")
+LEFT, MAP_WIDTH, STRETCHED_WIDTH, LINE_WIDTH = (0.085, 0.585), 0.41, 0.33, 0.345  # boxes, in shares of the figure
+MAP_BOTTOM, MAP_HEIGHT, BAR_BOTTOM, LINE_BOTTOM, LINE_HEIGHT = 0.49, 0.31, 0.835, 0.125, 0.245
+FILM_COLOUR, PRESSURE_COLOUR = INNER_COLOUR, OUTER_COLOUR
+
+
+def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
+    """Film and pressure maps of one contact above its centre lines.
+
+    Parameters
+    ----------
+    figure : matplotlib.figure.Figure
+        Empty.
+    view : ContactView
+        Lengths in [mm], film in [um], pressure in [GPa], or dimensionless.
+    title : str
+        Lines above the figure.
+    """
+    figure.set_layout_engine("none")  # fixed boxes: the layout engine takes longer than the drawing
+    figure.set_size_inches(PAGE_WIDTH, HEIGHT)
+    figure.suptitle(title, fontsize=8.5, y=0.99)
+    for quantity, left in zip(QUANTITIES, LEFT, strict=True):
+        width = STRETCHED_WIDTH if view.stretched else MAP_WIDTH
+        panel = figure.add_axes((left, MAP_BOTTOM, width, MAP_HEIGHT))
+        image = draw_map(panel, view, quantity)
+        if view.stretched:
+            strip = figure.add_axes((left + width + 0.01, MAP_BOTTOM, MAP_WIDTH - width - 0.01, MAP_HEIGHT))
+            draw_map(strip, view, quantity, levels=())
+            _in_proportion(strip)
+        else:
+            panel.set_aspect("equal", anchor="W")
+            width = min(MAP_WIDTH, MAP_HEIGHT * HEIGHT / PAGE_WIDTH * float(np.ptp(view.x) / np.ptp(view.y)))
+        bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
+        _colour_bar(figure, image, bar, view, quantity)
+    for along, left in zip((True, False), LEFT, strict=True):
+        centre_line(figure.add_axes((left, LINE_BOTTOM, LINE_WIDTH, LINE_HEIGHT)), view, along)
+    figure.text(0.5, 0.01, _footnote(view), fontsize=6.5, color=REFERENCE, ha="center", va="bottom")
+
+
+def _footnote(view: ContactView) -> str:
+    """What the figure leaves out and how it is drawn."""
+    scale = (
+        "axes stretched, so that the Hertz ellipse (dashed) is seen; " if view.stretched else "Hertz ellipse dashed; "
+    )
+    ends = [end / view.half_x for end in (view.x[0], view.x[-1])]
+    return (
+        f"{_movement(view)}; {scale}\n"
+        f"shown is x/a = {ends[0]:.2g} ... {ends[1]:.2g} of the computed {view.whole[0]:.2g} ... {view.whole[1]:.2g}; "
+        "film beyond the colour scale is grey"
+    )
+
+
+def _movement(view: ContactView) -> str:
+    """Where the oil goes."""
+    return f"Oil moves at {view.oblique:.3g}° from x towards y" if view.oblique else "Oil moves to the right"
+
+
+def draw_map(
+    axes: Axes,
+    view: ContactView,
+    quantity: str,
+    limits: tuple[float, float] | None = None,
+    levels: Sequence[float] | Array | None = None,
+) -> Any:
+    """One map with contour lines and the Hertz ellipse, x to the right in the direction of the oil.
+
+    Parameters
+    ----------
+    axes : matplotlib Axes
+    view : ContactView
+        Lengths in [mm], film in [um], pressure in [GPa], or dimensionless.
+    quantity : {"film", "pressure"}
+    limits : tuple of float, optional
+        Ends of the colour scale, in the unit of the quantity; films then have a logarithmic scale, for many contacts.
+    levels : sequence of float, optional
+        Contour lines, in the unit of the quantity; equal steps over the scale if left out.
+
+    Returns
+    -------
+    matplotlib image
+    """
+    film = quantity == "film"
+    field = view.film if film else view.pressure
+    low, high = limits or (view.film_range if film else (0.0, view.pressure_top))
+    image = axes.imshow(
+        _on_equal_steps(view, field).T,
+        extent=_extent(view),
+        origin="lower",
+        aspect="auto",
+        cmap=COLOUR_MAPS[quantity],
+        norm="log" if film and limits else "linear",
+        interpolation="bilinear",
+        interpolation_stage="data",
+    )
+    image.set_clim(low, high)
+    if film:
+        image.set_cmap(image.get_cmap().with_extremes(over=BEYOND_SCALE))
+    lines = np.linspace(low, high, LINES + 1)[1:-1] if levels is None else levels
+    known = field[np.isfinite(field)]
+    lines = [line for line in lines if known.size and known.min() < line < known.max()]
+    if lines:
+        axes.contour(view.x, view.y, field.T, levels=lines, colors="white" if film else "black", alpha=0.6)
+    axes.plot(*view.ellipse, color="black", linestyle=(0, (4, 2)), linewidth=0.8)
+    axes.set_xlim(view.x[0], view.x[-1])
+    axes.set_ylim(view.y[0], view.y[-1])
+    axes.set_xlabel(f"{view.names[0]} [{view.length_unit}]")
+    axes.set_ylabel(f"{view.names[1]} [{view.length_unit}]")
+    return image
+
+
+def _on_equal_steps(view: ContactView, field: Array) -> Array:
+    """The field at equal steps between the same ends, bilinear, same unit: an image has no other; for graded meshes."""
+    for axis, nodes in enumerate((view.x, view.y)):
+        steps = np.linspace(nodes[0], nodes[-1], len(nodes))
+        if not np.allclose(nodes, steps, rtol=0.0, atol=1e-6 * (nodes[-1] - nodes[0])):
+            lines = [np.interp(steps, nodes, line) for line in np.moveaxis(field, axis, 1)]
+            field = np.moveaxis(np.array(lines), 1, axis)
+    return field
+
+
+def _extent(view: ContactView) -> tuple[float, float, float, float]:
+    """Edges of an image whose pixels are the nodes, equally spaced; unit of the view, [mm]."""
+    dx, dy = 0.5 * (view.x[-1] - view.x[0]) / (len(view.x) - 1), 0.5 * (view.y[-1] - view.y[0]) / (len(view.y) - 1)
+    return (
+        float(view.x[0] - dx),
+        float(view.x[-1] + dx),
+        float(view.y[0] - dy),
+        float(view.y[-1] + dy),
+    )
+
+
+def _in_proportion(axes: Axes) -> None:
+    """Make the map a strip in true proportion beside the stretched one."""
+    axes.set_aspect("equal")
+    axes.set_title("equal\nscales", fontsize=6.5)
+    axes.set_xlabel("")
+    axes.set_ylabel("")
+    axes.set_xticks([])
+    axes.set_yticks([])
+
+
+def _colour_bar(figure: Figure, image: Any, axes: Axes, view: ContactView, quantity: str) -> None:
+    film = quantity == "film"
+    label = f"film thickness [{view.film_unit}]" if film else f"pressure [{view.pressure_unit}]"
+    bar = figure.colorbar(image, cax=axes, orientation="horizontal", extend="max" if film else "neither")
+    bar.set_label(label)
+    bar.ax.xaxis.set_ticks_position("top")
+    bar.ax.xaxis.set_label_position("top")
+
+
+def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
+    """Pressure and film along the middle of the contact.
+
+    Parameters
+    ----------
+    axes : matplotlib Axes
+    view : ContactView
+        Lengths in [mm], film in [um], pressure in [GPa], or dimensionless.
+    along : bool
+        Along the rolling direction, or across it.
+    """
+    i, j = abs(view.x).argmin(), abs(view.y).argmin()
+    cut = (slice(None), j) if along else (i, slice(None))
+    s = view.x if along else view.y
+    axes.plot(s, view.pressure[cut], color=PRESSURE_COLOUR, label="pressure")
+    reach = np.cos(np.linspace(-np.pi, 0.0, 121))
+    axes.plot(
+        (view.reach_x if along else view.reach_y) * reach,
+        view.hertz * np.sqrt(1.0 - reach**2),
+        color=REFERENCE,
+        linestyle="--",
+        linewidth=0.8,
+        label=f"Hertz, peak {view.hertz:.3g}",
+    )
+    axes.set_ylim(0.0, 1.08 * view.pressure_top)
+    axes.set_xlim(s[0], s[-1])
+    name = view.names[0 if along else 1]
+    axes.set_xlabel(f"{name} [{view.length_unit}], at ${'y' if along else 'x'}$ = 0")
+    axes.set_ylabel(f"pressure [{view.pressure_unit}]", color=PRESSURE_COLOUR)
+    film = axes.twinx()
+    film.plot(s, view.film[cut], color=FILM_COLOUR, label="film")
+    film.errorbar(
+        [0.0], [view.central], [view.central_uncertainty], fmt="o", markersize=2.5, capsize=2, color=FILM_COLOUR
+    )
+    film.axhline(view.minimum, color=FILM_COLOUR, linestyle=":", linewidth=0.8, label="smallest film")
+    film.set_ylim(0.0, 3.0 * view.central if view.central > 0.0 else 1.0)
+    film.set_ylabel(f"film thickness [{view.film_unit}]", color=FILM_COLOUR)
+    handles = [*axes.get_legend_handles_labels()[0], *film.get_legend_handles_labels()[0]]
+    axes.legend(
+        handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.5, 0.99), columnspacing=1.0, handlelength=1.6
+    )
+
+
+def film_text(view: ContactView) -> str:
+    """Central and minimum film with their uncertainties, in the unit of the plots ([um] or [a^2/Rx])."""
+    central = value_with_error(view.central, view.central_uncertainty)
+    minimum = value_with_error(view.minimum, view.minimum_uncertainty)
+    return f"$h_c$ = {central} {view.film_unit}, $h_{{min}}$ = {minimum} {view.film_unit}"

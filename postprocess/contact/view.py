@@ -1,0 +1,178 @@
+"""The part of a contact that pictures show."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import cos, degrees, hypot, inf, pi, sin
+
+import numpy as np
+
+from ehl import ContactSolution
+
+from ..plot_style import QUIET_PRESSURE, SHOWN_INLET, SHOWN_OUTLET, SHOWN_SIDE, STRETCHED, Array, film_range
+from ..scene.geometry import within
+from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactView:
+    """The shown part of one contact, in the units of the plots.
+
+    Attributes
+    ----------
+    x, y : ndarray, shape (nx,), (ny,)
+        Along and across the entrainment [mm], or in semi-axes a in Moes input.
+    film, pressure : ndarray, shape (nx, ny)
+        [um] and [GPa], or in units of a^2/Rx and of p_h.
+    hertz : float
+        Largest Hertz pressure, in the unit of `pressure`.
+    reach_x, reach_y : float
+        Where the Hertz pressure vanishes along the two centre lines, in the unit of x and y.
+    ellipse : ndarray, shape (2, n)
+        Outline of the Hertz ellipse, in the unit of x and y.
+    half_x, half_y : float
+        Half extents of the Hertz ellipse, in the unit of x and y.
+    central, central_uncertainty, minimum, minimum_uncertainty : float
+        Extrapolated films, in the unit of `film`.
+    length_unit, film_unit, pressure_unit : str
+    whole : tuple of float
+        Ends of the computed box along the entrainment, in units of half_x [-].
+    oblique : float
+        Angle of the entrainment to the axis x, towards y [deg]; zero along it.
+    doubt : str
+        "not converged" or "not resolved"; empty for a sound solution.
+    """
+
+    x: Array
+    y: Array
+    film: Array
+    pressure: Array
+    hertz: float
+    reach_x: float
+    reach_y: float
+    ellipse: Array
+    half_x: float
+    half_y: float
+    central: float
+    central_uncertainty: float
+    minimum: float
+    minimum_uncertainty: float
+    length_unit: str
+    film_unit: str
+    pressure_unit: str
+    whole: tuple[float, float]
+    doubt: str
+    oblique: float = 0.0
+
+    @property
+    def names(self) -> tuple[str, str]:
+        """Of the axes: rolling and transverse direction, or plain principal directions [-]."""
+        if self.oblique:
+            return "principal direction $x$", "principal direction $y$"
+        return "rolling direction $x$", "transverse $y$"
+
+    @property
+    def stretched(self) -> bool:
+        """Whether the ellipse is too long for equal axes."""
+        return max(self.half_x / self.half_y, self.half_y / self.half_x) > STRETCHED
+
+    @property
+    def pressure_top(self) -> float:
+        """Largest pressure shown, in the unit of `pressure`; that of Hertz where a failed solution has none."""
+        top = float(np.nanmax(self.pressure, initial=0.0))
+        return top if 0.0 < top < inf else self.hertz
+
+    @property
+    def film_range(self) -> tuple[float, float]:
+        """Film thickness at the ends of the colour scale, in the unit of `film`: the inlet is left to saturate."""
+        return film_range(self.central, self.minimum)
+
+
+def contact_view(solution: ContactSolution, window: tuple[float, float, float] | None = None) -> ContactView:
+    """Shown part of a solution: about [-2.5, 1.5] semi-axes along the entrainment, more where pressure reaches further.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+    window : tuple of float, optional
+        Show this much instead: ends along the entrainment, half width across it [mm].
+
+    Returns
+    -------
+    ContactView
+        Lengths [mm], films [um], pressures [GPa], or dimensionless ones in Moes input.
+    """
+    angle, kappa = solution.frame_angle, solution.semi_axis_ratio
+    half_x, half_y = half_extents(angle, kappa)
+    a = 1.0 if solution.semi_axis_x is None else solution.semi_axis_x / MILLIMETRE
+    if window is None:
+        rows, columns = shown_part(solution.X, solution.Y, solution.P, half_x, half_y)
+    else:
+        rows, columns = within(a * solution.X, *window[:2]), within(a * solution.Y, -window[2], window[2])
+    X, Y = solution.X[rows], solution.Y[columns]
+    h = 1.0 if solution.film_scale is None else solution.film_scale / MICROMETRE
+    p = solution.hertz_pressure / GIGAPASCAL if solution.hertz_pressure > 0.0 else 1.0
+    central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
+    return ContactView(
+        x=a * X,
+        y=a * Y,
+        film=h * solution.H[rows, columns],
+        pressure=p * solution.P[rows, columns],
+        hertz=p,
+        reach_x=a / hypot(cos(angle), sin(angle) / kappa),
+        reach_y=a / hypot(sin(angle), cos(angle) / kappa),
+        ellipse=a * _ellipse(angle, kappa),
+        half_x=a * half_x,
+        half_y=a * half_y,
+        central=h * central.value,
+        central_uncertainty=h * central.uncertainty,
+        minimum=h * minimum.value,
+        minimum_uncertainty=h * minimum.uncertainty,
+        length_unit="a" if solution.semi_axis_x is None else "mm",
+        film_unit="$a^2/R_x$" if solution.film_scale is None else "µm",
+        pressure_unit="GPa" if solution.hertz_pressure > 0.0 else "$p_h$",
+        whole=(float(solution.X[0] / half_x), float(solution.X[-1] / half_x)),
+        oblique=oblique_angle(solution),
+        doubt="not converged" if not solution.converged else "" if solution.resolved else "not resolved",
+    )
+
+
+def oblique_angle(solution: ContactSolution) -> float:
+    """Angle of the entrainment to the grid's x [deg], zero where it is noise."""
+    angle = degrees(solution.conditions.entrainment_angle - solution.frame_angle)
+    return angle if abs(angle) > 1e-6 else 0.0
+
+
+def _ellipse(angle: float, kappa: float) -> Array:
+    """Outline of the Hertz ellipse in the grid's axes, which are turned by the entrainment angle; units of a."""
+    t = np.linspace(0.0, 2.0 * pi, 241)
+    x, y = np.cos(t), kappa * np.sin(t)
+    return np.stack([cos(angle) * x + sin(angle) * y, -sin(angle) * x + cos(angle) * y])
+
+
+def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tuple[slice, slice]:
+    """Index ranges of the nodes shown; coordinates and half extents of the Hertz ellipse in one unit, [mm] or [m].
+
+    Parameters
+    ----------
+    X, Y : ndarray, shape (nx,), (ny,)
+        Node positions [m].
+    P : ndarray, shape (nx, ny)
+        Pressure in any unit [-].
+    half_x, half_y : float
+        [m].
+    """
+    loud = np.greater(P, QUIET_PRESSURE * np.nanmax(P, initial=0.0))
+    rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
+    first, last, side = 0.0, 0.0, 0.0
+    if rows.size:  # a failed solution may have no pressure
+        first, last, side = float(X[rows[0]]), float(X[rows[-1]]), float(Y[columns[-1]])
+    inlet = min(SHOWN_INLET * half_x, first - 0.15 * (last - first))
+    outlet = max(SHOWN_OUTLET * half_x, last + 0.25 * (last - first))
+    side = max(SHOWN_SIDE * half_y, 1.3 * side)
+    return within(X, inlet, outlet), within(Y, -side, side)
+
+
+def half_extents(angle: float, kappa: float) -> tuple[float, float]:
+    """Half extents of the Hertz ellipse along and across a grid at `angle` [rad] to it, in units of a [-]."""
+    return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))

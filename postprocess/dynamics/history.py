@@ -1,0 +1,170 @@
+"""The history of a time simulation on disk: one netCDF-4 file that grows piece by piece, named quantities, SI."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Self
+
+import numpy as np
+
+from bearing.dynamics.layout import Layout
+from bearing.dynamics.outcome import MECHANISMS
+from bearing.dynamics.problem import RACE_NAMES
+
+if TYPE_CHECKING:
+    import xarray
+
+    from bearing.dynamics.record import Record
+
+HISTORY_FILE = "history.nc"
+FORMAT = 1
+RING_NAMES = ("x", "y", "z", "tilt_y", "tilt_z")
+CAGE_NAMES = ("x", "y", "z", "rotation", "tilt_y", "tilt_z")
+RACE_UNITS = ("N", "m", "m/s", "rad", "m/s", "m/s", "m/s", "rad/s", "N", "N", "m")
+STATES = "0 free, 1 contact, 2 impact"
+CHUNK = 128  # rows
+
+
+def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], Any, str]]:
+    """Dimensions, values and unit of every quantity of a record, by name; SI."""
+    layout, m = Layout(balls), record.time.size
+    three = ("time", "ball", "axis")
+
+    def of_balls(part: slice) -> Any:
+        return record.state[:, part].reshape(m, balls, 3)
+
+    found: dict[str, tuple[tuple[str, ...], Any, str]] = {
+        "ring_position": (("time", "ring_coordinate"), record.state[:, layout.ring], "m, rad"),
+        "ring_velocity": (("time", "ring_coordinate"), record.state[:, layout.ring_speed], "m/s, rad/s"),
+        "cage_position": (("time", "cage_coordinate"), record.state[:, layout.cage], "m, rad"),
+        "cage_velocity": (("time", "cage_coordinate"), record.state[:, layout.cage_speed], "m/s, rad/s"),
+        "ring_rotation": (("time",), record.state[:, layout.ring_angle], "rad"),
+        "ball_position": (three, of_balls(layout.ball), "m"),
+        "ball_velocity": (three, of_balls(layout.ball_speed), "m/s"),
+        "ball_angular_velocity": (three, of_balls(layout.ball_turn), "rad/s"),
+        "ball_attitude": (("time", "ball", "quaternion"), record.attitude, "1"),
+        "contact_state": (("time", "race", "ball"), record.contact_state, STATES),
+        "pocket_load": (("time", "ball"), record.pockets[..., 0], "N"),
+        "pocket_approach": (("time", "ball"), record.pockets[..., 1], "m"),
+        "energy": (("time", "form"), record.energy, "J"),
+        "work": (("time", "mechanism"), record.state[:, layout.energy], "J"),
+        "ring_load": (("time", "load"), record.loads[:, :6], "N, N m"),
+        "cage_load": (("time", "load"), record.loads[:, 6:], "N, N m"),
+    }
+    for k, (name, unit) in enumerate(zip(RACE_NAMES, RACE_UNITS, strict=True)):
+        found[f"contact_{name}"] = (("time", "race", "ball"), record.races[..., k], unit)
+    return found
+
+
+class HistoryWriter:
+    """A netCDF-4 file that takes records one after the other.
+
+    Parameters
+    ----------
+    path : Path
+    balls : int
+    attributes : dict
+        Of the whole file.
+    """
+
+    def __init__(self, path: Path, balls: int, attributes: dict[str, str | float]) -> None:
+        import h5netcdf
+
+        self.balls, self.rows = balls, 0
+        self.file = h5netcdf.File(path, "w")
+        coordinates: dict[str, tuple[str, ...] | Any] = {
+            "ball": np.arange(1, balls + 1),
+            "axis": ("x", "y", "z"),
+            "race": ("inner", "outer"),
+            "quaternion": ("w", "x", "y", "z"),
+            "ring_coordinate": RING_NAMES,
+            "cage_coordinate": CAGE_NAMES,
+            "form": ("kinetic", "elastic", "potential"),
+            "mechanism": MECHANISMS,
+            "load": ("fx", "fy", "fz", "mx", "my", "mz"),
+        }
+        self.file.dimensions = {"time": None, **{name: len(values) for name, values in coordinates.items()}}
+        for name, values in coordinates.items():
+            data = np.asarray(values) if name == "ball" else np.array(values, dtype=object)
+            kind = data.dtype if name == "ball" else _text()
+            self.file.create_variable(name, (name,), dtype=kind, data=data)
+        self.file.attrs.update({"oilfilm_history": FORMAT, **attributes})
+        self._made = False
+
+    def add(self, record: Record) -> None:
+        """Append the rows of a record."""
+        m = record.time.size
+        parts = {"time": (("time",), record.time, "s"), **variables(record, self.balls)}
+        if not self._made:
+            self._make(parts)
+        self.file.resize_dimension("time", self.rows + m)
+        for name, (_, values, _unit) in parts.items():
+            self.file.variables[name][self.rows : self.rows + m] = values
+        self.rows += m
+
+    def _make(self, parts: dict[str, tuple[tuple[str, ...], Any, str]]) -> None:
+        for name, (dimensions, values, unit) in parts.items():
+            exact = name in ("time", "ring_rotation")
+            kind = "i1" if name == "contact_state" else "f8" if exact else "f4"
+            made = self.file.create_variable(
+                name,
+                dimensions,
+                dtype=kind,
+                chunks=(CHUNK, *values.shape[1:]),
+                compression="gzip",
+                compression_opts=1,
+            )
+            made.attrs["units"] = "1" if name == "contact_state" else unit
+            if name == "contact_state":
+                made.attrs["meaning"] = STATES
+        self._made = True
+
+    def close(self) -> None:
+        """End the file."""
+        self.file.close()
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self.close()
+
+
+def _text() -> Any:
+    import h5py
+
+    return h5py.string_dtype()
+
+
+def open_history(path: str | Path) -> xarray.Dataset:
+    """Open the history of a time simulation; quantities are read from disk when they are first used.
+
+    Parameters
+    ----------
+    path : str or Path
+        `history.nc`, or the folder that holds it.
+
+    Returns
+    -------
+    xarray.Dataset
+        SI; close it when done.
+
+    Raises
+    ------
+    ValueError
+        If there is none, or it is not ours.
+    """
+    import xarray as xr
+
+    path = Path(path)
+    path = path / HISTORY_FILE if path.is_dir() else path
+    if not path.is_file():
+        raise ValueError(f"{path.parent} holds no history of a simulation: {path.name} is missing")
+    data = xr.open_dataset(path, engine="h5netcdf")
+    if data.attrs.get("oilfilm_history") != FORMAT:
+        data.close()
+        raise ValueError(f"{path} is no history of a simulation that this version reads")
+    return data

@@ -1,0 +1,175 @@
+"""Pieces of an HTML page: tables, facts, pictures; every text is escaped here and nowhere else."""
+
+from __future__ import annotations
+
+import base64
+import platform
+from collections.abc import Iterable, Sequence
+from html import escape
+from importlib import metadata
+from math import isfinite
+from pathlib import Path
+from typing import Any
+
+from ..units import unit_of, without_unit
+
+NOTHING = "–"
+SYMBOLS = {
+    "um": "µm",
+    "mm2/s": "mm²/s",
+    "kg/m3": "kg/m³",
+    "degC": "°C",
+    "um/(m K)": "µm/(m K)",
+    "deg": "°",
+    "10^6 rev": "10⁶ rev",
+}
+DIGITS = 5
+ROUND_OFF = 1e-9  # of the largest component
+MOST_LISTED = 6  # entries of a list on one line
+LONGEST = 60  # characters of a value beside its key
+LONG = 28  # characters from which on a text may break
+
+
+def text(value: Any) -> str:
+    """A value as text of the page; numbers to five figures, a dash for null."""
+    if value is None:
+        return NOTHING
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, int):
+        return str(value)
+    if isinstance(value, float):
+        return number(value)
+    if isinstance(value, list | tuple):
+        return ", ".join(text(item) for item in without_noise(value))
+    if isinstance(value, dict):
+        return "; ".join(f"{escape(str(key))}: {text(item)}" for key, item in value.items())
+    return escape(str(value))
+
+
+def number(value: float, digits: int = DIGITS) -> str:
+    """A number to some figures [-], with a true minus and powers of ten that are read as such."""
+    if not isfinite(value):
+        return NOTHING
+    plain = f"{value + 0.0:.{digits}g}"
+    if "e" in plain:
+        mantissa, _, exponent = plain.partition("e")
+        plain = f"{mantissa}·10<sup>{int(exponent)}</sup>".replace("<sup>-", "<sup>−")
+    return plain.replace("-", "−")
+
+
+def without_noise(values: Sequence[Any]) -> list[Any]:
+    """Components of one vector [any unit]; round-off beside the largest of them is 0."""
+    numbers = [abs(v) for v in values if isinstance(v, float) and isfinite(v)]
+    level = ROUND_OFF * max(numbers, default=0.0)
+    return [0.0 if isinstance(v, float) and abs(v) < level else v for v in values]
+
+
+def unit_text(key: str) -> str:
+    """Unit of a key as read on a page."""
+    unit = unit_of(key)
+    return SYMBOLS.get(unit, unit)
+
+
+def name_text(key: str) -> str:
+    """A key in words."""
+    return escape(without_unit(key))
+
+
+def table(head: Sequence[tuple[str, str]], rows: Iterable[tuple[str, Sequence[str]]], texts: Sequence[int] = ()) -> str:
+    """A table that can be scrolled sideways.
+
+    Parameters
+    ----------
+    head : sequence of (str, str)
+        Name and unit of each column, HTML.
+    rows : iterable of (str, sequence of str)
+        Class of the row and its cells, HTML.
+    texts : sequence of int
+        Columns that hold words and are set left.
+
+    Returns
+    -------
+    str
+    """
+    kind = lambda column: ' class="text"' if column in texts else ""  # noqa: E731
+    heads = "".join(
+        f"<th{kind(i)}>{name}{f'<small>{unit}</small>' if unit else ''}</th>" for i, (name, unit) in enumerate(head)
+    )
+    lines = []
+    for style, cells in rows:
+        shown = "".join(f"<td{_cell_class(i in texts, cell)}>{cell}</td>" for i, cell in enumerate(cells))
+        lines.append(f"<tr{f' class={style!r}' if style else ''}>{shown}</tr>".replace("'", '"', 2))
+    return f'<div class="scroll"><table><thead><tr>{heads}</tr></thead><tbody>{"".join(lines)}</tbody></table></div>'
+
+
+def _cell_class(words: bool, cell: str) -> str:
+    if not words:
+        return ""
+    return ' class="text long"' if len(cell) > LONG else ' class="text"'
+
+
+def facts(title: str, values: dict[str, Any], assumed: frozenset[str] = frozenset(), path: str = "") -> str:
+    """Key, value and unit, one below the other; `assumed` keys are marked. Null values stay, as a dash."""
+    rows = []
+    for key, value in values.items():
+        mark, style = (' <span class="mark">*</span>', ' class="assumed"') if f"{path}.{key}" in assumed else ("", "")
+        unit = unit_text(key) if value is not None else ""
+        shown = f"{text(value)}&nbsp;{escape(unit)}" if unit else text(value)
+        cells = f"<td>{name_text(key)}{mark}</td><td>{shown}</td>"
+        if len(shown) > LONGEST:  # words, such as a source
+            cells = f'<td colspan="2" class="small">{name_text(key)}{mark}: {shown}</td>'
+        rows.append(f"<tr{style}>{cells}</tr>")
+    heading = f"<h3>{escape(title)}</h3>" if title else ""
+    return f"<div>{heading}<table><tbody>{''.join(rows)}</tbody></table></div>"
+
+
+def is_large(value: Any) -> bool:
+    """Whether a value is too much for one line: a table, a long list, a list of tables."""
+    return isinstance(value, dict) or (
+        isinstance(value, list) and (len(value) > MOST_LISTED or any(isinstance(item, list | dict) for item in value))
+    )
+
+
+def card(name: str, value: str, unit: str = "") -> str:
+    """One number that is looked at first."""
+    return f'<div class="card"><b>{value} <small>{escape(unit)}</small></b><span>{escape(name)}</span></div>'
+
+
+def picture(path: Path, caption: str, *, wide: bool = False) -> str:
+    """A PNG file inside the page, nothing if there is none; a wide one is scrolled on a phone, not shrunk."""
+    if not path.is_file():
+        return ""
+    data = base64.b64encode(path.read_bytes()).decode("ascii")
+    source = f"data:image/png;base64,{data}"
+    image = f'<img alt="{escape(caption)}" src="{source}">'
+    image = f'<div class="scroll wide">{image}</div>' if wide else image
+    return f"<figure>{image}<figcaption>{escape(caption)}</figcaption></figure>"
+
+
+def items(messages: Iterable[str]) -> str:
+    """Messages as a list."""
+    return "<ul>" + "".join(f"<li>{escape(message)}</li>" for message in messages) + "</ul>"
+
+
+def section(anchor: str, title: str, body: str) -> str:
+    """A part of the page; empty if it has nothing to say."""
+    return f'<section id="{anchor}"><h2>{escape(title)}</h2>\n{body}\n</section>' if body else ""
+
+
+LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")
+
+
+def versions(summary: dict[str, Any]) -> str:
+    """Program, libraries of the machine that made the page, wall times [s]."""
+    libraries = {}
+    for name in LIBRARIES:
+        try:
+            libraries[name] = metadata.version(name)
+        except metadata.PackageNotFoundError:
+            continue
+    times = {f"{name}_s": value for name, value in (summary.get("timing_s") or {}).items()}
+    own = {"oilfilm, of the results": summary["oilfilm"], "python, of this page": platform.python_version()}
+    blocks = [facts("Versions", own | {f"{name}, of this page": v for name, v in libraries.items()})]
+    blocks += [facts("Wall time", times)] if times else []
+    return f'<div class="facts">{"".join(blocks)}</div>'

@@ -1,0 +1,100 @@
+"""The shown part of one contact, read back from disk, as grids for the scene; no window is opened here."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..contact.frame import principal_coordinates
+from ..contact.view import half_extents, shown_part
+from ..plot_style import film_range
+from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from .geometry import ContactFrame, Placement, crop_to_ball, place_patch
+from .vtk import add_point_data, structured_grid
+
+if TYPE_CHECKING:
+    import xarray
+
+Array = NDArray[np.float64]
+ALL = (slice(None), slice(None))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Patch:
+    """The shown part of one contact, read from disk.
+
+    Attributes
+    ----------
+    x, y, film, pressure : ndarray, shape (nx, ny)
+        Principal coordinates [mm], or in semi-axes a; film [um]; pressure [GPa]; dimensionless in Moes input.
+    central, minimum : float
+        Films [um].
+    attributes : dict
+        Of the contact, as written.
+    """
+
+    x: Array
+    y: Array
+    film: Array
+    pressure: Array
+    central: float
+    minimum: float
+    attributes: dict[str, Any]
+
+    @classmethod
+    def read(cls, data: xarray.Dataset) -> Patch:
+        """Take the shown part of a contact's data set; lengths in [m] there."""
+        facts = data.attrs
+        a, angle = float(facts["semi_axis_x"]), float(facts["frame_angle"])
+        half_x, half_y = half_extents(angle, float(facts["semi_axis_y"]) / a)
+        x, y, p = data["x"].values, data["y"].values, data["P"].values
+        part = shown_part(x, y, p, a * half_x, a * half_y)
+        units = {"m": MILLIMETRE, "a": 1.0, "Pa": GIGAPASCAL, "p_h": 1.0, "a^2/Rx": 1.0}
+        length = units[data["x"].attrs["units"]]
+        film = MICROMETRE if data["h"].attrs["units"] == "m" else 1.0
+        along, across = principal_coordinates(x[part[0]] / length, y[part[1]] / length, angle)
+        return cls(
+            x=along,
+            y=across,
+            film=data["h"].values[part] / film,
+            pressure=p[part] / units[data["P"].attrs["units"]],
+            central=float(data["film_central"]) / film,
+            minimum=float(data["film_minimum"]) / film,
+            attributes=dict(facts),
+        )
+
+    def levels(self, quantity: str) -> list[float]:
+        """Contour lines: shares of the central film [um], or of the largest pressure [GPa]."""
+        if quantity == "film":
+            return [self.central * share for share in (0.9, 0.95, 1.05, 1.1)]
+        return [float(self.pressure.max()) * share for share in (0.1, 0.3, 0.5, 0.7, 0.9)]
+
+    def mesh(self, ball_radius: float, placement: Placement) -> Any:
+        """Patch on its ball of `ball_radius` [m] as a vtkStructuredGrid in [mm].
+
+        With film exaggeration the end of the colour scale lies on the ball and thinner films below, where no race hides
+        them.
+        """
+        vectors = {name: np.asarray(self.attributes[name]) for name in ("origin", "axis_x", "axis_y", "normal")}
+        frame = ContactFrame(ball_radius=ball_radius, **vectors)
+        x, y = self.x * MILLIMETRE, self.y * MILLIMETRE
+        part = crop_to_ball(x[:, 0], y[0, :], ball_radius, placement)
+        top = film_range(self.central, self.minimum)[1]
+        depth = np.maximum(top - self.film[part], 0.0) * MICROMETRE
+        points = place_patch(x[part], y[part], frame, placement, -placement.film * depth)
+        return self._grid(points / MILLIMETRE, part)
+
+    def relief(self, quantity: str, height: float) -> Any:
+        """Contact plane with the quantity as height, `height` [mm or a] at its scale's end, as above."""
+        field = self.film if quantity == "film" else self.pressure
+        top = film_range(self.central, self.minimum)[1] if quantity == "film" else float(field.max())
+        return self._grid(np.stack([self.x, self.y, height * field / top], axis=-1))
+
+    def _grid(self, points: Array, part: tuple[slice, slice] = ALL) -> Any:
+        grid = structured_grid(points)
+        add_point_data(grid, "film", self.film[part])
+        add_point_data(grid, "pressure", self.pressure[part])
+        return grid

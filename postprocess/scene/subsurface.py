@@ -1,0 +1,104 @@
+"""Stress below the solved pressure of contacts, as volumes for VTK; computed on request only."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..contact.frame import principal_coordinates
+from .geometry import Array, ContactFrame, Placement, place_patch
+
+if TYPE_CHECKING:
+    from bearing.contacts.contacts import BearingContact
+    from ehl import ContactSolution
+
+CELLS = 81  # each way
+LEFT_OUT = 0.01  # pressure over the largest one below which the box may end [-]
+MARGIN = 1.15  # of the box beyond the nodes with more pressure than that [-]
+DEEPEST, LEVELS = 2.0, 26  # in half the shorter side of the box, depths from the surface to there
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StressVolume:
+    """Stress in the race below one contact.
+
+    Attributes
+    ----------
+    points : ndarray, shape (nx, ny, nz, 3)
+        In the bearing's frame [m].
+    depth : ndarray, shape (nz,)
+        [m].
+    stress : ndarray, shape (6, nx, ny, nz)
+        xx, yy, zz, xy, yz, xz in the contact's frame, z into the race [Pa].
+    von_mises, maximum_shear : ndarray, shape (nx, ny, nz)
+        [Pa].
+    """
+
+    points: Array
+    depth: Array
+    stress: Array
+    von_mises: Array
+    maximum_shear: Array
+
+
+def stress_volume(
+    contact: BearingContact, solution: ContactSolution, ball_radius: float, poisson_ratio: float
+) -> StressVolume:
+    """Stress in the race below the solved pressure, which is taken as acting on a half-space without friction.
+
+    Parameters
+    ----------
+    contact : BearingContact
+    solution : ContactSolution
+    ball_radius : float
+        [m].
+    poisson_ratio : float
+        Of the race [-].
+
+    Returns
+    -------
+    StressVolume
+        Stresses in [Pa], lengths in [m].
+    """
+    from ehl.solid.subsurface import subsurface_stress
+
+    long, wide, pressure = solution.x, solution.y, solution.pressure
+    if long is None or wide is None or solution.semi_axis_x is None:
+        raise ValueError("a contact given by Moes' groups has no lengths and no stress in pascals")
+    a, b = solution.semi_axis_x, solution.semi_axis_x * solution.semi_axis_ratio
+    pressed = pressure > LEFT_OUT * pressure.max()
+    x, y = _span(long, pressed.any(axis=1), a), _span(wide, pressed.any(axis=0), b)
+    depth = np.linspace(0.0, DEEPEST, LEVELS) * 0.5 * min(float(np.ptp(x)), float(np.ptp(y)))
+    field = subsurface_stress(_resampled(long, wide, pressure, x, y), x, y, depth, poisson_ratio)
+    frame = ContactFrame(
+        origin=np.asarray(contact.origin),
+        axis_x=np.asarray(contact.axis_x),
+        axis_y=np.asarray(contact.axis_y),
+        normal=np.asarray(contact.normal),
+        ball_radius=ball_radius,
+    )
+    along, across = principal_coordinates(x, y, solution.frame_angle)
+    levels = [place_patch(along, across, frame, Placement(), np.full(along.shape, z)) for z in depth]
+    return StressVolume(
+        points=np.stack(levels, axis=2),
+        depth=depth,
+        stress=field.stress,
+        von_mises=field.von_mises,
+        maximum_shear=field.maximum_shear,
+    )
+
+
+def _span(axis: Array, pressed: NDArray[np.bool_], semi_axis: float) -> Array:
+    """Even nodes over the Hertz ellipse and all nodes that carry pressure [m]."""
+    ends = np.array([min(axis[pressed].min(), -semi_axis), max(axis[pressed].max(), semi_axis)])
+    middle, half = ends.mean(), 0.5 * np.ptp(ends)
+    return np.asarray(middle + MARGIN * half * np.linspace(-1.0, 1.0, CELLS))
+
+
+def _resampled(long: Array, wide: Array, pressure: Array, x: Array, y: Array) -> Array:
+    """Pressure at other nodes, linear in both directions, zero outside; `long` and `wide` need not be even."""
+    rows = np.stack([np.interp(x, long, column, left=0.0, right=0.0) for column in pressure.T], axis=1)
+    return np.stack([np.interp(y, wide, row, left=0.0, right=0.0) for row in rows])

@@ -1,0 +1,26 @@
+"""Files of traction tables."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from bearing.friction.race_tables import save_race_tables
+from bearing.friction.temperature_tables import save_temperature_tables
+
+from .results import TractionResults
+
+
+def write_traction(results: TractionResults, path: Path) -> None:
+    """Write the tables to a file, and beside it its plots, `<name>_curves.png` and `<name>_map.png`."""
+    from .plots import write_traction_plots
+
+    save_tables(results, path)
+    write_traction_plots(results, path)
+
+
+def save_tables(results: TractionResults, path: Path) -> None:
+    """Write the tables to a file; it appears under its name only when it is complete."""
+    if results.over_temperature is None:
+        save_race_tables(results.tables, path)
+    else:
+        save_temperature_tables(results.over_temperature, path)
