@@ -8,11 +8,10 @@ import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    import xarray
-
+import xarray
+import xarray as xr
 
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]  # dimensions, values, attributes by name
 FORMAT = 2  # of the netCDF file; raised when an older reader would misread it. 1: x always along the entrainment
@@ -58,10 +57,6 @@ def write_json(document: dict[str, Any], path: Path) -> None:
         temporary.write_text(text + "\n", encoding="utf-8")
 
 
-
-
-
-
 def write_dataset(variables: Variables, coordinates: set[str], attributes: dict[str, Any], path: Path) -> None:
     """Write one netCDF-4 data set.
 
@@ -75,8 +70,6 @@ def write_dataset(variables: Variables, coordinates: set[str], attributes: dict[
         Of the whole.
     path : Path
     """
-    import xarray as xr
-
     data = {name: value for name, value in variables.items() if name not in coordinates}
     coords = {name: value for name, value in variables.items() if name in coordinates}
     dataset = xr.Dataset(data, coords, attributes | {"oilfilm_format": FORMAT})
@@ -100,27 +93,13 @@ def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
     }
 
 
-
-
 def contact_name(ball: int, race: str) -> str:
     """Name of a contact in files: `ball01/inner`."""
     return f"ball{ball:02d}/{race}"
 
 
-
-
-
-
-
-
-
-
-
-
 def open_tree(path: Path) -> xarray.DataTree:
     """The groups of a netCDF-4 file, read from disk when they are used; ValueError if it is damaged or none."""
-    import xarray as xr
-
     try:
         return xr.open_datatree(path, engine="h5netcdf")
     except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:

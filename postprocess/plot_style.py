@@ -4,16 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import matplotlib
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from .files import atomic_path
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
 
 Array = NDArray[np.float64]
 
@@ -44,16 +42,6 @@ FLAT_FILM = 0.03  # of the central film: with a minimum nearer to it the contact
 BEYOND_SCALE = "#e4e7eb"  # film thicker than the colour scale
 
 
-
-
-
-
-
-
-
-
-
-
 def film_range(central: float, minimum: float) -> tuple[float, float]:
     """Ends of a film's colour scale in the unit of the films, such as [um]: the inlet is beyond it."""
     spread = central - minimum
@@ -79,14 +67,8 @@ def film_ticks(low: float, high: float) -> list[float]:
 
 def colour_stops(quantity: str, count: int) -> Array:
     """Evenly spaced colours of a quantity's map, shape (count, 3), red, green and blue from 0 to 1 [-]."""
-    import matplotlib
-
     colours: Array = matplotlib.colormaps[COLOUR_MAPS[quantity]](np.linspace(0.0, 1.0, count))[:, :3]
     return colours
-
-
-
-
 
 
 def save(figure: Figure, path: Path) -> None:

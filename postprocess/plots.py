@@ -8,6 +8,9 @@ from math import degrees
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import matplotlib
+from matplotlib.figure import Figure
+
 from .bearing.plots import draw_load_zone, draw_per_azimuth
 from .bearing.plots_torque import draw_torque
 from .contact.plots import draw_contact, film_text
@@ -16,8 +19,6 @@ from .plot_style import RC, save
 from .results import BearingResults, ContactResults, DistinctContact, distinct_contacts
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
     NamedFigure = tuple[str, Callable[[Figure], None]]
 
 PLOT_FOLDER = "plots"
@@ -37,15 +38,12 @@ def write_plots(results: BearingResults | ContactResults, directory: Path) -> tu
     tuple of str
         Which figures could not be drawn and why; the others are there.
     """
-    import matplotlib
-    import matplotlib.figure
-
     folder = directory / PLOT_FOLDER
     figures = _contact_figures(results) if isinstance(results, ContactResults) else _bearing_figures(results)
     problems = []
     with matplotlib.rc_context(RC):
         for name, draw in figures:
-            figure = matplotlib.figure.Figure()
+            figure = Figure()
             try:
                 draw(figure)
                 save(figure, folder / f"{name}.png")

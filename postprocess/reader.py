@@ -4,16 +4,13 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import numpy as np
+import xarray
 
 from .dynamics.history import FORMAT as HISTORY_FORMAT
 from .dynamics.history import HISTORY_FILE
 from .files import FIELDS_FILE, FORMAT, SUMMARY_FILE, open_tree
-
-if TYPE_CHECKING:
-    import xarray
 
 KINDS = ("bearing", "contact", "batch", "slip", "stiffness")  # that a file names
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"

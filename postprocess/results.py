@@ -4,21 +4,20 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from math import degrees
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.contacts.contacts import BearingContact
+from bearing.contacts.traction import ContactTraction
+from bearing.fits.clearance import ClearanceBudget
+from bearing.heating.self_heating import WarmState
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.rating.frequencies import Frequencies
+from bearing.rating.life import LifeRating
+from bearing.torque.breakdown import TorqueBreakdown
+from ehl import ContactSolution, Lubricant
+from ehl.traction.shear import TractionResult
 
 from .text import listed
-
-if TYPE_CHECKING:
-    from bearing.contacts.contacts import BearingContact
-    from bearing.contacts.traction import ContactTraction
-    from bearing.fits.clearance import ClearanceBudget
-    from bearing.heating.self_heating import WarmState
-    from bearing.quasistatic.solution import QuasistaticSolution
-    from bearing.rating.frequencies import Frequencies
-    from bearing.rating.life import LifeRating
-    from bearing.torque.breakdown import TorqueBreakdown
-    from ehl import ContactSolution, Lubricant
-    from ehl.traction.shear import TractionResult
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -9,7 +9,9 @@ from pathlib import Path
 from .bearing.document import summary
 from .bearing.files import write_contacts_csv, write_netcdf
 from .files import CONTACTS_FILE, FIELDS_FILE, SUMMARY_FILE, write_json
+from .plots import write_plots
 from .results import BearingResults, ContactResults
+from .scene.vtk import write_collection, write_subsurface
 
 
 def write_results(results: BearingResults | ContactResults, directory: str | Path) -> tuple[str, ...]:
@@ -56,14 +58,10 @@ def _try(
 
 
 def _plots(results: BearingResults | ContactResults, folder: Path) -> tuple[str, ...]:
-    from .plots import write_plots
-
     return write_plots(results, folder)
 
 
 def _vtk(results: BearingResults | ContactResults, folder: Path) -> tuple[str, ...]:
-    from .scene.vtk import write_collection, write_subsurface
-
     write_collection(results, folder)
     if isinstance(results, BearingResults):
         write_subsurface(results, folder)

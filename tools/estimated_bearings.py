@@ -15,7 +15,7 @@ from bearing.catalogue import published_bearings
 from bearing.geometry_estimate import CatalogueData, GeometryEstimate, estimate_geometry, normal_clearance
 from bearing.names import plain_name
 
-DATA = Path(__file__).parents[1] / "bearing" / "data"
+DATA = Path(__file__).parents[1] / "bearing" / "library" / "data"
 RATINGS, TARGET = DATA / "catalogue_ratings.csv", DATA / "estimated_bearings.toml"
 MM, UM, KN = 1e-3, 1e-6, 1e3  # in SI
 ANGLE_RANGE = 3.0  # around the nominal contact angle, unverified [deg]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ehl.closed_form.hertz import hertz_contact
 from ehl.traction.laws import ContactShape
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
@@ -10,9 +11,6 @@ from .motion import groove_curvature_radius
 
 def contact_shape(bearing: Bearing, race: Race, contact_angle: float) -> ContactShape:
     """Ellipse at 1 N and curvatures of the contact of a ball with a race at a contact angle [rad]."""
-    from ehl.closed_form.hertz import hertz_contact
-    from ehl.traction.laws import ContactShape
-
     radius_x, radius_y = reduced_radii(bearing, race, contact_angle)
     hertz = hertz_contact(1.0, radius_x, radius_y, contact_modulus(bearing, race))
     return ContactShape(

@@ -8,14 +8,14 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ehl.traction.laws import CoulombLaw, FourConstantLaw
+from ehl.traction.table.table import TractionTable
+
 from ..contacts.shape import contact_shape
 from ..geometry import Bearing, Race
 from .problem import COEFFICIENT, FRICTIONLESS, TABLE, Array, FrictionData
 
 if TYPE_CHECKING:
-    from ehl.traction.laws import CoulombLaw, FourConstantLaw
-    from ehl.traction.table.table import TractionTable
-
     Law = CoulombLaw | FourConstantLaw
 
 RINGS, RAYS = 4, 12  # of the quadrature over the ellipse in the equations of motion
@@ -84,8 +84,6 @@ def ellipse_points(rings: int, rays: int) -> Array:
     return np.stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), share])
 
 
-
-
 def coulomb_friction(
     bearing: Bearing,
     angles: tuple[float, float],
@@ -112,8 +110,6 @@ def coulomb_friction(
     -------
     RaceFriction
     """
-    from ehl.traction.laws import CoulombLaw
-
     laws = [
         CoulombLaw(contact_shape(bearing, race, angle), friction=coefficient, slide_none=ramp[0], slide_full=ramp[1])
         for race, angle in zip((Race.INNER, Race.OUTER), angles, strict=True)
@@ -129,8 +125,6 @@ def four_constant_friction(
     at_centre: bool = False,
 ) -> RaceFriction:
     """mu = (A + B s) exp(-C s) + D on both races; contact angles inner and outer [rad], constants [-]."""
-    from ehl.traction.laws import FourConstantLaw
-
     a, b, c, d = constants
     laws = [
         FourConstantLaw(contact_shape(bearing, race, angle), a=a, b=b, c=c, d=d)

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
 from math import isfinite, pi
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
-    from .friction import RaceFriction
+from .friction import RaceFriction
 
 IMPACT_FLOOR = 0.05  # [m/s], see `NormalContact.impact_floor`
 TOLERANCE = 1.0e-4  # of the error of a step in units of `scales` [-]; see docs/theory/dynamics.md

@@ -5,9 +5,11 @@ Traction tables are looked up by their own twin (`ehl.traction.table.table`), wi
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
+
+from ehl.traction.table.table import TractionTable
 
 from .films.laws import elastic_approach
 from .laws import normal_force
@@ -23,9 +25,6 @@ from .problem import (
     FrictionData,
     Problem,
 )
-
-if TYPE_CHECKING:
-    from ehl.traction.table.table import TractionTable
 
 X = np.array([1.0, 0.0, 0.0])
 LIMIT = 0.95  # of the eccentricity of a land's film [-]

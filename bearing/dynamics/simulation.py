@@ -11,6 +11,7 @@ import numpy as np
 
 from ..geometry import Bearing
 from ..operation import Operation
+from ._kernels import derivative, energies
 from .assembly import assemble, scales
 from .bodies import equation_counts
 from .initial import StartingPoint, initial_state, starting_point
@@ -28,10 +29,6 @@ MESSAGES = {
     1: "dynamics: not converged: the step became too small at t = {t:.6g} s; try a larger tolerance or friction ramp",
     3: "dynamics: not converged: the state is not finite at t = {t:.6g} s",
 }
-
-
-
-
 
 
 @dataclass(slots=True, kw_only=True)
@@ -158,8 +155,6 @@ def from_state(
     bearing: Bearing, operation: Operation, model: DynamicsModel, start: tuple[StartingPoint, Problem, Array]
 ) -> Simulation:
     """A simulation from a state vector [SI]."""
-    from ._kernels import derivative, energies
-
     point, problem, y = start
     n = bearing.balls
     attitude = np.zeros((n, 4))
@@ -188,7 +183,3 @@ def from_state(
         start_energy=float(out.sum()),
         messages=list(point.messages),
     )
-
-
-
-

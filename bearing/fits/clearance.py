@@ -15,14 +15,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite
-from typing import TYPE_CHECKING
 
 from ..geometry import Bearing
 from ..material import Material
 from ..operation import Operation
-
-if TYPE_CHECKING:
-    from .clearance import CageClearance
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -24,6 +24,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import Array
+from . import _kernels
 
 LINE_NODES, CHORD_NODES = 48, 8  # along the transverse axis, and along each chord in the rolling direction
 TINY = 1.0e-300
@@ -131,8 +132,6 @@ def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
 
     |s| is rounded to sqrt(s^2 + e^2) [m/s]. Hertz's pressure is taken into the weights.
     """
-    from . import _kernels
-
     e, n = ellipses, motion.shape[0]
     shapes = np.stack([e.friction * e.load, e.semi_axis_x, e.semi_axis_y, 0.5 / e.radius, e.rounding], axis=1)
     found = Dissipation(np.empty(n), np.empty((n, 4)), np.empty((n, 4, 4)))

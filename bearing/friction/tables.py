@@ -11,6 +11,7 @@ from ehl.traction.laws import CoulombLaw, FourConstantLaw, FrictionLaw
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.contacts import BearingContact
+from ..friction import _kernels
 from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .balance import BalancedFriction, ContactLaw, balance_driven_balls
@@ -74,8 +75,6 @@ def _groups(
 
 def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
     """Minus the forces and their slopes of some contacts, by number, place and motion, for laws like the first."""
-    from ..friction import _kernels
-
     if isinstance(first, CoulombLaw | FourConstantLaw):
         disc, blank = first.disc, (first.kernel_law(), first.shape.constants)
         alike = [law if isinstance(law, type(first)) else None for law in laws]

@@ -28,12 +28,6 @@ LIGHT_LOAD = 0.1  # load over the centrifugal forces of all balls below which th
 SINGULAR = 1.0e-9  # smallest over largest stiffness below which a direction counts as undetermined [-]
 
 
-
-
-
-
-
-
 def solve_quasistatic(
     bearing: Bearing,
     operation: Operation,

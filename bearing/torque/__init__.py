@@ -1,6 +1,7 @@
 """Friction torque of a ball bearing, by several models side by side.
 
-Functions named as their module are imported from it: heat_balance, self_heating, starved_torque."""
+Functions named as their module are imported from it: heat_balance, self_heating, starved_torque.
+"""
 
 import lazy_loader
 

@@ -151,10 +151,6 @@ def _asperity_force(solution: QuasistaticSolution, traction: ContactTraction, fr
     return -coulomb_dissipation(motion, contact_ellipses(solution, [traction.contact], friction)).gradient[0]
 
 
-
-
-
-
 def balanced_tractions(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
@@ -168,9 +164,3 @@ def balanced_tractions(
         for contact, film in zip(contacts, films, strict=True)
         if film is not None
     )
-
-
-
-
-
-

@@ -96,18 +96,6 @@ def law_torque(
     return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried, note=not_closed(found), untold=untold)
 
 
-
-
-
-
-
-
-
-
-
-
-
-
 def _torque(
     solution: QuasistaticSolution, move: MotionMap, moved: tuple[Array, Array], law: ContactLaw
 ) -> IntegratedTorque:

@@ -3,23 +3,33 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.contacts.contacts import BearingContact
+from bearing.friction.race_tables import Tables, save_race_tables
+from bearing.friction.resistance import FREE
+from bearing.friction.sources import BallTraction, LawTraction
+from postprocess import summary
+from postprocess.batch.results import OUTSIDE
+from postprocess.bearing.files import write_netcdf
+from postprocess.dynamics.results import dynamics_summary
+from postprocess.results import BearingResults, ContactResults
+from postprocess.slip.results import slip_summary
+from postprocess.traction.results import traction_summary
 
 from ..format.case import Case, ContactCase
+from ..runs.bearing import run_case
+from ..runs.contact import run_contact
+from ..runs.dynamics import run_dynamics
+from ..runs.films import Solve
 from ..runs.race_tables import made_for
+from ..runs.slip import run_slip
+from ..runs.traction_table import run_table
 from .tables import tables_once
-
-if TYPE_CHECKING:
-    from collections.abc import Sequence
-
-    from bearing.contacts.contacts import BearingContact
-    from bearing.friction.race_tables import Tables
-    from postprocess.results import BearingResults, ContactResults
-
-    from ..runs.films import Solve
-    from .tasks import Task
+from .tasks import Task
 
 Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
 
@@ -41,16 +51,9 @@ def compute(case: Case | ContactCase, task: Task, tables: Path | None, solve: So
     dict, dict of bytes
         Summary, and files by suffix.
     """
-    from ..runs.bearing import run_case
-    from ..runs.contact import run_contact
-
     if isinstance(case, ContactCase):
         return _with_fields(run_contact(case), task)
     if task.compute == "slip":
-        from postprocess.slip.results import slip_summary
-
-        from ..runs.slip import run_slip
-
         return slip_summary(run_slip(case, "case", 1)), {}
     if task.compute == "dynamics":
         return _dynamics(case, task, tables)
@@ -64,13 +67,9 @@ def compute(case: Case | ContactCase, task: Task, tables: Path | None, solve: So
 
 def _with_fields(results: BearingResults | ContactResults, task: Task) -> Computed:
     """The summary, and the netCDF file of the film maps if it is wanted."""
-    from postprocess import summary
-
     document = summary(results)
     if not task.fields:
         return document, {}
-    from postprocess.bearing.files import write_netcdf
-
     with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
         path = Path(temporary) / "results.nc"
         write_netcdf(results, path, document)
@@ -79,10 +78,6 @@ def _with_fields(results: BearingResults | ContactResults, task: Task) -> Comput
 
 def _dynamics(case: Case, task: Task, tables: Path | None) -> Computed:
     """Time simulation; its history is a file if it is wanted."""
-    from postprocess.dynamics.results import dynamics_summary
-
-    from ..runs.dynamics import run_dynamics
-
     with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
         history = Path(temporary) / "history.nc"
         document = dynamics_summary(run_dynamics(case, "case", history, tables=tables))
@@ -91,11 +86,6 @@ def _dynamics(case: Case, task: Task, tables: Path | None) -> Computed:
 
 def _table(case: Case, task: Task) -> Computed:
     """Traction tables of the point's own loads and speeds, as a file."""
-    from bearing.friction.race_tables import save_race_tables
-    from postprocess.traction.results import traction_summary
-
-    from ..runs.traction_table import run_table
-
     results = run_table(case, task.table_points, 1)
     with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
         path = Path(temporary) / "table.zip"
@@ -105,11 +95,7 @@ def _table(case: Case, task: Task) -> Computed:
 
 def _torque(case: Case, tables: Tables | None) -> Computed:
     """Equilibrium, life and torque by every model; the integrated one by tables, or the law that the case names."""
-    from postprocess import summary
-
     if tables is None:
-        from ..runs.bearing import run_case
-
         return summary(run_case(replace(case, film_maps="none"), 1)), {}
     results, notes = torque_by_tables(case, tables)
     document = summary(results)
@@ -141,11 +127,6 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
     ValueError
         If the tables were made for other bodies or another oil.
     """
-    from bearing.friction.resistance import FREE
-    from bearing.friction.sources import BallTraction, LawTraction
-
-    from ..runs.bearing import run_case
-
     assert case.rheology is not None  # of every bearing case
     made_for(tables, "the traction table", case.bearing, case.lubricant, case.rheology, case.films.solids)
     resistance = FREE if case.model.traction is None else case.model.traction.resistance
@@ -157,8 +138,6 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
 
 def _notes(contacts: Sequence[BearingContact], tables: Tables) -> tuple[str, ...]:
     """Accuracy of the tables, and how many contacts lie outside them."""
-    from postprocess.batch.results import OUTSIDE
-
     outside = 0
     for contact in contacts:
         if contact.conditions is not None:

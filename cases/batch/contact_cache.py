@@ -9,13 +9,14 @@ from collections.abc import Callable
 from dataclasses import asdict, fields, is_dataclass
 from enum import Enum
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+
+from ehl import ContactConditions, ContactSolution, ConvergenceRecord, FilmValue, SolverOptions, solve_contact
 
 from ..version import version
 from .store import write_file
-
-if TYPE_CHECKING:
-    from ehl import ContactConditions, ContactSolution, SolverOptions
 
 MOST_BYTES = 4_000_000_000  # the cache of a batch grows no further
 
@@ -46,8 +47,6 @@ def cached_solver(folder: Path) -> Callable[[ContactConditions, SolverOptions], 
     """`ehl.solve_contact` that looks into `folder` first and leaves there what it solves."""
 
     def solve(conditions: ContactConditions, options: SolverOptions) -> ContactSolution:
-        from ehl import solve_contact
-
         try:
             path = folder / f"{content_key(conditions, options)}.npz"
         except TypeError:
@@ -64,8 +63,6 @@ def cached_solver(folder: Path) -> Callable[[ContactConditions, SolverOptions], 
 
 def store(path: Path, solution: ContactSolution) -> None:
     """Leave a solution at `path`, unless the cache is full or the solution holds what a file cannot."""
-    import numpy as np
-
     arrays: dict[str, Any] = {}
     rest: dict[str, Any] = {}
     for item in fields(solution):
@@ -88,10 +85,6 @@ def store(path: Path, solution: ContactSolution) -> None:
 
 def load(path: Path, conditions: ContactConditions, options: SolverOptions) -> ContactSolution | None:
     """The solution at `path`; None if there is none or it is damaged."""
-    import numpy as np
-
-    from ehl import ContactSolution, ConvergenceRecord, FilmValue
-
     try:
         with np.load(path, allow_pickle=False) as file:
             arrays = {name: file[name] for name in file.files if name != "header"}

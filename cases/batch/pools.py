@@ -6,6 +6,7 @@ import os
 import signal
 import threading
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import active_children, connection, get_context, parent_process
 from pathlib import Path
 from typing import Any, Protocol
@@ -112,8 +113,6 @@ class LocalPool:
 
     def lost(self, error: BaseException) -> bool:
         """Whether this error means that a worker is gone."""
-        from concurrent.futures.process import BrokenProcessPool
-
         return isinstance(error, BrokenProcessPool)
 
     def rebuild(self) -> bool:

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from postprocess.batch.points import BatchPoint, BatchResults
+from postprocess.batch.results import batch_summary, write_batch_csv, write_batch_netcdf
+from postprocess.files import write_json
 
 from ..version import version
 from .engine import Batch
 from .store import read_point
-
-if TYPE_CHECKING:
-    from postprocess.batch.points import BatchResults
 
 SUMMARY, TABLE, DATA = "summary.json", "batch.csv", "results.nc"
 MISSING: dict[str, Any] = {
@@ -22,8 +23,6 @@ MISSING: dict[str, Any] = {
 
 def gathered(batch: Batch) -> BatchResults:
     """Every point of a batch with its summary, in the order of the sweep file."""
-    from postprocess.batch.points import BatchPoint, BatchResults
-
     points = []
     for point in batch.sweep.points:
         record = read_point(batch.directory, point.key) or MISSING
@@ -56,9 +55,6 @@ def gathered(batch: Batch) -> BatchResults:
 
 def write_batch(results: BatchResults, directory: Path) -> None:
     """Write the table, the data set and, last, the summary of a batch."""
-    from postprocess.batch.results import batch_summary, write_batch_csv, write_batch_netcdf
-    from postprocess.files import write_json
-
     write_batch_csv(results, directory / TABLE)
     write_batch_netcdf(results, directory / DATA)
     write_json(batch_summary(results), directory / SUMMARY)

@@ -47,10 +47,6 @@ HIDING = {
 }
 
 
-
-
-
-
 def read_sweep(name_or_path: str | FilePath) -> Sweep:
     """Read a sweep file and check each of its points as a case.
 

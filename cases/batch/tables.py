@@ -13,21 +13,27 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.friction.race_tables import LOAD_SPAN, Tables, save_race_tables, table_contacts, table_range
+from bearing.friction.sources import FilmTraction
+from bearing.geometry import Race
+from bearing.operation import BallKinematics, Model
+from bearing.quasistatic.solver import solve_quasistatic
+from ehl import Lubricant
+from ehl.oil.rheology import Rheology
+from ehl.traction.table.build import TableOptions, build_table
+from ehl.traction.table.table import TableRange
 
 from ..convert.operation import TRACTION_EQUILIBRIUM
-from ..format.case import Case, ContactCase
+from ..format.case import Case, ContactCase, case_of_file, check_document
+from ..format.problems import CaseError
+from ..runs.films import cores
+from ..runs.race_tables import made_for, tables_of_file
 from ..version import version
 from .contact_cache import content_key
+from .points import Point, Sweep
 from .store import TABLES
-
-if TYPE_CHECKING:
-    from bearing.friction.race_tables import Tables
-    from bearing.operation import Model
-    from ehl import Lubricant
-    from ehl.oil.rheology import Rheology
-
-    from .points import Point, Sweep
 
 UNAFFECTED = ("title", "source", "assumed", "surface", "slip", "friction", "cage", "dynamics", "ehl")
 Progress = Callable[[int, int, str], None]
@@ -38,8 +44,6 @@ def needs_tables(case: Case | ContactCase, compute: str) -> bool:
     if not isinstance(case, Case):
         return False
     if compute == "torque":
-        from bearing.friction.sources import FilmTraction
-
         return case.model.traction is None or isinstance(case.model.traction.source, FilmTraction)
     return compute == "dynamics" and case.dynamics is not None and case.dynamics.friction == "table"
 
@@ -101,8 +105,6 @@ def foreign_points(path: Path, common: Mapping[int, str], examples: Mapping[str,
 
     `common` has by the number of a point what it must have in common with others, `examples` a case of each kind.
     """
-    from ..runs.race_tables import made_for, tables_of_file
-
     try:
         tables = tables_of_file(path)
     except ValueError:
@@ -164,10 +166,6 @@ def prepare_tables(sweep: Sweep, wanted: Iterable[str], directory: Path, progres
 
 
 def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:
-    from bearing.friction.race_tables import save_race_tables
-
-    from ..runs.race_tables import tables_of_file
-
     path.parent.mkdir(parents=True, exist_ok=True)
     if sweep.table is None:
         save_race_tables(shared_tables(sweep, name, progress), path)
@@ -183,14 +181,6 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
 
     Rolling radii are those of the heaviest contact of each race among all points.
     """
-    from bearing.friction.race_tables import LOAD_SPAN, table_contacts, table_range
-    from bearing.geometry import Race
-    from bearing.quasistatic.solver import solve_quasistatic
-    from ehl.traction.table.build import TableOptions, build_table
-    from ehl.traction.table.table import TableRange
-
-    from ..runs.films import cores
-
     cases = [case_of_document(point.document) for point in sweep.points if point.tables == name]
     states = []
     for k, case in enumerate(cases):
@@ -220,9 +210,6 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
 
 def _without_films(model: Model) -> Model:
     """Half and half in place of an equilibrium by films, which tables are to spare; loads hardly depend on it."""
-    from bearing.friction.sources import FilmTraction
-    from bearing.operation import BallKinematics
-
     if model.traction is None or not isinstance(model.traction.source, FilmTraction):
         return model
     balanced = model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
@@ -232,9 +219,6 @@ def _without_films(model: Model) -> Model:
 
 def case_of_document(document: dict[str, Any]) -> Case:
     """A point's case, which was checked with the sweep."""
-    from ..format.case import case_of_file, check_document
-    from ..format.problems import CaseError
-
     file, problems = check_document(document)
     if file is None or problems:
         raise CaseError(problem.text("case", {}) for problem in problems)
@@ -246,6 +230,4 @@ def case_of_document(document: dict[str, Any]) -> Case:
 @lru_cache(maxsize=2)
 def tables_once(path: str) -> Callable[[Lubricant, Rheology], Tables]:
     """Tables of both races for an oil and its shear law, the file read once by each worker."""
-    from ..runs.race_tables import tables_of_file
-
     return tables_of_file(Path(path))

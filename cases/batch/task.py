@@ -9,20 +9,17 @@ import tempfile
 from functools import cache
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from ..format.case import case_of_file, check_document
+from ..format.problems import CaseError
 from ..version import version
+from .compute import Computed, compute
+from .contact_cache import cached_solver
 from .store import CONTACTS, read_point, write_file, write_point
 from .tasks import Receipt, Task
 
-if TYPE_CHECKING:
-    from .compute import Computed
-
 DONE, FAILED, LOST = "done", "failed", "lost"
-
-
-
-
 
 
 def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
@@ -64,11 +61,6 @@ def _record(task: Task, folder: Path | None, tables: bytes | None) -> Computed:
 
 def _computed(task: Task, folder: Path | None, content: bytes | None) -> Computed:
     """Summary and files of a point; tables that did not come as a file become one."""
-    from ..format.case import case_of_file, check_document
-    from ..format.problems import CaseError
-    from .compute import compute
-    from .contact_cache import cached_solver
-
     file, problems = check_document(task.document)
     if file is None or problems:
         raise CaseError(problem.text("case", {}) for problem in problems)

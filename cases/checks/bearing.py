@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from math import acos, asin, cos, degrees, floor, pi, radians
 from typing import Any
 
+from bearing.torque.skf import Series
+
 from ..format.problems import MISSING, Problem, shown
 from .values import Names, Values, known
 
@@ -141,7 +143,7 @@ def skf_series(values: Values) -> Iterator[Problem]:
     given, angle = values.get("bearing", "skf_series"), _free_angle(values)
     if given is None:
         return
-    from bearing.torque.skf import Series, skf_series
+    from bearing.torque.skf import skf_series
 
     names = {kind: skf_series(kind) for kind in Series}
     found, allowed = f"found {shown(given)}", [name for kind in Series for name in names[kind]]

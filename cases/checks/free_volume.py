@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
+from bearing.library.lubricants import list_lubricants, lubricant_data
+
 from ..format.problems import MISSING, Problem, shown
 from ..format.toml_lines import Path
 from .values import Values
@@ -84,8 +86,6 @@ def _needed(oil: dict[str, Any], given: list[str], asked: list[tuple[str, str]])
 
 
 def _no_constants(oil: _Oil, law: tuple[str, str], *, library: bool) -> Iterator[Problem]:
-    from bearing.library.lubricants import list_lubricants, lubricant_data
-
     name, names = oil.keys.get("name"), list_lubricants()
     known = [] if law[1] == "yasutomi" else [one for one in names if "doolittle" in lubricant_data(one)]
     if library and (name in known or name not in names):  # unknown names are told by themselves

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from ..runs.terminal import print_lines
+from .terminal import print_lines
 
 app = typer.Typer(
     name="oilfilm",

@@ -12,9 +12,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.terminal import FAILED, finish_first, guarded, progress_bar, say
+from ..runs.interrupt import finish_first, say
 from .app import Json, Output, Quiet, app
 from .output import prepare, report
+from .terminal import FAILED, guarded, progress_bar
 
 if TYPE_CHECKING:
     from postprocess.batch.points import BatchResults

@@ -9,9 +9,10 @@ from typing import Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.terminal import guarded, progress_bar, say
+from ..runs.interrupt import say
 from .app import CaseName, Json, Output, Quiet, app
 from .output import finish, prepare, report, results_directory, save, save_with
+from .terminal import guarded, progress_bar
 
 
 class Method(StrEnum):

@@ -12,10 +12,11 @@ from typing import Annotated
 import typer
 
 from ..format.problems import CaseError
+from ..runs.interrupt import say
 from ..runs.output_directory import add_to_manifest
-from ..runs.terminal import NOT_CONVERGED, guarded, print_lines, say
 from .app import app
 from .output import prepare
+from .terminal import NOT_CONVERGED, guarded, print_lines
 
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
 Errors = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.terminal import guarded, progress_bar, say
+from ..runs.interrupt import say
 from .app import CaseName, Json, Output, Quiet, app
 from .output import prepare, report, results_directory, save_with
+from .terminal import guarded, progress_bar
 
 if TYPE_CHECKING:
     from bearing.dynamics.simulation import Simulation

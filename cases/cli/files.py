@@ -10,8 +10,9 @@ from typing import Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.terminal import BAD_INPUT, guarded, print_lines, say
+from ..runs.interrupt import say
 from .app import app
+from .terminal import BAD_INPUT, guarded, print_lines
 
 
 class Listing(StrEnum):

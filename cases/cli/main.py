@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import sys
 
-from ..runs.terminal import exit_code, prepare_streams
 from .commands import app
+from .terminal import exit_code, prepare_streams
 
 
 def main() -> None:

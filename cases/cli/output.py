@@ -7,7 +7,8 @@ from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
-from ..runs.terminal import NOT_CONVERGED, finish_first, print_lines, say
+from ..runs.interrupt import finish_first, say
+from .terminal import NOT_CONVERGED, print_lines
 
 if TYPE_CHECKING:
     from collections.abc import Callable

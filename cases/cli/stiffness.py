@@ -7,9 +7,9 @@ from typing import Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.terminal import guarded
 from .app import CaseName, Json, Output, Quiet, app
 from .output import prepare, report, results_directory, save_with
+from .terminal import guarded
 
 
 @app.command()

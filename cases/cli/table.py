@@ -8,9 +8,9 @@ from typing import Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.terminal import guarded, progress_bar
 from .app import CaseName, Json, Quiet, app
 from .output import prepare, report
+from .terminal import guarded, progress_bar
 
 TableFile = Annotated[
     Path | None, typer.Option("--output", "-o", metavar="FILE", help="The table; default CASE_table.zip.")

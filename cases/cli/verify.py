@@ -9,17 +9,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.terminal import (
-    NOT_CONVERGED,
-    finish_first,
-    guarded,
-    print_lines,
-    progress_bar,
-    say,
-)
+from ..runs.interrupt import finish_first, say
 from ..verification.names import SectionName
 from .app import Json, Output, Quiet, app
 from .output import prepare
+from .terminal import NOT_CONVERGED, guarded, print_lines, progress_bar
 
 if TYPE_CHECKING:
     from rich.table import Table

@@ -10,8 +10,9 @@ from typing import Annotated
 import typer
 
 from ..format.problems import CaseError
-from ..runs.terminal import FAILED, guarded, say
+from ..runs.interrupt import say
 from .app import app
+from .terminal import FAILED, guarded
 
 MOVIE_SIZE = (800, 600)  # pixels
 

@@ -4,23 +4,20 @@ from __future__ import annotations
 
 from dataclasses import replace
 from math import radians
-from typing import TYPE_CHECKING
+
+from bearing.fits.cage import cage_clearance
+from bearing.fits.clearance import CageClearance, ClearanceBudget, Fit, Warming, clearance_budget
+from bearing.geometry import Bearing, Race, contact_angle_to_clearance
+from bearing.operation import Operation, RatingInput
 
 from ..schema.bearing import BearingTable
 from ..schema.files import BearingFile
 from .materials import materials, ring_materials, seat_materials
 from .units import KN, MM, UM, mm
 
-if TYPE_CHECKING:
-    from bearing.fits.clearance import CageClearance, ClearanceBudget, Fit, Warming
-    from bearing.geometry import Bearing
-    from bearing.operation import Operation, RatingInput
-
 
 def bearing(file: BearingFile) -> Bearing:
     """Geometry [m, rad] and materials of the bearing."""
-    from bearing.geometry import Bearing
-
     table = file.bearing
     ball, inner, outer = ring_materials(table)
     library = materials(file, (ball, inner, outer))
@@ -44,8 +41,6 @@ def bearing(file: BearingFile) -> Bearing:
 
 def _clearance(table: BearingTable) -> float:
     """The diametral clearance, or that of the free contact angle [m]."""
-    from bearing.geometry import contact_angle_to_clearance
-
     if table.diametral_clearance_um is not None:
         return table.diametral_clearance_um * UM
     assert table.free_contact_angle_deg is not None  # checked before
@@ -58,8 +53,6 @@ def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing,
     given = bearing(file)
     if file.fit is None and file.temperatures is None:
         return given, None
-    from bearing.fits.clearance import Warming, clearance_budget
-
     fit, warming = seats(file), None
     if file.temperatures is not None:
         at = file.temperatures
@@ -77,8 +70,6 @@ def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing,
 
 def seats(file: BearingFile) -> Fit | None:
     """Fits of the rings [m]; None where the case gives none."""
-    from bearing.fits.clearance import Fit
-
     if file.fit is None:
         return None
     shaft, housing = seat_materials(file)
@@ -96,9 +87,6 @@ def seats(file: BearingFile) -> Fit | None:
 
 def _warm_cage(file: BearingFile, given: Bearing, warming: Warming) -> CageClearance | None:
     """What heat does to the clearances of the cage [m]; None without its temperature."""
-    from bearing.fits.cage import cage_clearance
-    from bearing.geometry import Race
-
     at, cage = file.temperatures, file.cage
     if at is None or at.cage_C is None:
         return None
@@ -113,8 +101,6 @@ def _warm_cage(file: BearingFile, given: Bearing, warming: Warming) -> CageClear
 
 def rating(file: BearingFile) -> RatingInput:
     """What the rating life needs beyond the loads: C_r, C_0 [N], nominal contact angle [rad], e_C [-]."""
-    from bearing.operation import RatingInput
-
     table = file.bearing
     angle, capacity = table.nominal_contact_angle_deg, table.basic_dynamic_rating_kN
     static = table.basic_static_rating_kN

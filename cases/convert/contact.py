@@ -3,22 +3,20 @@
 from __future__ import annotations
 
 from math import radians
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.material import reduced_modulus
+from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
+from ehl.solid.coating import Coating
 
 from ..schema.contact import ContactEhlTable
 from ..schema.files import ContactFile
 from .materials import materials
 from .units import GPA, UM, mm
 
-if TYPE_CHECKING:
-    from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
-    from ehl.solid.coating import Coating
-
 
 def contact(file: ContactFile, oil: Lubricant) -> ContactConditions | MoesConditions:
     """The single contact: load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-]."""
-    from ehl import ContactConditions, MoesConditions
-
     table, angle = file.contact, radians(file.contact.entrainment_angle_deg)
     if table.moes_M is not None and table.moes_L is not None:
         ratio = 1.0 if table.radius_ratio is None else table.radius_ratio
@@ -48,8 +46,6 @@ def contact(file: ContactFile, oil: Lubricant) -> ContactConditions | MoesCondit
 
 def _coating(file: ContactFile) -> Coating | None:
     """Coating of body 1: thickness [m], moduli [Pa]."""
-    from ehl.solid.coating import Coating
-
     table = file.contact
     if table.coating_thickness_um is None:
         return None
@@ -72,8 +68,6 @@ def contact_defaults(file: ContactFile) -> dict[str, Any]:
 
 def _reduced_modulus(file: ContactFile) -> float:
     """E' [Pa], as given or 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2."""
-    from bearing.material import reduced_modulus
-
     table = file.contact
     if table.reduced_modulus_GPa is not None:
         return table.reduced_modulus_GPa * GPA
@@ -84,6 +78,4 @@ def _reduced_modulus(file: ContactFile) -> float:
 
 def solver_options(table: ContactEhlTable) -> SolverOptions:
     """Grid of the contacts [-]."""
-    from ehl import SolverOptions
-
     return SolverOptions(points=table.points, domain=table.domain, tolerance=table.tolerance)

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from math import radians
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from bearing.dynamics.inputs import Guidance
+
+from ..dynamics_plan import DynamicsPlan
 from ..schema.files import BearingFile
 from ..schema.friction import CageTable
 from .materials import materials
 from .units import MM, RPM, UM
-
-if TYPE_CHECKING:
-    from ..dynamics_plan import DynamicsPlan
 
 GRAM, G_MM, G_MM2 = 1e-3, 1e-6, 1e-9  # in SI
 SAMPLES = 2000  # of a history by default
@@ -20,8 +20,6 @@ GUIDES = {"balls": "BALLS", "inner ring": "INNER_RING", "outer ring": "OUTER_RIN
 
 def dynamics_plan(file: BearingFile) -> DynamicsPlan:
     """The time simulation in SI: times [s], speeds [rad/s], masses [kg]."""
-    from ..dynamics_plan import DynamicsPlan
-
     table = file.dynamics
     assert table is not None  # checked before
     interval, speeds = table.output_interval_us, table.speed_table_rpm
@@ -59,8 +57,6 @@ def dynamics_plan(file: BearingFile) -> DynamicsPlan:
 
 def _cage(table: CageTable | None) -> dict[str, Any]:
     """Arguments of `cage_body` [SI]."""
-    from bearing.dynamics.inputs import Guidance
-
     if table is None:
         return {}
     lengths = {

@@ -3,14 +3,21 @@
 from __future__ import annotations
 
 import warnings
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from ehl import DensityLaw, Lubricant, ViscosityLaw
+from ehl.oil.free_volume import (
+    DoolittleFreeVolume,
+    ExpansivityForm,
+    TaitVolume,
+    YasutomiGlass,
+    pressure_viscosity_doolittle,
+    pressure_viscosity_yasutomi,
+)
+from ehl.oil.lubricant import PRESSURE_VISCOSITY_TOLERANCE
 
 from ..format.problems import UnfitKey
 from .units import GPA, ZERO_CELSIUS
-
-if TYPE_CHECKING:
-    from ehl import Lubricant
-    from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, YasutomiGlass
 
 SAME_TEMPERATURE = 0.5  # difference up to which constants count as those of a temperature [K]
 
@@ -28,8 +35,6 @@ def free_volume(oil: dict[str, Any], temperature: float) -> dict[str, Any]:
 
 
 def _tait(oil: dict[str, Any], temperature: float) -> TaitVolume:
-    from ehl.oil.free_volume import TaitVolume
-
     celsius = oil.get("tait_temperature_C")
     return TaitVolume(
         bulk_modulus=oil["tait_bulk_modulus_GPa"] * GPA,
@@ -41,8 +46,6 @@ def _tait(oil: dict[str, Any], temperature: float) -> TaitVolume:
 
 
 def _doolittle(oil: dict[str, Any]) -> DoolittleFreeVolume:
-    from ehl.oil.free_volume import DoolittleFreeVolume
-
     return DoolittleFreeVolume(
         factor=oil["doolittle_factor"],
         occupied_share=oil["doolittle_occupied_share"],
@@ -52,8 +55,6 @@ def _doolittle(oil: dict[str, Any]) -> DoolittleFreeVolume:
 
 def _yasutomi(oil: dict[str, Any]) -> YasutomiGlass:
     """The improved law with an exponent, the first one with a factor."""
-    from ehl.oil.free_volume import ExpansivityForm, YasutomiGlass
-
     coefficient = oil["yasutomi_expansivity_1_GPa"] / GPA
     power = "yasutomi_expansivity_exponent" in oil
     first, second = (
@@ -75,9 +76,6 @@ def _yasutomi(oil: dict[str, Any]) -> YasutomiGlass:
 
 def law_coefficient(given: dict[str, Any]) -> float | None:
     """d(ln eta)/dp at ambient pressure that the constants of the viscosity law give [1/Pa]; None for other laws."""
-    from ehl import ViscosityLaw
-    from ehl.oil.free_volume import pressure_viscosity_doolittle, pressure_viscosity_yasutomi
-
     law, temperature = given.get("viscosity_law"), given["temperature"]
     if law is ViscosityLaw.TAIT_DOOLITTLE:
         return pressure_viscosity_doolittle(given["tait"], given["doolittle"], temperature)
@@ -94,8 +92,6 @@ def with_coefficient(given: dict[str, Any], oil: dict[str, Any]) -> dict[str, An
     UnfitKey
         If it does not, or the law does not hold at the temperature.
     """
-    from ehl.oil.lubricant import PRESSURE_VISCOSITY_TOLERANCE
-
     own, key = law_coefficient(given), "pressure_viscosity_1_GPa"
     if own is None:
         return given
@@ -109,8 +105,6 @@ def with_coefficient(given: dict[str, Any], oil: dict[str, Any]) -> dict[str, An
 
 def tell_temperature(oil: Lubricant, reference: float | None) -> None:
     """Warn where constants are taken at another temperature [K] than that they hold at, and do not go with it."""
-    from ehl import DensityLaw, ViscosityLaw
-
     asked = oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE or oil.density_law is DensityLaw.TAIT
     if reference is None or not asked or oil.temperature is None or oil.tait is None:
         return

@@ -5,22 +5,21 @@ from __future__ import annotations
 import re
 import warnings
 from math import hypot
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.friction.resistance import Cage
+from bearing.supply.supply import InletFilm, Supply
+from bearing.torque.breakdown import FrictionInput
+from bearing.torque.skf import Lubrication
+from ehl import Lubricant
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.solid.heat import SolidThermal
 
 from ..checks.lubricant import oil_table
+from ..format.film_model import FilmModel, FilmPhysics
 from ..schema.files import BearingFile, ContactFile
 from .materials import materials, ring_materials
 from .units import KN, MM, MPA, UM
-
-if TYPE_CHECKING:
-    from bearing.friction.resistance import Cage
-    from bearing.supply.supply import InletFilm, Supply
-    from bearing.torque.breakdown import FrictionInput
-    from ehl import Lubricant
-    from ehl.oil.rheology import Rheology
-    from ehl.solid.heat import SolidThermal
-
-    from ..format.film_model import FilmPhysics
 
 ML_MIN = 1e-6 / 60.0  # mL/min [m^3/s]
 LIMITING_COEFFICIENT = 0.047  # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
@@ -29,9 +28,6 @@ OTHER_ANGULAR = "other single row"
 
 def friction(file: BearingFile) -> FrictionInput:
     """What the friction models ask: ratings [N], lengths [m]."""
-    from bearing.torque.breakdown import FrictionInput
-    from bearing.torque.skf import Lubrication
-
     table, rating = file.friction, file.bearing.basic_static_rating_kN
     return FrictionInput(
         coefficient=table.coefficient,
@@ -59,8 +55,6 @@ def friction(file: BearingFile) -> FrictionInput:
 
 def _supply(file: BearingFile) -> Supply | InletFilm | None:
     """Layer of oil at the inlets [m], or flow [m^3/s] and what is assumed of it; None: flooded."""
-    from bearing.supply.supply import InletFilm, Supply
-
     table = file.friction
     if file.lubricant.inlet_film_um is not None:
         return InletFilm(layer=file.lubricant.inlet_film_um * UM)
@@ -86,8 +80,6 @@ def _roughness(file: BearingFile) -> tuple[float, float] | None:
 
 def _cage(file: BearingFile) -> Cage | None:
     """Friction of the cage [m]; None without a pocket's coefficient."""
-    from bearing.friction.resistance import Cage
-
     table = file.cage
     if table is None or table.pocket_friction is None:
         return None
@@ -125,8 +117,6 @@ def film_physics(file: BearingFile | ContactFile, shear: Rheology | None) -> Fil
     ValueError
         If heat is asked for and the oil or a body has no thermal properties.
     """
-    from ..format.film_model import FilmModel, FilmPhysics
-
     model = FilmModel(file.ehl.film_model)
     if model is not FilmModel.THERMAL:
         return FilmPhysics(model=model, rheology=shear)
@@ -135,8 +125,6 @@ def film_physics(file: BearingFile | ContactFile, shear: Rheology | None) -> Fil
 
 def _solids(file: BearingFile | ContactFile) -> tuple[SolidThermal, SolidThermal]:
     """Ball and race, the inner one where they differ."""
-    from ehl.solid.heat import SolidThermal
-
     if isinstance(file, BearingFile):
         ball, race, _ = ring_materials(file.bearing)
     else:
@@ -158,8 +146,6 @@ def _solids(file: BearingFile | ContactFile) -> tuple[SolidThermal, SolidThermal
 
 def rheology(file: BearingFile | ContactFile, oil: Lubricant) -> Rheology:
     """How the oil shears: stresses [Pa]; what the case leaves out is assumed, and warned of."""
-    from ehl.oil.rheology import Rheology, ShearLaw
-
     keys, _ = oil_table(file.model_dump(exclude_none=True))
     law = ShearLaw(keys.get("rheology", "ree-eyring"))
     coefficient = keys.get("limiting_stress_coefficient")

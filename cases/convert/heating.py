@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from bearing.heating.heat_balance import Cooling
+from ehl import Lubricant
 
+from ..format.heating import HeatingPlan
 from ..format.problems import UnfitKey
 from ..schema.files import BearingFile
 from .bearing import bearing, seats
 from .friction import ML_MIN
 from .lubricant import lubricant
 from .units import ZERO_CELSIUS
-
-if TYPE_CHECKING:
-    from ehl import Lubricant
-
-    from ..format.heating import HeatingPlan
 
 
 def heating(file: BearingFile, oil: Lubricant) -> HeatingPlan | None:
@@ -28,10 +25,6 @@ def heating(file: BearingFile, oil: Lubricant) -> HeatingPlan | None:
     table = file.friction
     if table.heat_transfer_W_K is None:
         return None
-    from bearing.heating.heat_balance import Cooling
-
-    from ..format.heating import HeatingPlan
-
     flow = table.supply_mL_min if table.cooling_oil_mL_min is None else table.cooling_oil_mL_min
     carried = 0.0
     if flow:

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.library.lubricants import library_lubricant, lubricant_data
+from ehl import DensityLaw, Lubricant, ViscosityLaw
+from ehl.oil.lubricant import ThermalProperties
 
 from ..checks.lubricant import oil_table
 from ..schema.files import BearingFile, ContactFile
 from .free_volume import free_volume, tell_temperature, with_coefficient
 from .units import GPA, MM2_S, MPA, MPA_S, ZERO_CELSIUS, rounded
-
-if TYPE_CHECKING:
-    from ehl import Lubricant
-    from ehl.oil.lubricant import ThermalProperties
 
 DENSITY = 870.0  # of an oil whose density is not given [kg/m^3]
 VISCOSITY_UNUSED = 1.0  # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
@@ -19,8 +19,6 @@ VISCOSITY_UNUSED = 1.0  # stands in where only Moes' groups and a Roelands expon
 
 def lubricant(file: BearingFile | ContactFile) -> Lubricant:
     """The oil at the temperature of operation: viscosity [Pa s], pressure-viscosity [1/Pa], density [kg/m^3]."""
-    from ehl import DensityLaw, Lubricant, ViscosityLaw
-
     oil, library = oil_table(file.model_dump(exclude_none=True))
     given: dict[str, Any] = {"name": oil.get("name", "")}
     units = {
@@ -56,8 +54,6 @@ def _of_library(given: dict[str, Any], kelvin: float, *, own: bool) -> tuple[Lub
 
     With constants of the case's `own` it comes with the library's own laws.
     """
-    from bearing.library.lubricants import library_lubricant, lubricant_data
-
     laws = {} if own else {key: given[key] for key in ("viscosity_law", "density_law") if key in given}
     base = library_lubricant(given.pop("name"), kelvin, **laws)
     return base, lubricant_data(base.name).get("doolittle", {}).get("reference_K")
@@ -65,8 +61,6 @@ def _of_library(given: dict[str, Any], kelvin: float, *, own: bool) -> tuple[Lub
 
 def _thermal(oil: dict[str, Any]) -> ThermalProperties | None:
     """Thermal properties given by the case: conductivity [W/(m K)], heat [J/(kg K)], beta and expansion [1/K]."""
-    from ehl.oil.lubricant import ThermalProperties
-
     if "thermal_conductivity_W_m_K" not in oil:
         return None
     return ThermalProperties(

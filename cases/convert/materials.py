@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.library.names import matching_name
+from bearing.material import Material, MaterialKind, list_materials, load_material
 
 from ..schema.bearing import BearingTable, MaterialTable
 from ..schema.files import BearingFile, ContactFile
 from .units import GPA, UM, rounded
-
-if TYPE_CHECKING:
-    from bearing.material import Material
 
 THERMAL = {  # field: key of [materials.NAME] and its unit in SI
     "thermal_expansion": ("thermal_expansion_um_m_K", UM),
@@ -20,8 +20,6 @@ THERMAL = {  # field: key of [materials.NAME] and its unit in SI
 
 def materials(file: BearingFile | ContactFile, names: tuple[str, ...]) -> dict[str, Material]:
     """The named materials, the case's own before those of the library; modulus [Pa], density [kg/m^3]."""
-    from bearing.material import load_material
-
     found = {}
     for name in names:
         own = file.materials.get(name)
@@ -31,9 +29,6 @@ def materials(file: BearingFile | ContactFile, names: tuple[str, ...]) -> dict[s
 
 def _material(name: str, table: MaterialTable) -> Material:
     """A material of the case's own; kind and thermal data of the library's where it has the name of one [1/K, SI]."""
-    from bearing.library.names import matching_name
-    from bearing.material import Material, MaterialKind, list_materials, load_material
-
     library = load_material(name) if matching_name(name, list_materials()) else None
     kind = MaterialKind(table.kind) if table.kind else library.kind if library else MaterialKind.OTHER
     thermal: dict[str, Any] = {field: library and getattr(library, field) for field in THERMAL}

@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.friction.sources import BallTraction
+from bearing.operation import BallKinematics, Curvature, Model, Operation
 
 from ..schema.fields import FREE
 from ..schema.files import BearingFile
 from ..schema.operation import OperationTable, SlipTable
+from ..slip_plan import SlipPlan
 from .units import KN, MRAD, N_MM, RPM, UM, ZERO_CELSIUS
-
-if TYPE_CHECKING:
-    from bearing.friction.sources import BallTraction
-    from bearing.operation import Model, Operation
-
-    from ..slip_plan import SlipPlan
 
 TRACTION_EQUILIBRIUM = "traction equilibrium"
 
 
 def operation(table: OperationTable) -> Operation:
     """Speeds [rad/s], temperature [K], and per degree of freedom a load [N, N m] or a displacement [m, rad]."""
-    from bearing.operation import Operation
-
     force = table.force_N or (table.axial_load_N or 0.0, table.radial_load_N or 0.0, 0.0)
     displacement = _split(table.displacement_um or (FREE,) * 3, UM)
     free = table.tilt == FREE or table.moment_N_mm is not None
@@ -46,8 +42,6 @@ def _split(entries: tuple[Any, ...], unit: float) -> Any:
 
 def model(file: BearingFile, traction: BallTraction | None = None) -> Model:
     """Assumptions of the bearing model [-], with the friction of balls on races where the case names it."""
-    from bearing.operation import BallKinematics, Curvature, Model
-
     kinematics = BallKinematics(kinematics_name(file))
     return Model(ball_kinematics=kinematics, curvature=Curvature(file.model.curvature), traction=traction)
 
@@ -61,8 +55,6 @@ def kinematics_name(file: BearingFile) -> str:
 
 def slip_plan(table: SlipTable) -> SlipPlan:
     """What `oilfilm slip` maps: speeds [rad/s], loads [N], catalogue factors [N]."""
-    from ..slip_plan import SlipPlan
-
     factors = (table.minimum_axial_load_factor_kN, table.minimum_radial_load_factor_kN)
     axial, radial = (None if factor is None else factor * KN for factor in factors)
     return SlipPlan(

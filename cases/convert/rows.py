@@ -2,26 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from math import radians
-from typing import TYPE_CHECKING
+
+from bearing.operation import Curvature, Model
+from bearing.rows import Row
+from bearing.studies.preload import preloaded_row
 
 from ..schema.files import BearingFile
 from .bearing import bearing
 from .units import MM, UM
-
-if TYPE_CHECKING:
-    from bearing.rows import Row
 
 
 def rows(file: BearingFile) -> tuple[Row, ...] | None:
     """Rows with positions and offsets [m], set with the clearance as delivered; None without [[rows]]."""
     if file.rows is None:
         return None
-    from dataclasses import replace
-
-    from bearing.operation import Curvature, Model
-    from bearing.studies.preload import preloaded_row
-
     given, found = bearing(file), []
     at_rest = Model(curvature=Curvature(file.model.curvature))  # where nothing turns, no kinematics counts
     for table in file.rows:

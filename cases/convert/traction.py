@@ -4,22 +4,29 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
 
+from bearing.friction.films import Asperities
+from bearing.friction.resistance import resistance_of
+from bearing.friction.sources import (
+    BallTraction,
+    CoulombTraction,
+    FilmTraction,
+    FourConstantTraction,
+    LawTraction,
+    TractionSource,
+)
+from bearing.geometry import Bearing
+from ehl import Lubricant
+from ehl.oil.rheology import Rheology
+from ehl.traction.laws import four_constants
+
+from ..format.film_model import FilmPhysics
 from ..format.problems import UnfitKey
 from ..runs.race_tables import read_race_tables
 from ..schema.files import BearingFile
 from .contact import solver_options
 from .friction import friction
 from .operation import TRACTION_EQUILIBRIUM, kinematics_name
-
-if TYPE_CHECKING:
-    from bearing.friction.sources import BallTraction, TractionSource
-    from bearing.geometry import Bearing
-    from ehl import Lubricant
-    from ehl.oil.rheology import Rheology
-
-    from ..format.film_model import FilmPhysics
 
 FILM_POINTS = 129  # along x of the films that traction is taken from, at most [-]
 
@@ -36,9 +43,6 @@ def ball_traction(
     """
     if file.friction.traction is None and kinematics_name(file) != TRACTION_EQUILIBRIUM:
         return None
-    from bearing.friction.resistance import resistance_of
-    from bearing.friction.sources import BallTraction
-
     asked = friction(file)
     resistance = resistance_of(asked.cage, bearing, oil.viscosity, oil.density, asked.oil_fraction)
     return BallTraction(source=_source(file, bearing, oil, rheology, films), lubricant=oil, resistance=resistance)
@@ -47,20 +51,11 @@ def ball_traction(
 def _source(
     file: BearingFile, bearing: Bearing, oil: Lubricant, rheology: Rheology, films: FilmPhysics
 ) -> TractionSource:
-    from bearing.friction.sources import (
-        CoulombTraction,
-        FilmTraction,
-        FourConstantTraction,
-        LawTraction,
-    )
-
     table = file.friction
     if table.traction == "coulomb":
         assert table.coefficient is not None  # checked before
         return CoulombTraction(friction=table.coefficient)
     if table.traction == "four constants":
-        from ehl.traction.laws import four_constants
-
         largest, slide, limit = table.traction_maximum, table.traction_maximum_slide, table.traction_limit
         assert largest is not None and slide is not None and limit is not None  # checked before
         return FourConstantTraction(constants=four_constants(largest, slide, limit))
@@ -71,8 +66,6 @@ def _source(
         except ValueError as problem:
             raise UnfitKey(("friction", "traction_table"), str(problem)) from None
         return LawTraction(laws=dict(tables))
-    from bearing.friction.films import Asperities
-
     from ..runs.traction_films import FilmSolver
 
     options = solver_options(file.ehl)

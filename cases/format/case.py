@@ -10,17 +10,32 @@ from functools import cache
 from itertools import pairwise
 from math import radians
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-from pydantic import ValidationError
+from pydantic import TypeAdapter, ValidationError
+
+from bearing.fits.clearance import ClearanceBudget
+from bearing.geometry import Bearing
+from bearing.library.bearings import list_bearings, load_catalogue_entry, warn_of_estimates
+from bearing.library.lubricants import list_lubricants
+from bearing.library.names import matching_name
+from bearing.material import list_materials
+from bearing.operation import Model, Operation, RatingInput
+from bearing.rows import Row
+from bearing.torque.breakdown import FrictionInput
+from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
+from ehl.oil.rheology import Rheology
 
 from .. import checks
+from ..dynamics_plan import DynamicsPlan
 from ..schema.bearing import BearingTable, MaterialTable
 from ..schema.fields import Table
 from ..schema.files import BearingFile, ContactFile
 from ..schema.lubricant import OilTable
 from ..schema.rows import RowTable
+from ..slip_plan import SlipPlan
 from .film_model import NEWTONIAN, FilmPhysics
+from .heating import HeatingPlan
 from .library_names import catalogue_values, with_library_names
 from .problems import (
     MISSING,
@@ -34,19 +49,6 @@ from .problems import (
 )
 from .shipped import find_case
 from .toml_lines import key_lines
-
-if TYPE_CHECKING:
-    from bearing.fits.clearance import ClearanceBudget
-    from bearing.geometry import Bearing
-    from bearing.operation import Model, Operation, RatingInput
-    from bearing.rows import Row
-    from bearing.torque.breakdown import FrictionInput
-    from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
-    from ehl.oil.rheology import Rheology
-
-    from ..dynamics_plan import DynamicsPlan
-    from ..slip_plan import SlipPlan
-    from .heating import HeatingPlan
 
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
@@ -250,9 +252,6 @@ def _with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[Prob
     table = document.get("bearing")
     if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
         return document, []
-    from bearing.library.bearings import list_bearings, load_catalogue_entry
-    from bearing.library.names import matching_name
-
     known = tuple(list_bearings())
     name = matching_name(table["name"], known)
     if name is None:
@@ -286,16 +285,12 @@ def _schema_of(model: type[BearingFile | ContactFile]) -> dict[str, Any]:
 
 
 def _names(values: checks.Values) -> checks.Names:
-    from bearing.material import list_materials
-
     def with_own(table: str, library: Iterable[str]) -> tuple[str, ...]:
         own = values.document.get(table)
         return (*(own if isinstance(own, dict) else ()), *library)
 
     oils: Iterable[str] = ()
     if values.given("lubricant", "name"):  # the library of oils needs NumPy, most cases do not
-        from bearing.library.lubricants import list_lubricants
-
         oils = list_lubricants()
     return checks.Names(with_own("materials", list_materials()), with_own("lubricants", oils))
 
@@ -317,8 +312,6 @@ def _assumed(values: checks.Values) -> list[Problem]:
 
 
 def _bearing_case(file: BearingFile) -> Case:
-    from bearing.library.bearings import warn_of_estimates
-
     from .. import convert
 
     assumed = {name.removeprefix("bearing.") for name in file.assumed if name.startswith("bearing.")}
@@ -395,7 +388,5 @@ def _lubricant_document(document: dict[str, Any], computed: dict[str, Any]) -> d
 
 def json_schema() -> dict[str, Any]:
     """JSON Schema of case files, for editors."""
-    from pydantic import TypeAdapter
-
     adapter: TypeAdapter[Any] = TypeAdapter(BearingFile | ContactFile)
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "oilfilm case", **adapter.json_schema()}

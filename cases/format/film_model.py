@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from ehl import ContactConditions, ContactSolution, SolverOptions
-    from ehl.oil.rheology import Rheology
-    from ehl.solid.heat import SolidThermal
+from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
+from ehl.generalized.solver import solve_generalized
+from ehl.oil.rheology import Rheology
+from ehl.solid.heat import SolidThermal
 
 
 class FilmModel(Enum):
@@ -30,12 +29,8 @@ class FilmPhysics:
 
     def solve(self, conditions: ContactConditions, options: SolverOptions) -> ContactSolution:
         """Film of one contact; lengths in [m], pressures in [Pa]."""
-        from ehl import solve_contact
-
         if self.model is FilmModel.NEWTONIAN or self.rheology is None:
             return solve_contact(conditions, options)
-        from ehl.generalized.solver import solve_generalized
-
         base = self.rheology.unlimited  # at the limit the flow has no finite tangent
         solids = self.solids if self.model is FilmModel.THERMAL else None
         return solve_generalized(conditions, base, solids=solids, options=options).contact

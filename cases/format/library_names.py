@@ -5,6 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any
 
+from bearing.library.lubricants import list_lubricants
+from bearing.library.names import matching_name
+from bearing.material import list_materials
+
 MATERIAL_KEYS = {
     "bearing": ("ring_material", "inner_ring_material", "outer_ring_material", "ball_material", "cage_material"),
     "fit": ("shaft_material", "housing_material"),
@@ -25,15 +29,11 @@ ALTERNATIVES = (  # one of a row given in the case replaces the others of the ca
 
 def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
     """The document with names that differ from those known only in case, spaces or hyphens replaced by them."""
-    from bearing.material import list_materials
-
     materials = (*_own(document, "materials"), *list_materials())
     for table, keys in MATERIAL_KEYS.items():
         document = _spelled(document, table, keys, materials)
     oil = document.get("lubricant")
     if isinstance(oil, dict) and isinstance(oil.get("name"), str):  # the library of oils needs NumPy
-        from bearing.library.lubricants import list_lubricants
-
         document = _spelled(document, "lubricant", ("name",), (*_own(document, "lubricants"), *list_lubricants()))
     return document
 
@@ -44,8 +44,6 @@ def _own(document: dict[str, Any], table: str) -> Iterable[str]:
 
 
 def _spelled(document: dict[str, Any], table: str, keys: Iterable[str], names: Iterable[str]) -> dict[str, Any]:
-    from bearing.library.names import matching_name
-
     found, names = document.get(table), tuple(names)
     if not isinstance(found, dict):
         return document

@@ -4,7 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from time import perf_counter
-from typing import TYPE_CHECKING
+
+from bearing.contacts.contacts import BearingContact, contact_conditions
+from bearing.contacts.traction import ContactTraction, contact_traction
+from bearing.friction.films import Asperities
+from bearing.friction.resistance import FREE
+from bearing.friction.sources import FilmTraction
+from bearing.operation import Model
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.quasistatic.solver import solve_quasistatic
+from bearing.rating.frequencies import bearing_frequencies
+from bearing.rating.life import bearing_life
+from bearing.rows import SINGLE
+from bearing.torque.breakdown import TorqueBreakdown, torque_breakdown
+from bearing.torque.integrated import solved_shear
+from bearing.torque.shear_torque import SolvedShear
+from bearing.torque.tabulated import law_torque
+from ehl import ContactSolution
+from postprocess.results import BearingResults
 
 from ..format.case import Case
 from ..format.film_model import FilmModel
@@ -13,17 +30,6 @@ from .films import Progress, Solve, solve_contacts, wanted_contacts
 from .heating import self_heated
 from .traction_films import traction_messages, with_workers
 
-if TYPE_CHECKING:
-    from bearing.contacts.contacts import BearingContact
-    from bearing.contacts.traction import ContactTraction
-    from bearing.operation import Model
-    from bearing.quasistatic.solution import QuasistaticSolution
-    from bearing.torque.breakdown import TorqueBreakdown
-    from bearing.torque.shear_torque import SolvedShear
-    from ehl import ContactSolution
-    from postprocess.results import BearingResults
-
-
 
 class Interrupted(Exception):  # noqa: N818
     """The user stopped the run; `results` holds the finished parts, or is None."""
@@ -31,8 +37,6 @@ class Interrupted(Exception):  # noqa: N818
     def __init__(self, results: BearingResults | None) -> None:
         self.results = results
         super().__init__("interrupted")
-
-
 
 
 def run_case(
@@ -59,11 +63,6 @@ def run_case(
     Interrupted
         On Ctrl-C, with the results of the finished contacts.
     """
-    from bearing.contacts.contacts import contact_conditions
-    from bearing.rating.frequencies import bearing_frequencies
-    from bearing.rating.life import bearing_life
-    from postprocess.results import BearingResults
-
     notify = progress or (lambda done, total, state: None)
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
@@ -102,9 +101,6 @@ def run_case(
 
 def _equilibrium(case: Case, model: Model) -> QuasistaticSolution:
     """Loads, angles and motion of the balls; on Ctrl-C, while films are solved for the traction, `Interrupted`."""
-    from bearing.quasistatic.solver import solve_quasistatic
-    from bearing.rows import SINGLE
-
     try:
         return solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
     except KeyboardInterrupt:
@@ -136,8 +132,6 @@ def _tractions(
     solutions: Sequence[ContactSolution | None],
 ) -> tuple[ContactTraction | None, ...]:
     """Shear of every contact that has a film, at the motion of the equilibrium."""
-    from bearing.contacts.traction import contact_traction
-
     rheology = case.rheology
 
     def traction(contact: BearingContact, film: ContactSolution | None) -> ContactTraction | None:
@@ -155,8 +149,6 @@ def _torque(
     solutions: Sequence[ContactSolution | None],
 ) -> TorqueBreakdown | None:
     """Friction torque by every model; the integrated one needs a friction law, or the films of all contacts."""
-    from bearing.torque.breakdown import torque_breakdown
-
     if case.friction is None or not state.converged:
         return None
     shear = None
@@ -167,9 +159,6 @@ def _torque(
 
 def _law_shear(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> SolvedShear | None:
     """Torque by the friction law that the case names; None where it takes that of its films."""
-    from bearing.friction.sources import FilmTraction
-    from bearing.torque.tabulated import law_torque
-
     traction = state.model.traction
     if traction is None or isinstance(traction.source, FilmTraction):
         return None
@@ -184,10 +173,6 @@ def _film_shear(
     solutions: Sequence[ContactSolution | None],
 ) -> SolvedShear | None:
     """Torque by the shear of the films; None unless those of all lubricated contacts converged."""
-    from bearing.friction.films import Asperities
-    from bearing.friction.resistance import FREE
-    from bearing.torque.integrated import solved_shear
-
     solved = [film is not None and film.converged for film in solutions]
     complete = all(film for film, contact in zip(solved, contacts, strict=True) if contact.loaded) and any(solved)
     if not complete or case.rheology is None or case.friction is None:
@@ -197,21 +182,3 @@ def _film_shear(
         asperities = Asperities(inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary)
     resistance = FREE if state.model.traction is None else state.model.traction.resistance
     return solved_shear(state, contacts, solutions, case.rheology, asperities, resistance)
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-
-

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from time import perf_counter
 
-from ehl import ContactConditions, ContactSolution
-from ehl.traction.shear import TractionResult
+from ehl import ContactConditions, ContactSolution, solve_contact
+from ehl.kinematics import contact_kinematics
+from ehl.traction.shear import TractionResult, integrate_traction
 from postprocess.results import ContactResults
 
 from ..format.case import ContactCase
@@ -22,8 +23,6 @@ def run_contact(case: ContactCase, *, finite_element: bool = False, workers: int
 
     A large contact is shared by as many threads as there are `workers` [-].
     """
-    from postprocess.results import ContactResults
-
     messages = (*case.warnings, *case.films.messages)
     if finite_element:
         from ehl.finite_element.solver import solve_contact_finite_element as solve_contact
@@ -48,17 +47,12 @@ def run_contact(case: ContactCase, *, finite_element: bool = False, workers: int
 
 def _contact_solver(case: ContactCase) -> Callable[..., ContactSolution]:
     if case.films.model is FilmModel.NEWTONIAN:
-        from ehl import solve_contact
-
         return solve_contact
     return case.films.solve
 
 
 def _contact_traction(case: ContactCase, solution: ContactSolution) -> TractionResult | None:
     """Shear of a single contact with lengths, None where the film did not converge."""
-    from ehl.kinematics import contact_kinematics
-    from ehl.traction.shear import integrate_traction
-
     if not isinstance(case.conditions, ContactConditions) or case.rheology is None or not solution.converged:
         return None
     motion = contact_kinematics(case.conditions, grid_angle=solution.frame_angle)

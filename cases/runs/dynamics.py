@@ -7,29 +7,42 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
-from typing import TYPE_CHECKING
+
+import numpy as np
+
+from bearing.dynamics.bodies import cage_body, ring_body
+from bearing.dynamics.friction import RaceFriction, coulomb_friction, four_constant_friction
+from bearing.dynamics.initial import kinematic_cage_speed, starting_point
+from bearing.dynamics.inputs import (
+    CageBody,
+    DynamicsModel,
+    DynamicsOptions,
+    LoadType,
+    NormalContact,
+    NormalLaw,
+    Schedule,
+    Start,
+    drag_of_mixture,
+)
+from bearing.dynamics.laws import planar_stiffness, planar_stiffness_as_printed
+from bearing.dynamics.outcome import Tally
+from bearing.dynamics.restart import load_restart
+from bearing.dynamics.simulation import Simulation, simulation
+from bearing.geometry import Race, contact_modulus
+from bearing.library.names import matching_name
+from bearing.material import Material, list_materials, load_material
+from ehl.traction.laws import four_constants
+from postprocess.dynamics.history import HistoryWriter
+from postprocess.dynamics.results import DynamicsResults
 
 from ..dynamics_plan import DynamicsPlan
 from ..format.case import Case
 from ..format.problems import CaseError
 from ..version import version
+from .films import Progress
+from .interrupt import finish_first
 from .race_tables import read_race_tables
-from .terminal import finish_first
-
-if TYPE_CHECKING:
-    from bearing.dynamics.friction import RaceFriction
-    from bearing.dynamics.inputs import (
-        CageBody,
-        DynamicsModel,
-        DynamicsOptions,
-        NormalContact,
-        Schedule,
-    )
-    from bearing.dynamics.simulation import Simulation
-    from bearing.material import Material
-    from postprocess.dynamics.results import DynamicsResults
-
-    from .films import Progress
+from .traction_table import run_table
 
 CAGE_MATERIAL = "pa66"  # where a case names none
 DIMENSIONS = (
@@ -89,9 +102,6 @@ def run_dynamics(
     Interrupted
         With what there is so far, on Ctrl-C.
     """
-    from bearing.dynamics.restart import load_restart
-    from bearing.dynamics.simulation import simulation
-
     notify = progress or (lambda done, total, state: None)
     plan = _plan(case, name)
     if tables is not None and plan.friction != "table":
@@ -122,10 +132,6 @@ def case_key(case: Case) -> str:
 
 def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> DynamicsResults:
     """Step, write, count; on Ctrl-C what there is so far goes up with `Interrupted`."""
-    from bearing.dynamics.outcome import Tally
-    from postprocess.dynamics.history import HistoryWriter
-    from postprocess.dynamics.results import DynamicsResults
-
     began, tally = perf_counter(), Tally(case.bearing.balls)
     end, first = made.model.options.end_time, made.state.time
     attributes = _attributes(case)
@@ -179,10 +185,6 @@ def _assumed(model: DynamicsModel) -> tuple[str, ...]:
 
 def build_model(case: Case, plan: DynamicsPlan, tables: Path | None, notify: Progress) -> DynamicsModel:
     """Model of the simulation from a case: options, ring, cage, contact laws, friction, schedule [SI]."""
-    from bearing.dynamics.bodies import ring_body
-    from bearing.dynamics.friction import RaceFriction
-    from bearing.dynamics.inputs import DynamicsModel
-
     notes: dict[str, str] = {}
     model = DynamicsModel(
         options=_options(case, plan),
@@ -199,9 +201,6 @@ def build_model(case: Case, plan: DynamicsPlan, tables: Path | None, notify: Pro
 
 
 def _options(case: Case, plan: DynamicsPlan) -> DynamicsOptions:
-    from bearing.dynamics.initial import kinematic_cage_speed
-    from bearing.dynamics.inputs import DynamicsOptions, LoadType, Start, drag_of_mixture
-
     drag = 0.0
     if plan.mixture_density is not None:
         drag = drag_of_mixture(plan.mixture_density, case.bearing.ball_diameter, plan.drag_coefficient)
@@ -224,10 +223,6 @@ def _options(case: Case, plan: DynamicsPlan) -> DynamicsOptions:
 
 
 def _cage(case: Case, plan: DynamicsPlan, notes: dict[str, str]) -> CageBody:
-    from bearing.dynamics.bodies import cage_body
-    from bearing.library.names import matching_name
-    from bearing.material import list_materials, load_material
-
     name = plan.cage_material
     known = name is not None and (name in plan.materials or matching_name(name, list_materials()) is not None)
     material: Material
@@ -240,10 +235,6 @@ def _cage(case: Case, plan: DynamicsPlan, notes: dict[str, str]) -> CageBody:
 
 
 def _normal(case: Case, plan: DynamicsPlan) -> NormalContact:
-    from bearing.dynamics.inputs import NormalContact, NormalLaw
-    from bearing.dynamics.laws import planar_stiffness, planar_stiffness_as_printed
-    from bearing.geometry import Race, contact_modulus
-
     inner = outer = None
     if plan.race_stiffness != "hertz":
         bearing = case.bearing
@@ -270,10 +261,6 @@ def _normal(case: Case, plan: DynamicsPlan) -> NormalContact:
 
 def _schedule(case: Case, plan: DynamicsPlan) -> Schedule | None:
     """Both tables over time on one set of times."""
-    import numpy as np
-
-    from bearing.dynamics.inputs import Schedule
-
     if plan.speed_table is None and plan.load_table is None:
         return None
     given = [np.array(table) for table in (plan.speed_table, plan.load_table) if table is not None]
@@ -294,13 +281,6 @@ def _schedule(case: Case, plan: DynamicsPlan) -> Schedule | None:
 def _friction(
     case: Case, plan: DynamicsPlan, model: DynamicsModel, source: tuple[Path | None, Progress]
 ) -> RaceFriction:
-    from bearing.dynamics.friction import (
-        RaceFriction,
-        coulomb_friction,
-        four_constant_friction,
-    )
-    from bearing.dynamics.initial import starting_point
-
     if plan.friction == "none":
         return RaceFriction()
     angles = starting_point(case.bearing, case.operation, model).angles
@@ -308,8 +288,6 @@ def _friction(
         mu, low, high = plan.coulomb
         return coulomb_friction(case.bearing, angles, mu, (low, high), at_centre=plan.at_centre)
     if plan.friction == "four constants":
-        from ehl.traction.laws import four_constants
-
         constants = four_constants(*plan.four_constants)
         return four_constant_friction(case.bearing, angles, constants, at_centre=plan.at_centre)
     return _tables(case, *source)
@@ -317,11 +295,6 @@ def _friction(
 
 def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
     """Traction tables of both races, read or made."""
-    from bearing.dynamics.friction import RaceFriction
-    from bearing.geometry import Race
-
-    from .traction_table import run_table
-
     if path is None:
         found = run_table(case, progress=notify).tables
     else:

@@ -10,7 +10,7 @@ from math import degrees, isclose
 
 from bearing.contacts.contacts import BearingContact
 from bearing.quasistatic.solution import QuasistaticSolution
-from ehl import ContactConditions, ContactSolution, SolverOptions
+from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 
 from ..checks.operation import ball_at
 from ..format.case import Case
@@ -118,8 +118,6 @@ def solve_contacts(
     groups = _groups(conditions)
     if not groups:
         return tuple(solutions), False
-    from ehl import solve_contact
-
     solver, workers = solve or solve_contact, workers or cores()
     options = _shared(options, workers // len(groups))
     notify(0, len(groups), "films")

@@ -5,17 +5,15 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from bearing.contacts.contacts import BearingContact
-    from bearing.heating.self_heating import WarmState
-    from bearing.quasistatic.solution import QuasistaticSolution
-    from ehl import Lubricant
+from bearing.contacts.contacts import BearingContact
+from bearing.heating.self_heating import WarmBearing, WarmState, warm_state
+from bearing.operation import BallKinematics
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.torque.breakdown import model_torque
+from ehl import Lubricant
 
-    from ..format.case import Case
-
-
+from ..format.case import Case
 
 
 def self_heated(case: Case) -> WarmState | None:
@@ -26,9 +24,6 @@ def self_heated(case: Case) -> WarmState | None:
     plan = case.heating
     if plan is None or case.operation.inner_speed == case.operation.outer_speed:
         return None
-    from bearing.heating.self_heating import WarmBearing, warm_state
-    from bearing.operation import BallKinematics
-
     model = case.model
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         model = replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
@@ -67,8 +62,6 @@ def _torque(
     ValueError
         If the model does not apply; the message says why.
     """
-    from bearing.torque.breakdown import model_torque
-
     assert case.friction is not None  # of every bearing case
     found = model_torque(state, contacts, oil, case.friction, name)
     if found.total is None:

@@ -8,16 +8,17 @@ from math import isclose
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-if TYPE_CHECKING:
-    from bearing.friction.race_tables import Tables
-    from bearing.geometry import Bearing
-    from ehl import Lubricant
-    from ehl.oil.rheology import Rheology
-    from ehl.solid.heat import SolidThermal
-    from ehl.traction.table.table import TableContact, TractionTable
-    from ehl.traction.table.temperature import TemperatureTable
+from bearing.friction.race_tables import Tables, load_race_tables
+from bearing.friction.temperature_tables import holds_temperatures, load_temperature_tables
+from bearing.geometry import Bearing, contact_modulus, reduced_radii
+from ehl import Lubricant
+from ehl.oil.rheology import Rheology
+from ehl.solid.heat import SolidThermal
+from ehl.traction.table.table import TableContact, TractionTable
+from ehl.traction.table.temperature import TemperatureTable
 
-    Solids = tuple[SolidThermal, SolidThermal]  # ball and race
+if TYPE_CHECKING:
+    Solids = tuple[SolidThermal, SolidThermal]
 
 NEAR = 1.0e-6  # relative difference up to which a table is for this bearing [-]
 NEAR_RADIUS = 0.05  # the same of the rolling radius, which goes with the contact angle [-]
@@ -45,9 +46,6 @@ def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
     ValueError
         As `read_race_tables`; what comes back does if the oil's temperature is out of range, or the oil another one.
     """
-    from bearing.friction.race_tables import load_race_tables
-    from bearing.friction.temperature_tables import holds_temperatures, load_temperature_tables
-
     try:
         if not holds_temperatures(path):
             single = load_race_tables(path)
@@ -92,8 +90,6 @@ def made_for(
 
     Tables with heat must be of the ball and race of a case with heat; a case without leaves that to its tables.
     """
-    from bearing.geometry import contact_modulus, reduced_radii
-
     for race, found in tables.items():
         contact = found.contact
         radius_x, radius_y = reduced_radii(bearing, race, bearing.free_contact_angle)

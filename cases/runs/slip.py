@@ -9,17 +9,28 @@ from contextlib import contextmanager
 from dataclasses import replace
 from multiprocessing import get_context
 from time import perf_counter
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import numpy as np
+
+from bearing.operation import BallKinematics
+from bearing.quasistatic.solver import solve_quasistatic
+from bearing.studies.slip import (
+    Mapper,
+    SlipStudy,
+    critical_curves,
+    minimum_axial_load_skf,
+    minimum_preloads,
+    minimum_radial_load_skf,
+    slip_surface,
+)
+from postprocess.slip.results import MinimumLoads, SlipResults
 
 from ..format.case import Case
 from ..format.problems import CaseError
 from ..slip_plan import PRINTED_FORCE, SlipPlan
 from ..version import version
 from .films import Progress, cores
-
-if TYPE_CHECKING:
-    from bearing.studies.slip import Mapper, SlipStudy
-    from postprocess.slip.results import MinimumLoads, SlipResults
 
 
 def run_slip(case: Case, name: str, workers: int | None = None, progress: Progress | None = None) -> SlipResults:
@@ -45,10 +56,6 @@ def run_slip(case: Case, name: str, workers: int | None = None, progress: Progre
     CaseError
         If the case has no [slip], or prescribes a displacement where the maps vary the load.
     """
-    from bearing.quasistatic.solver import solve_quasistatic
-    from bearing.studies.slip import critical_curves, slip_surface
-    from postprocess.slip.results import SlipResults
-
     start = perf_counter()
     study, plan = _study(case, name)
     speeds, loads = _range(plan.speeds, plan.points), _range(plan.axial_loads, plan.points)
@@ -81,9 +88,6 @@ def _range(ends: tuple[float, float], points: int) -> list[float]:
 
 
 def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
-    from bearing.operation import BallKinematics
-    from bearing.studies.slip import SlipStudy
-
     if case.slip is None:
         needs = "it needs speeds_rpm and axial_loads_N, see docs/reference/cases.md"
         raise CaseError([f"{name}: has no table [slip]; {needs}"])
@@ -101,15 +105,6 @@ def _minimum_loads(
     case: Case, study: SlipStudy, speeds: list[float], mapper: Callable[[str, int], Mapper]
 ) -> MinimumLoads:
     """Preload that Hirano's criterion asks, as a source printed it if the case says so, and the catalogue's loads."""
-    import numpy as np
-
-    from bearing.studies.slip import (
-        minimum_axial_load_skf,
-        minimum_preloads,
-        minimum_radial_load_skf,
-    )
-    from postprocess.slip.results import MinimumLoads
-
     plan, oil = case.slip, case.lubricant
     assert plan is not None  # checked before
     own = case.operation.inner_speed

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from time import perf_counter
-from typing import TYPE_CHECKING
+
+from bearing.rows import SINGLE
+from bearing.studies.stiffness import stiffness_over_speed
+from postprocess.stiffness.results import StiffnessResults
 
 from ..format.case import Case
 from ..format.problems import CaseError
 from ..version import version
-
-if TYPE_CHECKING:
-    from postprocess.stiffness.results import StiffnessResults
 
 
 def run_stiffness(
@@ -34,10 +34,6 @@ def run_stiffness(
     -------
     StiffnessResults
     """
-    from bearing.rows import SINGLE
-    from bearing.studies.stiffness import stiffness_over_speed
-    from postprocess.stiffness.results import StiffnessResults
-
     first, last = speeds or (0.0, case.operation.inner_speed)
     if first == last:
         raise CaseError([f"{name}: the inner ring stands still; give --speeds FIRST LAST in r/min"])

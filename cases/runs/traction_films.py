@@ -6,14 +6,16 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from bearing.contacts.contacts import BearingContact
+from bearing.contacts.motion import bearing_kinematics
+from bearing.friction.sources import FilmTraction, LawTraction
+from bearing.operation import BallKinematics, Model
+from bearing.quasistatic.solution import QuasistaticSolution
+from ehl import ContactConditions, ContactSolution, SolverOptions
+
 from ..format.film_model import FilmModel, FilmPhysics
 
 if TYPE_CHECKING:
-    from bearing.contacts.contacts import BearingContact
-    from bearing.operation import Model
-    from bearing.quasistatic.solution import QuasistaticSolution
-    from ehl import ContactConditions, ContactSolution, SolverOptions
-
     from .films import Progress
 
 
@@ -58,8 +60,6 @@ def with_workers(
     solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None,
 ) -> Model:
     """The model with its films, if it takes any, solved by so many workers [-]."""
-    from bearing.friction.sources import FilmTraction
-
     if model.traction is None or not isinstance(model.traction.source, FilmTraction):
         return model
     source = model.traction.source
@@ -75,8 +75,6 @@ def with_workers(
 
 def traction_messages(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> tuple[str, ...]:
     """Where the friction of balls on races came from, and where a table was asked outside its range (loads in [N])."""
-    from bearing.operation import BallKinematics
-
     traction = state.model.traction
     if traction is None:
         return ()
@@ -89,9 +87,6 @@ def traction_messages(state: QuasistaticSolution, contacts: Sequence[BearingCont
 
 def _outside(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> tuple[str, ...]:
     """A message if a table's range does not hold a contact at its motion."""
-    from bearing.contacts.motion import bearing_kinematics
-    from bearing.friction.sources import LawTraction
-
     source = None if state.model.traction is None else state.model.traction.source
     if not isinstance(source, LawTraction):
         return ()

@@ -7,8 +7,18 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from time import perf_counter
-from typing import TYPE_CHECKING
 
+from bearing.friction.race_tables import build_race_tables, race_progress
+from bearing.friction.temperature_tables import build_temperature_tables
+from bearing.quasistatic.solver import solve_quasistatic
+from ehl import Lubricant, SolverOptions
+from ehl.oil.rheology import Rheology
+from ehl.traction.table.build import TableOptions
+from ehl.traction.table.full_solves import full_solves
+from postprocess.traction.results import TractionResults
+
+from ..convert.friction import rheology
+from ..convert.lubricant import lubricant
 from ..convert.units import ZERO_CELSIUS
 from ..format.case import Case, read_text, validate_text
 from ..format.problems import CaseError
@@ -16,11 +26,6 @@ from ..format.shipped import find_case
 from ..schema.files import BearingFile
 from ..version import version
 from .films import Progress, cores
-
-if TYPE_CHECKING:
-    from ehl import Lubricant
-    from ehl.oil.rheology import Rheology
-    from postprocess.traction.results import TractionResults
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,9 +55,6 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
     assert isinstance(file, BearingFile)  # asked for a bearing before
 
     def oil_at(temperature: float) -> tuple[Lubricant, Rheology]:
-        from ..convert.friction import rheology
-        from ..convert.lubricant import lubricant
-
         operation = file.operation.model_copy(update={"temperature_C": temperature - ZERO_CELSIUS})
         warm = file.model_copy(update={"operation": operation})
         with warnings.catch_warnings():
@@ -83,13 +85,6 @@ def run_table(
 
     With temperatures, the tables that summary and plots are of are those at the case's own, or the nearest.
     """
-    from bearing.friction.race_tables import build_race_tables
-    from bearing.friction.temperature_tables import build_temperature_tables
-    from bearing.quasistatic.solver import solve_quasistatic
-    from ehl import SolverOptions
-    from ehl.traction.table.build import TableOptions
-    from postprocess.traction.results import TractionResults
-
     try:
         SolverOptions(points=points)
     except ValueError as problem:
@@ -121,9 +116,6 @@ def run_table(
 
 def with_full_solves(results: TractionResults, count: int, progress: Progress | None = None) -> TractionResults:
     """The tables' films beside full solves at so many places each, with heat if the tables have it."""
-    from bearing.friction.race_tables import race_progress
-    from ehl.traction.table.full_solves import full_solves
-
     found = dict(results.tables)
     for race, table in results.tables.items():
         told = race_progress(progress, race)

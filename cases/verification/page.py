@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
+
+from matplotlib.figure import Figure
+
+from postprocess.text import value_with_error
 
 from ..runs.films import cores
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -81,8 +82,6 @@ def each(function: Callable[[Item], Result], items: Iterable[Item]) -> list[Resu
 
 def with_bar(value: float, error: float) -> str:
     """Value and error bar, to the bar's first digit [same unit]."""
-    from postprocess.text import value_with_error
-
     return value_with_error(value, error)
 
 

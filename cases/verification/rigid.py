@@ -7,6 +7,8 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy import sparse
+from scipy.sparse.linalg import spsolve
 
 from ehl import SolverOptions, solve_contact
 from ehl.scaling import scale_contact
@@ -95,9 +97,6 @@ def reynolds_over_sommerfeld(ratio: float, cells: int = 128, reach: float = REAC
     solution is q = -x/((3 + 2 D) h^2); `cells` along y > 0, twice as many along x, out to
     `reach`, where half of it is the edge pressure. The film goes with the load squared.
     """
-    from scipy import sparse
-    from scipy.sparse.linalg import spsolve
-
     x, y = _stretched(-1.0, 2 * cells, reach), _stretched(0.0, cells, reach)
     matrix, wedge, area = _finite_volumes(x, y, ratio)
     inner = np.zeros((x.size, y.size), dtype=bool)
@@ -132,8 +131,6 @@ def _beyond(reach: float, ratio: float) -> float:
 
 def _finite_volumes(x: Array, y: Array, ratio: float) -> tuple[Any, Array, Array]:
     """Matrix of the left side integrated over the cells around the nodes, the right side, and the cells' areas [-]."""
-    from scipy import sparse
-
     xm, ym = 0.5 * (x[1:] + x[:-1]), 0.5 * (y[1:] + y[:-1])
     west, east = np.concatenate((x[:1], xm)), np.concatenate((xm, x[-1:]))
     width, height = east - west, np.diff(np.concatenate((y[:1], ym, y[-1:])))

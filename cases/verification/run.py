@@ -6,15 +6,16 @@ import json
 from collections.abc import Callable, Sequence
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from postprocess.files import atomic_path
+from postprocess.verification.plots import draw_pictures
 
 from ..format.problems import CaseError
+from ..runs.films import Progress
 from ..runs.output_directory import check_output
 from .names import SectionName
 from .page import PICTURES, Section, markdown
-
-if TYPE_CHECKING:
-    from ..runs.films import Progress
 
 PAGE, SWEEP_PAGE, SWEEP = "verification.md", "robustness.md", "robustness.jsonl"
 TITLES = {PAGE: "Verification of the contact solver", SWEEP_PAGE: "Random contacts"}
@@ -72,9 +73,6 @@ def check_page(directory: Path, page: str) -> None:
 
 def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
     """Write the page, its pictures and its numbers into a folder; each file appears when it is complete."""
-    from postprocess.files import atomic_path
-    from postprocess.verification.plots import draw_pictures
-
     (directory / PICTURES).mkdir(parents=True, exist_ok=True)
     pictures = [(picture.stem, picture.draw) for section in sections for picture in section.pictures]
     draw_pictures(pictures, directory / PICTURES)

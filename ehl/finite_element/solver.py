@@ -25,6 +25,7 @@ from ..options import SolverOptions
 from ..scaling import ScaledContact, scale_contact
 from ..solid.compliance import add_coating, compliance_matrix, graded_nodes, near_field
 from ..solution import ContactSolution, ConvergenceRecord
+from ..solver import choose_domain
 from .linear_solvers import LinearSolverError, solve_bordered
 from .reynolds import (
     FilmSpace,
@@ -119,8 +120,6 @@ def solve_contact_finite_element(
     contact = replace(scale_contact(conditions, along_entrainment=True), rotation=0.0)
     domain = options.domain
     if domain is None:
-        from ..solver import choose_domain
-
         domain = choose_domain(contact)
     most = MOST_POINTS if contact.symmetric else MOST_POINTS_SKEWED
     cells = min(options.points - 1, 2 * (most - 1)) // 2

@@ -14,6 +14,7 @@ from ..oil.numbers import oil_numbers
 from ..oil.rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
 from ..solid.heat import SolidThermal, history_weights, response_factor
+from . import _heat_kernels as _kernels
 from .heat_columns import curvature, wall_slopes
 from .section import Section
 
@@ -138,8 +139,6 @@ class FilmHeat:
         across: tuple[Section, Rheology],
         forward: bool,
     ) -> None:
-        from . import _heat_kernels as _kernels
-
         oil, (middle, state), (section, rheology) = self.conditions.lubricant, found, across
         a = contact.semi_axis_x
         assert a is not None and oil.thermal is not None

@@ -42,6 +42,7 @@ from ..oil.lubricant import log_viscosity_ratio, viscosity
 from ..oil.numbers import oil_numbers
 from ..oil.rheology import Rheology, eased, kernel_rheology, limiting_stress
 from ..scaling import ScaledContact
+from . import _kernels
 from .columns import LIMIT_EXCESS
 from .section import Section, film_section
 
@@ -270,8 +271,6 @@ class GeneralizedFlow:
 
     def _evaluate(self, fields: FilmFields, middle: Array, temperature: Array) -> tuple[Array, Array, Array]:
         """Poiseuille factor [-], Couette velocity [m/s], larger tangent [-]; `middle` is first guess, then result."""
-        from . import _kernels
-
         shape, oil = fields.p.shape, self.conditions.lubricant
         numbers = oil_numbers(oil)
         poiseuille, couette, tangent = np.empty(shape), np.empty((2, *shape)), np.empty((2, *shape))

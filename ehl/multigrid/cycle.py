@@ -22,6 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..grid import Grid
+from ..oil import _kernels as properties
 from ..oil.lubricant import log_viscosity_ratio
 from ..oil.numbers import oil_numbers
 from ..scaling import ScaledContact
@@ -199,8 +200,6 @@ def _oil(state: Multigrid, level: Level) -> None:
         density = (c.density_numerator, c.density_denominator)
         _on_lines(state, level, _kernels.flow_properties, level.P, level.H, *viscosity, *density, c.speed, *out)
     else:
-        from ..oil import _kernels as properties
-
         law = (c.hertz_pressure, oil_numbers(c.oil), c.speed)
         _on_lines(state, level, properties.flow_properties, level.P, level.H, *law, *out)
 

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
 from .coating import ScaledCoating
+from .layered_fem import correction
 
 Array = NDArray[np.float64]
 
@@ -28,8 +29,6 @@ def point_compliance(coating: ScaledCoating, r: Array) -> Array:
 @lru_cache(maxsize=16)
 def _table(ratio: float, poisson: tuple[float, float]) -> tuple[CubicSpline, float, float]:
     """c over asinh(r/t), the distance up to which it holds, and c r/t beyond."""
-    from .layered_fem import correction
-
     r, c = correction(ratio, poisson)
     inside = r < 0.3 * r[-1]
     far = (1.0 - poisson[1] ** 2) / (1.0 - poisson[0] ** 2) / ratio - 1.0

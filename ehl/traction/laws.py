@@ -15,6 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from . import _kernels
+
 Array = NDArray[np.float64]
 
 RINGS, RAYS = 16, 32  # of the quadrature over the ellipse
@@ -104,8 +106,6 @@ class _HertzLaw:
 
     def forces(self, load: float, speed: float, slide_x: float, slide_y: float, spin: float) -> TractionForces:
         """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s]."""
-        from . import _kernels
-
         out = np.empty(8)
         law, constants = self.kernel_law(), self.shape.constants
         _kernels.hertz_friction(self.disc, law, constants, load, speed, slide_x, slide_y, spin, out)

@@ -6,10 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import RectBivariateSpline
 
 from ..kinematics import ContactKinematics
 from ..oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
 from ..solution import ContactSolution
+from . import _kernels
 from .shear import Cavitation, pressure_viscosity, sheared_width, with_outlet
 
 Array = NDArray[np.float64]
@@ -124,8 +126,6 @@ class HertzZone:
 
 def hertz_zone(solution: ContactSolution) -> HertzZone:
     """Midpoints of `ROWS` lines across, Gauss-Legendre points of `PANELS` along each from edge to edge [m], [Pa]."""
-    from scipy.interpolate import RectBivariateSpline
-
     x, y, h, p = solution.x, solution.y, solution.film, solution.pressure
     assert x is not None and y is not None and h is not None
     near = p > HERTZ_SHARE * p.max()
@@ -214,8 +214,6 @@ def sliding_forces(film: FilmNodes, slide: tuple[Array, Array, Array], rolling: 
     curvature : float
         1/(2R) of the loaded surface [1/m].
     """
-    from . import _kernels
-
     r = kernel_rheology(film.rheology)
     out = np.empty((slide[0].size, _kernels.COLUMNS))
     law = (r.law, r.stress, r.exponent, r.breadth)

@@ -5,9 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 from textwrap import fill
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import matplotlib
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
 from ..bearing.plots_torque import LABELS
 from ..main_results import main_results
@@ -15,10 +18,6 @@ from ..plot_style import INK, PAGE_WIDTH, RC, REFERENCE, Array, save
 from ..units import unit_of, without_unit
 from .points import BatchPoint, BatchResults
 from .results import scalar_numbers
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 BATCH_PLOT = "over_keys.png"
 QUANTITIES = {
@@ -124,14 +123,11 @@ def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]
     -------
     tuple of str
     """
-    import matplotlib
-    import matplotlib.figure
-
     keys, shown = varied_keys(results), quantities(results)
     if not keys or not shown:
         return (f"plots/{BATCH_PLOT} not written: no {'key with several values' if shown else 'result'} to draw",)
     with matplotlib.rc_context(RC):
-        figure = matplotlib.figure.Figure()
+        figure = Figure()
         if results.plot and len(shown) > 1 and len({unit_of(name) for name in shown}) == 1:
             draw_together(figure, results, keys, shown)
         else:
@@ -304,8 +300,6 @@ def _data(results: BatchResults, keys: list[Varied], name: str) -> tuple[Array, 
 
 
 def _family(axes: Axes, data: tuple[Array, Array, Array, Array, Any], key: Varied, *, legend: bool) -> None:
-    import matplotlib
-
     x, colour, y, error, sound = data
     values = np.unique(colour)
     colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.85, len(values)))

@@ -14,6 +14,7 @@ from ..files import Variables, atomic_path, write_dataset
 from ..main_results import main_results
 from ..units import unit_of
 from .points import BatchPoint, BatchResults
+from .sensitivity import bands, sensitivities
 
 BATCH_TABLE = "batch.csv"
 NOT_NUMBERS = (
@@ -26,14 +27,8 @@ OUTSIDE = "outside loads or speeds of the tables"  # of a point's messages
 STATES = ("done", "failed", "lost")
 
 
-
-
-
-
 def batch_summary(results: BatchResults) -> dict[str, Any]:
     """The document of a batch: each point with its keys and main results; what failed has its message."""
-    from .sensitivity import bands, sensitivities
-
     points = [
         {
             "point": point.number,

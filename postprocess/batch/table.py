@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from rich import box
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
 
 from ..main_results import main_results
 from ..units import unit_of, without_unit
 from .points import BatchPoint, BatchResults
 from .sensitivity import bands, sensitivities
-
-if TYPE_CHECKING:
-    from rich.console import Group
-    from rich.table import Table
 
 MOST_ROWS = 40  # of the terminal's table; the files have all
 WIDTH = 80
@@ -46,11 +47,6 @@ def batch_table(results: BatchResults) -> Group:
     rich.console.Group
         To be printed by a rich console; units [N], [GPa], [um] ... as the headers say.
     """
-    from rich import box
-    from rich.console import Group
-    from rich.table import Table
-    from rich.text import Text
-
     rows = [main_results(point.summary) for point in results.points]
     keys = [key for key in results.keys if len({str(point.values.get(key)) for point in results.points}) > 1]
     shown = [name for name in SHOWN if any(row.get(name) is not None for row in rows)]
@@ -77,9 +73,6 @@ def batch_table(results: BatchResults) -> Group:
 
 def _uncertainties(results: BatchResults) -> list[Table]:
     """Sensitivities to each key, and bands over sampled keys, of a few main results; nothing without such points."""
-    from rich import box
-    from rich.table import Table
-
     found: list[Table] = []
     style: dict[str, Any] = {"box": box.SIMPLE_HEAD, "pad_edge": False, "title_justify": "left"}
     rows = sensitivities(results)

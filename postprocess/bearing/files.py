@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import xarray
+import xarray as xr
 
 from bearing.contacts.contacts import BearingContact
 from ehl import ContactSolution
@@ -98,8 +99,6 @@ def write_netcdf(results: BearingResults | ContactResults, path: Path, document:
     document : dict, optional
         The summary, if it is at hand.
     """
-    import xarray as xr
-
     document = summary(results) if document is None else document
     single = isinstance(results, ContactResults)
     groups = {"/": xr.Dataset(attrs=root_attributes(document, "contact" if single else "bearing"))}
@@ -142,8 +141,6 @@ def _placement(contact: BearingContact) -> dict[str, Any]:
 
 def _field_dataset(solution: ContactSolution) -> xarray.Dataset:
     """P and h over the contact plane, SI; in Moes input lengths are in units of a, films of a^2/Rx."""
-    import xarray as xr
-
     length, film, scale = solution.semi_axis_x, solution.film_scale, solution.hertz_pressure
     central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
     unit, film_unit = ("a", "a^2/Rx") if length is None or film is None else ("m", "m")
@@ -191,8 +188,6 @@ def _temperature(solution: ContactSolution) -> Variables:
 
 
 def _ring_dataset(results: BearingResults) -> xarray.Dataset:
-    import xarray as xr
-
     state, units = results.quasistatic, "SI: N, m, rad, N m"
     bearing = state.bearing
     attrs = {
@@ -217,8 +212,6 @@ def _ring_dataset(results: BearingResults) -> xarray.Dataset:
 
 
 def _ball_dataset(results: BearingResults) -> xarray.Dataset:
-    import xarray as xr
-
     state = results.quasistatic
     units = {
         "azimuth": "rad",

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from ..results import BearingResults
 from ..units import MICROMETRE, NEWTON_MILLIMETRE, ZERO_CELSIUS
-
-if TYPE_CHECKING:
-    from ..results import BearingResults
 
 KEYS = ("temperature_C", "torque_N_mm", "power_W", "oil_W", "viscosity_mPa_s", "clearance_um")
 

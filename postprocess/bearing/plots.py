@@ -4,9 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import degrees, pi
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from bearing.quasistatic.solution import QuasistaticSolution
+from ehl import ContactSolution
 
 from ..contact.plots import draw_map
 from ..contact.view import ContactView, contact_view
@@ -24,13 +29,6 @@ from ..plot_style import (
 )
 from ..results import BearingResults
 from ..units import GIGAPASCAL, MICROMETRE
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from bearing.quasistatic.solution import QuasistaticSolution
-    from ehl import ContactSolution
 
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
 ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from math import cos, pi, sin
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
+from matplotlib.patches import Circle
+
+from bearing.quasistatic.solution import QuasistaticSolution
 
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE
 from ..scene.geometry import Array
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from bearing.quasistatic.solution import QuasistaticSolution
 
 BALL_COLOUR = "#eceff3"
 FORCE_COLOUR = "#3a7d44"
@@ -66,8 +65,6 @@ def _arc(axes: Any, centre: Array, radius: float, ends: tuple[float, float], **s
 
 
 def _ball(axes: Any) -> None:
-    from matplotlib.patches import Circle
-
     axes.add_patch(Circle((0.0, 0.0), 1.0, facecolor=BALL_COLOUR, edgecolor=INK, linewidth=0.8))
 
 
@@ -134,8 +131,6 @@ def _forces(axes: Any, state: QuasistaticSolution) -> None:
 
 def _front(axes: Any, state: QuasistaticSolution) -> None:
     """y up, z to the left, x towards the reader; azimuths counter-clockwise."""
-    from matplotlib.patches import Circle
-
     pitch = WINDOW / 1.45
     size = 2.0 * pitch / state.bearing.pitch_diameter
     ball = 0.5 * state.bearing.ball_diameter * size

@@ -5,20 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import degrees
-from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from bearing.torque.models import ModelTorque
 
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE
+from ..results import BearingResults
 from ..units import NEWTON_MILLIMETRE, RPM
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
-
-    from bearing.torque.models import ModelTorque
-
-    from ..results import BearingResults
 
 LABELS = {
     "integrated": "integrated films",

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.rating.life import KAPPA_LEAST, life_factor
 
 from ..contact.messages import lambda_ratio
-
-if TYPE_CHECKING:
-    from ..results import BearingResults
+from ..results import BearingResults
 
 MICROMETRE, KILONEWTON, MEGAPASCAL, MILLION = 1e-6, 1e3, 1e6, 1e6  # in SI
 LIFE_KEYS = ("basic_reference_rating_Mrev", "modified_reference_rating_Mrev", "a_iso", "kappa")
@@ -68,8 +68,6 @@ def film_life(results: BearingResults) -> dict[str, float | None]:
     least = least_lambda(results)
     if life is None or life.viscosity_ratio is None or least is None:
         return found
-    from bearing.rating.life import KAPPA_LEAST, life_factor
-
     kappa = least ** results.case["surface"]["kappa_exponent"]
     found["kappa_film"] = kappa
     cleanliness, limit = life.rating.contamination_factor, life.fatigue_load_limit

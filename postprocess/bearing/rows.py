@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.rating.frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
+
+from ..results import BearingResults
 from ..units import MICROMETRE, MILLIMETRE, NEWTON_MILLIMETRE, RPM
-
-if TYPE_CHECKING:
-    from bearing.quasistatic.solution import QuasistaticSolution
-    from bearing.rating.frequencies import Frequencies
-
-    from ..results import BearingResults
 
 FREQUENCIES = ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin")
 
@@ -23,8 +21,6 @@ def frequency_block(found: Frequencies) -> dict[str, float]:
 
 def kinematic_block(results: BearingResults) -> dict[str, float]:
     """Frequencies of rolling at the nominal contact angle, as catalogues have them [Hz]."""
-    from bearing.rating.frequencies import kinematic_frequencies
-
     state, life = results.quasistatic, results.life
     angle = state.bearing.free_contact_angle if life is None else life.rating.nominal_contact_angle
     return frequency_block(kinematic_frequencies(state.bearing, state.operation, angle))
@@ -41,8 +37,6 @@ def frequency_lines(results: BearingResults) -> dict[str, str]:
 
 def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
     """Place, offset, load and cage of each row: lengths [mm] and [um], loads [N] and [N mm], frequencies [Hz]."""
-    from bearing.rating.frequencies import bearing_frequencies
-
     found = []
     for index, row in enumerate(state.rows):
         alone = state.row(index)

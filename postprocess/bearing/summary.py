@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import degrees
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.contacts.contacts import BearingContact
+from bearing.quasistatic.solution import QuasistaticSolution
+from ehl import ContactSolution
 
 from ..contact.messages import absent_films, combined_roughness, lambda_ratio, ratio_messages
 from ..contact.rolling import rolling_messages, rolling_values
@@ -17,11 +21,6 @@ from .heating import heating_block, heating_messages
 from .ratings import clearance_block, life_block, rating_messages
 from .rows import frequency_block, kinematic_block, row_blocks, row_messages
 from .torque import contact_traction_values, torque_block, torque_messages
-
-if TYPE_CHECKING:
-    from bearing.contacts.contacts import BearingContact
-    from bearing.quasistatic.solution import QuasistaticSolution
-    from ehl import ContactSolution
 
 LAMBDA_FORMULA = "hamrock_dowson_minimum"
 STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")

@@ -3,7 +3,14 @@
 from __future__ import annotations
 
 from math import degrees
-from typing import TYPE_CHECKING
+
+from rich import box
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
+
+from bearing.contacts.contacts import BearingContact
+from ehl import ContactSolution
 
 from ..contact.messages import lambda_ratio
 from ..contact.supply import supply_rows
@@ -13,13 +20,6 @@ from ..units import GIGAPASCAL, MICROMETRE, RPM
 from .ratings import rating_rows
 from .rows import frequency_lines, row_lines
 from .torque import torque_rows
-
-if TYPE_CHECKING:
-    from rich.console import Group
-    from rich.table import Table
-
-    from bearing.contacts.contacts import BearingContact
-    from ehl import ContactSolution
 
 NOTHING = "–"
 DECIMALS = 4  # of films [um]; more do not fit 80 columns, and beside a lambda ratio one less
@@ -37,9 +37,6 @@ def result_table(results: BearingResults | ContactResults) -> Group:
     rich.console.Group
         To be printed by a rich console; loads [N], pressures [GPa], films [um] as the headers say.
     """
-    from rich.console import Group
-    from rich.text import Text
-
     title = Text(str(results.case.get("title", "")), style="bold")
     if isinstance(results, ContactResults):
         return Group(title, _contact_table(results))
@@ -47,8 +44,6 @@ def result_table(results: BearingResults | ContactResults) -> Group:
 
 
 def _facts_table() -> Table:
-    from rich.table import Table
-
     table = Table(box=None, show_header=False, pad_edge=False)
     table.add_column(style="dim", no_wrap=True)
     table.add_column()
@@ -56,8 +51,6 @@ def _facts_table() -> Table:
 
 
 def _bearing_table(results: BearingResults) -> Table:
-    from rich.text import Text
-
     state = results.quasistatic
     x, y, z = (value / MICROMETRE for value in state.displacement)
     rows = {
@@ -81,9 +74,6 @@ def _bearing_table(results: BearingResults) -> Table:
 
 
 def _contacts_table(results: BearingResults) -> Table:
-    from rich import box
-    from rich.table import Table
-
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), collapse_padding=True)
     surface = results.case.get("surface")
     last = ("α °", "h_c µm", "h_min µm", "λ") if surface else ("angle °", "h_c µm", "h_min µm")
@@ -141,8 +131,6 @@ def _legend(results: BearingResults) -> list[str]:
 
 
 def _contact_table(results: ContactResults) -> Table:
-    from rich.text import Text
-
     solution = results.solution
     table = _facts_table()
     for name, value in (_contact_rows(solution) | _traction_row(results)).items():

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from bearing.operation import BallKinematics
+from bearing.torque.breakdown import TorqueBreakdown
+from ehl.traction.shear import TractionResult
 
 from ..contact.rolling import rolling_block
+from ..results import BearingResults
 from ..units import NEWTON_MILLIMETRE
-
-if TYPE_CHECKING:
-    from bearing.torque.breakdown import TorqueBreakdown
-    from ehl.traction.shear import TractionResult
-
-    from ..results import BearingResults
 
 MODELS = {
     "integrated": ("rolling", "sliding", "spin", "curvature", "asperity", "cage", "drag"),
@@ -132,8 +131,6 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _balance_words(results: BearingResults) -> str:
-    from bearing.operation import BallKinematics
-
     shear = results.torque.shear if results.torque is not None else None
     if shear is None:
         return ""

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+from rich import box
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
 
 from .compare import Comparison, Difference
-
-if TYPE_CHECKING:
-    from rich.console import Group
-    from rich.table import Table
 
 MOST_ROWS = 25  # of the differences of all results, the largest first
 NOTHING = "–"
@@ -27,9 +28,6 @@ def comparison_table(comparison: Comparison) -> Group:
     rich.console.Group
         To be printed by a rich console.
     """
-    from rich.console import Group
-    from rich.text import Text
-
     ordered = sorted(comparison.results, key=lambda d: -1.0 if d.relative is None else -d.relative)
     shown = ordered[:MOST_ROWS]
     parts: list[Any] = [
@@ -47,10 +45,6 @@ def comparison_table(comparison: Comparison) -> Group:
 
 
 def _table(title: str, differences: Iterable[Difference]) -> Table:
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), title=title, title_justify="left")
     table.add_column("", overflow="fold", max_width=38)
     for name in ("first", "second", "%"):

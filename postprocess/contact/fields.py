@@ -4,12 +4,10 @@ from __future__ import annotations
 
 from difflib import get_close_matches
 from pathlib import Path
-from typing import TYPE_CHECKING
+
+import xarray
 
 from ..reader import open_results
-
-if TYPE_CHECKING:
-    import xarray
 
 
 def open_contact(directory: str | Path, contact: str | None = None) -> tuple[str, xarray.Dataset]:

@@ -15,17 +15,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 from math import pi
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import matplotlib
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ..plot_style import PAGE_WIDTH, RC, REFERENCE, save
 from .fields import open_contact
 from .view import half_extents, shown_part
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 
@@ -81,9 +80,6 @@ def write_interferogram(
     ValueError
         If there is no such contact, or its film has no dimension.
     """
-    import matplotlib
-    import matplotlib.figure
-
     path = Path(file)
     if path.suffix.lower() != ".png":
         raise ValueError(f"the picture must be a .png file, got {path.name}")
@@ -91,7 +87,7 @@ def write_interferogram(
     if data["h"].attrs["units"] != "m":
         raise ValueError(f"{name}: the film has no dimension, since the contact is given by Moes' groups")
     with matplotlib.rc_context(RC):
-        figure = matplotlib.figure.Figure()
+        figure = Figure()
         _draw(figure, name, data, optics or Optics())
         save(figure, path)
     return path

@@ -4,20 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import hypot
-from typing import TYPE_CHECKING
 
+from bearing.contacts.contacts import BearingContact
+from ehl import ContactSolution
+
+from ..results import BearingResults
 from ..text import listed
-
-if TYPE_CHECKING:
-    from bearing.contacts.contacts import BearingContact
-    from ehl import ContactSolution
-
-    from ..results import BearingResults
 
 MICROMETRE = 1e-6  # [m]
 DOUBTED = 0.1  # error bar over the film from which it is told [-]
-
-
 
 
 def combined_roughness(race: str, surface: dict[str, float]) -> float:

@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
+from bearing.torque.rolling_extent import RollingExtent, rolling_extent, rolling_moments
+from ehl import ContactSolution
+from ehl.traction.rolling_moment import RollingMoment, rolling_moment
+
+from ..results import BearingResults
 from ..units import MILLIMETRE, NEWTON_MILLIMETRE
-
-if TYPE_CHECKING:
-    from bearing.torque.rolling_extent import RollingExtent
-    from ehl import ContactSolution
-    from ehl.traction.rolling_moment import RollingMoment
-
-    from ..results import BearingResults
 
 CONTACT_KEYS = (
     "rolling_moment_N_mm",
@@ -52,8 +49,6 @@ def contact_rolling_messages(solution: ContactSolution) -> Iterator[str]:
 
 def rolling_values(results: BearingResults) -> list[dict[str, float | None]]:
     """As `moment_values` for every contact of a bearing; null where there is no converged film."""
-    from bearing.torque.rolling_extent import rolling_moments
-
     films = [film if film is not None and film.converged else None for film in results.solutions]
     return [moment_values(moment) for moment in rolling_moments(films)]
 
@@ -91,14 +86,10 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _moment(solution: ContactSolution) -> RollingMoment | None:
-    from ehl.traction.rolling_moment import rolling_moment
-
     return rolling_moment(solution) if solution.converged and solution.semi_axis_x is not None else None
 
 
 def _extent(results: BearingResults) -> RollingExtent | None:
-    from bearing.torque.rolling_extent import rolling_extent
-
     if results.torque is None or results.torque.shear is None or not results.torque.shear.tractions:
         return None
     return rolling_extent(results.quasistatic, results.tractions, results.solutions)

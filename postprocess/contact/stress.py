@@ -3,16 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
+from bearing.contacts.contacts import BearingContact
+from bearing.contacts.stress import contact_stress
+from bearing.quasistatic.solution import QuasistaticSolution
+
+from ..results import BearingResults
 from ..text import listed
 from ..units import GIGAPASCAL, MILLIMETRE
-
-if TYPE_CHECKING:
-    from bearing.contacts.contacts import BearingContact
-    from bearing.quasistatic.solution import QuasistaticSolution
-
-    from ..results import BearingResults
 
 STRESS_KEYS = (
     "mean_pressure_GPa",
@@ -33,8 +31,6 @@ SHOULDER_KEYS = (
 
 def stress_values(state: QuasistaticSolution, contact: BearingContact) -> dict[str, float | None]:
     """Stresses [GPa], depths [mm], sliding speed [m/s] of a contact; None where it is unloaded or no shoulder given."""
-    from bearing.contacts.stress import contact_stress
-
     found: dict[str, float | None] = dict.fromkeys((*STRESS_KEYS, *SHOULDER_KEYS))
     stress = contact_stress(state, contact)
     if stress is None:

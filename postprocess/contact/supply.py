@@ -4,15 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from math import cos, hypot, isfinite, sin
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from bearing.supply.starved_films import StarvedFilm, of_driven_balls
+from bearing.supply.supply import compression, starvation_exponent, starved_share
+from bearing.torque.breakdown import TorqueBreakdown
+from ehl import ContactConditions
+
+from ..results import BearingResults, ContactResults
 from ..units import MICROMETRE, NEWTON_MILLIMETRE
-
-if TYPE_CHECKING:
-    from bearing.supply.starved_films import StarvedFilm
-    from bearing.torque.breakdown import TorqueBreakdown
-
-    from ..results import BearingResults, ContactResults
 
 KEYS = ("film_share", "film_share_least", "lambda_least", "oil_fraction", "torque_N_mm", "flooded_torque_N_mm")
 OF_CONTACT = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um", "starved_lambda_ratio")
@@ -84,9 +84,6 @@ def contact_starved_values(results: ContactResults) -> dict[str, float | None]:
     central, minimum = solution.film_central, solution.film_minimum
     if layer is None or central is None or minimum is None or not solution.converged:
         return dict.fromkeys(OF_CONTACT[:3])
-    from bearing.supply.supply import compression, starvation_exponent, starved_share
-    from ehl import ContactConditions
-
     given = solution.conditions
     assert isinstance(given, ContactConditions)  # the film has a length
     along, across = cos(given.entrainment_angle), sin(given.entrainment_angle)
@@ -129,6 +126,4 @@ def _driven(results: BearingResults) -> list[StarvedFilm]:
     torque = results.torque
     if torque is None or not torque.films:
         return []
-    from bearing.supply.starved_films import of_driven_balls
-
     return of_driven_balls(results.quasistatic, results.contacts, torque.films)

@@ -4,18 +4,18 @@ from __future__ import annotations
 
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Self
+from typing import Any, Self
 
+import h5netcdf
+import h5py
 import numpy as np
+import xarray
+import xarray as xr
 
 from bearing.dynamics.layout import Layout
 from bearing.dynamics.outcome import MECHANISMS
 from bearing.dynamics.problem import RACE_NAMES
-
-if TYPE_CHECKING:
-    import xarray
-
-    from bearing.dynamics.record import Record
+from bearing.dynamics.record import Record
 
 HISTORY_FILE = "history.nc"
 FORMAT = 1
@@ -69,8 +69,6 @@ class HistoryWriter:
     """
 
     def __init__(self, path: Path, balls: int, attributes: dict[str, str | float]) -> None:
-        import h5netcdf
-
         self.balls, self.rows = balls, 0
         self.file = h5netcdf.File(path, "w")
         coordinates: dict[str, tuple[str, ...] | Any] = {
@@ -134,8 +132,6 @@ class HistoryWriter:
 
 
 def _text() -> Any:
-    import h5py
-
     return h5py.string_dtype()
 
 
@@ -157,8 +153,6 @@ def open_history(path: str | Path) -> xarray.Dataset:
     ValueError
         If there is none, or it is not ours.
     """
-    import xarray as xr
-
     path = Path(path)
     path = path / HISTORY_FILE if path.is_dir() else path
     if not path.is_file():

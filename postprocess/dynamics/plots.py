@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import matplotlib as mpl
 import numpy as np
+import xarray
+from matplotlib.colors import ListedColormap
+from matplotlib.figure import Figure
+from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from bearing.dynamics.outcome import INPUTS, LOSSES
 
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
 from ..units import MICROMETRE, RPM
 from .history import open_history
-
-if TYPE_CHECKING:
-    import xarray
-    from matplotlib.figure import Figure
 
 RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
@@ -41,9 +43,6 @@ def plot_dynamics(directory: Path, document: dict[str, Any]) -> tuple[str, ...]:
     -------
     tuple of str
     """
-    import matplotlib as mpl
-    from matplotlib.figure import Figure
-
     data = open_history(directory).load()
     problems = []
     with mpl.rc_context(RC):
@@ -121,9 +120,6 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
 
 def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
     """Free, contact, impact of each ball at both races over time [ms]."""
-    from matplotlib.colors import ListedColormap
-    from matplotlib.patches import Patch
-
     axes = _start(figure, document, 2, 1, 4.2, sharex=True)
     time, balls = _milliseconds(data), data.sizes["ball"]
     extent = (float(time[0]), float(time[-1]), balls + 0.5, 0.5)
@@ -254,8 +250,6 @@ def _milliseconds(data: xarray.Dataset) -> Any:
 
 
 def _every(step: float, *, integer: bool = False) -> Any:
-    from matplotlib.ticker import MaxNLocator, MultipleLocator
-
     return MaxNLocator(integer=True, nbins=7) if integer else MultipleLocator(step)
 
 

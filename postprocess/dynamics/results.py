@@ -24,6 +24,7 @@ from bearing.dynamics.simulation import Simulation
 from ..files import SUMMARY_FILE, write_json
 from ..units import RPM
 from .history import HISTORY_FILE
+from .plots import plot_dynamics
 
 ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
 STATES = ("free", "contact", "impact")
@@ -193,6 +194,4 @@ def write_dynamics(results: DynamicsResults, directory: Path, *, pictures: bool 
     shutil.move(results.history, directory / HISTORY_FILE)
     if not pictures or not results.tally.rows:
         return ()
-    from .plots import plot_dynamics
-
     return plot_dynamics(directory, document)

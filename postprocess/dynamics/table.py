@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-if TYPE_CHECKING:
-    from rich.console import Group
+from rich import box
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
 
 
 def dynamics_table(document: dict[str, Any]) -> Group:
     """What a simulation found, from its summary, for a terminal: speeds [r/min], energies [J], contact states [-]."""
-    from rich import box
-    from rich.console import Group
-    from rich.table import Table
-    from rich.text import Text
-
     facts = Table(box=None, show_header=False, pad_edge=False)
     for name, value in _facts(document):
         facts.add_row(name, value)

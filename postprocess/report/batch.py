@@ -19,6 +19,7 @@ from .html import (
     table,
     text,
     unit_text,
+    versions,
 )
 
 MOST_ROWS = 500  # points listed; the CSV has all
@@ -49,8 +50,6 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
     yield "points", "Points", _points(summary)
     notes = [str(message) for message in summary["messages"]]
     yield "notes", "Notes", f'<div class="notes small">{items(notes)}</div>' if notes else ""
-    from .html import versions
-
     yield "versions", "Versions and times", versions(summary)
 
 

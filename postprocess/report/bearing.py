@@ -7,6 +7,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from ..text import value_with_error
 from .html import (
     NOTHING,
     ROUND_OFF,
@@ -119,8 +120,6 @@ def cards(summary: dict[str, Any]) -> str:
 
 def with_error(row: dict[str, Any], key: str) -> str:
     """A film with its uncertainty, to the figures that it supports."""
-    from ..text import value_with_error
-
     value = row.get(key)
     if value is None:
         return NOTHING

@@ -160,5 +160,3 @@ def _pictures(summary: dict[str, Any], folder: Path) -> str:
     files = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
     shown = [picture(file, file.stem.replace("_", " ")) for file in files if file.name not in known]
     return f'<div class="gallery">{"".join(shown)}</div>' if shown else ""
-
-

@@ -9,10 +9,16 @@ import json
 import sys
 from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pyvista
+import pyvista as pv
+import xarray
 from numpy.typing import NDArray
+from PIL import Image
+
+from bearing import Bearing, load_material
 
 from ..dynamics.history import open_history
 from ..files import atomic_path
@@ -20,12 +26,6 @@ from ..units import MILLIMETRE
 from .geometry import Surface, ball_surface, grid_quads, merge, ring_surface
 from .rendering import PATIENCE, RenderingError, advice, run_python
 from .vtk import collection_text
-
-if TYPE_CHECKING:
-    import pyvista
-    import xarray
-
-    from bearing import Bearing
 
 Array = NDArray[np.float64]
 
@@ -154,8 +154,6 @@ def _band(turn: Array, axial: tuple[float, float], radius: float) -> Surface:
 
 def bearing_of(data: xarray.Dataset) -> Bearing:
     """Bearing of a history by its dimensions [m]; the materials do not show."""
-    from bearing import Bearing, load_material
-
     steel = load_material("bearing steel")
     names = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius", "diametral_clearance")
     dimensions: dict[str, Any] = {name: float(data.attrs[name]) for name in names}
@@ -217,16 +215,12 @@ def about_axis(angle: float) -> Array:
 
 
 def _mesh(surface: Surface) -> pyvista.PolyData:
-    import pyvista as pv
-
     faces = np.column_stack([np.full(len(surface.quads), 4), surface.quads]).ravel()
     return pv.PolyData(surface.points / MILLIMETRE, faces)
 
 
 def _arrows(motion: _Motion, row: int, race: str) -> pyvista.PolyData | None:
     """Arrows that end where a race pushes on the balls [mm]; None where it does not."""
-    import pyvista as pv
-
     points, forces = motion.forces(row, race)
     pushed = np.linalg.norm(forces, axis=1) > 0.0
     if not pushed.any():
@@ -239,8 +233,6 @@ def _arrows(motion: _Motion, row: int, race: str) -> pyvista.PolyData | None:
 
 
 def _plotter(motion: _Motion, title: str, size: tuple[int, int]) -> pyvista.Plotter:
-    import pyvista as pv
-
     plotter = pv.Plotter(off_screen=True, window_size=list(size))
     plotter.set_background("white")
     plotter.add_mesh(
@@ -267,8 +259,6 @@ def _plotter(motion: _Motion, title: str, size: tuple[int, int]) -> pyvista.Plot
 
 def _draw(directory: Path, file: Path, options: AnimationOptions) -> None:
     """All frames, in this process."""
-    from PIL import Image
-
     with open_history(directory) as data:
         rows = shown_rows(data, options)
         motion = _Motion(data, rows)
@@ -297,8 +287,6 @@ def _draw(directory: Path, file: Path, options: AnimationOptions) -> None:
 
 def _write_step(motion: _Motion, directory: Path, row: int) -> str:
     """Balls, cage and ring of one step for ParaView in one file [mm], marks and loads [N] on the points."""
-    import pyvista as pv
-
     folder = directory / STEP_FOLDER
     folder.mkdir(exist_ok=True)
     each = len(motion.ball.points)

@@ -5,13 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from math import pi
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-if TYPE_CHECKING:
-    from bearing.geometry import Bearing
+from bearing.geometry import Bearing
 
 Array = NDArray[np.float64]
 
@@ -70,8 +68,6 @@ class Placement:
     rolling: float = 1.0
     transverse: float = 1.0
     film: float = 0.0
-
-
 
 
 def place_patch(x: Array, y: Array, frame: ContactFrame, placement: Placement, height: Array | None = None) -> Array:

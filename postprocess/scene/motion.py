@@ -6,6 +6,8 @@ from math import degrees, pi, radians
 from pathlib import Path
 from typing import Any
 
+from PIL import Image
+
 from ..units import GIGAPASCAL
 from .parts import INK, look_at
 from .patch import Patch
@@ -66,8 +68,6 @@ def _facts(mesh: Any) -> str:
 
 def write_movie(plotter: Any, file: Path) -> None:
     """One turn of a bearing, or a single contact seen from side to side, as an animated GIF."""
-    from PIL import Image
-
     bearing = any(_facts(_dataset(actor)) for actor in plotter.actors.values())
     frames = []
     before = 0.0

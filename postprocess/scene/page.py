@@ -11,16 +11,15 @@ from dataclasses import dataclass
 from html import escape
 from math import log10
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pyvista as pv
+import xarray
 
 from ..plot_style import colour_stops, film_ticks
 from ..units import MILLIMETRE
 from .parts import INK, Array, label_places
-
-if TYPE_CHECKING:
-    import xarray
 
 OFFLINE = """<meta http-equiv="Content-Security-Policy" content="img-src data: blob:; connect-src data: blob:">"""
 STOPS = 24  # of the gradient of a colour scale
@@ -92,8 +91,6 @@ def add_flat_labels(plotter: Any, tree: xarray.DataTree, up: Array) -> None:
 
 def flat_words(words: str, place: Array, up: Array, size: float) -> Any:
     """Letters of a height [mm] centred at a place [mm]; the sign of degrees is a ring, which the letters lack."""
-    import pyvista as pv
-
     body = pv.Text3D(words.removesuffix("°"), depth=0.0, height=size, center=(0.0, 0.0, 0.0), normal=(0.0, 0.0, 1.0))
     if words.endswith("°"):
         right, top = body.bounds[1], body.bounds[3]

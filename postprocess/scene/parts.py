@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from math import log10
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pyvista as pv
+import xarray
 from numpy.typing import NDArray
 
 from ..plot_style import COLOUR_MAPS
 from ..units import MILLIMETRE
 from .vtk import COLLECTION_FILE
-
-if TYPE_CHECKING:
-    import xarray
 
 Array = NDArray[np.float64]
 
@@ -48,8 +47,6 @@ def add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float
 
 def add_bodies(plotter: Any, directory: Path) -> None:
     """Balls like smoked glass, the inner ring whole, the outer one cut open, with their edges drawn."""
-    import pyvista as pv
-
     bodies = pv.get_reader(directory / COLLECTION_FILE).read()[0]["bodies"]
     balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
     plotter.add_mesh(balls, color="#aab4c0", opacity=0.2, smooth_shading=True, specular=0.5, specular_power=30)
@@ -89,8 +86,6 @@ def _bore(ring: xarray.Dataset) -> float:
 
 def add_load(plotter: Any, tree: xarray.DataTree) -> None:
     """The radial load on the inner ring as an arrow in the bore."""
-    import pyvista as pv
-
     ring = tree["ring"].to_dataset()
     load = _radial_load(ring)
     if load is None:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import xarray
 from numpy.typing import NDArray
 
 from ..contact.frame import principal_coordinates
@@ -14,9 +15,6 @@ from ..plot_style import film_range
 from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from .geometry import ContactFrame, Placement, crop_to_ball, place_patch
 from .vtk import add_point_data, structured_grid
-
-if TYPE_CHECKING:
-    import xarray
 
 Array = NDArray[np.float64]
 ALL = (slice(None), slice(None))

@@ -11,9 +11,12 @@ import sys
 from dataclasses import asdict, dataclass
 from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+import pyvista
+import pyvista as pv
+import xarray
 from numpy.typing import NDArray
 
 from ..files import atomic_path
@@ -34,10 +37,6 @@ from .rendering import (
     run_python,
 )
 from .vtk import COLLECTION_FILE
-
-if TYPE_CHECKING:
-    import pyvista
-    import xarray
 
 Array = NDArray[np.float64]
 
@@ -208,8 +207,6 @@ def _scene(
     directory: Path, options: SceneOptions, off_screen: bool, page: bool = False
 ) -> tuple[pyvista.Plotter, str, str, ColourBar | None]:
     """Plotter, title, the note that states what is magnified, and the colour bar, which a `page` draws itself."""
-    import pyvista as pv
-
     tree = open_results(directory)
     try:
         plotter = pv.Plotter(off_screen=off_screen, window_size=list(options.size))
@@ -233,8 +230,6 @@ def _add_bearing(
     plotter: Any, directory: Path, tree: xarray.DataTree, options: SceneOptions, page: bool
 ) -> tuple[str, ColourBar | None]:
     """Bodies, patches, labels, camera; return the note that states the factors, and the scale of the colours."""
-    import pyvista as pv
-
     balls = tree["contacts"].children.values() if "contacts" in tree.children else ()  # no films were asked for
     nodes = [node for ball in balls for node in ball.children.values()]
     patches = [Patch.read(node.to_dataset(inherit=False)) for node in nodes]
@@ -314,8 +309,6 @@ def _limits(patches: list[Patch], quantity: str) -> tuple[float, float]:
 
 def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions, page: bool) -> tuple[str, ColourBar | None]:
     """One contact as a surface whose height is the quantity; return what the height means, and the colours' scale."""
-    import pyvista as pv
-
     patch = Patch.read(data)
     size = min(float(np.ptp(patch.x)), float(np.ptp(patch.y)))
     mesh = pv.wrap(patch.relief(options.quantity, 0.45 * size))

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bearing.contacts.contacts import BearingContact
+from ehl import ContactSolution
+from ehl.solid.subsurface import subsurface_stress
+
 from ..contact.frame import principal_coordinates
 from .geometry import Array, ContactFrame, Placement, place_patch
-
-if TYPE_CHECKING:
-    from bearing.contacts.contacts import BearingContact
-    from ehl import ContactSolution
 
 CELLS = 81  # each way
 LEFT_OUT = 0.01  # pressure over the largest one below which the box may end [-]
@@ -63,8 +62,6 @@ def stress_volume(
     StressVolume
         Stresses in [Pa], lengths in [m].
     """
-    from ehl.solid.subsurface import subsurface_stress
-
     long, wide, pressure = solution.x, solution.y, solution.pressure
     if long is None or wide is None or solution.semi_axis_x is None:
         raise ValueError("a contact given by Moes' groups has no lengths and no stress in pascals")

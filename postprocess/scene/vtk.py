@@ -7,11 +7,18 @@ from __future__ import annotations
 
 from math import degrees
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
 from numpy.typing import NDArray
+from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStructuredGrid
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLStructuredGridWriter
+
+from bearing.contacts.contacts import BearingContact
+from ehl import ContactSolution
 
 from ..contact.frame import principal_coordinates
 from ..files import atomic_path, contact_name
@@ -29,10 +36,6 @@ from .geometry import (
     ring_surface,
 )
 from .subsurface import StressVolume, stress_volume
-
-if TYPE_CHECKING:
-    from bearing.contacts.contacts import BearingContact
-    from ehl import ContactSolution
 
 Array = NDArray[np.float64]
 
@@ -121,8 +124,6 @@ def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
 
 def volume_grid(volume: StressVolume) -> Any:
     """The stress below a contact as a vtkStructuredGrid, lengths in [mm], stresses in [GPa]."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk
-
     grid = structured_grid(volume.points / MILLIMETRE)
     add_point_data(grid, "largest shear [GPa]", volume.maximum_shear / GIGAPASCAL)
     add_point_data(grid, "von Mises stress [GPa]", volume.von_mises / GIGAPASCAL)
@@ -225,10 +226,6 @@ def _groove_axial(results: BearingResults, race: str, row: int) -> float:
 
 def structured_grid(points: Array) -> Any:
     """Build a vtkStructuredGrid of points, shape (nx, ny, 3) or (nx, ny, nz, 3) [mm or a]."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk
-    from vtkmodules.vtkCommonCore import vtkPoints
-    from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
-
     nx, ny, nz = (*points.shape[:-1], 1)[:3]
     corners = vtkPoints()
     columns = np.stack([points[..., k].ravel(order="F") for k in range(3)], axis=1)
@@ -241,8 +238,6 @@ def structured_grid(points: Array) -> Any:
 
 def add_point_data(grid: Any, name: str, values: Array) -> None:
     """Add a field on the nodes whose unit stands in its name, such as film [um], as float32."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk
-
     array = numpy_to_vtk(values.T.ravel().astype(np.float32), deep=True)
     array.SetName(name)
     grid.GetPointData().AddArray(array)
@@ -251,8 +246,6 @@ def add_point_data(grid: Any, name: str, values: Array) -> None:
 
 def add_field_data(grid: Any, name: str, value: float | str) -> None:
     """Add one number or word about the whole block, its unit in the name, such as load [N]."""
-    from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkStringArray
-
     array: Any = vtkStringArray() if isinstance(value, str) else vtkDoubleArray()
     array.SetName(name)
     array.InsertNextValue(value)
@@ -261,10 +254,6 @@ def add_field_data(grid: Any, name: str, value: float | str) -> None:
 
 def poly_data(surface: Surface) -> Any:
     """Turn a surface [m] into vtkPolyData, coordinates in [mm]."""
-    from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
-    from vtkmodules.vtkCommonCore import vtkPoints
-    from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-
     points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
     points.SetData(numpy_to_vtk((surface.points / MILLIMETRE).astype(np.float32), deep=True))
     offsets = 4 * np.arange(len(surface.quads) + 1)
@@ -277,14 +266,10 @@ def poly_data(surface: Surface) -> Any:
 
 
 def _write_grid(grid: Any, directory: Path, name: str) -> str:
-    from vtkmodules.vtkIOXML import vtkXMLStructuredGridWriter
-
     return _write_block(vtkXMLStructuredGridWriter(), grid, directory, f"{name}.vts")
 
 
 def _write_body(surface: Surface, directory: Path, name: str) -> str:
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
     data = poly_data(surface)
     add_field_data(data, "coordinates", "mm")
     return _write_block(vtkXMLPolyDataWriter(), data, directory, f"{name}.vtp")

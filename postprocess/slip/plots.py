@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from math import degrees
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import matplotlib as mpl
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.colors import ListedColormap, TwoSlopeNorm
+from matplotlib.figure import Figure
 
 from bearing.studies.slip import CriticalCurves, slip_factors
 
@@ -22,10 +26,6 @@ from ..plot_style import (
 )
 from ..units import RPM
 from .results import SlipResults
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 KRPM = 1000.0 * RPM
 LEVELS = np.array([0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])  # of the contour lines, limit 10 [-]
@@ -44,9 +44,6 @@ def write_slip_plots(results: SlipResults, directory: Path) -> None:
     results : SlipResults
     directory : Path
     """
-    import matplotlib as mpl
-    from matplotlib.figure import Figure
-
     drawings = {
         "slip_factors": draw_surface,
         "minimum_preload": draw_minimum_loads,
@@ -65,8 +62,6 @@ def write_slip_plots(results: SlipResults, directory: Path) -> None:
 
 def draw_surface(figure: Figure, results: SlipResults) -> None:
     """Slip factor of the worst ball over speed [r/min] and axial load [N], the limit as a heavy line."""
-    from matplotlib.colors import ListedColormap, TwoSlopeNorm
-
     figure.set_size_inches(0.72 * PAGE_WIDTH, 4.0)
     axes: Axes = figure.subplots()
     surface = results.surface
@@ -126,8 +121,6 @@ def ball_groups(curve: CriticalCurves) -> dict[tuple[int, ...], Array]:
 
 def draw_critical_loads(figure: Figure, results: SlipResults) -> None:
     """Axial [N] and radial [N] load at which each ball just slips; right of its curve it does not."""
-    import matplotlib as mpl
-
     figure.set_size_inches(PAGE_WIDTH, 3.4)
     panels: Any = figure.subplots(1, len(results.curves), squeeze=False, sharey=True)
     azimuths = results.state.azimuth

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from math import degrees, isfinite
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from rich import box
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.studies.slip import CriticalCurves, SlipSurface, slip_factors
@@ -15,12 +20,6 @@ from bearing.studies.slip import CriticalCurves, SlipSurface, slip_factors
 from ..files import Variables, root_attributes, write_dataset
 from ..plot_style import Array
 from ..units import RPM
-
-if TYPE_CHECKING:
-    from collections.abc import Iterable
-
-    from rich.console import Group
-    from rich.table import Table
 
 MOST_ROWS = 11  # speeds listed in the terminal
 
@@ -163,12 +162,6 @@ def _numbers(values: Iterable[Any]) -> list[float | None]:
     return [_number(value) for value in values]
 
 
-
-
-
-
-
-
 def slip_table(results: SlipResults) -> Group:
     """Lay out the balls at the case's operation and the minimum loads over speed, for a terminal of 80 columns.
 
@@ -181,9 +174,6 @@ def slip_table(results: SlipResults) -> Group:
     rich.console.Group
         Loads [N], speeds [r/min], factors [-] as the headers say.
     """
-    from rich.console import Group
-    from rich.text import Text
-
     fx, fy, _ = results.state.ring_force
     speed = results.state.operation.inner_speed / RPM
     own = f"At {speed:.0f} r/min, axial {fx:.1f} N, radial {fy:.1f} N; a ball slips below {results.limit:g}:"
@@ -197,9 +187,6 @@ def slip_table(results: SlipResults) -> Group:
 
 
 def _table(headers: Iterable[str]) -> Table:
-    from rich import box
-    from rich.table import Table
-
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 2, 0, 0), collapse_padding=True)
     for header in headers:
         table.add_column(header, justify="right", no_wrap=True)

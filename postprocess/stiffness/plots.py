@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
+
+import matplotlib as mpl
+from matplotlib.figure import Figure
 
 from ..plot_style import PAGE_WIDTH, RC, save
 from ..units import RPM
 from .results import ORDER, StiffnessResults
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
 
 PLOT_FILE = "stiffness.png"
 COLOURS = ("#1f4e8c", "#c1440e", "#3a7d44", "#7a4fa3", "#8a6d1d")
@@ -19,9 +19,6 @@ PER_UM, PER_MRAD = 1e-6, 1e-3
 
 def write_stiffness_plot(results: StiffnessResults, directory: Path) -> None:
     """Write `stiffness.png` into a folder; stiffness in [N/um] and [N m/mrad] over speed."""
-    import matplotlib as mpl
-    from matplotlib.figure import Figure
-
     with mpl.rc_context(RC):
         figure = Figure()
         draw_stiffness(figure, results)

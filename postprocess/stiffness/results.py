@@ -93,10 +93,6 @@ def _plain(values: Any) -> Any:
     return float(values) if isfinite(values) else None
 
 
-
-
-
-
 MIXED = "SI: N, m, rad, N m"
 
 

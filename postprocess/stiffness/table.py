@@ -3,24 +3,20 @@
 from __future__ import annotations
 
 from math import isfinite
-from typing import TYPE_CHECKING
+
+from rich import box
+from rich.console import Group
+from rich.table import Table
+from rich.text import Text
 
 from ..units import RPM
 from .results import StiffnessResults
-
-if TYPE_CHECKING:
-    from rich.console import Group
 
 ROUND_OFF = 1e-9  # of the largest entry: shown as zero [-]
 
 
 def stiffness_table(results: StiffnessResults) -> Group:
     """Main entries over speed for a terminal: stiffness [N/um] and [N m/mrad]."""
-    from rich import box
-    from rich.console import Group
-    from rich.table import Table
-    from rich.text import Text
-
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     for header in ("r/min", "k_xx", "k_yy", "k_zz", "k_yz", "k_xy", "tilt y", "tilt z"):
         table.add_column(header, justify="right", no_wrap=True)

@@ -13,6 +13,7 @@ from bearing.studies.stiffness import ross_table
 
 from ..files import FIELDS_FILE, SUMMARY_FILE, atomic_path, write_json
 from ..units import RPM
+from .plots import write_stiffness_plot
 from .results import (
     ORDER,
     ROSS_FILE,
@@ -37,8 +38,6 @@ def write_stiffness(results: StiffnessResults, directory: Path) -> tuple[str, ..
     tuple of str
         What could not be drawn.
     """
-    from .plots import write_stiffness_plot
-
     directory.mkdir(parents=True, exist_ok=True)
     study = results.study
     names = [f"k {a} {b} [{entry_unit(i, j)}]" for i, a in enumerate(ORDER) for j, b in enumerate(ORDER)]

@@ -4,17 +4,16 @@ from __future__ import annotations
 
 from math import sqrt
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import matplotlib as mpl
 import numpy as np
+from matplotlib.figure import Figure
+
+from ehl.traction.table.table import TractionTable
 
 from ..plot_style import PAGE_WIDTH, RC, save
 from .results import TractionResults
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
-
-    from ehl.traction.table.table import TractionTable
 
 COLOURS = ("#1f4e8c", "#3a7d44", "#8a6d1d", "#c1440e")
 CURVE_POINTS, MAP_POINTS = 161, 61
@@ -22,9 +21,6 @@ CURVE_POINTS, MAP_POINTS = 161, 61
 
 def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Path]:
     """Write `<name>_curves.png` and `<name>_map.png` beside the tables' file."""
-    import matplotlib as mpl
-    from matplotlib.figure import Figure
-
     files = tuple(path.with_name(f"{path.stem}_{kind}.png") for kind in ("curves", "map"))
     for file, draw in zip(files, (draw_traction_curves, draw_traction_map), strict=True):
         with mpl.rc_context(RC):

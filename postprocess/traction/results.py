@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from dataclasses import asdict, dataclass, field
 from math import isfinite
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from bearing.friction.race_tables import Tables
 from bearing.friction.temperature_tables import TemperatureTables
-
-if TYPE_CHECKING:
-    from ehl.traction.table.full_solves import FullSolve
+from ehl.traction.table.full_solves import FullSolve
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,7 +88,3 @@ def _open_solves(results: TractionResults) -> list[str]:
         for one in table.full_solves
         if not one.converged
     ]
-
-
-
-

@@ -2,20 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from rich.console import Group
+from rich.table import Table
 
 from .results import TractionResults, traction_summary
-
-if TYPE_CHECKING:
-    from rich.console import Group
-    from rich.table import Table
 
 
 def traction_table(results: TractionResults) -> Group:
     """What a run prints: range and error of each race's table."""
-    from rich.console import Group
-    from rich.table import Table
-
     found = Table(title=str(results.case.get("title", "")), title_justify="left")
     for name in ("race", "load [N]", "speed [m/s]", "films", "largest µ", "error 95 %", "largest"):
         found.add_column(name, justify="left" if name == "race" else "right")
@@ -37,8 +31,6 @@ def traction_table(results: TractionResults) -> Group:
 
 def _full_solves(results: TractionResults) -> Table:
     """What the films of the tables leave out, place by place."""
-    from rich.table import Table
-
     found = Table(title="Sliding on the table's film, and in full solves", title_justify="left")
     for name in ("race", "load [N]", "speed [m/s]", "slide/roll", "µ, film", "µ, full", "film ratio"):
         found.add_column(name, justify="left" if name == "race" else "right")

@@ -7,13 +7,12 @@ from pathlib import Path
 from bearing.friction.race_tables import save_race_tables
 from bearing.friction.temperature_tables import save_temperature_tables
 
+from .plots import write_traction_plots
 from .results import TractionResults
 
 
 def write_traction(results: TractionResults, path: Path) -> None:
     """Write the tables to a file, and beside it its plots, `<name>_curves.png` and `<name>_map.png`."""
-    from .plots import write_traction_plots
-
     save_tables(results, path)
     write_traction_plots(results, path)
 

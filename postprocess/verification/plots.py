@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+import matplotlib as mpl
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 MARKERS = "os^Dv<>P"
@@ -31,9 +30,6 @@ class Curve:
 
 def draw_pictures(pictures: Sequence[tuple[str, Callable[[Figure], None]]], directory: Path) -> None:
     """Draw pictures, given by stem and by what draws into an empty figure, as PNG into a folder."""
-    import matplotlib as mpl
-    from matplotlib.figure import Figure
-
     with mpl.rc_context(RC):
         for stem, draw in pictures:
             figure = Figure()
@@ -42,8 +38,6 @@ def draw_pictures(pictures: Sequence[tuple[str, Callable[[Figure], None]]], dire
 
 
 def _colours(count: int) -> Array:
-    import matplotlib as mpl
-
     return np.asarray(mpl.colormaps["viridis"](np.linspace(0.0, 0.85, max(count, 1))))
 
 

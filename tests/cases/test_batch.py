@@ -353,7 +353,7 @@ def test_a_full_disk_is_told_with_what_is_kept(tmp_path, monkeypatch):
         raise OSError(errno.ENOSPC, "No space left on device")
 
     (tmp_path / "mine.toml").write_text(QUICK)
-    monkeypatch.setattr("cases.commands.batch._pool", lambda plan, workers, scheduler: HerePool)
+    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, workers, scheduler: HerePool)
     words = ["batch", str(tmp_path / "mine.toml"), "-o", str(tmp_path / "out"), "-q"]
     with monkeypatch.context() as patch:
         patch.setattr(results, "write_batch", full)
@@ -486,7 +486,7 @@ def test_processes_give_the_same_as_one_after_the_other(tmp_path):
 def test_the_command(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "quick.toml").write_text(QUICK)
-    monkeypatch.setattr("cases.commands.batch._pool", lambda plan, workers, scheduler: HerePool)
+    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, workers, scheduler: HerePool)
     answer = CliRunner().invoke(app, ["batch", "quick.toml", "--json"])
     assert answer.exit_code == 0, answer.output
     document = json.loads(answer.stdout)
@@ -522,7 +522,7 @@ def test_a_lost_point_is_the_machines_failure(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "quick.toml").write_text(QUICK)
     key = read_sweep("quick.toml").points[3].key
-    monkeypatch.setattr("cases.commands.batch._pool", lambda plan, workers, scheduler: lambda: HerePool([key], times=2))
+    monkeypatch.setattr("cases.cli.batch._pool", lambda plan, workers, scheduler: lambda: HerePool([key], times=2))
     answer = CliRunner().invoke(app, ["batch", "quick.toml", "-q"])
     assert answer.exit_code == 4
     assert "1 of 6 points have no result" in answer.stderr

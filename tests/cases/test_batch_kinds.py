@@ -164,7 +164,7 @@ def test_tables_reach_the_workers_of_a_cluster(shared, tmp_path):
 def test_tables_of_every_point(shared, tmp_path, monkeypatch):
     """Points that differ only in what tables do not know are computed once."""
     tables = load_race_tables(shared[1])
-    monkeypatch.setattr("bearing.traction_tables.build_race_tables", lambda *arguments: tables)
+    monkeypatch.setattr("bearing.friction.race_tables.build_race_tables", lambda *arguments: tables)
     text = TORQUE.replace('compute = "torque"', 'compute = "table"').replace("[8000.0, 10000.0]", "[10000.0]")
     text = text.replace("[2000.0, 3000.0]", '[3000.0]\n"friction.lubrication" = ["oil bath", "oil jet"]')
     pool = HerePool()

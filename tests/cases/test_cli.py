@@ -15,13 +15,12 @@ import pytest
 from rich.console import Group
 from typer.testing import CliRunner
 
-from cases.cli import compute, output
+from cases.cli import compute, output, terminal
 from cases.cli.main import app
 from cases.format.shipped import find_case, shipped_cases
-from cases.runs import terminal
 
 AT_REST = "209_radial_8900N"  # no films: quick
-OILFILM = [sys.executable, "-m", "cases.cli"]
+OILFILM = [sys.executable, "-m", "cases.cli.main"]
 
 
 def oilfilm(*words):
@@ -264,7 +263,7 @@ def test_interrupted(monkeypatch):
     def interrupt(*_args, **_kwargs):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("cases.run.run_case", interrupt)
+    monkeypatch.setattr("cases.runs.bearing.run_case", interrupt)
     answer = oilfilm("run", AT_REST)
     assert answer.exit_code == 3
     assert answer.stderr == "oilfilm: interrupted\n"
@@ -273,7 +272,7 @@ def test_interrupted(monkeypatch):
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
 def test_a_signal_ends_a_command_with_code_3(name, tmp_path):
-    code = "import time; from cases.runs.terminal import exit_code; print('up', flush=True); "
+    code = "import time; from cases.cli.terminal import exit_code; print('up', flush=True); "
     code += "import sys; sys.exit(exit_code(lambda: time.sleep(30)))"
     with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
         assert process.stdout.readline() == b"up\n"

@@ -165,7 +165,16 @@ def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
     """A real signal, at any moment: no time counts twice, and the restart reaches the end of an uninterrupted run."""
     path = short(tmp_path / "case.toml", "7008_axial", ("interval_us = 50.0", "interval_us = 5.0"), ("0.004", "0.012"))
     whole = run_dynamics(load_case(path), "case", tmp_path / "whole.nc")
-    command = [sys.executable, "-c", "from cases.cli.main import app; app()", "dynamics", str(path), "-o", "out", "--quiet"]
+    command = [
+        sys.executable,
+        "-c",
+        "from cases.cli.main import app; app()",
+        "dynamics",
+        str(path),
+        "-o",
+        "out",
+        "--quiet",
+    ]
     run = subprocess.Popen(command, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
     while run.poll() is None and not any(file.stat().st_size > 20_000 for file in tmp_path.glob(".oilfilm-*/*")):
         time.sleep(0.005)

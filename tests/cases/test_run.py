@@ -36,9 +36,11 @@ class Solver:
 @pytest.fixture(autouse=True)
 def unsheared(monkeypatch):
     """The stand-in's films have no fields to shear."""
-    monkeypatch.setattr("cases.run._tractions", lambda _case, _state, contacts, _films: (None,) * len(contacts))
-    monkeypatch.setattr("cases.run._torque", lambda *_: None)
-    monkeypatch.setattr("cases.run._contact_traction", lambda *_: None)
+    monkeypatch.setattr(
+        "cases.runs.bearing._tractions", lambda _case, _state, contacts, _films: (None,) * len(contacts)
+    )
+    monkeypatch.setattr("cases.runs.bearing._torque", lambda *_: None)
+    monkeypatch.setattr("cases.runs.contact._contact_traction", lambda *_: None)
 
 
 @pytest.fixture

@@ -35,7 +35,7 @@ def quick(monkeypatch):
     def few(**chosen):
         return TableOptions(**{**chosen, **EASY})
 
-    monkeypatch.setattr("ehl.traction.sampling.TableOptions", few)
+    monkeypatch.setattr("ehl.traction.table.build.TableOptions", few)
 
 
 @pytest.mark.slow

@@ -71,7 +71,7 @@ def browsed(page, tmp_path):
 def test_wrong_names_and_missing_packages_are_told(tmp_path, monkeypatch):
     with pytest.raises(ValueError, match=r"must be an \.html file"):
         export_html(tmp_path, tmp_path / "scene.txt")
-    monkeypatch.setattr("postprocess.scene.find_spec", lambda name: None)
+    monkeypatch.setattr("postprocess.scene.scene.find_spec", lambda name: None)
     with pytest.raises(RenderingError, match="pip install"):
         export_html(tmp_path, tmp_path / "scene.html")
 

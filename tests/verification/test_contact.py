@@ -463,7 +463,7 @@ def test_load_reached_in_steps_leads_to_the_same_film(monkeypatch):
     """The fallback's way from a sixteenth of the load over a quarter ends where the plain one does."""
     plain = solve_contact(CIRCULAR, SolverOptions(points=129))
     steps = next(attempt for attempt in ATTEMPTS if attempt.from_lighter)
-    monkeypatch.setattr("ehl.full_multigrid.ATTEMPTS", (steps,))
+    monkeypatch.setattr("ehl.multigrid.full_multigrid.ATTEMPTS", (steps,))
     stepped = solve_contact(CIRCULAR, SolverOptions(points=129))
     assert stepped.converged
     for name in ("film_central_dimensionless", "film_minimum_dimensionless"):

@@ -7,17 +7,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..problem import Array
+from ..record import LEAST_STEP, STEP_ANGLE, STIFF_STEP, Record, empty_record
 from . import _kernels
 
 if TYPE_CHECKING:
-    from ..record import Record
     from ..simulation import Simulation
 
 
 def control_of(simulation: Simulation) -> Array:
     """Least and longest step, and the step below which a stiff problem is given back [s]."""
-    from ..record import LEAST_STEP, STEP_ANGLE, STIFF_STEP
-
     options, frequency = simulation.model.options, simulation.frequency
     longest = options.longest_step or STEP_ANGLE / frequency
     least = LEAST_STEP * options.end_time
@@ -26,8 +24,6 @@ def control_of(simulation: Simulation) -> Array:
 
 def advance_explicit(simulation: Simulation, times: Array) -> tuple[int, Record]:
     """Move a simulation on to the given times [s]; the kernel's status, and the rows reached."""
-    from ..record import Record, empty_record
-
     state, size = simulation.state, simulation.layout.size
     record = empty_record(times, simulation.bearing.balls)
     history = (state.onset, state.contact_state, state.shares, state.attitude)

@@ -8,11 +8,11 @@ import numpy as np
 from scipy.integrate import LSODA
 
 from ..problem import Array
+from ..record import Record, empty_record
 from . import _kernels
 from .explicit import control_of
 
 if TYPE_CHECKING:
-    from ..record import Record
     from ..simulation import Simulation
 
 DONE, TOO_SMALL = 0, 1
@@ -22,8 +22,6 @@ ACCUMULATED = 1.0e-6  # tolerance of the accumulators, of themselves [-]
 
 def advance_implicit(simulation: Simulation, times: Array) -> tuple[int, Record]:
     """Move a simulation on to the given times [s]; 0 or 1 (the step became too small), and the rows reached."""
-    from ..record import Record, empty_record
-
     record = empty_record(times, simulation.bearing.balls)
     simulation.state.counters[[_kernels.STIFF_SEEN, _kernels.SOFT_SEEN]] = 0  # explicit steps begin anew after it
     history = _history(simulation)

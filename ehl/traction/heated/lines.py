@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.interpolate import RegularGridInterpolator
 
 from ...generalized.section import film_section
 from ...generalized.solver import GeneralizedSolution
@@ -145,8 +146,6 @@ def warm_nodes(
 
 def _at_nodes(zone: HertzZone, x: Array, y: Array, *fields: Array) -> list[Array]:
     """Fields of the grid [any unit] at the nodes of a zone, linear between the grid's."""
-    from scipy.interpolate import RegularGridInterpolator
-
     return [RegularGridInterpolator((x, y), field)(np.moveaxis(zone.fields[:2], 0, -1)) for field in fields]
 
 

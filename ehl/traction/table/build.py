@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from ...options import SolverOptions
 from ...solution import ContactSolution
+from ...solver import solve_contact
 from ..response import normal_response
 from .film import TableFilm, table_film
 from .splines import left_out_error, spline_coefficients
@@ -176,8 +177,6 @@ def _solve(study: _Study, places: Iterable[tuple[float, float]]) -> list[_Film]:
 
 def _film(study: _Study, place: tuple[float, float]) -> _Film:
     """Solve a film, its nodes, its scales and its answer to an approach."""
-    from ...solver import solve_contact
-
     contact, load, speed, points = study.contact, exp(place[0]), exp(place[1]), study.options.points
     film = table_film(contact, load, speed, study.range.slide_x * speed, SolverOptions(points=points))
     solution = film.solution

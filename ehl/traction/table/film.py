@@ -7,9 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ...generalized.solver import solve_generalized
 from ...oil.rheology import Rheology
 from ...options import SolverOptions
 from ...solution import ContactSolution
+from ...solver import solve_contact
 from ..heated.lines import WarmNodes, warm_forces, warm_nodes
 from ..quadrature import FilmNodes, film_nodes, sliding_forces
 from .table import TableContact
@@ -58,9 +60,6 @@ def table_film(
     ValueError
         If the film has no usable answer: the message names load and speed.
     """
-    from ...generalized.solver import solve_generalized
-    from ...solver import solve_contact
-
     conditions = contact.conditions(load, speed)
     if contact.solids is None:
         solution = solve_contact(conditions, options)

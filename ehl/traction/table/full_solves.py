@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ...generalized.solver import solve_generalized
 from ...oil.rheology import limiting_stress
 from ...options import SolverOptions
 from .film import table_film
@@ -74,8 +75,6 @@ def _places(limits: TableRange, count: int) -> Array:
 
 
 def _both(contact: TableContact, place: tuple[float, float, float], options: SolverOptions) -> FullSolve:
-    from ...generalized.solver import solve_generalized
-
     load, speed, ratio = place
     film = table_film(contact, load, speed, ratio * speed, options)
     rolling = np.array([speed / contact.radius_x])

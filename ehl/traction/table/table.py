@@ -28,6 +28,7 @@ from ...conditions import ContactConditions
 from ...oil.lubricant import Lubricant
 from ...oil.rheology import Rheology
 from ...solid.heat import SolidThermal
+from .. import _kernels
 from ..laws import TractionForces, traction_forces
 from .splines import spline_weights
 
@@ -238,8 +239,6 @@ class TractionTable:
 
         Outside the table's range the nearest place counts, forces in proportion to the load, and `outside` says so.
         """
-        from .. import _kernels
-
         out = np.empty(8)
         flag = _kernels.table_lookup(*self.kernel_arguments(), load, speed, slide_x, slide_y, spin, out)
         return traction_forces(out, flag_names(flag))

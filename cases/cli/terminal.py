@@ -11,24 +11,17 @@ import threading
 import traceback
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING, ParamSpec
+from typing import ParamSpec
 
 import typer
 
 from ..format.problems import CaseError
-
-if TYPE_CHECKING:
-    from .films import Progress
+from ..runs.interrupt import say
 
 NOT_CONVERGED, BAD_INPUT, INTERRUPTED, FAILED = 1, 2, 3, 4
 MOST_MESSAGES = 20  # lines of errors shown; a file of garbage has hundreds
 
 P = ParamSpec("P")
-
-
-def say(text: str) -> None:
-    """A message to the user."""
-    print(text, file=sys.stderr)  # noqa: T201
 
 
 def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
@@ -72,30 +65,6 @@ def _interrupt(_signal: int, _frame: object) -> None:
     raise KeyboardInterrupt
 
 
-@contextmanager
-def finish_first(what: str) -> Iterator[None]:
-    """Obey an interrupt only when the work inside is done; a second one is obeyed at once."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-    waiting: list[int] = []
-
-    def remember(number: int, _frame: object) -> None:
-        if waiting:
-            raise KeyboardInterrupt
-        waiting.append(number)
-        say(f"oilfilm: finishing first: {what}")
-
-    previous = {number: signal.signal(number, remember) for number in (signal.SIGINT, signal.SIGTERM)}
-    try:
-        yield
-    finally:
-        for number, handler in previous.items():
-            signal.signal(number, handler)
-    if waiting:
-        raise KeyboardInterrupt
-
-
 def _say_errors(messages: Iterable[str]) -> None:
     lines = list(messages)
     for line in lines[:MOST_MESSAGES]:
@@ -125,7 +94,7 @@ def _log(error: Exception) -> str:
 
 
 @contextmanager
-def progress_bar(*, quiet: bool) -> Iterator[Progress]:
+def progress_bar(*, quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
     """A callback that draws progress on standard error; off when that is no terminal."""
     if quiet or not sys.stderr.isatty():
         yield lambda done, total, state: None
