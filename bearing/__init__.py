@@ -1,4 +1,6 @@
-"""Ball bearings: geometry, materials, quasi-static equilibrium, and the lubricated contacts it yields."""
+"""Ball bearings: geometry, materials, quasi-static equilibrium, and the lubricated contacts it
+yields.
+"""
 
 import lazy_loader
 

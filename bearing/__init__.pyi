@@ -1,7 +1,13 @@
 from .contacts.contacts import BearingContact, contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
 from .fits.clearance import ClearanceBudget, Fit, Warming, clearance_budget
-from .geometry import Bearing, Race, clearance_to_contact_angle, contact_angle_to_clearance, reduced_radii
+from .geometry import (
+    Bearing,
+    Race,
+    clearance_to_contact_angle,
+    contact_angle_to_clearance,
+    reduced_radii,
+)
 from .library.bearings import list_bearings, load_catalogue_entry
 from .library.lubricants import library_lubricant, list_lubricants
 from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus

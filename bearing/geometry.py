@@ -1,11 +1,11 @@
-"""Internal geometry of a ball bearing: groove curvatures, clearance, free contact angle, reduced radii.
+"""Internal geometry of a ball bearing: groove curvatures, clearance, free contact angle, reduced
+radii.
 
-The outer groove's centre of curvature stands still; the inner one is A = r_i + r_o - D away from it when a ball just
-touches both races. With the grooves facing each other (axial position zero) their centres are A - Pd/2 apart, hence
-cos(free angle) = 1 - Pd/(2 A) (Harris and Kotzalas, Rolling Bearing Analysis).
+The outer groove's centre of curvature stands still; the inner one is A = r_i + r_o - D away from
+it when a ball just touches both races. With the grooves facing each other (axial position zero)
+their centres are A - Pd/2 apart, hence cos(free angle) = 1 - Pd/(2 A) (Harris and Kotzalas,
+Rolling Bearing Analysis).
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import Enum
@@ -77,7 +77,9 @@ class Bearing:
         if self.balls < 2:
             raise ValueError(f"balls must be at least 2, got {self.balls}")
         if self.balls * asin(min(1.0, self.ball_diameter / self.pitch_diameter)) > pi:
-            raise ValueError(f"balls: {self.balls} of the given diameter do not fit on the pitch circle")
+            raise ValueError(
+                f"balls: {self.balls} of the given diameter do not fit on the pitch circle"
+            )
         a, clearance = self.curvature_centre_distance, self.diametral_clearance
         if not (isfinite(clearance) and -a < clearance < 2.0 * a):
             raise ValueError(
@@ -107,13 +109,20 @@ class Bearing:
     def free_contact_angle(self) -> float:
         """Contact angle under a vanishing axial load [rad]; zero with interference."""
         return clearance_to_contact_angle(
-            self.diametral_clearance, self.inner_groove_radius, self.outer_groove_radius, self.ball_diameter
+            self.diametral_clearance,
+            self.inner_groove_radius,
+            self.outer_groove_radius,
+            self.ball_diameter,
         )
 
     @property
     def free_axial_position(self) -> float:
-        """Axial displacement of the inner ring from facing grooves to first touch, A sin(free angle) [m]."""
-        return self.curvature_centre_distance * sqrt(max(0.0, 1.0 - cos(self.free_contact_angle) ** 2))
+        """Axial displacement of the inner ring from facing grooves to first touch, A sin(free
+        angle) [m].
+        """
+        return self.curvature_centre_distance * sqrt(
+            max(0.0, 1.0 - cos(self.free_contact_angle) ** 2)
+        )
 
     @property
     def end_play(self) -> float:
@@ -124,25 +133,33 @@ class Bearing:
     def inner_centre_radius(self) -> float:
         """Radius of the circle of the inner groove's centres of curvature, [m]."""
         cosine = 1.0 - 0.5 * self.diametral_clearance / self.curvature_centre_distance
-        return 0.5 * self.pitch_diameter + (self.inner_groove_radius - 0.5 * self.ball_diameter) * cosine
+        return (
+            0.5 * self.pitch_diameter
+            + (self.inner_groove_radius - 0.5 * self.ball_diameter) * cosine
+        )
 
     @property
     def outer_centre_radius(self) -> float:
         """Radius of the circle of the outer groove's centres of curvature, [m]."""
         cosine = 1.0 - 0.5 * self.diametral_clearance / self.curvature_centre_distance
-        return 0.5 * self.pitch_diameter - (self.outer_groove_radius - 0.5 * self.ball_diameter) * cosine
+        return (
+            0.5 * self.pitch_diameter
+            - (self.outer_groove_radius - 0.5 * self.ball_diameter) * cosine
+        )
 
     @property
     def azimuths(self) -> Array:
         """Azimuths of the balls in [0, 2 pi) [rad], shape (Z,)."""
-        return np.mod(self.first_ball_azimuth + 2.0 * pi / self.balls * np.arange(self.balls), 2.0 * pi)
+        return np.mod(
+            self.first_ball_azimuth + 2.0 * pi / self.balls * np.arange(self.balls), 2.0 * pi
+        )
 
     @property
     def azimuth_directions(self) -> Array:
         """Cosines and sines of the azimuths [-], shape (2, Z).
 
-        Balls beyond half a turn are counted backwards, so that with a ball on the load line those at psi and -psi have
-        the same cosine to the last bit, and equal loads.
+        Balls beyond half a turn are counted backwards, so that with a ball on the load line those
+        at psi and -psi have the same cosine to the last bit, and equal loads.
         """
         index = np.arange(self.balls)
         index = np.where(2 * index > self.balls, index - self.balls, index)
@@ -202,12 +219,17 @@ def clearance_to_contact_angle(
     """
     distance = inner_groove_radius + outer_groove_radius - ball_diameter
     if clearance > 2.0 * distance:
-        raise ValueError(f"diametral_clearance must not exceed {2.0 * distance:.6g} m, got {clearance!r}")
+        raise ValueError(
+            f"diametral_clearance must not exceed {2.0 * distance:.6g} m, got {clearance!r}"
+        )
     return acos(min(1.0, 1.0 - 0.5 * clearance / distance))
 
 
 def contact_angle_to_clearance(
-    contact_angle: float, inner_groove_radius: float, outer_groove_radius: float, ball_diameter: float
+    contact_angle: float,
+    inner_groove_radius: float,
+    outer_groove_radius: float,
+    ball_diameter: float,
 ) -> float:
     """Diametral clearance [m], Pd = 2 A (1 - cos), the inverse of `clearance_to_contact_angle`.
 
@@ -242,13 +264,16 @@ def reduced_radii(bearing: Bearing, race: Race, contact_angle: float) -> tuple[f
     Returns
     -------
     radius_x, radius_y : float
-        In the rolling direction, D/2 (1 -+ D cos(angle)/d_m) (inner, outer), and across it, 1/(2/D - 1/r) [m].
+        In the rolling direction, D/2 (1 -+ D cos(angle)/d_m) (inner, outer), and across it, 1/(2/D
+        - 1/r) [m].
     """
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
     if race is Race.INNER:
-        groove, factor = bearing.inner_groove_radius, 1.0 - gamma
+        groove = bearing.inner_groove_radius
+        factor = 1.0 - gamma
     else:
-        groove, factor = bearing.outer_groove_radius, 1.0 + gamma
+        groove = bearing.outer_groove_radius
+        factor = 1.0 + gamma
     radius_y = 1.0 / (2.0 / bearing.ball_diameter - 1.0 / groove)
     return 0.5 * bearing.ball_diameter * factor, radius_y
 

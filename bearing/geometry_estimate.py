@@ -1,13 +1,12 @@
-"""Internal geometry that makers do not publish, estimated from what they do: boundary dimensions and load ratings.
+"""Internal geometry that makers do not publish, estimated from what they do: boundary dimensions
+and load ratings.
 
-The ratings of ISO 281 and ISO 76 are functions of ball diameter, number of balls, pitch diameter and contact angle
-alone as long as the grooves are not wide. Balls come in standard sizes and whole numbers. So the pair (D, Z) whose
-computed ratings come nearest to the catalogue's is looked for; for makers who rate by the standards without a factor of
-their own it fits within a percent, and the next best pair misses by some percent.
-docs/user/libraries.md has the errors.
+The ratings of ISO 281 and ISO 76 are functions of ball diameter, number of balls, pitch diameter
+and contact angle alone as long as the grooves are not wide. Balls come in standard sizes and whole
+numbers. So the pair (D, Z) whose computed ratings come nearest to the catalogue's is looked for;
+for makers who rate by the standards without a factor of their own it fits within a percent, and
+the next best pair misses by some percent. docs/user/libraries.md has the errors.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from math import asin, floor, hypot, isfinite, log, pi
@@ -17,16 +16,26 @@ from .material import Material, load_material
 from .rating.load_rating import dynamic_rating, static_rating
 
 INCH = 25.4e-3  # [m]
-FINE_STEP, COARSE_STEP = INCH / 64.0, INCH / 32.0  # between ball sizes below and above FINE_LARGEST [m]
+# between ball sizes below and above FINE_LARGEST [m]
+FINE_STEP = INCH / 64.0
+COARSE_STEP = INCH / 32.0
 FINE_LARGEST = 18.0 * FINE_STEP  # 9/32 inch [m]
 BALL_TO_SECTION = (0.20, 0.36)  # smallest and largest D over D_o - d that are tried [-]
 FEWEST_BALLS = 5
-INNER_CONFORMITY, OUTER_CONFORMITY = 0.515, 0.525  # groove radius over ball diameter, assumed [-]
-INNER_CONFORMITY_RANGE, OUTER_CONFORMITY_RANGE = (0.51, 0.525), (0.515, 0.53)  # of the bearings with known ones [-]
-BALL_RANGE, PITCH_RANGE, BALLS_RANGE = 0.07, 0.015, 1  # relative [-], relative [-], balls: docs/user/libraries.md
-TYPICAL_BALL = 0.30  # D over D_o - d without ratings: mean of the catalogue's, docs/user/libraries.md [-]
-TYPICAL_FILL = ((0.0, 0.60), (15.0, 0.78), (40.0, 0.86))  # angle [deg], share of the pitch circle: likewise [-]
-NORMAL_CLEARANCE = (  # bore up to [mm], group CN of deep groove bearings from, to [um]: ISO 5753-1 as makers print it
+INNER_CONFORMITY = 0.515  # groove radius over ball diameter
+OUTER_CONFORMITY = 0.525  # assumed [-]
+# of the bearings with known ones [-]
+INNER_CONFORMITY_RANGE = (0.51, 0.525)
+OUTER_CONFORMITY_RANGE = (0.515, 0.53)
+BALL_RANGE = 0.07  # relative [-]
+PITCH_RANGE = 0.015  # relative [-]
+BALLS_RANGE = 1  # balls: docs/user/libraries.md
+# D over D_o - d without ratings: mean of the catalogue's, docs/user/libraries.md [-]
+TYPICAL_BALL = 0.30
+# angle [deg], share of the pitch circle: likewise [-]
+TYPICAL_FILL = ((0.0, 0.60), (15.0, 0.78), (40.0, 0.86))
+# bore up to [mm], group CN of deep groove bearings from, to [um]: ISO 5753-1 as makers print it
+NORMAL_CLEARANCE = (
     (10.0, 2.0, 13.0),
     (18.0, 3.0, 18.0),
     (24.0, 5.0, 20.0),
@@ -68,9 +77,13 @@ class CatalogueData:
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
         if self.outside_diameter <= self.bore:
-            raise ValueError(f"outside_diameter must exceed the bore, {self.bore!r} m, got {self.outside_diameter!r}")
+            raise ValueError(
+                f"outside_diameter must exceed the bore, {self.bore!r} m, got {self.outside_diameter!r}"
+            )
         if not 0.0 <= self.contact_angle < 0.5 * pi:
-            raise ValueError(f"contact_angle must lie in [0, pi/2), got {self.contact_angle!r} rad")
+            raise ValueError(
+                f"contact_angle must lie in [0, pi/2), got {self.contact_angle!r} rad"
+            )
 
     @property
     def pitch(self) -> float:
@@ -92,7 +105,8 @@ class GeometryEstimate:
     dynamic_error, static_error : float
         Computed over catalogue rating, less one [-].
     misfit, next_misfit : float
-        Root of the sum of the squared logarithmic errors, of this pair of diameter and number and of the next best [-].
+        Root of the sum of the squared logarithmic errors, of this pair of diameter and number and
+        of the next best [-].
     """
 
     ball_diameter: float
@@ -115,13 +129,20 @@ class GeometryEstimate:
             "ball_diameter": (ball * (1.0 - BALL_RANGE), ball * (1.0 + BALL_RANGE)),
             "pitch_diameter": (pitch * (1.0 - PITCH_RANGE), pitch * (1.0 + PITCH_RANGE)),
             "balls": (self.balls - BALLS_RANGE, self.balls + BALLS_RANGE),
-            "inner_groove_radius": (ball * INNER_CONFORMITY_RANGE[0], ball * INNER_CONFORMITY_RANGE[1]),
-            "outer_groove_radius": (ball * OUTER_CONFORMITY_RANGE[0], ball * OUTER_CONFORMITY_RANGE[1]),
+            "inner_groove_radius": (
+                ball * INNER_CONFORMITY_RANGE[0],
+                ball * INNER_CONFORMITY_RANGE[1],
+            ),
+            "outer_groove_radius": (
+                ball * OUTER_CONFORMITY_RANGE[0],
+                ball * OUTER_CONFORMITY_RANGE[1],
+            ),
         }
 
 
 def ball_sizes(smallest: float, largest: float) -> tuple[float, ...]:
-    """Standard ball diameters in an interval [m]: steps of 1/64 inch up to 9/32 inch, of 1/32 inch beyond.
+    """Standard ball diameters in an interval [m]: steps of 1/64 inch up to 9/32 inch, of 1/32 inch
+    beyond.
 
     Parameters
     ----------
@@ -134,7 +155,10 @@ def ball_sizes(smallest: float, largest: float) -> tuple[float, ...]:
         [m].
     """
     fine = [i * FINE_STEP for i in range(1, round(FINE_LARGEST / FINE_STEP) + 1)]
-    coarse = [i * COARSE_STEP for i in range(round(FINE_LARGEST / COARSE_STEP) + 1, floor(largest / COARSE_STEP) + 2)]
+    coarse = [
+        i * COARSE_STEP
+        for i in range(round(FINE_LARGEST / COARSE_STEP) + 1, floor(largest / COARSE_STEP) + 2)
+    ]
     return tuple(size for size in (*fine, *coarse) if smallest <= size <= largest)
 
 
@@ -146,8 +170,8 @@ def most_balls(ball_diameter: float, pitch_diameter: float) -> int:
 def estimate_geometry(data: CatalogueData) -> GeometryEstimate:
     """Ball diameter and number of balls whose computed ratings come nearest to the catalogue's.
 
-    Least (ln C/C_r)^2 + (ln C_0/C_0r)^2 over the standard ball sizes and all numbers of balls that fit, C and C_0 by
-    `load_rating.dynamic_rating` and `static_rating`.
+    Least (ln C/C_r)^2 + (ln C_0/C_0r)^2 over the standard ball sizes and all numbers of balls that
+    fit, C and C_0 by `load_rating.dynamic_rating` and `static_rating`.
 
     Parameters
     ----------
@@ -162,15 +186,21 @@ def estimate_geometry(data: CatalogueData) -> GeometryEstimate:
     ValueError
         If no standard ball fits the section.
     """
-    steel, section, found = load_material("bearing steel"), data.outside_diameter - data.bore, []
+    steel = load_material("bearing steel")
+    section = data.outside_diameter - data.bore
+    found = []
     for ball in ball_sizes(BALL_TO_SECTION[0] * section, BALL_TO_SECTION[1] * section):
         for balls in range(FEWEST_BALLS, most_balls(ball, data.pitch) + 1):
             bearing = _bearing(data, ball, balls, steel)
             dynamic = dynamic_rating(bearing, data.contact_angle) / data.dynamic_rating
             static = static_rating(bearing, data.contact_angle) / data.static_rating
-            found.append((hypot(log(dynamic), log(static)), ball, balls, dynamic - 1.0, static - 1.0))
+            found.append(
+                (hypot(log(dynamic), log(static)), ball, balls, dynamic - 1.0, static - 1.0)
+            )
     if len(found) < 2:
-        raise ValueError(f"outside_diameter and bore leave no room for standard balls, section {section!r} m")
+        raise ValueError(
+            f"outside_diameter and bore leave no room for standard balls, section {section!r} m"
+        )
     (misfit, ball, balls, dynamic, static), (next_misfit, *_), *_ = sorted(found)
     return GeometryEstimate(
         ball_diameter=ball,
@@ -202,11 +232,15 @@ def _bearing(data: CatalogueData, ball: float, balls: int, steel: Material) -> B
     )
 
 
-def typical_geometry(bore: float, outside_diameter: float, contact_angle: float) -> tuple[float, float, int]:
-    """Ball diameter [m], pitch diameter [m] and number of balls [-] from the boundary dimensions alone: a rough guess.
+def typical_geometry(
+    bore: float, outside_diameter: float, contact_angle: float
+) -> tuple[float, float, int]:
+    """Ball diameter [m], pitch diameter [m] and number of balls [-] from the boundary dimensions
+    alone: a rough guess.
 
-    D = 0.30 (D_o - d), the nearest standard size; Z = fill pi/asin(D/d_m), with the share of the pitch circle that the
-    balls of the catalogue's bearings fill, linear in the contact angle between deep groove, 15 and 40 degrees.
+    D = 0.30 (D_o - d), the nearest standard size; Z = fill pi/asin(D/d_m), with the share of the
+    pitch circle that the balls of the catalogue's bearings fill, linear in the contact angle
+    between deep groove, 15 and 40 degrees.
 
     Parameters
     ----------
@@ -220,9 +254,14 @@ def typical_geometry(bore: float, outside_diameter: float, contact_angle: float)
     tuple
         Ball diameter [m], pitch diameter [m], number of balls [-].
     """
-    wanted, pitch = TYPICAL_BALL * (outside_diameter - bore), 0.5 * (bore + outside_diameter)
+    wanted = TYPICAL_BALL * (outside_diameter - bore)
+    pitch = 0.5 * (bore + outside_diameter)
     ball = min(ball_sizes(0.9 * wanted, 1.1 * wanted), key=lambda size: abs(size - wanted))
-    return ball, pitch, max(FEWEST_BALLS, round(_fill(contact_angle * 180.0 / pi) * pi / asin(ball / pitch)))
+    return (
+        ball,
+        pitch,
+        max(FEWEST_BALLS, round(_fill(contact_angle * 180.0 / pi) * pi / asin(ball / pitch))),
+    )
 
 
 def _fill(angle: float) -> float:
@@ -252,4 +291,6 @@ def normal_clearance(bore: float) -> tuple[float, float]:
     for largest, low, high in NORMAL_CLEARANCE:
         if 2.5e-3 <= bore <= largest * 1e-3 * (1.0 + 1e-9):
             return low * 1e-6, high * 1e-6
-    raise ValueError(f"bore must lie between 2.5 and {NORMAL_CLEARANCE[-1][0]:g} mm, got {bore!r} m")
+    raise ValueError(
+        f"bore must lie between 2.5 and {NORMAL_CLEARANCE[-1][0]:g} mm, got {bore!r} m"
+    )

@@ -1,7 +1,5 @@
 """Solid bodies: moduli, densities, thermal properties, and the reduced modulus of a pair."""
 
-from __future__ import annotations
-
 import tomllib
 from dataclasses import dataclass
 from enum import Enum
@@ -92,7 +90,9 @@ def reduced_modulus(material_1: Material, material_2: Material) -> float:
     float
         Reduced modulus E' [Pa].
     """
-    compliance = sum((1.0 - m.poisson_ratio**2) / m.youngs_modulus for m in (material_1, material_2))
+    compliance = sum(
+        (1.0 - m.poisson_ratio**2) / m.youngs_modulus for m in (material_1, material_2)
+    )
     return 2.0 / compliance
 
 
@@ -123,18 +123,29 @@ def load_material(name: str) -> Material:
     if key is None:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
     entry = material_data(key)
-    found = {field: entry[data]["value"] * unit for field, (data, unit) in FIELDS.items() if data in entry}
+    found = {
+        field: entry[data]["value"] * unit
+        for field, (data, unit) in FIELDS.items()
+        if data in entry
+    }
     return Material(
         name=key,
-        source="; ".join(f"{field}: {value['source']}" for field, value in entry.items() if field != "kind"),
+        source="; ".join(
+            f"{field}: {value['source']}" for field, value in entry.items() if field != "kind"
+        ),
         kind=MaterialKind(entry.get("kind", "other")),
-        unverified=tuple(field for field, (data, _) in FIELDS.items() if not entry.get(data, {}).get("verified", True)),
+        unverified=tuple(
+            field
+            for field, (data, _) in FIELDS.items()
+            if not entry.get(data, {}).get("verified", True)
+        ),
         **found,
     )
 
 
 def material_data(name: str) -> dict[str, Any]:
-    """What the data file says of a material: per number its value, range and source, in the units of its key.
+    """What the data file says of a material: per number its value, range and source, in the units
+    of its key.
 
     Parameters
     ----------
@@ -144,7 +155,8 @@ def material_data(name: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        `kind`, and per number a dict of `value`, `range`, `source` and, where no source was read, `verified` false.
+        `kind`, and per number a dict of `value`, `range`, `source` and, where no source was read,
+        `verified` false.
     """
     entry = _table()[name]
     return _table()[str(entry["same_as"])] if "same_as" in entry else entry
@@ -152,5 +164,9 @@ def material_data(name: str) -> dict[str, Any]:
 
 @cache
 def _table() -> dict[str, dict[str, Any]]:
-    text = resources.files("bearing.library").joinpath("data/materials.toml").read_text(encoding="utf-8")
+    text = (
+        resources.files("bearing.library")
+        .joinpath("data/materials.toml")
+        .read_text(encoding="utf-8")
+    )
     return tomllib.loads(text)

@@ -14,11 +14,13 @@ DEGREES_OF_FREEDOM = ("x", "y", "z", "tilt y", "tilt z")
 
 
 class BallKinematics(Enum):
-    """Hypothesis that fixes the attitude of the balls' spin and shares the gyroscopic couple among the races.
+    """Hypothesis that fixes the attitude of the balls' spin and shares the gyroscopic couple among
+    the races.
 
-    OUTER_RACE_CONTROL: no spin at the outer race, which takes the whole couple; INNER_RACE_CONTROL: likewise inner;
-    HALF_AND_HALF: the ball spins about the mean contact angle and each race takes half of the couple.
-    TRACTION_EQUILIBRIUM: no hypothesis; the friction of ball on race balances itself on every ball (`BallTraction`).
+    OUTER_RACE_CONTROL: no spin at the outer race, which takes the whole couple;
+    INNER_RACE_CONTROL: likewise inner; HALF_AND_HALF: the ball spins about the mean contact angle
+    and each race takes half of the couple. TRACTION_EQUILIBRIUM: no hypothesis; the friction of
+    ball on race balances itself on every ball (`BallTraction`).
     """
 
     OUTER_RACE_CONTROL = "outer race control"
@@ -27,7 +29,11 @@ class BallKinematics(Enum):
     TRACTION_EQUILIBRIUM = "traction equilibrium"
 
 
-HYPOTHESES = (BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL, BallKinematics.HALF_AND_HALF)
+HYPOTHESES = (
+    BallKinematics.OUTER_RACE_CONTROL,
+    BallKinematics.INNER_RACE_CONTROL,
+    BallKinematics.HALF_AND_HALF,
+)
 
 
 class Curvature(Enum):
@@ -39,7 +45,9 @@ class Curvature(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Model:
-    """Assumptions of the bearing model; `traction` is what traction equilibrium takes and nothing else does."""
+    """Assumptions of the bearing model; `traction` is what traction equilibrium takes and nothing
+    else does.
+    """
 
     ball_kinematics: BallKinematics = BallKinematics.HALF_AND_HALF
     curvature: Curvature = Curvature.OPERATING
@@ -47,7 +55,9 @@ class Model:
 
     def __post_init__(self) -> None:
         if self.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM and self.traction is None:
-            raise ValueError("traction: traction equilibrium needs the friction of ball on race, found none")
+            raise ValueError(
+                "traction: traction equilibrium needs the friction of ball on race, found none"
+            )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,7 +75,8 @@ class Operation:
     moment : tuple of float or None
         External moment (y, z) on the inner ring about the centre of its groove circle [N m].
     displacement : tuple of float or None
-        Displacement (x, y, z) of the inner ring from facing, concentric grooves [m]; None where the force is given.
+        Displacement (x, y, z) of the inner ring from facing, concentric grooves [m]; None where
+        the force is given.
     tilt : tuple of float or None
         Rotation (y, z) of the inner ring [rad].
 
@@ -98,7 +109,9 @@ class Operation:
         pairs = zip(DEGREES_OF_FREEDOM, self.loads, self.displacements, strict=True)
         for name, load, displacement in pairs:
             if (load is None) == (displacement is None):
-                load_field, displacement_field = ("moment", "tilt") if "tilt" in name else ("force", "displacement")
+                load_field, displacement_field = (
+                    ("moment", "tilt") if "tilt" in name else ("force", "displacement")
+                )
                 found = "neither" if load is None else "both"
                 raise ValueError(
                     f"{load_field} and {displacement_field}: degree of freedom {name} needs exactly one, has {found}"
@@ -142,6 +155,10 @@ class RatingInput:
             if value is not None and not value > 0.0:
                 raise ValueError(f"{field} must be positive, got {value!r} N")
         if not 0.0 <= self.nominal_contact_angle < 0.5 * pi:
-            raise ValueError(f"nominal_contact_angle must lie in [0, pi/2), got {self.nominal_contact_angle!r} rad")
+            raise ValueError(
+                f"nominal_contact_angle must lie in [0, pi/2), got {self.nominal_contact_angle!r} rad"
+            )
         if self.contamination_factor is not None and not 0.0 <= self.contamination_factor <= 1.0:
-            raise ValueError(f"contamination_factor must lie in [0, 1], got {self.contamination_factor!r}")
+            raise ValueError(
+                f"contamination_factor must lie in [0, 1], got {self.contamination_factor!r}"
+            )

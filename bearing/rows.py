@@ -1,12 +1,12 @@
-"""Rows of balls on one inner ring: where they sit, and how far their grooves are set against each other.
+"""Rows of balls on one inner ring: where they sit, and how far their grooves are set against each
+other.
 
-All rows have the same bearing. The undisplaced inner ring is the reference: there the middle of a row's inner groove
-lies at `axial_position`, that of its outer groove `offset` behind. A row touches at an offset of the free axial
-position A sin(free angle) and is preloaded beyond it; a positive offset loads it as a push of the inner ring to +x
-does. Back to back, left row +, right row -; face to face the other way round; tandem, both alike.
+All rows have the same bearing. The undisplaced inner ring is the reference: there the middle of a
+row's inner groove lies at `axial_position`, that of its outer groove `offset` behind. A row
+touches at an offset of the free axial position A sin(free angle) and is preloaded beyond it; a
+positive offset loads it as a push of the inner ring to +x does. Back to back, left row +, right
+row -; face to face the other way round; tandem, both alike.
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -5,14 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from time import process_time
 
-from bearing import (
-    BallKinematics,
-    Model,
-    Operation,
-    Race,
-    contact_conditions,
-    solve_quasistatic,
-)
+from bearing import BallKinematics, Model, Operation, Race, contact_conditions, solve_quasistatic
 from bearing.friction.coulomb import balanced_friction
 from bearing.friction.race_tables import build_race_tables
 from bearing.friction.sources import BallTraction, LawTraction

@@ -3,11 +3,4 @@ from .format.problems import CaseError
 from .runs.bearing import run_case
 from .runs.contact import run_contact
 
-__all__ = [
-    "Case",
-    "CaseError",
-    "ContactCase",
-    "load_case",
-    "run_case",
-    "run_contact",
-]
+__all__ = ["Case", "CaseError", "ContactCase", "load_case", "run_case", "run_contact"]

@@ -1,7 +1,5 @@
 """What a case says of its time simulation, in SI, before bearing and loads are put to it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,10 +1,9 @@
 """What `oilfilm slip` is asked to map, SI."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
-PRINTED_FORCE = {"half centrifugal force": 0.5}  # centrifugal force a source evidently used, over the true one [-]
+# centrifugal force a source evidently used, over the true one [-]
+PRINTED_FORCE = {"half centrifugal force": 0.5}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

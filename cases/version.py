@@ -1,7 +1,5 @@
 """The version, written down in pyproject.toml only."""
 
-from __future__ import annotations
-
 from importlib import metadata
 
 

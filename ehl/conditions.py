@@ -1,7 +1,5 @@
 """Operating conditions of one lubricated contact."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import isfinite
 
@@ -11,7 +9,8 @@ from .solid.coating import Coating
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactConditions:
-    """One lubricated elliptical point contact, SI; x and y are the principal directions of the gap.
+    """One lubricated elliptical point contact, SI; x and y are the principal directions of the
+    gap.
 
     Attributes
     ----------
@@ -29,16 +28,16 @@ class ContactConditions:
     slide_roll_ratio : float
         (u_1 - u_2)/u_m along the entrainment [-], body 1 the ball.
     lateral_slide_ratio : float
-        (v_1 - v_2)/u_m [-], v the surface speeds at right angles to the entrainment, from x towards y; their mean is
-        zero by the definition of the entrainment's direction.
+        (v_1 - v_2)/u_m [-], v the surface speeds at right angles to the entrainment, from x
+        towards y; their mean is zero by the definition of the entrainment's direction.
     spin : float
         Angular speed of body 1 relative to body 2 about the normal into body 2, x cross y [rad/s].
     mean_spin : float or None
-        Angular speed (omega_1 + omega_2)/2 about the same normal, with which the entrainment turns from place to
-        place [rad/s]; None: body 2 does not turn, and it is half the spin.
+        Angular speed (omega_1 + omega_2)/2 about the same normal, with which the entrainment turns
+        from place to place [rad/s]; None: body 2 does not turn, and it is half the spin.
     coating : Coating or None
-        Of one of the bodies; E' and all groups and scales made with it are then those of the uncoated half spaces, one
-        of them of the coating's material.
+        Of one of the bodies; E' and all groups and scales made with it are then those of the
+        uncoated half spaces, one of them of the coating's material.
 
     Raises
     ------
@@ -64,7 +63,13 @@ class ContactConditions:
             value = getattr(self, field)
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
-        for field in ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "spin", "rotation"):
+        for field in (
+            "entrainment_angle",
+            "slide_roll_ratio",
+            "lateral_slide_ratio",
+            "spin",
+            "rotation",
+        ):
             if not isfinite(getattr(self, field)):
                 raise ValueError(f"{field} must be finite, got {getattr(self, field)!r}")
 
@@ -86,9 +91,14 @@ class ContactConditions:
 
 def speed_load_material(conditions: ContactConditions) -> tuple[float, float, float]:
     """U = eta_0 u_m/(E' Rx), W = F/(E' Rx^2), G = alpha E' [-], Hamrock and Dowson (1977)."""
-    c, oil = conditions, conditions.lubricant
+    c = conditions
+    oil = conditions.lubricant
     speed = oil.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
-    return speed, c.load / (c.reduced_modulus * c.radius_x**2), oil.pressure_viscosity * c.reduced_modulus
+    return (
+        speed,
+        c.load / (c.reduced_modulus * c.radius_x**2),
+        oil.pressure_viscosity * c.reduced_modulus,
+    )
 
 
 def moes_groups(conditions: ContactConditions) -> tuple[float, float]:
@@ -110,8 +120,8 @@ class MoesConditions:
     radius_ratio : float
         Rx/Ry [-].
     lubricant : Lubricant
-        Its laws, pressure-viscosity coefficient and exponent set the scale of pressure; its viscosity is not used
-        unless the exponent follows from Roelands' identity.
+        Its laws, pressure-viscosity coefficient and exponent set the scale of pressure; its
+        viscosity is not used unless the exponent follows from Roelands' identity.
     entrainment_angle : float
         Direction of the entrainment, from x towards y [rad].
     """
@@ -128,6 +138,8 @@ class MoesConditions:
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
         if not (isfinite(self.lubricant_parameter) and self.lubricant_parameter >= 0.0):
-            raise ValueError(f"lubricant_parameter must be zero or positive, got {self.lubricant_parameter!r}")
+            raise ValueError(
+                f"lubricant_parameter must be zero or positive, got {self.lubricant_parameter!r}"
+            )
         if not isfinite(self.entrainment_angle):
             raise ValueError(f"entrainment_angle must be finite, got {self.entrainment_angle!r}")

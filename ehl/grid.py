@@ -1,7 +1,5 @@
 """Rectangular grids of the contact solver and their hierarchy."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import ceil
 
@@ -13,7 +11,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grid:
-    """Equidistant nodes, lengths in units of a [-]; a symmetric grid holds y >= 0 only, its row 0 is y = 0."""
+    """Equidistant nodes, lengths in units of a [-]; a symmetric grid holds y >= 0 only, its row 0
+    is y = 0.
+    """
 
     x_in: float
     hx: float
@@ -47,7 +47,7 @@ class Grid:
         total = float(lines.sum()) - 0.5 * float(lines[0] + lines[-1])
         return (2.0 if self.symmetric else 1.0) * total * self.cell
 
-    def coarsened(self) -> Grid:
+    def coarsened(self) -> "Grid":
         """Every second node in both directions."""
         ny = (self.ny - 1) // 2 + 1
         return Grid(

@@ -1,7 +1,5 @@
 """Which files make up the compiled kernels of this program, and what they hold as one number."""
 
-from __future__ import annotations
-
 import hashlib
 from functools import cache
 from pathlib import Path

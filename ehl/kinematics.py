@@ -1,21 +1,22 @@
-r"""Velocities of two surfaces over their contact: rolling, sliding along both axes, spin, curvature of the surface.
+r"""Velocities of two surfaces over their contact: rolling, sliding along both axes, spin, curvature
+of the surface.
 
-Body 1 lies below the film, body 2 above; n points from 1 into 2, x along the entrainment and y across, x cross y = n.
-Both bodies turn as rigid ones about the contact's centre, where they have the velocities u_1, u_2. The loaded surface
-is curved across the rolling direction, :math:`z = -y^2/(2R)`, so that points off the centre line run on another radius
-(Heathcote, 1921; Harris and Kotzalas, Advanced Concepts of Bearing Technology, re-derived). With the angular velocity
-of body 1 relative to body 2, omega (about y) and Omega (about n), body 1 slides over body 2 at
+Body 1 lies below the film, body 2 above; n points from 1 into 2, x along the entrainment and y
+across, x cross y = n. Both bodies turn as rigid ones about the contact's centre, where they have
+the velocities u_1, u_2. The loaded surface is curved across the rolling direction, :math:`z =
+-y^2/(2R)`, so that points off the centre line run on another radius (Heathcote, 1921; Harris and
+Kotzalas, Advanced Concepts of Bearing Technology, re-derived). With the angular velocity of body 1
+relative to body 2, omega (about y) and Omega (about n), body 1 slides over body 2 at
 
 .. math::
     s_x = S_x - \Omega y - \omega y^2/(2R), \qquad s_y = S_y + \Omega x .
 
-Off the ellipse the surfaces part and the radius is none of both; a flooded gap sheared by y^2 there would drag in
-proportion to the area of the box. So y^2 is not let grow beyond the ellipse's width (`curvature_width`).
+Off the ellipse the surfaces part and the radius is none of both; a flooded gap sheared by y^2
+there would drag in proportion to the area of the box. So y^2 is not let grow beyond the ellipse's
+width (`curvature_width`).
 
 What rolling does in the direction of n closes and opens the gap and is no sliding.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from math import cos, inf, isfinite, sin
@@ -39,30 +40,33 @@ class ContactKinematics:
     entrainment_speed : float
         Mean surface speed along x at the centre [m/s].
     sliding_x, sliding_y : float
-        Velocity of body 1 less that of body 2 at the centre, along and across the entrainment, S_x and S_y [m/s].
+        Velocity of body 1 less that of body 2 at the centre, along and across the entrainment, S_x
+        and S_y [m/s].
     spin : float
         Angular speed of body 1 relative to body 2 about n [rad/s].
     rolling : float
-        Angular speed of body 1 relative to body 2 about y [rad/s]; positive when rolling carries oil along x, and then
-        u_m/R_x but for sliding.
+        Angular speed of body 1 relative to body 2 about y [rad/s]; positive when rolling carries
+        oil along x, and then u_m/R_x but for sliding.
     curvature_radius : float
-        Radius R of the loaded surface in the plane of y and n, positive if body 1 is the convex one [m]; infinite:
-        no curvature slip.
+        Radius R of the loaded surface in the plane of y and n, positive if body 1 is the convex
+        one [m]; infinite: no curvature slip.
     curvature_width : float
-        Half the width over which the surface is curved like that, the transverse semi-axis [m]; beyond it curvature
-        slip stays what it is at this distance.
+        Half the width over which the surface is curved like that, the transverse semi-axis [m];
+        beyond it curvature slip stays what it is at this distance.
     mean_spin, mean_rolling : float
         Half the sum of the angular speeds of both bodies about n and y [rad/s].
     entrainment_lateral : float
-        Mean surface speed along y at the centre, where the grid does not follow the entrainment [m/s].
+        Mean surface speed along y at the centre, where the grid does not follow the entrainment
+        [m/s].
     curvature_difference : float
-        1/R_2x - 1/R_1x of the bodies' own curvatures along x [1/m]; zero: the curvature is shared equally. It
-        decides how the horizontal part of the pressure is shared.
+        1/R_2x - 1/R_1x of the bodies' own curvatures along x [1/m]; zero: the curvature is shared
+        equally. It decides how the horizontal part of the pressure is shared.
 
     Raises
     ------
     ValueError
-        If a value is not finite (the radius may be infinite, not zero); the message names the field.
+        If a value is not finite (the radius may be infinite, not zero); the message names the
+        field.
     """
 
     entrainment_speed: float
@@ -93,7 +97,9 @@ class ContactKinematics:
         return 0.5 / self.curvature_radius
 
     def bow(self, y: Array) -> Array:
-        """Height -y^2/(2R) of the loaded surface at distances y across, that of its rim beyond it [m]."""
+        """Height -y^2/(2R) of the loaded surface at distances y across, that of its rim beyond it
+        [m].
+        """
         height: Array = -self.curvature * np.minimum(y * y, self.curvature_width**2)
         return height
 
@@ -103,11 +109,15 @@ class ContactKinematics:
         return s_x, self.sliding_y + self.spin * x + 0.0 * y
 
     def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Mean velocity of both surfaces along x and y [m/s] at places x, y [m]; it carries the oil."""
+        """Mean velocity of both surfaces along x and y [m/s] at places x, y [m]; it carries the
+        oil.
+        """
         u = self.entrainment_speed - self.mean_spin * y + self.mean_rolling * self.bow(y) + 0.0 * x
         return u, self.entrainment_lateral + self.mean_spin * x + 0.0 * y
 
-    def surface_velocities(self, x: Array, y: Array) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
+    def surface_velocities(
+        self, x: Array, y: Array
+    ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         """Velocities (u, v) of body 1 and of body 2 [m/s] at places x, y [m]."""
         (u, v), (s_x, s_y) = self.entrainment(x, y), self.sliding(x, y)
         return (u + 0.5 * s_x, v + 0.5 * s_y), (u - 0.5 * s_x, v - 0.5 * s_y)
@@ -130,8 +140,8 @@ def contact_kinematics(
     curvature_width : float
         Half its width, the transverse semi-axis [m].
     grid_angle : float, optional
-        Direction of the grid's x from the principal direction x, `frame_angle` of a solution [rad]; None: that of
-        the entrainment.
+        Direction of the grid's x from the principal direction x, `frame_angle` of a solution
+        [rad]; None: that of the entrainment.
 
     Returns
     -------
@@ -140,8 +150,11 @@ def contact_kinematics(
     """
     c = conditions
     turn = 0.0 if grid_angle is None else c.entrainment_angle - grid_angle
-    along, across = c.slide_roll_ratio * c.entrainment_speed, c.lateral_slide_ratio * c.entrainment_speed
-    curvature = cos(c.entrainment_angle) ** 2 / c.radius_x + sin(c.entrainment_angle) ** 2 / c.radius_y
+    along = c.slide_roll_ratio * c.entrainment_speed
+    across = c.lateral_slide_ratio * c.entrainment_speed
+    curvature = (
+        cos(c.entrainment_angle) ** 2 / c.radius_x + sin(c.entrainment_angle) ** 2 / c.radius_y
+    )
     return ContactKinematics(
         entrainment_speed=c.entrainment_speed * cos(turn),
         entrainment_lateral=c.entrainment_speed * sin(turn),

@@ -1,11 +1,10 @@
 """The one bridge between SI and the solver's dimensionless form.
 
-X = x/a, Y = y/a, P = p/p_h, H = h Rx/a^2; a is the Hertz semi-axis along the principal direction x, p_h the Hertz
-pressure. With M, L and the ratio Rx/Ry the whole problem follows but for the scale of pressure (Moes, 1992), so both
-kinds of conditions go the same way: SI -> (M, L, Rx/Ry, p_h) -> `ScaledContact`.
+X = x/a, Y = y/a, P = p/p_h, H = h Rx/a^2; a is the Hertz semi-axis along the principal direction
+x, p_h the Hertz pressure. With M, L and the ratio Rx/Ry the whole problem follows but for the
+scale of pressure (Moes, 1992), so both kinds of conditions go the same way: SI -> (M, L, Rx/Ry,
+p_h) -> `ScaledContact`.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from math import atan2, cos, pi, sin, sqrt
@@ -22,16 +21,21 @@ from .oil.lubricant import (
 )
 from .solid.coating import ScaledCoating, scaled_coating
 
-CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)  # s [(1 + q P)^z - 1]
+# s [(1 + q P)^z - 1]
+CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)
 ALIGNED = 1e-12  # |C| below this is an entrainment along a principal direction
 ROTATION_NOTED = (
-    1e-3  # speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is left out
+    # speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is left
+    # out
+    1e-3
 )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Frame:
-    """Direction of the grid [rad], velocity of the entrainment over u_m in it, and its rotation [-]."""
+    """Direction of the grid [rad], velocity of the entrainment over u_m in it, and its rotation
+    [-].
+    """
 
     angle: float
     velocity: tuple[float, float]
@@ -53,7 +57,8 @@ class ScaledContact:
     frame_angle: float  # of the grid's X, from the principal direction x towards y [rad]
     velocity_x: float  # of the entrainment over u_m along the grid's X, at the origin
     velocity_y: float
-    rotation: float  # of the entrainment about the normal, Omega a/u_m: u = velocity_x - rotation Y, and so on
+    # of the entrainment about the normal, Omega a/u_m: u = velocity_x - rotation Y, and so on
+    rotation: float
     half_extent_x: float  # of the Hertz ellipse along the grid's X, in units of a
     half_extent_y: float
     viscosity_slope: float  # s: ln(eta/eta_0) = s [(1 + q P)^z - 1]
@@ -68,7 +73,8 @@ class ScaledContact:
     semi_axis_x: float | None  # a [m]
     film_scale: float | None  # a^2/Rx [m]
     coating: ScaledCoating | None = None
-    oil: Lubricant | None = None  # where a law is not one of the closed forms above, which are then not looked at
+    # where a law is not one of the closed forms above, which are then not looked at
+    oil: Lubricant | None = None
 
     @property
     def symmetric(self) -> bool:
@@ -81,20 +87,25 @@ class ScaledContact:
         return self.velocity_y != 0.0 or self.rotation != 0.0
 
 
-def scale_contact(conditions: ContactConditions | MoesConditions, *, along_entrainment: bool = False) -> ScaledContact:
+def scale_contact(
+    conditions: ContactConditions | MoesConditions, *, along_entrainment: bool = False
+) -> ScaledContact:
     """Dimensionless problem of one contact.
 
-    The grid's X is the principal direction in which the entrainment passes the ellipse sooner; with
-    `along_entrainment`, and where no direction is principal, X is the entrainment's. A rotation of the entrainment
-    below `ROTATION_NOTED` at the end of the ellipse is left out.
+    The grid's X is the principal direction in which the entrainment passes the ellipse sooner;
+    with `along_entrainment`, and where no direction is principal, X is the entrainment's. A
+    rotation of the entrainment below `ROTATION_NOTED` at the end of the ellipse is left out.
 
     Raises
     ------
     ValueError
-        If Moes conditions leave the scale of pressure open: L > 0 needs a pressure-viscosity coefficient.
+        If Moes conditions leave the scale of pressure open: L > 0 needs a pressure-viscosity
+        coefficient.
     """
     if isinstance(conditions, MoesConditions):
-        m, l, d = conditions.load_parameter, conditions.lubricant_parameter, conditions.radius_ratio  # noqa: E741
+        m = conditions.load_parameter
+        l = conditions.lubricant_parameter
+        d = conditions.radius_ratio
         pressure = _pressure_scale(conditions, hertz_coefficients(d)[1])
         frame = _frame(d, conditions.entrainment_angle, 0.0, along_entrainment)
         return _scaled((m, l, d), pressure, conditions.lubricant, frame, None)
@@ -109,17 +120,26 @@ def scale_contact(conditions: ContactConditions | MoesConditions, *, along_entra
     scaled = _scaled((m, l, d), pressure, conditions.lubricant, frame, length)
     if conditions.coating is None:
         return scaled
-    return replace(scaled, coating=scaled_coating(conditions.coating, conditions.reduced_modulus, length[0]))
+    return replace(
+        scaled, coating=scaled_coating(conditions.coating, conditions.reduced_modulus, length[0])
+    )
 
 
 def _frame(d: float, angle: float, rotation: float, along_entrainment: bool) -> _Frame:
     """The grid's direction for an entrainment at `angle` [rad]."""
     if abs(rotation) * max(1.0, ellipse_ratio(d)) < ROTATION_NOTED:
         rotation = 0.0
-    crossing = atan2(sin(angle) / ellipse_ratio(d), cos(angle))  # direction in which both semi-axes count as one
+    # direction in which both semi-axes count as one
+    crossing = atan2(sin(angle) / ellipse_ratio(d), cos(angle))
     straight = 0.5 * pi * round(crossing / (0.5 * pi))
-    frame = angle if along_entrainment or abs(sin(angle) * cos(angle) * (d - 1.0)) < ALIGNED else straight
-    return _Frame(angle=frame, velocity=(cos(angle - frame), sin(angle - frame)), rotation=rotation)
+    frame = (
+        angle
+        if along_entrainment or abs(sin(angle) * cos(angle) * (d - 1.0)) < ALIGNED
+        else straight
+    )
+    return _Frame(
+        angle=frame, velocity=(cos(angle - frame), sin(angle - frame)), rotation=rotation
+    )
 
 
 def _pressure_scale(conditions: MoesConditions, g: float) -> float:
@@ -127,7 +147,9 @@ def _pressure_scale(conditions: MoesConditions, g: float) -> float:
     alpha = conditions.lubricant.pressure_viscosity
     product = g * conditions.lubricant_parameter * conditions.load_parameter ** (1 / 3)
     if product > 0.0 and not alpha > 0.0:
-        raise ValueError("lubricant_parameter > 0 needs a pressure_viscosity > 0 to set the scale of pressure")
+        raise ValueError(
+            "lubricant_parameter > 0 needs a pressure_viscosity > 0 to set the scale of pressure"
+        )
     return product / alpha if product > 0.0 else 0.0
 
 
@@ -142,8 +164,13 @@ def _scaled(
     f, g, _ = hertz_coefficients(d)
     ratio = ellipse_ratio(d)
     c, s = cos(frame.angle), sin(frame.angle)
-    slope, relative_pressure, exponent = _viscosity_coefficients(g * l * m ** (1 / 3), pressure, lubricant)
-    closed = lubricant.viscosity_law in CLOSED_FORM_LAWS and lubricant.density_law is not DensityLaw.TAIT
+    slope, relative_pressure, exponent = _viscosity_coefficients(
+        g * l * m ** (1 / 3), pressure, lubricant
+    )
+    closed = (
+        lubricant.viscosity_law in CLOSED_FORM_LAWS
+        and lubricant.density_law is not DensityLaw.TAIT
+    )
     compressible = lubricant.density_law is DensityLaw.DOWSON_HIGGINSON
     return ScaledContact(
         curvature_x=c * c + d * s * s,
@@ -175,9 +202,16 @@ def _scaled(
     )
 
 
-def _viscosity_coefficients(product: float, pressure: float, lubricant: Lubricant) -> tuple[float, float, float]:
-    """(s, q, z) of ln(eta/eta_0) = s [(1 + q P)^z - 1]; Barus is z = 1, isoviscous s = 0; product = alpha p_h."""
-    isoviscous = lubricant.viscosity_law not in CLOSED_FORM_LAWS or lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS
+def _viscosity_coefficients(
+    product: float, pressure: float, lubricant: Lubricant
+) -> tuple[float, float, float]:
+    """(s, q, z) of ln(eta/eta_0) = s [(1 + q P)^z - 1]; Barus is z = 1, isoviscous s = 0; product
+    = alpha p_h.
+    """
+    isoviscous = (
+        lubricant.viscosity_law not in CLOSED_FORM_LAWS
+        or lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS
+    )
     if isoviscous or product == 0.0:
         return 0.0, 1.0, 1.0
     if lubricant.viscosity_law is ViscosityLaw.BARUS:

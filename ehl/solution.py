@@ -1,7 +1,5 @@
 """Result of one contact solve."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +14,9 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmValue:
-    """A film thickness with its error bar: extrapolated from the grid levels, and as read off the finest grid."""
+    """A film thickness with its error bar: extrapolated from the grid levels, and as read off the
+    finest grid.
+    """
 
     value: float  # extrapolated [-], in units of a^2/Rx
     uncertainty: float  # [-], same units; encloses the distance to the grid-converged value
@@ -25,13 +25,16 @@ class FilmValue:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConvergenceRecord:
-    """What the solver did: one entry of each tuple per cycle on the finest level; [-] but for the time."""
+    """What the solver did: one entry of each tuple per cycle on the finest level; [-] but for the
+    time.
+    """
 
     residual: tuple[float, ...]  # residual over its diagonal, maximum norm [-]
     force_error: tuple[float, ...]  # relative error of the load balance [-]
     film_change: tuple[float, ...]  # relative change of central and minimum film in the cycle [-]
     cycles: int
-    fft_equivalents: float  # deflection FFTs, forward + inverse = 1, by nodes relative to the finest; with pilot
+    # deflection FFTs, forward + inverse = 1, by nodes relative to the finest; with pilot
+    fft_equivalents: float
     fallbacks: tuple[str, ...]  # measures of the fallback chain that were taken, in order
     wall_time: float  # of the solve alone [s]
 
@@ -40,9 +43,10 @@ class ConvergenceRecord:
 class ContactSolution:
     """Pressure and film of one lubricated contact.
 
-    Dimensionless fields carry capitals: X = x/a, P = p/p_h, H = h Rx/a^2, a the Hertz semi-axis along x; Y = y/a.
-    The grid's x is the principal direction nearest to the entrainment; in a circular contact it is the entrainment's,
-    as with finite elements. SI properties need dimensional conditions and are None otherwise.
+    Dimensionless fields carry capitals: X = x/a, P = p/p_h, H = h Rx/a^2, a the Hertz semi-axis
+    along x; Y = y/a. The grid's x is the principal direction nearest to the entrainment; in a
+    circular contact it is the entrainment's, as with finite elements. SI properties need
+    dimensional conditions and are None otherwise.
     """
 
     conditions: ContactConditions | MoesConditions

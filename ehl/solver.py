@@ -1,7 +1,5 @@
 """Solve one lubricated contact: its box, its fields, its film values with error bars."""
 
-from __future__ import annotations
-
 import time
 from dataclasses import replace
 from math import nan, sqrt
@@ -30,8 +28,10 @@ from .solution import ContactSolution, ConvergenceRecord, FilmValue
 
 Array = NDArray[np.float64]
 
-RESOLVED = 5.0  # Hmin/(S hx^2) below this is reported as unresolved, S the gap's curvature along the entrainment
-PARABOLIC = 0.02  # a film above this share of Rx lies in a gap that is no paraboloid: reported as unresolved too
+# Hmin/(S hx^2) below this is reported as unresolved, S the gap's curvature along the entrainment
+RESOLVED = 5.0
+# a film above this share of Rx lies in a gap that is no paraboloid: reported as unresolved too
+PARABOLIC = 0.02
 THINNEST = 0.2  # minimum over central film, where only the latter is guessed
 LOAD_STEPS = (1.0 / 16.0, 0.25)  # shares of the load through which a fallback reaches it
 PILOT_POINTS = 65
@@ -55,14 +55,16 @@ def solve_contact(
     options : SolverOptions, optional
         Mesh, box and number of cycles.
     flow_model : FlowModel, optional
-        Factors of a generalized Reynolds equation; left out, the oil is Newtonian and of uniform temperature.
+        Factors of a generalized Reynolds equation; left out, the oil is Newtonian and of uniform
+        temperature.
 
     Returns
     -------
     ContactSolution
-        Fields, film values with uncertainties [-] and, for SI conditions, [m]; `converged` and `message` tell whether
-        to trust them. Failure to converge is a result, not an exception. Films the mesh is too coarse for are
-        extrapolated over the load (`thin_film.py`), told in the message, and stay unresolved.
+        Fields, film values with uncertainties [-] and, for SI conditions, [m]; `converged` and
+        `message` tell whether to trust them. Failure to converge is a result, not an exception.
+        Films the mesh is too coarse for are extrapolated over the load (`thin_film.py`), told in
+        the message, and stay unresolved.
 
     Raises
     ------
@@ -75,25 +77,33 @@ def solve_contact(
     outcome, solution = _solve(conditions, options, flow_model)
     if not _too_thin(outcome) or options.domain is not None or flow_model is not None:
         return solution
-    contact, grid = outcome.state.contact, outcome.state.levels[-1].grid
-    guess = THINNEST * contact.film_guess / (contact.curvature_x * grid.hx**2)  # where the film found is none
+    contact = outcome.state.contact
+    grid = outcome.state.levels[-1].grid
+    # where the film found is none
+    guess = THINNEST * contact.film_guess / (contact.curvature_x * grid.hx**2)
     fineness = max(_fineness(outcome), guess) / RESOLVED
     return thin_film(solution, fineness, lambda lighter: _solve(lighter, options, None)[1])
 
 
 def _solve(
-    conditions: ContactConditions | MoesConditions, options: SolverOptions, flow_model: FlowModel | None
+    conditions: ContactConditions | MoesConditions,
+    options: SolverOptions,
+    flow_model: FlowModel | None,
 ) -> tuple[Outcome, ContactSolution]:
     """One contact on the number of points asked for."""
-    contact, turned = scale_contact(conditions), scale_contact(conditions, along_entrainment=True)
-    began, progress = time.perf_counter(), Progress()
+    contact = scale_contact(conditions)
+    turned = scale_contact(conditions, along_entrainment=True)
+    began = time.perf_counter()
+    progress = Progress()
     if options.domain is None:
         domain, film = _pilot(contact, progress)
         contact, turned = replace(contact, film_guess=film), replace(turned, film_guess=film)
     else:
         domain = options.domain
     lighter = tuple(scale_contact(at_load(conditions, share)) for share in LOAD_STEPS)
-    outcome = solve_with_fallbacks((contact, turned), domain, options, progress, flow_model, lighter)
+    outcome = solve_with_fallbacks(
+        (contact, turned), domain, options, progress, flow_model, lighter
+    )
     record = ConvergenceRecord(
         residual=tuple(outcome.residual),
         force_error=tuple(outcome.load),
@@ -112,10 +122,15 @@ def _solve_to_tolerance(
     tolerance: float,
     flow_model: FlowModel | None,
 ) -> ContactSolution:
-    """Double the points until both error bars are small enough, or the budget is spent: then say so."""
-    points, wall_time = min(TOLERANCE_START, options.points), 0.0
+    """Double the points until both error bars are small enough, or the budget is spent: then say
+    so.
+    """
+    points = min(TOLERANCE_START, options.points)
+    wall_time = 0.0
     while True:
-        solution = solve_contact(conditions, replace(options, points=points, tolerance=None), flow_model)
+        solution = solve_contact(
+            conditions, replace(options, points=points, tolerance=None), flow_model
+        )
         wall_time += solution.record.wall_time
         films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
         bars = [film.uncertainty / abs(film.value) for film in films]
@@ -131,15 +146,20 @@ def _solve_to_tolerance(
         )
     record = replace(solution.record, wall_time=wall_time)
     return replace(
-        solution, options=options, record=record, message=message, resolved=solution.resolved and bool(reached)
+        solution,
+        options=options,
+        record=record,
+        message=message,
+        resolved=solution.resolved and bool(reached),
     )
 
 
 def choose_domain(contact: ScaledContact) -> tuple[float, float, float]:
-    """Open box (x_in, x_out, y_half) in Hertz half-extents that the solver takes for a contact [-].
+    """Open box (x_in, x_out, y_half) in Hertz half-extents that the solver takes for a contact
+    [-].
 
-    Inlet 10 sqrt(Hc) and at least 4 semi-axes, side by the same gap, Hc from a pilot solve on a coarse mesh; both are
-    widened until less than `EXTERIOR_SHARE` of the load lies outside.
+    Inlet 10 sqrt(Hc) and at least 4 semi-axes, side by the same gap, Hc from a pilot solve on a
+    coarse mesh; both are widened until less than `EXTERIOR_SHARE` of the load lies outside.
     """
     return _pilot(contact, Progress())[0]
 
@@ -147,10 +167,13 @@ def choose_domain(contact: ScaledContact) -> tuple[float, float, float]:
 def _pilot(contact: ScaledContact, progress: Progress) -> tuple[tuple[float, float, float], float]:
     """Box and central film of a coarse solve."""
     options = SolverOptions(points=PILOT_POINTS, max_cycles=3)
-    film, scale = contact.film_guess, 1.0
+    film = contact.film_guess
+    scale = 1.0
     for _ in range(2):
         pilot = replace(contact, film_guess=film)
-        outcome = Outcome(state=contact_multigrid(pilot, _box(contact, film, scale), options, ATTEMPTS[0]))
+        outcome = Outcome(
+            state=contact_multigrid(pilot, _box(contact, film, scale), options, ATTEMPTS[0])
+        )
         try:
             full_multigrid(outcome, options, Progress())
         except DivergedError:
@@ -165,7 +188,8 @@ def _pilot(contact: ScaledContact, progress: Progress) -> tuple[tuple[float, flo
 def _box(contact: ScaledContact, film: float, scale: float) -> tuple[float, float, float]:
     """Box for a central film [-]; outlet 1.5 semi-axes, or as far as a thick film cavitates."""
     inlet = scale * max(4.0, 10.0 * sqrt(film / contact.curvature_x) / contact.half_extent_x)
-    gap_side = (40.0 + 60.0 * contact.velocity_y**2) * film / contact.curvature_y  # oblique: an inlet, too
+    # oblique: an inlet, too
+    gap_side = (40.0 + 60.0 * contact.velocity_y**2) * film / contact.curvature_y
     side = scale * sqrt(2.5**2 + gap_side / contact.half_extent_y**2)
     return -inlet, max(1.5, 1.2 * sqrt(film / contact.curvature_x) / contact.half_extent_x), side
 
@@ -177,7 +201,8 @@ def _solution(
     record: ConvergenceRecord,
 ) -> ContactSolution:
     state = outcome.state
-    contact, grid = state.contact, state.levels[-1].grid
+    contact = state.contact
+    grid = state.levels[-1].grid
     Y, P, H = whole_box(state)
     resolved, message = verdict(outcome)
     return ContactSolution(
@@ -215,7 +240,9 @@ def _film(outcome: Outcome, kind: int) -> FilmValue:
 def whole_box(state: Multigrid) -> tuple[Array, Array, Array]:
     """Y, P and H of the finest grid over the whole box; fields of shape (nx, ny)."""
     level = state.levels[-1]
-    Y, P, H = level.grid.Y, level.P, level.H
+    Y = level.grid.Y
+    P = level.P
+    H = level.H
     if level.grid.symmetric:
         Y = np.concatenate((-Y[:0:-1], Y))
         P, H = np.concatenate((P[:0:-1], P)), np.concatenate((H[:0:-1], H))
@@ -224,18 +251,25 @@ def whole_box(state: Multigrid) -> tuple[Array, Array, Array]:
 
 def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     """Box of a grid in Hertz half-extents."""
-    x_in, x_out = float(grid.X[0]) / contact.half_extent_x, float(grid.X[-1]) / contact.half_extent_x
+    x_in = float(grid.X[0]) / contact.half_extent_x
+    x_out = float(grid.X[-1]) / contact.half_extent_x
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
 
 
 def verdict(outcome: Outcome) -> tuple[bool, str]:
     """Whether the film of a solve is resolved, and what is to be said of it."""
-    resolved = bool(outcome.films) and _fineness(outcome) >= RESOLVED and _film_over_radius(outcome) <= PARABOLIC
+    resolved = (
+        bool(outcome.films)
+        and _fineness(outcome) >= RESOLVED
+        and _film_over_radius(outcome) <= PARABOLIC
+    )
     return resolved, _message(outcome, resolved)
 
 
 def _fineness(outcome: Outcome) -> float:
-    """Hmin/(S hx^2): minimum film over twice what the gap rises within a mesh size [-]; zero after a runaway."""
+    """Hmin/(S hx^2): minimum film over twice what the gap rises within a mesh size [-]; zero after
+    a runaway.
+    """
     if not outcome.films:
         return 0.0
     curvature = outcome.state.contact.curvature_x
@@ -244,7 +278,9 @@ def _fineness(outcome: Outcome) -> float:
 
 def _too_thin(outcome: Outcome) -> bool:
     """Whether the mesh is too coarse for the film, in a gap that is a paraboloid."""
-    return not outcome.films or (_fineness(outcome) < RESOLVED and _film_over_radius(outcome) <= PARABOLIC)
+    return not outcome.films or (
+        _fineness(outcome) < RESOLVED and _film_over_radius(outcome) <= PARABOLIC
+    )
 
 
 def _film_over_radius(outcome: Outcome) -> float:
@@ -266,7 +302,5 @@ def _message(outcome: Outcome, resolved: bool) -> str:
         return f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; an upper bound"
     if not resolved:
         ratio = _fineness(outcome)
-        return (
-            f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}; try more points"
-        )
+        return f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}; try more points"
     return "converged"

@@ -1,6 +1,6 @@
-"""Results on disk: summary.json, contacts.csv and one netCDF file; each appears under its name only when complete."""
-
-from __future__ import annotations
+"""Results on disk: summary.json, contacts.csv and one netCDF file; each appears under its name
+only when complete.
+"""
 
 import json
 import os
@@ -13,14 +13,20 @@ from typing import Any
 import xarray
 import xarray as xr
 
-Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]  # dimensions, values, attributes by name
-FORMAT = 2  # of the netCDF file; raised when an older reader would misread it. 1: x always along the entrainment
-SUMMARY_FILE, CONTACTS_FILE, FIELDS_FILE = "summary.json", "contacts.csv", "results.nc"
+# dimensions, values, attributes by name
+Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
+# of the netCDF file; raised when an older reader would misread it. 1: x always along the
+# entrainment
+FORMAT = 2
+SUMMARY_FILE = "summary.json"
+CONTACTS_FILE = "contacts.csv"
+FIELDS_FILE = "results.nc"
 
 
 @contextmanager
 def atomic_path(path: Path) -> Iterator[Path]:
-    """Give a temporary name beside `path`; on success it becomes `path`, on failure nothing is left.
+    """Give a temporary name beside `path`; on success it becomes `path`, on failure nothing is
+    left.
 
     Parameters
     ----------
@@ -57,7 +63,9 @@ def write_json(document: dict[str, Any], path: Path) -> None:
         temporary.write_text(text + "\n", encoding="utf-8")
 
 
-def write_dataset(variables: Variables, coordinates: set[str], attributes: dict[str, Any], path: Path) -> None:
+def write_dataset(
+    variables: Variables, coordinates: set[str], attributes: dict[str, Any], path: Path
+) -> None:
     """Write one netCDF-4 data set.
 
     Parameters
@@ -79,7 +87,9 @@ def write_dataset(variables: Variables, coordinates: set[str], attributes: dict[
 
 
 def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
-    """What every file says of itself, from a summary: version, format, kind, input and messages as JSON."""
+    """What every file says of itself, from a summary: version, format, kind, input and messages as
+    JSON.
+    """
     case = document["case"]
     return {
         "title": str(case.get("title", "")),
@@ -99,7 +109,9 @@ def contact_name(ball: int, race: str) -> str:
 
 
 def open_tree(path: Path) -> xarray.DataTree:
-    """The groups of a netCDF-4 file, read from disk when they are used; ValueError if it is damaged or none."""
+    """The groups of a netCDF-4 file, read from disk when they are used; ValueError if it is
+    damaged or none.
+    """
     try:
         return xr.open_datatree(path, engine="h5netcdf")
     except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:

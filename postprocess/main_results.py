@@ -1,7 +1,5 @@
 """What is looked at first in a summary of any kind, by keys with their units."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from .bearing.heating import KEYS as HEATING
@@ -54,7 +52,8 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
 
 
 def result_names(kind: str) -> tuple[str, ...]:
-    """Names of numbers of a point of a batch, as in its table: main results, every torque, supply, self-heating.
+    """Names of numbers of a point of a batch, as in its table: main results, every torque, supply,
+    self-heating.
 
     Parameters
     ----------
@@ -75,9 +74,18 @@ def result_names(kind: str) -> tuple[str, ...]:
     names = tuple(main_results(nothing.get(kind, {"contacts": []})))
     if kind not in ("run", "torque"):
         return names
-    parts = {**{name: (*members, "total") for name, members in MODELS.items()}, AS_PRINTED: ("sliding", "total")}
-    torques = [f"torque_N_mm.models.{name}.{part}" for name, members in parts.items() for part in members]
-    blocks = [f"{block}.{key}" for block, keys in (("supply", SUPPLY), ("self_heating", HEATING)) for key in keys]
+    parts = {
+        **{name: (*members, "total") for name, members in MODELS.items()},
+        AS_PRINTED: ("sliding", "total"),
+    }
+    torques = [
+        f"torque_N_mm.models.{name}.{part}" for name, members in parts.items() for part in members
+    ]
+    blocks = [
+        f"{block}.{key}"
+        for block, keys in (("supply", SUPPLY), ("self_heating", HEATING))
+        for key in keys
+    ]
     return (*names, "torque_N_mm.total", *torques, *blocks)
 
 
@@ -86,11 +94,15 @@ def _bearing(summary: dict[str, Any]) -> dict[str, Any]:
     contacts = [contact for contact in summary["contacts"] if contact["loaded"]]
     heaviest: dict[str, Any] = max(contacts, key=lambda contact: contact["load_N"], default={})
     films = [contact for contact in contacts if contact["film_minimum_um"] is not None]
-    thinnest: dict[str, Any] = min(films, key=lambda contact: contact["film_minimum_um"], default={})
+    thinnest: dict[str, Any] = min(
+        films, key=lambda contact: contact["film_minimum_um"], default={}
+    )
     torque, life = summary.get("torque_N_mm") or {}, summary.get("life") or {}
     return {
         "load_maximum_N": heaviest.get("load_N"),
-        "hertz_pressure_maximum_GPa": max((c["hertz_pressure_GPa"] for c in contacts), default=None),
+        "hertz_pressure_maximum_GPa": max(
+            (c["hertz_pressure_GPa"] for c in contacts), default=None
+        ),
         "film_minimum_um": thinnest.get("film_minimum_um"),
         "film_minimum_uncertainty_um": thinnest.get("film_minimum_uncertainty_um"),
         "film_central_um": thinnest.get("film_central_um"),
@@ -114,9 +126,13 @@ def _loads(summary: dict[str, Any]) -> dict[str, Any]:
 
 
 def _slip(summary: dict[str, Any]) -> dict[str, Any]:
-    """Smallest slip factor at the operation of the case, how many balls slip there, and the preload it needs."""
+    """Smallest slip factor at the operation of the case, how many balls slip there, and the
+    preload it needs.
+    """
     operation = summary["operation"]
-    factors = [ball["slip_factor"] for ball in operation["balls"] if ball["slip_factor"] is not None]
+    factors = [
+        ball["slip_factor"] for ball in operation["balls"] if ball["slip_factor"] is not None
+    ]
     return {
         "slip_factor_minimum": min(factors, default=None),
         "balls_slipping": sum(ball["slips"] for ball in operation["balls"]),

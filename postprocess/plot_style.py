@@ -1,6 +1,6 @@
-"""What all plots share: type sizes, colours, colour maps, the part of a contact that is shown, saving."""
-
-from __future__ import annotations
+"""What all plots share: type sizes, colours, colour maps, the part of a contact that is shown,
+saving.
+"""
 
 from collections.abc import Sequence
 from pathlib import Path
@@ -17,8 +17,12 @@ Array = NDArray[np.float64]
 
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200
-INNER_COLOUR, OUTER_COLOUR, REFERENCE, INK = "#0b5394", "#c1440e", "#666666", "#1b1f24"
-COLOUR_MAPS = {"film": "viridis", "pressure": "magma_r"}  # perceptually uniform; zero pressure is paper white
+INNER_COLOUR = "#0b5394"
+OUTER_COLOUR = "#c1440e"
+REFERENCE = "#666666"
+INK = "#1b1f24"
+# perceptually uniform; zero pressure is paper white
+COLOUR_MAPS = {"film": "viridis", "pressure": "magma_r"}
 RC: Any = {
     "font.size": 8.0,
     "font.family": "DejaVu Sans",
@@ -35,15 +39,22 @@ RC: Any = {
     "contour.linewidth": 0.4,
     "figure.constrained_layout.use": True,
 }
-SHOWN_INLET, SHOWN_OUTLET, SHOWN_SIDE = -2.5, 1.5, 1.35  # in Hertz semi-axes along and across the entrainment
+# in Hertz semi-axes along and across the entrainment
+SHOWN_INLET = -2.5
+SHOWN_OUTLET = 1.5
+SHOWN_SIDE = 1.35
 STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
-QUIET_PRESSURE = 0.1  # of the largest pressure: the shown part reaches beyond where the pressure has fallen to this
-FLAT_FILM = 0.03  # of the central film: with a minimum nearer to it the contact is hydrodynamic, without a horseshoe
+# of the largest pressure: the shown part reaches beyond where the pressure has fallen to this
+QUIET_PRESSURE = 0.1
+# of the central film: with a minimum nearer to it the contact is hydrodynamic, without a horseshoe
+FLAT_FILM = 0.03
 BEYOND_SCALE = "#e4e7eb"  # film thicker than the colour scale
 
 
 def film_range(central: float, minimum: float) -> tuple[float, float]:
-    """Ends of a film's colour scale in the unit of the films, such as [um]: the inlet is beyond it."""
+    """Ends of a film's colour scale in the unit of the films, such as [um]: the inlet is beyond
+    it.
+    """
     spread = central - minimum
     if not central > 0.0:  # a failed solution
         return 0.0, 1.0
@@ -53,8 +64,11 @@ def film_range(central: float, minimum: float) -> tuple[float, float]:
 
 
 def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tuple[float, float]:
-    """Ends of the logarithmic colour scale that many contacts share, in the unit of their films, such as [um]."""
-    low, high = min((h for h in minimum if h > 0.0), default=0.5), max((h for h in central if h > 0.0), default=1.0)
+    """Ends of the logarithmic colour scale that many contacts share, in the unit of their films,
+    such as [um].
+    """
+    low = min((h for h in minimum if h > 0.0), default=0.5)
+    high = max((h for h in central if h > 0.0), default=1.0)
     return low, max(1.3 * high, 1.1 * low)
 
 
@@ -62,12 +76,18 @@ def film_ticks(low: float, high: float) -> list[float]:
     """About eight round values on a scale from `low` to `high` [any unit]."""
     step = 10.0 ** np.floor(np.log10((high - low) / 4.0))
     step *= 5.0 if (high - low) / step > 30.0 else 2.0 if (high - low) / step > 12.0 else 1.0
-    return [float(tick) for tick in np.arange(np.ceil(low / step), np.floor(high / step) + 1.0) * step]
+    return [
+        float(tick) for tick in np.arange(np.ceil(low / step), np.floor(high / step) + 1.0) * step
+    ]
 
 
 def colour_stops(quantity: str, count: int) -> Array:
-    """Evenly spaced colours of a quantity's map, shape (count, 3), red, green and blue from 0 to 1 [-]."""
-    colours: Array = matplotlib.colormaps[COLOUR_MAPS[quantity]](np.linspace(0.0, 1.0, count))[:, :3]
+    """Evenly spaced colours of a quantity's map, shape (count, 3), red, green and blue from 0 to 1
+    [-].
+    """
+    colours: Array = matplotlib.colormaps[COLOUR_MAPS[quantity]](np.linspace(0.0, 1.0, count))[
+        :, :3
+    ]
     return colours
 
 

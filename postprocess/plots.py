@@ -25,7 +25,8 @@ PLOT_FOLDER = "plots"
 
 
 def write_plots(results: BearingResults | ContactResults, directory: Path) -> tuple[str, ...]:
-    """Draw every plot of a run into its folder `plots`; equal contacts are drawn once and named together.
+    """Draw every plot of a run into its folder `plots`; equal contacts are drawn once and named
+    together.
 
     Parameters
     ----------
@@ -39,7 +40,11 @@ def write_plots(results: BearingResults | ContactResults, directory: Path) -> tu
         Which figures could not be drawn and why; the others are there.
     """
     folder = directory / PLOT_FOLDER
-    figures = _contact_figures(results) if isinstance(results, ContactResults) else _bearing_figures(results)
+    figures = (
+        _contact_figures(results)
+        if isinstance(results, ContactResults)
+        else _bearing_figures(results)
+    )
     problems = []
     with matplotlib.rc_context(RC):
         for name, draw in figures:
@@ -47,14 +52,20 @@ def write_plots(results: BearingResults | ContactResults, directory: Path) -> tu
             try:
                 draw(figure)
                 save(figure, folder / f"{name}.png")
-            except (ValueError, ArithmeticError, LookupError, RuntimeError) as error:  # of a field no one thought of
-                problems.append(f"{PLOT_FOLDER}/{name}.png not written: {type(error).__name__}: {error}")
+            # of a field no one thought of
+            except (ValueError, ArithmeticError, LookupError, RuntimeError) as error:
+                problems.append(
+                    f"{PLOT_FOLDER}/{name}.png not written: {type(error).__name__}: {error}"
+                )
     return tuple(problems)
 
 
 def _contact_figures(results: ContactResults) -> Iterator[NamedFigure]:
-    solution, view = results.solution, contact_view(results.solution)
-    facts = f"$M$ = {solution.moes_load:.4g}, $L$ = {solution.moes_lubricant:.4g}, {film_text(view)}"
+    solution = results.solution
+    view = contact_view(results.solution)
+    facts = (
+        f"$M$ = {solution.moes_load:.4g}, $L$ = {solution.moes_lubricant:.4g}, {film_text(view)}"
+    )
     title = f"{results.case.get('title', '')}\n{facts}{_doubts(view)}"
     yield "contact", partial(draw_contact, view=view, title=title)
 
@@ -65,16 +76,25 @@ def _bearing_figures(results: BearingResults) -> Iterator[NamedFigure]:
         yield "torque", partial(draw_torque, results=results)
     groups = distinct_contacts(results)
     for quantity in ("film", "pressure") if groups else ():
-        yield f"{quantity}_per_azimuth", partial(draw_per_azimuth, results=results, quantity=quantity)
+        yield (
+            f"{quantity}_per_azimuth",
+            partial(draw_per_azimuth, results=results, quantity=quantity),
+        )
     for group in groups:
-        first, view = group.contacts[0], contact_view(group.solution)
+        first = group.contacts[0]
+        view = contact_view(group.solution)
         name = f"{first.race.value}_ball{first.ball:02d}"
         yield name, partial(draw_contact, view=view, title=_title(results, group))
 
 
 def _title(results: BearingResults, group: DistinctContact) -> str:
-    first, view = group.contacts[0], contact_view(group.solution)
-    facts = [f"$Q$ = {first.load:.4g} N", f"contact angle {degrees(first.contact_angle):.1f}°", film_text(view)]
+    first = group.contacts[0]
+    view = contact_view(group.solution)
+    facts = [
+        f"$Q$ = {first.load:.4g} N",
+        f"contact angle {degrees(first.contact_angle):.1f}°",
+        film_text(view),
+    ]
     return f"{results.case.get('title', '')}\n{group.label}\n{', '.join(facts)}{_doubts(view)}"
 
 

@@ -1,7 +1,5 @@
 """One loader for the folders of all commands: run, contact, batch, slip, stiffness, dynamics."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 
@@ -22,13 +20,15 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     Parameters
     ----------
     directory : str or Path
-        Folder of `oilfilm run`, `contact`, `batch`, `slip`, `stiffness` or `dynamics`, or its netCDF file.
+        Folder of `oilfilm run`, `contact`, `batch`, `slip`, `stiffness` or `dynamics`, or its
+        netCDF file.
 
     Returns
     -------
     xarray.DataTree
-        SI, but for batches, whose variables name their units. `tree.attrs` has the `kind`, the program's version
-        (`oilfilm`) and the input as JSON (`case`); groups of a bearing are told by `write_netcdf`. Close it when done.
+        SI, but for batches, whose variables name their units. `tree.attrs` has the `kind`, the
+        program's version (`oilfilm`) and the input as JSON (`case`); groups of a bearing are told
+        by `write_netcdf`. Close it when done.
 
     Raises
     ------
@@ -52,7 +52,9 @@ def _data_file(path: Path) -> Path:
         if (path / HISTORY_FILE).is_file() and not (path / FIELDS_FILE).exists():
             return path / HISTORY_FILE
         if (path / SUMMARY_FILE).is_file() and not (path / FIELDS_FILE).exists():
-            raise ValueError(f"{path} holds {SUMMARY_FILE}, but no {FIELDS_FILE}: compute it again with this version")
+            raise ValueError(
+                f"{path} holds {SUMMARY_FILE}, but no {FIELDS_FILE}: compute it again with this version"
+            )
         path = path / FIELDS_FILE
     if not path.is_file():
         raise ValueError(f"{path.parent} holds no results: {path.name} is missing")
@@ -69,7 +71,9 @@ def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
         tree.attrs["messages"] = json.dumps(document["messages"], ensure_ascii=False)
     except (OSError, ValueError, KeyError, TypeError):
         tree.attrs["converged"] = 0
-        tree.attrs["messages"] = json.dumps([f"not converged: no readable {SUMMARY_FILE} beside {path.name}"])
+        tree.attrs["messages"] = json.dumps(
+            [f"not converged: no readable {SUMMARY_FILE} beside {path.name}"]
+        )
     return tree
 
 

@@ -1,7 +1,5 @@
 """What a run hands to the output: everything in SI."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from math import degrees
 from typing import Any
@@ -73,7 +71,11 @@ class BearingResults:
     def converged(self) -> bool:
         """Whether the equilibrium, every film and the heat balance that were asked for converged."""
         films = all(s.converged for s in self.solutions if s is not None)
-        return self.quasistatic.converged and films and (self.heating is None or self.heating.converged)
+        return (
+            self.quasistatic.converged
+            and films
+            and (self.heating is None or self.heating.converged)
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,7 +112,9 @@ class DistinctContact:
 
 
 def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
-    """Group the solved contacts that share a solution, inner race first, in the order of the balls."""
+    """Group the solved contacts that share a solution, inner race first, in the order of the
+    balls.
+    """
     groups: dict[tuple[str, int], list[int]] = {}
     for i, (contact, solution) in enumerate(zip(results.contacts, results.solutions, strict=True)):
         if solution is not None:
@@ -119,5 +123,9 @@ def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
     for (_, _), members in sorted(groups.items(), key=lambda item: (item[0][0], item[1][0])):
         solution = results.solutions[members[0]]
         assert solution is not None  # only solved contacts were grouped
-        found.append(DistinctContact(solution=solution, contacts=tuple(results.contacts[i] for i in members)))
+        found.append(
+            DistinctContact(
+                solution=solution, contacts=tuple(results.contacts[i] for i in members)
+            )
+        )
     return tuple(found)

@@ -1,12 +1,11 @@
 """Numbers and lists as text."""
 
-from __future__ import annotations
-
 from math import ceil, floor, inf, log10
 
 
 def value_with_error(value: float, error: float, most: int = 5) -> str:
-    """Text of a value and its uncertainty, to the error's first digit (second after a 1), in whatever unit [-].
+    """Text of a value and its uncertainty, to the error's first digit (second after a 1), in
+    whatever unit [-].
 
     With no more than `most` decimals [-]; an error that these cannot show is rounded up.
     """

@@ -1,10 +1,13 @@
 """Units of the summary in SI."""
 
-from __future__ import annotations
-
 from math import pi
 
-MICROMETRE, MILLIMETRE, GIGAPASCAL, MILLIRADIAN, NEWTON_MILLIMETRE = 1e-6, 1e-3, 1e9, 1e-3, 1e-3  # in SI
+# in SI
+MICROMETRE = 1e-6
+MILLIMETRE = 1e-3
+GIGAPASCAL = 1e9
+MILLIRADIAN = 1e-3
+NEWTON_MILLIMETRE = 1e-3
 RPM = 2.0 * pi / 60.0  # [rad/s]
 ZERO_CELSIUS = 273.15  # [K]
 
@@ -51,7 +54,18 @@ UNITS = {
 
 
 WITHOUT = (  # last words of keys that have no unit, whatever block they stand in
-    *("coefficient", "ratio", "share", "fraction", "factor", "exponent", "imbalance", "error", "number", "count"),
+    *(
+        "coefficient",
+        "ratio",
+        "share",
+        "fraction",
+        "factor",
+        "exponent",
+        "imbalance",
+        "error",
+        "number",
+        "count",
+    ),
     *("converged", "equilibrium", "resolved"),
 )
 

@@ -1,7 +1,5 @@
 """All output of a run into one directory."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -14,8 +12,11 @@ from .results import BearingResults, ContactResults
 from .scene.vtk import write_collection, write_subsurface
 
 
-def write_results(results: BearingResults | ContactResults, directory: str | Path) -> tuple[str, ...]:
-    """Write pictures, VTK, netCDF, CSV and, last, the summary; a picture that fails is a message, not an error.
+def write_results(
+    results: BearingResults | ContactResults, directory: str | Path
+) -> tuple[str, ...]:
+    """Write pictures, VTK, netCDF, CSV and, last, the summary; a picture that fails is a message,
+    not an error.
 
     Parameters
     ----------
@@ -50,7 +51,9 @@ def _try(
     results: BearingResults | ContactResults,
     folder: Path,
 ) -> tuple[str, ...]:
-    """Messages of an extra that failed; any failure in a drawing library is a lost picture, not a lost run."""
+    """Messages of an extra that failed; any failure in a drawing library is a lost picture, not a
+    lost run.
+    """
     try:
         return write(results, folder)
     except Exception as error:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from postprocess.named_units import unit_of
+from postprocess.units import unit_of
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"
@@ -65,7 +65,7 @@ def test_the_gallery_shows_the_slip_cases():
     """Every case of the slip paper with its command and its own pictures."""
     gallery = importlib.import_module("site_pages").gallery()
     parts = {part.splitlines()[0]: part for part in gallery.split("### ")[1:]}
-    cases = sorted(path.stem for path in (ROOT / "cases" / "hirano_slip").glob("*.toml"))
+    cases = sorted(path.stem for path in (ROOT / "cases" / "library" / "hirano_slip").glob("*.toml"))
     assert len(cases) == 7
     for case in cases:
         assert f"oilfilm slip {case}\n" in parts[case]

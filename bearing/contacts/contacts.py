@@ -1,10 +1,9 @@
 """The contacts of a solved bearing as lubricated contacts, placed in the bearing's frame.
 
-At a contact n points from the ball into the race, x along the entrainment and y across, x cross y = n. The outer
-contact lies at (sin ao, cos ao e_r) from the ball's centre, the inner one opposite to (sin ai, cos ai e_r).
+At a contact n points from the ball into the race, x along the entrainment and y across, x cross y
+= n. The outer contact lies at (sin ao, cos ao e_r) from the ball's centre, the inner one opposite
+to (sin ai, cos ai e_r).
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -22,7 +21,8 @@ from ..rows import row_directions
 from .hertz import hertz_contacts
 
 RACES = (Race.INNER, Race.OUTER)
-STANDSTILL = 1.0e-12  # entrainment or rolling over the speed of the rings below which there is none [-]
+# entrainment or rolling over the speed of the rings below which there is none [-]
+STANDSTILL = 1.0e-12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -80,7 +80,9 @@ class BearingContact:
         return self.conditions is not None
 
 
-def contact_conditions(solution: QuasistaticSolution, lubricant: Lubricant) -> tuple[BearingContact, ...]:
+def contact_conditions(
+    solution: QuasistaticSolution, lubricant: Lubricant
+) -> tuple[BearingContact, ...]:
     """All contacts of a bearing, row by row and ball by ball, inner then outer, 2 Z entries a row.
 
     Parameters
@@ -98,11 +100,15 @@ def contact_conditions(solution: QuasistaticSolution, lubricant: Lubricant) -> t
     frames = _placements(solution, np.array([motion.speed for motion in motions]).reshape(-1, 2))
     return tuple(
         _contact(solution, (n // 2, RACES[n % 2]), motion, hertz, frame, lubricant)
-        for n, (motion, hertz, frame) in enumerate(zip(motions, _hertz(solution), frames, strict=True))
+        for n, (motion, hertz, frame) in enumerate(
+            zip(motions, _hertz(solution), frames, strict=True)
+        )
     )
 
 
-def rolling_and_spin(solution: QuasistaticSolution, index: int, race: Race) -> tuple[float, float, float]:
+def rolling_and_spin(
+    solution: QuasistaticSolution, index: int, race: Race
+) -> tuple[float, float, float]:
     """Motion of ball against race at a contact (Harris and Kotzalas, re-derived).
 
     Parameters
@@ -115,8 +121,8 @@ def rolling_and_spin(solution: QuasistaticSolution, index: int, race: Race) -> t
     Returns
     -------
     speed : float
-        Surface speed of the race at the contact's centre in the frame of the orbit, along +e_t [m/s]; under a
-        hypothesis that of the ball as well.
+        Surface speed of the race at the contact's centre in the frame of the orbit, along +e_t
+        [m/s]; under a hypothesis that of the ball as well.
     rolling : float
         Relative angular speed about the transverse direction, magnitude [rad/s].
     spin : float
@@ -126,7 +132,9 @@ def rolling_and_spin(solution: QuasistaticSolution, index: int, race: Race) -> t
     inner = race is Race.INNER
     angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
     side = -1.0 if inner else 1.0  # the outer contact is farther from the axis than the ball
-    relative = (operation.inner_speed if inner else operation.outer_speed) - float(solution.orbit_speed[index])
+    relative = (operation.inner_speed if inner else operation.outer_speed) - float(
+        solution.orbit_speed[index]
+    )
     radius = 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(angle))
     ball = float(solution.spin_speed[index])
     lag = float(solution.attitude[index]) - angle
@@ -138,24 +146,31 @@ def rolling_and_spin(solution: QuasistaticSolution, index: int, race: Race) -> t
 def sliding(solution: QuasistaticSolution, index: int, race: Race) -> tuple[float, float]:
     """Speed of the ball over the race at a contact's centre along +e_t and along e_t x n [m/s].
 
-    The ball's surface moves by omega x n D/2. Zero under a hypothesis, which lets nothing slide there.
+    The ball's surface moves by omega x n D/2. Zero under a hypothesis, which lets nothing slide
+    there.
     """
     if solution.model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return 0.0, 0.0
     inner = race is Race.INNER
     angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
-    side, radius = -1.0 if inner else 1.0, 0.5 * solution.bearing.ball_diameter
+    side = -1.0 if inner else 1.0
+    radius = 0.5 * solution.bearing.ball_diameter
     turning = float(solution.spin_speed[index]) * np.cos(float(solution.attitude[index]) - angle)
     along = -side * radius * turning - rolling_and_spin(solution, index, race)[0]
     return float(along), radius * float(solution.pivot_speed[index])
 
 
 def mean_spin(solution: QuasistaticSolution, index: int, race: Race) -> float:
-    """Mean angular speed of ball and race about the normal into the race, in the frame of the orbit [rad/s]."""
-    inner, operation = race is Race.INNER, solution.operation
+    """Mean angular speed of ball and race about the normal into the race, in the frame of the
+    orbit [rad/s].
+    """
+    inner = race is Race.INNER
+    operation = solution.operation
     angle = float((solution.inner_contact_angle if inner else solution.outer_contact_angle)[index])
     side = -1.0 if inner else 1.0
-    relative = (operation.inner_speed if inner else operation.outer_speed) - float(solution.orbit_speed[index])
+    relative = (operation.inner_speed if inner else operation.outer_speed) - float(
+        solution.orbit_speed[index]
+    )
     ball = float(solution.spin_speed[index]) * np.sin(float(solution.attitude[index]) - angle)
     return float(0.5 * side * (ball + relative * np.sin(angle))) + 0.0  # no negative zero
 
@@ -175,7 +190,9 @@ def _motion(solution: QuasistaticSolution, index: int, race: Race) -> _Motion:
     raced, rolling, spin = rolling_and_spin(solution, index, race)
     slide, across = sliding(solution, index, race)
     speed = raced + 0.5 * slide
-    return _Motion(speed, rolling, spin, mean_spin(solution, index, race), slide, -np.sign(speed) * across)
+    return _Motion(
+        speed, rolling, spin, mean_spin(solution, index, race), slide, -np.sign(speed) * across
+    )
 
 
 def _contact(
@@ -202,7 +219,9 @@ def _contact(
         load=load,
         contact_angle=angle,
         spin_roll_ratio=abs(motion.spin) / motion.rolling if rolls else None,
-        hirano_ratio=load * abs(float(np.sin(angle))) / centrifugal if inner and centrifugal > 0.0 else None,
+        hirano_ratio=load * abs(float(np.sin(angle))) / centrifugal
+        if inner and centrifugal > 0.0
+        else None,
         origin=origin,
         axis_x=rows[0],
         axis_y=rows[1],
@@ -213,24 +232,34 @@ def _contact(
 
 
 def _hertz(solution: QuasistaticSolution) -> list[HertzContact | None]:
-    """The dry contacts, inner then outer, ball by ball, with the curvature the equilibrium was solved with."""
-    bearing, free = solution.bearing, solution.model.curvature is Curvature.FREE
+    """The dry contacts, inner then outer, ball by ball, with the curvature the equilibrium was
+    solved with.
+    """
+    bearing = solution.bearing
+    free = solution.model.curvature is Curvature.FREE
     load = np.stack([solution.inner_load, solution.outer_load], axis=1).ravel()
     angle = np.stack([solution.inner_contact_angle, solution.outer_contact_angle], axis=1).ravel()
     loaded = np.flatnonzero(load > 0.0)
     found: list[HertzContact | None] = [None] * load.size
     races = [RACES[n % 2] for n in loaded]
     at = [bearing.free_contact_angle if free else float(angle[n]) for n in loaded]
-    radii = np.array([reduced_radii(bearing, race, a) for race, a in zip(races, at, strict=True)]).reshape(-1, 2)
+    radii = np.array(
+        [reduced_radii(bearing, race, a) for race, a in zip(races, at, strict=True)]
+    ).reshape(-1, 2)
     modulus = {race: contact_modulus(bearing, race) for race in RACES}
-    contacts = hertz_contacts(load[loaded], radii[:, 0], radii[:, 1], np.array([modulus[race] for race in races]))
+    contacts = hertz_contacts(
+        load[loaded], radii[:, 0], radii[:, 1], np.array([modulus[race] for race in races])
+    )
     for n, contact in zip(loaded, contacts, strict=True):
         found[n] = contact
     return found
 
 
 def _conditions(
-    solution: QuasistaticSolution, hertz: HertzContact | None, motion: _Motion, lubricant: Lubricant
+    solution: QuasistaticSolution,
+    hertz: HertzContact | None,
+    motion: _Motion,
+    lubricant: Lubricant,
 ) -> tuple[ContactConditions | None, str]:
     if hertz is None:
         return None, "unloaded"
@@ -257,14 +286,23 @@ def _fastest(solution: QuasistaticSolution) -> float:
 
 
 def _placements(solution: QuasistaticSolution, speed: Array) -> list[tuple[Array, Array]]:
-    """Contact points [m], and the rows x, y, n [-], in the bearing's frame, at entrainments (balls, 2) [m/s]."""
+    """Contact points [m], and the rows x, y, n [-], in the bearing's frame, at entrainments
+    (balls, 2) [m/s].
+    """
     c, s = row_directions(solution.bearing, solution.rows)
-    none, along_x, side = np.zeros_like(c), np.array([1.0, 0.0, 0.0]), np.array([-1.0, 1.0])
-    radial, tangential = np.stack([none, c, s], axis=1)[:, None], np.stack([none, -s, c], axis=1)[:, None]
-    angle = np.stack([solution.inner_contact_angle, solution.outer_contact_angle], axis=1)[..., None]
+    none = np.zeros_like(c)
+    along_x = np.array([1.0, 0.0, 0.0])
+    side = np.array([-1.0, 1.0])
+    radial = np.stack([none, c, s], axis=1)[:, None]
+    tangential = np.stack([none, -s, c], axis=1)[:, None]
+    angle = np.stack([solution.inner_contact_angle, solution.outer_contact_angle], axis=1)[
+        ..., None
+    ]
     normal = side[:, None] * (np.sin(angle) * along_x + np.cos(angle) * radial)
     axis_x = np.where(speed != 0.0, np.sign(speed), -side)[..., None] * tangential
-    centre = solution.ball_axial[:, None, None] * along_x + solution.ball_radial[:, None, None] * radial
+    centre = (
+        solution.ball_axial[:, None, None] * along_x + solution.ball_radial[:, None, None] * radial
+    )
     origins = (centre + 0.5 * solution.bearing.ball_diameter * normal).reshape(-1, 3)
     axes = np.stack([axis_x, np.cross(normal, axis_x), normal], axis=2).reshape(-1, 3, 3)
     return list(zip(origins, axes, strict=True))

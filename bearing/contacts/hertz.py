@@ -1,6 +1,6 @@
-"""Hertz contacts of many balls at once: `ehl.hertz.hertz_contact`, to round-off, in a tenth of the time."""
-
-from __future__ import annotations
+"""Hertz contacts of many balls at once: `ehl.hertz.hertz_contact`, to round-off, in a tenth of the
+time.
+"""
 
 import numpy as np
 from scipy.special import elliprd, elliprf
@@ -14,7 +14,9 @@ SETTLED = 1.0e-14  # step in ln k, over it, at which the ratio of the semi-axes 
 CIRCLE = 1.0e-4  # k^2 - 1 below which the derivative is that of the circle [-]
 
 
-def hertz_contacts(load: Array, radius_x: Array, radius_y: Array, reduced_modulus: Array) -> list[HertzContact]:
+def hertz_contacts(
+    load: Array, radius_x: Array, radius_y: Array, reduced_modulus: Array
+) -> list[HertzContact]:
     """Ellipses, pressures and approaches of contacts under loads, Hertz (1882).
 
     Parameters
@@ -47,12 +49,14 @@ def hertz_contacts(load: Array, radius_x: Array, radius_y: Array, reduced_modulu
         "approach": d * size**2 * radius_x,
     }
     return [
-        HertzContact(**dict(zip(values, row, strict=True))) for row in np.stack(list(values.values()), axis=1).tolist()
+        HertzContact(**dict(zip(values, row, strict=True)))
+        for row in np.stack(list(values.values()), axis=1).tolist()
     ]
 
 
 def ellipse_ratios(radius_ratio: Array) -> Array:
-    """Ratios of the semi-axes k = b/a [-] of contacts with Rx/Ry [-], as `ehl.hertz.ellipse_ratio` finds one.
+    """Ratios of the semi-axes k = b/a [-] of contacts with Rx/Ry [-], as `ehl.hertz.ellipse_ratio`
+    finds one.
 
     Newton's method in ln k, kept inside the bracket between (Rx/Ry)^-1 and (Rx/Ry)^-1/4.
     """
@@ -73,9 +77,14 @@ def ellipse_ratios(radius_ratio: Array) -> Array:
 
 
 def _log_radius_ratios(t: Array) -> tuple[Array, Array]:
-    """ln(Rx/Ry) [-] at k = exp(t) and its slope [-]; d(R_D)/dk follows from the common integral of both."""
+    """ln(Rx/Ry) [-] at k = exp(t) and its slope [-]; d(R_D)/dk follows from the common integral of
+    both.
+    """
     k2 = np.exp(2.0 * t)
-    along_x, along_y = elliprd(0.0, k2, 1.0), elliprd(0.0, 1.0, k2)
+    along_x = elliprd(0.0, k2, 1.0)
+    along_y = elliprd(0.0, 1.0, k2)
     away = np.abs(k2 - 1.0) > CIRCLE
-    mixed = np.where(away, (along_x - along_y) / np.where(away, k2 - 1.0, 1.0), 9.0 * np.pi / 16.0 * k2**-1.25)
+    mixed = np.where(
+        away, (along_x - along_y) / np.where(away, k2 - 1.0, 1.0), 9.0 * np.pi / 16.0 * k2**-1.25
+    )
     return np.log(along_y / along_x), -3.0 + mixed / along_y + k2 * mixed / along_x

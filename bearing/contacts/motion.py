@@ -1,7 +1,5 @@
 """Motion of a ball over its races: rolling, sliding and spin of both surfaces in each contact."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -40,9 +38,11 @@ def ball_motion(solution: QuasistaticSolution, index: int) -> BallMotion:
 
 
 def groove_curvature_radius(bearing: Bearing, race: Race) -> float:
-    """Radius of the loaded surface across the rolling direction, 2 r D/(2 r + D) [m], Harris and Kotzalas.
+    """Radius of the loaded surface across the rolling direction, 2 r D/(2 r + D) [m], Harris and
+    Kotzalas.
 
-    The mean of the curvatures of ball and groove, as two equal half spaces under the same pressure deform alike.
+    The mean of the curvatures of ball and groove, as two equal half spaces under the same pressure
+    deform alike.
     """
     groove = bearing.inner_groove_radius if race is Race.INNER else bearing.outer_groove_radius
     return 2.0 * groove * bearing.ball_diameter / (2.0 * groove + bearing.ball_diameter)
@@ -71,9 +71,12 @@ def bearing_kinematics(
     inner = contact.race is Race.INNER
     ring = (operation.inner_speed if inner else operation.outer_speed) - motion.orbit_speed
     axes = contact_axes(contact)
-    ball_turn, race_turn = axes @ motion.rotation, axes @ np.array([ring, 0.0, 0.0])
+    ball_turn = axes @ motion.rotation
+    race_turn = axes @ np.array([ring, 0.0, 0.0])
     side = -1.0 if inner else 1.0
-    track = 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(contact.contact_angle))
+    track = 0.5 * (
+        bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(contact.contact_angle)
+    )
     ball = 0.5 * bearing.ball_diameter * np.array([ball_turn[1], -ball_turn[0]])  # omega x n D/2
     race = ring * track * axes[:2, 2]  # omega e_x x e_r = e_t
     ball_curvature = 2.0 / bearing.ball_diameter
@@ -94,7 +97,9 @@ def bearing_kinematics(
 
 
 def contact_axes(contact: BearingContact) -> Array:
-    """Rows x, y, n of a contact [-], by their components along e_x, e_r, e_t of its ball, shape (3, 3)."""
+    """Rows x, y, n of a contact [-], by their components along e_x, e_r, e_t of its ball, shape
+    (3, 3).
+    """
     c, s = np.cos(contact.azimuth), np.sin(contact.azimuth)
     frame = np.array([[1.0, 0.0, 0.0], [0.0, c, s], [0.0, -s, c]])
     return np.stack([contact.axis_x, contact.axis_y, contact.normal]) @ frame.T
@@ -102,7 +107,8 @@ def contact_axes(contact: BearingContact) -> Array:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MotionMap:
-    """Derivatives of the motions k = (S_x, S_y, spin, rolling) of contacts; S in [m/s], the others in [rad/s].
+    """Derivatives of the motions k = (S_x, S_y, spin, rolling) of contacts; S in [m/s], the others
+    in [rad/s].
 
     Attributes
     ----------
@@ -122,13 +128,17 @@ class MotionMap:
     ball: NDArray[np.int64]
 
     def motion(self, orbit: Array, rotation: Array) -> Array:
-        """Motions of all contacts, shape (contacts, 4), from the speeds of the balls as in `ball_speeds` [rad/s]."""
+        """Motions of all contacts, shape (contacts, 4), from the speeds of the balls as in
+        `ball_speeds` [rad/s].
+        """
         turned = np.einsum("ckj,cj->ck", self.by_rotation, rotation[self.ball])
         return np.asarray(turned + self.by_ring * (self.ring_speed - orbit[self.ball])[:, None])
 
     @property
     def ring(self) -> Array:
-        """Change of the motions by the speeds of the rings, minus that of the race, shape (contacts, 4)."""
+        """Change of the motions by the speeds of the rings, minus that of the race, shape
+        (contacts, 4).
+        """
         return self.by_ring * self.ring_speed[:, None]
 
 
@@ -143,23 +153,32 @@ def motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]
     along, across, normal = axes[:, 0], axes[:, 1], axes[:, 2]
     return MotionMap(
         by_rotation=np.stack([radius * across, -radius * along, normal, across], axis=1),
-        by_ring=-np.stack([track * along[:, 2], track * across[:, 2], normal[:, 0], across[:, 0]], axis=1),
+        by_ring=-np.stack(
+            [track * along[:, 2], track * across[:, 2], normal[:, 0], across[:, 0]], axis=1
+        ),
         ring_speed=np.where(inner, operation.inner_speed, operation.outer_speed),
         ball=np.array([contact.ball - 1 for contact in contacts]),
     )
 
 
 def contact_frames(contacts: Sequence[BearingContact]) -> Array:
-    """Rows x, y, n of contacts [-], by their components along e_x, e_r, e_t of their balls, shape (contacts, 3, 3)."""
+    """Rows x, y, n of contacts [-], by their components along e_x, e_r, e_t of their balls, shape
+    (contacts, 3, 3).
+    """
     azimuth = np.array([contact.azimuth for contact in contacts])
     axes = np.array([(contact.axis_x, contact.axis_y, contact.normal) for contact in contacts])
     c, s = np.cos(azimuth)[:, None], np.sin(azimuth)[:, None]
-    radial, tangential = c * axes[..., 1] + s * axes[..., 2], c * axes[..., 2] - s * axes[..., 1]
+    radial = c * axes[..., 1] + s * axes[..., 2]
+    tangential = c * axes[..., 2] - s * axes[..., 1]
     return np.stack([axes[..., 0], radial, tangential], axis=-1)
 
 
 def ball_speeds(solution: QuasistaticSolution) -> tuple[Array, Array]:
-    """Orbit speeds (balls,) and rotations (balls, 3) of an equilibrium as `ball_motion` has them [rad/s]."""
+    """Orbit speeds (balls,) and rotations (balls, 3) of an equilibrium as `ball_motion` has them
+    [rad/s].
+    """
     spin, attitude = solution.spin_speed, solution.attitude
-    rotation = np.stack([-spin * np.cos(attitude), spin * np.sin(attitude), solution.pivot_speed], axis=1)
+    rotation = np.stack(
+        [-spin * np.cos(attitude), spin * np.sin(attitude), solution.pivot_speed], axis=1
+    )
     return solution.orbit_speed, rotation

@@ -1,7 +1,5 @@
 """Shape of a contact between ball and race, as the laws of friction take it."""
 
-from __future__ import annotations
-
 from ehl.closed_form.hertz import hertz_contact
 from ehl.traction.laws import ContactShape
 

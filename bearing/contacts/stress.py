@@ -1,10 +1,10 @@
-"""What a loaded contact does to its bodies: stress below it, sliding in it, and the shoulder that may cut it.
+"""What a loaded contact does to its bodies: stress below it, sliding in it, and the shoulder that
+may cut it.
 
-The ellipse, pressure and stresses are those of the dry Hertz contact. Sliding is that of the ball hypotheses: none in
-the middle, spin about the normal, and the difference of radii across the curved contact (Heathcote).
+The ellipse, pressure and stresses are those of the dry Hertz contact. Sliding is that of the ball
+hypotheses: none in the middle, spin about the normal, and the difference of radii across the
+curved contact (Heathcote).
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from math import acos, pi, sin, sqrt
@@ -18,7 +18,8 @@ from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contacts import BearingContact, rolling_and_spin
 
-ANGLES, RINGS = 180, 40  # points at which pressure times sliding is looked at, round and across half the ellipse
+ANGLES = 180  # points at which pressure times sliding is looked at
+RINGS = 40  # round and across half the ellipse
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,11 +29,13 @@ class Truncation:
     Attributes
     ----------
     margin : float
-        From the end of the ellipse to the edge of the groove [m]; negative where the shoulder cuts the ellipse.
+        From the end of the ellipse to the edge of the groove [m]; negative where the shoulder cuts
+        the ellipse.
     length_share, load_share : float
         Share of the ellipse's length, and of the load of the uncut ellipse, beyond the edge [-].
     edge_pressure : float
-        Pressure of the uncut ellipse at the edge [Pa], a lower bound of that of the cut one; 0 without a cut.
+        Pressure of the uncut ellipse at the edge [Pa], a lower bound of that of the cut one; 0
+        without a cut.
     """
 
     margin: float
@@ -114,18 +117,21 @@ def groove_radius(bearing: Bearing, race: Race) -> float:
     return bearing.inner_groove_radius if race is Race.INNER else bearing.outer_groove_radius
 
 
-def largest_sliding(hertz: HertzContact, spin: float, rolling: float, radius: float) -> tuple[float, float]:
+def largest_sliding(
+    hertz: HertzContact, spin: float, rolling: float, radius: float
+) -> tuple[float, float]:
     """Largest sliding speed, and largest product of pressure and sliding speed, in an ellipse.
 
-    v_x = -w_s y + w_r y^2/(2 R), v_y = w_s x, x along the rolling direction; no sliding in the middle. |v| is
-    largest on the rim.
+    v_x = -w_s y + w_r y^2/(2 R), v_y = w_s x, x along the rolling direction; no sliding in the
+    middle. |v| is largest on the rim.
 
     Parameters
     ----------
     hertz : HertzContact
         Semi-axes [m], pressure [Pa].
     spin, rolling : float
-        Relative angular speeds w_s about the normal and w_r about the transverse direction [rad/s].
+        Relative angular speeds w_s about the normal and w_r about the transverse direction
+        [rad/s].
     radius : float
         R of the deformed surface across the rolling direction, 2 r D/(2 r + D) [m].
 
@@ -145,10 +151,11 @@ def largest_sliding(hertz: HertzContact, spin: float, rolling: float, radius: fl
 
 
 def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
-    """Angle in the groove from its bottom to the edge of the shoulder [rad]; None without a shoulder diameter.
+    """Angle in the groove from its bottom to the edge of the shoulder [rad]; None without a
+    shoulder diameter.
 
-    cos = (R_i - d_s/2)/r_i at the inner ring, (d_s/2 - R_o)/r_o at the outer one, R the radius of the centres of
-    curvature.
+    cos = (R_i - d_s/2)/r_i at the inner ring, (d_s/2 - R_o)/r_o at the outer one, R the radius of
+    the centres of curvature.
 
     Parameters
     ----------
@@ -162,16 +169,25 @@ def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
     """
     if race is Race.INNER:
         shoulder, height = bearing.inner_shoulder_diameter, bearing.inner_centre_radius
-        return None if shoulder is None else acos((height - 0.5 * shoulder) / bearing.inner_groove_radius)
+        return (
+            None
+            if shoulder is None
+            else acos((height - 0.5 * shoulder) / bearing.inner_groove_radius)
+        )
     shoulder, height = bearing.outer_shoulder_diameter, bearing.outer_centre_radius
-    return None if shoulder is None else acos((0.5 * shoulder - height) / bearing.outer_groove_radius)
+    return (
+        None if shoulder is None else acos((0.5 * shoulder - height) / bearing.outer_groove_radius)
+    )
 
 
-def truncation(bearing: Bearing, race: Race, contact_angle: float, hertz: HertzContact) -> Truncation | None:
+def truncation(
+    bearing: Bearing, race: Race, contact_angle: float, hertz: HertzContact
+) -> Truncation | None:
     """How much of the ellipse the shoulder cuts, both shoulders of a ring being alike.
 
-    The edge lies r sin(shoulder angle - |contact angle|) from the contact's middle, r the radius of the groove. With s
-    that distance over the semi-axis, the semi-ellipsoid has (1 - s)^2 (2 + s)/4 of its load beyond.
+    The edge lies r sin(shoulder angle - |contact angle|) from the contact's middle, r the radius
+    of the groove. With s that distance over the semi-axis, the semi-ellipsoid has (1 - s)^2 (2 +
+    s)/4 of its load beyond.
 
     Parameters
     ----------

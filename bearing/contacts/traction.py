@@ -1,12 +1,12 @@
-"""Traction at the contacts of a bearing: how ball and race move over each other, and what the oil does to them.
+"""Traction at the contacts of a bearing: how ball and race move over each other, and what the oil
+does to them.
 
-In the frame that turns with the ball's centre, the ball has the angular velocity w_R (-cos beta e_x + sin beta e_r)
-and the race (Omega - w_m) e_x. Both velocities are taken at the contact's centre, and the two bodies' motion there
-resolved along the contact's axes x, y, n (`BearingContact`), so that spin and rolling have the signs of
-`ehl.traction.ContactKinematics`, body 1 the ball.
+In the frame that turns with the ball's centre, the ball has the angular velocity w_R (-cos beta
+e_x + sin beta e_r) and the race (Omega - w_m) e_x. Both velocities are taken at the contact's
+centre, and the two bodies' motion there resolved along the contact's axes x, y, n
+(`BearingContact`), so that spin and rolling have the signs of `ehl.traction.ContactKinematics`,
+body 1 the ball.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 
@@ -22,7 +22,9 @@ from .motion import BallMotion, bearing_kinematics
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactTraction:
-    """Traction of one contact of a bearing, and the motion it belongs to; `result` has body 1 the ball."""
+    """Traction of one contact of a bearing, and the motion it belongs to; `result` has body 1 the
+    ball.
+    """
 
     contact: BearingContact
     kinematics: ContactKinematics
@@ -53,5 +55,7 @@ def contact_traction(
     ContactTraction
     """
     kinematics = bearing_kinematics(solution, contact, motion)
-    result = integrate_traction(film, kinematics, rheology, temperature=solution.operation.temperature)
+    result = integrate_traction(
+        film, kinematics, rheology, temperature=solution.operation.temperature
+    )
     return ContactTraction(contact=contact, kinematics=kinematics, result=result)

@@ -1,1 +1,3 @@
-"""Time simulation of a ball bearing: rings, balls and cage under contact, friction, drag and impact."""
+"""Time simulation of a ball bearing: rings, balls and cage under contact, friction, drag and
+impact.
+"""

@@ -1,11 +1,10 @@
 """The equations of motion of ring, cage and balls as one compiled function without allocation.
 
-Newton's and Euler's equations in the inertial frame: no centrifugal and no gyroscopic force on a ball, whose inertia
-is the same about every axis. The inner ring turns at a given speed, tilts little, and is coupled by the gyroscopic
-moment of its polar inertia; so is the cage, whose rotation is free. The NumPy twin stands in `reference.py`.
+Newton's and Euler's equations in the inertial frame: no centrifugal and no gyroscopic force on a
+ball, whose inertia is the same about every axis. The inner ring turns at a given speed, tilts
+little, and is coupled by the gyroscopic moment of its polar inertia; so is the cage, whose
+rotation is free. The NumPy twin stands in `reference.py`.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -42,7 +41,9 @@ from .problem import (
 
 @compiled
 def schedule_at(schedule, t, out):
-    """Speeds, force and moment of the schedule at a time, linear between its rows; returns the inner acceleration."""
+    """Speeds, force and moment of the schedule at a time, linear between its rows; returns the
+    inner acceleration.
+    """
     n = schedule.shape[0]
     k = 0
     while k < n - 2 and t >= schedule[k + 1, 0]:
@@ -67,7 +68,8 @@ def place_bodies(balls, y, inner_speed, outer_speed, b):
     for row in (0, 2):
         first = 0 if row == 0 else 5
         tilt = first + (3 if row == 0 else 4)
-        ty, tz = y[tilt], y[tilt + 1]
+        ty = y[tilt]
+        tz = y[tilt + 1]
         size = 1.0 / np.sqrt(1.0 + ty * ty + tz * tz)
         b[row, 3], b[row, 4], b[row, 5] = size, tz * size, -ty * size
         spin = inner_speed if row == 0 else y[nq + 8]
@@ -93,9 +95,13 @@ def add_load(load, body, x, y, z, fx, fy, fz):
 
 @compiled
 def race_motion(c, body, centre_radius, groove_radius, pos, vel, turn, k):
-    """How a ball meets a race: k holds n, t, y, the point, slides, spin, rolling, speed, rate, angle, approach."""
+    """How a ball meets a race: k holds n, t, y, the point, slides, spin, rolling, speed, rate,
+    angle, approach.
+    """
     arm = c.ball_radius
-    k[19], axial, radial, rho, a0, a1, a2 = groove_contact(body, centre_radius, groove_radius - arm, pos, k)
+    k[19], axial, radial, rho, a0, a1, a2 = groove_contact(
+        body, centre_radius, groove_radius - arm, pos, k
+    )
     n0, n1, n2 = k[0], k[1], k[2]
     k[9], k[10], k[11] = pos[0] + arm * n0, pos[1] + arm * n1, pos[2] + arm * n2
     r0, r1, r2 = point_velocity(body, k[9], k[10], k[11])
@@ -121,9 +127,12 @@ def race_motion(c, body, centre_radius, groove_radius, pos, vel, turn, k):
 @compiled
 def race_motions(c, bodies, y, motion):
     """`race_motion` of every ball and both races."""
-    nq, nb = 11 + 3 * c.balls, 3 * c.balls
+    nq = 11 + 3 * c.balls
+    nb = 3 * c.balls
     for j in range(c.balls):
-        a, b, d = 11 + 3 * j, nq + 11 + 3 * j, nq + 11 + nb + 3 * j
+        a = 11 + 3 * j
+        b = nq + 11 + 3 * j
+        d = nq + 11 + nb + 3 * j
         pos, vel, turn = y[a : a + 3], y[b : b + 3], y[d : d + 3]
         race_motion(c, bodies[0], c.inner_centre, c.inner_groove, pos, vel, turn, motion[0, j])
         race_motion(c, bodies[1], c.outer_centre, c.outer_groove, pos, vel, turn, motion[1, j])
@@ -131,10 +140,15 @@ def race_motions(c, bodies, y, motion):
 
 @compiled
 def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load, power, race_out):
-    """Forces of one race on every ball, and of the balls on the race; powers; states of the contacts."""
+    """Forces of one race on every ball, and of the balls on the race; powers; states of the
+    contacts.
+    """
     arm = c.ball_radius
     for j in range(c.balls):
-        k, f, out, force = motion[j], friction[j], race_out[j], forces[j]
+        k = motion[j]
+        f = friction[j]
+        out = race_out[j]
+        force = forces[j]
         out[:] = 0.0
         approach, rate = k[19], k[17]
         out[1], out[2], out[3], out[10] = approach, rate, k[18], k[20]
@@ -145,12 +159,24 @@ def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load
             push = max(0.0, elastic + f[7] * rate)
         else:
             push = normal_force(law, approach, rate, memory[race * c.balls + j])
-        out[0], out[4], out[5], out[6], out[7], out[8], out[9] = push, k[16], k[12], k[13], k[14], f[0], f[1]
+        out[0], out[4], out[5], out[6], out[7], out[8], out[9] = (
+            push,
+            k[16],
+            k[12],
+            k[13],
+            k[14],
+            f[0],
+            f[1],
+        )
         power[FRICTION_INNER + race] -= f[0] * k[12] + f[1] * k[13] + f[2] * k[14] + f[3] * k[15]
         power[RACE_DAMPING] += (push - elastic) * rate
-        g0, g1, g2 = f[0] * k[3] + f[1] * k[6], f[0] * k[4] + f[1] * k[7], f[0] * k[5] + f[1] * k[8]
+        g0 = f[0] * k[3] + f[1] * k[6]
+        g1 = f[0] * k[4] + f[1] * k[7]
+        g2 = f[0] * k[5] + f[1] * k[8]
         f0, f1, f2 = g0 - push * k[0], g1 - push * k[1], g2 - push * k[2]
-        m0, m1, m2 = f[2] * k[0] + f[3] * k[6], f[2] * k[1] + f[3] * k[7], f[2] * k[2] + f[3] * k[8]
+        m0 = f[2] * k[0] + f[3] * k[6]
+        m1 = f[2] * k[1] + f[3] * k[7]
+        m2 = f[2] * k[2] + f[3] * k[8]
         add_load(load, body, k[9], k[10], k[11], -f0, -f1, -f2)
         load[3] -= m0
         load[4] -= m1
@@ -166,12 +192,16 @@ def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load
 
 @compiled
 def pocket_motion(c, body, angle, pos, vel, turn, k):
-    """Where and how a ball meets its pocket: k holds n, the point, the slide vector, its size, the rate, the depth."""
+    """Where and how a ball meets its pocket: k holds n, the point, the slide vector, its size, the
+    rate, the depth.
+    """
     arm = c.ball_radius
     a0, a1, a2 = body[3], body[4], body[5]
     e1, e2 = np.cos(angle), np.sin(angle)
     tilted = e1 * a1 + e2 * a2
-    e0, e1, e2 = -tilted * a0, e1 - tilted * a1, e2 - tilted * a2
+    e0 = -tilted * a0
+    e1 = e1 - tilted * a1
+    e2 = e2 - tilted * a2
     size = 1.0 / np.sqrt(e0 * e0 + e1 * e1 + e2 * e2)
     e0, e1, e2 = e0 * size, e1 * size, e2 * size
     t0, t1, t2 = cross(a0, a1, a2, e0, e1, e2)
@@ -179,7 +209,9 @@ def pocket_motion(c, body, angle, pos, vel, turn, k):
     across, axial = s0 * t0 + s1 * t1 + s2 * t2, s0 * a0 + s1 * a1 + s2 * a2
     outward = s0 * e0 + s1 * e1 + s2 * e2 - c.pocket_circle if c.pocket_circle > 0.0 else 0.0
     offset = np.sqrt(across * across + axial * axial + outward * outward)
-    p, q, r = (across / offset, axial / offset, outward / offset) if offset > 1e-15 else (1.0, 0.0, 0.0)
+    p, q, r = (
+        (across / offset, axial / offset, outward / offset) if offset > 1e-15 else (1.0, 0.0, 0.0)
+    )
     k[0], k[1], k[2] = p * t0 + q * a0 + r * e0, p * t1 + q * a1 + r * e1, p * t2 + q * a2 + r * e2
     k[3], k[4], k[5] = pos[0] + arm * k[0], pos[1] + arm * k[1], pos[2] + arm * k[2]
     c0, c1, c2 = point_velocity(body, k[3], k[4], k[5])
@@ -194,10 +226,15 @@ def pocket_motion(c, body, angle, pos, vel, turn, k):
 
 @compiled
 def pocket_forces(c, body, law, memory, angles, y, k, forces, load, power, pocket_out):
-    """Forces of the pockets on the balls: contact with friction, and the shear of a thin film on the near side."""
-    nq, nb = 11 + 3 * c.balls, 3 * c.balls
+    """Forces of the pockets on the balls: contact with friction, and the shear of a thin film on
+    the near side.
+    """
+    nq = 11 + 3 * c.balls
+    nb = 3 * c.balls
     for j in range(c.balls):
-        a, b, d = 11 + 3 * j, nq + 11 + 3 * j, nq + 11 + nb + 3 * j
+        a = 11 + 3 * j
+        b = nq + 11 + 3 * j
+        d = nq + 11 + nb + 3 * j
         pocket_motion(c, body, angles[j] + y[8], y[a : a + 3], y[b : b + 3], y[d : d + 3], k)
         slide, rate, approach = k[9], k[10], k[11]
         push = normal_force(law, approach, rate, memory[2 * c.balls + j])
@@ -207,7 +244,9 @@ def pocket_forces(c, body, law, memory, angles, y, k, forces, load, power, pocke
             pull += push * ramped(c.pocket_friction, slide, c.friction_ramp) / slide
         power[POCKET_DAMPING] += (push - elastic_force(law, approach)) * rate
         power[POCKET_FRICTION] += pull * slide * slide
-        f0, f1, f2 = -pull * k[6] - push * k[0], -pull * k[7] - push * k[1], -pull * k[8] - push * k[2]
+        f0 = -pull * k[6] - push * k[0]
+        f1 = -pull * k[7] - push * k[1]
+        f2 = -pull * k[8] - push * k[2]
         add_load(load, body, k[3], k[4], k[5], -f0, -f1, -f2)
         arm = -c.ball_radius * pull
         m0, m1, m2 = cross(arm * k[0], arm * k[1], arm * k[2], k[6], k[7], k[8])
@@ -222,28 +261,54 @@ def pocket_forces(c, body, law, memory, angles, y, k, forces, load, power, pocke
 
 @compiled
 def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
-    """One land of the guiding ring and the cage: film, its friction, and the solid contact when the gap is used up."""
-    ring, cage = bodies[0] if c.guide == 1 else bodies[1], bodies[2]
+    """One land of the guiding ring and the cage: film, its friction, and the solid contact when
+    the gap is used up.
+    """
+    ring = bodies[0] if c.guide == 1 else bodies[1]
+    cage = bodies[2]
     offset = (2.0 * side - 1.0) * c.land_offset
     x, y, z = cage[0] + offset * cage[3], cage[1] + offset * cage[4], cage[2] + offset * cage[5]
     rx, ry, rz = ring[0] + offset * ring[3], ring[1] + offset * ring[4], ring[2] + offset * ring[5]
     _, v1, v2 = point_velocity(cage, x, y, z)
     _, u1, u2 = point_velocity(ring, rx, ry, rz)
-    ey, ez, vy, vz = y - ry, z - rz, v1 - u1, v2 - u2
-    journal = -1.0 if c.guide == 1 else 1.0  # the ring inside the cage, or the cage inside the ring
-    radius, apart = c.land_radius, cage[9] - ring[9]
+    ey = y - ry
+    ez = z - rz
+    vy = v1 - u1
+    vz = v2 - u2
+    # the ring inside the cage, or the cage inside the ring
+    journal = -1.0 if c.guide == 1 else 1.0
+    radius = c.land_radius
+    apart = cage[9] - ring[9]
     mean = 0.5 * (cage[9] + ring[9])
-    fy, fz, factor = land_film(radius, c.land_clearance, c.land_width, c.land_viscosity, ey, ez, vy, vz, mean)
-    turning = -factor * 2.0 * np.pi * c.land_viscosity * radius**3 * c.land_width / c.land_clearance * apart
-    turning += min(journal, 0.0) * (ey * fz - ez * fy)  # the friction is the journal's; the couple is the other's
+    fy, fz, factor = land_film(
+        radius, c.land_clearance, c.land_width, c.land_viscosity, ey, ez, vy, vz, mean
+    )
+    turning = (
+        -factor
+        * 2.0
+        * np.pi
+        * c.land_viscosity
+        * radius**3
+        * c.land_width
+        / c.land_clearance
+        * apart
+    )
+    # the friction is the journal's; the couple is the other's
+    turning += min(journal, 0.0) * (ey * fz - ez * fy)
     e = np.sqrt(ey * ey + ez * ez)
     uy, uz = (ey / e, ez / e) if e > 0.0 else (1.0, 0.0)
-    approach, rate = e - c.land_clearance, vy * uy + vz * uz
+    approach = e - c.land_clearance
+    rate = vy * uy + vz * uz
     land_out[side, 0], land_out[side, 1] = approach, rate
     push = normal_force(law, approach, rate, impact_speed)
     slide = journal * radius * apart + uy * vz - uz * vy
-    grip = -push * ramped(c.land_friction, abs(slide), c.friction_ramp) * (1.0 if slide >= 0.0 else -1.0)
-    fy, fz = fy - push * uy - grip * uz, fz - push * uz + grip * uy
+    grip = (
+        -push
+        * ramped(c.land_friction, abs(slide), c.friction_ramp)
+        * (1.0 if slide >= 0.0 else -1.0)
+    )
+    fy = fy - push * uy - grip * uz
+    fz = fz - push * uz + grip * uy
     turning += journal * radius * grip
     at_ring = -turning - (ey * fz - ez * fy)  # no moment is left over
     add_load(loads[1], cage, x, y, z, 0.0, fy, fz)
@@ -254,13 +319,16 @@ def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
     else:
         power[DRIVE_OUTER] -= ring[9] * at_ring
     stored_power = elastic_force(law, approach) * rate
-    power[LAND_FRICTION] -= fy * vy + fz * vz + turning * cage[9] + at_ring * ring[9] + stored_power
+    power[LAND_FRICTION] -= (
+        fy * vy + fz * vz + turning * cage[9] + at_ring * ring[9] + stored_power
+    )
 
 
 @compiled
 def ball_equations(c, free, y, forces, power, dy):
     """Newton's and Euler's equations of the balls with drag and weight."""
-    nq, nb = 11 + 3 * c.balls, 3 * c.balls
+    nq = 11 + 3 * c.balls
+    nb = 3 * c.balls
     for j in range(c.balls):
         for i in range(3):
             dy[11 + 3 * j + i] = y[nq + 11 + 3 * j + i]
@@ -276,17 +344,23 @@ def ball_equations(c, free, y, forces, power, dy):
 
 @compiled
 def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
-    """The inner ring: contacts, loads, unbalance, support, weight, gyroscopic coupling of its tilts."""
+    """The inner ring: contacts, loads, unbalance, support, weight, gyroscopic coupling of its
+    tilts.
+    """
     nq = 11 + 3 * c.balls
-    phase, spin = y[22 + 9 * c.balls] + c.unbalance_phase, given[0]
+    phase = y[22 + 9 * c.balls] + c.unbalance_phase
+    spin = given[0]
     co, si = np.cos(phase), np.sin(phase)
-    steady, swing = c.unbalance * spin * spin, c.unbalance * acceleration
+    steady = c.unbalance * spin * spin
+    swing = c.unbalance * acceleration
     pushes = (given[2], given[3] + steady * co + swing * si, given[4] + steady * si - swing * co)
     weights = (c.gravity_x, c.gravity_y, c.gravity_z)
     for i in range(3):
         v = y[nq + i]
         dy[i] = v
-        dy[nq + i] = free[i] * ((pushes[i] + load[i] - c.ring_damping * v) / c.ring_mass + weights[i])
+        dy[nq + i] = free[i] * (
+            (pushes[i] + load[i] - c.ring_damping * v) / c.ring_mass + weights[i]
+        )
         power[LOADS] += pushes[i] * v
         power[SUPPORT] += c.ring_damping * v * v
     vy, vz = y[nq + 3], y[nq + 4]
@@ -320,7 +394,11 @@ def cage_equations(c, free, y, load, body, dy):
 @compiled
 def contact_forces(p, y):
     """All contacts: forces on balls, ring, cage; powers; states."""
-    c, bodies, loads, power, forces = p.constants, p.bodies, p.loads, p.power, p.forces
+    c = p.constants
+    bodies = p.bodies
+    loads = p.loads
+    power = p.power
+    forces = p.forces
     power[:] = 0.0
     loads[:] = 0.0
     forces[:] = 0.0
@@ -339,16 +417,37 @@ def contact_forces(p, y):
     if c.cage_mass > 0.0:
         scratch = p.given[13:]
         pocket_forces(
-            c, bodies[2], p.normal[POCKET], p.memory, p.pocket_angle, y, scratch, forces, loads[1], power, p.pocket_out
+            c,
+            bodies[2],
+            p.normal[POCKET],
+            p.memory,
+            p.pocket_angle,
+            y,
+            scratch,
+            forces,
+            loads[1],
+            power,
+            p.pocket_out,
         )
         if c.guide > 0:
             for side in range(2):
-                cage_land(c, side, bodies, p.normal[LAND], p.memory[3 * c.balls + side], loads, power, p.land_out)
+                cage_land(
+                    c,
+                    side,
+                    bodies,
+                    p.normal[LAND],
+                    p.memory[3 * c.balls + side],
+                    loads,
+                    power,
+                    p.land_out,
+                )
 
 
 @compiled
 def derivative(t, y, p, dy):
-    """Rates of the state vector at a time; states of the contacts and powers are left in the arrays of `p`."""
+    """Rates of the state vector at a time; states of the contacts and powers are left in the
+    arrays of `p`.
+    """
     c, given, free = p.constants, p.given, p.free
     acceleration = schedule_at(p.schedule, t, given)
     place_bodies(c.balls, y, given[0], given[1], p.bodies)
@@ -364,13 +463,19 @@ def derivative(t, y, p, dy):
 @compiled
 def energies(y, p, out):
     """Kinetic, elastic and potential energy [J] of a state whose `derivative` was just taken."""
-    c, free, n = p.constants, p.free, p.constants.balls
-    nq, nb = 11 + 3 * n, 3 * n
+    c = p.constants
+    free = p.free
+    n = p.constants.balls
+    nq = 11 + 3 * n
+    nb = 3 * n
     gravity = (c.gravity_x, c.gravity_y, c.gravity_z)
-    kinetic, elastic, weight = 0.0, 0.0, 0.0
+    kinetic = 0.0
+    elastic = 0.0
+    weight = 0.0
     for j in range(n):
         for i in range(3):
-            v, w = y[nq + 11 + 3 * j + i], y[nq + 11 + nb + 3 * j + i]
+            v = y[nq + 11 + 3 * j + i]
+            w = y[nq + 11 + nb + 3 * j + i]
             kinetic += 0.5 * (c.ball_mass * v * v + c.ball_inertia * w * w)
             weight -= free[11 + i] * c.ball_mass * gravity[i] * y[11 + 3 * j + i]
         for race in range(2):
@@ -379,11 +484,18 @@ def energies(y, p, out):
             elastic += stored(p.normal[POCKET], p.pocket_out[j, 1])
     for i in range(3):
         kinetic += 0.5 * (c.ring_mass * y[nq + i] ** 2 + c.cage_mass * y[nq + 5 + i] ** 2)
-        weight -= gravity[i] * (free[i] * c.ring_mass * y[i] + free[5 + i] * c.cage_mass * y[5 + i])
+        weight -= gravity[i] * (
+            free[i] * c.ring_mass * y[i] + free[5 + i] * c.cage_mass * y[5 + i]
+        )
     kinetic += 0.5 * c.ring_transverse * (y[nq + 3] ** 2 + y[nq + 4] ** 2)
-    kinetic += 0.5 * c.cage_transverse * (y[nq + 9] ** 2 + y[nq + 10] ** 2) + 0.5 * c.cage_polar * y[nq + 8] ** 2
+    kinetic += (
+        0.5 * c.cage_transverse * (y[nq + 9] ** 2 + y[nq + 10] ** 2)
+        + 0.5 * c.cage_polar * y[nq + 8] ** 2
+    )
     if c.cage_mass > 0.0 and c.guide > 0:
-        elastic += stored(p.normal[LAND], p.land_out[0, 0]) + stored(p.normal[LAND], p.land_out[1, 0])
+        elastic += stored(p.normal[LAND], p.land_out[0, 0]) + stored(
+            p.normal[LAND], p.land_out[1, 0]
+        )
     out[0], out[1], out[2] = kinetic, elastic, weight
 
 

@@ -1,7 +1,5 @@
 """From bearing, operation and model to the arrays of the compiled equations."""
 
-from __future__ import annotations
-
 from math import pi
 
 import numpy as np
@@ -30,11 +28,15 @@ from .problem import (
 
 HERTZ_EXPONENT = 1.5
 RAMP_PART = 0.01  # of the ramp of the friction that an error of speed may make up [-]
-NO_CAGE = CageBody(mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0)
+NO_CAGE = CageBody(
+    mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0
+)
 GUIDES = {Guidance.BALLS: 0, Guidance.INNER_RING: 1, Guidance.OUTER_RING: 2}
 
 
-def assemble(bearing: Bearing, operation: Operation, model: DynamicsModel, angles: tuple[float, float]) -> Problem:
+def assemble(
+    bearing: Bearing, operation: Operation, model: DynamicsModel, angles: tuple[float, float]
+) -> Problem:
     """The problem in numbers.
 
     Parameters
@@ -52,10 +54,12 @@ def assemble(bearing: Bearing, operation: Operation, model: DynamicsModel, angle
     cage, n = model.cage, bearing.balls
     kind = model.options.equations or load_type(operation, model)
     free = [np.array(part, dtype=np.float64) for part in free_coordinates(kind, operation)]
-    numbers, laws = constants(bearing, model), normal_laws(bearing, model.normal, cage, angles)
+    numbers = constants(bearing, model)
+    laws = normal_laws(bearing, model.normal, cage, angles)
     races = [model.friction.data(race) for race in Race]
     if cage is not None and cage.guidance is Guidance.BALLS and any(free[1][:3]):
-        numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)  # else nothing would centre the cage
+        # else nothing would centre the cage
+        numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)
     return Problem(
         constants=numbers,
         normal=laws,
@@ -81,17 +85,21 @@ def assemble(bearing: Bearing, operation: Operation, model: DynamicsModel, angle
 
 
 def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) -> int:
-    """Of the friction, as the kernel knows it: a table's films part the bodies of a lubricated contact.
+    """Of the friction, as the kernel knows it: a table's films part the bodies of a lubricated
+    contact.
 
     Raises
     ------
     ValueError
-        Where a lubricated contact has no table, or its load does not rise with the approach (`films.laws.check_film`).
+        Where a lubricated contact has no table, or its load does not rise with the approach
+        (`films.laws.check_film`).
     """
     if model.normal.law is not NormalLaw.LUBRICATED:
         return model.friction.kind
     if model.friction.kind != TABLE:
-        raise ValueError("normal: a lubricated contact needs traction tables, which hold its film and damping")
+        raise ValueError(
+            "normal: a lubricated contact needs traction tables, which hold its film and damping"
+        )
     for race, data, law in zip(Race, races, laws, strict=False):
         check_film(data, law, race.value)
     return FILM
@@ -99,7 +107,9 @@ def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) 
 
 def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
     """Numbers of ball, ring, cage, lands, drag and weight [SI]."""
-    cage, ring, radius = model.cage or NO_CAGE, model.ring, 0.5 * bearing.ball_diameter
+    cage = model.cage or NO_CAGE
+    ring = model.ring
+    radius = 0.5 * bearing.ball_diameter
     mass = ball_mass(bearing.ball_diameter, bearing.ball_material.density)
     return Constants(
         balls=bearing.balls,
@@ -140,14 +150,23 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
     )
 
 
-def normal_laws(bearing: Bearing, normal: NormalContact, cage: CageBody | None, angles: tuple[float, float]) -> Array:
-    """Stiffness [N/m^n], exponent and damping factor [-] of inner race, outer race, pocket, land, shape (4, 3)."""
+def normal_laws(
+    bearing: Bearing, normal: NormalContact, cage: CageBody | None, angles: tuple[float, float]
+) -> Array:
+    """Stiffness [N/m^n], exponent and damping factor [-] of inner race, outer race, pocket, land,
+    shape (4, 3).
+    """
     chi = damping_factor(normal.law, normal.restitution)
     rows = []
     for race, angle, given in zip(
-        (Race.INNER, Race.OUTER), angles, (normal.inner_stiffness, normal.outer_stiffness), strict=True
+        (Race.INNER, Race.OUTER),
+        angles,
+        (normal.inner_stiffness, normal.outer_stiffness),
+        strict=True,
     ):
-        hertz = contact_stiffness(*reduced_radii(bearing, race, angle), contact_modulus(bearing, race))
+        hertz = contact_stiffness(
+            *reduced_radii(bearing, race, angle), contact_modulus(bearing, race)
+        )
         rows.append((given or hertz, HERTZ_EXPONENT, chi))
     # a lubricated race leaves pocket and land to Lankarani and Nikravesh's law
     other_law = NormalLaw.LANKARANI_NIKRAVESH if normal.law is NormalLaw.LUBRICATED else normal.law
@@ -158,7 +177,9 @@ def normal_laws(bearing: Bearing, normal: NormalContact, cage: CageBody | None, 
 
 
 def schedule_rows(operation: Operation, model: DynamicsModel) -> Array:
-    """Rows of time, speeds, force, moment for the kernel; a load on a coordinate that is held counts nothing."""
+    """Rows of time, speeds, force, moment for the kernel; a load on a coordinate that is held
+    counts nothing.
+    """
     if model.schedule is None:
         loads = [0.0 if value is None else value for value in operation.loads]
         rows = np.array([[0.0, operation.inner_speed, operation.outer_speed, *loads]])
@@ -168,11 +189,12 @@ def schedule_rows(operation: Operation, model: DynamicsModel) -> Array:
 
 
 def scales(problem: Problem, load: float, tolerance: float, ramp: float) -> Array:
-    """Size of a coordinate's and a speed's error that counts as one, shape (mechanical,) [m, rad, m/s, rad/s].
+    """Size of a coordinate's and a speed's error that counts as one, shape (mechanical,) [m, rad,
+    m/s, rad/s].
 
-    Lengths: a part of the approach of a ball on a race under a load; speeds: the same part of that of the vibration
-    with this amplitude, but no more than a part of the ramp of the friction; angles of bodies: over the pitch radius,
-    of balls: over their radius.
+    Lengths: a part of the approach of a ball on a race under a load; speeds: the same part of that
+    of the vibration with this amplitude, but no more than a part of the ramp of the friction;
+    angles of bodies: over the pitch radius, of balls: over their radius.
 
     Parameters
     ----------
@@ -196,4 +218,6 @@ def scales(problem: Problem, load: float, tolerance: float, ramp: float) -> Arra
     ring, cage = [1.0] * 3 + [1.0 / pitch] * 2, [1.0] * 3 + [1.0 / pitch] * 3
     place = np.array([*ring, *cage, *[1.0] * n])
     motion = np.array([*ring, *cage, *[1.0] * n, *[1.0 / problem.constants.ball_radius] * n])
-    return np.concatenate([tolerance * length * place, min(tolerance * speed, RAMP_PART * ramp) * motion])
+    return np.concatenate(
+        [tolerance * length * place, min(tolerance * speed, RAMP_PART * ramp) * motion]
+    )

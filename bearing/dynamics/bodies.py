@@ -1,7 +1,5 @@
 """Masses and inertias of ring and cage from what a case gives, and the equations its loads need."""
 
-from __future__ import annotations
-
 from math import pi
 
 import numpy as np
@@ -13,12 +11,19 @@ from ..material import Material, reduced_modulus
 from ..operation import Operation
 from .inputs import CageBody, DynamicsModel, Guidance, LoadType, RingBody
 
-THICKNESS, WEB, CLEARANCE = 0.25, 0.35, 0.03  # of an estimated cage, over the ball's diameter [-]
-LAND_FORCE = 0.25 * pi  # F = (pi/4) E* L d of parallel cylinders, Popov (2010), Contact Mechanics and Friction
+# of an estimated cage, over the ball's diameter [-]
+THICKNESS = 0.25
+WEB = 0.35
+CLEARANCE = 0.03
+# F = (pi/4) E* L d of parallel cylinders, Popov (2010), Contact Mechanics and Friction
+LAND_FORCE = 0.25 * pi
 
 
 def ring_body(
-    bearing: Bearing, mass: float | None = None, damping: float = 0.0, unbalance: tuple[float, float] = (0.0, 0.0)
+    bearing: Bearing,
+    mass: float | None = None,
+    damping: float = 0.0,
+    unbalance: tuple[float, float] = (0.0, 0.0),
 ) -> RingBody:
     """The inner ring as a hollow cylinder from its bore to the bottom of its groove.
 
@@ -70,9 +75,10 @@ def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | 
     material : Material
         Of the cage.
     **given
-        Any of `mass`, `polar_inertia`, `transverse_inertia` [kg, kg m^2], `thickness`, `width`, `pocket_clearance`
-        (diametral) [m], `pocket_friction` [-], `film_least` [m], `guidance`, `land_diameter`, `land_width` (both lands
-        together), `land_clearance` (radial) [m], `land_friction` [-]. What is left out is estimated, and named so.
+        Any of `mass`, `polar_inertia`, `transverse_inertia` [kg, kg m^2], `thickness`, `width`,
+        `pocket_clearance` (diametral) [m], `pocket_friction` [-], `film_least` [m], `guidance`,
+        `land_diameter`, `land_width` (both lands together), `land_clearance` (radial) [m],
+        `land_friction` [-]. What is left out is estimated, and named so.
 
     Returns
     -------
@@ -80,13 +86,21 @@ def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | 
     """
     values = {name: value for name, value in given.items() if value is not None}
     ball = bearing.ball_diameter
-    assumed = [f"cage.{name}" for name in ("mass", "thickness", "width", "pocket_clearance") if name not in values]
+    assumed = [
+        f"cage.{name}"
+        for name in ("mass", "thickness", "width", "pocket_clearance")
+        if name not in values
+    ]
     clearance = _number(values, "pocket_clearance", CLEARANCE * ball)
     thickness = _number(values, "thickness", THICKNESS * ball)
     width = _number(values, "width", (1.0 + 2.0 * 0.5 * WEB) * ball)
     pitch = 0.5 * bearing.pitch_diameter
-    inside, outside = pitch - 0.5 * thickness, pitch + 0.5 * thickness
-    volume = pi * (outside**2 - inside**2) * width - bearing.balls * 0.25 * pi * (ball + clearance) ** 2 * thickness
+    inside = pitch - 0.5 * thickness
+    outside = pitch + 0.5 * thickness
+    volume = (
+        pi * (outside**2 - inside**2) * width
+        - bearing.balls * 0.25 * pi * (ball + clearance) ** 2 * thickness
+    )
     mass = _number(values, "mass", material.density * volume)
     square = inside**2 + outside**2
     modulus = reduced_modulus(bearing.ball_material, material)
@@ -97,7 +111,9 @@ def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | 
     return CageBody(
         mass=mass,
         polar_inertia=_number(values, "polar_inertia", 0.5 * mass * square),
-        transverse_inertia=_number(values, "transverse_inertia", mass * (3.0 * square + width**2) / 12.0),
+        transverse_inertia=_number(
+            values, "transverse_inertia", mass * (3.0 * square + width**2) / 12.0
+        ),
         pocket_clearance=clearance,
         pocket_stiffness=contact_stiffness(across, 0.5 * ball, modulus),
         pocket_friction=_number(values, "pocket_friction", 0.0),
@@ -119,8 +135,12 @@ def _number(values: dict[str, float | Guidance], name: str, default: float) -> f
 
 
 def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
-    """The fewest equations that the loads allow, after Ma et al. (2023): radial, axial, combined, or general."""
-    rows = [operation.loads] if model.schedule is None else [row[2:] for row in model.schedule.values]
+    """The fewest equations that the loads allow, after Ma et al. (2023): radial, axial, combined,
+    or general.
+    """
+    rows = (
+        [operation.loads] if model.schedule is None else [row[2:] for row in model.schedule.values]
+    )
     loads = np.array([[0.0 if value is None else value for value in row] for row in rows])
     general = (
         any(model.options.gravity)
@@ -137,7 +157,8 @@ def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
     return LoadType.AXIAL if axial else LoadType.RADIAL
 
 
-FREE = {  # ring x, y, z, tilt y, tilt z; cage x, y, z, rotation, tilt y, tilt z; ball x, y, z and turns
+# ring x, y, z, tilt y, tilt z; cage x, y, z, rotation, tilt y, tilt z; ball x, y, z and turns
+FREE = {
     LoadType.RADIAL: ((0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (0, 1, 1, 1, 0, 0)),
     LoadType.AXIAL: ((1, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 1, 1, 1, 1, 1)),
     LoadType.COMBINED: ((1, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 1, 1, 1, 1, 1)),
@@ -146,15 +167,21 @@ FREE = {  # ring x, y, z, tilt y, tilt z; cage x, y, z, rotation, tilt y, tilt z
 }
 
 
-def free_coordinates(kind: LoadType, operation: Operation) -> tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]:
-    """1 or 0 for each coordinate of ring, cage and a ball [-]; the general ring is held where the case holds it."""
+def free_coordinates(
+    kind: LoadType, operation: Operation
+) -> tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]:
+    """1 or 0 for each coordinate of ring, cage and a ball [-]; the general ring is held where the
+    case holds it.
+    """
     ring, cage, ball = FREE[kind]
     held = tuple(0 if load is None else 1 for load in operation.loads)
     return held if kind is LoadType.GENERAL else ring, cage, ball
 
 
 def equation_counts(kind: LoadType, balls: int, operation: Operation) -> dict[str, int]:
-    """Unknowns of the static, quasi-static and dynamic model, Ma et al. (2023), Table 1; planar, general: ours [-]."""
+    """Unknowns of the static, quasi-static and dynamic model, Ma et al. (2023), Table 1; planar,
+    general: ours [-].
+    """
     ring, cage, ball = (sum(part) for part in free_coordinates(kind, operation))
     static = ring
     quasi = {
@@ -164,6 +191,10 @@ def equation_counts(kind: LoadType, balls: int, operation: Operation) -> dict[st
         LoadType.PLANAR: 2 + balls,
         LoadType.GENERAL: ring + 2 * balls,
     }[kind]
-    return {"static": static, "quasi_static": quasi, "ring": ring, "cage": cage, "balls": ball * balls} | {
-        "dynamic": ring + cage + ball * balls
-    }
+    return {
+        "static": static,
+        "quasi_static": quasi,
+        "ring": ring,
+        "cage": cage,
+        "balls": ball * balls,
+    } | {"dynamic": ring + cage + ball * balls}

@@ -1,4 +1,6 @@
-"""Friction of balls on races for the compiled equations: none, a coefficient over the ellipse, or a traction table."""
+"""Friction of balls on races for the compiled equations: none, a coefficient over the ellipse, or
+a traction table.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +20,9 @@ from .problem import COEFFICIENT, FRICTIONLESS, TABLE, Array, FrictionData
 if TYPE_CHECKING:
     Law = CoulombLaw | FourConstantLaw
 
-RINGS, RAYS = 4, 12  # of the quadrature over the ellipse in the equations of motion
+# of the quadrature over the ellipse in the equations of motion
+RINGS = 4
+RAYS = 12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,13 +55,17 @@ class RaceFriction:
     @property
     def ramp(self) -> float:
         """Sliding speed within which the friction turns, infinite where it does so gently [m/s]."""
-        ends = [getattr(law, "slide_full", inf) - getattr(law, "slide_none", 0.0) for law in (self.inner, self.outer)]
+        ends = [
+            getattr(law, "slide_full", inf) - getattr(law, "slide_none", 0.0)
+            for law in (self.inner, self.outer)
+        ]
         return float(min(ends))
 
     def data(self, race: Race) -> FrictionData:
         """Arrays of one race for the kernel [SI]."""
         law = self.inner if race is Race.INNER else self.outer
-        empty, grid = np.zeros(1), np.zeros((1, 1, 1))
+        empty = np.zeros(1)
+        grid = np.zeros((1, 1, 1))
         values = np.zeros((1, 1, 1, 1, 1, 1))
         disc = np.array([[0.0], [0.0], [1.0]]) if self.at_centre else ellipse_points(RINGS, RAYS)
         if law is None:
@@ -71,10 +79,11 @@ class RaceFriction:
 
 
 def ellipse_points(rings: int, rays: int) -> Array:
-    """x/a, y/b and share of the load of quadrature points over an ellipse with Hertz' pressure, shape (3, n) [-].
+    """x/a, y/b and share of the load of quadrature points over an ellipse with Hertz' pressure,
+    shape (3, n) [-].
 
-    Gauss-Legendre in the share of the load outside a radius, t = (1 - r^2)^(3/2), evenly spaced around, each ring
-    turned by half a step against the next.
+    Gauss-Legendre in the share of the load outside a radius, t = (1 - r^2)^(3/2), evenly spaced
+    around, each ring turned by half a step against the next.
     """
     nodes, weights = np.polynomial.legendre.leggauss(rings)
     radius = np.sqrt(1.0 - (0.5 * (nodes + 1.0)) ** (2.0 / 3.0))[:, None]
@@ -111,7 +120,12 @@ def coulomb_friction(
     RaceFriction
     """
     laws = [
-        CoulombLaw(contact_shape(bearing, race, angle), friction=coefficient, slide_none=ramp[0], slide_full=ramp[1])
+        CoulombLaw(
+            contact_shape(bearing, race, angle),
+            friction=coefficient,
+            slide_none=ramp[0],
+            slide_full=ramp[1],
+        )
         for race, angle in zip((Race.INNER, Race.OUTER), angles, strict=True)
     ]
     return RaceFriction(inner=laws[0], outer=laws[1], at_centre=at_centre)
@@ -124,7 +138,9 @@ def four_constant_friction(
     *,
     at_centre: bool = False,
 ) -> RaceFriction:
-    """mu = (A + B s) exp(-C s) + D on both races; contact angles inner and outer [rad], constants [-]."""
+    """mu = (A + B s) exp(-C s) + D on both races; contact angles inner and outer [rad], constants
+    [-].
+    """
     a, b, c, d = constants
     laws = [
         FourConstantLaw(contact_shape(bearing, race, angle), a=a, b=b, c=c, d=d)

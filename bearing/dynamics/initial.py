@@ -1,6 +1,6 @@
-"""The state from which a simulation starts: the quasi-static equilibrium, or balls on the outer race."""
-
-from __future__ import annotations
+"""The state from which a simulation starts: the quasi-static equilibrium, or balls on the outer
+race.
+"""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -17,7 +17,8 @@ from .inputs import DynamicsModel, LoadType, Start
 from .layout import CAGE_ROTATION, Layout
 from .problem import Array, Problem
 
-LEAST_CREEP = 1.0e-3  # share of the speed at which an equilibrium is sought for a start at rest [-]
+# share of the speed at which an equilibrium is sought for a start at rest [-]
+LEAST_CREEP = 1.0e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,12 +54,15 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     Returns
     -------
     StartingPoint
-        Angles in [rad]. Where no equilibrium is found the free contact angle stands in, and a message says so.
+        Angles in [rad]. Where no equilibrium is found the free contact angle stands in, and a
+        message says so.
     """
     kind = model.options.equations or load_type(operation, model)
     first = first_operation(operation, model, kind)
     free = bearing.free_contact_angle if first.force[0] else 0.0
-    axial = kind not in (LoadType.RADIAL, LoadType.PLANAR) and any(abs(row[2]) > 0.0 for row in _rows(operation, model))
+    axial = kind not in (LoadType.RADIAL, LoadType.PLANAR) and any(
+        abs(row[2]) > 0.0 for row in _rows(operation, model)
+    )
     nominal = (bearing.free_contact_angle, bearing.free_contact_angle) if axial else (free, free)
     if model.options.start is Start.ROLLING:
         return StartingPoint(kind=kind, angles=nominal, equilibrium=None, messages=())
@@ -88,7 +92,8 @@ def _rows(operation: Operation, model: DynamicsModel) -> list[tuple[float, ...]]
 
 def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) -> Operation:
     """The operation at time zero, what the equations hold fixed held [SI]."""
-    first, last = _rows(operation, model)[0], _rows(operation, model)[-1]
+    first = _rows(operation, model)[0]
+    last = _rows(operation, model)[-1]
     inner, outer = (a or LEAST_CREEP * b for a, b in zip(first[:2], last[:2], strict=True))
     ring = free_coordinates(kind, operation)[0]
     loads: list[Any] = [load if free else None for load, free in zip(first[2:], ring, strict=True)]
@@ -105,20 +110,26 @@ def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) 
     )
 
 
-def mean_angles(solution: QuasistaticSolution, nominal: tuple[float, float]) -> tuple[float, float]:
-    """Contact angles of an equilibrium, weighted by the loads; the nominal one where nothing is loaded [rad]."""
+def mean_angles(
+    solution: QuasistaticSolution, nominal: tuple[float, float]
+) -> tuple[float, float]:
+    """Contact angles of an equilibrium, weighted by the loads; the nominal one where nothing is
+    loaded [rad].
+    """
     pairs = (
         (solution.inner_contact_angle, solution.inner_load, nominal[0]),
         (solution.outer_contact_angle, solution.outer_load, nominal[1]),
     )
     found = [
-        float(np.sum(angle * load) / np.sum(load)) if np.sum(load) > 0.0 else other for angle, load, other in pairs
+        float(np.sum(angle * load) / np.sum(load)) if np.sum(load) > 0.0 else other
+        for angle, load, other in pairs
     ]
     return found[0], found[1]
 
 
 def kinematic_cage_speed(bearing: Bearing, inner: float, outer: float, angle: float) -> float:
-    """Speed of the cage without sliding [rad/s], (1 - g cos a) inner/2 + (1 + g cos a) outer/2, g = D/d_m.
+    """Speed of the cage without sliding [rad/s], (1 - g cos a) inner/2 + (1 + g cos a) outer/2, g
+    = D/d_m.
 
     Parameters
     ----------
@@ -162,13 +173,17 @@ def initial_state(bearing: Bearing, problem: Problem, point: StartingPoint, star
         s = point.equilibrium
         y[layout.ring] = np.concatenate([s.displacement, s.tilt])
         axial, radial, orbit = s.ball_axial, s.ball_radial, s.orbit_speed
-        spin = np.stack([orbit - s.spin_speed * np.cos(s.attitude), s.spin_speed * np.sin(s.attitude)])
+        spin = np.stack(
+            [orbit - s.spin_speed * np.cos(s.attitude), s.spin_speed * np.sin(s.attitude)]
+        )
     if start is Start.REST or not (inner or outer):
         orbit, spin = 0.0 * orbit, 0.0 * spin
     y[layout.ball] = np.stack([axial, radial * cosines, radial * sines], axis=1).ravel()
     speed = orbit * radial
     free = problem.free[11:]
-    y[layout.ball_speed] = (np.stack([0.0 * speed, -speed * sines, speed * cosines], axis=1) * free[:3]).ravel()
+    y[layout.ball_speed] = (
+        np.stack([0.0 * speed, -speed * sines, speed * cosines], axis=1) * free[:3]
+    ).ravel()
     turns = np.stack([spin[0], spin[1] * cosines, spin[1] * sines], axis=1)
     y[layout.ball_turn] = (turns * free[3:]).ravel()
     if problem.constants.cage_mass > 0.0:
@@ -177,16 +192,25 @@ def initial_state(bearing: Bearing, problem: Problem, point: StartingPoint, star
     return y
 
 
-def _rolling(bearing: Bearing, problem: Problem, angles: tuple[float, float], speeds: tuple[float, float]) -> Any:
+def _rolling(
+    bearing: Bearing, problem: Problem, angles: tuple[float, float], speeds: tuple[float, float]
+) -> Any:
     """Balls on the outer race at the kinematic speed, pressed by their centrifugal force."""
     n = bearing.balls
     orbit = kinematic_cage_speed(bearing, *speeds, angles[1])
     gamma = bearing.ball_diameter / bearing.pitch_diameter * np.cos(angles[1])
-    force = centrifugal_force(problem.constants.ball_mass, bearing.pitch_diameter, np.asarray(orbit))
+    force = centrifugal_force(
+        problem.constants.ball_mass, bearing.pitch_diameter, np.asarray(orbit)
+    )
     approach = (float(force) / problem.normal[1, 0]) ** (1.0 / problem.normal[1, 1])
     reach = bearing.outer_groove_radius - 0.5 * bearing.ball_diameter + approach
     axial = reach * np.sin(angles[1])
     radial = bearing.outer_centre_radius + reach * np.cos(angles[1])
     roll = (orbit - speeds[1]) * (1.0 + gamma) / gamma
     turn = np.array([orbit - roll * np.cos(angles[1]), roll * np.sin(angles[1])])
-    return np.full(n, axial), np.full(n, radial), np.full(n, orbit), np.repeat(turn[:, None], n, axis=1)
+    return (
+        np.full(n, axial),
+        np.full(n, radial),
+        np.full(n, orbit),
+        np.repeat(turn[:, None], n, axis=1),
+    )

@@ -1,6 +1,6 @@
-"""What a time simulation is asked: cage, laws of the contacts, drag, schedule, accuracy; frozen, SI."""
-
-from __future__ import annotations
+"""What a time simulation is asked: cage, laws of the contacts, drag, schedule, accuracy; frozen,
+SI.
+"""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -15,11 +15,12 @@ SPHERE_DRAG = 0.47  # drag coefficient of a smooth sphere, Re 1e3 to 2e5 (Hoerne
 
 
 class NormalLaw(Enum):
-    """Normal force of a contact, K d^n (1 + chi v/v_0), by the restitution e that fixes chi; never adhesive.
+    """Normal force of a contact, K d^n (1 + chi v/v_0), by the restitution e that fixes chi; never
+    adhesive.
 
-    HERTZ: elastic; LANKARANI_NIKRAVESH (1990): 3 (1 - e^2)/4; HUNT_CROSSLEY (1975): 3 (1 - e)/2; FLORES (2011):
-    8 (1 - e)/(5 e); LUBRICATED: film and elastic bodies in series, the film and its squeeze damping from the traction
-    table (`films.laws`).
+    HERTZ: elastic; LANKARANI_NIKRAVESH (1990): 3 (1 - e^2)/4; HUNT_CROSSLEY (1975): 3 (1 - e)/2;
+    FLORES (2011): 8 (1 - e)/(5 e); LUBRICATED: film and elastic bodies in series, the film and its
+    squeeze damping from the traction table (`films.laws`).
     """
 
     HERTZ = "hertz"
@@ -38,7 +39,9 @@ class Guidance(Enum):
 
 
 class Start(Enum):
-    """State from which the simulation starts: equilibrium, rolling on the outer race, or at rest on it."""
+    """State from which the simulation starts: equilibrium, rolling on the outer race, or at rest
+    on it.
+    """
 
     QUASI_STATIC = "quasi-static"
     ROLLING = "rolling"
@@ -48,7 +51,8 @@ class Start(Enum):
 class LoadType(Enum):
     """Equations of motion after Ma et al. (2023), by the load.
 
-    PLANAR: everything that moves across the axis, as Shan et al. (2023); GENERAL: every degree of freedom.
+    PLANAR: everything that moves across the axis, as Shan et al. (2023); GENERAL: every degree of
+    freedom.
     """
 
     RADIAL = "radial"
@@ -66,9 +70,11 @@ class NormalContact:
     ----------
     law : NormalLaw
     restitution : float
-        e [-]: what the law is given; what comes back from an impact is in `laws.restitution_returned`.
+        e [-]: what the law is given; what comes back from an impact is in
+        `laws.restitution_returned`.
     impact_floor : float
-        Least v_0, so that a lasting contact that began without an impact is damped as if by this speed [m/s].
+        Least v_0, so that a lasting contact that began without an impact is damped as if by this
+        speed [m/s].
     inner_stiffness, outer_stiffness : float or None
         K of a ball on a race [N/m^1.5]; None: Hertz' of the grooved race.
     """
@@ -90,7 +96,8 @@ class NormalContact:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CageBody:
-    """The cage as a rigid body; its pockets are cylinders along the radius, or spheres where balls guide it.
+    """The cage as a rigid body; its pockets are cylinders along the radius, or spheres where balls
+    guide it.
 
     Attributes
     ----------
@@ -106,7 +113,8 @@ class CageBody:
         Least film between ball and pocket [m].
     guidance : Guidance
     land_radius, land_clearance, land_width, land_offset : float
-        Of each of the two guiding lands: radius, radial clearance, width, distance from the middle [m].
+        Of each of the two guiding lands: radius, radial clearance, width, distance from the middle
+        [m].
     land_stiffness : float
         Of a land without a film [N/m].
     land_friction : float
@@ -132,7 +140,13 @@ class CageBody:
     assumed: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        for name in ("mass", "polar_inertia", "transverse_inertia", "pocket_clearance", "pocket_stiffness"):
+        for name in (
+            "mass",
+            "polar_inertia",
+            "transverse_inertia",
+            "pocket_clearance",
+            "pocket_stiffness",
+        ):
             _positive(name, getattr(self, name))
         if self.guidance is not Guidance.BALLS:
             for name in ("land_radius", "land_clearance", "land_width", "land_stiffness"):
@@ -141,7 +155,9 @@ class CageBody:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingBody:
-    """The inner ring, with what turns with it: mass [kg], inertias [kg m^2], and the damping of its support [N s/m]."""
+    """The inner ring, with what turns with it: mass [kg], inertias [kg m^2], and the damping of
+    its support [N s/m].
+    """
 
     mass: float
     polar_inertia: float
@@ -167,14 +183,19 @@ class Schedule:
     time : tuple of float
         [s], rising.
     values : tuple of tuple of float
-        At each: speed of inner and of outer ring [rad/s], force along x, y, z [N], moment about y, z [N m].
+        At each: speed of inner and of outer ring [rad/s], force along x, y, z [N], moment about y,
+        z [N m].
     """
 
     time: tuple[float, ...]
     values: tuple[tuple[float, ...], ...]
 
     def __post_init__(self) -> None:
-        if not self.time or len(self.time) != len(self.values) or any(len(row) != 7 for row in self.values):
+        if (
+            not self.time
+            or len(self.time) != len(self.values)
+            or any(len(row) != 7 for row in self.values)
+        ):
             raise ValueError("schedule: needs a row of seven values for each time")
         if any(b <= a for a, b in zip(self.time, self.time[1:], strict=False)):
             raise ValueError(f"schedule: times must rise, got {self.time}")
@@ -216,7 +237,9 @@ class DynamicsOptions:
         for name in ("end_time", "sample_interval", "tolerance"):
             _positive(name, getattr(self, name))
         if self.sample_interval > self.end_time:
-            raise ValueError(f"sample_interval must not exceed end_time {self.end_time}, got {self.sample_interval}")
+            raise ValueError(
+                f"sample_interval must not exceed end_time {self.end_time}, got {self.sample_interval}"
+            )
         if not self.drag >= 0.0:
             raise ValueError(f"drag must not be negative, got {self.drag!r}")
 
@@ -232,11 +255,14 @@ class DynamicsModel:
     normal: NormalContact = field(default_factory=NormalContact)
     schedule: Schedule | None = None  # None: the operation's speeds and loads throughout
     film_viscosity: float = 0.0  # of the oil in pockets and lands [Pa s]
-    friction_ramp: float = 0.01  # sliding speed up to which friction of pockets and lands rises [m/s]
+    # sliding speed up to which friction of pockets and lands rises [m/s]
+    friction_ramp: float = 0.01
     notes: Mapping[str, str] = field(default_factory=dict)
 
 
-def drag_of_mixture(density: float, ball_diameter: float, coefficient: float = SPHERE_DRAG) -> float:
+def drag_of_mixture(
+    density: float, ball_diameter: float, coefficient: float = SPHERE_DRAG
+) -> float:
     """Drag of a ball over the square of its speed, C_D rho (pi/4) D^2/2 [N s^2/m^2].
 
     Parameters

@@ -1,6 +1,6 @@
-"""Normal contact laws in NumPy: damping factors, force, what an impact returns, and the planar stiffness of a race."""
-
-from __future__ import annotations
+"""Normal contact laws in NumPy: damping factors, force, what an impact returns, and the planar
+stiffness of a race.
+"""
 
 from math import sqrt
 
@@ -45,8 +45,8 @@ def normal_force(law: Array, approach: Array, speed: Array, impact_speed: Array)
 def restitution_returned(damping: float) -> float:
     """Speed after over speed before a free impact [-] under K d^n (1 + chi v/v_0).
 
-    With w = v/v_0, m w dw/(1 + chi w) = -K d^n dd integrates to G(w) = w/chi - ln(1 + chi w)/chi^2, and the rebound
-    follows from G(-e) = G(1), whatever n and K are.
+    With w = v/v_0, m w dw/(1 + chi w) = -K d^n dd integrates to G(w) = w/chi - ln(1 + chi
+    w)/chi^2, and the rebound follows from G(-e) = G(1), whatever n and K are.
 
     Parameters
     ----------
@@ -69,10 +69,12 @@ def restitution_returned(damping: float) -> float:
 
 
 def planar_stiffness(ball_radius: float, race_radius: float, modulus: float, race: Race) -> float:
-    """K of a sphere on a sphere or in a spherical hollow [N/m^1.5], Lankarani and Nikravesh (1990).
+    """K of a sphere on a sphere or in a spherical hollow [N/m^1.5], Lankarani and Nikravesh
+    (1990).
 
-    K = 4/(3 pi (h_1 + h_2)) sqrt(r R/(R + r)), h = (1 - nu^2)/(pi E), and R - r at the outer race, whose surface is
-    hollow; Shan et al. (2023) Eq. (12) prints the plus sign for both. With E' (2 E*): K = (2/3) E' sqrt(...).
+    K = 4/(3 pi (h_1 + h_2)) sqrt(r R/(R + r)), h = (1 - nu^2)/(pi E), and R - r at the outer race,
+    whose surface is hollow; Shan et al. (2023) Eq. (12) prints the plus sign for both. With E' (2
+    E*): K = (2/3) E' sqrt(...).
 
     Parameters
     ----------
@@ -88,11 +90,15 @@ def planar_stiffness(ball_radius: float, race_radius: float, modulus: float, rac
         [N/m^1.5].
     """
     sign = 1.0 if race is Race.INNER else -1.0
-    return 2.0 / 3.0 * modulus * sqrt(ball_radius * race_radius / (race_radius + sign * ball_radius))
+    return (
+        2.0 / 3.0 * modulus * sqrt(ball_radius * race_radius / (race_radius + sign * ball_radius))
+    )
 
 
 def planar_stiffness_as_printed(ball_radius: float, race_radius: float, modulus: float) -> float:
-    """`planar_stiffness` with the plus sign at both races, as Shan et al. (2023) Eq. (12) prints it [N/m^1.5]."""
+    """`planar_stiffness` with the plus sign at both races, as Shan et al. (2023) Eq. (12) prints
+    it [N/m^1.5].
+    """
     return planar_stiffness(ball_radius, race_radius, modulus, Race.INNER)
 
 
@@ -113,7 +119,8 @@ def impact_duration(stiffness: float, mass: float, speed: float) -> float:
 
 
 def vibration_frequency(stiffness: float, load: float, mass: float) -> float:
-    """Angular frequency of a ball between two loaded races [rad/s], sqrt(2 k/m) with k = 1.5 K^(2/3) Q^(1/3).
+    """Angular frequency of a ball between two loaded races [rad/s], sqrt(2 k/m) with k = 1.5
+    K^(2/3) Q^(1/3).
 
     Parameters
     ----------

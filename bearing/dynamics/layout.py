@@ -1,17 +1,17 @@
-"""Where what stands in the state vector: positions, velocities, the ring's angle, and the energy accumulators.
+"""Where what stands in the state vector: positions, velocities, the ring's angle, and the energy
+accumulators.
 
-Positions: ring x, y, z, tilt y, tilt z; cage x, y, z, rotation about x, tilt y, tilt z; x, y, z of each ball.
-Velocities: the same, then the angular velocities of the balls, all along inertial axes. A ball's attitude does not
-enter its equations of motion; it is advanced beside them (`attitude`).
+Positions: ring x, y, z, tilt y, tilt z; cage x, y, z, rotation about x, tilt y, tilt z; x, y, z of
+each ball. Velocities: the same, then the angular velocities of the balls, all along inertial axes.
+A ball's attitude does not enter its equations of motion; it is advanced beside them (`attitude`).
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 
 from .problem import ACCUMULATORS
 
-RING, CAGE = 5, 6
+RING = 5
+CAGE = 6
 CAGE_ROTATION = 3  # place of the rotation among the coordinates of the cage
 
 

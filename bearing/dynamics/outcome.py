@@ -1,7 +1,5 @@
 """What a simulation amounts to: energies, speeds over its last third, contact states, loads."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -53,7 +51,9 @@ class Tally:
         self.time.append(record.time)
         self.cage_rotation.append(record.state[:, layout.cage][:, CAGE_ROTATION].copy())
         self.orbit_speed.append(orbit_speeds(record.state, layout).mean(axis=1))
-        self.centres.append(np.hstack([record.state[:, part][:, 1:3] for part in (layout.ring, layout.cage)]))
+        self.centres.append(
+            np.hstack([record.state[:, part][:, 1:3] for part in (layout.ring, layout.cage)])
+        )
         loads, pockets = record.races[..., 0], record.pockets[..., 0]
         if not self.rows:
             self.load_sum, self.load_largest = np.zeros(loads.shape[1:]), np.zeros(loads.shape[1:])
@@ -77,7 +77,8 @@ class Outcome:
     simulated, wall : float
         [s].
     cage_speed, orbit_speed, kinematic_speed : float
-        Means over the last third, of the cage and of the balls, and the kinematic speed of the same time [rad/s].
+        Means over the last third, of the cage and of the balls, and the kinematic speed of the
+        same time [rad/s].
     cage_interval, orbit_interval : float or None
         Half widths of the 95 % confidence intervals of the first two, `batch_interval` [rad/s].
     ring_whirl, cage_whirl : float or None
@@ -115,7 +116,9 @@ class Outcome:
 
 
 def orbit_speeds(states: Array, layout: Layout) -> Array:
-    """Angular speeds of the balls' centres about the axis [rad/s], shape (m, Z), from rows of states."""
+    """Angular speeds of the balls' centres about the axis [rad/s], shape (m, Z), from rows of
+    states.
+    """
     place = states[:, layout.ball].reshape(len(states), -1, 3)
     speed = states[:, layout.ball_speed].reshape(len(states), -1, 3)
     turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
@@ -137,7 +140,8 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
     """
     if not tally.rows:
         return None
-    time, state = np.concatenate(tally.time), simulation.state
+    time = np.concatenate(tally.time)
+    state = simulation.state
     late = time >= (1.0 - LAST_PART) * time[-1]
     late[-2:] = True
     cage = np.concatenate(tally.cage_rotation)[late]
@@ -145,7 +149,8 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
     span = float(time[late][-1] - time[late][0])
     has_cage = simulation.problem.constants.cage_mass > 0.0 and span > 0.0
     work = state.y[simulation.layout.energy]
-    put_in, lost = float(np.sum(work[:INPUTS])), float(np.sum(work[LOSSES]))
+    put_in = float(np.sum(work[:INPUTS]))
+    lost = float(np.sum(work[LOSSES]))
     return Outcome(
         simulated=state.time,
         wall=simulation.wall,
@@ -174,5 +179,7 @@ def nominal_angle(simulation: Simulation) -> float:
 
 def _kinematic(simulation: Simulation, times: Array) -> float:
     rows = simulation.problem.schedule
-    inner, outer = (float(np.interp(times, rows[:, 0], rows[:, column]).mean()) for column in (1, 2))
+    inner, outer = (
+        float(np.interp(times, rows[:, 0], rows[:, column]).mean()) for column in (1, 2)
+    )
     return kinematic_cage_speed(simulation.bearing, inner, outer, nominal_angle(simulation))

@@ -1,7 +1,5 @@
 """What a simulation keeps: samples, state to go on from, and the steps it may take."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
@@ -14,14 +12,18 @@ from .problem import POCKET_COLUMNS, RACE_COLUMNS, Array
 LEAST_STEP = 1.0e-12  # over the end time, below which a step has failed [-]
 
 
-STIFF_STEP = 0.02  # of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
+# of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
+STIFF_STEP = 0.02
 
 
-STEP_ANGLE = 0.8  # longest step times the frequency of a loaded ball: at the limit of stability it would ring [-]
+# longest step times the frequency of a loaded ball: at the limit of stability it would ring [-]
+STEP_ANGLE = 0.8
 
 
 class Record(NamedTuple):
-    """Rows of the history; states [SI], contacts (`problem.RACE_NAMES`), pockets, energies [J], loads [N, N m]."""
+    """Rows of the history; states [SI], contacts (`problem.RACE_NAMES`), pockets, energies [J],
+    loads [N, N m].
+    """
 
     time: Array  # (m,) [s]
     state: Array  # (m, size)
@@ -67,7 +69,7 @@ class SimulationState:
     counters: NDArray[np.int64]
     stiff: bool = False
 
-    def put_back(self, other: SimulationState) -> None:
+    def put_back(self, other: "SimulationState") -> None:
         """Take over the values of another state, in the arrays that the equations hold."""
         for part in fields(self):
             mine, value = getattr(self, part.name), getattr(other, part.name)

@@ -1,9 +1,8 @@
-"""The equations of motion once more, by vector algebra in NumPy: the twin that the compiled kernels are tested against.
+"""The equations of motion once more, by vector algebra in NumPy: the twin that the compiled
+kernels are tested against.
 
 Traction tables are looked up by their own twin (`ehl.traction.table.table`), within their range.
 """
-
-from __future__ import annotations
 
 from typing import NamedTuple
 
@@ -48,7 +47,8 @@ class Balls(NamedTuple):
 
 
 class Pair(NamedTuple):
-    """Forces on the balls, couples beside them, moments of both about the balls' centres, and where the forces act.
+    """Forces on the balls, couples beside them, moments of both about the balls' centres, and
+    where the forces act.
 
     Shapes (Z, 3), [N], [N m], [N m], [m].
     """
@@ -80,7 +80,9 @@ def bodies(problem: Problem, y: Array, inner: float, outer: float) -> tuple[Body
     return found[0], Body(np.zeros(3), x, np.zeros(3), outer * x), found[1]
 
 
-def race_pair(problem: Problem, race: int, body: Body, balls: Balls, table: TractionTable | None) -> Pair:
+def race_pair(
+    problem: Problem, race: int, body: Body, balls: Balls, table: TractionTable | None
+) -> Pair:
     """What a race (0 inner, 1 outer) does to the balls."""
     c = problem.constants
     centre, groove = ((c.inner_centre, c.inner_groove), (c.outer_centre, c.outer_groove))[race]
@@ -88,7 +90,8 @@ def race_pair(problem: Problem, race: int, body: Body, balls: Balls, table: Trac
     axial = dots(s, body.axis)
     out = s - axial * body.axis
     rho = np.linalg.norm(out, axis=1, keepdims=True)
-    radial, e = rho - centre, out / rho
+    radial = rho - centre
+    e = out / rho
     distance = np.hypot(axial, radial)
     n = (axial * body.axis + radial * e) / distance
     approach = distance - (groove - c.ball_radius)
@@ -100,11 +103,16 @@ def race_pair(problem: Problem, race: int, body: Body, balls: Balls, table: Trac
     u = dots(0.5 * (ball + ring) - balls.velocity - np.cross(orbit, arm), around)
     x = np.where(u >= 0.0, 1.0, -1.0) * around
     y = np.cross(n, x)
-    slide, turn = ball - ring, balls.turn - body.turn
+    slide = ball - ring
+    turn = balls.turn - body.turn
     memory = problem.memory[race * c.balls : (race + 1) * c.balls, None]
-    law, data = problem.normal[race], problem.friction_inner if race == 0 else problem.friction_outer
+    law = problem.normal[race]
+    data = problem.friction_inner if race == 0 else problem.friction_outer
     if problem.friction_kind == FILM:
-        apart = [elastic_approach(data, law, d, s) for d, s in zip(approach[:, 0], abs(u[:, 0]), strict=True)]
+        apart = [
+            elastic_approach(data, law, d, s)
+            for d, s in zip(approach[:, 0], abs(u[:, 0]), strict=True)
+        ]
         approach = np.array(apart)[:, None]
     push = normal_force(law, approach, dots(slide, n), memory)
     elastic = normal_force(law, approach, 0.0 * approach, memory)
@@ -115,14 +123,18 @@ def race_pair(problem: Problem, race: int, body: Body, balls: Balls, table: Trac
         force, moment = parts[0] * x + parts[1] * y, parts[2] * n + parts[3] * y
     if problem.friction_kind in (TABLE, FILM):
         found = looked_up(table, (elastic, abs(u)), slides, dots(turn, n))
-        force, moment = found[:, :1] * x + found[:, 1:2] * y, found[:, 2:3] * n + found[:, 3:4] * y
+        force = found[:, :1] * x + found[:, 1:2] * y
+        moment = found[:, 2:3] * n + found[:, 3:4] * y
         if problem.friction_kind == FILM:
             push = np.maximum(0.0, elastic + found[:, 7:] * dots(slide, n))
     return Pair(force - push * n, moment, moment + np.cross(arm, force), balls.position + arm)
 
 
 def looked_up(
-    table: TractionTable | None, load_and_speed: tuple[Array, Array], slides: tuple[Array, Array], spin: Array
+    table: TractionTable | None,
+    load_and_speed: tuple[Array, Array],
+    slides: tuple[Array, Array],
+    spin: Array,
 ) -> Array:
     """`TractionTable.forces_twin` of every ball, shape (Z, 8); nothing where there is no load."""
     rows = np.zeros((spin.size, 8))
@@ -133,7 +145,10 @@ def looked_up(
 
 
 def friction(
-    data: FrictionData, load_and_speed: tuple[Array, Array], slides: tuple[Array, Array], spin: Array
+    data: FrictionData,
+    load_and_speed: tuple[Array, Array],
+    slides: tuple[Array, Array],
+    spin: Array,
 ) -> tuple[Array, Array, Array, Array]:
     """F_x, F_y [N], M_n, M_y [N m] on the balls by a coefficient over the ellipse."""
     load, speed = load_and_speed
@@ -141,7 +156,8 @@ def friction(
     x, y = data.shape[0] * third * data.disc[0], data.shape[1] * third * data.disc[1]
     rolling = speed / data.shape[2] - 0.5 * data.shape[4] * slides[0]
     bend = data.shape[3] * y * y
-    s_x, s_y = slides[0] - spin * y - rolling * bend, slides[1] + spin * x
+    s_x = slides[0] - spin * y - rolling * bend
+    s_y = slides[1] + spin * x
     s = np.hypot(s_x, s_y)
     pull = load * data.disc[2] * coefficient(data.law, s, speed) / np.where(s > 0.0, s, 1.0)
     parts = (-pull * s_x, -pull * s_y, pull * (y * s_x - x * s_y), pull * bend * s_x)
@@ -150,11 +166,15 @@ def friction(
 
 
 def coefficient(law: Array, slide: Array, speed: Array) -> Array:
-    """Coefficient of friction [-] of Coulomb's law with a ramp, or of four constants, at speeds [m/s]."""
+    """Coefficient of friction [-] of Coulomb's law with a ramp, or of four constants, at speeds
+    [m/s].
+    """
     if law[0] == 0.0:
         return law[1] * np.clip((slide - law[2]) / (law[3] - law[2]), 0.0, 1.0)
     s = slide / np.maximum(speed, 1e-300)
-    value: Array = np.minimum(s / law[5], 1.0) * ((law[1] + law[2] * s) * np.exp(-law[3] * s) + law[4])
+    value: Array = np.minimum(s / law[5], 1.0) * (
+        (law[1] + law[2] * s) * np.exp(-law[3] * s) + law[4]
+    )
     return value
 
 
@@ -175,7 +195,8 @@ def pocket_pair(problem: Problem, body: Body, rotation: float, balls: Balls) -> 
     arm = c.ball_radius * n
     slide = balls.velocity + np.cross(balls.turn, arm) - body.velocity
     slide = slide - np.cross(body.turn, balls.position + arm - body.centre)
-    rate, approach = dots(slide, n), size - c.pocket_play
+    rate = dots(slide, n)
+    approach = size - c.pocket_play
     slide = slide - rate * n
     speed = np.linalg.norm(slide, axis=1, keepdims=True)
     memory = problem.memory[2 * c.balls : 3 * c.balls, None]
@@ -188,32 +209,51 @@ def pocket_pair(problem: Problem, body: Body, rotation: float, balls: Balls) -> 
 
 
 def land_loads(problem: Problem, side: int, ring: Body, cage: Body) -> tuple[Array, Array]:
-    """Force on the cage at one land [N], and moments about the axis on cage and ring [N m], shapes (3,), (2,)."""
+    """Force on the cage at one land [N], and moments about the axis on cage and ring [N m], shapes
+    (3,), (2,).
+    """
     c = problem.constants
     offset = (2 * side - 1) * c.land_offset
     arm_c, arm_r = offset * cage.axis, offset * ring.axis
     e = (cage.centre + arm_c - ring.centre - arm_r)[1:]
-    v = (cage.velocity + np.cross(cage.turn, arm_c) - ring.velocity - np.cross(ring.turn, arm_r))[1:]
+    v = (cage.velocity + np.cross(cage.turn, arm_c) - ring.velocity - np.cross(ring.turn, arm_r))[
+        1:
+    ]
     apart = cage.turn[0] - ring.turn[0]
     force, factor = film_force(c, e, v, 0.5 * (cage.turn[0] + ring.turn[0]))
-    shear = -factor * 2.0 * np.pi * c.land_viscosity * c.land_radius**3 * c.land_width / c.land_clearance * apart
+    shear = (
+        -factor
+        * 2.0
+        * np.pi
+        * c.land_viscosity
+        * c.land_radius**3
+        * c.land_width
+        / c.land_clearance
+        * apart
+    )
     inside = c.guide == 1
     turning = shear - (e[0] * force[1] - e[1] * force[0] if inside else 0.0)
     size = float(np.hypot(*e))
     u = e / size if size > 0.0 else np.array([1.0, 0.0])
     across = np.array([-u[1], u[0]])
     memory = problem.memory[3 * c.balls + side]
-    push = float(normal_force(problem.normal[LAND], np.array(size - c.land_clearance), np.dot(v, u), memory))
+    push = float(
+        normal_force(problem.normal[LAND], np.array(size - c.land_clearance), np.dot(v, u), memory)
+    )
     side_sign = -1.0 if inside else 1.0
     slide = side_sign * c.land_radius * apart + float(np.dot(v, across))
     grip = -push * c.land_friction * min(abs(slide) / c.friction_ramp, 1.0) * np.sign(slide)
     force = force - push * u + grip * across
     turning += side_sign * c.land_radius * grip
-    return np.array([0.0, *force]), np.array([turning, -turning - (e[0] * force[1] - e[1] * force[0])])
+    return np.array([0.0, *force]), np.array(
+        [turning, -turning - (e[0] * force[1] - e[1] * force[0])]
+    )
 
 
 def film_force(c: Constants, e: Array, v: Array, mean_speed: float) -> tuple[Array, float]:
-    """Force of a short film on its journal [N], and 1/sqrt(1 - eps^2) [-]; e [m], v [m/s], mean speed [rad/s]."""
+    """Force of a short film on its journal [N], and 1/sqrt(1 - eps^2) [-]; e [m], v [m/s], mean
+    speed [rad/s].
+    """
     size = float(np.hypot(*e))
     if size < 1e-15:
         return np.zeros(2), 1.0
@@ -221,15 +261,21 @@ def film_force(c: Constants, e: Array, v: Array, mean_speed: float) -> tuple[Arr
     across = np.array([-u[1], u[0]])
     eps = min(size / c.land_clearance, LIMIT)
     squeeze, whirl = v @ u / c.land_clearance, v @ across / c.land_clearance
-    turn, d = mean_speed * eps - whirl, 1.0 - eps**2
+    turn = mean_speed * eps - whirl
+    d = 1.0 - eps**2
     scale = c.land_viscosity * c.land_radius * c.land_width**3 / c.land_clearance**2
     radial = -2.0 * eps * abs(turn) / d**2 - 0.5 * np.pi * squeeze * (1.0 + 2.0 * eps**2) / d**2.5
-    around = 0.5 * np.pi * turn / d**1.5 + (1.0 if turn >= 0.0 else -1.0) * 2.0 * eps * squeeze / d**2
+    around = (
+        0.5 * np.pi * turn / d**1.5 + (1.0 if turn >= 0.0 else -1.0) * 2.0 * eps * squeeze / d**2
+    )
     return scale * (radial * u + around * across), d**-0.5
 
 
 def accelerations(
-    problem: Problem, y: Array, given: Array, tables: tuple[TractionTable | None, TractionTable | None] = (None, None)
+    problem: Problem,
+    y: Array,
+    given: Array,
+    tables: tuple[TractionTable | None, TractionTable | None] = (None, None),
 ) -> Array:
     """Accelerations of ring, cage and balls, shape (11 + 6 Z,) [m/s^2], [rad/s^2].
 
@@ -247,12 +293,18 @@ def accelerations(
     -------
     ndarray
     """
-    c, layout = problem.constants, Layout(problem.constants.balls)
+    c = problem.constants
+    layout = Layout(problem.constants.balls)
     inner, outer, cage = bodies(problem, y, given[0], given[1])
-    shapes = (y[part].reshape(-1, 3) for part in (layout.ball, layout.ball_speed, layout.ball_turn))
+    shapes = (
+        y[part].reshape(-1, 3) for part in (layout.ball, layout.ball_speed, layout.ball_turn)
+    )
     balls = Balls(*shapes)
-    pairs = [race_pair(problem, race, (inner, outer)[race], balls, tables[race]) for race in (0, 1)]
-    ring_load, cage_load = _opposite(pairs[0], inner), np.zeros(6)
+    pairs = [
+        race_pair(problem, race, (inner, outer)[race], balls, tables[race]) for race in (0, 1)
+    ]
+    ring_load = _opposite(pairs[0], inner)
+    cage_load = np.zeros(6)
     if c.cage_mass > 0.0:
         pairs.append(pocket_pair(problem, cage, float(y[layout.cage][3]), balls))
         cage_load = _opposite(pairs[2], cage)
@@ -262,13 +314,20 @@ def accelerations(
     speed = np.linalg.norm(balls.velocity, axis=1, keepdims=True)
     force = sum(pair.force for pair in pairs) - c.drag * speed * balls.velocity
     ball = (force / c.ball_mass + gravity, sum(pair.moment for pair in pairs) / c.ball_inertia)
-    ring = _rigid((c.ring_mass, c.ring_transverse, c.ring_polar), ring_load, inner, y[layout.ring_speed][3:])
+    ring = _rigid(
+        (c.ring_mass, c.ring_transverse, c.ring_polar), ring_load, inner, y[layout.ring_speed][3:]
+    )
     ring[:3] += (given[2:5] - c.ring_damping * inner.velocity) / c.ring_mass + gravity
     ring[4:] += given[5:7] / c.ring_transverse
     free = problem.free
     parts = [np.concatenate([ring[:3], ring[4:]]) * free[:5], np.zeros(6)]
     if c.cage_mass > 0.0:
-        turning = _rigid((c.cage_mass, c.cage_transverse, c.cage_polar), cage_load, cage, y[layout.cage_speed][4:])
+        turning = _rigid(
+            (c.cage_mass, c.cage_transverse, c.cage_polar),
+            cage_load,
+            cage,
+            y[layout.cage_speed][4:],
+        )
         turning[:3] += gravity
         parts[1] = turning * free[5:11]
     return np.concatenate([*parts, (ball[0] * free[11:14]).ravel(), (ball[1] * free[14:]).ravel()])
@@ -289,7 +348,9 @@ def _rigid(inertia: tuple[float, float, float], load: Array, body: Body, tilts: 
     return np.array([*(load[:3] / mass), about, *gyroscopic])
 
 
-def _add_lands(problem: Problem, pair: tuple[Body, Body], ring_load: Array, cage_load: Array) -> None:
+def _add_lands(
+    problem: Problem, pair: tuple[Body, Body], ring_load: Array, cage_load: Array
+) -> None:
     ring, cage = pair
     for side in range(2):
         force, moments = land_loads(problem, side, ring, cage)

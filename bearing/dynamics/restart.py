@@ -1,7 +1,5 @@
 """A simulation on disk, to go on from where it stood."""
 
-from __future__ import annotations
-
 import io
 import json
 import os
@@ -36,7 +34,9 @@ def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
         "start_energy": simulation.start_energy,
     }
     stream = io.BytesIO()
-    np.savez(stream, head=np.array(json.dumps(head)), **{name: getattr(state, name) for name in ARRAYS})
+    np.savez(
+        stream, head=np.array(json.dumps(head)), **{name: getattr(state, name) for name in ARRAYS}
+    )
     partial = path.with_name(path.name + ".partial")
     partial.write_bytes(stream.getvalue())
     os.replace(partial, path)
@@ -66,7 +66,9 @@ def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
     except (OSError, ValueError, KeyError, zipfile.BadZipFile, EOFError) as error:
         raise ValueError(f"{path}: no restart file, or a damaged one") from error
     if not current:
-        raise ValueError(f"{path}: was written by another version of the program; start anew, without it")
+        raise ValueError(
+            f"{path}: was written by another version of the program; start anew, without it"
+        )
     if head.get("case") != case:
         raise ValueError(f"{path}: is of another case")
     for name, value in arrays.items():

@@ -1,7 +1,5 @@
 """The time simulation: steps to each sample, hands records on in pieces, keeps the energies."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from copy import deepcopy
 from dataclasses import dataclass, field
@@ -71,7 +69,8 @@ class Simulation:
     @property
     def frequency(self) -> float:
         """Angular frequency of the heaviest loaded ball between the races [rad/s]."""
-        stiffness, mass = float(self.problem.normal[:2, 0].max()), self.problem.constants.ball_mass
+        stiffness = float(self.problem.normal[:2, 0].max())
+        mass = self.problem.constants.ball_mass
         return vibration_frequency(stiffness, HEAVIEST * self.reference_load, mass)
 
     def sample_times(self) -> Array:
@@ -82,13 +81,15 @@ class Simulation:
         return times[times > self.state.time * (1.0 + 1e-12)]
 
     def pieces(self) -> Iterator[Record]:
-        """Move on to the end; a record after each piece. Stops early, `converged` False, where a step fails.
+        """Move on to the end; a record after each piece. Stops early, `converged` False, where a
+        step fails.
 
         Ctrl-C during a piece leaves the state at its beginning.
         """
         times = self.sample_times()
         for first in range(0, times.size, PIECE):
-            began, before = perf_counter(), deepcopy(self.state)
+            began = perf_counter()
+            before = deepcopy(self.state)
             try:
                 record = self._advance(times[first : first + PIECE], before)
             except KeyboardInterrupt:
@@ -101,16 +102,19 @@ class Simulation:
                 return
 
     def _advance(self, times: Array, before: SimulationState) -> Record:
-        """A piece by explicit steps; where they are given up, its rest by LSODA. The next piece tries them anew.
+        """A piece by explicit steps; where they are given up, its rest by LSODA. The next piece
+        tries them anew.
 
-        A trial that fails after LSODA took over is undone, to `before`: LSODA does the whole piece.
+        A trial that fails after LSODA took over is undone, to `before`: LSODA does the whole
+        piece.
         """
         from .integration.explicit import advance_explicit
 
         status, record = advance_explicit(self, times)
         if before.stiff and status not in (0, STIFF):
             self.state.put_back(before)
-            status, record = STIFF, empty_record(times[:0], self.bearing.balls)
+            status = STIFF
+            record = empty_record(times[:0], self.bearing.balls)
         if status == STIFF:
             from .integration.implicit import advance_implicit
 
@@ -119,7 +123,9 @@ class Simulation:
             status, rest = advance_implicit(self, times[record.time.size :])
             record = join(record, rest)
         elif self.state.stiff and status == 0:
-            self._tell(f"dynamics: explicit steps again from t = {before.time:.6g} s on; LSODA where they are given up")
+            self._tell(
+                f"dynamics: explicit steps again from t = {before.time:.6g} s on; LSODA where they are given up"
+            )
         if status != 0:
             self.converged = False
             self.messages.append(MESSAGES[status].format(t=self.state.time))
@@ -152,7 +158,10 @@ def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> 
 
 
 def from_state(
-    bearing: Bearing, operation: Operation, model: DynamicsModel, start: tuple[StartingPoint, Problem, Array]
+    bearing: Bearing,
+    operation: Operation,
+    model: DynamicsModel,
+    start: tuple[StartingPoint, Problem, Array],
 ) -> Simulation:
     """A simulation from a state vector [SI]."""
     point, problem, y = start

@@ -1,7 +1,5 @@
 """How well the mean of a history is known, by batch means; whirl of a centre."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from .problem import Array
@@ -13,10 +11,12 @@ STILL = 1.0e-12  # way of a centre that counts as none [m]
 
 
 def batch_interval(values: Array) -> float | None:
-    """Half width of the 95 % confidence interval of the mean of evenly sampled values, by the means of batches.
+    """Half width of the 95 % confidence interval of the mean of evenly sampled values, by the
+    means of batches.
 
-    The history is cut into `BATCHES` equal pieces, whose means are taken for independent: they are where a piece is
-    longer than the slowest motion, so what goes round with the cage needs ten turns of it. A trend widens the interval.
+    The history is cut into `BATCHES` equal pieces, whose means are taken for independent: they are
+    where a piece is longer than the slowest motion, so what goes round with the cage needs ten
+    turns of it. A trend widens the interval.
 
     Parameters
     ----------
@@ -36,7 +36,8 @@ def batch_interval(values: Array) -> float | None:
 
 
 def whirl_speed(time: Array, place: Array) -> float | None:
-    """Mean angular speed of a centre's path about its own mean, positive as the axis turns [rad/s].
+    """Mean angular speed of a centre's path about its own mean, positive as the axis turns
+    [rad/s].
 
     Parameters
     ----------
@@ -48,7 +49,8 @@ def whirl_speed(time: Array, place: Array) -> float | None:
     Returns
     -------
     float or None
-        [rad/s]; None where the centre stays within a picometre, or there are fewer than three samples.
+        [rad/s]; None where the centre stays within a picometre, or there are fewer than three
+        samples.
     """
     off = place - place.mean(axis=0)
     if time.size < 3 or np.abs(off).max() < STILL:

@@ -1,19 +1,22 @@
 """Clearances of a warm cage, in its pockets and on its land."""
 
-from __future__ import annotations
-
 from ..geometry import Bearing, Race
 from ..material import Material
 from .clearance import CageClearance, Warming, thermal_growth
 
 
 def cage_clearance(
-    bearing: Bearing, material: Material, warming: Warming, cage_warming: float, land: tuple[Race, float] | None
+    bearing: Bearing,
+    material: Material,
+    warming: Warming,
+    cage_warming: float,
+    land: tuple[Race, float] | None,
 ) -> CageClearance:
     """Thermal growth of cage, balls and guiding ring; every part grows freely, alpha D dT.
 
-    A pocket grows with the cage around it. On the inner ring the cage's bore grows away from the land, on the outer
-    ring its outside grows towards it. Growth of the rings by fits and speed, some micrometres, is left out.
+    A pocket grows with the cage around it. On the inner ring the cage's bore grows away from the
+    land, on the outer ring its outside grows towards it. Growth of the rings by fits and speed,
+    some micrometres, is left out.
 
     Parameters
     ----------
@@ -33,7 +36,9 @@ def cage_clearance(
         Positive where there is more room when warm [m].
     """
     ball = bearing.ball_diameter
-    pocket = thermal_growth(material, ball, cage_warming) - thermal_growth(bearing.ball_material, ball, warming.ball)
+    pocket = thermal_growth(material, ball, cage_warming) - thermal_growth(
+        bearing.ball_material, ball, warming.ball
+    )
     if land is None:
         return CageClearance(pocket=pocket)
     race, diameter = land

@@ -1,16 +1,16 @@
-"""Clearance of a mounted, warm, turning bearing: interference fits, thermal growth, centrifugal growth of the rings.
+"""Clearance of a mounted, warm, turning bearing: interference fits, thermal growth, centrifugal
+growth of the rings.
 
-Every ring is a cylinder in plane stress: the inner one from the bore to the bottom of its groove, the outer one from
-the bottom of its groove to the outside diameter; shaft and housing likewise. Fits and centrifugal growth are the linear
-solutions of Lame for thick rings, and add up. With d_i and d_o the diameters at the bottom of the grooves,
+Every ring is a cylinder in plane stress: the inner one from the bore to the bottom of its groove,
+the outer one from the bottom of its groove to the outside diameter; shaft and housing likewise.
+Fits and centrifugal growth are the linear solutions of Lame for thick rings, and add up. With d_i
+and d_o the diameters at the bottom of the grooves,
 
     P_d = d_o - d_i - 2 D,   change of P_d = change of d_o - change of d_i - 2 (change of D)
 
-so that growth of the inner ring and of the balls takes clearance away and growth of the outer ring gives it. (One
-source, Yao et al. 2022, prints the opposite sign.)
+so that growth of the inner ring and of the balls takes clearance away and growth of the outer ring
+gives it. (One source, Yao et al. 2022, prints the opposite sign.)
 """
-
-from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -28,7 +28,8 @@ class Fit:
     Attributes
     ----------
     inner_interference, outer_interference : float
-        Effective interference at rest and at the reference temperature, on the diameter [m]; negative is a loose fit.
+        Effective interference at rest and at the reference temperature, on the diameter [m];
+        negative is a loose fit.
     shaft_bore : float
         Inner diameter of a hollow shaft [m], 0 for a solid one.
     housing_outside_diameter : float or None
@@ -88,12 +89,14 @@ class ClearanceBudget:
     inner_pressure: float = 0.0
     outer_pressure: float = 0.0
     messages: tuple[str, ...] = ()
-    cage: CageClearance | None = None
+    cage: "CageClearance | None" = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Cylinder:
-    """A ring, a shaft (inner diameter 0 where it is solid) or a housing: diameters [m], speed [rad/s], warming [K]."""
+    """A ring, a shaft (inner diameter 0 where it is solid) or a housing: diameters [m], speed
+    [rad/s], warming [K].
+    """
 
     material: Material
     inner: float
@@ -130,14 +133,18 @@ def thermal_growth(material: Material, diameter: float, warming: float) -> float
     if warming == 0.0:
         return 0.0
     if material.thermal_expansion is None:
-        raise ValueError(f"material {material.name!r} has no thermal_expansion, which a change of temperature needs")
+        raise ValueError(
+            f"material {material.name!r} has no thermal_expansion, which a change of temperature needs"
+        )
     return material.thermal_expansion * diameter * warming
 
 
 def centrifugal_growth(material: Material, diameter: float, other: float, speed: float) -> float:
-    """Growth of one diameter of a free turning cylinder, rho omega^2 D [(1 - nu) D^2 + (3 + nu) D_other^2]/(16 E).
+    """Growth of one diameter of a free turning cylinder, rho omega^2 D [(1 - nu) D^2 + (3 + nu)
+    D_other^2]/(16 E).
 
-    Lame, plane stress: the hoop stress at the free surface r is rho omega^2 [(1 - nu) r^2 + (3 + nu) r_other^2]/4.
+    Lame, plane stress: the hoop stress at the free surface r is rho omega^2 [(1 - nu) r^2 + (3 +
+    nu) r_other^2]/4.
 
     Parameters
     ----------
@@ -153,7 +160,9 @@ def centrifugal_growth(material: Material, diameter: float, other: float, speed:
         [m].
     """
     nu = material.poisson_ratio
-    stress = material.density * speed**2 * ((1.0 - nu) * diameter**2 + (3.0 + nu) * other**2) / 16.0
+    stress = (
+        material.density * speed**2 * ((1.0 - nu) * diameter**2 + (3.0 + nu) * other**2) / 16.0
+    )
     return diameter * stress / material.youngs_modulus
 
 
@@ -179,7 +188,9 @@ def fit_pressure(interference: float, diameter: float, hub: _Cylinder, shaft: _C
     """
     if interference <= 0.0:
         return 0.0
-    h, d, s = hub.outer**2, diameter**2, shaft.inner**2
+    h = hub.outer**2
+    d = diameter**2
+    s = shaft.inner**2
     of_hub = ((h + d) / (h - d) + hub.material.poisson_ratio) / hub.material.youngs_modulus
     of_shaft = ((d + s) / (d - s) - shaft.material.poisson_ratio) / shaft.material.youngs_modulus
     return interference / (diameter * (of_hub + of_shaft))
@@ -188,8 +199,8 @@ def fit_pressure(interference: float, diameter: float, hub: _Cylinder, shaft: _C
 def far_growth(pressure: float, ring: _Cylinder, *, inside: bool) -> float:
     """Growth of a ring's far diameter under a pressure on its seat [m], Lame.
 
-    2 p d_in^2 d_out/(E (d_out^2 - d_in^2)) of the outer diameter with the pressure inside, minus 2 p d_out^2 d_in/(...)
-    of the inner one with the pressure outside.
+    2 p d_in^2 d_out/(E (d_out^2 - d_in^2)) of the outer diameter with the pressure inside, minus 2
+    p d_out^2 d_in/(...) of the inner one with the pressure outside.
 
     Parameters
     ----------
@@ -205,7 +216,13 @@ def far_growth(pressure: float, ring: _Cylinder, *, inside: bool) -> float:
         [m].
     """
     near, far = (ring.inner, ring.outer) if inside else (ring.outer, ring.inner)
-    growth = 2.0 * pressure * near**2 * far / (ring.material.youngs_modulus * (ring.outer**2 - ring.inner**2))
+    growth = (
+        2.0
+        * pressure
+        * near**2
+        * far
+        / (ring.material.youngs_modulus * (ring.outer**2 - ring.inner**2))
+    )
     return growth if inside else 0.0 - growth
 
 
@@ -232,10 +249,12 @@ def clearance_budget(
     Raises
     ------
     ValueError
-        If a dimension or a thermal expansion that is needed is missing or impossible; the message names it.
+        If a dimension or a thermal expansion that is needed is missing or impossible; the message
+        names it.
     """
     warming = warming or Warming()
-    cold, at_rest = Warming(), (0.0, 0.0)
+    cold = Warming()
+    at_rest = (0.0, 0.0)
     speeds = (operation.inner_speed, operation.outer_speed)
     if fit is not None:
         _check(bearing, fit)
@@ -259,30 +278,53 @@ def groove_diameters(bearing: Bearing) -> tuple[float, float]:
     return bearing.pitch_diameter - reach, bearing.pitch_diameter + reach
 
 
-def _state(bearing: Bearing, fit: Fit | None, warming: Warming, speeds: tuple[float, float]) -> dict[str, float]:
-    """Change of clearance and its parts, interferences [m] and pressures [Pa] at given temperatures and speeds."""
+def _state(
+    bearing: Bearing, fit: Fit | None, warming: Warming, speeds: tuple[float, float]
+) -> dict[str, float]:
+    """Change of clearance and its parts, interferences [m] and pressures [Pa] at given
+    temperatures and speeds.
+    """
     bottom, top = groove_diameters(bearing)
     bore, outside = bearing.bore or 0.0, bearing.outside_diameter or 0.0
     inner = _Cylinder(
-        material=bearing.inner_ring_material, inner=bore, outer=bottom, speed=speeds[0], warming=warming.inner_ring
+        material=bearing.inner_ring_material,
+        inner=bore,
+        outer=bottom,
+        speed=speeds[0],
+        warming=warming.inner_ring,
     )
     outer = _Cylinder(
-        material=bearing.outer_ring_material, inner=top, outer=outside, speed=speeds[1], warming=warming.outer_ring
+        material=bearing.outer_ring_material,
+        inner=top,
+        outer=outside,
+        speed=speeds[1],
+        warming=warming.outer_ring,
     )
     balls = thermal_growth(bearing.ball_material, bearing.ball_diameter, warming.ball)
-    rings = (thermal_growth(inner.material, bottom, inner.warming), thermal_growth(outer.material, top, outer.warming))
-    centrifugal = (outer.centrifugal(top) if outside else 0.0) - (inner.centrifugal(bottom) if bore else 0.0)
+    rings = (
+        thermal_growth(inner.material, bottom, inner.warming),
+        thermal_growth(outer.material, top, outer.warming),
+    )
+    centrifugal = (outer.centrifugal(top) if outside else 0.0) - (
+        inner.centrifugal(bottom) if bore else 0.0
+    )
     found = {"thermal": rings[1] - rings[0] - 2.0 * balls, "centrifugal": centrifugal}
     if fit is not None:
         found |= _inner_seat(inner, fit, warming) if bore else {}
-        found |= _outer_seat(outer, fit, warming) if outside and fit.housing_outside_diameter else {}
+        found |= (
+            _outer_seat(outer, fit, warming) if outside and fit.housing_outside_diameter else {}
+        )
     changes = ("thermal", "centrifugal", "inner_fit", "outer_fit")
     return found | {"change": sum(found.get(name, 0.0) for name in changes)}
 
 
 def _inner_seat(ring: _Cylinder, fit: Fit, warming: Warming) -> dict[str, float]:
     shaft = _Cylinder(
-        material=fit.shaft_material, inner=fit.shaft_bore, outer=ring.inner, speed=ring.speed, warming=warming.shaft
+        material=fit.shaft_material,
+        inner=fit.shaft_bore,
+        outer=ring.inner,
+        speed=ring.speed,
+        warming=warming.shaft,
     )
     left = fit.inner_interference + shaft.free_growth(ring.inner) - ring.free_growth(ring.inner)
     pressure = fit_pressure(left, ring.inner, hub=ring, shaft=shaft)
@@ -320,9 +362,15 @@ def _check(bearing: Bearing, fit: Fit) -> None:
         raise ValueError(
             "housing_outside_diameter and outside_diameter are needed with an interference of the outer ring"
         )
-    if housing is not None and bearing.outside_diameter is not None and not top < bearing.outside_diameter < housing:
+    if (
+        housing is not None
+        and bearing.outside_diameter is not None
+        and not top < bearing.outside_diameter < housing
+    ):
         found = f"{top!r}, {bearing.outside_diameter!r} and {housing!r} m"
-        raise ValueError(f"groove, outside_diameter and housing_outside_diameter must grow in this order, got {found}")
+        raise ValueError(
+            f"groove, outside_diameter and housing_outside_diameter must grow in this order, got {found}"
+        )
 
 
 def _messages(

@@ -1,10 +1,9 @@
-"""Compiled friction of many contacts and its slope: laws of `ehl.traction`, by difference quotients, and Coulomb's; SI.
+"""Compiled friction of many contacts and its slope: laws of `ehl.traction`, by difference
+quotients, and Coulomb's; SI.
 
 Everything is arrays and floats. The twins are `tabulated.law_gradient`, contact by contact, and
 `contact_friction.coulomb_dissipation_twin`.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -16,31 +15,48 @@ from ehl.traction._kernels import hertz_friction, table_lookup
 def table_gradients(axes, constants, scalars, values, places, motion, step, gradient, slope):
     """Minus forces and moments (n, 4) of one table, and their slope (n, 4, 4) by sliding and spin.
 
-    places, shape (n, 3): load, entrainment speed, rolling radius; motion (n, 4); step: of slides over the speed and of
-    spin over the speed over the radius.
+    places, shape (n, 3): load, entrainment speed, rolling radius; motion (n, 4); step: of slides
+    over the speed and of spin over the speed over the radius.
     """
     out, moved = np.empty(8), np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
-        table_lookup(axes, constants, scalars, values, load, speed, motion[k, 0], motion[k, 1], motion[k, 2], out)
+        table_lookup(
+            axes,
+            constants,
+            scalars,
+            values,
+            load,
+            speed,
+            motion[k, 0],
+            motion[k, 1],
+            motion[k, 2],
+            out,
+        )
         gradient[k] = -out[:4]
         slope[k] = 0.0
         for j in range(3):
             size = step * speed if j < 2 else step * speed / radius
             moved[:] = motion[k, :3]
             moved[j] += size
-            table_lookup(axes, constants, scalars, values, load, speed, moved[0], moved[1], moved[2], out)
+            table_lookup(
+                axes, constants, scalars, values, load, speed, moved[0], moved[1], moved[2], out
+            )
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
 
 
 @compiled
 def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
-    """As `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and shapes (n, 5) a contact each."""
+    """As `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and shapes (n, 5)
+    a contact each.
+    """
     out, moved = np.empty(8), np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
         law, shape = laws[k], shapes[k]
-        hertz_friction(disc, law, shape, load, speed, motion[k, 0], motion[k, 1], motion[k, 2], out)
+        hertz_friction(
+            disc, law, shape, load, speed, motion[k, 0], motion[k, 1], motion[k, 2], out
+        )
         gradient[k] = -out[:4]
         slope[k] = 0.0
         for j in range(3):
@@ -55,7 +71,8 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
 def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
     """Power (n,), gradient (n, 4) and slope (n, 4, 4) of Coulomb friction at motions (n, 4).
 
-    nodes, shape (3, m): x/b, y/a, share of the load; ellipses, shape (n, 5): mu Q, b, a, 1/(2R), rounding.
+    nodes, shape (3, m): x/b, y/a, share of the load; ellipses, shape (n, 5): mu Q, b, a, 1/(2R),
+    rounding.
     """
     for n in range(motion.shape[0]):
         friction, b, a, bend, rounding = ellipses[n]
@@ -64,8 +81,10 @@ def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
         for k in range(nodes.shape[1]):
             x, y = b * nodes[0, k], a * nodes[1, k]
             bow = -bend * y * y
-            s0, s1 = slide_x - spin * y + rolling * bow, slide_y + spin * x
-            s2, s3 = s1 * x - s0 * y, s0 * bow
+            s0 = slide_x - spin * y + rolling * bow
+            s1 = slide_y + spin * x
+            s2 = s1 * x - s0 * y
+            s3 = s0 * bow
             square = s0 * s0 + s1 * s1 + rounding * rounding
             pull = friction * nodes[2, k] / np.sqrt(square)
             bent = pull / square

@@ -1,11 +1,11 @@
-"""Mixed lubrication, first order: what part of a contact's friction comes from asperities that touch.
+"""Mixed lubrication, first order: what part of a contact's friction comes from asperities that
+touch.
 
-The share of the load that asperities carry is a function of the lambda ratio alone, xi = 1 - erf(lambda), fitted to the
-electrical contact resistance of gear surfaces (Arana et al., 2019, after Clarke, Evans and Snidle, 2016). They rub with
-a boundary coefficient, the oil carries and shears the rest: mu = xi mu_b + (1 - xi) mu_film.
+The share of the load that asperities carry is a function of the lambda ratio alone, xi = 1 -
+erf(lambda), fitted to the electrical contact resistance of gear surfaces (Arana et al., 2019,
+after Clarke, Evans and Snidle, 2016). They rub with a boundary coefficient, the oil carries and
+shears the rest: mu = xi mu_b + (1 - xi) mu_film.
 """
-
-from __future__ import annotations
 
 from math import erf
 
@@ -15,7 +15,9 @@ from ..geometry import Array
 
 
 def asperity_share(lambda_ratio: float) -> float:
-    """xi = 1 - erf(lambda): share of the load on asperities, from the film over the rms roughness [-]."""
+    """xi = 1 - erf(lambda): share of the load on asperities, from the film over the rms roughness
+    [-].
+    """
     if lambda_ratio < 0.0:
         raise ValueError(f"lambda_ratio must not be negative, got {lambda_ratio!r}")
     return 1.0 - erf(lambda_ratio)
@@ -36,5 +38,7 @@ def mixed_friction(lambda_ratio: Array, film: float, boundary: float) -> Array:
     ndarray
         [-].
     """
-    share = np.array([asperity_share(float(value)) for value in np.ravel(lambda_ratio)]).reshape(np.shape(lambda_ratio))
+    share = np.array([asperity_share(float(value)) for value in np.ravel(lambda_ratio)]).reshape(
+        np.shape(lambda_ratio)
+    )
     return share * boundary + (1.0 - share) * film

@@ -1,6 +1,6 @@
-"""Balls in balance of Coulomb friction: by the lines of pure rolling, or over the whole ellipse in both directions."""
-
-from __future__ import annotations
+"""Balls in balance of Coulomb friction: by the lines of pure rolling, or over the whole ellipse in
+both directions.
+"""
 
 from collections.abc import Sequence
 
@@ -13,7 +13,8 @@ from ..quasistatic.solution import QuasistaticSolution
 from .balance import BalancedFriction, ContactLaw, balance_balls, curvature_slip
 from .ellipse import Ellipses, coulomb_dissipation, line_dissipation
 
-ROUNDING = 3.0e-3  # of Coulomb's law, over the largest sliding that the curvature of the contact makes [-]
+# of Coulomb's law, over the largest sliding that the curvature of the contact makes [-]
+ROUNDING = 3.0e-3
 
 
 def balanced_friction(
@@ -34,8 +35,8 @@ def balanced_friction(
     friction : float or ndarray, shape (contacts,)
         Coulomb's mu [-].
     lines : bool
-        Leave out the sliding across the rolling direction, as models by lines of pure rolling do; the gyroscopic
-        couple, which such a model cannot carry, is then left out too.
+        Leave out the sliding across the rolling direction, as models by lines of pure rolling do;
+        the gyroscopic couple, which such a model cannot carry, is then left out too.
     gyroscopic : bool
         Whether the contacts have to hold the gyroscopic couple.
 
@@ -57,7 +58,9 @@ def balanced_friction(
 def contact_ellipses(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
 ) -> Ellipses:
-    """The ellipses of all contacts under Coulomb's mu [-], lengths in [m]; friction rounded as `ROUNDING` says."""
+    """The ellipses of all contacts under Coulomb's mu [-], lengths in [m]; friction rounded as
+    `ROUNDING` says.
+    """
     hertz = [c.hertz for c in contacts]
     radius = np.array([groove_curvature_radius(solution.bearing, c.race) for c in contacts])
     transverse = np.array([1e-6 if h is None else h.semi_axis_y for h in hertz])

@@ -1,16 +1,16 @@
-"""Traction equilibrium: speeds and attitude of every ball from the friction of the races instead of a hypothesis.
+"""Traction equilibrium: speeds and attitude of every ball from the friction of the races instead
+of a hypothesis.
 
-Two balances are solved in turn until neither changes: ring and balls under the loads, the balls' motion and the
-friction on them held (`solve_held_balls`); and on each ball the force along the orbit and the three moments, the
-contact loads and angles held (`bearing.friction.balance`). What goes round is, for each ball, the centrifugal force and
-the friction at both races across and at the inner race along the orbit; Anderson's mixing (1965) speeds it up. Friction
-is a few hundredths of the loads, hence each round changes them by a few hundredths of the round before.
+Two balances are solved in turn until neither changes: ring and balls under the loads, the balls'
+motion and the friction on them held (`solve_held_balls`); and on each ball the force along the
+orbit and the three moments, the contact loads and angles held (`bearing.friction.balance`). What
+goes round is, for each ball, the centrifugal force and the friction at both races across and at
+the inner race along the orbit; Anderson's mixing (1965) speeds it up. Friction is a few hundredths
+of the loads, hence each round changes them by a few hundredths of the round before.
 
-A ball that the inner race does not drive rolls on the outer race with the cage about an axis parallel to the bearing's,
-without friction across.
+A ball that the inner race does not drive rolls on the outer race with the cage about an axis
+parallel to the bearing's, without friction across.
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, fields, replace
@@ -30,8 +30,13 @@ from .balance import SKID, BalancedFriction, balance_balls, balance_driven_balls
 from .newton import BALANCE_TOLERANCE, ContactLaw
 from .sources import PREPARED, BallTraction, PreparedTraction
 
-STARTS = (BallKinematics.HALF_AND_HALF, BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL)
-TARGET = 1.0e-11  # change of the forces in a round over the largest load at which iterating stops [-]
+STARTS = (
+    BallKinematics.HALF_AND_HALF,
+    BallKinematics.OUTER_RACE_CONTROL,
+    BallKinematics.INNER_RACE_CONTROL,
+)
+# change of the forces in a round over the largest load at which iterating stops [-]
+TARGET = 1.0e-11
 TOLERANCE = 1.0e-8  # change that is accepted [-]
 MAX_ROUNDS = 60
 MEMORY = 4  # rounds that Anderson's mixing looks back
@@ -41,7 +46,9 @@ FILM_TOLERANCE = 1.0e-3  # change of a load over the largest from which films ar
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _State:
-    """An equilibrium under held motion and friction, and what the balance of the balls there makes of these."""
+    """An equilibrium under held motion and friction, and what the balance of the balls there makes
+    of these.
+    """
 
     solution: QuasistaticSolution
     balances: tuple[BalancedFriction, ...]  # row by row
@@ -58,7 +65,11 @@ class _State:
 
 
 def solve_traction_equilibrium(
-    bearing: Bearing, operation: Operation, model: Model, near: QuasistaticSolution | None, rows: tuple[Row, ...]
+    bearing: Bearing,
+    operation: Operation,
+    model: Model,
+    near: QuasistaticSolution | None,
+    rows: tuple[Row, ...],
 ) -> QuasistaticSolution:
     """Equilibrium of ring and balls with the friction of the races in balance on every ball.
 
@@ -76,14 +87,22 @@ def solve_traction_equilibrium(
     assert traction is not None  # `Model` sees to it
     start = _hypothesis(bearing, operation, model, near, rows)
     if not start.converged:
-        return replace(start, model=model, message=f"traction equilibrium: nowhere to begin; {start.message}")
+        return replace(
+            start, model=model, message=f"traction equilibrium: nowhere to begin; {start.message}"
+        )
     if operation.inner_speed == operation.outer_speed:
-        return replace(start, model=model, message=f"{start.message}; the rings turn as one, no friction to balance")
+        return replace(
+            start,
+            model=model,
+            message=f"{start.message}; the rings turn as one, no friction to balance",
+        )
     return _solved(replace(start, model=model), traction)
 
 
 def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSolution:
-    """Equilibria with the friction as it is near one after the other, until the loads stay where they are."""
+    """Equilibria with the friction as it is near one after the other, until the loads stay where
+    they are.
+    """
     held = _held_of(start)
     for films in range(1, FILM_ROUNDS + 1):
         try:
@@ -91,21 +110,33 @@ def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSo
         except ValueError as problem:
             return replace(start, converged=False, message=f"no traction equilibrium: {problem}")
         state = _iterate(start, held, traction, prepared)
-        start, held, message = state.solution, state.found, _complaint(state)
+        start = state.solution
+        held = state.found
+        message = _complaint(state)
         if message:
             break
         moved = max(part.change(row) for part, row in zip(prepared, state.contacts, strict=True))
         if moved <= FILM_TOLERANCE:
             carried = ", ".join(str(ball + 1) for ball in np.flatnonzero(state.carried))
             words = f"converged in traction equilibrium, forces to {state.change:.0e} of the largest load"
-            words += f"; balls {carried} go with the cage, their inner contacts cannot drive them" if carried else ""
+            words += (
+                f"; balls {carried} go with the cage, their inner contacts cannot drive them"
+                if carried
+                else ""
+            )
             return replace(start, message=words, carried=state.carried & (start.inner_load > 0.0))
-        message = f"films solved {films} times, and a load still changes by {moved:.1e} of the largest"
+        message = (
+            f"films solved {films} times, and a load still changes by {moved:.1e} of the largest"
+        )
     return replace(start, converged=False, message=f"no traction equilibrium found: {message}")
 
 
 def _hypothesis(
-    bearing: Bearing, operation: Operation, model: Model, near: QuasistaticSolution | None, rows: tuple[Row, ...]
+    bearing: Bearing,
+    operation: Operation,
+    model: Model,
+    near: QuasistaticSolution | None,
+    rows: tuple[Row, ...],
 ) -> QuasistaticSolution:
     """Equilibrium under the first hypothesis that has one."""
     for kinematics in STARTS:
@@ -116,33 +147,48 @@ def _hypothesis(
     return found
 
 
-def _contacts(solution: QuasistaticSolution, traction: BallTraction) -> list[tuple[BearingContact, ...]]:
+def _contacts(
+    solution: QuasistaticSolution, traction: BallTraction
+) -> list[tuple[BearingContact, ...]]:
     """Contacts of each row, counted by themselves."""
-    return [contact_conditions(solution.row(i), traction.lubricant) for i in range(len(solution.rows))]
+    return [
+        contact_conditions(solution.row(i), traction.lubricant) for i in range(len(solution.rows))
+    ]
 
 
 def _prepared(solution: QuasistaticSolution, traction: BallTraction) -> list[PreparedTraction]:
     source = traction.source
     if isinstance(source, PREPARED):
         return [source] * len(solution.rows)
-    return [source.prepare(solution.row(i), part) for i, part in enumerate(_contacts(solution, traction))]
+    return [
+        source.prepare(solution.row(i), part)
+        for i, part in enumerate(_contacts(solution, traction))
+    ]
 
 
 def _iterate(
-    start: QuasistaticSolution, held: HeldBalls, traction: BallTraction, prepared: Sequence[PreparedTraction]
+    start: QuasistaticSolution,
+    held: HeldBalls,
+    traction: BallTraction,
+    prepared: Sequence[PreparedTraction],
 ) -> _State:
     """Rounds of both balances from a motion; the last state."""
-    mixing, state = _Anderson(), None
+    mixing = _Anderson()
+    state = None
     weight = _orbit_weight(start)
     for _ in range(MAX_ROUNDS):
         state = _round(start, held, traction, prepared, state)
         if not state.balanced:
             break
-        if state.change <= TARGET:  # friction may turn within slides far smaller: the motion is that of the balance
-            last = solve_held_balls(start.bearing, start.operation, start.model, state.solution, state.found)
+        # friction may turn within slides far smaller: the motion is that of the balance
+        if state.change <= TARGET:
+            last = solve_held_balls(
+                start.bearing, start.operation, start.model, state.solution, state.found
+            )
             return replace(state, solution=last)
         mixed = mixing.next(_vector(state.held, weight), _vector(state.found, weight))
-        start, held = state.solution, _with_vector(state.found, mixed, weight)
+        start = state.solution
+        held = _with_vector(state.found, mixed, weight)
     assert state is not None  # there is a round at least
     return state
 
@@ -176,11 +222,21 @@ def _round(
     carried = np.zeros(solution.azimuth.size, dtype=np.bool_) if before is None else before.carried
     if not solution.converged:
         return _State(
-            solution=solution, balances=(), contacts=(), carried=carried, held=held, found=held, change=np.inf
+            solution=solution,
+            balances=(),
+            contacts=(),
+            carried=carried,
+            held=held,
+            found=held,
+            change=np.inf,
         )
-    balances, carried, found, lubricated = [], carried.copy(), [], _contacts(solution, traction)
+    balances = []
+    carried = carried.copy()
+    found = []
+    lubricated = _contacts(solution, traction)
     for i, contacts in enumerate(lubricated):
-        row, part = solution.row(i), slice(i * solution.bearing.balls, (i + 1) * solution.bearing.balls)
+        row = solution.row(i)
+        part = slice(i * solution.bearing.balls, (i + 1) * solution.bearing.balls)
         law = prepared[i].law(row, contacts)
         balance = _balance(row, contacts, law, traction, None if before is None else carried[part])
         loaded = row.inner_load > 0.0
@@ -188,7 +244,8 @@ def _round(
         balances.append(balance)
         found.append(_held(row, contacts, balance))
     joined = _joined(found)
-    weight, largest = _orbit_weight(solution), max(solution.inner_load.max(), solution.outer_load.max())
+    weight = _orbit_weight(solution)
+    largest = max(solution.inner_load.max(), solution.outer_load.max())
     change = float(np.abs(_vector(joined, weight) - _vector(held, weight)).max() / largest)
     return _State(
         solution=solution,
@@ -208,10 +265,18 @@ def _balance(
     traction: BallTraction,
     carried: NDArray[np.bool_] | None,
 ) -> BalancedFriction:
-    """Balance of the balls of a row, without those that the cage carries; None: which these are is not yet known."""
+    """Balance of the balls of a row, without those that the cage carries; None: which these are is
+    not yet known.
+    """
     if carried is None:
         return balance_driven_balls(row, contacts, law, traction.resistance)
-    return balance_balls(row, contacts, law, driven=(row.inner_load > 0.0) & ~carried, resistance=traction.resistance)
+    return balance_balls(
+        row,
+        contacts,
+        law,
+        driven=(row.inner_load > 0.0) & ~carried,
+        resistance=traction.resistance,
+    )
 
 
 def _held_of(solution: QuasistaticSolution) -> HeldBalls:
@@ -219,7 +284,9 @@ def _held_of(solution: QuasistaticSolution) -> HeldBalls:
     return HeldBalls(**{field.name: getattr(solution, field.name) for field in fields(HeldBalls)})
 
 
-def _held(row: QuasistaticSolution, contacts: Sequence[BearingContact], balance: BalancedFriction) -> HeldBalls:
+def _held(
+    row: QuasistaticSolution, contacts: Sequence[BearingContact], balance: BalancedFriction
+) -> HeldBalls:
     """Motion [rad/s] and friction [N] of a row by the balance of its balls."""
     axes = contact_frames(contacts).reshape(-1, 2, 3, 3)
     along, across = balance.forces[:, :, 0], balance.forces[:, :, 1]
@@ -227,8 +294,10 @@ def _held(row: QuasistaticSolution, contacts: Sequence[BearingContact], balance:
     orbit = np.array([motion.orbit_speed for motion in balance.motions])
     turn = np.array([motion.rotation for motion in balance.motions])
     sign = np.sign(row.operation.inner_speed - row.operation.outer_speed)
-    gamma, speeds = row.bearing.ball_diameter / row.bearing.pitch_diameter, orbit - row.operation.outer_speed
-    rolling = speeds * (1.0 + gamma * np.cos(outer)) / (gamma * np.cos(outer))  # on the outer race, parallel to x
+    gamma = row.bearing.ball_diameter / row.bearing.pitch_diameter
+    speeds = orbit - row.operation.outer_speed
+    # on the outer race, parallel to x
+    rolling = speeds * (1.0 + gamma * np.cos(outer)) / (gamma * np.cos(outer))
     driven = balance.driven
     towards_inner = axes[:, 0, 1, 0] * np.cos(inner) - axes[:, 0, 1, 1] * np.sin(inner)
     towards_outer = axes[:, 1, 1, 1] * np.sin(outer) - axes[:, 1, 1, 0] * np.cos(outer)
@@ -246,7 +315,9 @@ def _held(row: QuasistaticSolution, contacts: Sequence[BearingContact], balance:
 def _joined(parts: Sequence[HeldBalls]) -> HeldBalls:
     """Those of all rows as one."""
     names = [field.name for field in fields(HeldBalls)]
-    return HeldBalls(**{name: np.concatenate([getattr(part, name) for part in parts]) for name in names})
+    return HeldBalls(
+        **{name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
+    )
 
 
 def _orbit_weight(solution: QuasistaticSolution) -> float:
@@ -258,18 +329,24 @@ def _orbit_weight(solution: QuasistaticSolution) -> float:
 
 def _vector(held: HeldBalls, weight: float) -> Array:
     """What goes round, as forces, shape (4, N) [N]."""
-    return np.stack([weight * held.orbit_speed, held.inner_friction, held.outer_friction, held.inner_drive])
+    return np.stack(
+        [weight * held.orbit_speed, held.inner_friction, held.outer_friction, held.inner_drive]
+    )
 
 
 def _with_vector(held: HeldBalls, vector: Array, weight: float) -> HeldBalls:
     """Motion with other forces [N]."""
     orbit, inner, outer, drive = vector
     orbit = orbit / weight if weight > 0.0 else held.orbit_speed
-    return replace(held, orbit_speed=orbit, inner_friction=inner, outer_friction=outer, inner_drive=drive)
+    return replace(
+        held, orbit_speed=orbit, inner_friction=inner, outer_friction=outer, inner_drive=drive
+    )
 
 
 class _Anderson:
-    """Anderson's mixing of a fixed point x = g(x), D. G. Anderson (1965): least squares over the last rounds."""
+    """Anderson's mixing of a fixed point x = g(x), D. G. Anderson (1965): least squares over the
+    last rounds.
+    """
 
     def __init__(self) -> None:
         self.rounds: list[tuple[Array, Array]] = []

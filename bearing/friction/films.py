@@ -1,7 +1,5 @@
 """Friction law of solved films, and the balance of balls under it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
@@ -10,7 +8,13 @@ from numpy.typing import NDArray
 
 from ehl.oil.rheology import Rheology, shear_stress
 from ehl.solution import ContactSolution
-from ehl.traction.shear import Cavitation, film_temperature, film_viscosity, sheared_width, with_outlet
+from ehl.traction.shear import (
+    Cavitation,
+    film_temperature,
+    film_viscosity,
+    sheared_width,
+    with_outlet,
+)
 
 from ..contacts.contacts import BearingContact
 from ..contacts.motion import bearing_kinematics
@@ -31,7 +35,8 @@ STRENGTH = 0.05  # traction coefficient that residual forces are measured agains
 SLOPE_STEP = 1.0e-4  # relative change of the shear rate for a difference quotient [-]
 
 
-NEGLIGIBLE = 1.0e-2  # part of the shear of a contact in nodes that are left out of a first balance [-]
+# part of the shear of a contact in nodes that are left out of a first balance [-]
+NEGLIGIBLE = 1.0e-2
 
 
 LITTLE = 1.0e-2  # sliding over entrainment at which it is weighed [-]
@@ -42,7 +47,9 @@ STILL = 1.0e-12  # [m/s] sliding below which the stress counts as proportional t
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Asperities:
-    """What asperities that touch need: rms roughness of ball and race together [m], their friction mu_b [-]."""
+    """What asperities that touch need: rms roughness of ball and race together [m], their friction
+    mu_b [-].
+    """
 
     inner_roughness: float
     outer_roughness: float
@@ -85,11 +92,14 @@ def film_balance(
         Its forces contain the hydrodynamic rolling moment.
     """
     first, exact = (
-        film_law(solution, contacts, films, rheology, asperities, left_out=left_out) for left_out in (NEGLIGIBLE, 0.0)
+        film_law(solution, contacts, films, rheology, asperities, left_out=left_out)
+        for left_out in (NEGLIGIBLE, 0.0)
     )
     near = balance_driven_balls(solution, contacts, first, resistance)
     begin = near if near.converged else None
-    return balance_balls(solution, contacts, exact, driven=near.driven, near=begin, resistance=resistance)
+    return balance_balls(
+        solution, contacts, exact, driven=near.driven, near=begin, resistance=resistance
+    )
 
 
 def film_law(
@@ -112,18 +122,27 @@ def film_law(
         Load of each contact over that of its film, by which the film's friction is multiplied [-].
     """
     pairs = list(zip(contacts, films, strict=True))
-    laws = [None if film is None else _film_law(solution, c, film, rheology, left_out) for c, film in pairs]
-    share = np.array([0.0 if f is None or asperities is None else asperities.share(c, f) for c, f in pairs])
-    rubbing = contact_ellipses(solution, contacts, share * (0.0 if asperities is None else asperities.boundary))
+    laws = [
+        None if film is None else _film_law(solution, c, film, rheology, left_out)
+        for c, film in pairs
+    ]
+    share = np.array(
+        [0.0 if f is None or asperities is None else asperities.share(c, f) for c, f in pairs]
+    )
+    rubbing = contact_ellipses(
+        solution, contacts, share * (0.0 if asperities is None else asperities.boundary)
+    )
     times = np.ones(len(laws)) if scale is None else scale
 
     def dissipation(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
-        gradient, curvature = np.zeros((numbers.size, 4)), np.zeros((numbers.size, 4, 4))
+        gradient = np.zeros((numbers.size, 4))
+        curvature = np.zeros((numbers.size, 4, 4))
         for row, number in enumerate(numbers):
             law = laws[number]
             if law is not None:
                 gradient[row], curvature[row] = law(motion[row], 1.0 - share[number])
-        gradient, curvature = gradient * times[numbers, None], curvature * times[numbers, None, None]
+        gradient = gradient * times[numbers, None]
+        curvature = curvature * times[numbers, None, None]
         if share[numbers].any():
             _, more, steeper = coulomb_dissipation(motion, rubbing.some(numbers))
             gradient, curvature = gradient + more, curvature + steeper
@@ -134,9 +153,14 @@ def film_law(
 
 
 def _film_law(
-    solution: QuasistaticSolution, contact: BearingContact, film: ContactSolution, rheology: Rheology, left_out: float
+    solution: QuasistaticSolution,
+    contact: BearingContact,
+    film: ContactSolution,
+    rheology: Rheology,
+    left_out: float,
 ) -> FilmLaw:
-    """Gradient (4,) and slope (4, 4) of a film's friction by motion and oil's share; sums of `integrate_traction`.
+    """Gradient (4,) and slope (4, 4) of a film's friction by motion and oil's share; sums of
+    `integrate_traction`.
 
     Without the weakest nodes, which make `left_out` [-] of the friction at little sliding.
     """
@@ -151,16 +175,24 @@ def _film_law(
     chosen = width > 0.0
     kinematics = bearing_kinematics(solution, contact)
     inlet = film_temperature(film, solution.operation.temperature)
-    gap, eta = np.maximum(film.film, TINY), film_viscosity(film)
-    stress = shear_stress(LITTLE * abs(kinematics.entrainment_speed) / gap, eta, film.pressure, rheology, inlet)
+    gap = np.maximum(film.film, TINY)
+    eta = film_viscosity(film)
+    stress = shear_stress(
+        LITTLE * abs(kinematics.entrainment_speed) / gap, eta, film.pressure, rheology, inlet
+    )
     chosen &= _counting(area * width * stress, left_out)
-    x, y, area = x[chosen], y[chosen], (area * width)[chosen]
-    gap, pressure, eta = gap[chosen], film.pressure[chosen], eta[chosen]
+    x = x[chosen]
+    y = y[chosen]
+    area = (area * width)[chosen]
+    gap = gap[chosen]
+    pressure = film.pressure[chosen]
+    eta = eta[chosen]
     temperature = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
     bow = kinematics.bow(y)
     pumping = -hydrodynamic * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
     zeros, ones = np.zeros_like(x), np.ones_like(x)
-    along, across = np.stack([ones, zeros, -y, bow]), np.stack([zeros, ones, x, zeros])
+    along = np.stack([ones, zeros, -y, bow])
+    across = np.stack([zeros, ones, x, zeros])
 
     def law(motion: Array, oil: float) -> tuple[Array, Array]:
         s_x, s_y = motion @ along, motion @ across
@@ -168,7 +200,8 @@ def _film_law(
         rate = speed / gap
         stress = shear_stress(rate, eta, pressure, rheology, temperature)
         faster = shear_stress((1.0 + SLOPE_STEP) * rate, eta, pressure, rheology, temperature)
-        secant, tangent = area * stress / speed, area * (faster - stress) / (SLOPE_STEP * speed)
+        secant = area * stress / speed
+        tangent = area * (faster - stress) / (SLOPE_STEP * speed)
         pull = s_x * along + s_y * across
         curvature = (along * secant) @ along.T + (across * secant) @ across.T
         curvature += (pull * ((tangent - secant) / speed**2)) @ pull.T

@@ -1,7 +1,5 @@
 """Newton's method for the balance of friction on balls: all balls at once, each by itself."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 
@@ -25,12 +23,13 @@ class ContactLaw:
     Attributes
     ----------
     dissipation : callable
-        Takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers (N,), gives a `Dissipation`.
+        Takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers (N,), gives a
+        `Dissipation`.
     strength : ndarray, shape (contacts,)
         Friction of each contact that residual forces are measured against [N].
     plane : bool
-        It knows no sliding across the rolling direction: balls then do not turn about the orbit's tangent, and no
-        gyroscopic couple is held.
+        It knows no sliding across the rolling direction: balls then do not turn about the orbit's
+        tangent, and no gyroscopic couple is held.
     pumps : bool
         The oil's rolling resistance is in it.
     potential : bool
@@ -62,8 +61,12 @@ class MotionProblem:
     ring: Array  # (balls, 2, 4) change of the motion by the rings' speeds [m/s], [rad/s]
 
 
-def evaluate(z: Array, problem: MotionProblem, balls: NDArray[np.int64]) -> tuple[Array, Array, Array]:
-    """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls with these numbers."""
+def evaluate(
+    z: Array, problem: MotionProblem, balls: NDArray[np.int64]
+) -> tuple[Array, Array, Array]:
+    """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls
+    with these numbers.
+    """
     move, free = problem.map[balls], problem.free[balls]
     k = problem.start[balls] + np.einsum("bckj,bj->bck", move, z)
     found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(balls))
@@ -74,7 +77,11 @@ def evaluate(z: Array, problem: MotionProblem, balls: NDArray[np.int64]) -> tupl
     gradient += np.einsum("bij,bj->bi", problem.turning[balls], z)
     curvature = found.curvature.reshape(*shape, 4, 4)
     slope = (move.swapaxes(2, 3) @ curvature @ move).sum(axis=1) + problem.turning[balls]
-    return power, np.where(free, gradient, 0.0), np.where(free[:, :, None] & free[:, None, :], slope, 0.0)
+    return (
+        power,
+        np.where(free, gradient, 0.0),
+        np.where(free[:, :, None] & free[:, None, :], slope, 0.0),
+    )
 
 
 def contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -83,7 +90,9 @@ def contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
 
 
 def settle(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
-    """As `minimise`, and where that fails from friction alone, the gyroscopic couple growing in steps."""
+    """As `minimise`, and where that fails from friction alone, the gyroscopic couple growing in
+    steps.
+    """
     z, residual = minimise(problem, start)
     stuck = problem.driven & ~(residual <= BALANCE_TOLERANCE)
     if not (stuck.any() and (problem.couple.any() or problem.turning.any())):
@@ -97,19 +106,29 @@ def settle(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
 
 
 def minimise(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
-    """Newton with Levenberg's damping, every ball by itself; returns z and the residual of each ball [-]."""
+    """Newton with Levenberg's damping, every ball by itself; returns z and the residual of each
+    ball [-].
+    """
     balls = np.arange(problem.start.shape[0])
     friction = problem.strength + TINY
-    z, damping = start.copy(), np.full(balls.size, 1e-6)
+    z = start.copy()
+    damping = np.full(balls.size, 1e-6)
     power, gradient, hessian = evaluate(z, problem, balls)
-    descent = problem.law.potential and not problem.turning.any()  # there is a potential to go down in
+    # there is a potential to go down in
+    descent = problem.law.potential and not problem.turning.any()
     for _ in range(MAX_STEPS):
         residual = np.abs(gradient).max(axis=1) / friction
-        going = (residual > BALANCE_TARGET) & (np.abs(z).max(axis=1) < RUNAWAY * problem.reach) & (damping < 1e12)
+        going = (
+            (residual > BALANCE_TARGET)
+            & (np.abs(z).max(axis=1) < RUNAWAY * problem.reach)
+            & (damping < 1e12)
+        )
         at = np.flatnonzero(going)
         if at.size == 0:
             break
-        size = np.maximum(np.trace(hessian[at], axis1=1, axis2=2), friction[at] / problem.reach[at])
+        size = np.maximum(
+            np.trace(hessian[at], axis1=1, axis2=2), friction[at] / problem.reach[at]
+        )
         damped = hessian[at] + (damping[at] * size)[:, None, None] * np.eye(4)
         trial = z[at] - np.linalg.solve(damped, gradient[at][..., None])[..., 0]
         new = evaluate(trial, problem, at)
@@ -118,6 +137,9 @@ def minimise(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
         lower = (new[0] < power[at] - noise) | ((new[0] <= power[at] + noise) & flatter)
         better = lower if descent else flatter
         kept = at[better]
-        z[kept], power[kept], gradient[kept], hessian[kept] = trial[better], *(part[better] for part in new)
+        z[kept], power[kept], gradient[kept], hessian[kept] = (
+            trial[better],
+            *(part[better] for part in new),
+        )
         damping[at] = np.clip(np.where(better, 0.2, 6.0) * damping[at], 1e-14, 1e13)
     return z, np.abs(gradient).max(axis=1) / friction

@@ -1,11 +1,10 @@
 """Traction tables of a bearing's two races, in one file.
 
-The rolling radius of a race changes little from ball to ball with the contact angle: the table takes that of its
-heaviest loaded contact. Loads reach from below the lightest ball (which carries its centrifugal force only) to above
-the heaviest one at either race, speeds from half to 1.25 times the entrainment speeds of the case.
+The rolling radius of a race changes little from ball to ball with the contact angle: the table
+takes that of its heaviest loaded contact. Loads reach from below the lightest ball (which carries
+its centrifugal force only) to above the heaviest one at either race, speeds from half to 1.25
+times the entrainment speeds of the case.
 """
-
-from __future__ import annotations
 
 import io
 import os
@@ -40,9 +39,11 @@ def table_contacts(
     temperature: float | None = None,
     solids: Solids | None = None,
 ) -> dict[Race, TableContact]:
-    """What the table of each race is made for, by its heaviest loaded contact; temperature [K], None: of operation.
+    """What the table of each race is made for, by its heaviest loaded contact; temperature [K],
+    None: of operation.
 
-    With the thermal properties of ball and race (`solids`) the films are solved and sheared with heat.
+    With the thermal properties of ball and race (`solids`) the films are solved and sheared with
+    heat.
 
     Raises
     ------
@@ -53,7 +54,8 @@ def table_contacts(
     found = {}
     for race in Race:
         heaviest = max(_loaded(contacts, race), key=lambda contact: contact.load)
-        c, motion = heaviest.conditions, bearing_kinematics(solution, heaviest)
+        c = heaviest.conditions
+        motion = bearing_kinematics(solution, heaviest)
         assert c is not None  # of a loaded contact
         found[race] = TableContact(
             radius_x=c.radius_x,
@@ -73,7 +75,9 @@ def table_range(solution: QuasistaticSolution, lubricant: Lubricant) -> TableRan
     """Loads [N] and speeds [m/s] around those of a bearing's contacts, the same for both races."""
     contacts = [c for c in contact_conditions(solution, lubricant) if c.conditions is not None]
     if not contacts:
-        raise ValueError("no contact is loaded and entrains oil: there is nothing to make a table for")
+        raise ValueError(
+            "no contact is loaded and entrains oil: there is nothing to make a table for"
+        )
     loads = [contact.load for contact in contacts]
     speeds = [c.conditions.entrainment_speed for c in contacts if c.conditions is not None]
     highest = LOAD_MARGIN[1] * max(loads)
@@ -104,7 +108,8 @@ def build_race_tables(
     solids : tuple of SolidThermal, optional
         Ball and race, for films with heat; None: at the temperature of operation [K].
     """
-    limits, tables = table_range(solution, lubricant), {}
+    limits = table_range(solution, lubricant)
+    tables = {}
     for race, contact in table_contacts(solution, lubricant, rheology, solids=solids).items():
         tables[race] = build_table(contact, limits, options, race_progress(progress, race))
     return tables
@@ -121,14 +126,18 @@ def race_progress(progress: Progress | None, race: Race) -> Progress:
 
 
 def _loaded(contacts: tuple[BearingContact, ...], race: Race) -> list[BearingContact]:
-    found = [contact for contact in contacts if contact.race is race and contact.conditions is not None]
+    found = [
+        contact for contact in contacts if contact.race is race and contact.conditions is not None
+    ]
     if not found:
         raise ValueError(f"no contact of the {race.value} race is loaded and entrains oil")
     return found
 
 
 def save_race_tables(tables: Tables, path: Path) -> None:
-    """Write the tables of both races into one file; it appears under its name only when it is complete."""
+    """Write the tables of both races into one file; it appears under its name only when it is
+    complete.
+    """
     partial = path.with_name(path.name + ".partial")
     with zipfile.ZipFile(partial, "w") as archive:
         for race, table in tables.items():
@@ -138,7 +147,9 @@ def save_race_tables(tables: Tables, path: Path) -> None:
     os.replace(partial, path)
 
 
-def load_race_tables(path: Path, expected: Tables | None = None, *, oil: Lubricant | None = None) -> Tables:
+def load_race_tables(
+    path: Path, expected: Tables | None = None, *, oil: Lubricant | None = None
+) -> Tables:
     """Read the tables of both races.
 
     Parameters
@@ -147,18 +158,22 @@ def load_race_tables(path: Path, expected: Tables | None = None, *, oil: Lubrica
     expected : dict of TractionTable, optional
         Tables with whose inputs those of the file must agree.
     oil : Lubricant, optional
-        At whose temperature the tables of a file with several temperatures are wanted; it must be theirs.
+        At whose temperature the tables of a file with several temperatures are wanted; it must be
+        theirs.
 
     Raises
     ------
     ValueError
-        If the file is none of this kind, damaged, or made for other inputs; the message says which.
+        If the file is none of this kind, damaged, or made for other inputs; the message says
+        which.
     """
     from .temperature_tables import holds_temperatures, tables_for_oil
 
     if holds_temperatures(path):
         if oil is None:
-            raise ValueError(f"{path}: has tables at several temperatures; one of a single temperature is needed here")
+            raise ValueError(
+                f"{path}: has tables at several temperatures; one of a single temperature is needed here"
+            )
         return tables_for_oil(path, oil)
     tables = {}
     try:

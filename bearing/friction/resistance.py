@@ -1,6 +1,6 @@
-"""What brakes a bearing beside sliding: hysteresis of the contacts, the oil's rolling resistance, cage and churning."""
-
-from __future__ import annotations
+"""What brakes a bearing beside sliding: hysteresis of the contacts, the oil's rolling resistance,
+cage and churning.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,7 +15,8 @@ from ..contacts.contacts import BearingContact
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 
-SPHERE_DRAG = 0.44  # C_d of a sphere in Newton's range, 1e3 < Re < 2e5; unverified for balls behind each other
+# C_d of a sphere in Newton's range, 1e3 < Re < 2e5; unverified for balls behind each other
+SPHERE_DRAG = 0.44
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,7 +53,9 @@ class Resistance:
         return self.ball * speed * np.abs(speed)
 
     def cage_power(self, solution: QuasistaticSolution, cage_speed: float) -> float:
-        """Power [W] that the balls give to a cage that turns at a speed [rad/s] against the drag of its land."""
+        """Power [W] that the balls give to a cage that turns at a speed [rad/s] against the drag
+        of its land.
+        """
         operation = solution.operation
         ring = operation.outer_speed if self.outer_guided else operation.inner_speed
         return self.land * (cage_speed - ring) * cage_speed
@@ -62,9 +65,14 @@ FREE = Resistance()
 
 
 def resistance_of(
-    cage: Cage | None, bearing: Bearing, viscosity: float, density: float, oil_fraction: float | None
+    cage: Cage | None,
+    bearing: Bearing,
+    viscosity: float,
+    density: float,
+    oil_fraction: float | None,
 ) -> Resistance:
-    """Drag of the balls as `churning_power` has it, of the land as `land_power`; friction in the pockets is left out.
+    """Drag of the balls as `churning_power` has it, of the land as `land_power`; friction in the
+    pockets is left out.
 
     Parameters
     ----------
@@ -77,7 +85,12 @@ def resistance_of(
     """
     area = 0.25 * pi * bearing.ball_diameter**2
     ball = 0.5 * SPHERE_DRAG * density * (oil_fraction or 0.0) * area
-    if cage is None or cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
+    if (
+        cage is None
+        or cage.land_diameter is None
+        or cage.land_width is None
+        or cage.land_clearance is None
+    ):
         return Resistance(ball=ball)
     radius = 0.5 * cage.land_diameter
     land = viscosity * 2.0 * pi * radius**3 * cage.land_width / cage.land_clearance
@@ -85,10 +98,12 @@ def resistance_of(
 
 
 def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
-    """Moment that resists rolling in a lubricated contact [N m], Biboulet and Houpert (2010), elastohydrodynamic limit.
+    """Moment that resists rolling in a lubricated contact [N m], Biboulet and Houpert (2010),
+    elastohydrodynamic limit.
 
-    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1 - (a_x/a_y)^2. t is
-    Rx times the force that the pressure flow pulls one body with; both are pulled (checked against solved contacts).
+    Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1
+    - (a_x/a_y)^2. t is Rx times the force that the pressure flow pulls one body with; both are
+    pulled (checked against solved contacts).
 
     Parameters
     ----------
@@ -115,15 +130,23 @@ def rolling_power(contacts: Sequence[BearingContact]) -> float:
     for contact in contacts:
         c, hertz = contact.conditions, contact.hertz
         if c is not None and hertz is not None:
-            power += rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x) * c.entrainment_speed / c.radius_x
+            power += (
+                rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x)
+                * c.entrainment_speed
+                / c.radius_x
+            )
     return power
 
 
-def hysteresis_torque(solution: QuasistaticSolution, contacts: Sequence[BearingContact], loss: float) -> float:
-    """M_E = 1/4 D_pw [(1 - g_i^2) sum Phi_i + (1 - g_e^2) sum Phi_e] beta_a, Phi = 3/16 Q b/Rx [N m].
+def hysteresis_torque(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], loss: float
+) -> float:
+    """M_E = 1/4 D_pw [(1 - g_i^2) sum Phi_i + (1 - g_e^2) sum Phi_e] beta_a, Phi = 3/16 Q b/Rx [N
+    m].
 
-    The energy stored in front of a rolling contact, of which the share `loss` is lost (Greenwood, Minshall and Tabor,
-    1961): Phi is the moment of the pressure ahead of the centre over the ball's radius; g = D cos(alpha)/D_pw.
+    The energy stored in front of a rolling contact, of which the share `loss` is lost (Greenwood,
+    Minshall and Tabor, 1961): Phi is the moment of the pressure ahead of the centre over the
+    ball's radius; g = D cos(alpha)/D_pw.
 
     Parameters
     ----------
@@ -132,7 +155,8 @@ def hysteresis_torque(solution: QuasistaticSolution, contacts: Sequence[BearingC
     loss : float
         beta_a [-].
     """
-    pitch, torque = solution.bearing.pitch_diameter, 0.0
+    pitch = solution.bearing.pitch_diameter
+    torque = 0.0
     for contact in contacts:
         if contact.hertz is not None:
             phi = 3.0 / 16.0 * contact.load * contact.hertz.semi_axis_x / contact.hertz.radius_x
@@ -142,11 +166,16 @@ def hysteresis_torque(solution: QuasistaticSolution, contacts: Sequence[BearingC
 
 def _slope(solution: QuasistaticSolution, contact: BearingContact) -> float:
     """g = D cos(alpha)/D_pw [-]."""
-    return solution.bearing.ball_diameter * cos(contact.contact_angle) / solution.bearing.pitch_diameter
+    return (
+        solution.bearing.ball_diameter
+        * cos(contact.contact_angle)
+        / solution.bearing.pitch_diameter
+    )
 
 
 def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: float) -> float:
-    """Power sheared in the guiding lands, Petroff (1883): eta (w r)^2 2 pi r B/c [W]; zero if guided by the balls.
+    """Power sheared in the guiding lands, Petroff (1883): eta (w r)^2 2 pi r B/c [W]; zero if
+    guided by the balls.
 
     Parameters
     ----------
@@ -158,12 +187,25 @@ def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: floa
     """
     if cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
         return 0.0
-    radius, slip = 0.5 * cage.land_diameter, abs(ring_speed - cage_speed)
-    return viscosity * (slip * radius) ** 2 * 2.0 * pi * radius * cage.land_width / cage.land_clearance
+    radius = 0.5 * cage.land_diameter
+    slip = abs(ring_speed - cage_speed)
+    return (
+        viscosity
+        * (slip * radius) ** 2
+        * 2.0
+        * pi
+        * radius
+        * cage.land_width
+        / cage.land_clearance
+    )
 
 
-def pocket_power(cage: Cage, bearing: Bearing, solution: QuasistaticSolution, drag_power: float) -> float:
-    """Power rubbed in the pockets by the forces that pull the cage against its land drag [W]; `drag_power` in [W]."""
+def pocket_power(
+    cage: Cage, bearing: Bearing, solution: QuasistaticSolution, drag_power: float
+) -> float:
+    """Power rubbed in the pockets by the forces that pull the cage against its land drag [W];
+    `drag_power` in [W].
+    """
     slip = abs(solution.cage_speed)
     if slip == 0.0:
         return 0.0

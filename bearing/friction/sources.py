@@ -1,10 +1,10 @@
-"""Where the friction of balls on races comes from in traction equilibrium: a law of each race, Coulomb, solved films.
+"""Where the friction of balls on races comes from in traction equilibrium: a law of each race,
+Coulomb, solved films.
 
-A source is asked once near an equilibrium what it needs there (`prepare`), which for films is to solve them; what it
-gives then makes the friction of all contacts (`law`) for equilibria nearby, and tells how far the loads have moved.
+A source is asked once near an equilibrium what it needs there (`prepare`), which for films is to
+solve them; what it gives then makes the friction of all contacts (`law`) for equilibria nearby,
+and tells how far the loads have moved.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -51,7 +51,9 @@ class TractionSource(Protocol):
         """Where it comes from, for messages."""
         ...
 
-    def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
+    def prepare(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> PreparedTraction:
         """What is needed near an equilibrium [N], [m/s]."""
         ...
 
@@ -100,7 +102,9 @@ class LawTraction(_Everywhere):
         """Where it comes from, for messages."""
         return "a law of each race (traction tables)"
 
-    def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
+    def prepare(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> PreparedTraction:
         """Itself, for loads [N] of any size."""
         del solution, contacts
         return self
@@ -113,7 +117,8 @@ class LawTraction(_Everywhere):
 
 @dataclass(frozen=True, kw_only=True)
 class FourConstantTraction(_Everywhere):
-    """mu = (A + B s) exp(-C s) + D over the ellipse of every contact, s the local slide over the entrainment speed.
+    """mu = (A + B s) exp(-C s) + D over the ellipse of every contact, s the local slide over the
+    entrainment speed.
 
     Attributes
     ----------
@@ -126,9 +131,13 @@ class FourConstantTraction(_Everywhere):
     @property
     def words(self) -> str:
         """Where it comes from, for messages."""
-        return "law of four constants, (A + B s) exp(-C s) + D with " + ", ".join(f"{c:.4g}" for c in self.constants)
+        return "law of four constants, (A + B s) exp(-C s) + D with " + ", ".join(
+            f"{c:.4g}" for c in self.constants
+        )
 
-    def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
+    def prepare(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> PreparedTraction:
         """Itself, for loads [N] of any size."""
         del solution, contacts
         return self
@@ -147,7 +156,8 @@ class FourConstantTraction(_Everywhere):
 
 @dataclass(frozen=True, kw_only=True)
 class CoulombTraction(_Everywhere):
-    """Coulomb's friction over the ellipse, rounded off where nearly nothing slides (`contact_ellipses`).
+    """Coulomb's friction over the ellipse, rounded off where nearly nothing slides
+    (`contact_ellipses`).
 
     Attributes
     ----------
@@ -162,7 +172,9 @@ class CoulombTraction(_Everywhere):
         """Where it comes from, for messages."""
         return f"Coulomb's law, mu = {self.friction:g}"
 
-    def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
+    def prepare(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> PreparedTraction:
         """Itself, for loads [N] of any size."""
         del solution, contacts
         return self
@@ -177,7 +189,8 @@ class CoulombTraction(_Everywhere):
         )
 
 
-PREPARED = LawTraction | FourConstantTraction | CoulombTraction  # sources that are their own preparation
+# sources that are their own preparation
+PREPARED = LawTraction | FourConstantTraction | CoulombTraction
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -187,7 +200,8 @@ class FilmTraction:
     Attributes
     ----------
     solve : callable
-        Takes the conditions of contacts, None where there is none, and gives their films [m], [Pa].
+        Takes the conditions of contacts, None where there is none, and gives their films [m],
+        [Pa].
     rheology : Rheology
     asperities : Asperities or None
         What carries part of the loads [N] where the films are thin; None: full films.
@@ -202,7 +216,9 @@ class FilmTraction:
         """Where it comes from, for messages."""
         return "shear of the solved films, in proportion to the load between two rounds of solving them"
 
-    def prepare(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> PreparedTraction:
+    def prepare(
+        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+    ) -> PreparedTraction:
         """Films at the loads of an equilibrium [N].
 
         Raises
@@ -213,8 +229,12 @@ class FilmTraction:
         films = self.solve([contact.conditions for contact in contacts])
         for contact, film in zip(contacts, films, strict=True):
             if film is not None and not film.converged:
-                raise ValueError(f"the film of ball {contact.ball} at the {contact.race.value} race did not converge")
-        return SolvedTraction(source=self, films=tuple(films), loads=tuple(contact.load for contact in contacts))
+                raise ValueError(
+                    f"the film of ball {contact.ball} at the {contact.race.value} race did not converge"
+                )
+        return SolvedTraction(
+            source=self, films=tuple(films), loads=tuple(contact.load for contact in contacts)
+        )
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -226,10 +246,19 @@ class SolvedTraction:
     loads: tuple[float, ...]
 
     def law(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
-        """Friction at the loads of an equilibrium [N], the traction coefficients being those of the films."""
+        """Friction at the loads of an equilibrium [N], the traction coefficients being those of
+        the films.
+        """
         pairs = zip(contacts, self.loads, strict=True)
         scale = np.array([contact.load / load if load > 0.0 else 0.0 for contact, load in pairs])
-        return film_law(solution, contacts, self.films, self.source.rheology, self.source.asperities, scale=scale)
+        return film_law(
+            solution,
+            contacts,
+            self.films,
+            self.source.rheology,
+            self.source.asperities,
+            scale=scale,
+        )
 
     def change(self, contacts: Sequence[BearingContact]) -> float:
         """Largest change of a load since the films were solved, over the largest load [-]."""

@@ -1,7 +1,5 @@
 """Friction law of traction tables, and the balance of balls under it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
@@ -25,9 +23,13 @@ STEP = 1.0e-5  # of slides over u, and spin over u/R_x, for difference quotients
 
 
 def law_balance(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], laws: Mapping[Race, FrictionLaw]
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    laws: Mapping[Race, FrictionLaw],
 ) -> BalancedFriction:
-    """Motion of all balls in which the laws' forces balance themselves; arguments as in `tabulated_torque`, SI."""
+    """Motion of all balls in which the laws' forces balance themselves; arguments as in
+    `tabulated_torque`, SI.
+    """
     law = contact_law(contacts, [laws[contact.race] for contact in contacts])
     return balance_driven_balls(solution, contacts, law)
 
@@ -38,14 +40,19 @@ def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw])
     places = np.array([_place(contact) for contact in contacts])
 
     def law(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
-        gradient, slope = np.zeros((numbers.size, 4)), np.zeros((numbers.size, 4, 4))
+        gradient = np.zeros((numbers.size, 4))
+        slope = np.zeros((numbers.size, 4, 4))
         for members, evaluate in groups:
             rows = np.flatnonzero(members[numbers])
             if rows.size:
-                gradient[rows], slope[rows] = evaluate(numbers[rows], places[numbers[rows]], motion[rows])
+                gradient[rows], slope[rows] = evaluate(
+                    numbers[rows], places[numbers[rows]], motion[rows]
+                )
         return Dissipation(np.zeros(numbers.size), gradient, slope)
 
-    load = np.array([contact.load if contact.conditions is not None else 0.0 for contact in contacts])
+    load = np.array(
+        [contact.load if contact.conditions is not None else 0.0 for contact in contacts]
+    )
     pumps = not all(isinstance(one, CoulombLaw | FourConstantLaw) for one in laws)
     return ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False, pumps=pumps)
 
@@ -59,7 +66,9 @@ def _place(contact: BearingContact) -> tuple[float, float, float]:
 def _groups(
     contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]
 ) -> list[tuple[NDArray[np.bool_], Evaluate]]:
-    """Lubricated contacts that are evaluated together: those of one table, those of one kind of coefficient."""
+    """Lubricated contacts that are evaluated together: those of one table, those of one kind of
+    coefficient.
+    """
     kinds: dict[object, list[int]] = {}
     for number, (contact, law) in enumerate(zip(contacts, laws, strict=True)):
         if contact.conditions is not None:
@@ -74,16 +83,23 @@ def _groups(
 
 
 def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
-    """Minus the forces and their slopes of some contacts, by number, place and motion, for laws like the first."""
+    """Minus the forces and their slopes of some contacts, by number, place and motion, for laws
+    like the first.
+    """
     if isinstance(first, CoulombLaw | FourConstantLaw):
-        disc, blank = first.disc, (first.kernel_law(), first.shape.constants)
+        disc = first.disc
+        blank = (first.kernel_law(), first.shape.constants)
         alike = [law if isinstance(law, type(first)) else None for law in laws]
         constants = np.array([blank[0] if law is None else law.kernel_law() for law in alike])
         shapes = np.array([blank[1] if law is None else law.shape.constants for law in alike])
 
-        def coefficients(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
+        def coefficients(
+            numbers: NDArray[np.int64], places: Array, motion: Array
+        ) -> tuple[Array, Array]:
             found = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
-            _kernels.hertz_gradients(disc, constants[numbers], shapes[numbers], places, motion, STEP, *found)
+            _kernels.hertz_gradients(
+                disc, constants[numbers], shapes[numbers], places, motion, STEP, *found
+            )
             return found
 
         return coefficients
@@ -97,28 +113,38 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
 
         return table
 
-    def one_by_one(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
+    def one_by_one(
+        numbers: NDArray[np.int64], places: Array, motion: Array
+    ) -> tuple[Array, Array]:
         found = [law_gradient(first, place, k) for place, k in zip(places, motion, strict=True)]
-        return np.array([gradient for gradient, _ in found]), np.array([slope for _, slope in found])
+        return np.array([gradient for gradient, _ in found]), np.array(
+            [slope for _, slope in found]
+        )
 
     return one_by_one
 
 
 def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, Array]:
-    """Minus the forces and moments (4,) on the ball by a law, and their slope (4, 4) by sliding and spin.
+    """Minus the forces and moments (4,) on the ball by a law, and their slope (4, 4) by sliding
+    and spin.
 
     Parameters
     ----------
     law : FrictionLaw
     place : ndarray, shape (3,)
-        Load [N], entrainment speed [m/s], rolling radius [m]; the entrainment is that of the rolling speed.
+        Load [N], entrainment speed [m/s], rolling radius [m]; the entrainment is that of the
+        rolling speed.
     motion : ndarray, shape (4,)
         Sliding along and across [m/s], spin and rolling [rad/s].
     """
     load, speed, radius = (float(value) for value in place)
-    here, slope = np.array(law.forces(load, speed, *(float(part) for part in motion[:3]))[:4]), np.zeros((4, 4))
+    here = np.array(law.forces(load, speed, *(float(part) for part in motion[:3]))[:4])
+    slope = np.zeros((4, 4))
     for j, step in enumerate((STEP * speed, STEP * speed, STEP * speed / radius)):
         moved = motion[:3].copy()
         moved[j] += step
-        slope[:, j] = -(np.array(law.forces(load, speed, *(float(part) for part in moved))[:4]) - here) / step
+        slope[:, j] = (
+            -(np.array(law.forces(load, speed, *(float(part) for part in moved))[:4]) - here)
+            / step
+        )
     return -here, slope

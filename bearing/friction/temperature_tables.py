@@ -1,7 +1,5 @@
 """Traction tables of both races of a bearing at several temperatures of the oil, and their file."""
 
-from __future__ import annotations
-
 import io
 import json
 import os
@@ -49,7 +47,8 @@ def build_temperature_tables(
     solids : tuple of SolidThermal, optional
         Ball and race, for films with heat; None: at the temperature of the oil [K].
     """
-    limits, found = table_range(solution, oil_at(temperatures[0])[0]), {}
+    limits = table_range(solution, oil_at(temperatures[0])[0])
+    found = {}
     for race in Race:
 
         def contact_at(temperature: float, race: Race = race) -> TableContact:
@@ -70,7 +69,10 @@ def save_temperature_tables(tables: TemperatureTables, path: Path) -> None:
                 write_table(table, stream)
                 archive.writestr(f"{race.value}_{number}.npz", stream.getvalue())
         index = {
-            race.value: {"tables": len(found.tables), "errors": [asdict(error) for error in found.errors]}
+            race.value: {
+                "tables": len(found.tables),
+                "errors": [asdict(error) for error in found.errors],
+            }
             for race, found in tables.items()
         }
         archive.writestr(INDEX, json.dumps(index))
@@ -91,11 +93,18 @@ def load_temperature_tables(path: Path) -> TemperatureTables:
             index = json.loads(archive.read(INDEX))
             for race in Race:
                 count, errors = index[race.value]["tables"], index[race.value]["errors"]
-                streams = [io.BytesIO(archive.read(f"{race.value}_{number}.npz")) for number in range(count)]
+                streams = [
+                    io.BytesIO(archive.read(f"{race.value}_{number}.npz"))
+                    for number in range(count)
+                ]
                 tables = tuple(read_table(stream, str(path)) for stream in streams)
-                found[race] = TemperatureTable(tables=tables, errors=tuple(TableError(**error) for error in errors))
+                found[race] = TemperatureTable(
+                    tables=tables, errors=tuple(TableError(**error) for error in errors)
+                )
     except (zipfile.BadZipFile, KeyError, TypeError, json.JSONDecodeError) as problem:
-        raise ValueError(f"{path}: no traction tables over the temperature, or damaged ones") from problem
+        raise ValueError(
+            f"{path}: no traction tables over the temperature, or damaged ones"
+        ) from problem
     return found
 
 
@@ -119,7 +128,10 @@ def tables_for_oil(path: Path, oil: Lubricant) -> Tables:
     if oil.temperature is None:
         raise ValueError(f"{path}: has tables at several temperatures, and the lubricant has none")
     try:
-        return {race: found.at(oil.temperature, oil) for race, found in load_temperature_tables(path).items()}
+        return {
+            race: found.at(oil.temperature, oil)
+            for race, found in load_temperature_tables(path).items()
+        }
     except ValueError as problem:
         text = str(problem)
         raise ValueError(text if text.startswith(str(path)) else f"{path}: {text}") from problem

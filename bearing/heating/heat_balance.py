@@ -1,12 +1,12 @@
-"""One-node heat balance of a bearing: its friction power leaves by its surroundings and by the oil.
+"""One-node heat balance of a bearing: its friction power leaves by its surroundings and by the
+oil.
 
     M(T) omega = h (T - T_ambient) + rho c V (T - T_supply)
 
-with one temperature T for rings, balls and oil. The torque falls with the temperature through the viscosity and, with
-`torque` a function that solves the bearing anew, through clearance and loads as well.
+with one temperature T for rings, balls and oil. The torque falls with the temperature through the
+viscosity and, with `torque` a function that solves the bearing anew, through clearance and loads
+as well.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -46,7 +46,9 @@ class Cooling:
             if not (isfinite(value) and value >= 0.0):
                 raise ValueError(f"{field} must be zero or positive and finite, got {value!r} W/K")
         if self.conductance + self.oil_flow <= 0.0:
-            raise ValueError("conductance and oil_flow must not both be zero: nothing would cool the bearing")
+            raise ValueError(
+                "conductance and oil_flow must not both be zero: nothing would cool the bearing"
+            )
         for field in ("ambient", "oil_supply"):
             value = getattr(self, field)
             if not (isfinite(value) and value > 0.0):
@@ -54,7 +56,9 @@ class Cooling:
 
     def heat(self, temperature: float) -> float:
         """Heat carried away at a temperature [K], in [W]."""
-        return self.conductance * (temperature - self.ambient) + self.oil_flow * (temperature - self.oil_supply)
+        return self.conductance * (temperature - self.ambient) + self.oil_flow * (
+            temperature - self.oil_supply
+        )
 
     @property
     def rest(self) -> float:
@@ -116,14 +120,20 @@ def heat_balance(torque: Callable[[float], float], speed: float, cooling: Coolin
 
     low = high = found = cooling.rest
     message = "converged"
-    rise, warmer = FIRST_RISE, surplus(low)
+    rise = FIRST_RISE
+    warmer = surplus(low)
     if warmer <= 0.0:
         message = "converged: no friction to speak of"
     while warmer > 0.0 and high < cooling.rest + LARGEST_RISE:
-        low, high = high, min(cooling.rest + rise, cooling.rest + LARGEST_RISE)
-        rise, warmer = 2.0 * rise, surplus(high)
+        low = high
+        high = min(cooling.rest + rise, cooling.rest + LARGEST_RISE)
+        rise = 2.0 * rise
+        warmer = surplus(high)
     if warmer > 0.0:
-        found, message = high, f"no balance: friction exceeds the cooling up to {LARGEST_RISE:g} K above the rest"
+        found = high
+        message = (
+            f"no balance: friction exceeds the cooling up to {LARGEST_RISE:g} K above the rest"
+        )
     elif high > low:
         found = float(brentq(surplus, low, high, xtol=TOLERANCE))
         if found not in seen:

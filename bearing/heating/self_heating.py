@@ -1,6 +1,6 @@
-"""A bearing that warms itself: torque to temperature, to viscosity and clearance, to loads, and back to torque."""
-
-from __future__ import annotations
+"""A bearing that warms itself: torque to temperature, to viscosity and clearance, to loads, and
+back to torque.
+"""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -35,9 +35,11 @@ class WarmBearing:
         Friction torque [N m] of an equilibrium, its contacts and its oil.
     fit : Fit or None
     reference : float or None
-        Temperature at which clearance and fits were measured [K]; None: the clearance is the operating one, and stays.
+        Temperature at which clearance and fits were measured [K]; None: the clearance is the
+        operating one, and stays.
     inner_excess : float
-        Inner ring and shaft above the one temperature of the node, outer ring and housing as much below it [K].
+        Inner ring and shaft above the one temperature of the node, outer ring and housing as much
+        below it [K].
     """
 
     bearing: Bearing
@@ -68,7 +70,8 @@ class WarmBearing:
         """Diametral clearance [m] at a temperature [K]."""
         if self.reference is None:
             return self.bearing.diametral_clearance
-        rise, excess = temperature - self.reference, self.inner_excess
+        rise = temperature - self.reference
+        excess = self.inner_excess
         warming = Warming(
             inner_ring=rise + excess,
             shaft=rise + excess,
@@ -85,7 +88,8 @@ class WarmBearing:
 
 
 def self_heating(warm: WarmBearing, cooling: Cooling) -> HeatBalance:
-    """Temperature at which the friction of a bearing is what its surroundings and its oil carry away.
+    """Temperature at which the friction of a bearing is what its surroundings and its oil carry
+    away.
 
     Parameters
     ----------
@@ -140,7 +144,9 @@ class WarmState:
 
 
 def warm_state(warm: WarmBearing, cooling: Cooling, model: str) -> WarmState:
-    """Temperature [K] that a bearing warms itself to, with its oil and clearance there, or why there is none."""
+    """Temperature [K] that a bearing warms itself to, with its oil and clearance there, or why
+    there is none.
+    """
     try:
         balance = self_heating(warm, cooling)
         if not balance.converged:
@@ -148,4 +154,6 @@ def warm_state(warm: WarmBearing, cooling: Cooling, model: str) -> WarmState:
         oil, clearance = warm.oil(balance.temperature), warm.clearance(balance.temperature)
     except ValueError as problem:
         return WarmState(model=model, balance=None, cooling=cooling, note=str(problem))
-    return WarmState(model=model, balance=balance, cooling=cooling, viscosity=oil.viscosity, clearance=clearance)
+    return WarmState(
+        model=model, balance=balance, cooling=cooling, viscosity=oil.viscosity, clearance=clearance
+    )

@@ -1,7 +1,5 @@
 """Bearings by name, as the keys of a case file's [bearing] table."""
 
-from __future__ import annotations
-
 import tomllib
 import warnings
 from collections.abc import Collection, Mapping
@@ -11,7 +9,8 @@ from typing import Any
 
 from .names import matching_name
 
-PUBLISHED, ESTIMATED = "bearings.toml", "estimated_bearings.toml"
+PUBLISHED = "bearings.toml"
+ESTIMATED = "estimated_bearings.toml"
 SAME = 1e-9  # relative difference of a case's value from the catalogue's that counts as none [-]
 
 
@@ -21,12 +20,15 @@ def list_bearings() -> tuple[str, ...]:
 
 
 def published_bearings() -> tuple[str, ...]:
-    """Names of the bearings whose ball, number of balls and pitch diameter come from a publication."""
+    """Names of the bearings whose ball, number of balls and pitch diameter come from a
+    publication.
+    """
     return tuple(_table(PUBLISHED))
 
 
 def load_catalogue_entry(name: str) -> dict[str, Any]:
-    """Keys of a case file's [bearing] table for a catalogue bearing; each name ends in its unit ([mm], [um], [deg]).
+    """Keys of a case file's [bearing] table for a catalogue bearing; each name ends in its unit
+    ([mm], [um], [deg]).
 
     Parameters
     ----------
@@ -36,8 +38,8 @@ def load_catalogue_entry(name: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        Keys and values as in a case file, with `source` (text), `estimated` (keys whose values are estimates) and
-        `range` (an interval for each of these).
+        Keys and values as in a case file, with `source` (text), `estimated` (keys whose values are
+        estimates) and `range` (an interval for each of these).
 
     Raises
     ------
@@ -75,12 +77,18 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
     found = []
     for field in entry["estimated"]:
         value = values.get(field)
-        if value is None or field in assumed or abs(value - entry[field]) > SAME * abs(entry[field]):
+        if (
+            value is None
+            or field in assumed
+            or abs(value - entry[field]) > SAME * abs(entry[field])
+        ):
             continue
         (low, high), (text, unit) = entry["range"][field], _words(field)
         found.append(f"{text} {value:g}{unit} ({low:g} to {high:g})")
     if found:
-        warnings.warn(f"bearing {key!r}: internal geometry is estimated: {', '.join(found)}", stacklevel=2)
+        warnings.warn(
+            f"bearing {key!r}: internal geometry is estimated: {', '.join(found)}", stacklevel=2
+        )
 
 
 def _words(field: str) -> tuple[str, str]:

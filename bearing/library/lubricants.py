@@ -1,6 +1,6 @@
-"""Lubricants by name: viscosity, pressure-viscosity coefficient, density and thermal properties at a temperature."""
-
-from __future__ import annotations
+"""Lubricants by name: viscosity, pressure-viscosity coefficient, density and thermal properties at
+a temperature.
+"""
 
 import tomllib
 import warnings
@@ -28,7 +28,8 @@ def list_lubricants() -> tuple[str, ...]:
 
 
 def lubricant_data(name: str) -> dict[str, Any]:
-    """What the data file says of an oil: range [degrees Celsius], and per property its law, constants and source.
+    """What the data file says of an oil: range [degrees Celsius], and per property its law,
+    constants and source.
 
     Parameters
     ----------
@@ -38,14 +39,15 @@ def lubricant_data(name: str) -> dict[str, Any]:
     Returns
     -------
     dict
-        `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units, `source`, and `verified`
-        false where the number was not read in a source.
+        `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units,
+        `source`, and `verified` false where the number was not read in a source.
     """
     return _table()[name]
 
 
 def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
-    """Lubricant of the library at a temperature; the laws of viscosity and density are the caller's.
+    """Lubricant of the library at a temperature; the laws of viscosity and density are the
+    caller's.
 
     Parameters
     ----------
@@ -54,12 +56,14 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     temperature : float
         Temperature of the oil in the contact inlet [K].
     **laws
-        Further fields of `ehl.Lubricant` (viscosity_law, density_law, roelands_z [-], roelands_pressure [Pa]).
+        Further fields of `ehl.Lubricant` (viscosity_law, density_law, roelands_z [-],
+        roelands_pressure [Pa]).
 
     Returns
     -------
     Lubricant
-        With its thermal properties; -d(ln eta)/dT and the expansion are those of the laws at this temperature.
+        With its thermal properties; -d(ln eta)/dT and the expansion are those of the laws at this
+        temperature.
 
     Raises
     ------
@@ -80,12 +84,16 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     entry = table[key]
     low, high = entry["range_C"]
     if not low <= temperature - ZERO_CELSIUS <= high:
-        message = f"lubricant {key!r}: {temperature - ZERO_CELSIUS:.1f} C is outside {low} to {high} C"
+        message = (
+            f"lubricant {key!r}: {temperature - ZERO_CELSIUS:.1f} C is outside {low} to {high} C"
+        )
         warnings.warn(message, stacklevel=2)
     constants = _free_volume(entry, temperature)
     alpha = pressure_viscosity(entry, temperature)
     if laws.get("viscosity_law") is ViscosityLaw.TAIT_DOOLITTLE and constants:
-        alpha = pressure_viscosity_doolittle(constants["tait"], constants["doolittle"], temperature)
+        alpha = pressure_viscosity_doolittle(
+            constants["tait"], constants["doolittle"], temperature
+        )
     return Lubricant(
         viscosity=dynamic_viscosity(entry, temperature),
         pressure_viscosity=alpha,
@@ -101,7 +109,8 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
 def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
     def fall(law: Callable[[dict[str, Any], float], float]) -> float:
         """-d(ln law)/dT by a central difference [1/K]."""
-        warmer, colder = law(entry, temperature + STEP), law(entry, temperature - STEP)
+        warmer = law(entry, temperature + STEP)
+        colder = law(entry, temperature - STEP)
         return log(colder / warmer) / (2.0 * STEP)
 
     conductivity, heat = entry["conductivity"], entry["specific_heat"]
@@ -114,7 +123,9 @@ def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
 
 
 def _free_volume(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
-    """Constants of Tait and Doolittle, which hold at the temperature of operation; none if the oil has none."""
+    """Constants of Tait and Doolittle, which hold at the temperature of operation; none if the oil
+    has none.
+    """
     data = entry.get("doolittle")
     if data is None:
         return {}
@@ -125,17 +136,22 @@ def _free_volume(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
     )
     return {
         "tait": tait,
-        "doolittle": DoolittleFreeVolume(factor=data["factor"], occupied_share=data["occupied_share"]),
+        "doolittle": DoolittleFreeVolume(
+            factor=data["factor"], occupied_share=data["occupied_share"]
+        ),
     }
 
 
 def dynamic_viscosity(entry: dict[str, Any], temperature: float) -> float:
     """Dynamic viscosity [Pa s] of an oil's data at a temperature [K] and ambient pressure."""
-    return LAWS[entry["viscosity"]["law"]](entry["viscosity"], temperature, oil_density(entry, temperature))
+    return LAWS[entry["viscosity"]["law"]](
+        entry["viscosity"], temperature, oil_density(entry, temperature)
+    )
 
 
 def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -> float:
-    """Dynamic viscosity [Pa s], rho a exp(b/(t + c)) with a in mm^2/s, t in degrees Celsius, Vogel (1921).
+    """Dynamic viscosity [Pa s], rho a exp(b/(t + c)) with a in mm^2/s, t in degrees Celsius, Vogel
+    (1921).
 
     Parameters
     ----------
@@ -151,7 +167,12 @@ def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -
     float
         Dynamic viscosity [Pa s].
     """
-    return float(1e-6 * density * entry["a_mm2_s"] * exp(entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"])))
+    return float(
+        1e-6
+        * density
+        * entry["a_mm2_s"]
+        * exp(entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"]))
+    )
 
 
 def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) -> float:
@@ -161,12 +182,17 @@ def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) 
 
 
 def viscosity_walther(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], c (exp(exp(a - b ln T)) - d), of Walther's form; the temperature in [K]."""
-    return float(entry["c_Pa_s"] * (exp(exp(entry["a"] - entry["b"] * log(temperature))) - entry["d"]))
+    """Dynamic viscosity [Pa s], c (exp(exp(a - b ln T)) - d), of Walther's form; the temperature
+    in [K].
+    """
+    return float(
+        entry["c_Pa_s"] * (exp(exp(entry["a"] - entry["b"] * log(temperature))) - entry["d"])
+    )
 
 
 def viscosity_astm_d341(entry: dict[str, Any], temperature: float, density: float) -> float:
-    """Dynamic viscosity [Pa s], rho nu, log10 log10(nu + 0.7) = A - B log10 T, nu in mm^2/s: ASTM D341.
+    """Dynamic viscosity [Pa s], rho nu, log10 log10(nu + 0.7) = A - B log10 T, nu in mm^2/s: ASTM
+    D341.
 
     Parameters
     ----------
@@ -186,12 +212,17 @@ def viscosity_astm_d341(entry: dict[str, Any], temperature: float, density: floa
 
 
 def viscosity_dynamic_d341(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], the form of ASTM D341 through two dynamic viscosities in mPa s; temperature in [K]."""
+    """Dynamic viscosity [Pa s], the form of ASTM D341 through two dynamic viscosities in mPa s;
+    temperature in [K].
+    """
     return 1e-3 * _d341(entry["temperature_K"], entry["value_mPa_s"], temperature)
 
 
 def _d341(temperatures: list[float], values: list[float], temperature: float) -> float:
-    (x0, x1), (y0, y1) = ((log10(t) for t in temperatures), (log10(log10(v + CUTOFF)) for v in values))
+    (x0, x1), (y0, y1) = (
+        (log10(t) for t in temperatures),
+        (log10(log10(v + CUTOFF)) for v in values),
+    )
     y = y0 + (y1 - y0) * (log10(temperature) - x0) / (x1 - x0)
     return float(10.0 ** (10.0**y) - CUTOFF)
 
@@ -208,8 +239,9 @@ LAWS = {
 def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
     """Pressure-viscosity coefficient [1/Pa] of an oil's data at a temperature [K].
 
-    exponent: exp(a ln eta + b)/eta, eta in Pa s; hyperbola: a + b/(T - c); table: linear in T, held beyond its ends;
-    roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), which is Roelands' (1966) identity with z held.
+    exponent: exp(a ln eta + b)/eta, eta in Pa s; hyperbola: a + b/(T - c); table: linear in T,
+    held beyond its ends; roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), which is Roelands'
+    (1966) identity with z held.
 
     Parameters
     ----------
@@ -230,7 +262,9 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
     if data["law"] == "hyperbola":
         return float(data["a_1_Pa"] + data["b_K_Pa"] / (temperature - data["c_K"]))
     if data["law"] == "roelands":
-        here, there = (log(dynamic_viscosity(entry, t)) for t in (temperature, data["reference_K"]))
+        here, there = (
+            log(dynamic_viscosity(entry, t)) for t in (temperature, data["reference_K"])
+        )
         return float(data["value"] * (here + ROELANDS_LOG_OFFSET) / (there + ROELANDS_LOG_OFFSET))
     return _interpolate(data, temperature)
 
@@ -254,9 +288,13 @@ def oil_density(entry: dict[str, Any], temperature: float) -> float:
     """
     data = entry["density"]
     if data["law"] == "expansion":
-        return float(data["value"] * exp(-data["expansion_1_K"] * (temperature - data["reference_K"])))
+        return float(
+            data["value"] * exp(-data["expansion_1_K"] * (temperature - data["reference_K"]))
+        )
     points = list(zip(data["temperature_K"], data["value"], strict=True))
-    (t0, v0), (t1, v1) = next((p for p in pairwise(points) if temperature <= p[1][0]), (points[-2], points[-1]))
+    (t0, v0), (t1, v1) = next(
+        (p for p in pairwise(points) if temperature <= p[1][0]), (points[-2], points[-1])
+    )
     return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
 
 
@@ -277,5 +315,7 @@ def _interpolate(entry: dict[str, Any], temperature: float) -> float:
 
 @cache
 def _table() -> dict[str, dict[str, Any]]:
-    text = resources.files(__package__).joinpath("data/lubricants.toml").read_text(encoding="utf-8")
+    text = (
+        resources.files(__package__).joinpath("data/lubricants.toml").read_text(encoding="utf-8")
+    )
     return tomllib.loads(text)

@@ -1,7 +1,5 @@
 """Names of catalogue and libraries, matched without regard to case, spaces and hyphens."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 IGNORED = " -_\t"
@@ -13,7 +11,9 @@ def plain_name(name: str) -> str:
 
 
 def matching_name(name: str, names: Iterable[str]) -> str | None:
-    """The one of `names` that `name` means: itself, else the first that `plain_name` makes equal; None if none is."""
+    """The one of `names` that `name` means: itself, else the first that `plain_name` makes equal;
+    None if none is.
+    """
     names = tuple(names)
     if name in names:
         return name

@@ -1,20 +1,21 @@
-r"""Balls between the races: forces at given ring position, equilibrium of every ball, and its derivatives.
+r"""Balls between the races: forces at given ring position, equilibrium of every ball, and its
+derivatives.
 
-In the axial plane of a ball (x axial, r radial) let u point from the outer groove's centre of curvature to the ball's
-centre and w from there to the inner groove's centre, u + w = V. Then the approaches are
-:math:`\delta_o = |u| - (r_o - D/2)` and :math:`\delta_i = |w| - (r_i - D/2)`, the contact angles are the directions of
+In the axial plane of a ball (x axial, r radial) let u point from the outer groove's centre of
+curvature to the ball's centre and w from there to the inner groove's centre, u + w = V. Then the
+approaches are
+:math:`\delta_o = |u| - (r_o - D/2)` and :math:`\delta_i = |w| - (r_i - D/2)`, the contact angles
+are the directions of
 u and w from the radial one, and a ball is in equilibrium when
 (Harris and Kotzalas, in the signs of docs/theory/bearing.md)::
 
     Qi sin ai - Qo sin ao + (Mg/D) (li cos ai - lo cos ao)      = 0
     Qi cos ai - Qo cos ao - (Mg/D) (li sin ai - lo sin ao) + Fc = 0
 
-With constant Hertz stiffness and without gyroscopic couple this is the minimum of an energy convex in u, so Newton's
-method with backtracking finds the one solution; the rest is a mild perturbation. All balls are iterated together, and
-all derivatives come from one complex-step evaluation.
+With constant Hertz stiffness and without gyroscopic couple this is the minimum of an energy convex
+in u, so Newton's method with backtracking finds the one solution; the rest is a mild perturbation.
+All balls are iterated together, and all derivatives come from one complex-step evaluation.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from math import cos
@@ -41,19 +42,25 @@ from .kinematics import (
 )
 
 COMPLEX_STEP = 1.0e-30  # [m]
-FRICTION_LIMIT = 0.2  # friction over load beyond which a hypothesis asks more than any lubricated contact gives [-]
-EDGE_COSINE = 0.17  # cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
-LIGHT = 1.0e-4  # a ball that carries less than this part of the largest forces is measured against these [-]
+# friction over load beyond which a hypothesis asks more than any lubricated contact gives [-]
+FRICTION_LIMIT = 0.2
+# cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
+EDGE_COSINE = 0.17
+# a ball that carries less than this part of the largest forces is measured against these [-]
+LIGHT = 1.0e-4
 ROUND_OFF = 8.0 * float(np.finfo(np.float64).eps)  # [-]
 BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
-BALL_TOLERANCE = 1.0e-11  # residual of a ball over its forces that is accepted when it falls no further [-]
+# residual of a ball over its forces that is accepted when it falls no further [-]
+BALL_TOLERANCE = 1.0e-11
 MAX_HALVINGS = 12
 MAX_BALL_STEPS = 30
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BallProblem:
-    """What all balls of a row share: lengths [m], mass [kg], speeds [rad/s], Hertz stiffness, hypothesis."""
+    """What all balls of a row share: lengths [m], mass [kg], speeds [rad/s], Hertz stiffness,
+    hypothesis.
+    """
 
     inner_length: float  # r_i - D/2 [m]
     outer_length: float  # r_o - D/2 [m]
@@ -68,7 +75,8 @@ class BallProblem:
     outer_series: Array
     nominal_force: float  # centrifugal force at the free contact angle [N]
     nominal_couple: float  # largest gyroscopic couple, J w_m w_R, at the free contact angle [N m]
-    held: HeldBalls | None = None  # motion and friction that are known; None: those of the hypothesis
+    # motion and friction that are known; None: those of the hypothesis
+    held: HeldBalls | None = None
 
     @property
     def gamma(self) -> float:
@@ -77,7 +85,9 @@ class BallProblem:
 
 
 class BallState(NamedTuple):
-    """Everything about the balls at given positions; loads and friction [N], moment [N m], speeds [rad/s]."""
+    """Everything about the balls at given positions; loads and friction [N], moment [N m], speeds
+    [rad/s].
+    """
 
     inner_load: Numbers
     outer_load: Numbers
@@ -93,9 +103,10 @@ class BallState(NamedTuple):
 class BallRow(NamedTuple):
     """Equilibrium of all balls at one ring position.
 
-    u (2, Z) [m]; values (5, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on it about e_t [N m];
-    du_dV (2, 2, Z) [-] and ring_dV (3, 2, Z) [N/m], [N]: condensed derivatives; residual [-] of each ball over its
-    forces, or over LIGHT times those of the heaviest loaded ball, and what round-off leaves of it.
+    u (2, Z) [m]; values (5, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on
+    it about e_t [N m]; du_dV (2, 2, Z) [-] and ring_dV (3, 2, Z) [N/m], [N]: condensed
+    derivatives; residual [-] of each ball over its forces, or over LIGHT times those of the
+    heaviest loaded ball, and what round-off leaves of it.
     """
 
     u: Array
@@ -106,7 +117,9 @@ class BallRow(NamedTuple):
     noise: float
 
 
-def ball_problem(bearing: Bearing, inner_speed: float, outer_speed: float, model: Model) -> BallProblem:
+def ball_problem(
+    bearing: Bearing, inner_speed: float, outer_speed: float, model: Model
+) -> BallProblem:
     """Collect what the balls share at given ring speeds [rad/s]."""
     d, dm = bearing.ball_diameter, bearing.pitch_diameter
     mass = ball_mass(d, bearing.ball_material.density)
@@ -136,7 +149,8 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     Parameters
     ----------
     u, w : ndarray, shape (2, ...)
-        Axial and radial distance from the outer groove's centre to the ball and from there to the inner groove's [m].
+        Axial and radial distance from the outer groove's centre to the ball and from there to the
+        inner groove's [m].
     problem : BallProblem
 
     Returns
@@ -146,10 +160,15 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     outer_distance = np.sqrt(u[0] * u[0] + u[1] * u[1])
     inner_distance = np.sqrt(w[0] * w[0] + w[1] * w[1])
     outer = Direction(u[0] / outer_distance, u[1] / outer_distance)
-    near = (inner_distance.real > 0.5 * problem.inner_length) & (w[1].real > 0.0)  # else far from the race: no angle
+    # else far from the race: no angle
+    near = (inner_distance.real > 0.5 * problem.inner_length) & (w[1].real > 0.0)
     safe = np.where(near, inner_distance, problem.inner_length)
-    inner = Direction(np.where(near, w[0] / safe, outer.sin), np.where(near, w[1] / safe, outer.cos))
-    outer_load = stiffness_at(problem.outer_series, outer.cos) * _power(outer_distance - problem.outer_length)
+    inner = Direction(
+        np.where(near, w[0] / safe, outer.sin), np.where(near, w[1] / safe, outer.cos)
+    )
+    outer_load = stiffness_at(problem.outer_series, outer.cos) * _power(
+        outer_distance - problem.outer_length
+    )
     outer_load = outer_load * _smooth_step(outer.cos, EDGE_COSINE)
     inner_load = stiffness_at(problem.inner_series, inner.cos) * _power(
         np.where(near, inner_distance, 0.0) - problem.inner_length
@@ -164,7 +183,10 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
     if held is None:
         inner_part = INNER_PART[problem.kinematics] * share
-        friction = (inner_part * moment / problem.ball_diameter, (2.0 - inner_part) * moment / problem.ball_diameter)
+        friction = (
+            inner_part * moment / problem.ball_diameter,
+            (2.0 - inner_part) * moment / problem.ball_diameter,
+        )
     else:
         friction = (held.inner_friction + 0.0 * inner_load, held.outer_friction + 0.0 * inner_load)
     return BallState(inner_load, outer_load, inner, outer, motion, force, moment, *friction)
@@ -175,9 +197,10 @@ def _shared_motion(
 ) -> tuple[Numbers, Motion]:
     """Motion under the hypothesis as far as the races can transmit the friction that it asks for.
 
-    The share [-] of the inner race is 1 where lambda_i Mg/D <= FRICTION_LIMIT Qi, Mg by the nominal speeds and the full
-    attitude; it falls smoothly to 0, the ball rolling on the outer race alone, as the inner contact unloads. Where even
-    the outer race cannot hold that attitude, it falls towards the one without couple, an axis parallel to x.
+    The share [-] of the inner race is 1 where lambda_i Mg/D <= FRICTION_LIMIT Qi, Mg by the
+    nominal speeds and the full attitude; it falls smoothly to 0, the ball rolling on the outer
+    race alone, as the inner contact unloads. Where even the outer race cannot hold that attitude,
+    it falls towards the one without couple, an axis parallel to x.
     """
     inner_load, outer_load = loads
     speeds = (problem.inner_speed, problem.outer_speed)
@@ -192,7 +215,9 @@ def _shared_motion(
 
 
 def _share(load: Numbers, part: float, beta: Direction, problem: BallProblem) -> Numbers:
-    """1 where the friction `part` Mg/D that an attitude asks is within reach of the load [N], else less."""
+    """1 where the friction `part` Mg/D that an attitude asks is within reach of the load [N], else
+    less.
+    """
     couple = problem.nominal_couple * beta.sin * np.sign(beta.sin.real)
     return _smooth_step(FRICTION_LIMIT * load, part * couple / problem.ball_diameter)
 
@@ -208,8 +233,9 @@ def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
     Returns
     -------
     ndarray, shape (5, ...)
-        Force on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on the inner ring about e_t [N m]: the
-        friction acts at the contact, r_i away from the groove's centre where the normal force passes.
+        Force on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on the inner ring
+        about e_t [N m]: the friction acts at the contact, r_i away from the groove's centre where
+        the normal force passes.
     """
     inner_friction, outer_friction = state.inner_friction, state.outer_friction
     from_inner_x = state.inner_load * state.inner.sin + inner_friction * state.inner.cos
@@ -233,7 +259,8 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallRo
     Parameters
     ----------
     V : ndarray, shape (2, Z)
-        Axial and radial distance from the outer to the inner groove's centre of curvature at each ball [m].
+        Axial and radial distance from the outer to the inner groove's centre of curvature at each
+        ball [m].
     u_start : ndarray, shape (2, Z), or None
         Guess of the ball positions [m].
     problem : BallProblem
@@ -247,7 +274,9 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallRo
     current = _evaluate(u, V, problem)
     for _ in range(MAX_BALL_STEPS):
         _, values, size, jacobian = current
-        active = np.hypot(values[0], values[1]) > np.maximum(BALL_TARGET * size, _round_off(current, problem))
+        active = np.hypot(values[0], values[1]) > np.maximum(
+            BALL_TARGET * size, _round_off(current, problem)
+        )
         if not active.any():
             break
         step = _solve_2x2(jacobian[:2, :2] - jacobian[:2, 2:], -values[:2])
@@ -258,7 +287,8 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallRo
         trial, improved = _backtrack(u, np.where(active, step, 0.0), V, current, problem)
         if not improved.any():
             break
-        u, current = trial[0], trial
+        u = trial[0]
+        current = trial
     return _row(current, problem)
 
 
@@ -271,7 +301,9 @@ class _Evaluation(NamedTuple):
 
 def _evaluate(u: Array, V: Array, problem: BallProblem) -> _Evaluation:
     """Balance and its derivatives by a complex step in each of u_x, u_r, w_x, w_r."""
-    z = np.broadcast_to(np.concatenate([u, V - u])[:, None, :], (4, 4, u.shape[1])).astype(np.complex128)
+    z = np.broadcast_to(np.concatenate([u, V - u])[:, None, :], (4, 4, u.shape[1])).astype(
+        np.complex128
+    )
     z[range(4), range(4)] += 1j * COMPLEX_STEP
     state = ball_state(z[:2], z[2:], problem)
     result = ball_balance(state, problem)
@@ -280,7 +312,9 @@ def _evaluate(u: Array, V: Array, problem: BallProblem) -> _Evaluation:
 
 
 def _round_off(current: _Evaluation, problem: BallProblem) -> Array:
-    """Force [N] that rounding the positions is worth: the approach is a small difference of lengths."""
+    """Force [N] that rounding the positions is worth: the approach is a small difference of
+    lengths.
+    """
     stiffness: Array = np.abs(current.jacobian[:2]).max(axis=(0, 1))
     return ROUND_OFF * (problem.inner_length + problem.outer_length) * stiffness
 
@@ -295,13 +329,22 @@ def _row(current: _Evaluation, problem: BallProblem) -> BallRow:
     norm = np.hypot(values[0], values[1])
     scale = np.maximum(size, LIGHT * size.max())
     scale = np.where(scale > 0.0, scale, 1.0)
-    return BallRow(u, values, du_dV, ring_dV, norm / scale, float((_round_off(current, problem) / scale).max()))
+    return BallRow(
+        u,
+        values,
+        du_dV,
+        ring_dV,
+        norm / scale,
+        float((_round_off(current, problem) / scale).max()),
+    )
 
 
 def _backtrack(
     u: Array, step: Array, V: Array, current: _Evaluation, problem: BallProblem
 ) -> tuple[_Evaluation, NDArray[np.bool_]]:
-    """Shorten the step of each ball until its residual falls or the force no longer opposes it; else it stays."""
+    """Shorten the step of each ball until its residual falls or the force no longer opposes it;
+    else it stays.
+    """
     norm = np.hypot(current.values[0], current.values[1])
     factor = np.where((step != 0.0).any(axis=0), 1.0, 0.0)
     for _ in range(MAX_HALVINGS):
@@ -319,8 +362,9 @@ def _backtrack(
 def _elastic_step(u: Array, V: Array, values: Array, problem: BallProblem) -> Array:
     """Step with the Hertz stiffness alone, which always leads along the force.
 
-    Each contact gives K (1.5 delta^0.5 n n + delta^1.5/l (1 - n n)), l the distance from its groove's centre; what
-    changes body forces and friction with the angles is left out, and a trace of stiffness is added in their place.
+    Each contact gives K (1.5 delta^0.5 n n + delta^1.5/l (1 - n n)), l the distance from its
+    groove's centre; what changes body forces and friction with the angles is left out, and a trace
+    of stiffness is added in their place.
     """
     state = ball_state(u, V - u, problem)
     matrix = np.zeros((2, 2, u.shape[1]))
@@ -335,15 +379,21 @@ def _elastic_step(u: Array, V: Array, values: Array, problem: BallProblem) -> Ar
         approach = distance - length
         stiff = np.where(side > 0.0, 1.5 * side / np.maximum(approach, 1e-12 * length), 0.0)
         identity = np.eye(2)[:, :, None]
-        matrix += stiff * along + side / distance * (identity - along) + 0.1 * weight / length * identity
+        matrix += (
+            stiff * along + side / distance * (identity - along) + 0.1 * weight / length * identity
+        )
     return _solve_2x2(matrix, values[:2])
 
 
 def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
-    """Guess: balls off the inner race lie on the outer one or float, others stay or split the approach statically."""
+    """Guess: balls off the inner race lie on the outer one or float, others stay or split the
+    approach statically.
+    """
     inner, outer = problem.inner_length, problem.outer_length
     distance = np.hypot(V[0], V[1])
-    unit = np.where(distance > 0.0, V / np.where(distance > 0.0, distance, 1.0), np.array([[0.0], [1.0]]))
+    unit = np.where(
+        distance > 0.0, V / np.where(distance > 0.0, distance, 1.0), np.array([[0.0], [1.0]])
+    )
     stiffness_o = stiffness_at(problem.outer_series, np.ones(1))[0]
     ratio = (stiffness_o / stiffness_at(problem.inner_series, np.ones(1))[0]) ** (2.0 / 3.0)
     split = unit * (outer + np.maximum(distance - inner - outer, 0.0) / (1.0 + ratio))
@@ -352,7 +402,8 @@ def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
     if problem.nominal_force > 0.0:
         free = np.hypot(*(V - pressed)) <= inner
         static = stiffness_o * (np.maximum(distance - inner - outer, 0.0) / (1.0 + ratio)) ** 1.5
-        climbed = ((V - pressed)[1] < EDGE_COSINE * inner) & (distance > inner + outer)  # past the inner groove's edge
+        # past the inner groove's edge
+        climbed = ((V - pressed)[1] < EDGE_COSINE * inner) & (distance > inner + outer)
         free &= ~climbed
         cold = np.where(free | ((static < problem.nominal_force) & ~climbed), pressed, split)
     else:
@@ -364,14 +415,22 @@ def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
 
 
 def _solve_2x2(matrix: Array, right: Array) -> Array:
-    """Solve 2 x 2 systems, matrix (2, 2, Z), right (2, Z); balls free of all force (matrix zero) do not move."""
-    a, b, c, d = matrix[0, 0], matrix[0, 1], matrix[1, 0], matrix[1, 1]
+    """Solve 2 x 2 systems, matrix (2, 2, Z), right (2, Z); balls free of all force (matrix zero)
+    do not move.
+    """
+    a = matrix[0, 0]
+    b = matrix[0, 1]
+    c = matrix[1, 0]
+    d = matrix[1, 1]
     determinant = a * d - b * c
     scale = a * a + b * b + c * c + d * d
     safe = np.abs(determinant) > 1e-14 * scale
     inverse = np.where(safe, 1.0, 0.0) / np.where(safe, determinant, 1.0)
-    solved = np.stack([(d * right[0] - b * right[1]) * inverse, (a * right[1] - c * right[0]) * inverse])
-    gradient = -right / np.sqrt(np.where(scale > 0.0, scale, 1.0))  # the matrix is negative: step along the force
+    solved = np.stack(
+        [(d * right[0] - b * right[1]) * inverse, (a * right[1] - c * right[0]) * inverse]
+    )
+    # the matrix is negative: step along the force
+    gradient = -right / np.sqrt(np.where(scale > 0.0, scale, 1.0))
     return np.where(safe, solved, np.where(scale > 0.0, gradient, 0.0))
 
 

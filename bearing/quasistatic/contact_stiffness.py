@@ -1,12 +1,11 @@
 """Hertz stiffness of ball and race as a smooth function of the contact angle.
 
-The reduced radius in the rolling direction, D/2 (1 -+ D cos(angle)/d_m), and with it K in Q = K approach^1.5 depend on
-the cosine of the contact angle c alone, and analytically: the nearest singularity lies at |c| = d_m/D > 1. A Chebyshev
-series of ln K over 0 <= c <= 1 with 24 terms is exact to round-off (d_m/D = 2 loses a factor 5.8 a term), so the
-equilibrium needs no elliptic integrals in its loop.
+The reduced radius in the rolling direction, D/2 (1 -+ D cos(angle)/d_m), and with it K in Q = K
+approach^1.5 depend on the cosine of the contact angle c alone, and analytically: the nearest
+singularity lies at |c| = d_m/D > 1. A Chebyshev series of ln K over 0 <= c <= 1 with 24 terms is
+exact to round-off (d_m/D = 2 loses a factor 5.8 a term), so the equilibrium needs no elliptic
+integrals in its loop.
 """
-
-from __future__ import annotations
 
 from functools import lru_cache
 from math import acos, cos, log, pi
@@ -25,7 +24,8 @@ TERMS = 24
 
 @lru_cache(maxsize=256)
 def stiffness_series(bearing: Bearing, race: Race, curvature: Curvature) -> Array:
-    """Chebyshev coefficients of ln K and of its slope d(ln K)/dc over c = cos(contact angle) in [0, 1].
+    """Chebyshev coefficients of ln K and of its slope d(ln K)/dc over c = cos(contact angle) in
+    [0, 1].
 
     Parameters
     ----------

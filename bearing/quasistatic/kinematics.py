@@ -1,20 +1,18 @@
 r"""Rolling of a ball between two races, and the body forces of its motion.
 
-In the frame that turns with the ball's centre at the orbit speed w_m, the ball spins at w_R about an axis inclined by
-the attitude beta in the axial plane, :math:`\omega = w_R(-\cos\beta\, e_x + \sin\beta\, e_r)`. No sliding at the
-centres of both contacts gives (Harris and Kotzalas, Advanced Concepts of Bearing Technology,
-re-derived), with g = D/d_m::
+In the frame that turns with the ball's centre at the orbit speed w_m, the ball spins at w_R about
+an axis inclined by the attitude beta in the axial plane, :math:`\omega = w_R(-\cos\beta\, e_x +
+\sin\beta\, e_r)`. No sliding at the centres of both contacts gives (Harris and Kotzalas, Advanced
+Concepts of Bearing Technology, re-derived), with g = D/d_m::
 
     w_R cos(beta - a_o) = (w_m - w_outer) (1 + g cos a_o)/g
     w_R cos(beta - a_i) = (w_inner - w_m) (1 - g cos a_i)/g
 
-Multiplied out, nothing is divided by the cosines. The attitude is the hypothesis: tan(beta) = sin a_o/(cos a_o + g)
-without spin at the outer race, sin a_i/(cos a_i - g) without spin at the inner one, or the mean contact angle.
-Directions are kept as (sine, cosine) pairs and every function takes complex arguments, so that a complex step
-differentiates them to round-off.
+Multiplied out, nothing is divided by the cosines. The attitude is the hypothesis: tan(beta) = sin
+a_o/(cos a_o + g) without spin at the outer race, sin a_i/(cos a_i - g) without spin at the inner
+one, or the mean contact angle. Directions are kept as (sine, cosine) pairs and every function
+takes complex arguments, so that a complex step differentiates them to round-off.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -45,12 +43,14 @@ class Motion(NamedTuple):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeldBalls:
-    """Motion of the balls and friction on them as a balance of traction gives them; each of shape (Z,).
+    """Motion of the balls and friction on them as a balance of traction gives them; each of shape
+    (Z,).
 
     Attributes
     ----------
     orbit_speed, spin_speed, pivot_speed : ndarray
-        About the axis, about the ball's own in the axial plane, about the tangent of the orbit [rad/s].
+        About the axis, about the ball's own in the axial plane, about the tangent of the orbit
+        [rad/s].
     attitude : ndarray
         Of the spin axis in the axial plane [rad].
     inner_friction, outer_friction : ndarray
@@ -70,7 +70,11 @@ class HeldBalls:
     @property
     def motion(self) -> Motion:
         """Orbit and spin [rad/s]."""
-        return Motion(self.orbit_speed, self.spin_speed, Direction(np.sin(self.attitude), np.cos(self.attitude)))
+        return Motion(
+            self.orbit_speed,
+            self.spin_speed,
+            Direction(np.sin(self.attitude), np.cos(self.attitude)),
+        )
 
 
 def direction(sin: Numbers, cos: Numbers) -> Direction:
@@ -79,7 +83,9 @@ def direction(sin: Numbers, cos: Numbers) -> Direction:
     return Direction(sin / length, cos / length)
 
 
-def attitude(outer: Direction, inner: Direction, gamma: float, kinematics: BallKinematics) -> Direction:
+def attitude(
+    outer: Direction, inner: Direction, gamma: float, kinematics: BallKinematics
+) -> Direction:
     """Attitude of a ball's spin under a hypothesis, Jones (1960), Harris and Kotzalas.
 
     Parameters
@@ -103,11 +109,18 @@ def attitude(outer: Direction, inner: Direction, gamma: float, kinematics: BallK
 
 def blend(start: Direction, end: Direction, share: Numbers) -> Direction:
     """Direction a part `share` [-] of the way from one to another [-]."""
-    return direction(start.sin + share * (end.sin - start.sin), start.cos + share * (end.cos - start.cos))
+    return direction(
+        start.sin + share * (end.sin - start.sin), start.cos + share * (end.cos - start.cos)
+    )
 
 
 def rolling_motion(
-    outer: Direction, inner: Direction, beta: Direction, gamma: float, inner_speed: float, outer_speed: float
+    outer: Direction,
+    inner: Direction,
+    beta: Direction,
+    gamma: float,
+    inner_speed: float,
+    outer_speed: float,
 ) -> Motion:
     """Orbit and spin of a ball that slides at neither contact centre.
 
@@ -125,11 +138,14 @@ def rolling_motion(
     Motion
         Speeds in [rad/s].
     """
-    radius_outer, radius_inner = 1.0 + gamma * outer.cos, 1.0 - gamma * inner.cos
+    radius_outer = 1.0 + gamma * outer.cos
+    radius_inner = 1.0 - gamma * inner.cos
     arm_outer = outer.cos * beta.cos + outer.sin * beta.sin
     arm_inner = inner.cos * beta.cos + inner.sin * beta.sin
     total = radius_inner * arm_outer + radius_outer * arm_inner
-    orbit = (inner_speed * radius_inner * arm_outer + outer_speed * radius_outer * arm_inner) / total
+    orbit = (
+        inner_speed * radius_inner * arm_outer + outer_speed * radius_outer * arm_inner
+    ) / total
     spin = (inner_speed - outer_speed) / gamma * radius_inner * radius_outer / total
     return Motion(orbit, spin, beta)
 
@@ -147,12 +163,15 @@ def ball_mass(ball_diameter: float, density: float) -> float:
 
 
 def centrifugal_force(mass: float, pitch_diameter: float, orbit_speed: Numbers) -> Numbers:
-    """Centrifugal force of a ball [N], m d_m w_m^2/2, from mass [kg], pitch diameter [m] and orbit speed [rad/s]."""
+    """Centrifugal force of a ball [N], m d_m w_m^2/2, from mass [kg], pitch diameter [m] and orbit
+    speed [rad/s].
+    """
     return 0.5 * mass * pitch_diameter * orbit_speed * orbit_speed
 
 
 def gyroscopic_moment(mass: float, ball_diameter: float, motion: Motion) -> Numbers:
-    """Couple that the races must exert on a ball about e_t [N m], J w_m w_R sin(beta) with J = m D^2/10.
+    """Couple that the races must exert on a ball about e_t [N m], J w_m w_R sin(beta) with J = m
+    D^2/10.
 
     Parameters
     ----------
@@ -168,4 +187,11 @@ def gyroscopic_moment(mass: float, ball_diameter: float, motion: Motion) -> Numb
     ndarray
         Gyroscopic moment Mg [N m].
     """
-    return 0.1 * mass * ball_diameter**2 * motion.orbit_speed * motion.spin_speed * motion.attitude.sin
+    return (
+        0.1
+        * mass
+        * ball_diameter**2
+        * motion.orbit_speed
+        * motion.spin_speed
+        * motion.attitude.sin
+    )

@@ -1,12 +1,10 @@
 """Balance of the inner ring on its balls: Newton's method with the condensed tangent.
 
-Tilts are counted as lengths, times the radius R_i of the circle of the inner groove's centres, and moments as forces,
-over R_i. A point P = (a, R_i e_r) on the circle of a row at the axial position a moves under the rotation (0, ty, tz)
-by R_i (ty sin psi - tz cos psi) along x and by a (tz cos psi - ty sin psi) along e_r. All rows share the
-ring.
+Tilts are counted as lengths, times the radius R_i of the circle of the inner groove's centres, and
+moments as forces, over R_i. A point P = (a, R_i e_r) on the circle of a row at the axial position
+a moves under the rotation (0, ty, tz) by R_i (ty sin psi - tz cos psi) along x and by a (tz cos
+psi - ty sin psi) along e_r. All rows share the ring.
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 from math import asin, atan2, cos, hypot, sin
@@ -23,22 +21,27 @@ from .contact_stiffness import stiffness_at
 
 RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
 RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
-REGULARISATION = 1.0e-12  # of the tangent, relative to its largest entry: a ring that nothing holds must not fly [-]
-THRUST_FIRST = 2.0  # radial over axial load below which the search starts from the thrust alone [-]
+# of the tangent, relative to its largest entry: a ring that nothing holds must not fly [-]
+REGULARISATION = 1.0e-12
+# radial over axial load below which the search starts from the thrust alone [-]
+THRUST_FIRST = 2.0
 MAX_RING_STEPS = 80
 MAX_CUTS = 15
 PATIENCE = 30  # steps without a new best residual after which the search is given up [-]
 
 
 class Ring(NamedTuple):
-    """What is prescribed, and the geometry between the ring and its balls; forces and lengths only."""
+    """What is prescribed, and the geometry between the ring and its balls; forces and lengths
+    only.
+    """
 
     free: NDArray[np.bool_]  # (5,) load prescribed
     load: Array  # (5,) [N]
     prescribed: Array  # (5,) [m]
     scale: Array  # (5,) 1 or R_i: moment = force * scale, tilt = length / scale
     distance: float  # A [m]
-    facing: float  # radial distance of the groove centres with concentric, facing grooves, A - Pd/2 [m]
+    # radial distance of the groove centres with concentric, facing grooves, A - Pd/2 [m]
+    facing: float
     free_axial: float  # A sin(free angle) [m]
     offset: Array  # (Z,) axial distance from outer to inner groove centres, ring undisplaced [m]
     movement: Array  # (2, 5, Z) d(V)/dq [-]
@@ -46,20 +49,26 @@ class Ring(NamedTuple):
     drive: Array  # (rows, 5) part of the load by friction of the balls along their orbits [N]
 
     def position(self, q: Array) -> Array:
-        """Distances (x, r) from outer to inner groove centres, shape (2, Z) [m], at ring position `q` [m]."""
+        """Distances (x, r) from outer to inner groove centres, shape (2, Z) [m], at ring position
+        `q` [m].
+        """
         V: Array = np.einsum("vqz,q->vz", self.movement, q)
         V[0] += self.offset
         V[1] += self.facing
         return V
 
     def loads(self, row: BallRow, balls: int) -> Array:
-        """Load of the balls on the ring, row of `balls` by row of balls, shape (rows, 5) [N], moments over R_i."""
+        """Load of the balls on the ring, row of `balls` by row of balls, shape (rows, 5) [N],
+        moments over R_i.
+        """
         each = np.einsum("qfz,fz->qz", self.gather, row.values[2:])
         return each.reshape(5, -1, balls).sum(axis=2).T
 
 
 class RingPoint(NamedTuple):
-    """A ring position with its balls in equilibrium: q [m], forces of the balls on the ring [N], tangent [N/m]."""
+    """A ring position with its balls in equilibrium: q [m], forces of the balls on the ring [N],
+    tangent [N/m].
+    """
 
     q: Array
     row: BallRow
@@ -77,7 +86,9 @@ class RingStart(NamedTuple):
 
 
 def ring_of(bearing: Bearing, operation: Operation, rows: Sequence[Row] = SINGLE) -> Ring:
-    """Assemble what `solve_ring` needs from a bearing, its operation and its rows (SI: [m], [N], [rad])."""
+    """Assemble what `solve_ring` needs from a bearing, its operation and its rows (SI: [m], [N],
+    [rad]).
+    """
     radius = bearing.inner_centre_radius
     scale = np.array([1.0, 1.0, 1.0, radius, radius])
     free = np.array([load is not None for load in operation.loads])
@@ -97,10 +108,12 @@ def ring_of(bearing: Bearing, operation: Operation, rows: Sequence[Row] = SINGLE
 
 
 def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tuple[RingPoint, int]:
-    """Newton's method on the free degrees of freedom of the ring, every ball in equilibrium at every step.
+    """Newton's method on the free degrees of freedom of the ring, every ball in equilibrium at
+    every step.
 
-    A step is accepted when the residual falls, or when the unbalanced force still points along it; it is shortened
-    when the force has turned against it (the minimum of the energy has been passed).
+    A step is accepted when the residual falls, or when the unbalanced force still points along it;
+    it is shortened when the force has turned against it (the minimum of the energy has been
+    passed).
 
     Parameters
     ----------
@@ -117,7 +130,8 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
     """
     q = _guess(ring, problem) if start is None else start.q
     point = _point(q, None if start is None else start.u, ring, problem)
-    best, improved_at = point, 0
+    best = point
+    improved_at = 0
     for iteration in range(MAX_RING_STEPS):
         if not ring.free.any() or point.residual <= max(RESIDUAL_TARGET, point.noise):
             return point, iteration
@@ -140,12 +154,20 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
 def _point(q: Array, u_start: Array | None, ring: Ring, problem: BallProblem) -> RingPoint:
     row = solve_balls(ring.position(q), u_start, problem)
     force = np.einsum("qfz,fz->q", ring.gather, row.values[2:])
-    stiffness = -np.einsum("qfz,fpz->qp", ring.gather, np.einsum("fvz,vpz->fpz", row.ring_dV, ring.movement))
+    stiffness = -np.einsum(
+        "qfz,fpz->qp", ring.gather, np.einsum("fvz,vpz->fpz", row.ring_dV, ring.movement)
+    )
     unbalance = np.abs(force + ring.load)[ring.free]
     largest = max(np.abs(ring.load).max(), np.hypot(row.values[2], row.values[3]).max())
     residual = float(unbalance.max() / largest) if unbalance.size and largest > 0.0 else 0.0
-    noise = ROUND_OFF * ring.distance * float(np.abs(stiffness).max()) / largest if largest > 0.0 else 0.0
-    return RingPoint(q, row, force, stiffness, max(residual, float(row.residual.max())), max(noise, row.noise))
+    noise = (
+        ROUND_OFF * ring.distance * float(np.abs(stiffness).max()) / largest
+        if largest > 0.0
+        else 0.0
+    )
+    return RingPoint(
+        q, row, force, stiffness, max(residual, float(row.residual.max())), max(noise, row.noise)
+    )
 
 
 def _step(point: RingPoint, ring: Ring, problem: BallProblem) -> Array:
@@ -153,7 +175,9 @@ def _step(point: RingPoint, ring: Ring, problem: BallProblem) -> Array:
     free = np.flatnonzero(ring.free)
     unbalance = (point.force + ring.load)[free]
     tangent = point.stiffness[np.ix_(free, free)]
-    floor = 1.0e-6 * float(stiffness_at(problem.inner_series, np.ones(1))[0]) * np.sqrt(ring.distance)
+    floor = (
+        1.0e-6 * float(stiffness_at(problem.inner_series, np.ones(1))[0]) * np.sqrt(ring.distance)
+    )
     reference = max(float(np.abs(tangent).max()), floor)
     step = np.linalg.solve(tangent + REGULARISATION * reference * np.eye(free.size), unbalance)
     if not (step @ unbalance > 0.0):
@@ -173,7 +197,9 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
     def norm(candidate: RingPoint) -> float:
         return float(np.linalg.norm((candidate.force + ring.load)[ring.free]))
 
-    slope, size, factor = along(point), norm(point), 1.0
+    slope = along(point)
+    size = norm(point)
+    factor = 1.0
     for _ in range(MAX_CUTS):
         moved = np.einsum("vqz,q->vz", ring.movement, factor * step)
         predicted = point.row.u + np.einsum("uvz,vz->uz", point.row.du_dV, moved)
@@ -188,20 +214,25 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
 
 
 def _guess(ring: Ring, problem: BallProblem) -> Array:
-    """Ring position from the loads: all balls alike under a thrust, else Stribeck's 5 F/Z on the load line [m].
+    """Ring position from the loads: all balls alike under a thrust, else Stribeck's 5 F/Z on the
+    load line [m].
 
     Rows set against each other hold the ring near its place: no displacement.
     """
     if np.ptp(ring.offset) > 0.0:
         return np.where(ring.free, 0.0, ring.prescribed)
-    balls, offset = ring.movement.shape[2], float(ring.offset[0])
+    balls = ring.movement.shape[2]
+    offset = float(ring.offset[0])
     compliance = sum(
-        float(stiffness_at(s, np.ones(1))[0]) ** (-2.0 / 3.0) for s in (problem.inner_series, problem.outer_series)
+        float(stiffness_at(s, np.ones(1))[0]) ** (-2.0 / 3.0)
+        for s in (problem.inner_series, problem.outer_series)
     )
     q = np.where(ring.free, 0.0, ring.prescribed)
-    axial, radial = ring.load[0], hypot(ring.load[1], ring.load[2])
+    axial = ring.load[0]
+    radial = hypot(ring.load[1], ring.load[2])
     if axial != 0.0 and radial < THRUST_FIRST * abs(axial) and ring.free[0]:
-        low, high = ring.free_axial, ring.free_axial + ring.distance
+        low = ring.free_axial
+        high = ring.free_axial + ring.distance
         for _ in range(40):  # F = Z K (|V| - A)^1.5 sin(angle), increasing in x
             x = 0.5 * (low + high)
             length = hypot(x, ring.facing)
@@ -211,7 +242,9 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
     elif radial > 0.0 and (ring.free[1] or ring.free[2]):
         length = ring.distance + compliance * (5.0 * hypot(axial, radial) / balls) ** (2.0 / 3.0)
         angle = min(atan2(abs(axial), radial), asin(min(1.0, ring.free_axial / ring.distance)))
-        towards = np.array([np.sign(axial) * sin(angle) * length - offset, *(ring.load[1:3] / radial)])
+        towards = np.array(
+            [np.sign(axial) * sin(angle) * length - offset, *(ring.load[1:3] / radial)]
+        )
         towards[1:] *= cos(angle) * length - ring.facing
         q[:3] = np.where(ring.free[:3], towards, q[:3])
     return q

@@ -1,7 +1,5 @@
 """Result of the quasi-static equilibrium of a bearing."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -31,29 +29,35 @@ class QuasistaticSolution:
     inner_load, outer_load : ndarray
         Contact loads [N].
     inner_contact_angle, outer_contact_angle : ndarray
-        [rad]; where the inner contact is unloaded, the direction towards the inner groove's centre.
+        [rad]; where the inner contact is unloaded, the direction towards the inner groove's
+        centre.
     ball_axial, ball_radial : ndarray
-        Position of the ball centres along the axis and from it [m]; a single row counts from the middle of its outer
-        groove, rows count from the point about which moments count.
+        Position of the ball centres along the axis and from it [m]; a single row counts from the
+        middle of its outer groove, rows count from the point about which moments count.
     centrifugal_force : ndarray
         [N].
     gyroscopic_moment : ndarray
         [N m].
     orbit_speed, spin_speed : ndarray
-        Of the ball centre about the axis, and of the ball about its own in the frame of the orbit [rad/s].
+        Of the ball centre about the axis, and of the ball about its own in the frame of the orbit
+        [rad/s].
     attitude : ndarray
         Angle beta of the spin axis [rad].
     pivot_speed : ndarray
-        Of the ball about the tangent of its orbit, by which it gives way to the gyroscopic couple [rad/s].
+        Of the ball about the tangent of its orbit, by which it gives way to the gyroscopic couple
+        [rad/s].
     inner_friction, outer_friction : ndarray
-        Of the races on the ball across the rolling direction, positive as those that hold a positive gyroscopic
-        couple [N].
+        Of the races on the ball across the rolling direction, positive as those that hold a
+        positive gyroscopic couple [N].
     inner_drive : ndarray
-        Friction of the ball on the inner ring along the tangent of the orbit; not asked for under a hypothesis [N].
+        Friction of the ball on the inner ring along the tangent of the orbit; not asked for under
+        a hypothesis [N].
     carried : ndarray of bool
-        In traction equilibrium: loaded at the inner race, which cannot drive it, so that it goes with the cage.
+        In traction equilibrium: loaded at the inner race, which cannot drive it, so that it goes
+        with the cage.
     cage_speed : float
-        Mean orbit speed of the balls loaded at the inner race, of all balls where there are none [rad/s].
+        Mean orbit speed of the balls loaded at the inner race, of all balls where there are none
+        [rad/s].
     residual : float
         Largest residual of ring (over the largest load) and of balls (over their forces) [-].
     iterations : int
@@ -102,8 +106,10 @@ class QuasistaticSolution:
         """Number of each ball's row, from 0, shape (N,) [-]."""
         return np.repeat(np.arange(len(self.rows)), self.bearing.balls)
 
-    def row(self, index: int) -> QuasistaticSolution:
-        """One row alone, index from 0: its balls, what it holds of the load, its own cage speed [rad/s]."""
+    def row(self, index: int) -> "QuasistaticSolution":
+        """One row alone, index from 0: its balls, what it holds of the load, its own cage speed
+        [rad/s].
+        """
         part = slice(index * self.bearing.balls, (index + 1) * self.bearing.balls)
         arrays = {name: getattr(self, name)[part] for name in BALL_ARRAYS}
         return replace(
@@ -139,6 +145,8 @@ BALL_ARRAYS = (
 
 
 def _cage_speed(orbit: Array, inner_load: Array) -> float:
-    """Mean orbit speed of the balls loaded at the inner race, of all balls where there are none [rad/s]."""
+    """Mean orbit speed of the balls loaded at the inner race, of all balls where there are none
+    [rad/s].
+    """
     loaded = inner_load > 0.0
     return float(np.mean(orbit[loaded] if loaded.any() else orbit))

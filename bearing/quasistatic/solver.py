@@ -1,11 +1,11 @@
-"""Quasi-static equilibrium of a ball bearing in five degrees of freedom, after Jones (1960) and Harris.
+"""Quasi-static equilibrium of a ball bearing in five degrees of freedom, after Jones (1960) and
+Harris.
 
-The inner ring, with one row of balls or several, moves by (x, y, z, tilt y, tilt z); every ball is in equilibrium with
-it (`ball_equilibrium`), and Newton's method with the condensed tangent brings the ring to balance. Small rotations: the
-grooves' centres move linearly with the five unknowns, the error being half the square of the tilt times their radius.
+The inner ring, with one row of balls or several, moves by (x, y, z, tilt y, tilt z); every ball is
+in equilibrium with it (`ball_equilibrium`), and Newton's method with the condensed tangent brings
+the ring to balance. Small rotations: the grooves' centres move linearly with the five unknowns,
+the error being half the square of the tilt times their radius.
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
@@ -24,8 +24,10 @@ from .ring import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve
 from .solution import QuasistaticSolution, _cage_speed
 
 SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct solve fails [-]
-LIGHT_LOAD = 0.1  # load over the centrifugal forces of all balls below which these may leave no equilibrium [-]
-SINGULAR = 1.0e-9  # smallest over largest stiffness below which a direction counts as undetermined [-]
+# load over the centrifugal forces of all balls below which these may leave no equilibrium [-]
+LIGHT_LOAD = 0.1
+# smallest over largest stiffness below which a direction counts as undetermined [-]
+SINGULAR = 1.0e-9
 
 
 def solve_quasistatic(
@@ -45,7 +47,8 @@ def solve_quasistatic(
         Speeds [rad/s], and per degree of freedom a load [N], [N m] or a displacement [m], [rad].
     model : Model, optional
     near : QuasistaticSolution, optional
-        A converged solution of the same bearing at speeds and loads nearby, from where the search begins.
+        A converged solution of the same bearing at speeds and loads nearby, from where the search
+        begins.
     rows : sequence of Row, optional
         Rows of balls on the one inner ring; one row if left out.
 
@@ -66,8 +69,12 @@ def solve_quasistatic(
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         start = None
         for factor in SPEED_STEPS:
-            slower = ball_problem(bearing, factor * operation.inner_speed, factor * operation.outer_speed, model)
-            start, more = solve_ring(ring, slower, None if start is None else RingStart(start.q, start.row.u))
+            slower = ball_problem(
+                bearing, factor * operation.inner_speed, factor * operation.outer_speed, model
+            )
+            start, more = solve_ring(
+                ring, slower, None if start is None else RingStart(start.q, start.row.u)
+            )
             iterations += more
             if start.residual > max(RESIDUAL_TOLERANCE, start.noise):
                 break
@@ -77,16 +84,22 @@ def solve_quasistatic(
 
 
 def solve_held_balls(
-    bearing: Bearing, operation: Operation, model: Model, near: QuasistaticSolution, held: HeldBalls
+    bearing: Bearing,
+    operation: Operation,
+    model: Model,
+    near: QuasistaticSolution,
+    held: HeldBalls,
 ) -> QuasistaticSolution:
-    """Equilibrium of balls and inner ring with motion and friction of the balls given, and what these do to the ring.
+    """Equilibrium of balls and inner ring with motion and friction of the balls given, and what
+    these do to the ring.
 
     Parameters
     ----------
     bearing, operation, model
         As in `solve_quasistatic`.
     near : QuasistaticSolution
-        From where the search begins; the friction along the orbit acts at its inner contacts [rad].
+        From where the search begins; the friction along the orbit acts at its inner contacts
+        [rad].
     held : HeldBalls
         Speeds in [rad/s], forces in [N].
 
@@ -98,12 +111,16 @@ def solve_held_balls(
     ring = ring_of(bearing, operation, near.rows)
     drive = _drive_loads(ring, near, held.inner_drive)
     ring = ring._replace(load=ring.load + drive.sum(axis=0), drive=drive)
-    problem = replace(ball_problem(bearing, operation.inner_speed, operation.outer_speed, model), held=held)
+    problem = replace(
+        ball_problem(bearing, operation.inner_speed, operation.outer_speed, model), held=held
+    )
     point, iterations = _from_near(ring, problem, near)
     return _solution(inputs, ring, problem, point, iterations)
 
 
-def _from_near(ring: Ring, problem: BallProblem, near: QuasistaticSolution | None) -> tuple[RingPoint, int]:
+def _from_near(
+    ring: Ring, problem: BallProblem, near: QuasistaticSolution | None
+) -> tuple[RingPoint, int]:
     """Balance from a solution nearby, and from a guess where there is none or it does not help."""
     point, iterations = solve_ring(ring, problem, None if near is None else _near(near, ring))
     if near is not None and point.residual > max(RESIDUAL_TOLERANCE, point.noise):
@@ -112,13 +129,16 @@ def _from_near(ring: Ring, problem: BallProblem, near: QuasistaticSolution | Non
 
 
 def _drive_loads(ring: Ring, at: QuasistaticSolution, drive: Array) -> Array:
-    """Load of friction along the orbit on the ring, row by row, shape (rows, 5) [N], moments over R_i.
+    """Load of friction along the orbit on the ring, row by row, shape (rows, 5) [N], moments over
+    R_i.
 
     F e_t at the axial distance x_c makes the moment -F x_c e_r.
     """
     c, s = row_directions(at.bearing, at.rows)
     centre = per_ball(at.bearing, [row.axial_position for row in at.rows])
-    arm = (centre - at.bearing.inner_groove_radius * np.sin(at.inner_contact_angle)) / ring.scale[3]
+    arm = (centre - at.bearing.inner_groove_radius * np.sin(at.inner_contact_angle)) / ring.scale[
+        3
+    ]
     each = drive * np.array([np.zeros_like(c), -s, c, -arm * c, -arm * s])
     return each.reshape(5, -1, at.bearing.balls).sum(axis=2).T
 
@@ -127,18 +147,28 @@ def _near(solution: QuasistaticSolution, ring: Ring) -> RingStart:
     """Ring and balls where another solution has them; what is prescribed is prescribed."""
     q = np.concatenate([solution.displacement, solution.tilt]) * ring.scale
     planes = per_ball(solution.bearing, [row.outer_plane for row in solution.rows])
-    u = np.stack([solution.ball_axial - planes, solution.ball_radial - solution.bearing.outer_centre_radius])
+    u = np.stack(
+        [solution.ball_axial - planes, solution.ball_radial - solution.bearing.outer_centre_radius]
+    )
     return RingStart(np.where(ring.free, q, ring.prescribed), u)
 
 
 def _verdict(
-    problem: BallProblem, bearing: Bearing, ring: Ring, point: RingPoint, state: BallState, iterations: int
+    problem: BallProblem,
+    bearing: Bearing,
+    ring: Ring,
+    point: RingPoint,
+    state: BallState,
+    iterations: int,
 ) -> tuple[bool, str]:
     """Whether the point is an equilibrium, and in words why not or what is left undetermined."""
     loaded = state.inner_load > 0.0
     beyond = (loaded & (state.inner.cos < EDGE_COSINE)) | (state.outer.cos < EDGE_COSINE)
     if beyond.any():
-        return False, "no equilibrium: a contact angle passes 80 degrees, the balls leave the grooves"
+        return (
+            False,
+            "no equilibrium: a contact angle passes 80 degrees, the balls leave the grooves",
+        )
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         worst = float(np.max(point.row.residual))
         advice = _advice(problem, bearing, ring, state)
@@ -147,10 +177,16 @@ def _verdict(
             f"(balls {worst:.1e}); {advice}"
         )
     if _too_wide(bearing, problem, state):
-        return False, "no equilibrium within Hertz' theory: a contact ellipse is wider than the ball"
+        return (
+            False,
+            "no equilibrium within Hertz' theory: a contact ellipse is wider than the ball",
+        )
     names = [DEGREES_OF_FREEDOM[k] for k in range(5) if ring.free[k]]
     if names and not loaded.any():
-        return False, f"the inner ring floats: no ball touches it and {', '.join(names)} is not determined"
+        return (
+            False,
+            f"the inner ring floats: no ball touches it and {', '.join(names)} is not determined",
+        )
     undetermined = _undetermined(ring, point)
     if undetermined:
         words = f"without stiffness, hence arbitrary: {', '.join(undetermined)}"
@@ -162,7 +198,9 @@ def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState
     """What most likely keeps balls and ring from a balance, and what to change."""
     if _too_wide(bearing, problem, state):
         return "contact ellipses came out wider than the ball, take smaller loads or speeds"
-    share = float(np.linalg.norm(ring.load[:3])) / max(state.inner_load.size * problem.nominal_force, 1e-300)
+    share = float(np.linalg.norm(ring.load[:3])) / max(
+        state.inner_load.size * problem.nominal_force, 1e-300
+    )
     if problem.nominal_force > 0.0 and share < LIGHT_LOAD and ring.free[0]:
         return (
             f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to hold them in the grooves "
@@ -179,7 +217,8 @@ def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState
 def _too_wide(bearing: Bearing, problem: BallProblem, state: BallState) -> bool:
     """Whether a contact ellipse is wider than the ball, where Hertz' theory is void.
 
-    Over the semi-axis b the gap rises by b^2/(2 Ry), which is less than the approach (Q/K)^(2/3): most fit by that.
+    Over the semi-axis b the gap rises by b^2/(2 Ry), which is less than the approach (Q/K)^(2/3):
+    most fit by that.
     """
     radius = 0.5 * bearing.ball_diameter
     for race, load, cosine, series in (
@@ -206,7 +245,11 @@ def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
     tangent = point.stiffness[np.ix_(indices, indices)]
     _, values, vectors = np.linalg.svd(tangent)
     null = vectors[values < SINGULAR * values[0]]
-    return [DEGREES_OF_FREEDOM[k] for k, part in zip(indices, np.abs(null).T, strict=True) if (part > 0.1).any()]
+    return [
+        DEGREES_OF_FREEDOM[k]
+        for k, part in zip(indices, np.abs(null).T, strict=True)
+        if (part > 0.1).any()
+    ]
 
 
 def _solution(
@@ -220,9 +263,11 @@ def _solution(
     row: BallRow = point.row
     state = ball_state(row.u, ring.position(point.q) - row.u, problem)
     converged, message = _verdict(problem, bearing, ring, point, state, iterations)
-    scale, movement = ring.scale, point.q / ring.scale
+    scale = ring.scale
+    movement = point.q / ring.scale
     row_load = -(ring.loads(row, bearing.balls) + ring.drive) * scale
-    held, none = problem.held, np.zeros(row.u.shape[1])
+    held = problem.held
+    none = np.zeros(row.u.shape[1])
     load = -(point.force + ring.drive.sum(axis=0)) * scale
     return QuasistaticSolution(
         bearing=bearing,
@@ -251,7 +296,9 @@ def _solution(
 
 
 def _ball_arrays(state: BallState) -> dict[str, Array]:
-    """Loads and friction [N], angles [rad], body forces [N], [N m] and speeds [rad/s] of the balls."""
+    """Loads and friction [N], angles [rad], body forces [N], [N m] and speeds [rad/s] of the
+    balls.
+    """
     return {
         "inner_load": state.inner_load,
         "outer_load": state.outer_load,

@@ -1,7 +1,5 @@
 """Characteristic frequencies of a bearing from its solved motion."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import cos, pi
 
@@ -45,7 +43,8 @@ def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
     Frequencies
         In [Hz], of the cage speed and the mean spin of the loaded balls.
     """
-    operation, balls = solution.operation, solution.bearing.balls
+    operation = solution.operation
+    balls = solution.bearing.balls
     loaded = solution.inner_load > 0.0
     spin = float(np.mean(solution.spin_speed[loaded] if loaded.any() else solution.spin_speed))
     cage = solution.cage_speed
@@ -57,11 +56,15 @@ def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
     )
 
 
-def kinematic_frequencies(bearing: Bearing, operation: Operation, contact_angle: float) -> Frequencies:
-    """Frequencies of rolling at a nominal contact angle, whatever the loads; Harris and Kotzalas (Essential Concepts).
+def kinematic_frequencies(
+    bearing: Bearing, operation: Operation, contact_angle: float
+) -> Frequencies:
+    """Frequencies of rolling at a nominal contact angle, whatever the loads; Harris and Kotzalas
+    (Essential Concepts).
 
-    With g = (D/d_m) cos(alpha): cage [n_i (1 - g) + n_o (1 + g)]/2, ball |n_i - n_o| (d_m/D) (1 - g^2)/2. These are the
-    values of catalogues; `bearing_frequencies` differs from them as the contact angles do in operation.
+    With g = (D/d_m) cos(alpha): cage [n_i (1 - g) + n_o (1 + g)]/2, ball |n_i - n_o| (d_m/D) (1 -
+    g^2)/2. These are the values of catalogues; `bearing_frequencies` differs from them as the
+    contact angles do in operation.
 
     Parameters
     ----------
@@ -83,5 +86,9 @@ def kinematic_frequencies(bearing: Bearing, operation: Operation, contact_angle:
         cage=abs(cage),
         ball_pass_outer=bearing.balls * abs(cage - outer),
         ball_pass_inner=bearing.balls * abs(inner - cage),
-        ball_spin=0.5 * abs(inner - outer) * bearing.pitch_diameter / bearing.ball_diameter * (1.0 - gamma**2),
+        ball_spin=0.5
+        * abs(inner - outer)
+        * bearing.pitch_diameter
+        / bearing.ball_diameter
+        * (1.0 - gamma**2),
     )

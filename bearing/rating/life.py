@@ -1,12 +1,12 @@
-"""Rating life of a ball bearing from its solved ball loads, after ISO 281 and ISO 16281, and its static safety.
+"""Rating life of a ball bearing from its solved ball loads, after ISO 281 and ISO 16281, and its
+static safety.
 
-The standards themselves were not read: formulas and constants come from public transcriptions that agree with each
-other (docs/theory/life.md says which). They cover one row of balls between rings of hardened bearing steel, the
-balls of steel or of silicon nitride (DIN ISO 281 Supplement 5 and ISO 20056-1, after their published abstracts:
-the dynamic rating of a hybrid is that of the steel bearing). For any other material no life is given.
+The standards themselves were not read: formulas and constants come from public transcriptions that
+agree with each other (docs/theory/life.md says which). They cover one row of balls between rings
+of hardened bearing steel, the balls of steel or of silicon nitride (DIN ISO 281 Supplement 5 and
+ISO 20056-1, after their published abstracts: the dynamic rating of a hybrid is that of the steel
+bearing). For any other material no life is given.
 """
-
-from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -35,15 +35,21 @@ from .load_rating import (
 STEEPEST = radians(45.0)  # a steeper bearing is a thrust bearing in the standards
 LIFE_EXPONENT = 3.0  # of point contact [-]
 ROWS_EXPONENT = 0.7  # of the number of rows in C_r, ISO 281 [-]
-ROTATING, STATIONARY = 3.0, 10.0 / 3.0  # exponents of the equivalent ball load of a ring, relative to the load [-]
-KAPPA_LEAST, KAPPA_MOST, A_ISO_MOST = 0.1, 4.0, 50.0  # [-]
+ROTATING = 3.0  # exponents of the equivalent ball load of a ring
+STATIONARY = 10.0 / 3.0  # relative to the load [-]
+# [-]
+KAPPA_LEAST = 0.1
+KAPPA_MOST = 4.0
+A_ISO_MOST = 50.0
 A_ISO_PIECES = (  # kappa up to, constant, exponent [-]; continuous at 0.4 and 1
     (0.4, 2.2649, 0.054381),
     (1.0, 1.9987, 0.19087),
     (KAPPA_MOST, 1.9987, 0.071739),
 )
 LIGHT_ENOUGH = 0.5  # P/C_r up to which the life formula holds [-]
-RPM, MM = 2.0 * pi / 60.0, 1e-3  # in SI
+# in SI
+RPM = 2.0 * pi / 60.0
+MM = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -89,7 +95,9 @@ class LifeRating:
     messages: tuple[str, ...] = ()
 
 
-def bearing_life(solution: QuasistaticSolution, lubricant: Lubricant, rating: RatingInput) -> LifeRating:
+def bearing_life(
+    solution: QuasistaticSolution, lubricant: Lubricant, rating: RatingInput
+) -> LifeRating:
     """Basic and modified reference rating life, ISO 16281, from the ball loads of an equilibrium.
 
     Parameters
@@ -109,18 +117,25 @@ def bearing_life(solution: QuasistaticSolution, lubricant: Lubricant, rating: Ra
     if reason:
         return LifeRating(rating=rating, messages=(f"life: null, {reason}",))
     speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
-    kappa = viscosity_ratio(lubricant.viscosity / lubricant.density, speed, bearing.pitch_diameter) if speed else None
+    kappa = (
+        viscosity_ratio(lubricant.viscosity / lubricant.density, speed, bearing.pitch_diameter)
+        if speed
+        else None
+    )
     known, messages = _static(LifeRating(rating=rating, viscosity_ratio=kappa), solution)
     why = _no_life(solution, rating, speed)
     if why:
         return replace(known, messages=(*messages, f"life: basic and modified rating null, {why}"))
     capacity = rating.dynamic_rating or dynamic_rating(bearing, rating.nominal_contact_angle)
-    life, rows = reference_life(solution, capacity, rating.nominal_contact_angle), len(solution.rows)
+    life = reference_life(solution, capacity, rating.nominal_contact_angle)
+    rows = len(solution.rows)
     capacity *= rows**ROWS_EXPONENT
     load = capacity / life ** (1.0 / LIFE_EXPONENT)
     limit = rows * fatigue_load_limit(bearing, rating.nominal_contact_angle)
     if rows > 1:
-        messages.append(f"life: C_r, P and C_u are those of the {rows} rows together, C_r {rows}^0.7 times that of one")
+        messages.append(
+            f"life: C_r, P and C_u are those of the {rows} rows together, C_r {rows}^0.7 times that of one"
+        )
     assert kappa is not None  # without rotation there is a reason above
     factor = _life_factor(kappa, limit / load, rating.contamination_factor)
     return replace(
@@ -150,27 +165,41 @@ def _not_covered(bearing: Bearing) -> str:
 
 def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRating, list[str]]:
     """Static safety by pressure and by S_0 = C_0/P_0, and what is left out."""
-    bearing, rating, messages = solution.bearing, known.rating, []
+    bearing = solution.bearing
+    rating = known.rating
+    messages = []
     steel = bearing.ball_material.kind is MaterialKind.BEARING_STEEL
     pressure = _largest_pressure(solution)
     if not steel:
-        messages.append("life.static_safety: null, the permissible pressure of a hybrid was not at hand")
+        messages.append(
+            "life.static_safety: null, the permissible pressure of a hybrid was not at hand"
+        )
     elif pressure:
         known = replace(known, static_safety=(STATIC_PRESSURE / pressure) ** 3)
     capacity = rating.static_rating
     if capacity is None and steel:
         capacity = static_rating(bearing, rating.nominal_contact_angle)
-        messages.append("life: static rating computed from the geometry, no basic_static_rating_kN was given")
+        messages.append(
+            "life: static rating computed from the geometry, no basic_static_rating_kN was given"
+        )
     elif capacity is None:
-        messages.append("life: static rating and S_0 null, give the basic_static_rating_kN of the hybrid")
+        messages.append(
+            "life: static rating and S_0 null, give the basic_static_rating_kN of the hybrid"
+        )
     loads = []
     for x, y, z in solution.row_load[:, :3]:
-        loads.append(static_equivalent_load(hypot(y, z), abs(float(x)), rating.nominal_contact_angle))
+        loads.append(
+            static_equivalent_load(hypot(y, z), abs(float(x)), rating.nominal_contact_angle)
+        )
     load = max((found for found in loads if found is not None), default=None)
     if load is None:
-        messages.append("life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 to 40 deg")
+        messages.append(
+            "life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 to 40 deg"
+        )
     factor = capacity / load if capacity is not None and load else None
-    return replace(known, static_rating=capacity, static_load=load, static_safety_factor=factor), messages
+    return replace(
+        known, static_rating=capacity, static_load=load, static_safety_factor=factor
+    ), messages
 
 
 def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -> str:
@@ -198,7 +227,9 @@ def _remarks(bearing: Bearing, rating: RatingInput, kappa: float, share: float) 
         yield f"life: the equivalent load is {share:.2f} of the dynamic rating, more than the {LIGHT_ENOUGH} of ISO 281"
 
 
-def _life_factor(kappa: float, limit_over_load: float, contamination: float | None) -> float | None:
+def _life_factor(
+    kappa: float, limit_over_load: float, contamination: float | None
+) -> float | None:
     if contamination is None or kappa < KAPPA_LEAST:
         return None
     return life_factor(kappa, contamination * limit_over_load)
@@ -207,8 +238,9 @@ def _life_factor(kappa: float, limit_over_load: float, contamination: float | No
 def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle: float) -> float:
     """Basic reference rating life [10^6 revolutions], ISO 16281.
 
-    L_10r = [sum over rows of (Q_ci/Q_ei)^(-10/3) + (Q_ce/Q_ee)^(-10/3)]^(-9/10), Q_e = (sum Q_j^p/Z)^(1/p), p = 3 for a
-    ring that turns relative to the load and 10/3 for one that stands. The load stands in space.
+    L_10r = [sum over rows of (Q_ci/Q_ei)^(-10/3) + (Q_ce/Q_ee)^(-10/3)]^(-9/10), Q_e = (sum
+    Q_j^p/Z)^(1/p), p = 3 for a ring that turns relative to the load and 10/3 for one that stands.
+    The load stands in space.
 
     Parameters
     ----------
@@ -245,7 +277,8 @@ def equivalent_ball_load(loads: Array, *, turning: bool) -> float:
 def viscosity_ratio(kinematic_viscosity: float, speed: float, pitch_diameter: float) -> float:
     """kappa = nu/nu_1 [-], ISO 281.
 
-    nu_1 = 45000 n^-0.83 d_m^-0.5 below 1000 r/min, 4500 n^-0.5 d_m^-0.5 from there, in mm^2/s with d_m in mm.
+    nu_1 = 45000 n^-0.83 d_m^-0.5 below 1000 r/min, 4500 n^-0.5 d_m^-0.5 from there, in mm^2/s with
+    d_m in mm.
 
     Parameters
     ----------
@@ -262,15 +295,18 @@ def viscosity_ratio(kinematic_viscosity: float, speed: float, pitch_diameter: fl
         kappa [-].
     """
     n = speed / RPM
-    reference = (45000.0 * n**-0.83 if n < 1000.0 else 4500.0 * n**-0.5) * (pitch_diameter / MM) ** -0.5
+    reference = (45000.0 * n**-0.83 if n < 1000.0 else 4500.0 * n**-0.5) * (
+        pitch_diameter / MM
+    ) ** -0.5
     return kinematic_viscosity / (reference * MM**2)
 
 
 def life_factor(kappa: float, limit: float) -> float:
     """a_ISO of radial ball bearings [-], ISO 281.
 
-    a_ISO = 0.1 [1 - (2.5671 - c/kappa^e)^0.83 (e_C C_u/P)^(1/3)]^-9.3, at most 50, with kappa at most 4; (c, e) =
-    (2.2649, 0.054381) below 0.4, (1.9987, 0.19087) up to 1, (1.9987, 0.071739) up to 4.
+    a_ISO = 0.1 [1 - (2.5671 - c/kappa^e)^0.83 (e_C C_u/P)^(1/3)]^-9.3, at most 50, with kappa at
+    most 4; (c, e) = (2.2649, 0.054381) below 0.4, (1.9987, 0.19087) up to 1, (1.9987, 0.071739) up
+    to 4.
 
     Parameters
     ----------
@@ -294,7 +330,8 @@ def life_factor(kappa: float, limit: float) -> float:
 
 def _largest_pressure(solution: QuasistaticSolution) -> float:
     """Largest Hertz pressure of all contacts [Pa], 0 if none is loaded."""
-    largest, bearing = 0.0, solution.bearing
+    largest = 0.0
+    bearing = solution.bearing
     for race, loads, angles in (
         (Race.INNER, solution.inner_load, solution.inner_contact_angle),
         (Race.OUTER, solution.outer_load, solution.outer_contact_angle),
@@ -302,5 +339,8 @@ def _largest_pressure(solution: QuasistaticSolution) -> float:
         for load, angle in zip(loads, angles, strict=True):
             if load > 0.0:
                 radii = reduced_radii(bearing, race, float(angle))
-                largest = max(largest, hertz_contact(float(load), *radii, contact_modulus(bearing, race)).pressure)
+                largest = max(
+                    largest,
+                    hertz_contact(float(load), *radii, contact_modulus(bearing, race)).pressure,
+                )
     return largest

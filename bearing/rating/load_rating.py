@@ -1,6 +1,6 @@
-"""Load ratings of a ball bearing from its geometry, after ISO 281 and ISO 16281; `life` says what was read of them."""
-
-from __future__ import annotations
+"""Load ratings of a ball bearing from its geometry, after ISO 281 and ISO 16281; `life` says what
+was read of them.
+"""
 
 from dataclasses import replace
 from math import cos, degrees
@@ -14,12 +14,17 @@ from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 RATING_FACTOR = 1.3  # b_m of deep groove and angular contact ball bearings, ISO 281 [-]
 GAMMA_POINTS = (0.05, 0.10, 0.16, 0.19, 0.25)  # D cos(alpha)/d_m [-]
 F_C_POINTS = (46.7, 55.5, 59.6, 60.0, 58.6)  # f_c of ISO 281 there, N and mm
-F_C_SCALE = 38.2  # of Lundberg and Palmgren's form that passes these points within their rounding, N and mm
-SMALLEST_GAMMA, LARGEST_GAMMA = 0.01, 0.40  # to which the form is used [-]
+# of Lundberg and Palmgren's form that passes these points within their rounding, N and mm
+F_C_SCALE = 38.2
+# to which the form is used [-]
+SMALLEST_GAMMA = 0.01
+LARGEST_GAMMA = 0.40
 F_C_CONFORMITY = 0.52  # of both grooves, with which it passes them [-]
-LARGEST_CONFORMITIES = (0.52, 0.53)  # of inner and outer groove that f_c is for; wider ones carry less [-]
+# of inner and outer groove that f_c is for; wider ones carry less [-]
+LARGEST_CONFORMITIES = (0.52, 0.53)
 STATIC_PRESSURE = 4.2e9  # Hertz pressure at the static rating of ball bearings, ISO 76 [Pa]
-STRIBECK = 5.0  # heaviest ball load over the mean one, F/(Z cos alpha), of a radially loaded bearing [-]
+# heaviest ball load over the mean one, F/(Z cos alpha), of a radially loaded bearing [-]
+STRIBECK = 5.0
 STATIC_FACTORS_RADIAL = (0.6, 0.5)  # X_0, Y_0 at a nominal contact angle of zero [-]
 STATIC_ANGLES = (15.0, 25.0, 40.0)  # [deg]
 STATIC_FACTORS_AXIAL = (0.46, 0.38, 0.26)  # Y_0 there, with X_0 = 0.5 [-]
@@ -30,7 +35,9 @@ MM = 1e-3  # in SI
 
 
 def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
-    """Why `dynamic_rating` does not hold for a geometry, empty if it does; the nominal contact angle in [rad]."""
+    """Why `dynamic_rating` does not hold for a geometry, empty if it does; the nominal contact
+    angle in [rad].
+    """
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
     if not SMALLEST_GAMMA <= gamma <= LARGEST_GAMMA:
         return f"D cos(alpha)/d_m = {gamma:.3g} lies outside the factors f_c at hand: give basic_dynamic_rating_kN"
@@ -40,14 +47,18 @@ def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
 def wide_grooves(bearing: Bearing) -> bool:
     """Whether a groove is wider than those f_c is for, so that the rating is lowered for it [-]."""
     conformities = (bearing.inner_conformity, bearing.outer_conformity)
-    return any(found > most + ROUNDED for found, most in zip(conformities, LARGEST_CONFORMITIES, strict=True))
+    return any(
+        found > most + ROUNDED
+        for found, most in zip(conformities, LARGEST_CONFORMITIES, strict=True)
+    )
 
 
 def factor_f_c(gamma: float) -> float:
-    """f_c of the dynamic rating of radial ball bearings (N, mm): Lundberg and Palmgren (1947), ISO 281.
+    """f_c of the dynamic rating of radial ball bearings (N, mm): Lundberg and Palmgren (1947), ISO
+    281.
 
-    Their form with both grooves 0.52 D wide and one scale passes the five points of the standard's table at hand
-    within their rounding.
+    Their form with both grooves 0.52 D wide and one scale passes the five points of the standard's
+    table at hand within their rounding.
 
     Parameters
     ----------
@@ -83,11 +94,14 @@ def lundberg_palmgren(gamma: float, inner: float, outer: float) -> float:
     grooves = inner * (2.0 * outer - 1.0) / (outer * (2.0 * inner - 1.0))
     ratio = 1.04 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves**0.41
     shape = gamma**0.3 * (1.0 - gamma) ** 1.39 / (1.0 + gamma) ** (1.0 / 3.0)
-    return float((1.0 + ratio ** (10.0 / 3.0)) ** -0.3 * shape * (2.0 * inner / (2.0 * inner - 1.0)) ** 0.41)
+    return float(
+        (1.0 + ratio ** (10.0 / 3.0)) ** -0.3 * shape * (2.0 * inner / (2.0 * inner - 1.0)) ** 0.41
+    )
 
 
 def groove_factor(bearing: Bearing, contact_angle: float) -> float:
-    """Capacity with the bearing's grooves over that with the widest f_c is for, 1 unless they are wider [-].
+    """Capacity with the bearing's grooves over that with the widest f_c is for, 1 unless they are
+    wider [-].
 
     Parameters
     ----------
@@ -107,9 +121,11 @@ def groove_factor(bearing: Bearing, contact_angle: float) -> float:
 
 
 def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
-    """Basic dynamic radial load rating [N], ISO 281: C_r = 1.3 f_c (cos alpha)^0.7 Z^(2/3) D^1.8, one row.
+    """Basic dynamic radial load rating [N], ISO 281: C_r = 1.3 f_c (cos alpha)^0.7 Z^(2/3) D^1.8,
+    one row.
 
-    For grooves wider than f_c is for it is lowered as the theory behind f_c says (`groove_factor`).
+    For grooves wider than f_c is for it is lowered as the theory behind f_c says
+    (`groove_factor`).
 
     Parameters
     ----------
@@ -133,9 +149,10 @@ def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
 def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tuple[float, float]:
     """Dynamic ratings of the balls on the inner and the outer ring, ISO 16281.
 
-    Q_ci = C_r/(0.407 Z cos alpha) (1 + T^(10/3))^0.3, Q_ce = C_r/(0.389 Z cos alpha) (1 + T^(-10/3))^0.3,
-    T = 1.044 ((1 - g)/(1 + g))^1.72 [r_i (2 r_e - D)/(r_e (2 r_i - D))]^0.41, g = D cos alpha/d_m. One transcription
-    has (cos alpha)^0.7; the theory of Lundberg and Palmgren supports the first power.
+    Q_ci = C_r/(0.407 Z cos alpha) (1 + T^(10/3))^0.3, Q_ce = C_r/(0.389 Z cos alpha) (1 +
+    T^(-10/3))^0.3, T = 1.044 ((1 - g)/(1 + g))^1.72 [r_i (2 r_e - D)/(r_e (2 r_i - D))]^0.41, g =
+    D cos alpha/d_m. One transcription has (cos alpha)^0.7; the theory of Lundberg and Palmgren
+    supports the first power.
 
     Parameters
     ----------
@@ -150,7 +167,9 @@ def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tup
     tuple of float
         Q_ci and Q_ce [N].
     """
-    diameter, inner, outer = bearing.ball_diameter, bearing.inner_groove_radius, bearing.outer_groove_radius
+    diameter = bearing.ball_diameter
+    inner = bearing.inner_groove_radius
+    outer = bearing.outer_groove_radius
     gamma = diameter * cos(contact_angle) / bearing.pitch_diameter
     grooves = inner * (2.0 * outer - diameter) / (outer * (2.0 * inner - diameter))
     ratio = 1.044 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves**0.41
@@ -160,9 +179,11 @@ def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tup
 
 
 def fatigue_load_limit(bearing: Bearing, contact_angle: float) -> float:
-    """C_u [N], ISO 281: 0.2288 Z min(Q_ui, Q_ue) cos alpha, times (100/d_m)^0.5 above d_m = 100 mm.
+    """C_u [N], ISO 281: 0.2288 Z min(Q_ui, Q_ue) cos alpha, times (100/d_m)^0.5 above d_m = 100
+    mm.
 
-    Q_u is the ball load at a Hertz pressure of 1500 MPa, with the moduli of the bearing's own materials.
+    Q_u is the ball load at a Hertz pressure of 1500 MPa, with the moduli of the bearing's own
+    materials.
 
     Parameters
     ----------
@@ -181,10 +202,12 @@ def fatigue_load_limit(bearing: Bearing, contact_angle: float) -> float:
 
 
 def static_rating(bearing: Bearing, contact_angle: float) -> float:
-    """Basic static radial load rating [N], after the definition of ISO 76: 4200 MPa at the heaviest contact.
+    """Basic static radial load rating [N], after the definition of ISO 76: 4200 MPa at the
+    heaviest contact.
 
-    C_0r = Z cos(alpha) min(Q_i, Q_e)/5, Q the ball load at 4200 MPa on grooves of 0.52 D (inner) and 0.53 D (outer) or
-    wider, 5 the heaviest over the mean ball load after Stribeck. The standard's table of f_0 was not read.
+    C_0r = Z cos(alpha) min(Q_i, Q_e)/5, Q the ball load at 4200 MPa on grooves of 0.52 D (inner)
+    and 0.53 D (outer) or wider, 5 the heaviest over the mean ball load after Stribeck. The
+    standard's table of f_0 was not read.
 
     Parameters
     ----------
@@ -199,14 +222,28 @@ def static_rating(bearing: Bearing, contact_angle: float) -> float:
     """
     diameter = bearing.ball_diameter
     grooves = (bearing.inner_groove_radius, bearing.outer_groove_radius)
-    inner, outer = (max(own, f * diameter) for own, f in zip(grooves, LARGEST_CONFORMITIES, strict=True))
+    inner, outer = (
+        max(own, f * diameter) for own, f in zip(grooves, LARGEST_CONFORMITIES, strict=True)
+    )
     rated = replace(bearing, inner_groove_radius=inner, outer_groove_radius=outer)
-    return bearing.balls * cos(contact_angle) * min(load_at_pressure(rated, contact_angle, STATIC_PRESSURE)) / STRIBECK
+    return (
+        bearing.balls
+        * cos(contact_angle)
+        * min(load_at_pressure(rated, contact_angle, STATIC_PRESSURE))
+        / STRIBECK
+    )
 
 
-def load_at_pressure(bearing: Bearing, contact_angle: float, pressure: float) -> tuple[float, float]:
-    """Ball loads [N] on the inner and the outer race at a Hertz pressure [Pa] and contact angle [rad]."""
-    units = [hertz_contact(1.0, *reduced_radii(bearing, r, contact_angle), contact_modulus(bearing, r)) for r in Race]
+def load_at_pressure(
+    bearing: Bearing, contact_angle: float, pressure: float
+) -> tuple[float, float]:
+    """Ball loads [N] on the inner and the outer race at a Hertz pressure [Pa] and contact angle
+    [rad].
+    """
+    units = [
+        hertz_contact(1.0, *reduced_radii(bearing, r, contact_angle), contact_modulus(bearing, r))
+        for r in Race
+    ]
     inner, outer = ((pressure / unit.pressure) ** 3 for unit in units)
     return inner, outer
 
@@ -214,8 +251,8 @@ def load_at_pressure(bearing: Bearing, contact_angle: float, pressure: float) ->
 def static_equivalent_load(radial: float, axial: float, contact_angle: float) -> float | None:
     """P_0 = max(X_0 F_r + Y_0 F_a, F_r) of one row, ISO 76; None at angles without factors.
 
-    X_0, Y_0 are 0.6, 0.5 at zero contact angle (SKF, deep groove ball bearings); X_0 = 0.5 and Y_0 = 0.46, 0.38, 0.26
-    at 15, 25, 40 degrees (LYC, angular contact ball bearings), linear between.
+    X_0, Y_0 are 0.6, 0.5 at zero contact angle (SKF, deep groove ball bearings); X_0 = 0.5 and Y_0
+    = 0.46, 0.38, 0.26 at 15, 25, 40 degrees (LYC, angular contact ball bearings), linear between.
 
     Parameters
     ----------
@@ -234,5 +271,6 @@ def static_equivalent_load(radial: float, axial: float, contact_angle: float) ->
     if angle > 0.0:
         if not STATIC_ANGLES[0] - 1e-6 <= angle <= STATIC_ANGLES[-1] + 1e-6:
             return None
-        x, y = 0.5, float(np.interp(angle, STATIC_ANGLES, STATIC_FACTORS_AXIAL))
+        x = 0.5
+        y = float(np.interp(angle, STATIC_ANGLES, STATIC_FACTORS_AXIAL))
     return max(x * radial + y * axial, radial)

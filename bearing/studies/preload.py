@@ -1,10 +1,9 @@
 """Rows set against each other: preload as a force or as a displacement, and the usual pairs.
 
-A preload is that of the reference position, ring undisplaced, nothing turning: there a row alone carries the force, or
-is displaced beyond first touch by the length. Pairs of equal rows then stand in balance with that force in both.
+A preload is that of the reference position, ring undisplaced, nothing turning: there a row alone
+carries the force, or is displaced beyond first touch by the length. Pairs of equal rows then stand
+in balance with that force in both.
 """
-
-from __future__ import annotations
 
 from enum import Enum
 
@@ -48,7 +47,9 @@ def preload_offset(bearing: Bearing, preload_force: float, model: Model | None =
         raise ValueError(f"preload_force must not be negative, got {preload_force!r} N")
     if preload_force == 0.0:
         return bearing.free_axial_position
-    solution = solve_quasistatic(bearing, Operation(inner_speed=0.0, force=(preload_force, 0.0, 0.0)), model)
+    solution = solve_quasistatic(
+        bearing, Operation(inner_speed=0.0, force=(preload_force, 0.0, 0.0)), model
+    )
     if not solution.converged:
         raise ValueError(f"preload_force {preload_force!r} N: {solution.message}")
     return float(solution.displacement[0])
@@ -119,6 +120,8 @@ def duplex(
     """
     left, right = (
         preloaded_row(bearing, position, sense, preload_force, preload_displacement, model)
-        for position, sense in zip((-0.5 * distance, 0.5 * distance), SENSES[arrangement], strict=True)
+        for position, sense in zip(
+            (-0.5 * distance, 0.5 * distance), SENSES[arrangement], strict=True
+        )
     )
     return left, right

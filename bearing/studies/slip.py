@@ -1,12 +1,12 @@
-"""Gross slip of balls after Hirano: slip factors, critical loads, minimum preload, and catalogue minimum loads.
+"""Gross slip of balls after Hirano: slip factors, critical loads, minimum preload, and catalogue
+minimum loads.
 
-Hirano (1965) found that the balls of angular contact bearings slip as a whole where the axial part of the inner contact
-load falls below about ten times the centrifugal force, SF = Qi |sin ai|/Fc < 10. The axial balance of the inner ring
-holds the mean of the factors of Z balls at Fa/(Z Fc) or below, so no preload below 10 Z Fc can be enough. The source of
-1965 was not at hand; the criterion is that quoted by Wang et al. (2024), Eqs. (17) to (20).
+Hirano (1965) found that the balls of angular contact bearings slip as a whole where the axial part
+of the inner contact load falls below about ten times the centrifugal force, SF = Qi |sin ai|/Fc <
+10. The axial balance of the inner ring holds the mean of the factors of Z balls at Fa/(Z Fc) or
+below, so no preload below 10 Z Fc can be enough. The source of 1965 was not at hand; the criterion
+is that quoted by Wang et al. (2024), Eqs. (17) to (20).
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
@@ -25,16 +25,22 @@ from ..quasistatic.solver import solve_quasistatic
 
 HIRANO_LIMIT = 10.0  # slip factor below which a ball slips, Hirano (1965) [-]
 PRECISION = 1.0e-7  # of critical loads, relative [-]
-FIRST, GROWTH, STEPS = 0.6, 1.2, 40  # search for a preload: first and next trial over the least possible, trials [-]
-LEAST = 0.02  # lightest axial load looked at for critical loads, over the least possible preload [-]
+# search for a preload: first and next trial over the least possible, trials [-]
+FIRST = 0.6
+GROWTH = 1.2
+STEPS = 40
+# lightest axial load looked at for critical loads, over the least possible preload [-]
+LEAST = 0.02
 EQUAL = 9  # digits to which two balls' factors agree where they count as one
 
-Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]  # map, or one that shares the work
+# map, or one that shares the work
+Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SlipStudy:
-    """A bearing whose axial load and speed are varied; tilt and the other loads are those of `operation`.
+    """A bearing whose axial load and speed are varied; tilt and the other loads are those of
+    `operation`.
 
     Attributes
     ----------
@@ -51,27 +57,37 @@ class SlipStudy:
 
     def __post_init__(self) -> None:
         if self.operation.force[0] is None:
-            raise ValueError("operation: slip maps vary the axial load, so x must have a force, not a displacement")
+            raise ValueError(
+                "operation: slip maps vary the axial load, so x must have a force, not a displacement"
+            )
         if not (isfinite(self.limit) and self.limit > 0.0):
             raise ValueError(f"limit must be positive and finite, got {self.limit!r}")
 
     def solve(
         self, speed: float, axial_load: float, near: QuasistaticSolution | None = None
     ) -> QuasistaticSolution | None:
-        """Equilibrium at an inner speed [rad/s] and axial load [N], from a neighbour's; None where there is none."""
-        operation = replace(self.operation, inner_speed=speed, force=(axial_load, *self.operation.force[1:]))
+        """Equilibrium at an inner speed [rad/s] and axial load [N], from a neighbour's; None where
+        there is none.
+        """
+        operation = replace(
+            self.operation, inner_speed=speed, force=(axial_load, *self.operation.force[1:])
+        )
         solution = solve_quasistatic(self.bearing, operation, self.model, near)
         return solution if solution.converged else None
 
     def least_preload(self, speed: float) -> float:
-        """Axial load [N] without which some ball must slip at `speed` [rad/s], limit Z Fc at the free angle."""
+        """Axial load [N] without which some ball must slip at `speed` [rad/s], limit Z Fc at the
+        free angle.
+        """
         problem = ball_problem(self.bearing, speed, self.operation.outer_speed, self.model)
         return self.limit * self.bearing.balls * problem.nominal_force
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SlipSurface:
-    """Slip factors over speed and axial load: speeds [rad/s], axial_loads [N], factors (n, F, Z) [-], NaN unsolved."""
+    """Slip factors over speed and axial load: speeds [rad/s], axial_loads [N], factors (n, F, Z)
+    [-], NaN unsolved.
+    """
 
     speeds: Array
     axial_loads: Array
@@ -91,7 +107,9 @@ class SlipSurface:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CriticalCurves:
-    """Axial load [N], shape (R, Z), at which each ball just slips, over radial_loads [N], at one speed [rad/s]."""
+    """Axial load [N], shape (R, Z), at which each ball just slips, over radial_loads [N], at one
+    speed [rad/s].
+    """
 
     speed: float
     radial_loads: Array
@@ -138,7 +156,8 @@ def slip_row(study: SlipStudy, axial_loads: Sequence[float], speed: float) -> Ar
     for index in np.argsort(axial_loads)[::-1]:  # from the heaviest load, where the start is best
         solution = study.solve(speed, float(axial_loads[index]), near)
         if solution is not None:
-            found[index], near = slip_factors(solution), solution
+            found[index] = slip_factors(solution)
+            near = solution
     return found
 
 
@@ -163,7 +182,9 @@ def slip_surface(
         Slip factors [-].
     """
     rows = mapper(partial(slip_row, study, tuple(axial_loads)), [float(n) for n in speeds])
-    return SlipSurface(speeds=np.array(speeds), axial_loads=np.array(axial_loads), factors=np.array(list(rows)))
+    return SlipSurface(
+        speeds=np.array(speeds), axial_loads=np.array(axial_loads), factors=np.array(list(rows))
+    )
 
 
 def minimum_preload(study: SlipStudy, speed: float) -> float:
@@ -178,7 +199,8 @@ def minimum_preload(study: SlipStudy, speed: float) -> float:
     Returns
     -------
     float
-        Axial load [N]; 0 without centrifugal force; NaN if none up to 700 times the least possible one is found.
+        Axial load [N]; 0 without centrifugal force; NaN if none up to 700 times the least possible
+        one is found.
     """
     if study.least_preload(speed) == 0.0:
         return 0.0
@@ -213,10 +235,13 @@ def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
     Returns
     -------
     ndarray, shape (Z,)
-        Axial load [N], the heaviest where there are several; NaN for a ball that does not pass the limit.
+        Axial load [N], the heaviest where there are several; NaN for a ball that does not pass the
+        limit.
     """
     if study.operation.force[1] is None:
-        raise ValueError("operation: critical curves vary the radial load, so y must have a force, not a displacement")
+        raise ValueError(
+            "operation: critical curves vary the radial load, so y must have a force, not a displacement"
+        )
     force = (study.operation.force[0], radial_load, study.operation.force[2])
     study = replace(study, operation=replace(study.operation, force=force))
     found = np.full(study.bearing.balls, nan)
@@ -225,10 +250,14 @@ def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
     for load, solution in _descent(study, speed):
         if above is not None:
             pair = np.array([slip_factors(above[1]), slip_factors(solution)])
-            for ball in np.flatnonzero((pair[0] >= study.limit) & (pair[1] < study.limit) & np.isnan(found)):
+            for ball in np.flatnonzero(
+                (pair[0] >= study.limit) & (pair[1] < study.limit) & np.isnan(found)
+            ):
                 key = (load, *(float(f"{factor:.{EQUAL}g}") for factor in pair[:, ball]))
                 if key not in known:
-                    known[key] = _root(study, speed, (load, above[0]), partial(_of_ball, int(ball)), above[1])
+                    known[key] = _root(
+                        study, speed, (load, above[0]), partial(_of_ball, int(ball)), above[1]
+                    )
                 found[ball] = known[key]
         above = load, solution
     return found
@@ -239,7 +268,9 @@ def critical_curves(
 ) -> CriticalCurves:
     """`critical_loads` [N] over radial loads [N] at one speed [rad/s], shared by `mapper`."""
     rows = mapper(partial(critical_loads, study, speed), [float(load) for load in radial_loads])
-    return CriticalCurves(speed=speed, radial_loads=np.array(radial_loads), axial_loads=np.array(list(rows)))
+    return CriticalCurves(
+        speed=speed, radial_loads=np.array(radial_loads), axial_loads=np.array(list(rows))
+    )
 
 
 def minimum_axial_load_skf(factor: float, speed: float) -> float:
@@ -260,8 +291,11 @@ def minimum_axial_load_skf(factor: float, speed: float) -> float:
     return factor * (_rpm(speed) / 1000.0) ** 2
 
 
-def minimum_radial_load_skf(factor: float, speed: float, kinematic_viscosity: float, pitch_diameter: float) -> float:
-    """Catalogue minimum radial load F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2, SKF Rolling bearings catalogue.
+def minimum_radial_load_skf(
+    factor: float, speed: float, kinematic_viscosity: float, pitch_diameter: float
+) -> float:
+    """Catalogue minimum radial load F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2, SKF Rolling bearings
+    catalogue.
 
     Parameters
     ----------
@@ -293,11 +327,18 @@ def _trials(study: SlipStudy, speed: float) -> Iterator[float]:
 
 
 def _descent(study: SlipStudy, speed: float) -> Iterator[tuple[float, QuasistaticSolution]]:
-    """Axial loads and solutions, from one at which no ball slips down to where all do or the load is very light."""
-    near, load = None, nan
+    """Axial loads and solutions, from one at which no ball slips down to where all do or the load
+    is very light.
+    """
+    near = None
+    load = nan
     for load in _trials(study, speed):
         near = study.solve(speed, load, near) or near
-        if near is not None and near.operation.force[0] == load and slip_factors(near).min() >= study.limit:
+        if (
+            near is not None
+            and near.operation.force[0] == load
+            and slip_factors(near).min() >= study.limit
+        ):
             break
     lightest = LEAST * study.least_preload(speed)
     while near is not None and load > lightest:
@@ -307,7 +348,8 @@ def _descent(study: SlipStudy, speed: float) -> Iterator[tuple[float, Quasistati
         yield load, solution
         if slip_factors(solution).max() < study.limit:
             return
-        near, load = solution, load / GROWTH
+        near = solution
+        load = load / GROWTH
 
 
 def _of_ball(ball: int, factors: Array) -> float:
@@ -321,7 +363,9 @@ def _root(
     of_factors: Callable[[Array], Any],
     near: QuasistaticSolution,
 ) -> float:
-    """Axial load [N] within the bracket at which a value of the factors passes the limit; NaN without equilibrium."""
+    """Axial load [N] within the bracket at which a value of the factors passes the limit; NaN
+    without equilibrium.
+    """
     unsolved = False
 
     def excess(load: float) -> float:

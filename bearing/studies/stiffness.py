@@ -1,10 +1,8 @@
 """Tangent stiffness of a bearing over speed, and as a bearing element of the rotor code ROSS.
 
-The stiffness is that of the equilibrium at each speed: contact angles, ball loads and gyroscopic friction change with
-it.
+The stiffness is that of the equilibrium at each speed: contact angles, ball loads and gyroscopic
+friction change with it.
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -18,7 +16,8 @@ from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
 from ..rows import SINGLE, Row
 
-ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])  # ROSS' x, y, z (z along the shaft) in ours
+# ROSS' x, y, z (z along the shaft) in ours
+ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,13 +70,17 @@ def stiffness_over_speed(
     -------
     StiffnessOverSpeed
     """
-    matrices, places = np.full((len(speeds), 5, 5), np.nan), np.full((len(speeds), 5), np.nan)
+    matrices = np.full((len(speeds), 5, 5), np.nan)
+    places = np.full((len(speeds), 5), np.nan)
     near: QuasistaticSolution | None = None
     messages = []
     for index, speed in enumerate(speeds):
-        found = solve_quasistatic(bearing, replace(operation, inner_speed=float(speed)), model, near, rows)
+        found = solve_quasistatic(
+            bearing, replace(operation, inner_speed=float(speed)), model, near, rows
+        )
         if found.converged:
-            matrices[index], near = found.stiffness, found
+            matrices[index] = found.stiffness
+            near = found
             places[index] = [*found.displacement, *found.tilt]
         else:
             messages.append(f"{speed * 30.0 / np.pi:.6g} r/min: {found.message}")
@@ -92,9 +95,10 @@ def stiffness_over_speed(
 def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Array]:
     """Keyword arguments of ROSS' BearingElement over speed, but for its node n.
 
-    ROSS has z along the shaft; its x and y are our -z and y (a turn of the frame, right-handed in both). Its element
-    has the 2 x 2 block of the lateral directions and the axial stiffness; tilt and what couples axial to lateral
-    are left out: the block is the stiffness with x and the tilts held.
+    ROSS has z along the shaft; its x and y are our -z and y (a turn of the frame, right-handed in
+    both). Its element has the 2 x 2 block of the lateral directions and the axial stiffness; tilt
+    and what couples axial to lateral are left out: the block is the stiffness with x and the tilts
+    held.
 
     Parameters
     ----------
@@ -117,5 +121,6 @@ def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Arr
     table = {"frequency": study.speeds[kept]}
     table |= {name: turned[:, i, j] for name, (i, j) in stiffness.items()}
     return table | {
-        name.replace("k", "c"): np.full(size, damping if i == j else 0.0) for name, (i, j) in stiffness.items()
+        name.replace("k", "c"): np.full(size, damping if i == j else 0.0)
+        for name, (i, j) in stiffness.items()
     }

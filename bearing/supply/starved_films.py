@@ -1,6 +1,6 @@
-"""Films of the contacts of a bearing that gets little oil: what a supply leaves of the flooded ones."""
-
-from __future__ import annotations
+"""Films of the contacts of a bearing that gets little oil: what a supply leaves of the flooded
+ones.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -30,8 +30,8 @@ class StarvedFilm:
     roughness : float
         Root mean square of race and ball together, zero where it is not known [m].
     solved : bool
-        Whether the flooded films were solved; else they are those of the formulas of Nijenbanning et al. and of Hamrock
-        and Dowson.
+        Whether the flooded films were solved; else they are those of the formulas of Nijenbanning
+        et al. and of Hamrock and Dowson.
     """
 
     share: float
@@ -63,7 +63,8 @@ def starved_films(
     roughness: tuple[float, float] | None = None,
     solutions: Sequence[ContactSolution | None] | None = None,
 ) -> tuple[StarvedFilm | None, ...]:
-    """What a supply leaves of the film of every contact; None where no oil is entrained or no flooded film is known.
+    """What a supply leaves of the film of every contact; None where no oil is entrained or no
+    flooded film is known.
 
     The minimum film is taken to keep the share of the central one.
 
@@ -92,14 +93,20 @@ def starved_films(
             continue
         rough = 0.0 if roughness is None else roughness[0 if contact.race is Race.INNER else 1]
         one = StarvedFilm(
-            share=share, flooded_central=film[0], flooded_minimum=film[1], roughness=rough, solved=film[2]
+            share=share,
+            flooded_central=film[0],
+            flooded_minimum=film[1],
+            roughness=rough,
+            solved=film[2],
         )
         found.append(one)
     return tuple(found)
 
 
 def of_driven_balls(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], films: Sequence[StarvedFilm | None]
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    films: Sequence[StarvedFilm | None],
 ) -> list[StarvedFilm]:
     """Films of the balls that both races load."""
     return [
@@ -119,8 +126,12 @@ def least_lambda(films: Sequence[StarvedFilm]) -> float:
     return min((film.lambda_ratio for film in films), default=inf)
 
 
-def _flooded(contact: BearingContact, solution: ContactSolution | None) -> tuple[float, float, bool] | None:
-    """Central and minimum film [m], and whether they were solved; None where there is none or no formula applies."""
+def _flooded(
+    contact: BearingContact, solution: ContactSolution | None
+) -> tuple[float, float, bool] | None:
+    """Central and minimum film [m], and whether they were solved; None where there is none or no
+    formula applies.
+    """
     if contact.conditions is None or contact.hertz is None:
         return None
     if solution is not None and solution.converged:

@@ -1,23 +1,25 @@
-r"""Oil supply, first order: how much film little oil leaves, and how much oil stands in the way of the balls.
+r"""Oil supply, first order: how much film little oil leaves, and how much oil stands in the way of
+the balls.
 
-Either the layer of oil that every contact finds at its inlet is given (`InletFilm`), or a flow (`Supply`).
+Either the layer of oil that every contact finds at its inlet is given (`InletFilm`), or a flow
+(`Supply`).
 
 Film: a contact that finds an oil layer of r times its compressed flooded film builds a film of
-:math:`r/(1 + r^\gamma)^{1/\gamma}` times the flooded one (Chevalier et al., 1998; Damiens et al., 2004) and presses the
-rest out of the track. Under a flow, the layer it leaves loses a share on the way to the next ball, and the supply adds
-to it. In the steady state
+:math:`r/(1 + r^\gamma)^{1/\gamma}` times the flooded one (Chevalier et al., 1998; Damiens et al.,
+2004) and presses the
+rest out of the track. Under a flow, the layer it leaves loses a share on the way to the next ball,
+and the supply adds to it. In the steady state
 
     r = (1 - loss) r/(1 + r^gamma)^(1/gamma) + added layer/(density ratio times flooded film).
 
-**Assumed** (no source): of the flow a given share lands on the two tracks, half on each, and spreads evenly over the
-width of the contact's ellipse; the share of the layer that is flung off or pulled away between two balls is given, too;
-each contact is taken as if all were alike.
+**Assumed** (no source): of the flow a given share lands on the two tracks, half on each, and
+spreads evenly over the width of the contact's ellipse; the share of the layer that is flung off or
+pulled away between two balls is given, too; each contact is taken as if all were alike.
 
-Drag: the oil stays in the bearing for a **given residence time**, fills that share of its cavity, and the balls plough
-through a mixture of that density. Both numbers are inputs of a test rig, not constants of nature.
+Drag: the oil stays in the bearing for a **given residence time**, fills that share of its cavity,
+and the balls plough through a mixture of that density. Both numbers are inputs of a test rig, not
+constants of nature.
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -31,7 +33,8 @@ from ehl.oil.lubricant import Lubricant, density
 from ..contacts.contacts import BearingContact
 from ..geometry import Array, Bearing
 
-EXPONENTS, WIDE = (3.0, 15.0), 8.0  # gamma of a circle and of an ellipse of this ratio and more, Damiens et al. (2004)
+EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
+WIDE = 8.0  # Damiens et al. (2004)
 LARGEST = 1.0e6  # inlet layer over film from which a contact counts as flooded [-]
 
 
@@ -67,7 +70,9 @@ class Supply:
         if not 0.0 <= self.loss <= 1.0:
             raise ValueError(f"loss must lie in [0, 1], got {self.loss!r}")
         if not (isfinite(self.residence_time) and self.residence_time >= 0.0):
-            raise ValueError(f"residence_time must be zero or positive, got {self.residence_time!r} s")
+            raise ValueError(
+                f"residence_time must be zero or positive, got {self.residence_time!r} s"
+            )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,20 +96,22 @@ class InletFilm:
 
 
 def starvation_exponent(ellipse_ratio: float) -> float:
-    """gamma of a starved film: 3 (circular) to 15 (wide), in proportion to the ratio's logarithm between [-].
+    """gamma of a starved film: 3 (circular) to 15 (wide), in proportion to the ratio's logarithm
+    between [-].
 
     Parameters
     ----------
     ellipse_ratio : float
-        Semi-axis across the entrainment over that along it [-]. The ends are Damiens et al.'s (2004), second hand; the
-        interpolation is ours.
+        Semi-axis across the entrainment over that along it [-]. The ends are Damiens et al.'s
+        (2004), second hand; the interpolation is ours.
     """
     share = min(max(log(max(ellipse_ratio, 1.0)) / log(WIDE), 0.0), 1.0)
     return EXPONENTS[0] * exp(share * log(EXPONENTS[1] / EXPONENTS[0]))
 
 
 def starved_share(inlet_ratio: float, exponent: float) -> float:
-    """Central film of a starved contact over the flooded one, r/(1 + r^g)^(1/g), Chevalier et al. (1998).
+    """Central film of a starved contact over the flooded one, r/(1 + r^g)^(1/g), Chevalier et al.
+    (1998).
 
     Parameters
     ----------
@@ -124,7 +131,8 @@ def starved_share(inlet_ratio: float, exponent: float) -> float:
 
 
 def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> float:
-    """Film over the flooded one where every ball finds what is left of the last one's and what was added.
+    """Film over the flooded one where every ball finds what is left of the last one's and what was
+    added.
 
     Parameters
     ----------
@@ -154,9 +162,13 @@ def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> floa
 
 
 def supplied_films(
-    contacts: Sequence[BearingContact], flooded: Sequence[float | None], supply: Supply | InletFilm, balls: int
+    contacts: Sequence[BearingContact],
+    flooded: Sequence[float | None],
+    supply: Supply | InletFilm,
+    balls: int,
 ) -> Array:
-    """Central film over the flooded one of every contact, shape (contacts,) [-]; 1 where there is no film.
+    """Central film over the flooded one of every contact, shape (contacts,) [-]; 1 where there is
+    no film.
 
     Parameters
     ----------
@@ -180,7 +192,8 @@ def supplied_films(
         if isinstance(supply, InletFilm):
             shares[i] = starved_share(supply.layer / compressed, exponent)
             continue
-        swept = 2.0 * hertz.semi_axis_y * conditions.entrainment_speed * balls  # area of track under all balls [m^2/s]
+        # area of track under all balls [m^2/s]
+        swept = 2.0 * hertz.semi_axis_y * conditions.entrainment_speed * balls
         layer = 0.5 * supply.track_share * supply.flow / swept
         shares[i] = steady_share(layer / compressed, exponent, supply.loss)
     return shares
@@ -194,8 +207,8 @@ def compression(hertz_pressure: float, lubricant: Lubricant) -> float:
 def cavity_volume(bearing: Bearing) -> float:
     """Space between the rings less the balls [m^3]; the cage is left out.
 
-    Between cylinders at the shoulders (raceway and a third of the ball's radius where these are not given), over the
-    width.
+    Between cylinders at the shoulders (raceway and a third of the ball's radius where these are
+    not given), over the width.
 
     Raises
     ------
@@ -205,8 +218,16 @@ def cavity_volume(bearing: Bearing) -> float:
     if bearing.width is None:
         raise ValueError("width is needed for the volume of the cavity")
     pitch, ball = bearing.pitch_diameter, bearing.ball_diameter
-    inner = pitch - 2.0 / 3.0 * ball if bearing.inner_shoulder_diameter is None else bearing.inner_shoulder_diameter
-    outer = pitch + 2.0 / 3.0 * ball if bearing.outer_shoulder_diameter is None else bearing.outer_shoulder_diameter
+    inner = (
+        pitch - 2.0 / 3.0 * ball
+        if bearing.inner_shoulder_diameter is None
+        else bearing.inner_shoulder_diameter
+    )
+    outer = (
+        pitch + 2.0 / 3.0 * ball
+        if bearing.outer_shoulder_diameter is None
+        else bearing.outer_shoulder_diameter
+    )
     ring = 0.25 * pi * (outer**2 - inner**2) * bearing.width
     return float(ring - bearing.balls * pi / 6.0 * ball**3 * _between(inner, outer, pitch, ball))
 
@@ -228,9 +249,11 @@ def oil_fraction(supply: Supply, cavity: float) -> float:
 
 
 def oil_fraction_parker(flow: float, speed: float, pitch_diameter: float) -> float:
-    """Share of the cavity that is oil with jets, X% = 1e5 W^0.37/(n d_m^1.7), Parker (NASA TP-2275), unverified.
+    """Share of the cavity that is oil with jets, X% = 1e5 W^0.37/(n d_m^1.7), Parker (NASA
+    TP-2275), unverified.
 
-    W in cm^3/min, n in r/min, d_m in mm; the constants are from memory. A regression of jet-lubricated engine bearings.
+    W in cm^3/min, n in r/min, d_m in mm; the constants are from memory. A regression of
+    jet-lubricated engine bearings.
 
     Parameters
     ----------
@@ -246,5 +269,7 @@ def oil_fraction_parker(flow: float, speed: float, pitch_diameter: float) -> flo
     float
         [-].
     """
-    w, n, d = 60.0e6 * flow, abs(speed) * 30.0 / pi, 1e3 * pitch_diameter
+    w = 60.0e6 * flow
+    n = abs(speed) * 30.0 / pi
+    d = 1e3 * pitch_diameter
     return float(min(1e3 * w**0.37 / (n * d**1.7), 1.0)) if n > 0.0 else 1.0

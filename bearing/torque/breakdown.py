@@ -1,7 +1,5 @@
 """All models of the friction torque of one bearing, side by side."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -28,7 +26,9 @@ from .models import (
 from .shear_torque import IntegratedTorque, SolvedShear
 from .starved import StarvedTorque, starved_torque
 
-INTEGRATED, SKF, STARVED = "integrated", "skf", "starved"
+INTEGRATED = "integrated"
+SKF = "skf"
+STARVED = "starved"
 NAMES = (
     INTEGRATED,
     "pure_rolling_lines",
@@ -59,7 +59,9 @@ class TorqueBreakdown:
 
     @property
     def chosen(self) -> str | None:
-        """The model taken for the torque: at a supply that of it, else the integrated one, else SKF's, else none."""
+        """The model taken for the torque: at a supply that of it, else the integrated one, else
+        SKF's, else none.
+        """
         for name in (*(STARVED,) * self.for_supply, INTEGRATED, SKF):
             if self.models[name].total is not None:
                 return name
@@ -93,8 +95,8 @@ def torque_breakdown(
     tractions : sequence of ContactTraction, optional
         Shear of every lubricated contact at one motion of the balls, integrated.
     shear : SolvedShear, optional
-        Shear of every lubricated contact with the balls in balance; goes before `tractions`. Without both there is no
-        integrated model.
+        Shear of every lubricated contact with the balls in balance; goes before `tractions`.
+        Without both there is no integrated model.
     solutions : sequence of ContactSolution or None, optional
         Flooded films that a supply takes its share of; formulas where one is missing.
 
@@ -113,7 +115,9 @@ def torque_breakdown(
     models = {
         INTEGRATED: _integrated(solution, lubricant, friction, shear, speed),
         **line_models(solution, contacts, mu, speed),
-        **skf_model(solution, lubricant, friction, None if shear is None else shear.asperity_share),
+        **skf_model(
+            solution, lubricant, friction, None if shear is None else shear.asperity_share
+        ),
         "palmgren": palmgren_model(solution, lubricant, friction),
         "yao": yao_model(solution, contacts, lubricant, friction, mu),
     }
@@ -141,7 +145,9 @@ def _films(
     """What the supply leaves of the contacts' films; empty without one."""
     if friction.supply is None:
         return ()
-    return starved_films(contacts, friction.supply, solution.bearing.balls, friction.roughness, solutions)
+    return starved_films(
+        contacts, friction.supply, solution.bearing.balls, friction.roughness, solutions
+    )
 
 
 def model_torque(
@@ -151,8 +157,11 @@ def model_torque(
     friction: FrictionInput,
     name: str,
 ) -> ModelTorque:
-    """Friction torque [N m] by one model that needs no films, without the work of the others; as `torque_breakdown`."""
-    speed, mu = sliding.shaft_speed(solution), coulomb_coefficient(solution, lubricant, friction)
+    """Friction torque [N m] by one model that needs no films, without the work of the others; as
+    `torque_breakdown`.
+    """
+    speed = sliding.shaft_speed(solution)
+    mu = coulomb_coefficient(solution, lubricant, friction)
     models = {
         SKF: lambda: skf_model(solution, lubricant, friction)[SKF],
         "palmgren": lambda: palmgren_model(solution, lubricant, friction),
@@ -169,7 +178,9 @@ def _integrated(
     shear: SolvedShear | None,
     speed: float,
 ) -> ModelTorque:
-    """Heat of the sheared films over the shaft's speed, by what the shear works against, cage and churning."""
+    """Heat of the sheared films over the shaft's speed, by what the shear works against, cage and
+    churning.
+    """
     if shear is None:
         return ModelTorque(note=NO_FILMS)
     torque: IntegratedTorque = shear.torque
@@ -189,7 +200,10 @@ def _starved(
         for name, absent in (
             ("lubricant.inlet_film_um or friction.supply_mL_min", friction.supply is None),
             ("[surface]", friction.roughness is None),
-            ("bearing.width_mm", isinstance(friction.supply, Supply) and solution.bearing.width is None),
+            (
+                "bearing.width_mm",
+                isinstance(friction.supply, Supply) and solution.bearing.width is None,
+            ),
         )
         if absent
     ]
@@ -199,4 +213,6 @@ def _starved(
         found = starved_torque(solution, contacts, lubricant, friction, friction.supply, solutions)
     except ValueError as error:
         return ModelTorque(note=str(error)), None
-    return summed({name: getattr(found, name) for name in ("rolling", "film", "asperity", "cage", "drag")}), found
+    return summed(
+        {name: getattr(found, name) for name in ("rolling", "film", "asperity", "cage", "drag")}
+    ), found

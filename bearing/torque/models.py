@@ -1,6 +1,6 @@
-"""Every model of the friction torque, brought to one form: components that add up, or why there are none."""
-
-from __future__ import annotations
+"""Every model of the friction torque, brought to one form: components that add up, or why there
+are none.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
@@ -23,16 +23,21 @@ from ..quasistatic.solution import QuasistaticSolution
 from ..supply.supply import InletFilm, Supply
 from . import palmgren, skf, sliding
 
-ANGULAR_CONTACT = pi / 18.0  # free contact angle from which a bearing counts as one of angular contact [rad]
+# free contact angle from which a bearing counts as one of angular contact [rad]
+ANGULAR_CONTACT = pi / 18.0
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
-CONSTANT_COULOMB = 0.07  # of Jones (1959), as quoted in the comparison of sliding friction torques [-]
+# of Jones (1959), as quoted in the comparison of sliding friction torques [-]
+CONSTANT_COULOMB = 0.07
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FrictionInput:
-    """What the friction models ask beyond the loads, SI; None leaves out what needs it, or is filled in as said."""
+    """What the friction models ask beyond the loads, SI; None leaves out what needs it, or is
+    filled in as said.
+    """
 
-    coefficient: float | None = None  # Coulomb's mu of the sliding models [-]; None: SKF's, from speed and viscosity
+    # Coulomb's mu of the sliding models [-]; None: SKF's, from speed and viscosity
+    coefficient: float | None = None
     lubrication: skf.Lubrication = skf.Lubrication.LOW_OIL_BATH
     oil: str = "mineral"  # kind of base oil, of SKF's mu_EHL
     oil_level: float = 0.0  # above the lowest contact point of the outer raceway [m]
@@ -48,10 +53,13 @@ class FrictionInput:
     hysteresis: float | None = None  # share of the elastic energy lost in rolling, beta_a [-]
     cage: Cage | None = None
     oil_fraction: float | None = None  # share of the cavity filled with oil [-]
-    roughness: tuple[float, float] | None = None  # rms of inner race and balls, outer race and balls [m]
-    supply: Supply | InletFilm | None = None  # flow of oil and what is assumed of it, or the layer at the inlets
+    # rms of inner race and balls, outer race and balls [m]
+    roughness: tuple[float, float] | None = None
+    # flow of oil and what is assumed of it, or the layer at the inlets
+    supply: Supply | InletFilm | None = None
     flooded: bool = False  # the total stays that of flooded films although a supply is given
-    as_printed: bool = False  # SKF's sliding moment also with the slip of the sliding friction paper
+    # SKF's sliding moment also with the slip of the sliding friction paper
+    as_printed: bool = False
 
     @property
     def film_friction(self) -> float:
@@ -80,11 +88,16 @@ def mean_diameter(bearing: Bearing) -> float:
     return 0.5 * (bearing.bore + bearing.outside_diameter)
 
 
-def coulomb_coefficient(solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput) -> float:
-    """Coulomb's mu of the sliding models: as given, or SKF's mu_sl at the bearing's speed and viscosity [-]."""
+def coulomb_coefficient(
+    solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
+) -> float:
+    """Coulomb's mu of the sliding models: as given, or SKF's mu_sl at the bearing's speed and
+    viscosity [-].
+    """
     if friction.coefficient is not None:
         return friction.coefficient
-    speed, mean = sliding.shaft_speed(solution), mean_diameter(solution.bearing)
+    speed = sliding.shaft_speed(solution)
+    mean = mean_diameter(solution.bearing)
     viscosity = lubricant.viscosity / lubricant.density
     return skf.sliding_friction(speed, viscosity, mean, friction.film_friction, friction.boundary)
 
@@ -95,10 +108,15 @@ def _kind(bearing: Bearing) -> skf.Series:
 
 
 def ring_loads(solution: QuasistaticSolution) -> tuple[float, float]:
-    """Radial and axial load of the ring [N]; none where it is round-off of the other, for SKF's formulas jump there."""
+    """Radial and axial load of the ring [N]; none where it is round-off of the other, for SKF's
+    formulas jump there.
+    """
     axial, y, z = (float(force) for force in solution.ring_force)
-    radial, axial = hypot(y, z), abs(axial)
-    return (radial if radial > ROUND_OFF * axial else 0.0), (axial if axial > ROUND_OFF * radial else 0.0)
+    radial = hypot(y, z)
+    axial = abs(axial)
+    return (radial if radial > ROUND_OFF * axial else 0.0), (
+        axial if axial > ROUND_OFF * radial else 0.0
+    )
 
 
 def cage_and_drag(
@@ -107,7 +125,11 @@ def cage_and_drag(
     """Torque of cage and churning [N m] at a shaft's speed [rad/s], zero for what is not given."""
     cage = drag = 0.0
     if friction.cage is not None:
-        ring = solution.operation.outer_speed if friction.cage.outer_guided else solution.operation.inner_speed
+        ring = (
+            solution.operation.outer_speed
+            if friction.cage.outer_guided
+            else solution.operation.inner_speed
+        )
         land = land_power(friction.cage, lubricant.viscosity, ring, solution.cage_speed)
         cage = (land + pocket_power(friction.cage, solution.bearing, solution, land)) / speed
     if friction.oil_fraction is not None:
@@ -118,7 +140,9 @@ def cage_and_drag(
 def line_models(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
 ) -> dict[str, ModelTorque]:
-    """Sliding by Coulomb's mu [-] at a shaft's speed [rad/s]: lines of pure rolling and what they are compared with."""
+    """Sliding by Coulomb's mu [-] at a shaft's speed [rad/s]: lines of pure rolling and what they
+    are compared with.
+    """
     loaded = sliding.sliding_contacts(solution, contacts)
     houpert = sliding.houpert_torque(loaded, speed, mu)
     return {
@@ -132,7 +156,9 @@ def line_models(
             }
         ),
         "kakuta": _slid(sliding.kakuta_torque(loaded, speed, mu)),
-        "constant_coulomb": _slid(sliding.pure_rolling_line_torque(loaded, speed, CONSTANT_COULOMB)),
+        "constant_coulomb": _slid(
+            sliding.pure_rolling_line_torque(loaded, speed, CONSTANT_COULOMB)
+        ),
         "coulomb": _coulomb(solution, contacts, mu, speed),
     }
 
@@ -147,16 +173,24 @@ def _balanced(
     """Lines in balance of force and moments on every ball."""
     found = balanced_friction(solution, contacts, mu, lines=True)
     if not found.converged:
-        return ModelTorque(note=f"no balance of the friction on the balls (residual {found.residual:.1e} of mu Q)")
+        return ModelTorque(
+            note=f"no balance of the friction on the balls (residual {found.residual:.1e} of mu Q)"
+        )
     k, f = found.kinematics, found.forces
     rotation = -(f[..., 3] * found.ball_rolling).sum() / speed
     spin = -(f[..., 2] * k[..., 2]).sum() / speed
     return summed(
-        {"spin": float(spin), "rotation": float(rotation), "orbit": float(found.power.sum() / speed - spin - rotation)}
+        {
+            "spin": float(spin),
+            "rotation": float(rotation),
+            "orbit": float(found.power.sum() / speed - spin - rotation),
+        }
     )
 
 
-def _coulomb(solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float) -> ModelTorque:
+def _coulomb(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
+) -> ModelTorque:
     """The whole ellipse in balance of force and moments, with the gyroscopic couple."""
     found = balanced_friction(solution, contacts, mu)
     if not found.converged:
@@ -170,21 +204,32 @@ def _coulomb(solution: QuasistaticSolution, contacts: Sequence[BearingContact], 
 
 
 def skf_model(
-    solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput, asperity_share: float | None = None
+    solution: QuasistaticSolution,
+    lubricant: Lubricant,
+    friction: FrictionInput,
+    asperity_share: float | None = None,
 ) -> dict[str, ModelTorque]:
     """SKF's model, and beside it its variants.
 
-    "skf_lambda" takes the share of boundary friction from the films [-] instead of speed and viscosity, where it is
-    given; "skf_as_printed" has the sliding moment as a paper printed it, where that is asked for.
+    "skf_lambda" takes the share of boundary friction from the films [-] instead of speed and
+    viscosity, where it is given; "skf_as_printed" has the sliding moment as a paper printed it,
+    where that is asked for.
     """
-    bearing, names = solution.bearing, ["skf"]
-    names += ["skf_lambda"] * (asperity_share is not None) + ["skf_as_printed"] * friction.as_printed
+    bearing = solution.bearing
+    names = ["skf"]
+    names += ["skf_lambda"] * (asperity_share is not None) + [
+        "skf_as_printed"
+    ] * friction.as_printed
     if friction.series is None or bearing.bore is None or bearing.outside_diameter is None:
-        return dict.fromkeys(names, ModelTorque(note="needs bearing.skf_series, bore_mm and outside_diameter_mm"))
+        return dict.fromkeys(
+            names, ModelTorque(note="needs bearing.skf_series, bore_mm and outside_diameter_mm")
+        )
     radial, axial = ring_loads(solution)
     kind = _kind(bearing)
     if kind is skf.Series.DEEP_GROOVE and axial > 0.0 and friction.static_rating is None:
-        return dict.fromkeys(names, ModelTorque(note="needs bearing.basic_static_rating_kN under axial load"))
+        return dict.fromkeys(
+            names, ModelTorque(note="needs bearing.basic_static_rating_kN under axial load")
+        )
     try:
         constants = skf.skf_constants(kind, friction.series)
     except ValueError as error:
@@ -212,24 +257,37 @@ def skf_model(
     )
     models = {"skf": _skf(skf.skf_torque(inner, at))}
     if asperity_share is not None:
-        models["skf_lambda"] = _skf(skf.skf_torque(inner, replace(at, boundary_share=asperity_share)))
+        models["skf_lambda"] = _skf(
+            skf.skf_torque(inner, replace(at, boundary_share=asperity_share))
+        )
     if friction.as_printed:
         models["skf_as_printed"] = summed({"sliding": skf.sliding_as_printed(inner, at)})
     return models
 
 
 def _skf(torque: skf.SkfTorque) -> ModelTorque:
-    return summed({"rolling": torque.rolling, "sliding": torque.sliding, "seal": torque.seal, "drag": torque.drag})
+    return summed(
+        {
+            "rolling": torque.rolling,
+            "sliding": torque.sliding,
+            "seal": torque.seal,
+            "drag": torque.drag,
+        }
+    )
 
 
-def palmgren_model(solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput) -> ModelTorque:
+def palmgren_model(
+    solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
+) -> ModelTorque:
     """Palmgren's model; needs a static rating unless f_1 is given."""
     kind = _kind(solution.bearing).value.replace("_", " ")
     radial, axial = ring_loads(solution)
     factor = friction.load_factor
     if factor is None:
         if friction.static_rating is None:
-            return ModelTorque(note="needs bearing.basic_static_rating_kN or friction.palmgren_load_factor")
+            return ModelTorque(
+                note="needs bearing.basic_static_rating_kN or friction.palmgren_load_factor"
+            )
         static = max(0.6 * radial + 0.5 * axial, radial)  # P_0 of ISO 76 for radial ball bearings
         factor = palmgren.load_factor(kind, static, friction.static_rating)
     viscous = friction.viscous_factor
@@ -252,10 +310,12 @@ def yao_model(
     friction: FrictionInput,
     mu: float,
 ) -> ModelTorque:
-    """The five terms of Yao et al. (2022), M_C and M_L by models of our own: those printed are no torques.
+    """The five terms of Yao et al. (2022), M_C and M_L by models of our own: those printed are no
+    torques.
 
     M_D = d_m/(2 D) [(1 - g_i^2) sum M_Di + (1 - g_e^2) sum M_De] f_s with M_D = 0.0806 Q a^2/R and
-    M_S = 3/8 f_s sum E(k) a Q sin(alpha), E(k) the complete elliptic integral; M_E is `hysteresis_torque`.
+    M_S = 3/8 f_s sum E(k) a Q sin(alpha), E(k) the complete elliptic integral; M_E is
+    `hysteresis_torque`.
     """
     missing = [
         key
@@ -268,12 +328,19 @@ def yao_model(
     ]
     if friction.hysteresis is None or missing:
         return ModelTorque(note=f"needs {', '.join(missing)}")
-    bearing, speed = solution.bearing, sliding.shaft_speed(solution)
+    bearing = solution.bearing
+    speed = sliding.shaft_speed(solution)
     rotation = spin = 0.0
     for c in sliding.sliding_contacts(solution, contacts):
         slope = bearing.ball_diameter * cos(c.angle) / bearing.pitch_diameter
         curvature = 0.0806 * c.load * c.semi_axis**2 / c.radius
-        rotation += bearing.pitch_diameter / (2.0 * bearing.ball_diameter) * (1.0 - slope**2) * curvature * mu
+        rotation += (
+            bearing.pitch_diameter
+            / (2.0 * bearing.ball_diameter)
+            * (1.0 - slope**2)
+            * curvature
+            * mu
+        )
         spin += sliding.spin_moment(c, mu) * sin(abs(c.angle))
     rest = cage_and_drag(solution, lubricant, friction, speed)
     return summed(

@@ -1,6 +1,6 @@
-"""Palmgren's friction torque of ball bearings, M = M_0 + M_1 (Palmgren, 1957; Harris and Kotzalas, chapter 10)."""
-
-from __future__ import annotations
+"""Palmgren's friction torque of ball bearings, M = M_0 + M_1 (Palmgren, 1957; Harris and Kotzalas,
+chapter 10).
+"""
 
 import tomllib
 from dataclasses import dataclass
@@ -9,7 +9,11 @@ from importlib.resources import files
 from math import pi
 from typing import Any
 
-MM, N_MM, MM2_S, RPM = 1e-3, 1e-3, 1e-6, 2.0 * pi / 60.0  # in SI
+# in SI
+MM = 1e-3
+N_MM = 1e-3
+MM2_S = 1e-6
+RPM = 2.0 * pi / 60.0
 BRANCH = 2000.0  # nu n [mm^2/s r/min] from which the viscous moment rises with the speed
 
 
@@ -28,7 +32,9 @@ class PalmgrenTorque:
 
 @cache
 def _data() -> dict[str, Any]:
-    return tomllib.loads((files("bearing.library") / "data" / "palmgren.toml").read_text(encoding="utf-8"))
+    return tomllib.loads(
+        (files("bearing.library") / "data" / "palmgren.toml").read_text(encoding="utf-8")
+    )
 
 
 def viscous_factor(kind: str, lubrication: str) -> float:
@@ -39,10 +45,14 @@ def viscous_factor(kind: str, lubrication: str) -> float:
     kind : str
         "deep groove" or "angular contact" [-].
     lubrication : str
-        "grease", "oil bath", "low oil bath" (as a bath), "oil jet" (twice the bath) or "oil air" (half of it) [-].
+        "grease", "oil bath", "low oil bath" (as a bath), "oil jet" (twice the bath) or "oil air"
+        (half of it) [-].
     """
     factors = _data()["viscous"]
-    return float(factors.get(lubrication, 1.0) * factors[kind]["grease" if lubrication == "grease" else "oil bath"])
+    return float(
+        factors.get(lubrication, 1.0)
+        * factors[kind]["grease" if lubrication == "grease" else "oil bath"]
+    )
 
 
 def load_factor(kind: str, equivalent_static_load: float, static_rating: float) -> float:
@@ -52,7 +62,9 @@ def load_factor(kind: str, equivalent_static_load: float, static_rating: float) 
 
 
 def directed_load(kind: str, radial: float, axial: float) -> float:
-    """P_1 [N]: 3.3 F_a - 0.1 F_r (deep groove), F_a - 0.1 F_r (angular contact), not less than F_r [N]."""
+    """P_1 [N]: 3.3 F_a - 0.1 F_r (deep groove), F_a - 0.1 F_r (angular contact), not less than F_r
+    [N].
+    """
     slope = 3.3 if kind == "deep groove" else 1.0
     return max(slope * abs(axial) - 0.1 * abs(radial), abs(radial))
 
@@ -60,7 +72,8 @@ def directed_load(kind: str, radial: float, axial: float) -> float:
 def palmgren_torque(
     mean_diameter: float, speed: float, viscosity: float, viscous: float, load: tuple[float, float]
 ) -> PalmgrenTorque:
-    """M_0 = f_0 1e-7 (nu n)^(2/3) d_m^3 above nu n = 2000, f_0 160e-7 d_m^3 below; M_1 = f_1 P_1 d_m.
+    """M_0 = f_0 1e-7 (nu n)^(2/3) d_m^3 above nu n = 2000, f_0 160e-7 d_m^3 below; M_1 = f_1 P_1
+    d_m.
 
     Parameters
     ----------
@@ -75,6 +88,9 @@ def palmgren_torque(
     load : tuple of float
         f_1 [-] and P_1 [N].
     """
-    d, product = mean_diameter / MM, viscosity / MM2_S * abs(speed) / RPM
+    d = mean_diameter / MM
+    product = viscosity / MM2_S * abs(speed) / RPM
     growth = 1e-7 * product ** (2 / 3) if product >= BRANCH else 160e-7
-    return PalmgrenTorque(viscous=viscous * growth * d**3 * N_MM, load=load[0] * load[1] * mean_diameter)
+    return PalmgrenTorque(
+        viscous=viscous * growth * d**3 * N_MM, load=load[0] * load[1] * mean_diameter
+    )

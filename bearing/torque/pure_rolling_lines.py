@@ -1,16 +1,16 @@
 """Sliding friction of a ball on a grooved race by its lines of pure rolling, Coulomb's friction.
 
-Along the transverse axis y of the contact, in units of its semi-axis a, ball and race slide past each other at
+Along the transverse axis y of the contact, in units of its semi-axis a, ball and race slide past
+each other at
 
     v(y) = w_s y a - w_r (y^2 - const) a^2/(2 R),    R = 2 r D/(2 r + D),
 
-with the spin w_s, the rolling speed w_r and the radius R of the loaded surface; the two roots are the lines y = c_1 and
-y = -c_2 of pure rolling, c_1 = c_2 + E, E = 2 R w_s/(w_r a). The pressure is Hertz's, the friction mu p against the
-sliding, the lines lie so that no net force along the rolling direction is left (Jones, 1959; Harris and Kotzalas; the
-updated c-values of the sliding friction paper of deep groove ball bearings, re-derived).
+with the spin w_s, the rolling speed w_r and the radius R of the loaded surface; the two roots are
+the lines y = c_1 and y = -c_2 of pure rolling, c_1 = c_2 + E, E = 2 R w_s/(w_r a). The pressure is
+Hertz's, the friction mu p against the sliding, the lines lie so that no net force along the
+rolling direction is left (Jones, 1959; Harris and Kotzalas; the updated c-values of the sliding
+friction paper of deep groove ball bearings, re-derived).
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 
@@ -54,7 +54,11 @@ def rolling_lines(spin_ratio: float, force: float = 0.0) -> RollingLines:
         return line_force(second + spin_ratio, second) - force
 
     # full sliding one way and the other: both lines outside the contact
-    second = brentq(net, -1.0 - min(spin_ratio, 2.0), 1.0, xtol=1e-15) if spin_ratio < 1e6 else _single_line(force)
+    second = (
+        brentq(net, -1.0 - min(spin_ratio, 2.0), 1.0, xtol=1e-15)
+        if spin_ratio < 1e6
+        else _single_line(force)
+    )
     first = second + spin_ratio
     return RollingLines(
         first=first,
@@ -75,7 +79,9 @@ def _inside(first: float, second: float) -> tuple[float, float]:
 
 
 def line_force(first: float, second: float) -> float:
-    """F/(mu Q) = 1 - 3/2 (c_1 + c_2) + 1/2 (c_1^3 + c_2^3) [-]; lines beyond the contact count at its end."""
+    """F/(mu Q) = 1 - 3/2 (c_1 + c_2) + 1/2 (c_1^3 + c_2^3) [-]; lines beyond the contact count at
+    its end.
+    """
     c, d = _inside(first, second)
     return 1.0 - 1.5 * (c + d) + 0.5 * (c**3 + d**3)
 

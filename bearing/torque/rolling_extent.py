@@ -1,11 +1,10 @@
 """How far the boxes of the films decide the rolling part of the integrated torque.
 
-The hydrodynamic rolling moment of a flooded contact grows with the logarithm of the distance up to which its oil counts
-(`ehl.traction.rolling_moment`). The integrated torque takes the solved boxes, whose sizes follow the films and not the
-bearing: here stands beside it what oil up to one stated distance from every contact would give, at the same motion.
+The hydrodynamic rolling moment of a flooded contact grows with the logarithm of the distance up to
+which its oil counts (`ehl.traction.rolling_moment`). The integrated torque takes the solved boxes,
+whose sizes follow the films and not the bearing: here stands beside it what oil up to one stated
+distance from every contact would give, at the same motion.
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -62,7 +61,8 @@ def rolling_extent(
 ) -> RollingExtent | None:
     """Rolling torque of the solved boxes, beyond them, and within the stated distance.
 
-    Kapitza (1955) beyond the boxes; power of the moment at the motion of the tractions over the speed of the shaft.
+    Kapitza (1955) beyond the boxes; power of the moment at the motion of the tractions over the
+    speed of the shaft.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""Torque of the friction of all contacts, under a hypothesis of the balls' motion and with the balls in balance."""
-
-from __future__ import annotations
+"""Torque of the friction of all contacts, under a hypothesis of the balls' motion and with the
+balls in balance.
+"""
 
 from dataclasses import dataclass, field
 
@@ -11,20 +11,24 @@ from ..friction.balance import BalancedFriction
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 
-POWER_TOLERANCE = 1.0e-6  # rings' power less heat and drag over the heat up to which balls count as balanced [-]
+# rings' power less heat and drag over the heat up to which balls count as balanced [-]
+POWER_TOLERANCE = 1.0e-6
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class IntegratedTorque:
-    """Heat of the contacts over the shaft's speed, by what it works against, and the balance of power.
+    """Heat of the contacts over the shaft's speed, by what it works against, and the balance of
+    power.
 
     Attributes
     ----------
     rolling, sliding, spin, curvature : float
-        Of the pressure flow, of sliding at the centres, of spin, of the surfaces' curvature [N m]. Rolling or curvature
-        is None where the friction does not tell them apart; the other then holds both.
+        Of the pressure flow, of sliding at the centres, of spin, of the surfaces' curvature [N m].
+        Rolling or curvature is None where the friction does not tell them apart; the other then
+        holds both.
     asperity : float or None
-        Of asperities that touch [N m]; the oil's shear is then the rest. None where the friction has no share of them.
+        Of asperities that touch [N m]; the oil's shear is then the rest. None where the friction
+        has no share of them.
     shaft_power : float
         What the two rings feed into the contacts [W].
     heat : float
@@ -32,7 +36,8 @@ class IntegratedTorque:
     per_ball : ndarray, shape (balls,)
         Torque by ball [N m].
     resisted : float
-        What the balls give to the oil around them and to the cage's land where these are in the balance [W].
+        What the balls give to the oil around them and to the cage's land where these are in the
+        balance [W].
     """
 
     rolling: float | None
@@ -53,18 +58,26 @@ class IntegratedTorque:
     @property
     def parts(self) -> dict[str, float]:
         """Those of the five that are told apart, by name [N m]."""
-        five = {name: getattr(self, name) for name in ("rolling", "sliding", "spin", "curvature", "asperity")}
+        five = {
+            name: getattr(self, name)
+            for name in ("rolling", "sliding", "spin", "curvature", "asperity")
+        }
         return {name: value for name, value in five.items() if value is not None}
 
     @property
     def imbalance(self) -> float:
-        """Rings' power less heat and drag, over the heat [-]: what accelerates balls that are not in balance."""
-        return (self.shaft_power - self.heat - self.resisted) / self.heat if self.heat > 0.0 else 0.0
+        """Rings' power less heat and drag, over the heat [-]: what accelerates balls that are not
+        in balance.
+        """
+        return (
+            (self.shaft_power - self.heat - self.resisted) / self.heat if self.heat > 0.0 else 0.0
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SolvedShear:
-    """Shear of all films of a bearing: under the hypothesis of the ball's motion, and with the balls in balance.
+    """Shear of all films of a bearing: under the hypothesis of the ball's motion, and with the
+    balls in balance.
 
     Attributes
     ----------
@@ -75,7 +88,8 @@ class SolvedShear:
     asperity_share : float or None
         Part of the sum of all loads on asperities [-]; None without roughness.
     carried : tuple of int
-        Numbers of balls, from 1, that go with the cage although their inner race carries load: it cannot drive them.
+        Numbers of balls, from 1, that go with the cage although their inner race carries load: it
+        cannot drive them.
     tractions : tuple of ContactTraction
         Of every contact with a film, at the motion of `torque`.
     note : str
@@ -99,18 +113,24 @@ class SolvedShear:
 
     @property
     def closed(self) -> bool:
-        """Whether the balls are balanced: their motion was found, and there the rings' power is heat and drag [-]."""
+        """Whether the balls are balanced: their motion was found, and there the rings' power is
+        heat and drag [-].
+        """
         return self.balanced is not None and abs(self.balanced.imbalance) <= POWER_TOLERANCE
 
 
 def not_balanced(balance: BalancedFriction) -> str:
-    """Why a search for the motion of the balls does not count: force left on a ball, push of the cage [-]."""
+    """Why a search for the motion of the balls does not count: force left on a ball, push of the
+    cage [-].
+    """
     left = f"residual {balance.residual:.1e}, push of the cage known to {balance.cage_change:.1e} of it"
     return f"no traction equilibrium found ({left}), the hypothesis of the motion is kept"
 
 
 def not_closed(torque: IntegratedTorque) -> str:
-    """Why the torque at the motion found does not count as that of balanced balls; empty if it does [-]."""
+    """Why the torque at the motion found does not count as that of balanced balls; empty if it
+    does [-].
+    """
     if abs(torque.imbalance) <= POWER_TOLERANCE:
         return ""
     return f"balls nearly balanced, the rings' power misses heat and drag by {torque.imbalance:.1e} of the heat"

@@ -1,10 +1,9 @@
-"""SKF's friction model (Rolling bearings, 10000 EN, 2013; mu_bl of 2018): M = M_rr + M_sl + M_seal + M_drag.
+"""SKF's friction model (Rolling bearings, 10000 EN, 2013; mu_bl of 2018): M = M_rr + M_sl + M_seal
++ M_drag.
 
-The published constants take loads in N, lengths in mm, speeds in r/min and viscosities in mm^2/s, and give N mm; the
-functions here take and give SI, and convert at the first and the last line.
+The published constants take loads in N, lengths in mm, speeds in r/min and viscosities in mm^2/s,
+and give N mm; the functions here take and give SI, and convert at the first and the last line.
 """
-
-from __future__ import annotations
 
 import tomllib
 from dataclasses import dataclass, replace
@@ -14,9 +13,15 @@ from importlib.resources import files
 from math import acos, exp, pi, radians, sin, sqrt
 from typing import Any
 
-MM, N_MM, MM2_S, RPM = 1e-3, 1e-3, 1e-6, 2.0 * pi / 60.0  # in SI
+# in SI
+MM = 1e-3
+N_MM = 1e-3
+MM2_S = 1e-6
+RPM = 2.0 * pi / 60.0
 BOUNDARY_FRICTION = 0.12  # mu_bl of a running bearing, 2018 edition; 0.15 at the start
-STARVATION_OIL, STARVATION_GREASE = 3e-8, 6e-8  # K_rs
+# K_rs
+STARVATION_OIL = 3e-8
+STARVATION_GREASE = 6e-8
 
 
 class Series(Enum):
@@ -78,7 +83,8 @@ class SkfOperation:
     viscosity: float  # kinematic, at the operating temperature [m^2/s]
     lubrication: Lubrication = Lubrication.LOW_OIL_BATH
     oil: str = "mineral"
-    oil_level: float = 0.0  # H above the lowest contact point of the outer raceway [m]; drag counts from it
+    # H above the lowest contact point of the outer raceway [m]; drag counts from it
+    oil_level: float = 0.0
     boundary_friction: float = BOUNDARY_FRICTION  # mu_bl [-]
     full_film_friction: float | None = None  # mu_EHL [-]; None: by the kind of oil
     boundary_share: float | None = None  # phi_bl [-]; None: SKF's, from speed and viscosity
@@ -105,7 +111,9 @@ class SkfTorque:
 
 @cache
 def _data() -> dict[str, Any]:
-    return tomllib.loads((files("bearing.library") / "data" / "skf_friction.toml").read_text(encoding="utf-8"))
+    return tomllib.loads(
+        (files("bearing.library") / "data" / "skf_friction.toml").read_text(encoding="utf-8")
+    )
 
 
 def skf_series(kind: Series) -> tuple[str, ...]:
@@ -133,7 +141,11 @@ def skf_constants(kind: Series, series: str) -> SkfConstants:
     values = tuple(table[series])
     half = len(values) // 2
     return SkfConstants(
-        kind=kind, series=series, rolling=values[:half], sliding=values[half:], geometry=float(table["K_Z"])
+        kind=kind,
+        series=series,
+        rolling=values[:half],
+        sliding=values[half:],
+        geometry=float(table["K_Z"]),
     )
 
 
@@ -156,7 +168,9 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
         If a deep groove bearing under axial load has no static rating.
     """
     d, outside = bearing.bore / MM, bearing.outside_diameter / MM
-    mean, n, nu = 0.5 * (d + outside), abs(operation.speed) / RPM, operation.viscosity / MM2_S
+    mean = 0.5 * (d + outside)
+    n = abs(operation.speed) / RPM
+    nu = operation.viscosity / MM2_S
     rolling, sliding = _load_factors(bearing, operation, mean, n)
     inlet = 1.0 / (1.0 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64)
     starved = {
@@ -168,7 +182,11 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
     }[operation.lubrication]
     geometry = bearing.constants.geometry
     replenished = exp(-starved * nu * n * (d + outside) * sqrt(geometry / (2.0 * (outside - d))))
-    film = FULL_FILM_FRICTION[operation.oil] if operation.full_film_friction is None else operation.full_film_friction
+    film = (
+        FULL_FILM_FRICTION[operation.oil]
+        if operation.full_film_friction is None
+        else operation.full_film_friction
+    )
     share = operation.boundary_share
     if share is None:
         share = boundary_share(operation.speed, operation.viscosity, bearing.mean_diameter)
@@ -191,7 +209,11 @@ def boundary_share(speed: float, viscosity: float, mean_diameter: float) -> floa
 
 
 def sliding_friction(
-    speed: float, viscosity: float, mean_diameter: float, full_film: float, boundary: float = BOUNDARY_FRICTION
+    speed: float,
+    viscosity: float,
+    mean_diameter: float,
+    full_film: float,
+    boundary: float = BOUNDARY_FRICTION,
 ) -> float:
     """mu_sl = phi_bl mu_bl + (1 - phi_bl) mu_EHL [-]; [rad/s], [m^2/s], [m]."""
     share = boundary_share(speed, viscosity, mean_diameter)
@@ -199,16 +221,28 @@ def sliding_friction(
 
 
 def sliding_as_printed(bearing: SkfBearing, operation: SkfOperation) -> float:
-    """M_sl of a deep groove bearing with a slip of a paper: half of the radial part, added to the axial one [N m].
+    """M_sl of a deep groove bearing with a slip of a paper: half of the radial part, added to the
+    axial one [N m].
 
-    For comparison with its tables alone. The formula combines the loads under one root and takes the whole radial part.
+    For comparison with its tables alone. The formula combines the loads under one root and takes
+    the whole radial part.
     """
-    axial = skf_torque(bearing, replace(operation, radial_load=0.0)).sliding if operation.axial_load else 0.0
-    radial = skf_torque(bearing, replace(operation, axial_load=0.0)).sliding if operation.radial_load else 0.0
+    axial = (
+        skf_torque(bearing, replace(operation, radial_load=0.0)).sliding
+        if operation.axial_load
+        else 0.0
+    )
+    radial = (
+        skf_torque(bearing, replace(operation, axial_load=0.0)).sliding
+        if operation.radial_load
+        else 0.0
+    )
     return axial + 0.5 * radial
 
 
-def _load_factors(bearing: SkfBearing, operation: SkfOperation, mean: float, n: float) -> tuple[float, float]:
+def _load_factors(
+    bearing: SkfBearing, operation: SkfOperation, mean: float, n: float
+) -> tuple[float, float]:
     """G_rr and G_sl in the catalogue's units."""
     radial, axial = abs(operation.radial_load), abs(operation.axial_load)
     c = bearing.constants
@@ -217,7 +251,9 @@ def _load_factors(bearing: SkfBearing, operation: SkfOperation, mean: float, n: 
         s1, s2, s3 = c.sliding
         whirl_rolling, whirl_sliding = r3 * mean**4 * n**2, s3 * mean**4 * n**2
         rolling = r1 * mean**1.97 * (radial + whirl_rolling + r2 * axial) ** 0.54
-        return rolling, s1 * mean**0.26 * ((radial + whirl_sliding) ** (4 / 3) + s2 * axial ** (4 / 3))
+        return rolling, s1 * mean**0.26 * (
+            (radial + whirl_sliding) ** (4 / 3) + s2 * axial ** (4 / 3)
+        )
     (r1, r2), (s1, s2) = c.rolling, c.sliding
     if axial == 0.0:
         return r1 * mean**1.96 * radial**0.54, s1 * mean**-0.26 * radial ** (5 / 3)
@@ -238,16 +274,25 @@ def _seal(bearing: SkfBearing) -> float:
 
 
 def _drag(bearing: SkfBearing, operation: SkfOperation, n: float, nu: float) -> float:
-    """0.4 V_M K_ball d_m^5 n^2 + 1.093e-7 n^2 d_m^3 (n d_m^2 f_t/nu)^-1.379 R_s; twice for a jet [N mm]."""
-    if operation.lubrication in (Lubrication.GREASE, Lubrication.OIL_AIR) or operation.oil_level <= 0.0:
+    """0.4 V_M K_ball d_m^5 n^2 + 1.093e-7 n^2 d_m^3 (n d_m^2 f_t/nu)^-1.379 R_s; twice for a jet
+    [N mm].
+    """
+    if (
+        operation.lubrication in (Lubrication.GREASE, Lubrication.OIL_AIR)
+        or operation.oil_level <= 0.0
+    ):
         return 0.0
-    d, outside, geometry = bearing.bore / MM, bearing.outside_diameter / MM, bearing.constants.geometry
+    d = bearing.bore / MM
+    outside = bearing.outside_diameter / MM
+    geometry = bearing.constants.geometry
     mean = 0.5 * (d + outside)
     level = min(operation.oil_level / MM, 1.2 * mean)
     balls = bearing.rows * geometry * (d + outside) / (outside - d) * 1e-12
     angle = 2.0 * acos(max(min((0.6 * mean - level) / (0.6 * mean), 1.0), -1.0))
     wetted = sin(0.5 * angle) if angle <= pi else 1.0
-    surface = 0.36 * mean**2 * (angle - sin(angle)) * 0.05 * geometry * (outside + d) / (outside - d)
+    surface = (
+        0.36 * mean**2 * (angle - sin(angle)) * 0.05 * geometry * (outside + d) / (outside - d)
+    )
     stirred = drag_factor(level / mean) if operation.drag_factor is None else operation.drag_factor
     churning = 0.4 * stirred * balls * mean**5 * n**2
     stirring = 1.093e-7 * n**2 * mean**3 * (n * mean**2 * wetted / nu) ** -1.379 * surface
@@ -255,7 +300,9 @@ def _drag(bearing: SkfBearing, operation: SkfOperation, n: float, nu: float) -> 
 
 
 def drag_factor(level: float) -> float:
-    """V_M at an oil level over the mean diameter [-], linear between points digitised by a third party (unverified)."""
+    """V_M at an oil level over the mean diameter [-], linear between points digitised by a third
+    party (unverified).
+    """
     levels, values = _data()["drag"]["level"], _data()["drag"]["V_M"]
     for k in range(1, len(levels)):
         if level <= levels[k]:

@@ -1,10 +1,10 @@
-"""Sliding friction torque of a bearing from its internal loads: lines of pure rolling, Houpert, Kakuta, Coulomb.
+"""Sliding friction torque of a bearing from its internal loads: lines of pure rolling, Houpert,
+Kakuta, Coulomb.
 
-Every model is brought to the shaft by energy: a moment times the angular speed it works against, over the speed of the
-inner ring relative to the outer. All moments act between ball and race: m_s against the spin, m_r against the rolling.
+Every model is brought to the shaft by energy: a moment times the angular speed it works against,
+over the speed of the inner ring relative to the outer. All moments act between ball and race: m_s
+against the spin, m_r against the rolling.
 """
-
-from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -24,7 +24,9 @@ SYMMETRIC_CURVATURE = 0.161142  # S of two lines at c = 0.347296, no spin
 # f_c and f_p of Houpert (1999) over the spin ratio E, as quoted in an open code; the fit holds from 0 to 1
 HOUPERT_CURVATURE = (1.0026, -0.1653, -0.2638, -2.5521, 1.9749)
 HOUPERT_SPIN = (0.0042, 1.1045, 0.4625, -0.5648)
-RADII, ANGLES = 24, 64  # of the quadrature over the ellipse
+# of the quadrature over the ellipse
+RADII = 24
+ANGLES = 64
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,7 +51,11 @@ class SlidingContact:
     @property
     def spin_ratio(self) -> float:
         """E = 2 R w_s/(w_r a) [-]."""
-        return 2.0 * self.radius * self.spin / (self.rolling * self.semi_axis) if self.rolling > 0.0 else float("inf")
+        return (
+            2.0 * self.radius * self.spin / (self.rolling * self.semi_axis)
+            if self.rolling > 0.0
+            else float("inf")
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,19 +77,26 @@ def shaft_speed(solution: QuasistaticSolution) -> float:
     return abs(solution.operation.inner_speed - solution.operation.outer_speed)
 
 
-def sliding_contacts(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> tuple[SlidingContact, ...]:
+def sliding_contacts(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> tuple[SlidingContact, ...]:
     """The loaded contacts of a bearing, as sliding friction sees them; SI."""
     return tuple(_sliding_contacts(solution, contacts))
 
 
-def _sliding_contacts(solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> Iterator[SlidingContact]:
+def _sliding_contacts(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> Iterator[SlidingContact]:
     for contact in contacts:
         if contact.hertz is None:
             continue
         k = contact.ball - 1
         motion = bearing_kinematics(solution, contact)
         inner = contact.race is Race.INNER
-        ball = abs(float(solution.spin_speed[k]) * cos(float(solution.attitude[k]) - contact.contact_angle))
+        ball = abs(
+            float(solution.spin_speed[k])
+            * cos(float(solution.attitude[k]) - contact.contact_angle)
+        )
         total = abs(motion.rolling)
         yield SlidingContact(
             load=contact.load,
@@ -98,7 +111,9 @@ def _sliding_contacts(solution: QuasistaticSolution, contacts: Sequence[BearingC
         )
 
 
-def pure_rolling_line_torque(contacts: Sequence[SlidingContact], speed: float, friction: float) -> SlidingTorque:
+def pure_rolling_line_torque(
+    contacts: Sequence[SlidingContact], speed: float, friction: float
+) -> SlidingTorque:
     """Torque by the lines of pure rolling, no net force along the rolling direction.
 
     Parameters
@@ -124,8 +139,11 @@ def pure_rolling_line_torque(contacts: Sequence[SlidingContact], speed: float, f
     return SlidingTorque(spin=spin / speed, rotation=rotation / speed, orbit=orbit / speed)
 
 
-def kakuta_torque(contacts: Sequence[SlidingContact], speed: float, friction: float) -> SlidingTorque:
-    """Kakuta's: spin on the inner race alone and as on a plane, 3/8 mu Q a E(k) sin(alpha); lines as without spin.
+def kakuta_torque(
+    contacts: Sequence[SlidingContact], speed: float, friction: float
+) -> SlidingTorque:
+    """Kakuta's: spin on the inner race alone and as on a plane, 3/8 mu Q a E(k) sin(alpha); lines
+    as without spin.
 
     Parameters as in `pure_rolling_line_torque`; torque in [N m].
     """
@@ -146,17 +164,23 @@ def spin_moment(contact: SlidingContact, friction: float) -> float:
     return float(0.375 * friction * contact.load * longer * ellipe(1.0 - ratio**2))
 
 
-def houpert_torque(contacts: Sequence[SlidingContact], speed: float, friction: float) -> SlidingTorque:
-    """Houpert's (1999) fits of curvature and spin moment over the spin ratio, at Hertz's exact ellipse.
+def houpert_torque(
+    contacts: Sequence[SlidingContact], speed: float, friction: float
+) -> SlidingTorque:
+    """Houpert's (1999) fits of curvature and spin moment over the spin ratio, at Hertz's exact
+    ellipse.
 
-    M_C = 0.0806 mu Q a^2/R f_c(E), M_P = 3/8 mu Q a f_p(E). Parameters as in `pure_rolling_line_torque`; [N m].
+    M_C = 0.0806 mu Q a^2/R f_c(E), M_P = 3/8 mu Q a f_p(E). Parameters as in
+    `pure_rolling_line_torque`; [N m].
     """
     spin = rotation = orbit = 0.0
     for c in contacts:
         ratio = min(c.spin_ratio, 1.0)
         shape = max(float(np.polynomial.polynomial.polyval(ratio, HOUPERT_CURVATURE)), 0.0)
         moment = 0.0806 * friction * c.load * c.semi_axis**2 / c.radius * shape
-        pivot = float(np.polynomial.polynomial.polyval(ratio, HOUPERT_SPIN)) if c.spin > 0.0 else 0.0
+        pivot = (
+            float(np.polynomial.polynomial.polyval(ratio, HOUPERT_SPIN)) if c.spin > 0.0 else 0.0
+        )
         spin += 0.375 * friction * c.load * c.semi_axis * pivot * c.spin
         rotation += moment * c.ball_rolling
         orbit += moment * c.orbit_rolling
@@ -164,10 +188,12 @@ def houpert_torque(contacts: Sequence[SlidingContact], speed: float, friction: f
 
 
 def coulomb_power(contact: SlidingContact, friction: float) -> float:
-    """Friction power of a contact under Coulomb's law, integrated over the ellipse in both directions [W].
+    """Friction power of a contact under Coulomb's law, integrated over the ellipse in both
+    directions [W].
 
-    The sliding of the centre along the rolling direction is that for which no net force is left. The friction force is
-    the derivative of the power by it, so that it is the one of least power; mu [-].
+    The sliding of the centre along the rolling direction is that for which no net force is left.
+    The friction force is the derivative of the power by it, so that it is the one of least power;
+    mu [-].
     """
     area, x, y = _quadrature(contact)
     curved = contact.rolling * (y * y - 0.25 * contact.semi_axis**2) / (2.0 * contact.radius)
@@ -177,10 +203,14 @@ def coulomb_power(contact: SlidingContact, friction: float) -> float:
         along = slide - contact.spin * y - curved
         return float(np.sum(area * np.sqrt(along * along + across)))
 
-    bound = contact.spin * contact.semi_axis + contact.rolling * contact.semi_axis**2 / (2.0 * contact.radius)
+    bound = contact.spin * contact.semi_axis + contact.rolling * contact.semi_axis**2 / (
+        2.0 * contact.radius
+    )
     if bound == 0.0:
         return 0.0
-    found = minimize_scalar(power, bounds=(-bound, bound), method="bounded", options={"xatol": 1e-9 * bound})
+    found = minimize_scalar(
+        power, bounds=(-bound, bound), method="bounded", options={"xatol": 1e-9 * bound}
+    )
     return friction * contact.load * float(found.fun)
 
 
@@ -189,7 +219,8 @@ def _quadrature(contact: SlidingContact) -> tuple[np.ndarray, np.ndarray, np.nda
     nodes, weights = np.polynomial.legendre.leggauss(RADII)
     t = 0.25 * pi * (nodes + 1.0)  # r = sin t takes the root out of the pressure
     angle = (np.arange(ANGLES) + 0.5) * 2.0 * pi / ANGLES
-    r, f = np.sin(t)[:, None], angle[None, :]
+    r = np.sin(t)[:, None]
+    f = angle[None, :]
     weight = 0.25 * pi * weights * 1.5 * np.cos(t) ** 2 * np.sin(t) / pi
     area = np.broadcast_to(weight[:, None] * 2.0 * pi / ANGLES, (RADII, ANGLES))
     return area, contact.semi_axis_rolling * r * np.cos(f), contact.semi_axis * r * np.sin(f)

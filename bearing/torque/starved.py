@@ -1,12 +1,12 @@
-"""Friction torque over the oil supply, first order: less film and rolling resistance, more asperities, less churning.
+"""Friction torque over the oil supply, first order: less film and rolling resistance, more
+asperities, less churning.
 
-Every contact keeps the share of its flooded film that the supply leaves it (`supply`). Its rolling resistance falls
-with that share squared: a rule of ours, between what solves with shortened inlets of a heavy and a light contact of a
-6208 give (docs/theory/torque.md). Its sliding friction is that of film and asperities in the proportion of
-the lambda ratio (`mixed`), on the lines of pure rolling. The balls plough through the oil that stands in the cavity.
+Every contact keeps the share of its flooded film that the supply leaves it (`supply`). Its rolling
+resistance falls with that share squared: a rule of ours, between what solves with shortened inlets
+of a heavy and a light contact of a 6208 give (docs/theory/torque.md). Its sliding friction is that
+of film and asperities in the proportion of the lambda ratio (`mixed`), on the lines of pure
+rolling. The balls plough through the oil that stands in the cavity.
 """
-
-from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -91,8 +91,9 @@ def starved_torque(
     contacts : sequence of BearingContact
     lubricant : Lubricant
     friction : FrictionInput
-        Its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or mu_EHL that of the films; its
-        `oil_fraction` [-] counts with an `InletFilm`, for a `Supply` tells its own.
+        Its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or mu_EHL
+        that of the films; its `oil_fraction` [-] counts with an `InletFilm`, for a `Supply` tells
+        its own.
     supply : Supply or InletFilm
     solutions : sequence of ContactSolution or None, optional
         Flooded films; those of formulas where one is missing, as `starved_films` has it.
@@ -113,14 +114,18 @@ def starved_torque(
     if speed == 0.0:
         raise ValueError("the rings do not turn against each other")
     films = starved_films(contacts, supply, solution.bearing.balls, friction.roughness, solutions)
-    if any(film is None and c.conditions is not None for film, c in zip(films, contacts, strict=True)):
+    if any(
+        film is None and c.conditions is not None for film, c in zip(films, contacts, strict=True)
+    ):
         raise ValueError("needs films: no formula has those of an oil without pressure-viscosity")
     if isinstance(supply, InletFilm):
         fraction = friction.oil_fraction or 0.0
     else:
         fraction = oil_fraction(supply, cavity_volume(solution.bearing))
     found = _of_films(solution, contacts, friction, films)
-    ample = _of_films(solution, contacts, friction, [film and replace(film, share=1.0) for film in films])
+    ample = _of_films(
+        solution, contacts, friction, [film and replace(film, share=1.0) for film in films]
+    )
     cage = cage_and_drag(solution, lubricant, friction, speed)["cage"]
     drag = churning_power(solution, lubricant.density, fraction) / speed
     driven = of_driven_balls(solution, contacts, films)
@@ -146,8 +151,14 @@ def _of_films(
     of_film = friction.film_friction if friction.coefficient is None else friction.coefficient
     rolling = film = asperity = 0.0
     for contact, one in zip(contacts, films, strict=True):
-        rolling += (1.0 if one is None else one.share) ** ROLLING_EXPONENT * _rolling_power(contact) / speed
-    loaded = [one for contact, one in zip(contacts, films, strict=True) if contact.hertz is not None]
+        rolling += (
+            (1.0 if one is None else one.share) ** ROLLING_EXPONENT
+            * _rolling_power(contact)
+            / speed
+        )
+    loaded = [
+        one for contact, one in zip(contacts, films, strict=True) if contact.hertz is not None
+    ]
     for one, lines in zip(loaded, sliding_contacts(solution, contacts), strict=True):
         share = 0.0 if one is None else asperity_share(one.lambda_ratio)
         slid = pure_rolling_line_torque([lines], speed, 1.0).total
@@ -161,4 +172,6 @@ def _rolling_power(contact: BearingContact) -> float:
     c, hertz = contact.conditions, contact.hertz
     if c is None or hertz is None:
         return 0.0
-    return rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x) * c.entrainment_speed / c.radius_x
+    return (
+        rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x) * c.entrainment_speed / c.radius_x
+    )

@@ -1,7 +1,5 @@
 """Friction torque over speed, load and temperature: every model that needs no solved films."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
@@ -46,7 +44,8 @@ class TorqueSweep:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TorqueStudy:
-    """What stays the same in a sweep; the speed, force and temperature of `operation` are replaced.
+    """What stays the same in a sweep; the speed, force and temperature of `operation` are
+    replaced.
 
     Attributes
     ----------
@@ -92,7 +91,9 @@ def torque_sweep(
     converged = np.zeros(shape, dtype=np.bool_)
     for place in np.ndindex(shape):
         temperature, speed = temperatures[place[0]], speeds[place[2]]
-        operation = replace(study.operation, inner_speed=speed, force=forces[place[1]], temperature=temperature)
+        operation = replace(
+            study.operation, inner_speed=speed, force=forces[place[1]], temperature=temperature
+        )
         solution = solve_quasistatic(study.bearing, operation, study.model)
         converged[place] = solution.converged
         if not solution.converged:

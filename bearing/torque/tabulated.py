@@ -1,12 +1,12 @@
-"""Friction torque from a friction law of each race: a traction table of solved films, Coulomb's law, four constants.
+"""Friction torque from a friction law of each race: a traction table of solved films, Coulomb's
+law, four constants.
 
-What `integrated` does with every contact's own film, in milliseconds: the balls' motion in which the laws' forces
-balance themselves, and the torque there. The oil's rolling resistance and the curvature slip come out of a table as one
-moment about the transverse axis, so that `rolling` holds both and `curvature` is None; a coefficient over the ellipse
-has the slip alone. No law has asperities: tables hold the central film, their share follows from the minimum.
+What `integrated` does with every contact's own film, in milliseconds: the balls' motion in which
+the laws' forces balance themselves, and the torque there. The oil's rolling resistance and the
+curvature slip come out of a table as one moment about the transverse axis, so that `rolling` holds
+both and `curvature` is None; a coefficient over the ellipse has the slip alone. No law has
+asperities: tables hold the central film, their share follows from the minimum.
 """
-
-from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -17,34 +17,31 @@ from ehl.traction.laws import FrictionLaw
 
 from ..contacts.contacts import BearingContact
 from ..contacts.motion import MotionMap, ball_speeds, motion_map
-from ..friction.balance import (
-    ContactLaw,
-    balance_driven_balls,
-    resisted_power,
-)
+from ..friction.balance import ContactLaw, balance_driven_balls, resisted_power
 from ..friction.resistance import FREE, Resistance
 from ..friction.tables import contact_law
 from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
-from .shear_torque import (
-    IntegratedTorque,
-    SolvedShear,
-    carried_balls,
-    not_balanced,
-    not_closed,
-)
+from .shear_torque import IntegratedTorque, SolvedShear, carried_balls, not_balanced, not_closed
 
 ONE_MOMENT = {
     "curvature": "the friction law has one moment about the transverse axis: rolling holds the curvature slip"
 }
-NO_OIL = {"rolling": "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"}
-NO_ASPERITIES = {"asperity": "the friction law holds no minimum film, from which the share of asperities follows"}
+NO_OIL = {
+    "rolling": "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"
+}
+NO_ASPERITIES = {
+    "asperity": "the friction law holds no minimum film, from which the share of asperities follows"
+}
 
 
 def tabulated_torque(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], laws: Mapping[Race, FrictionLaw]
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    laws: Mapping[Race, FrictionLaw],
 ) -> SolvedShear:
-    """Torque of all lubricated contacts by the friction laws of the races, under the hypothesis and in balance.
+    """Torque of all lubricated contacts by the friction laws of the races, under the hypothesis
+    and in balance.
 
     Parameters
     ----------
@@ -59,11 +56,16 @@ def tabulated_torque(
     SolvedShear
         [N m], [W].
     """
-    return law_torque(solution, contacts, contact_law(contacts, [laws[contact.race] for contact in contacts]))
+    return law_torque(
+        solution, contacts, contact_law(contacts, [laws[contact.race] for contact in contacts])
+    )
 
 
 def law_torque(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact], law: ContactLaw, resistance: Resistance = FREE
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    law: ContactLaw,
+    resistance: Resistance = FREE,
 ) -> SolvedShear:
     """Torque by the friction of all contacts, at the motion of the solution and in balance.
 
@@ -93,7 +95,13 @@ def law_torque(
     balanced = balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4)
     found = replace(_torque(solution, move, balanced, law), resisted=balance.resisted)
     carried = carried_balls(solution, balance)
-    return SolvedShear(hypothesis=hypothesis, balanced=found, carried=carried, note=not_closed(found), untold=untold)
+    return SolvedShear(
+        hypothesis=hypothesis,
+        balanced=found,
+        carried=carried,
+        note=not_closed(found),
+        untold=untold,
+    )
 
 
 def _torque(

@@ -1,4 +1,6 @@
-"""Many points of one case: sweep files, their plan, execution, and the folder that holds what is finished."""
+"""Many points of one case: sweep files, their plan, execution, and the folder that holds what is
+finished.
+"""
 
 import lazy_loader
 

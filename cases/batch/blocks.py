@@ -1,6 +1,6 @@
-"""The points that the blocks of a sweep file describe: factorial, listed, Latin hypercube, finite differences."""
-
-from __future__ import annotations
+"""The points that the blocks of a sweep file describe: factorial, listed, Latin hypercube, finite
+differences.
+"""
 
 import random
 from collections.abc import Iterator
@@ -21,7 +21,9 @@ OPTIONS = tuple(HypercubeOptions.model_fields)
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """One key of a block: dotted as in the results, its place in the sweep file, and the value or values given."""
+    """One key of a block: dotted as in the results, its place in the sweep file, and the value or
+    values given.
+    """
 
     key: str
     where: Path
@@ -37,7 +39,9 @@ class Variation:
 
 
 def case_path(key: str) -> tuple[str, ...]:
-    """Table and key that a dotted name means; the name of a material or an oil may hold dots itself."""
+    """Table and key that a dotted name means; the name of a material or an oil may hold dots
+    itself.
+    """
     table, _, rest = key.partition(".")
     if table in NAMED:
         name, _, last = rest.rpartition(".")
@@ -51,62 +55,96 @@ def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
     for name, value in table.items():
         if isinstance(value, dict):
             inner = block_settings(value, (*where, name))
-            found += [Setting(f"{name}.{setting.key}", setting.where, setting.value) for setting in inner]
+            found += [
+                Setting(f"{name}.{setting.key}", setting.where, setting.value) for setting in inner
+            ]
         else:
             found.append(Setting(name, (*where, name), value))
     return found
 
 
 def factorial(file: SweepFile) -> tuple[Iterator[Variation], int, list[Problem]]:
-    """All combinations of the lists in [sweep], the last key fastest, their number, and what is wrong with them."""
-    settings, problems = block_settings(file.sweep, ("sweep",)), []
+    """All combinations of the lists in [sweep], the last key fastest, their number, and what is
+    wrong with them.
+    """
+    settings = block_settings(file.sweep, ("sweep",))
+    problems = []
     for setting in settings:
         if not isinstance(setting.value, list) or not setting.value:
             found = f"found {shown(setting.value)}"
-            problems.append(Problem(path=setting.where, found=found, allowed="allowed: a list of values"))
+            problems.append(
+                Problem(path=setting.where, found=found, allowed="allowed: a list of values")
+            )
     if problems or not settings:
         return iter(()), 0, problems
     choices = [[Setting(s.key, s.where, value) for value in s.value] for s in settings]
-    return (Variation("sweep", chosen) for chosen in product(*choices)), prod(map(len, choices)), []
+    return (
+        (Variation("sweep", chosen) for chosen in product(*choices)),
+        prod(map(len, choices)),
+        [],
+    )
 
 
 def listed(file: SweepFile) -> list[Variation]:
     """The points of [[combinations]]."""
     tables = enumerate(file.combinations)
-    return [Variation("combinations", tuple(block_settings(table, ("combinations", k)))) for k, table in tables]
+    return [
+        Variation("combinations", tuple(block_settings(table, ("combinations", k))))
+        for k, table in tables
+    ]
 
 
-def hypercube(table: dict[str, Any], options: HypercubeOptions, where: Path) -> tuple[list[Variation], list[Problem]]:
-    """Latin hypercube, McKay, Beckman and Conover (1979): each key takes each of its n strata once.
+def hypercube(
+    table: dict[str, Any], options: HypercubeOptions, where: Path
+) -> tuple[list[Variation], list[Problem]]:
+    """Latin hypercube, McKay, Beckman and Conover (1979): each key takes each of its n strata
+    once.
 
     Whole numbers as both ends of a range give whole numbers.
     """
-    settings = block_settings({key: value for key, value in table.items() if key not in OPTIONS}, where)
+    settings = block_settings(
+        {key: value for key, value in table.items() if key not in OPTIONS}, where
+    )
     problems = [
         Problem(
-            path=s.where, found=f"found {shown(s.value)}", allowed="allowed: [first, last], two numbers, first < last"
+            path=s.where,
+            found=f"found {shown(s.value)}",
+            allowed="allowed: [first, last], two numbers, first < last",
         )
         for s in settings
         if not _is_range(s.value)
     ]
     if not settings:
-        problems.append(Problem(path=where, found="no keys", allowed="needed: keys with their [first, last]"))
+        problems.append(
+            Problem(path=where, found="no keys", allowed="needed: keys with their [first, last]")
+        )
     if problems:
         return [], problems
-    rng, n = random.Random(options.seed), options.samples
+    rng = random.Random(options.seed)
+    n = options.samples
     columns = []
     for setting in settings:
         strata = list(range(n))
         rng.shuffle(strata)
-        columns.append([_scaled(setting.value, (stratum + rng.random()) / n) for stratum in strata])
+        columns.append(
+            [_scaled(setting.value, (stratum + rng.random()) / n) for stratum in strata]
+        )
     return [
-        Variation("latin_hypercube", tuple(Setting(s.key, s.where, v) for s, v in zip(settings, row, strict=True)))
+        Variation(
+            "latin_hypercube",
+            tuple(Setting(s.key, s.where, v) for s, v in zip(settings, row, strict=True)),
+        )
         for row in zip(*columns, strict=True)
     ], []
 
 
 def _is_range(value: Any) -> bool:
-    return isinstance(value, list) and len(value) == 2 and all(map(is_number, value)) and value[0] < value[1]
+    return (
+        isinstance(value, list)
+        and len(value) == 2
+        and all(map(is_number, value))
+        and value[0] < value[1]
+    )
 
 
 def _scaled(ends: list[float], share: float) -> float:
@@ -132,7 +170,9 @@ def differences(
     -------
     list of Variation, list of str, list of Problem
     """
-    variations, notes, problems = [Variation("sensitivity", ())], [], []
+    variations = [Variation("sensitivity", ())]
+    notes = []
+    problems = []
     where = ("sensitivity", "keys")
     for key in keys:
         value = values.get(key)
@@ -146,5 +186,7 @@ def differences(
             allowed = "allowed: keys of the case with a number that is not 0"
             problems.append(Problem(path=where, found=f"{key} = {shown(value)}", allowed=allowed))
     if len(variations) == 1 and not problems:
-        problems.append(Problem(path=where, found="no key to vary", allowed="needed: a list of keys"))
+        problems.append(
+            Problem(path=where, found="no key to vary", allowed="needed: a list of keys")
+        )
     return variations, notes, problems

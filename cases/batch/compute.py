@@ -1,7 +1,5 @@
 """What a point computes: its summary as plain JSON, and files to keep."""
 
-from __future__ import annotations
-
 import tempfile
 from collections.abc import Sequence
 from dataclasses import replace
@@ -34,7 +32,9 @@ from .tasks import Task
 Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
 
 
-def compute(case: Case | ContactCase, task: Task, tables: Path | None, solve: Solve | None) -> Computed:
+def compute(
+    case: Case | ContactCase, task: Task, tables: Path | None, solve: Solve | None
+) -> Computed:
     """Compute a checked case.
 
     Parameters
@@ -61,7 +61,10 @@ def compute(case: Case | ContactCase, task: Task, tables: Path | None, solve: So
         return _table(case, task)
     if task.compute == "torque":
         assert case.rheology is not None  # of every bearing case
-        return _torque(case, None if tables is None else tables_once(str(tables))(case.lubricant, case.rheology))
+        return _torque(
+            case,
+            None if tables is None else tables_once(str(tables))(case.lubricant, case.rheology),
+        )
     return _with_fields(run_case(case, 1, None, solve), task)
 
 
@@ -94,12 +97,18 @@ def _table(case: Case, task: Task) -> Computed:
 
 
 def _torque(case: Case, tables: Tables | None) -> Computed:
-    """Equilibrium, life and torque by every model; the integrated one by tables, or the law that the case names."""
+    """Equilibrium, life and torque by every model; the integrated one by tables, or the law that
+    the case names.
+    """
     if tables is None:
         return summary(run_case(replace(case, film_maps="none"), 1)), {}
     results, notes = torque_by_tables(case, tables)
     document = summary(results)
-    poor = [f"{race.value} race: {table.message}" for race, table in tables.items() if not table.converged]
+    poor = [
+        f"{race.value} race: {table.message}"
+        for race, table in tables.items()
+        if not table.converged
+    ]
     told = [f"not converged: traction table, {text}" for text in poor]
     document["messages"] = [*document["messages"], *notes, *told]
     document["converged"] = document["converged"] and not poor
@@ -107,7 +116,8 @@ def _torque(case: Case, tables: Tables | None) -> Computed:
 
 
 def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[str, ...]]:
-    """Results without films, the friction of balls on races from traction tables, and what is to be said of them.
+    """Results without films, the friction of balls on races from traction tables, and what is to
+    be said of them.
 
     The same as `run_case` of the case with `[friction] traction = "table"`.
 
@@ -128,9 +138,18 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
         If the tables were made for other bodies or another oil.
     """
     assert case.rheology is not None  # of every bearing case
-    made_for(tables, "the traction table", case.bearing, case.lubricant, case.rheology, case.films.solids)
+    made_for(
+        tables,
+        "the traction table",
+        case.bearing,
+        case.lubricant,
+        case.rheology,
+        case.films.solids,
+    )
     resistance = FREE if case.model.traction is None else case.model.traction.resistance
-    traction = BallTraction(source=LawTraction(laws=dict(tables)), lubricant=case.lubricant, resistance=resistance)
+    traction = BallTraction(
+        source=LawTraction(laws=dict(tables)), lubricant=case.lubricant, resistance=resistance
+    )
     model = replace(case.model, traction=traction)
     results = run_case(replace(case, film_maps="none", model=model), 1)
     return results, () if results.torque is None else _notes(results.contacts, tables)
@@ -141,11 +160,17 @@ def _notes(contacts: Sequence[BearingContact], tables: Tables) -> tuple[str, ...
     outside = 0
     for contact in contacts:
         if contact.conditions is not None:
-            limits, speed = tables[contact.race].range, contact.conditions.entrainment_speed
-            inside = limits.load[0] <= contact.load <= limits.load[1] and limits.speed[0] <= speed <= limits.speed[1]
+            limits = tables[contact.race].range
+            speed = contact.conditions.entrainment_speed
+            inside = (
+                limits.load[0] <= contact.load <= limits.load[1]
+                and limits.speed[0] <= speed <= limits.speed[1]
+            )
             outside += not inside
     worst = max(table.error.quantile for table in tables.values())
-    notes = [f"torque: integrated by traction tables; 95 % of their forces within {100.0 * worst:.1f} % of the largest"]
+    notes = [
+        f"torque: integrated by traction tables; 95 % of their forces within {100.0 * worst:.1f} % of the largest"
+    ]
     if outside:
         notes.append(f"torque: {outside} contacts {OUTSIDE}; the nearest place counts")
     return tuple(notes)

@@ -1,6 +1,6 @@
-"""Solved contacts on disk, named after all that they depend on: equal contacts of several points are solved once."""
-
-from __future__ import annotations
+"""Solved contacts on disk, named after all that they depend on: equal contacts of several points
+are solved once.
+"""
 
 import hashlib
 import io
@@ -13,7 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from ehl import ContactConditions, ContactSolution, ConvergenceRecord, FilmValue, SolverOptions, solve_contact
+from ehl import (
+    ContactConditions,
+    ContactSolution,
+    ConvergenceRecord,
+    FilmValue,
+    SolverOptions,
+    solve_contact,
+)
 
 from ..version import version
 from .store import write_file
@@ -29,7 +36,10 @@ def content_key(*objects: Any) -> str:
 def _plain(value: Any) -> Any:
     """The content of a value such that equal text means equal content."""
     if is_dataclass(value):
-        return [type(value).__name__, *((f.name, _plain(getattr(value, f.name))) for f in fields(value))]
+        return [
+            type(value).__name__,
+            *((f.name, _plain(getattr(value, f.name))) for f in fields(value)),
+        ]
     if isinstance(value, Enum):
         return [type(value).__name__, value.name]
     if isinstance(value, float):
@@ -62,7 +72,9 @@ def cached_solver(folder: Path) -> Callable[[ContactConditions, SolverOptions], 
 
 
 def store(path: Path, solution: ContactSolution) -> None:
-    """Leave a solution at `path`, unless the cache is full or the solution holds what a file cannot."""
+    """Leave a solution at `path`, unless the cache is full or the solution holds what a file
+    cannot.
+    """
     arrays: dict[str, Any] = {}
     rest: dict[str, Any] = {}
     for item in fields(solution):
@@ -70,7 +82,9 @@ def store(path: Path, solution: ContactSolution) -> None:
         if isinstance(value, np.ndarray):
             arrays[item.name] = value
         elif item.name not in ("conditions", "options"):
-            rest[item.name] = asdict(value) if is_dataclass(value) and not isinstance(value, type) else value
+            rest[item.name] = (
+                asdict(value) if is_dataclass(value) and not isinstance(value, type) else value
+            )
     try:
         header = json.dumps(rest, default=lambda scalar: scalar.item())  # NumPy's own
     except (TypeError, AttributeError, ValueError):  # holds what a file of this kind cannot
@@ -83,7 +97,9 @@ def store(path: Path, solution: ContactSolution) -> None:
     write_file(path, data.getvalue())
 
 
-def load(path: Path, conditions: ContactConditions, options: SolverOptions) -> ContactSolution | None:
+def load(
+    path: Path, conditions: ContactConditions, options: SolverOptions
+) -> ContactSolution | None:
     """The solution at `path`; None if there is none or it is damaged."""
     try:
         with np.load(path, allow_pickle=False) as file:
@@ -92,7 +108,9 @@ def load(path: Path, conditions: ContactConditions, options: SolverOptions) -> C
         for name, value in rest.items():
             if isinstance(value, dict):
                 kind: Any = ConvergenceRecord if name == "record" else FilmValue
-                rest[name] = kind(**{k: tuple(v) if isinstance(v, list) else v for k, v in value.items()})
+                rest[name] = kind(
+                    **{k: tuple(v) if isinstance(v, list) else v for k, v in value.items()}
+                )
             elif isinstance(value, list):
                 rest[name] = tuple(value)
         return ContactSolution(conditions=conditions, options=options, **arrays, **rest)

@@ -1,6 +1,6 @@
-"""Execution of a sweep: hand out points, keep what is finished, go on where an earlier run was stopped."""
-
-from __future__ import annotations
+"""Execution of a sweep: hand out points, keep what is finished, go on where an earlier run was
+stopped.
+"""
 
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
@@ -20,12 +20,15 @@ from .tasks import Receipt, Task
 
 Notify = Callable[[int, int, str], None]
 TICK = 1.0  # the time left is told anew at least as often [s]
-WITHOUT_EFFECT = ("surface", "slip", "friction", "cage", "dynamics")  # tables that leave the contacts as they are
+# tables that leave the contacts as they are
+WITHOUT_EFFECT = ("surface", "slip", "friction", "cage", "dynamics")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Batch:
-    """What a batch did: points found finished, points computed, those that failed, and the wall time [s]."""
+    """What a batch did: points found finished, points computed, those that failed, and the wall
+    time [s].
+    """
 
     sweep: Sweep
     directory: Path
@@ -65,7 +68,12 @@ def duration(seconds: float) -> str:
 
 
 def run_batch(
-    sweep: Sweep, directory: Path, pool: Callable[[], Pool], *, resume: bool = False, progress: Notify | None = None
+    sweep: Sweep,
+    directory: Path,
+    pool: Callable[[], Pool],
+    *,
+    resume: bool = False,
+    progress: Notify | None = None,
 ) -> Batch:
     """Compute every point of a sweep that is not finished yet.
 
@@ -131,7 +139,9 @@ def run_batch(
 
 @dataclass(frozen=True, slots=True)
 class _PointTables:
-    """Files of traction tables by the points that take them, and points that have none and are recorded as failed."""
+    """Files of traction tables by the points that take them, and points that have none and are
+    recorded as failed.
+    """
 
     files: dict[str, str]
     failed: frozenset[str]
@@ -139,11 +149,14 @@ class _PointTables:
 
 def _tables(sweep: Sweep, waiting: list[str], directory: Path, pace: Pace) -> _PointTables:
     """Have the traction tables made that points need; those without them are recorded."""
-    wanted, names = set(waiting), {point.key: point.tables for point in sweep.points if point.tables is not None}
+    wanted = set(waiting)
+    names = {point.key: point.tables for point in sweep.points if point.tables is not None}
     if not any(key in names for key in waiting):
         return _PointTables({}, frozenset())
     problems = prepare_tables(sweep, wanted, directory, pace.notify)
-    failed = {key: problems[name] for key, name in names.items() if key in wanted and name in problems}
+    failed = {
+        key: problems[name] for key, name in names.items() if key in wanted and name in problems
+    }
     for key, message in failed.items():
         write_point(directory, key, failure(key, FAILED, message))
         pace.done += 1
@@ -163,8 +176,12 @@ def _closing(pool: Pool) -> Iterator[Pool]:
 
 
 def _execute(tasks: Iterable[Task], pool: Pool, directory: Path, pace: Pace) -> None:
-    """Keep every worker busy; when one is lost, try the points it may have held again, one at a time."""
-    waiting, running, suspects = deque(tasks), dict[Future[Receipt], Task](), list[Task]()
+    """Keep every worker busy; when one is lost, try the points it may have held again, one at a
+    time.
+    """
+    waiting = deque(tasks)
+    running = dict[Future[Receipt], Task]()
+    suspects = list[Task]()
     while waiting or running or suspects:
         room = pool.capacity() if not suspects else 0
         while waiting and len(running) < room:
@@ -209,7 +226,9 @@ def _keep(future: Future[Receipt], task: Task, pool: Pool, directory: Path, pace
         elif isinstance(error, OSError | CancelledError | MemoryError):
             raise
         else:
-            receipt = Receipt(key=task.key, status=FAILED, files=failure(task.key, FAILED, _words(error)))
+            receipt = Receipt(
+                key=task.key, status=FAILED, files=failure(task.key, FAILED, _words(error))
+            )
     if receipt.files:
         write_point(directory, task.key, receipt.files)
     pace.done += 1
@@ -228,7 +247,9 @@ def _alone(task: Task, pool: Pool, directory: Path, pace: Pace) -> None:
 
 def _given_up(task: Task, message: str) -> Receipt:
     advice = "killed from outside, or out of memory; fewer points of the mesh, or fewer workers"
-    return Receipt(key=task.key, status=LOST, files=failure(task.key, LOST, f"{message} ({advice})"))
+    return Receipt(
+        key=task.key, status=LOST, files=failure(task.key, LOST, f"{message} ({advice})")
+    )
 
 
 def _words(error: BaseException) -> str:

@@ -1,7 +1,5 @@
 """The numbers that a sweep file wants to be drawn."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from postprocess.main_results import result_names
@@ -26,10 +24,16 @@ def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[Problem]:
     for k, name in enumerate(names):
         if name not in known:
             told = "allowed: main results, torque_N_mm, supply and self_heating of batch.csv"
-            nearest = next((whole for whole in known if whole.endswith(f".{name}")), nearest_name(name, known))
-            yield Problem(path=("plot", k), found=f"found {shown(name)}", allowed=told, nearest=nearest)
+            nearest = next(
+                (whole for whole in known if whole.endswith(f".{name}")), nearest_name(name, known)
+            )
+            yield Problem(
+                path=("plot", k), found=f"found {shown(name)}", allowed=told, nearest=nearest
+            )
         elif name in names[:k]:
-            yield Problem(path=("plot", k), found=f"found {shown(name)} twice", allowed="allowed: once")
+            yield Problem(
+                path=("plot", k), found=f"found {shown(name)} twice", allowed="allowed: once"
+            )
     units = [unit_of(name) for name in names]
     if 1 < len(set(units)) and (len(set(units)) < len(units) or len(units) > MOST_PANELS):
         found = f"found {len(units)} numbers in {', '.join(unit or 'no unit' for unit in dict.fromkeys(units))}"

@@ -1,7 +1,5 @@
 """A sweep and its points."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from pathlib import Path as FilePath
 from typing import Any
@@ -18,7 +16,8 @@ class Point:
     block : str
         Block of the sweep file it comes from.
     values : dict
-        Every key that the sweep varies somewhere, with its value here; None where the case does not have it.
+        Every key that the sweep varies somewhere, with its value here; None where the case does
+        not have it.
     document : dict
         The case with these values, as to be run.
     resolved : dict
@@ -40,7 +39,9 @@ class Point:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """A sweep, ready to run; `text` is the file, `case` the name of the case it varies, `table` a file of tables."""
+    """A sweep, ready to run; `text` is the file, `case` the name of the case it varies, `table` a
+    file of tables.
+    """
 
     name: str
     text: str

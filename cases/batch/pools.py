@@ -1,7 +1,5 @@
 """Where the points are computed: processes of this machine, or the workers of a Dask cluster."""
 
-from __future__ import annotations
-
 import os
 import signal
 import threading
@@ -15,7 +13,13 @@ from ..format.problems import CaseError
 from .task import DONE, compute_point
 from .tasks import Receipt, Task
 
-THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS", "NUMBA_NUM_THREADS")
+THREADS = (
+    "OMP_NUM_THREADS",
+    "OPENBLAS_NUM_THREADS",
+    "MKL_NUM_THREADS",
+    "VECLIB_MAXIMUM_THREADS",
+    "NUMBA_NUM_THREADS",
+)
 AHEAD = 2  # points in the hands of each worker, so that none waits for the next one
 PATIENCE = 10.0  # for a scheduler to answer [s]
 PORT = 8786  # of a Dask scheduler, its default
@@ -52,7 +56,9 @@ class Pool(Protocol):
 
 
 def prepare_worker() -> None:
-    """In a new process: one thread each, Ctrl-C is the parent's to answer, and no life after the parent's."""
+    """In a new process: one thread each, Ctrl-C is the parent's to answer, and no life after the
+    parent's.
+    """
     os.environ.update(dict.fromkeys(THREADS, "1"))
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = parent_process()
@@ -72,8 +78,8 @@ class LocalPool:
     ----------
     workers : int
     compiled : Path, optional
-        File that stands once the kernels are compiled; as long as it does not, points are handed out one at a time,
-        so that not every worker compiles the same.
+        File that stands once the kernels are compiled; as long as it does not, points are handed
+        out one at a time, so that not every worker compiles the same.
     """
 
     shares_folder = True
@@ -130,7 +136,9 @@ class LocalPool:
 
 
 class ClusterPool:
-    """Workers of a running Dask cluster; they send their files back, since they may have no disk in common."""
+    """Workers of a running Dask cluster; they send their files back, since they may have no disk
+    in common.
+    """
 
     shares_folder = False
 
@@ -141,10 +149,14 @@ class ClusterPool:
             message = "--scheduler: needs the package distributed: pip install 'oilfilm[cluster]'"
             raise CaseError([message]) from None
         try:
-            self._client = Client(scheduler_address(address), timeout=PATIENCE, set_as_default=False)
+            self._client = Client(
+                scheduler_address(address), timeout=PATIENCE, set_as_default=False
+            )
         except (OSError, TimeoutError, ValueError) as error:
             text = " ".join(str(error).split())[:200]
-            raise CaseError([f"--scheduler {address}: no Dask scheduler answers there: {text}"]) from None
+            raise CaseError(
+                [f"--scheduler {address}: no Dask scheduler answers there: {text}"]
+            ) from None
         self._executor: Executor = self._client.get_executor(pure=False)
         self._tables: dict[str, Any] = {}
 

@@ -1,7 +1,5 @@
 """The finished points of a batch, gathered, and the files made of them."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 
@@ -13,7 +11,9 @@ from ..version import version
 from .engine import Batch
 from .store import read_point
 
-SUMMARY, TABLE, DATA = "summary.json", "batch.csv", "results.nc"
+SUMMARY = "summary.json"
+TABLE = "batch.csv"
+DATA = "results.nc"
 MISSING: dict[str, Any] = {
     "status": "lost",
     "message": "its file is damaged; --resume computes it again",

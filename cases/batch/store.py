@@ -1,14 +1,11 @@
 """The folder of a batch: one file for each finished point, there as a whole or not at all.
 
-sweep.toml          the sweep as run last
-points/KEY.json     a finished point: the case as run and its summary, or the message it failed with
-points/KEY.nc       its film maps, where they are asked for
-points/KEY.zip      its traction tables, where these are what is computed
-contacts/KEY.npz    solved contacts that several points share
-tables/KEY.zip      traction tables that several points share
+sweep.toml          the sweep as run last points/KEY.json     a finished point: the case as run and
+its summary, or the message it failed with points/KEY.nc       its film maps, where they are asked
+for points/KEY.zip      its traction tables, where these are what is computed contacts/KEY.npz
+solved contacts that several points share tables/KEY.zip      traction tables that several points
+share
 """
-
-from __future__ import annotations
 
 import json
 import os
@@ -20,7 +17,10 @@ from typing import Any
 from ..format.problems import CaseError
 from ..runs.output_directory import check_output, umask
 
-POINTS, CONTACTS, TABLES, SWEEP_FILE = "points", "contacts", "tables", "sweep.toml"
+POINTS = "points"
+CONTACTS = "contacts"
+TABLES = "tables"
+SWEEP_FILE = "sweep.toml"
 
 
 def open_folder(directory: Path, *, resume: bool) -> None:
@@ -29,16 +29,22 @@ def open_folder(directory: Path, *, resume: bool) -> None:
     Raises
     ------
     CaseError
-        If it holds something else, or finished points and `resume` is not wanted, or cannot be written.
+        If it holds something else, or finished points and `resume` is not wanted, or cannot be
+        written.
     """
     check_output(directory)
     if directory.exists() and any(directory.iterdir()) and not (directory / SWEEP_FILE).exists():
-        raise CaseError([f"{directory}: holds other files; allowed with -o: a new directory, or that of a batch"])
+        raise CaseError(
+            [
+                f"{directory}: holds other files; allowed with -o: a new directory, or that of a batch"
+            ]
+        )
     if not resume and any((directory / POINTS).glob("*.json")):
         allowed = "allowed: --resume to go on, or another -o"
         raise CaseError([f"{directory}: holds finished points of an earlier batch; {allowed}"])
     (directory / POINTS).mkdir(parents=True, exist_ok=True)
-    for left in (directory / POINTS).glob(".*.part"):  # of a process that was killed while it wrote
+    # of a process that was killed while it wrote
+    for left in (directory / POINTS).glob(".*.part"):
         left.unlink(missing_ok=True)
 
 
@@ -69,9 +75,17 @@ def read_point(directory: Path, key: str) -> dict[str, Any] | None:
         record = json.loads((directory / POINTS / f"{key}.json").read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError):
         return None
-    return record if isinstance(record, dict) and record.get("key") == key and "status" in record else None
+    return (
+        record
+        if isinstance(record, dict) and record.get("key") == key and "status" in record
+        else None
+    )
 
 
 def finished_keys(directory: Path, keys: Iterable[str]) -> set[str]:
     """Those of `keys` that have been computed; points that failed are to be tried again."""
-    return {key for key in keys if (record := read_point(directory, key)) and record["status"] == "done"}
+    return {
+        key
+        for key in keys
+        if (record := read_point(directory, key)) and record["status"] == "done"
+    }

@@ -1,6 +1,6 @@
-"""A sweep file, read, expanded into points, and every point checked as a case before anything is run."""
-
-from __future__ import annotations
+"""A sweep file, read, expanded into points, and every point checked as a case before anything is
+run.
+"""
 
 import hashlib
 import json
@@ -40,9 +40,16 @@ from .tables import (
 
 FORMAT = 1  # of what a point leaves on disk
 UNIMPORTANT = ("title", "source", "assumed")  # for what is computed
-TABLES_IGNORE = ("surface", "slip", "friction", "cage", "dynamics", "ehl")  # likewise, for traction tables
+# likewise, for traction tables
+TABLES_IGNORE = ("surface", "slip", "friction", "cage", "dynamics", "ehl")
 HIDING = {
-    "bearing": ("ball_diameter_mm", "pitch_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm"),
+    "bearing": (
+        "ball_diameter_mm",
+        "pitch_diameter_mm",
+        "balls",
+        "inner_groove_radius_mm",
+        "outer_groove_radius_mm",
+    ),
     "lubricant": ("viscosity_mPa_s", "kinematic_viscosity_mm2_s", "pressure_viscosity_1_GPa"),
 }
 
@@ -70,11 +77,14 @@ def read_sweep(name_or_path: str | FilePath) -> Sweep:
 
 def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Sweep:
     """The sweep that the text of a file describes; its case is sought in `folder` first."""
-    document, lines = parse(text, name), key_lines(text)
+    document = parse(text, name)
+    lines = key_lines(text)
     try:
         file = SweepFile.model_validate(document)
     except ValidationError as error:
-        raise _error(name, lines, schema_problems(error.errors(include_url=False), _schema())) from None
+        raise _error(
+            name, lines, schema_problems(error.errors(include_url=False), _schema())
+        ) from None
     case_file = _case_file(file.case, folder, name, lines)
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
     base = with_values(parse(read_text(case_file), str(case_file)), fixed)
@@ -82,7 +92,9 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     problems += plot_problems(file.plot, "contact" if "contact" in base else file.compute)
     if problems:
         raise _error(name, lines, problems)
-    keys = tuple(dict.fromkeys(setting.key for variation in variations for setting in variation.settings))
+    keys = tuple(
+        dict.fromkeys(setting.key for variation in variations for setting in variation.settings)
+    )
     points, common, examples = _points(file, base, variations, fixed, keys, (name, lines))
     table = _table_file(file, folder, bool(common), (name, lines))
     if table is not None:
@@ -90,7 +102,9 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         problems = [_foreign(found, numbers) for found, numbers in wrong.items()]
         if problems:
             raise _error(name, lines, problems)
-    points = with_tables(points, common, None if table is None else file_hash(table), file.table_points)
+    points = with_tables(
+        points, common, None if table is None else file_hash(table), file.table_points
+    )
     return Sweep(
         name=name,
         text=text,
@@ -116,16 +130,16 @@ def _table_file(
         return None
     found = None
     if not needed:
-        found, allowed = (
-            "no point needs traction tables",
-            'allowed: with compute = "torque" and no law in friction.traction, or dynamics.friction = "table"',
-        )
+        found = "no point needs traction tables"
+        allowed = 'allowed: with compute = "torque" and no law in friction.traction, or dynamics.friction = "table"'
     path = (folder or FilePath()) / file.table
     try:
         if found is None and not path.is_file():
-            found, allowed = f"{file.table}: there is no such file", "allowed: a file that `oilfilm table` wrote"
+            found = f"{file.table}: there is no such file"
+            allowed = "allowed: a file that `oilfilm table` wrote"
     except (OSError, ValueError) as error:
-        found, allowed = f"{file.table!r}: {error}", "allowed: a file that `oilfilm table` wrote"
+        found = f"{file.table!r}: {error}"
+        allowed = "allowed: a file that `oilfilm table` wrote"
     if found is not None:
         raise _error(*place, [Problem(path=("table",), found=found, allowed=allowed)])
     return path
@@ -134,7 +148,9 @@ def _table_file(
 def _foreign(found: str, numbers: Sequence[int]) -> Problem:
     """Tables that were not made for some points."""
     others = f" and {len(numbers) - 1} others" if len(numbers) > 1 else ""
-    allowed = "allowed: tables that `oilfilm table` made of the same bearing and oil, or table left out"
+    allowed = (
+        "allowed: tables that `oilfilm table` made of the same bearing and oil, or table left out"
+    )
     return Problem(path=("table",), found=f"{found}: point {numbers[0]}{others}", allowed=allowed)
 
 
@@ -165,24 +181,38 @@ def _case_file(case: str, folder: FilePath | None, name: str, lines: dict[Path, 
         raise _error(name, lines, [problem]) from None
 
 
-def _variations(file: SweepFile, base: dict[str, Any]) -> tuple[list[Variation], list[str], list[Problem]]:
+def _variations(
+    file: SweepFile, base: dict[str, Any]
+) -> tuple[list[Variation], list[str], list[Problem]]:
     """The variations of all blocks, in the order of the format's description."""
     combinations, count, problems = factorial(file)
     cubes: list[tuple[dict[str, Any], HypercubeOptions, Path]] = []
     notes: list[str] = []
     for k, table in enumerate(file.latin_hypercube):
-        where: Path = ("latin_hypercube",) if len(file.latin_hypercube) == 1 else ("latin_hypercube", k)
+        where: Path = (
+            ("latin_hypercube",) if len(file.latin_hypercube) == 1 else ("latin_hypercube", k)
+        )
         try:
-            options = HypercubeOptions.model_validate({key: table[key] for key in OPTIONS if key in table})
+            options = HypercubeOptions.model_validate(
+                {key: table[key] for key in OPTIONS if key in table}
+            )
         except ValidationError as error:
-            wrong = schema_problems(error.errors(include_url=False), HypercubeOptions.model_json_schema())
-            problems += [Problem(path=(*where, *p.path), found=p.found, allowed=p.allowed) for p in wrong]
+            wrong = schema_problems(
+                error.errors(include_url=False), HypercubeOptions.model_json_schema()
+            )
+            problems += [
+                Problem(path=(*where, *p.path), found=p.found, allowed=p.allowed) for p in wrong
+            ]
             continue
         cubes.append((table, options, where))
         count += options.samples
     count += len(file.combinations)
     if count > MOST_POINTS:
-        problems.append(Problem(path=(), line=1, found=f"{count} points", allowed=f"allowed: at most {MOST_POINTS}"))
+        problems.append(
+            Problem(
+                path=(), line=1, found=f"{count} points", allowed=f"allowed: at most {MOST_POINTS}"
+            )
+        )
     if problems:
         return [], [], problems
     found: list[Variation] = [*combinations, *listed(file)]
@@ -200,14 +230,22 @@ def _variations(file: SweepFile, base: dict[str, Any]) -> tuple[list[Variation],
     return found, notes, problems
 
 
-def _sensitivity(file: SweepFile, base: dict[str, Any]) -> tuple[list[Variation], list[str], list[Problem]]:
+def _sensitivity(
+    file: SweepFile, base: dict[str, Any]
+) -> tuple[list[Variation], list[str], list[Problem]]:
     assert file.sensitivity is not None  # asked before
     case, problems = _checked(base, "case")
     if case is None:
         return (
             [],
             [],
-            [Problem(path=("sensitivity",), found="the case itself cannot be run", allowed=problems[0].found)],
+            [
+                Problem(
+                    path=("sensitivity",),
+                    found="the case itself cannot be run",
+                    allowed=problems[0].found,
+                )
+            ],
         )
     asked = file.sensitivity.keys
     keys = case.assumed if asked == "assumed" else tuple(asked)
@@ -221,7 +259,9 @@ def _value(document: dict[str, Any], key: str) -> Any:
     return node
 
 
-def _checked(document: dict[str, Any], name: str) -> tuple[Case | ContactCase | None, list[Problem]]:
+def _checked(
+    document: dict[str, Any], name: str
+) -> tuple[Case | ContactCase | None, list[Problem]]:
     """A document as a case, or what is wrong with it."""
     file, problems = check_document(document)
     if file is None or problems:
@@ -229,12 +269,16 @@ def _checked(document: dict[str, Any], name: str) -> tuple[Case | ContactCase | 
     try:
         return case_of_file(file, name), []
     except CaseError as error:
-        return None, [*error.problems] or [Problem(path=(), line=1, found=message) for message in error.messages]
+        return None, [*error.problems] or [
+            Problem(path=(), line=1, found=message) for message in error.messages
+        ]
 
 
 def with_values(base: dict[str, Any], variation: Variation) -> dict[str, Any]:
     """The case's document with the values of a variation."""
-    document = {key: dict(value) if isinstance(value, dict) else value for key, value in base.items()}
+    document = {
+        key: dict(value) if isinstance(value, dict) else value for key, value in base.items()
+    }
     for setting in variation.settings:
         node = document
         *tables, key = case_path(setting.key)
@@ -254,12 +298,14 @@ def _points(
     keys: tuple[str, ...],
     place: tuple[str, dict[Path, int]],
 ) -> tuple[tuple[Point, ...], dict[int, str], dict[str, Case]]:
-    """Every variation as a checked point, by their numbers what those that need tables must have in common, and a case
-    of each kind of these.
+    """Every variation as a checked point, by their numbers what those that need tables must have
+    in common, and a case of each kind of these.
 
     `CaseError` with the problems of all of them, each told once.
     """
-    points, common, problems = [], dict[int, str](), list(_hidden(base, variations))
+    points = []
+    common = dict[int, str]()
+    problems = list(_hidden(base, variations))
     examples: dict[str, Case] = {}
     for number, variation in enumerate(variations, 1):
         document = with_values(base, variation)
@@ -296,41 +342,68 @@ def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Pr
     if file.compute != "run" and not isinstance(case, Case):
         wrong = "the case is a single contact"
     elif isinstance(case, Case) and file.compute in ("slip", "dynamics"):
-        wrong = None if getattr(case, file.compute) is not None else f"the case has no table [{file.compute}]"
-    elif isinstance(case, Case) and file.compute in ("torque", "table") and len(case.rows or ()) > 1:
+        wrong = (
+            None
+            if getattr(case, file.compute) is not None
+            else f"the case has no table [{file.compute}]"
+        )
+    elif (
+        isinstance(case, Case) and file.compute in ("torque", "table") and len(case.rows or ()) > 1
+    ):
         wrong = "the case has several rows of balls"
     if wrong is not None:
-        yield Problem(path=("compute",), found=f"point {number}: {wrong}", allowed='allowed: "run"')
+        yield Problem(
+            path=("compute",), found=f"point {number}: {wrong}", allowed='allowed: "run"'
+        )
 
 
 def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[Problem]:
     """A catalogue bearing or an oil varied by name, whose values the case itself overrides."""
     for variation in variations[:1] + variations[-1:]:
         for setting in variation.settings:
-            table, key = case_path(setting.key)[0], case_path(setting.key)[-1]
+            table = case_path(setting.key)[0]
+            key = case_path(setting.key)[-1]
             own = base.get(table)
-            given = [k for k in HIDING.get(table, ()) if isinstance(own, dict) and k in own] if key == "name" else []
+            given = (
+                [k for k in HIDING.get(table, ()) if isinstance(own, dict) and k in own]
+                if key == "name"
+                else []
+            )
             if given:
                 found = f"the case itself gives {given[0]}, which overrides the library's"
-                yield Problem(path=setting.where, found=found, allowed=f"allowed with a case that names a {table} only")
+                yield Problem(
+                    path=setting.where,
+                    found=found,
+                    allowed=f"allowed with a case that names a {table} only",
+                )
 
 
-def _located(problems: Iterable[Problem], variation: Variation, fixed: Variation, number: int) -> Iterator[Problem]:
-    """Problems of a point as problems of the sweep file: at the key it varies or fixes, or told with the point."""
+def _located(
+    problems: Iterable[Problem], variation: Variation, fixed: Variation, number: int
+) -> Iterator[Problem]:
+    """Problems of a point as problems of the sweep file: at the key it varies or fixes, or told
+    with the point.
+    """
     settings = (*variation.settings, *fixed.settings)
     for problem in problems:
         setting = next((s for s in settings if _meets(case_path(s.key), problem.path)), None)
         if setting is not None:
             same = tuple(problem.path) == case_path(setting.key)
             found = (
-                problem.found if same or not problem.path else f"{'.'.join(map(str, problem.path))}: {problem.found}"
+                problem.found
+                if same or not problem.path
+                else f"{'.'.join(map(str, problem.path))}: {problem.found}"
             )
-            yield Problem(path=setting.where, found=found, allowed=problem.allowed, nearest=problem.nearest)
+            yield Problem(
+                path=setting.where, found=found, allowed=problem.allowed, nearest=problem.nearest
+            )
         else:
             values = ", ".join(f"{s.key} = {shown(s.value)}" for s in variation.settings)
             place = f"{'.'.join(map(str, problem.path))}: " if problem.path else ""
             found = f"point {number} ({values}): {place}{problem.found}"
-            yield Problem(path=("case",), found=found, allowed=problem.allowed, nearest=problem.nearest)
+            yield Problem(
+                path=("case",), found=found, allowed=problem.allowed, nearest=problem.nearest
+            )
 
 
 def _meets(path: Path, problem: Path) -> bool:
@@ -340,7 +413,9 @@ def _meets(path: Path, problem: Path) -> bool:
 
 
 def point_key(resolved: dict[str, Any], file: SweepFile) -> str:
-    """Name of a point in the folder: a hash of all that its results depend on, the program's version included."""
+    """Name of a point in the folder: a hash of all that its results depend on, the program's
+    version included.
+    """
     unimportant = (*UNIMPORTANT, *TABLES_IGNORE) if file.compute == "table" else UNIMPORTANT
     content = {key: value for key, value in resolved.items() if key not in unimportant}
     whole: dict[str, Any] = {"case": content, "compute": file.compute, "fields": file.fields}

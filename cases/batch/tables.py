@@ -1,9 +1,8 @@
-"""Traction tables that points of a batch share: which points, over which loads and speeds, made before the points.
+"""Traction tables that points of a batch share: which points, over which loads and speeds, made
+before the points.
 
 tables/NAME.zip     both races; NAME is a hash of the inputs of all points that share them
 """
-
-from __future__ import annotations
 
 import hashlib
 import json
@@ -15,7 +14,13 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from bearing.friction.race_tables import LOAD_SPAN, Tables, save_race_tables, table_contacts, table_range
+from bearing.friction.race_tables import (
+    LOAD_SPAN,
+    Tables,
+    save_race_tables,
+    table_contacts,
+    table_range,
+)
 from bearing.friction.sources import FilmTraction
 from bearing.geometry import Race
 from bearing.operation import BallKinematics, Model
@@ -35,21 +40,37 @@ from .contact_cache import content_key
 from .points import Point, Sweep
 from .store import TABLES
 
-UNAFFECTED = ("title", "source", "assumed", "surface", "slip", "friction", "cage", "dynamics", "ehl")
+UNAFFECTED = (
+    "title",
+    "source",
+    "assumed",
+    "surface",
+    "slip",
+    "friction",
+    "cage",
+    "dynamics",
+    "ehl",
+)
 Progress = Callable[[int, int, str], None]
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
-    """Whether a point takes its friction from shared tables; torque does unless the case names a law itself."""
+    """Whether a point takes its friction from shared tables; torque does unless the case names a
+    law itself.
+    """
     if not isinstance(case, Case):
         return False
     if compute == "torque":
         return case.model.traction is None or isinstance(case.model.traction.source, FilmTraction)
-    return compute == "dynamics" and case.dynamics is not None and case.dynamics.friction == "table"
+    return (
+        compute == "dynamics" and case.dynamics is not None and case.dynamics.friction == "table"
+    )
 
 
 def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
-    """The document of a point whose torque comes from tables: traction equilibrium, unless it says otherwise itself."""
+    """The document of a point whose torque comes from tables: traction equilibrium, unless it says
+    otherwise itself.
+    """
     model = document.get("model", {})
     if "bearing" not in document or not isinstance(model, dict) or "ball_kinematics" in model:
         return document
@@ -59,12 +80,20 @@ def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
 def bodies_and_oil(case: Case) -> str:
     """Hash of what points that share tables must have in common."""
     try:
-        return content_key(case.bearing, case.lubricant, case.rheology, case.operation.temperature, case.films.solids)
+        return content_key(
+            case.bearing,
+            case.lubricant,
+            case.rheology,
+            case.operation.temperature,
+            case.films.solids,
+        )
     except TypeError:
         return json.dumps(case.document, sort_keys=True, default=str)
 
 
-def with_tables(points: Sequence[Point], common: dict[int, str], given: str | None, nodes: int) -> tuple[Point, ...]:
+def with_tables(
+    points: Sequence[Point], common: dict[int, str], given: str | None, nodes: int
+) -> tuple[Point, ...]:
     """The points with the names of their tables, which their own names then depend on, too.
 
     Parameters
@@ -84,14 +113,23 @@ def with_tables(points: Sequence[Point], common: dict[int, str], given: str | No
     sharing: dict[str, set[str]] = {}
     for point in points:
         if point.number in common:
-            content = {key: value for key, value in point.resolved.items() if key not in UNAFFECTED}
+            content = {
+                key: value for key, value in point.resolved.items() if key not in UNAFFECTED
+            }
             text = json.dumps(content, sort_keys=True, ensure_ascii=False, default=str)
             sharing.setdefault(common[point.number], set()).add(text)
-    names = {same: given or _hash(same, *sorted(texts), str(nodes), version()) for same, texts in sharing.items()}
+    names = {
+        same: given or _hash(same, *sorted(texts), str(nodes), version())
+        for same, texts in sharing.items()
+    }
 
     def named(point: Point) -> Point:
         tables = names.get(common.get(point.number, ""))
-        return point if tables is None else replace(point, tables=tables, key=_hash(point.key, tables))
+        return (
+            point
+            if tables is None
+            else replace(point, tables=tables, key=_hash(point.key, tables))
+        )
 
     return tuple(map(named, points))
 
@@ -100,10 +138,14 @@ def _hash(*texts: str) -> str:
     return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:20]
 
 
-def foreign_points(path: Path, common: Mapping[int, str], examples: Mapping[str, Case]) -> dict[str, list[int]]:
-    """Points that the tables of a file were not made for, by what is wrong; none of damaged ones, which are told later.
+def foreign_points(
+    path: Path, common: Mapping[int, str], examples: Mapping[str, Case]
+) -> dict[str, list[int]]:
+    """Points that the tables of a file were not made for, by what is wrong; none of damaged ones,
+    which are told later.
 
-    `common` has by the number of a point what it must have in common with others, `examples` a case of each kind.
+    `common` has by the number of a point what it must have in common with others, `examples` a
+    case of each kind.
     """
     try:
         tables = tables_of_file(path)
@@ -134,8 +176,11 @@ def table_path(directory: Path, name: str) -> Path:
     return directory / TABLES / f"{name}.zip"
 
 
-def prepare_tables(sweep: Sweep, wanted: Iterable[str], directory: Path, progress: Progress) -> dict[str, str]:
-    """Make the traction tables that points still to be computed need, those that are there already left as they are.
+def prepare_tables(
+    sweep: Sweep, wanted: Iterable[str], directory: Path, progress: Progress
+) -> dict[str, str]:
+    """Make the traction tables that points still to be computed need, those that are there already
+    left as they are.
 
     Parameters
     ----------
@@ -152,8 +197,11 @@ def prepare_tables(sweep: Sweep, wanted: Iterable[str], directory: Path, progres
     dict of str
         What kept tables from being made, by their name.
     """
-    keys, problems = set(wanted), {}
-    for name in dict.fromkeys(point.tables for point in sweep.points if point.tables and point.key in keys):
+    keys = set(wanted)
+    problems = {}
+    for name in dict.fromkeys(
+        point.tables for point in sweep.points if point.tables and point.key in keys
+    ):
         path = table_path(directory, name)
         try:
             if path.exists():
@@ -197,9 +245,14 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
         load=(max(min(limit.load[0] for limit in limits), highest / LOAD_SPAN), highest),
         speed=(min(limit.speed[0] for limit in limits), max(limit.speed[1] for limit in limits)),
     )
-    heaviest = max(states, key=lambda state: float(max(state.outer_load.max(), state.inner_load.max())))
-    options, tables = TableOptions(points=sweep.table_points, workers=cores()), {}
-    for race, contact in table_contacts(heaviest, oil, rheology, solids=cases[0].films.solids).items():
+    heaviest = max(
+        states, key=lambda state: float(max(state.outer_load.max(), state.inner_load.max()))
+    )
+    options = TableOptions(points=sweep.table_points, workers=cores())
+    tables = {}
+    for race, contact in table_contacts(
+        heaviest, oil, rheology, solids=cases[0].films.solids
+    ).items():
 
         def told(done: int, total: int, state: str, race: Race = race) -> None:
             progress(done, total, f"traction tables, {race.value} race: {state}")
@@ -209,7 +262,9 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
 
 
 def _without_films(model: Model) -> Model:
-    """Half and half in place of an equilibrium by films, which tables are to spare; loads hardly depend on it."""
+    """Half and half in place of an equilibrium by films, which tables are to spare; loads hardly
+    depend on it.
+    """
     if model.traction is None or not isinstance(model.traction.source, FilmTraction):
         return model
     balanced = model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM

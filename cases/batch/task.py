@@ -1,7 +1,5 @@
 """One point of a batch, computed in a worker: plain data in, plain data out."""
 
-from __future__ import annotations
-
 import atexit
 import json
 import shutil
@@ -19,18 +17,22 @@ from .contact_cache import cached_solver
 from .store import CONTACTS, read_point, write_file, write_point
 from .tasks import Receipt, Task
 
-DONE, FAILED, LOST = "done", "failed", "lost"
+DONE = "done"
+FAILED = "failed"
+LOST = "lost"
 
 
 def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
     """Compute a point and, if the folder can be reached, write it before anything else is begun.
 
-    `tables` is the content of the file of traction tables where that cannot be reached. What a point fails with is
-    recorded; an error of the folder itself (disk full) is raised.
+    `tables` is the content of the file of traction tables where that cannot be reached. What a
+    point fails with is recorded; an error of the folder itself (disk full) is raised.
     """
     folder = None if task.folder is None else Path(task.folder)
     if task.program != version():
-        raise RuntimeError(f"a worker has oilfilm {version()}, the batch was started with {task.program}")
+        raise RuntimeError(
+            f"a worker has oilfilm {version()}, the batch was started with {task.program}"
+        )
     known = None if folder is None else read_point(folder, task.key)
     if known is not None and known["status"] == DONE:
         return Receipt(key=task.key, status=DONE)
@@ -39,14 +41,24 @@ def compute_point(task: Task, tables: bytes | None = None) -> Receipt:
     files[".json"] = json.dumps(record, ensure_ascii=False, allow_nan=False).encode()
     wall = perf_counter() - start
     if folder is None:
-        return Receipt(key=task.key, status=record["status"], message=record["message"], wall=wall, files=files)
+        return Receipt(
+            key=task.key,
+            status=record["status"],
+            message=record["message"],
+            wall=wall,
+            files=files,
+        )
     write_point(folder, task.key, files)
     return Receipt(key=task.key, status=record["status"], message=record["message"], wall=wall)
 
 
 def failure(key: str, status: str, message: str) -> dict[str, bytes]:
     """Files of a point that has no result."""
-    return {".json": json.dumps({"key": key, "status": status, "message": message, "summary": None}).encode()}
+    return {
+        ".json": json.dumps(
+            {"key": key, "status": status, "message": message, "summary": None}
+        ).encode()
+    }
 
 
 def _record(task: Task, folder: Path | None, tables: bytes | None) -> Computed:

@@ -1,7 +1,5 @@
 """What is sent to a worker, and what comes back."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -25,7 +23,9 @@ class Task:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Receipt:
-    """What a worker answers: how the point ended, its wall time [s], and its files where it did not write them."""
+    """What a worker answers: how the point ended, its wall time [s], and its files where it did
+    not write them.
+    """
 
     key: str
     status: str

@@ -1,6 +1,7 @@
 """What several keys of a case file must satisfy together.
 
-A check looks only at values that are valid by themselves, so that every error of a file is found at once.
+A check looks only at values that are valid by themselves, so that every error of a file is found
+at once.
 """
 
 from .bearing import GEOMETRY

@@ -1,7 +1,5 @@
 """A single contact: dimensions or Moes' groups."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 
 from ..format.problems import MISSING, Problem
@@ -34,14 +32,22 @@ def contact_groups(values: Values) -> Iterator[Problem]:
         for key in (*dimensional, *modulus, *KINEMATICS, *COATING):
             if has(key):
                 allowed = "allowed: dimensions, or Moes' groups, not both"
-                yield Problem(path=("contact", key), found="found together with Moes' groups", allowed=allowed)
+                yield Problem(
+                    path=("contact", key),
+                    found="found together with Moes' groups",
+                    allowed=allowed,
+                )
         for key in ("moes_M", "moes_L"):
             if not has(key):
-                yield Problem(path=("contact", key), found=MISSING, allowed="needed: moes_M and moes_L")
+                yield Problem(
+                    path=("contact", key), found=MISSING, allowed="needed: moes_M and moes_L"
+                )
         return
     for key in dimensional:
         if not has(key):
-            yield Problem(path=("contact", key), found=MISSING, allowed="needed, or moes_M and moes_L")
+            yield Problem(
+                path=("contact", key), found=MISSING, allowed="needed, or moes_M and moes_L"
+            )
     if has("reduced_modulus_GPa") and (has("material_1") or has("material_2")):
         found = "found together with the materials of the bodies"
         yield Problem(path=("contact", modulus[0]), found=found, allowed="allowed: one of them")

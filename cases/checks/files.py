@@ -1,7 +1,5 @@
 """All checks of a case file, by its kind."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from ..format.problems import Problem

@@ -1,7 +1,5 @@
 """Constants of Tait, Doolittle and Yasutomi: complete, with a law that takes them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -49,7 +47,9 @@ class _Oil:
     values: Values
 
     def place(self, key: str) -> Path:
-        """Table and key: [lubricant] where it is given there, else the named oil of the case's own, if it is one."""
+        """Table and key: [lubricant] where it is given there, else the named oil of the case's
+        own, if it is one.
+        """
         name = str(self.keys.get("name"))
         if self.values.given("lubricant", key) or not self.values.given("lubricants", name):
             return ("lubricant", key)
@@ -57,8 +57,11 @@ class _Oil:
 
 
 def free_volume(oil: dict[str, Any], values: Values, *, library: bool) -> Iterator[Problem]:
-    """A law has its constants, from the case or the library; constants in [lubricant] have their law."""
-    here, given = _Oil(oil, values), [key for key in KEYS if key in oil]
+    """A law has its constants, from the case or the library; constants in [lubricant] have their
+    law.
+    """
+    here = _Oil(oil, values)
+    given = [key for key in KEYS if key in oil]
     asked = [law for law in LAWS if oil.get(law[0]) == law[1]]
     for law in asked:
         if not any(key in oil for key in LAWS[law]):
@@ -77,7 +80,11 @@ def _needed(oil: dict[str, Any], given: list[str], asked: list[tuple[str, str]])
     for law in asked:
         if any(key in oil for key in LAWS[law]):
             needed |= dict.fromkeys(LAWS[law], f"{law[0]} = {shown(law[1])}")
-    for start, keys in (("tait_", TAIT), ("doolittle_", (*DOOLITTLE, *TAIT)), ("yasutomi_", YASUTOMI)):
+    for start, keys in (
+        ("tait_", TAIT),
+        ("doolittle_", (*DOOLITTLE, *TAIT)),
+        ("yasutomi_", YASUTOMI),
+    ):
         first = next((key for key in given if key.startswith(start)), None)
         if first is not None:
             needed = dict.fromkeys(keys, first) | needed
@@ -86,8 +93,13 @@ def _needed(oil: dict[str, Any], given: list[str], asked: list[tuple[str, str]])
 
 
 def _no_constants(oil: _Oil, law: tuple[str, str], *, library: bool) -> Iterator[Problem]:
-    name, names = oil.keys.get("name"), list_lubricants()
-    known = [] if law[1] == "yasutomi" else [one for one in names if "doolittle" in lubricant_data(one)]
+    name = oil.keys.get("name")
+    names = list_lubricants()
+    known = (
+        []
+        if law[1] == "yasutomi"
+        else [one for one in names if "doolittle" in lubricant_data(one)]
+    )
     if library and (name in known or name not in names):  # unknown names are told by themselves
         return
     words = "an oil without a name in the library" if name is None else f"the oil {shown(name)}"
@@ -104,7 +116,11 @@ def _expansivity(oil: _Oil, given: list[str]) -> Iterator[Problem]:
         found = f"found together with {forms[0]}"
         yield Problem(path=oil.place(forms[1]), found=found, allowed="allowed: one of them")
     elif not forms and any(key in YASUTOMI for key in given):
-        yield Problem(path=oil.place(EXPANSIVITY[0]), found=MISSING, allowed=f"needed: {' or '.join(EXPANSIVITY)}")
+        yield Problem(
+            path=oil.place(EXPANSIVITY[0]),
+            found=MISSING,
+            allowed=f"needed: {' or '.join(EXPANSIVITY)}",
+        )
 
 
 def _unasked(oil: _Oil, given: list[str], asked: list[tuple[str, str]]) -> Iterator[Problem]:
@@ -114,5 +130,7 @@ def _unasked(oil: _Oil, given: list[str], asked: list[tuple[str, str]]) -> Itera
         if oil.place(key)[0] == "lubricant" and not any(start in law for _, law in asked):
             laws = [f'{name} = "{law}"' for name, law in LAWS if start in law]
             yield Problem(
-                path=("lubricant", key), found="found without its law", allowed=f"allowed: {' or '.join(laws)}"
+                path=("lubricant", key),
+                found="found without its law",
+                allowed=f"allowed: {' or '.join(laws)}",
             )

@@ -1,7 +1,5 @@
 """The oil: complete, and within its laws."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import log
 from typing import Any
@@ -12,7 +10,8 @@ from .free_volume import WITH_CONSTANTS, free_volume
 from .values import Names, Values, known
 
 LIBRARY_TEMPERATURE_C = (
-    426.85  # 700 K, below which bearing.library.lubricants has its laws; the schema keeps the lower end
+    # 700 K, below which bearing.library.lubricants has its laws; the schema keeps the lower end
+    426.85
 )
 
 SHEAR_KEYS = {
@@ -25,7 +24,9 @@ SHEAR_LAWS = ("newtonian", "ree-eyring", "carreau-yasuda")
 
 
 def oil_table(document: dict[str, Any]) -> tuple[dict[str, Any], bool]:
-    """The lubricant's keys, those of [lubricants.NAME] filled in, and whether the name is left to the library."""
+    """The lubricant's keys, those of [lubricants.NAME] filled in, and whether the name is left to
+    the library.
+    """
     own = dict(document["lubricant"])
     library = document.get("lubricants")
     local = library.get(str(own.get("name"))) if isinstance(library, dict) else None
@@ -43,10 +44,18 @@ def lubricant(values: Values, names: Names) -> Iterator[Problem]:
     yield from _supply(values)
     tables = [("lubricant",), *(("lubricants", name) for name in values.get("lubricants") or ())]
     for path in tables:
-        if values.given(*path, "viscosity_mPa_s") and values.given(*path, "kinematic_viscosity_mm2_s"):
+        if values.given(*path, "viscosity_mPa_s") and values.given(
+            *path, "kinematic_viscosity_mm2_s"
+        ):
             found = "found together with viscosity_mPa_s"
-            yield Problem(path=(*path, "kinematic_viscosity_mm2_s"), found=found, allowed="allowed: one of them")
-    if values.get("lubricant") is None or (values.given("lubricants") and not values.get("lubricants")):
+            yield Problem(
+                path=(*path, "kinematic_viscosity_mm2_s"),
+                found=found,
+                allowed="allowed: one of them",
+            )
+    if values.get("lubricant") is None or (
+        values.given("lubricants") and not values.get("lubricants")
+    ):
         return
     oil, library = oil_table(values.document)
     if library:
@@ -61,16 +70,21 @@ def lubricant(values: Values, names: Names) -> Iterator[Problem]:
 
 def _supply(values: Values) -> Iterator[Problem]:
     """How much oil there is, told once; starved only where it is told."""
-    layer, flow = values.given("lubricant", "inlet_film_um"), values.given("friction", "supply_mL_min")
+    layer = values.given("lubricant", "inlet_film_um")
+    flow = values.given("friction", "supply_mL_min")
     if layer and flow:
         found = "found together with friction.supply_mL_min"
-        yield Problem(path=("lubricant", "inlet_film_um"), found=found, allowed="allowed: one of them")
+        yield Problem(
+            path=("lubricant", "inlet_film_um"), found=found, allowed="allowed: one of them"
+        )
     if values.get("lubricant", "supply") == "starved" and not (layer or flow):
         allowed = "allowed: with inlet_film_um, or friction.supply_mL_min of a bearing"
         yield Problem(path=("lubricant", "supply"), found='found "starved"', allowed=allowed)
     if layer and values.given("contact", "moes_M"):
         found = "found with Moes' groups"
-        yield Problem(path=("lubricant", "inlet_film_um"), found=found, allowed="allowed: with dimensions")
+        yield Problem(
+            path=("lubricant", "inlet_film_um"), found=found, allowed="allowed: with dimensions"
+        )
 
 
 def _library_temperature(values: Values) -> Iterator[Problem]:
@@ -79,15 +93,26 @@ def _library_temperature(values: Values) -> Iterator[Problem]:
         given = values.get(table, "temperature_C")
         if given is not None and given >= LIBRARY_TEMPERATURE_C:
             allowed = f"allowed with an oil of the library: below {LIBRARY_TEMPERATURE_C:g}"
-            yield Problem(path=(table, "temperature_C"), found=f"found {shown(given)}", allowed=allowed)
+            yield Problem(
+                path=(table, "temperature_C"), found=f"found {shown(given)}", allowed=allowed
+            )
 
 
 def _moes_pressure_scale(oil: dict[str, Any], values: Values) -> Iterator[Problem]:
     """Moes' L > 0 gives the scale of pressure in units of the coefficient, which there must be."""
-    number, alpha = values.get("contact", "moes_L"), oil.get("pressure_viscosity_1_GPa")
-    if number and alpha in (None, 0.0) and (alpha == 0.0 or oil.get("viscosity_law") == "isoviscous"):
+    number = values.get("contact", "moes_L")
+    alpha = oil.get("pressure_viscosity_1_GPa")
+    if (
+        number
+        and alpha in (None, 0.0)
+        and (alpha == 0.0 or oil.get("viscosity_law") == "isoviscous")
+    ):
         found = f"found {shown(number)} without a pressure_viscosity_1_GPa above 0"
-        yield Problem(path=("contact", "moes_L"), found=found, allowed="allowed: 0, or an oil with such a coefficient")
+        yield Problem(
+            path=("contact", "moes_L"),
+            found=found,
+            allowed="allowed: 0, or an oil with such a coefficient",
+        )
 
 
 def _oil_is_complete(oil: dict[str, Any], *, moes: bool) -> Iterator[Problem]:
@@ -99,19 +124,28 @@ def _oil_is_complete(oil: dict[str, Any], *, moes: bool) -> Iterator[Problem]:
         yield Problem(path=("lubricant", "viscosity_mPa_s"), found=MISSING, allowed=allowed)
     if law not in ("isoviscous", *WITH_CONSTANTS) and "pressure_viscosity_1_GPa" not in oil:
         allowed = 'needed, unless viscosity_law = "isoviscous"'
-        yield Problem(path=("lubricant", "pressure_viscosity_1_GPa"), found=MISSING, allowed=allowed)
+        yield Problem(
+            path=("lubricant", "pressure_viscosity_1_GPa"), found=MISSING, allowed=allowed
+        )
 
 
 def _shear(oil: dict[str, Any], values: Values) -> Iterator[Problem]:
-    """Constants of a shear law stand with that law; those of a named oil may belong to the law of that oil."""
-    law, path = oil.get("rheology", "ree-eyring"), ("lubricants", str(oil.get("name")))
+    """Constants of a shear law stand with that law; those of a named oil may belong to the law of
+    that oil.
+    """
+    law = oil.get("rheology", "ree-eyring")
+    path = ("lubricants", str(oil.get("name")))
     if law not in SHEAR_LAWS:
         return
     for key, own in SHEAR_KEYS.items():
         place: Path | None = None
         if law != own and values.given("lubricant", key):
             place = ("lubricant", key)
-        elif law != own and values.given(*path, key) and (values.get(*path, "rheology") or "ree-eyring") != own:
+        elif (
+            law != own
+            and values.given(*path, key)
+            and (values.get(*path, "rheology") or "ree-eyring") != own
+        ):
             place = (*path, key)
         if place is not None:
             found = f"found together with rheology = {shown(law)}"
@@ -126,7 +160,9 @@ def _roelands(oil: dict[str, Any], values: Values) -> Iterator[Problem]:
         for key in ("roelands_z", "roelands_pressure_MPa"):
             if values.given("lubricant", key):
                 found = f"found together with viscosity_law = {shown(law)}"
-                yield Problem(path=("lubricant", key), found=found, allowed='allowed with "roelands" only')
+                yield Problem(
+                    path=("lubricant", key), found=found, allowed='allowed with "roelands" only'
+                )
         return
     keys = ("viscosity_mPa_s", "pressure_viscosity_1_GPa")
     eta, alpha = (values.get("lubricant", key) for key in keys)

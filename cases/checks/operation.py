@@ -1,7 +1,5 @@
 """Loads, displacements and the balls whose films are wanted."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from ..format.problems import Problem, shown
@@ -38,10 +36,14 @@ def tilt(values: Values) -> Iterator[Problem]:
     angles = values.get("operation", "tilt_mrad")
     if tilt is not None and angles is not None:
         allowed = "allowed: one of them"
-        yield Problem(path=("operation", "tilt"), found="found tilt together with tilt_mrad", allowed=allowed)
+        yield Problem(
+            path=("operation", "tilt"), found="found tilt together with tilt_mrad", allowed=allowed
+        )
     if tilt == "held" and moment and any(moment):
         found = 'found "held" together with a moment'
-        yield Problem(path=("operation", "tilt"), found=found, allowed='allowed: "free", or no moment')
+        yield Problem(
+            path=("operation", "tilt"), found=found, allowed='allowed: "free", or no moment'
+        )
     for axis, angle, load in zip(("y", "z"), angles or (), moment or (), strict=False):
         if angle != FREE and load:
             found = f"found a tilt about {axis} together with a moment of {shown(load)} N mm about {axis}"
@@ -53,12 +55,18 @@ def film_maps(values: Values) -> Iterator[Problem]:
     """Azimuths at which there are balls."""
     wanted, balls = values.get("ehl", "film_maps"), values.get("bearing", "balls")
     first = (
-        values.get("bearing", "first_ball_azimuth_deg") if values.given("bearing", "first_ball_azimuth_deg") else 0.0
+        values.get("bearing", "first_ball_azimuth_deg")
+        if values.given("bearing", "first_ball_azimuth_deg")
+        else 0.0
     )
     if wanted is None or isinstance(wanted, str) or balls is None or first is None:
         return
-    firsts = [table.get("first_ball_azimuth_deg", first) for table in row_tables(values)] or [first]
-    azimuths = tuple(azimuth for start in firsts if is_number(start) for azimuth in ball_azimuths(balls, start))
+    firsts = [table.get("first_ball_azimuth_deg", first) for table in row_tables(values)] or [
+        first
+    ]
+    azimuths = tuple(
+        azimuth for start in firsts if is_number(start) for azimuth in ball_azimuths(balls, start)
+    )
     for azimuth in wanted:
         if ball_at(azimuth, azimuths) is None:
             nearest = min(azimuths, key=lambda known: _apart(azimuth, known))

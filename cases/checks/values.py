@@ -1,6 +1,6 @@
-"""What a check looks at: the values of a document that are valid by themselves, and the names it may use."""
-
-from __future__ import annotations
+"""What a check looks at: the values of a document that are valid by themselves, and the names it
+may use.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -49,4 +49,6 @@ def known(path: Path, name: object, names: tuple[str, ...]) -> Iterator[Problem]
     if isinstance(name, str) and name not in names:
         nearest = nearest_name(name, names)
         listed = "" if nearest else f"allowed: {', '.join(names)}"
-        yield Problem(path=path, found=f"unknown name {shown(name)}", allowed=listed, nearest=nearest)
+        yield Problem(
+            path=path, found=f"unknown name {shown(name)}", allowed=listed, nearest=nearest
+        )

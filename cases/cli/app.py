@@ -1,7 +1,5 @@
 """The application `oilfilm` and the options its commands share."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Annotated
 
@@ -18,11 +16,17 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     no_args_is_help=True,
 )
-CaseName = Annotated[str, typer.Argument(metavar="CASE", help="A case file, or the name of a shipped case.")]
-Output = Annotated[
-    Path | None, typer.Option("--output", "-o", metavar="DIR", help="Where results go; default CASE_results.")
+CaseName = Annotated[
+    str, typer.Argument(metavar="CASE", help="A case file, or the name of a shipped case.")
 ]
-Json = Annotated[bool, typer.Option("--json", help="Print the summary as JSON; files are then written with -o only.")]
+Output = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="DIR", help="Where results go; default CASE_results."),
+]
+Json = Annotated[
+    bool,
+    typer.Option("--json", help="Print the summary as JSON; files are then written with -o only."),
+]
 Quiet = Annotated[bool, typer.Option("--quiet", "-q", help="No progress, no table.")]
 
 
@@ -37,7 +41,10 @@ def _print_version(wanted: bool) -> None:
 @app.callback()
 def oilfilm(
     _version: Annotated[
-        bool, typer.Option("--version", callback=_print_version, is_eager=True, help="Print the version.")
+        bool,
+        typer.Option(
+            "--version", callback=_print_version, is_eager=True, help="Print the version."
+        ),
     ] = False,
 ) -> None:
     """Oil films in every contact of a ball bearing."""

@@ -23,22 +23,32 @@ if TYPE_CHECKING:
     from ..batch.points import Sweep
     from ..batch.pools import Pool
 
-FULL = (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC))  # of the disk, of the user's share of it
-Workers = Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")]
+# of the disk, of the user's share of it
+FULL = (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC))
+Workers = Annotated[
+    int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")
+]
 Scheduler = Annotated[
-    str | None, typer.Option(metavar="ADDRESS", help="Compute on the Dask cluster of this scheduler instead.")
+    str | None,
+    typer.Option(metavar="ADDRESS", help="Compute on the Dask cluster of this scheduler instead."),
 ]
 
 
 @app.command()
 @guarded
 def batch(  # noqa: PLR0913
-    sweep: Annotated[str, typer.Argument(metavar="SWEEP", help="A sweep file, or the name of a shipped one.")],
+    sweep: Annotated[
+        str, typer.Argument(metavar="SWEEP", help="A sweep file, or the name of a shipped one.")
+    ],
     output: Output = None,
     workers: Workers = None,
     scheduler: Scheduler = None,
-    resume: Annotated[bool, typer.Option("--resume", help="Take over the finished points in DIR.")] = False,
-    plot: Annotated[bool, typer.Option("--plot", help="Draw torque and film over the varied keys.")] = False,
+    resume: Annotated[
+        bool, typer.Option("--resume", help="Take over the finished points in DIR.")
+    ] = False,
+    plot: Annotated[
+        bool, typer.Option("--plot", help="Draw torque and film over the varied keys.")
+    ] = False,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
@@ -55,7 +65,13 @@ def batch(  # noqa: PLR0913
         prepare()
         with _kept(directory if keep else None):
             with progress_bar(quiet=quiet) as progress:
-                done = run_batch(plan, directory, _pool(plan, workers, scheduler), resume=resume, progress=progress)
+                done = run_batch(
+                    plan,
+                    directory,
+                    _pool(plan, workers, scheduler),
+                    resume=resume,
+                    progress=progress,
+                )
             results = gathered(done)
             with finish_first(f"results in {directory}"):
                 write_batch(results, directory)
@@ -84,7 +100,9 @@ def _kept(directory: Path | None) -> Iterator[None]:
     except (KeyboardInterrupt, OSError) as stop:
         if directory is not None and any((directory / POINTS).glob("*.json")):
             full = isinstance(stop, OSError) and stop.errno in FULL
-            say(f"finished points are kept in {directory}; {'make room, and ' if full else ''}go on with --resume")
+            say(
+                f"finished points are kept in {directory}; {'make room, and ' if full else ''}go on with --resume"
+            )
         raise
 
 
@@ -110,7 +128,9 @@ def _plot(results: BatchResults, directory: Path) -> None:
 
 
 def _tell(results: BatchResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
-    """The summary or the table, what went wrong, and the exit code: a lost worker is the machine's failure."""
+    """The summary or the table, what went wrong, and the exit code: a lost worker is the machine's
+    failure.
+    """
     from postprocess.batch.results import batch_summary
     from postprocess.batch.table import batch_table
 

@@ -1,4 +1,6 @@
-"""The commands of `oilfilm`; importing this module registers them, in the order in which the help lists them."""
+"""The commands of `oilfilm`; importing this module registers them, in the order in which the help
+lists them.
+"""
 
 from .app import app  # isort: skip
 from . import compute  # isort: skip
@@ -11,4 +13,15 @@ from . import documents  # isort: skip
 from . import files  # isort: skip
 from . import verify  # isort: skip
 
-__all__ = ["app", "batch", "compute", "documents", "dynamics", "files", "stiffness", "table", "verify", "view"]
+__all__ = [
+    "app",
+    "batch",
+    "compute",
+    "documents",
+    "dynamics",
+    "files",
+    "stiffness",
+    "table",
+    "verify",
+    "view",
+]

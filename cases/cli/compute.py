@@ -1,7 +1,5 @@
 """Commands that compute a case: run, contact, slip."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from pathlib import Path
 from typing import Annotated
@@ -27,7 +25,9 @@ class Method(StrEnum):
 def run(
     case: CaseName,
     output: Output = None,
-    workers: Annotated[int | None, typer.Option(min=1, metavar="N", help="Contacts at a time; default: cores.")] = None,
+    workers: Annotated[
+        int | None, typer.Option(min=1, metavar="N", help="Contacts at a time; default: cores.")
+    ] = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
@@ -76,7 +76,9 @@ def contact(
 
     with progress_bar(quiet=quiet) as progress:
         progress(0, 1, "film")
-        results = run_contact(loaded, finite_element=method is Method.FINITE_ELEMENT, workers=cores())
+        results = run_contact(
+            loaded, finite_element=method is Method.FINITE_ELEMENT, workers=cores()
+        )
         save(results, directory, progress)
     return finish(results, directory, as_json=as_json, quiet=quiet)
 
@@ -86,7 +88,9 @@ def contact(
 def slip(
     case: CaseName,
     output: Output = None,
-    workers: Annotated[int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")] = None,
+    workers: Annotated[
+        int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")
+    ] = None,
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
@@ -106,4 +110,6 @@ def slip(
     from postprocess.slip.write import write_slip
 
     save_with(lambda folder: write_slip(results, folder), directory)
-    return report(slip_summary(results), lambda: slip_table(results), directory, as_json=as_json, quiet=quiet)
+    return report(
+        slip_summary(results), lambda: slip_table(results), directory, as_json=as_json, quiet=quiet
+    )

@@ -1,7 +1,5 @@
 """Commands that tell about results: report, compare, cut, interferogram."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -21,7 +19,8 @@ from .terminal import NOT_CONVERGED, guarded, print_lines
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
 Errors = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
 Contact = Annotated[
-    str | None, typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film.")
+    str | None,
+    typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film."),
 ]
 
 
@@ -63,7 +62,10 @@ def compare(
     first: Directory,
     second: Annotated[Path, typer.Argument(metavar="DIR", help="Another one.")],
     within: Annotated[
-        float | None, typer.Option(min=0.0, metavar="X", help="Exit code 1 if a result differs by more, relative.")
+        float | None,
+        typer.Option(
+            min=0.0, metavar="X", help="Exit code 1 if a result differs by more, relative."
+        ),
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
     quiet: Errors = False,
@@ -94,16 +96,23 @@ def compare(
 @guarded
 def cut(
     directory: Directory,
-    output: Annotated[Path | None, typer.Option("--output", "-o", metavar="FILE.csv", help="Default: cut.csv.")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE.csv", help="Default: cut.csv.")
+    ] = None,
     contact: Contact = None,
     axis: Annotated[Axis, typer.Option(help="Direction of the line.")] = Axis.X,
-    at: Annotated[float, typer.Option(metavar="X", help="Where it crosses the other axis, in Hertz semi-axes.")] = 0.0,
+    at: Annotated[
+        float,
+        typer.Option(metavar="X", help="Where it crosses the other axis, in Hertz semi-axes."),
+    ] = 0.0,
 ) -> None:
     """Write film and pressure along a line through a contact as CSV."""
     from postprocess.contact.line_cut import write_line_cut
 
     with _as_case_errors(directory):
-        say(f"table in {write_line_cut(directory, output or Path('cut.csv'), contact, axis.value, at)}")
+        say(
+            f"table in {write_line_cut(directory, output or Path('cut.csv'), contact, axis.value, at)}"
+        )
 
 
 @app.command()
@@ -111,25 +120,27 @@ def cut(
 def interferogram(
     directory: Directory,
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE.png", help="Default: interferogram.png.")
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE.png", help="Default: interferogram.png."),
     ] = None,
     contact: Contact = None,
     wavelength: Annotated[
         list[float] | None,
-        typer.Option("--wavelength-nm", metavar="X", help="In vacuum; three times for red, green, blue."),
+        typer.Option(
+            "--wavelength-nm", metavar="X", help="In vacuum; three times for red, green, blue."
+        ),
     ] = None,
-    index: Annotated[float, typer.Option("--refractive-index", metavar="X", help="Of the oil.")] = 1.5,
+    index: Annotated[
+        float, typer.Option("--refractive-index", metavar="X", help="Of the oil.")
+    ] = 1.5,
 ) -> None:
     """Draw the film of a contact as an optical interferometer would see it."""
     prepare()
-    from postprocess.contact.interferogram import (
-        NANOMETRE,
-        SODIUM,
-        Optics,
-        write_interferogram,
-    )
+    from postprocess.contact.interferogram import NANOMETRE, SODIUM, Optics, write_interferogram
 
     with _as_case_errors(directory):
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
         optics = Optics(wavelengths=lengths, refractive_index=index)
-        say(f"picture in {write_interferogram(directory, output or Path('interferogram.png'), contact, optics)}")
+        say(
+            f"picture in {write_interferogram(directory, output or Path('interferogram.png'), contact, optics)}"
+        )

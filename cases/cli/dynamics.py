@@ -21,14 +21,23 @@ if TYPE_CHECKING:
     from ..format.case import Case
 
 Restart = Annotated[
-    Path | None, typer.Option("--restart", metavar="FILE", help="Go on from the restart file of an interrupted run.")
+    Path | None,
+    typer.Option(
+        "--restart", metavar="FILE", help="Go on from the restart file of an interrupted run."
+    ),
 ]
 Tables = Annotated[
-    Path | None, typer.Option("--table", metavar="FILE", help="Traction tables that 'oilfilm table' made of the case.")
+    Path | None,
+    typer.Option(
+        "--table", metavar="FILE", help="Traction tables that 'oilfilm table' made of the case."
+    ),
 ]
 
 Animation = Annotated[
-    Path | None, typer.Option("--animate", metavar="FILE", help="The motion as a .gif, and as steps for ParaView.")
+    Path | None,
+    typer.Option(
+        "--animate", metavar="FILE", help="The motion as a .gif, and as steps for ParaView."
+    ),
 ]
 
 
@@ -43,7 +52,9 @@ def dynamics(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
-    """Simulate a bearing over time: balls, cage and inner ring under contact, friction, drag and impact."""
+    """Simulate a bearing over time: balls, cage and inner ring under contact, friction, drag and
+    impact.
+    """
     from ..format.case import Case, load_case
 
     loaded = load_case(case)
@@ -51,11 +62,14 @@ def dynamics(
         raise CaseError([f"{case}: is a single contact; a simulation needs a bearing"])
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
-        raise CaseError([f"--animate {animation}: allowed: a .gif file, and results that are written (-o)"])
+        raise CaseError(
+            [f"--animate {animation}: allowed: a .gif file, and results that are written (-o)"]
+        )
     prepare()
     from ..runs.dynamics import Interrupted, run_dynamics
 
-    home = None if directory is None else directory.absolute().parent  # the history may be large: not in /tmp
+    # the history may be large: not in /tmp
+    home = None if directory is None else directory.absolute().parent
     with tempfile.TemporaryDirectory(prefix=".oilfilm-", dir=home) as folder:
         history = Path(folder) / "history.nc"
         try:
@@ -71,7 +85,9 @@ def dynamics(
         document = dynamics_summary(results)
         if animation is not None and directory is not None:
             _animate(directory, animation)
-        return report(document, lambda: dynamics_table(document), directory, as_json=as_json, quiet=quiet)
+        return report(
+            document, lambda: dynamics_table(document), directory, as_json=as_json, quiet=quiet
+        )
 
 
 def _animate(directory: Path, file: Path) -> None:
@@ -85,7 +101,9 @@ def _animate(directory: Path, file: Path) -> None:
         say(f"oilfilm: {problem}")
 
 
-def _keep(case: Case, results: DynamicsResults, simulation: Simulation, directory: Path | None) -> None:
+def _keep(
+    case: Case, results: DynamicsResults, simulation: Simulation, directory: Path | None
+) -> None:
     """Write what an interrupted simulation has so far, and the file to go on from."""
     if directory is None:
         return
@@ -96,6 +114,10 @@ def _keep(case: Case, results: DynamicsResults, simulation: Simulation, director
 
     path = directory.with_name(f"{directory.name}_restart.npz")
     save_restart(simulation, path, case_key(case))
-    kept = directory if not directory.exists() else directory.with_name(f"{directory.name}_interrupted")
+    kept = (
+        directory
+        if not directory.exists()
+        else directory.with_name(f"{directory.name}_interrupted")
+    )
     save_with(lambda target: write_dynamics(results, target, pictures=False), kept)
     say(f"history so far in {kept}; go on with --restart {path}")

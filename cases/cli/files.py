@@ -1,7 +1,5 @@
 """Commands about case files and libraries: list, validate, init, schema."""
 
-from __future__ import annotations
-
 import json
 from enum import StrEnum
 from pathlib import Path
@@ -50,7 +48,9 @@ def list_names(
 @app.command()
 @guarded
 def validate(
-    cases: Annotated[list[str], typer.Argument(metavar="CASE...", help="Case files or names of shipped cases.")],
+    cases: Annotated[
+        list[str], typer.Argument(metavar="CASE...", help="Case files or names of shipped cases.")
+    ],
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")] = False,
 ) -> int:
@@ -63,7 +63,9 @@ def validate(
         except CaseError as error:
             errors[case] = list(error.messages)
     if as_json:
-        report = {case: {"valid": not messages, "errors": messages} for case, messages in errors.items()}
+        report = {
+            case: {"valid": not messages, "errors": messages} for case, messages in errors.items()
+        }
         print_lines(json.dumps(report, indent=2, ensure_ascii=False))
     else:
         for case, messages in errors.items():
@@ -115,7 +117,9 @@ def init(
     except FileExistsError:
         raise CaseError([f"{path}: exists already; choose another name"]) from None
     except (OSError, ValueError) as error:
-        raise CaseError([f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}"]) from None
+        raise CaseError(
+            [f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}"]
+        ) from None
     print_lines(f"{path} written; change it, then: oilfilm validate {path}")
 
 

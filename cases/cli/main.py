@@ -1,7 +1,5 @@
 """The command `oilfilm`."""
 
-from __future__ import annotations
-
 import sys
 
 from .commands import app

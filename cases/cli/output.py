@@ -40,7 +40,11 @@ def prepare() -> None:
     ensure_kernel_cache()
 
 
-def save(results: BearingResults | ContactResults, directory: Path | None, progress: Progress | None = None) -> None:
+def save(
+    results: BearingResults | ContactResults,
+    directory: Path | None,
+    progress: Progress | None = None,
+) -> None:
     """Write the results, if a directory is asked for."""
     if directory is not None and progress is not None:
         progress(0, 1, "pictures and files")
@@ -60,28 +64,49 @@ def save_with(write: Callable[[Path], tuple[str, ...]], directory: Path | None) 
             say(f"oilfilm: {problem}")
 
 
-def finish(results: BearingResults | ContactResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
+def finish(
+    results: BearingResults | ContactResults, directory: Path | None, *, as_json: bool, quiet: bool
+) -> int:
     """Print what a run found, and tell what did not converge."""
     from postprocess import summary
     from postprocess.bearing.table import result_table
 
-    return report(summary(results), lambda: result_table(results), directory, as_json=as_json, quiet=quiet)
+    return report(
+        summary(results), lambda: result_table(results), directory, as_json=as_json, quiet=quiet
+    )
 
 
 def say_notes(messages: list[str]) -> None:
-    """Tell estimates, assumptions and what lies outside its data; why values are null is in the summary."""
+    """Tell estimates, assumptions and what lies outside its data; why values are null is in the
+    summary.
+    """
     for message in messages:
         if "null" not in message and not _of_failure(message):
-            say(fill(message, WIDTH, initial_indent="note: ", subsequent_indent="      ", break_long_words=False))
+            say(
+                fill(
+                    message,
+                    WIDTH,
+                    initial_indent="note: ",
+                    subsequent_indent="      ",
+                    break_long_words=False,
+                )
+            )
 
 
 def _of_failure(message: str) -> bool:
     """Whether a message is told with what did not converge."""
-    return "not converged" in message or message.startswith(("equilibrium of", "no film was computed"))
+    return "not converged" in message or message.startswith(
+        ("equilibrium of", "no film was computed")
+    )
 
 
 def report(
-    document: dict[str, Any], table: Callable[[], Group], directory: Path | None, *, as_json: bool, quiet: bool
+    document: dict[str, Any],
+    table: Callable[[], Group],
+    directory: Path | None,
+    *,
+    as_json: bool,
+    quiet: bool,
 ) -> int:
     """Print a summary or its table, and tell what did not converge."""
     if directory is not None and not quiet:

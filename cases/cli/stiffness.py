@@ -1,7 +1,5 @@
 """Command: stiffness."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import typer
@@ -19,9 +17,14 @@ def stiffness(
     output: Output = None,
     speeds: Annotated[
         tuple[float, float] | None,
-        typer.Option(metavar="FIRST LAST", help="Speeds of the inner ring [r/min]; default: rest to that of the case."),
+        typer.Option(
+            metavar="FIRST LAST",
+            help="Speeds of the inner ring [r/min]; default: rest to that of the case.",
+        ),
     ] = None,
-    points: Annotated[int, typer.Option(min=2, max=1001, metavar="N", help="Speeds, evenly spaced.")] = 11,
+    points: Annotated[
+        int, typer.Option(min=2, max=1001, metavar="N", help="Speeds, evenly spaced.")
+    ] = 11,
     damping: Annotated[
         float, typer.Option(min=0.0, metavar="C", help="Damping handed to the rotor code [N s/m].")
     ] = 0.0,
@@ -46,4 +49,10 @@ def stiffness(
     from postprocess.stiffness.write import write_stiffness
 
     save_with(lambda folder: write_stiffness(results, folder), directory)
-    return report(stiffness_summary(results), lambda: stiffness_table(results), directory, as_json=as_json, quiet=quiet)
+    return report(
+        stiffness_summary(results),
+        lambda: stiffness_table(results),
+        directory,
+        as_json=as_json,
+        quiet=quiet,
+    )

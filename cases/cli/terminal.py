@@ -1,6 +1,6 @@
-"""What a command shows: progress and messages on standard error, results on standard output, exit codes."""
-
-from __future__ import annotations
+"""What a command shows: progress and messages on standard error, results on standard output, exit
+codes.
+"""
 
 import functools
 import os
@@ -18,14 +18,19 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 
-NOT_CONVERGED, BAD_INPUT, INTERRUPTED, FAILED = 1, 2, 3, 4
+NOT_CONVERGED = 1
+BAD_INPUT = 2
+INTERRUPTED = 3
+FAILED = 4
 MOST_MESSAGES = 20  # lines of errors shown; a file of garbage has hundreds
 
 P = ParamSpec("P")
 
 
 def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
-    """Turn what a command raises or returns into an exit code and a message; a traceback never reaches the terminal."""
+    """Turn what a command raises or returns into an exit code and a message; a traceback never
+    reaches the terminal.
+    """
 
     @functools.wraps(command)
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
@@ -37,7 +42,9 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
 
 
 def exit_code(command: Callable[[], int | None]) -> int:
-    """Run a command; 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 the machine failed us [-]."""
+    """Run a command; 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 the machine failed us
+    [-].
+    """
     main = threading.current_thread() is threading.main_thread()
     previous = signal.signal(signal.SIGTERM, _interrupt) if main else None
     try:
@@ -86,7 +93,9 @@ def _machine_failure(error: Exception) -> str:
 def _log(error: Exception) -> str:
     """Write the traceback to a file and name it."""
     try:
-        with tempfile.NamedTemporaryFile("w", prefix="oilfilm-", suffix=".log", delete=False, encoding="utf-8") as log:
+        with tempfile.NamedTemporaryFile(
+            "w", prefix="oilfilm-", suffix=".log", delete=False, encoding="utf-8"
+        ) as log:
             log.write("".join(traceback.format_exception(error)))
             return log.name
     except OSError:
@@ -100,12 +109,25 @@ def progress_bar(*, quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
         yield lambda done, total, state: None
         return
     from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
+    from rich.progress import (
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeElapsedColumn,
+    )
 
-    columns = (TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
+    columns = (
+        TextColumn("{task.description}"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeElapsedColumn(),
+    )
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=None)
-        yield lambda done, total, state: bar.update(task, completed=done, total=total, description=state)
+        yield lambda done, total, state: bar.update(
+            task, completed=done, total=total, description=state
+        )
 
 
 def print_lines(text: str) -> None:

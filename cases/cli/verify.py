@@ -24,12 +24,18 @@ DIRECTORY = Path("verify_results")
 SEED = 20261  # of the sweep shown in the docs
 
 Sections = Annotated[
-    list[SectionName] | None, typer.Option("--section", help="A part of the page; may be repeated. Default: all.")
+    list[SectionName] | None,
+    typer.Option("--section", help="A part of the page; may be repeated. Default: all."),
 ]
 Draws = Annotated[
-    int | None, typer.Option("--robustness", min=1, metavar="DRAWS", help="Solve so many random contacts instead.")
+    int | None,
+    typer.Option(
+        "--robustness", min=1, metavar="DRAWS", help="Solve so many random contacts instead."
+    ),
 ]
-Seed = Annotated[int | None, typer.Option(min=0, metavar="N", help=f"Of the random contacts; default {SEED}.")]
+Seed = Annotated[
+    int | None, typer.Option(min=0, metavar="N", help=f"Of the random contacts; default {SEED}.")
+]
 
 
 @app.command()
@@ -37,7 +43,9 @@ Seed = Annotated[int | None, typer.Option(min=0, metavar="N", help=f"Of the rand
 def verify(
     section: Sections = None,
     output: Output = None,
-    quick: Annotated[bool, typer.Option("--quick", help="Coarse grids and few contacts: seconds.")] = False,
+    quick: Annotated[
+        bool, typer.Option("--quick", help="Coarse grids and few contacts: seconds.")
+    ] = False,
     robustness: Draws = None,
     seed: Seed = None,
     as_json: Json = False,
@@ -47,18 +55,24 @@ def verify(
     if robustness is not None and section:
         raise CaseError(["--robustness, --section: found together; allowed: one of them"])
     if robustness is None and seed is not None:
-        raise CaseError(["--seed: found without --robustness; it is the seed of the random contacts"])
+        raise CaseError(
+            ["--seed: found without --robustness; it is the seed of the random contacts"]
+        )
     prepare()
     if robustness is None:
         directory = None if as_json and output is None else output or DIRECTORY
         sections = _page(list(section or SectionName), directory, quick=quick, quiet=quiet)
     else:
         directory = output or DIRECTORY
-        sections = [_sweep(robustness, SEED if seed is None else seed, directory, quick=quick, quiet=quiet)]
+        sections = [
+            _sweep(robustness, SEED if seed is None else seed, directory, quick=quick, quiet=quiet)
+        ]
     return _tell(sections, directory, as_json=as_json, quiet=quiet)
 
 
-def _page(names: list[SectionName], directory: Path | None, *, quick: bool, quiet: bool) -> list[Section]:
+def _page(
+    names: list[SectionName], directory: Path | None, *, quick: bool, quiet: bool
+) -> list[Section]:
     from ..verification.run import PAGE, check_page, run_sections, write_page
 
     if directory is not None:
@@ -82,7 +96,9 @@ def _sweep(draws: int, seed: int, directory: Path, *, quick: bool, quiet: bool) 
         with progress_bar(quiet=quiet) as progress:
             finished = sweep(draws, seed, directory / SWEEP, progress, points)
     except KeyboardInterrupt:
-        say(f"finished contacts are kept in {directory / SWEEP}; the same command goes on with them")
+        say(
+            f"finished contacts are kept in {directory / SWEEP}; the same command goes on with them"
+        )
         raise
     section = robustness_section(finished, seed, points)
     with finish_first(f"results in {directory}"):
@@ -115,5 +131,7 @@ def _table(sections: list[Section]) -> Table:
 
     table = Table("statement", "found", "wanted", "holds")
     for check in (check for section in sections for check in section.checks):
-        table.add_row(check.name, f"{check.value:.4g}", check.bounds, "yes" if check.passed else "no")
+        table.add_row(
+            check.name, f"{check.value:.4g}", check.bounds, "yes" if check.passed else "no"
+        )
     return table

@@ -1,7 +1,5 @@
 """Commands that look at results: view."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from enum import StrEnum
 from pathlib import Path
@@ -32,22 +30,34 @@ def view(
         Path | None, typer.Option(metavar="FILE.png", help="Write a picture, open no window.")
     ] = None,
     html: Annotated[
-        Path | None, typer.Option(metavar="FILE.html", help="Write a page to turn in a browser, open no window.")
+        Path | None,
+        typer.Option(
+            metavar="FILE.html", help="Write a page to turn in a browser, open no window."
+        ),
     ] = None,
-    movie: Annotated[Path | None, typer.Option(metavar="FILE.gif", help="Write one turn, open no window.")] = None,
+    movie: Annotated[
+        Path | None, typer.Option(metavar="FILE.gif", help="Write one turn, open no window.")
+    ] = None,
     quantity: Annotated[Quantity, typer.Option(help="What the colours show.")] = Quantity.FILM,
     magnification: Annotated[
-        float | None, typer.Option(min=1.0, max=1e3, help="Of the patches; default: so that they can be seen.")
+        float | None,
+        typer.Option(min=1.0, max=1e3, help="Of the patches; default: so that they can be seen."),
     ] = None,
-    exaggeration: Annotated[float, typer.Option(min=0.0, max=1e6, help="Film drawn as height, times this.")] = 0.0,
+    exaggeration: Annotated[
+        float, typer.Option(min=0.0, max=1e6, help="Film drawn as height, times this.")
+    ] = 0.0,
 ) -> int:
     """Look at results in three dimensions."""
     if not directory.is_dir():
-        raise CaseError([f"{directory}: no such directory; allowed: a directory of results of 'oilfilm run'"])
+        raise CaseError(
+            [f"{directory}: no such directory; allowed: a directory of results of 'oilfilm run'"]
+        )
     from postprocess.scene import scene
 
     factors = None if magnification is None else (magnification, magnification)
-    options = scene.SceneOptions(quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration)
+    options = scene.SceneOptions(
+        quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration
+    )
     try:
         if screenshot is not None:
             say(f"picture in {scene.screenshot(directory, screenshot, options)}")

@@ -1,4 +1,6 @@
-"""From the units of case files to SI, once: tables of `schema` to the dataclasses of `ehl` and `bearing`."""
+"""From the units of case files to SI, once: tables of `schema` to the dataclasses of `ehl` and
+`bearing`.
+"""
 
 from .bearing import bearing, operating_bearing, rating
 from .contact import contact, contact_defaults, solver_options

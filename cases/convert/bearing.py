@@ -1,7 +1,5 @@
 """[bearing], [fit] and [temperatures]."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from math import radians
 
@@ -21,8 +19,15 @@ def bearing(file: BearingFile) -> Bearing:
     table = file.bearing
     ball, inner, outer = ring_materials(table)
     library = materials(file, (ball, inner, outer))
-    optional = {"bore": table.bore_mm, "outside_diameter": table.outside_diameter_mm, "width": table.width_mm}
-    optional |= {f"{r}_shoulder_diameter": getattr(table, f"{r}_shoulder_diameter_mm") for r in ("inner", "outer")}
+    optional = {
+        "bore": table.bore_mm,
+        "outside_diameter": table.outside_diameter_mm,
+        "width": table.width_mm,
+    }
+    optional |= {
+        f"{r}_shoulder_diameter": getattr(table, f"{r}_shoulder_diameter_mm")
+        for r in ("inner", "outer")
+    }
     return Bearing(
         name=table.name or file.title or "bearing",
         ball_diameter=mm(table.ball_diameter_mm),
@@ -45,22 +50,34 @@ def _clearance(table: BearingTable) -> float:
         return table.diametral_clearance_um * UM
     assert table.free_contact_angle_deg is not None  # checked before
     lengths = (table.inner_groove_radius_mm, table.outer_groove_radius_mm, table.ball_diameter_mm)
-    return contact_angle_to_clearance(radians(table.free_contact_angle_deg), *(mm(length) for length in lengths))
+    return contact_angle_to_clearance(
+        radians(table.free_contact_angle_deg), *(mm(length) for length in lengths)
+    )
 
 
-def operating_bearing(file: BearingFile, operation: Operation) -> tuple[Bearing, ClearanceBudget | None]:
-    """The bearing with its clearance in operation [m], and what made it that; None without [fit] and [temperatures]."""
+def operating_bearing(
+    file: BearingFile, operation: Operation
+) -> tuple[Bearing, ClearanceBudget | None]:
+    """The bearing with its clearance in operation [m], and what made it that; None without [fit]
+    and [temperatures].
+    """
     given = bearing(file)
     if file.fit is None and file.temperatures is None:
         return given, None
-    fit, warming = seats(file), None
+    fit = seats(file)
+    warming = None
     if file.temperatures is not None:
         at = file.temperatures
         mounts = {
             "shaft": at.inner_ring_C if at.shaft_C is None else at.shaft_C,
             "housing": at.outer_ring_C if at.housing_C is None else at.housing_C,
         }
-        parts = {"inner_ring": at.inner_ring_C, "outer_ring": at.outer_ring_C, "ball": at.ball_C, **mounts}
+        parts = {
+            "inner_ring": at.inner_ring_C,
+            "outer_ring": at.outer_ring_C,
+            "ball": at.ball_C,
+            **mounts,
+        }
         warming = Warming(**{part: value - at.reference_C for part, value in parts.items()})
     budget = clearance_budget(given, operation, fit, warming)
     if warming is not None:
@@ -73,7 +90,8 @@ def seats(file: BearingFile) -> Fit | None:
     if file.fit is None:
         return None
     shaft, housing = seat_materials(file)
-    library, table = materials(file, (shaft, housing)), file.fit
+    library = materials(file, (shaft, housing))
+    table = file.fit
     outside = table.housing_outside_diameter_mm
     return Fit(
         shaft_material=library[shaft],
@@ -96,11 +114,15 @@ def _warm_cage(file: BearingFile, given: Bearing, warming: Warming) -> CageClear
     land = None
     if cage is not None and cage.guided_by in races and cage.land_diameter_mm is not None:
         land = races[cage.guided_by], cage.land_diameter_mm * MM
-    return cage_clearance(given, materials(file, (name,))[name], warming, at.cage_C - at.reference_C, land)
+    return cage_clearance(
+        given, materials(file, (name,))[name], warming, at.cage_C - at.reference_C, land
+    )
 
 
 def rating(file: BearingFile) -> RatingInput:
-    """What the rating life needs beyond the loads: C_r, C_0 [N], nominal contact angle [rad], e_C [-]."""
+    """What the rating life needs beyond the loads: C_r, C_0 [N], nominal contact angle [rad], e_C
+    [-].
+    """
     table = file.bearing
     angle, capacity = table.nominal_contact_angle_deg, table.basic_dynamic_rating_kN
     static = table.basic_static_rating_kN

@@ -1,7 +1,5 @@
 """[contact] and [ehl]."""
 
-from __future__ import annotations
-
 from math import radians
 from typing import Any
 
@@ -17,7 +15,8 @@ from .units import GPA, UM, mm
 
 def contact(file: ContactFile, oil: Lubricant) -> ContactConditions | MoesConditions:
     """The single contact: load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-]."""
-    table, angle = file.contact, radians(file.contact.entrainment_angle_deg)
+    table = file.contact
+    angle = radians(file.contact.entrainment_angle_deg)
     if table.moes_M is not None and table.moes_L is not None:
         ratio = 1.0 if table.radius_ratio is None else table.radius_ratio
         return MoesConditions(
@@ -62,8 +61,14 @@ def _coating(file: ContactFile) -> Coating | None:
 
 
 def contact_defaults(file: ContactFile) -> dict[str, Any]:
-    """Keys of [contact] that may be left out, of dimensional input or of Moes' groups, with their values."""
-    return {"radius_ratio": 1.0} if file.contact.moes_M is not None else {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}
+    """Keys of [contact] that may be left out, of dimensional input or of Moes' groups, with their
+    values.
+    """
+    return (
+        {"radius_ratio": 1.0}
+        if file.contact.moes_M is not None
+        else {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}
+    )
 
 
 def _reduced_modulus(file: ContactFile) -> float:

@@ -1,7 +1,5 @@
 """[dynamics] and what it needs of [cage]."""
 
-from __future__ import annotations
-
 from math import radians
 from typing import Any
 
@@ -13,7 +11,10 @@ from ..schema.friction import CageTable
 from .materials import materials
 from .units import MM, RPM, UM
 
-GRAM, G_MM, G_MM2 = 1e-3, 1e-6, 1e-9  # in SI
+# in SI
+GRAM = 1e-3
+G_MM = 1e-6
+G_MM2 = 1e-9
 SAMPLES = 2000  # of a history by default
 GUIDES = {"balls": "BALLS", "inner ring": "INNER_RING", "outer ring": "OUTER_RING"}
 
@@ -23,10 +24,13 @@ def dynamics_plan(file: BearingFile) -> DynamicsPlan:
     table = file.dynamics
     assert table is not None  # checked before
     interval, speeds = table.output_interval_us, table.speed_table_rpm
-    own, names = file.bearing.cage_material, () if file.bearing.cage_material is None else (file.bearing.cage_material,)
+    own = file.bearing.cage_material
+    names = () if file.bearing.cage_material is None else (file.bearing.cage_material,)
     return DynamicsPlan(
         end_time=table.end_time_s,
-        sample_interval=table.end_time_s / SAMPLES if interval is None else min(interval * UM, table.end_time_s),
+        sample_interval=table.end_time_s / SAMPLES
+        if interval is None
+        else min(interval * UM, table.end_time_s),
         start=table.start,
         equations=table.equations,
         contact_law=table.contact_law,
@@ -36,8 +40,16 @@ def dynamics_plan(file: BearingFile) -> DynamicsPlan:
         tolerance=table.tolerance,
         impact_floor=table.impact_speed_floor_m_s,
         at_centre=table.friction_on == "centre",
-        four_constants=(table.friction_maximum, table.friction_maximum_slide, table.friction_limit),
-        coulomb=(table.friction_coefficient, table.friction_dead_band_m_s, table.friction_full_m_s),
+        four_constants=(
+            table.friction_maximum,
+            table.friction_maximum_slide,
+            table.friction_limit,
+        ),
+        coulomb=(
+            table.friction_coefficient,
+            table.friction_dead_band_m_s,
+            table.friction_full_m_s,
+        ),
         ball_drag=table.ball_drag_N,
         mixture_density=table.mixture_density_kg_m3,
         drag_coefficient=table.drag_coefficient,
@@ -45,7 +57,9 @@ def dynamics_plan(file: BearingFile) -> DynamicsPlan:
         ring_mass=table.ring_mass_kg,
         ring_damping=table.ring_damping_N_s_m,
         unbalance=(table.unbalance_g_mm * G_MM, radians(table.unbalance_phase_deg)),
-        speed_table=None if speeds is None else tuple((time, speed * RPM) for time, speed in speeds),
+        speed_table=None
+        if speeds is None
+        else tuple((time, speed * RPM) for time, speed in speeds),
         load_table=table.load_table_N,
         cage_material=own,
         cage=_cage(file.cage),

@@ -1,6 +1,6 @@
-"""Constants of Tait, Doolittle and Yasutomi of an oil, and the pressure-viscosity coefficient that follows."""
-
-from __future__ import annotations
+"""Constants of Tait, Doolittle and Yasutomi of an oil, and the pressure-viscosity coefficient that
+follows.
+"""
 
 import warnings
 from typing import Any
@@ -23,7 +23,9 @@ SAME_TEMPERATURE = 0.5  # difference up to which constants count as those of a t
 
 
 def free_volume(oil: dict[str, Any], temperature: float) -> dict[str, Any]:
-    """Constants that the keys of an oil give: fields of `Lubricant`, SI; temperature of operation [K]."""
+    """Constants that the keys of an oil give: fields of `Lubricant`, SI; temperature of operation
+    [K].
+    """
     found: dict[str, Any] = {}
     if "tait_bulk_modulus_GPa" in oil:
         found["tait"] = _tait(oil, temperature)
@@ -75,8 +77,11 @@ def _yasutomi(oil: dict[str, Any]) -> YasutomiGlass:
 
 
 def law_coefficient(given: dict[str, Any]) -> float | None:
-    """d(ln eta)/dp at ambient pressure that the constants of the viscosity law give [1/Pa]; None for other laws."""
-    law, temperature = given.get("viscosity_law"), given["temperature"]
+    """d(ln eta)/dp at ambient pressure that the constants of the viscosity law give [1/Pa]; None
+    for other laws.
+    """
+    law = given.get("viscosity_law")
+    temperature = given["temperature"]
     if law is ViscosityLaw.TAIT_DOOLITTLE:
         return pressure_viscosity_doolittle(given["tait"], given["doolittle"], temperature)
     if law is ViscosityLaw.YASUTOMI:
@@ -85,18 +90,23 @@ def law_coefficient(given: dict[str, Any]) -> float | None:
 
 
 def with_coefficient(given: dict[str, Any], oil: dict[str, Any]) -> dict[str, Any]:
-    """Fields of `Lubricant` with the coefficient of the law's constants; one that the case gives must agree with it.
+    """Fields of `Lubricant` with the coefficient of the law's constants; one that the case gives
+    must agree with it.
 
     Raises
     ------
     UnfitKey
         If it does not, or the law does not hold at the temperature.
     """
-    own, key = law_coefficient(given), "pressure_viscosity_1_GPa"
+    own = law_coefficient(given)
+    key = "pressure_viscosity_1_GPa"
     if own is None:
         return given
     if own <= 0.0:
-        raise UnfitKey(("lubricant", "viscosity_law"), "its constants give no viscosity that rises with pressure")
+        raise UnfitKey(
+            ("lubricant", "viscosity_law"),
+            "its constants give no viscosity that rises with pressure",
+        )
     if key in oil and abs(oil[key] / GPA - own) > PRESSURE_VISCOSITY_TOLERANCE * own:
         found = f"found {oil[key]:g}, and the constants of the law give {own * GPA:.4g}"
         raise UnfitKey(("lubricant", key), found, "allowed: left out, or that of the constants")
@@ -104,12 +114,16 @@ def with_coefficient(given: dict[str, Any], oil: dict[str, Any]) -> dict[str, An
 
 
 def tell_temperature(oil: Lubricant, reference: float | None) -> None:
-    """Warn where constants are taken at another temperature [K] than that they hold at, and do not go with it."""
+    """Warn where constants are taken at another temperature [K] than that they hold at, and do not
+    go with it.
+    """
     asked = oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE or oil.density_law is DensityLaw.TAIT
     if reference is None or not asked or oil.temperature is None or oil.tait is None:
         return
     doolittle = oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE and oil.doolittle is not None
-    expansion = oil.doolittle.occupied_expansion if doolittle and oil.doolittle is not None else None
+    expansion = (
+        oil.doolittle.occupied_expansion if doolittle and oil.doolittle is not None else None
+    )
     follows = oil.tait.bulk_modulus_temperature > 0.0 or expansion is not None
     if abs(oil.temperature - reference) > SAME_TEMPERATURE and not follows:
         warnings.warn(

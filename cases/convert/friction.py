@@ -1,7 +1,5 @@
 """[friction], [cage] and the shear law of the oil."""
 
-from __future__ import annotations
-
 import re
 import warnings
 from math import hypot
@@ -22,13 +20,15 @@ from .materials import materials, ring_materials
 from .units import KN, MM, MPA, UM
 
 ML_MIN = 1e-6 / 60.0  # mL/min [m^3/s]
-LIMITING_COEFFICIENT = 0.047  # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
+# tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
+LIMITING_COEFFICIENT = 0.047
 OTHER_ANGULAR = "other single row"
 
 
 def friction(file: BearingFile) -> FrictionInput:
     """What the friction models ask: ratings [N], lengths [m]."""
-    table, rating = file.friction, file.bearing.basic_static_rating_kN
+    table = file.friction
+    rating = file.bearing.basic_static_rating_kN
     return FrictionInput(
         coefficient=table.coefficient,
         lubrication=Lubrication(table.lubrication),
@@ -86,7 +86,8 @@ def _cage(file: BearingFile) -> Cage | None:
     guided = table.guided_by != "balls"
     lengths = (table.land_diameter_mm, table.land_width_mm, table.land_clearance_um)
     diameter, width, clearance = (
-        None if value is None or not guided else value * unit for value, unit in zip(lengths, (MM, MM, UM), strict=True)
+        None if value is None or not guided else value * unit
+        for value, unit in zip(lengths, (MM, MM, UM), strict=True)
     )
     return Cage(
         pocket_friction=table.pocket_friction,
@@ -99,13 +100,20 @@ def _cage(file: BearingFile) -> Cage | None:
 
 def series_of(name: str) -> str | None:
     """SKF's series by the designation of a bearing, None where it tells none [-]."""
-    found = re.match(r"^(6[0-4]|7[0-3]|16[01]|61[789])\d{2}\s*(AC|B|C|CD|ACD)?", name.strip().upper())
+    found = re.match(
+        r"^(6[0-4]|7[0-3]|16[01]|61[789])\d{2}\s*(AC|B|C|CD|ACD)?", name.strip().upper()
+    )
     if found is None:
         return None
     series, suffix = found.groups()
     if series.startswith("6") or series.startswith("16"):
         return {"617": "617", "618": "618", "619": "619"}.get(series, series)
-    known = {("72", "B"): "72 B", ("73", "B"): "73 B", ("72", "AC"): "72 AC", ("73", "AC"): "73 AC"}
+    known = {
+        ("72", "B"): "72 B",
+        ("73", "B"): "73 B",
+        ("72", "AC"): "72 AC",
+        ("73", "AC"): "73 AC",
+    }
     return known.get((series, suffix or ""), OTHER_ANGULAR)
 
 
@@ -130,7 +138,8 @@ def _solids(file: BearingFile | ContactFile) -> tuple[SolidThermal, SolidThermal
     else:
         assert file.contact.material_1 and file.contact.material_2  # checked before
         ball, race = file.contact.material_1, file.contact.material_2
-    library, bodies = materials(file, (ball, race)), []
+    library = materials(file, (ball, race))
+    bodies = []
     for name in (ball, race):
         body = library[name]
         if body.thermal_conductivity is None or body.specific_heat is None:
@@ -139,7 +148,11 @@ def _solids(file: BearingFile | ContactFile) -> tuple[SolidThermal, SolidThermal
                 'ehl.film_model = "thermal"'
             )
         bodies.append(
-            SolidThermal(conductivity=body.thermal_conductivity, density=body.density, specific_heat=body.specific_heat)
+            SolidThermal(
+                conductivity=body.thermal_conductivity,
+                density=body.density,
+                specific_heat=body.specific_heat,
+            )
         )
     return bodies[0], bodies[1]
 
@@ -149,17 +162,22 @@ def rheology(file: BearingFile | ContactFile, oil: Lubricant) -> Rheology:
     keys, _ = oil_table(file.model_dump(exclude_none=True))
     law = ShearLaw(keys.get("rheology", "ree-eyring"))
     coefficient = keys.get("limiting_stress_coefficient")
-    assumed, eyring = [], keys.get("eyring_stress_MPa")
+    assumed = []
+    eyring = keys.get("eyring_stress_MPa")
     if law is ShearLaw.REE_EYRING and eyring is None and oil.pressure_viscosity == 0.0:
         law = ShearLaw.NEWTONIAN  # nothing to take a stress from, nor a need of one
     if coefficient is None and law is not ShearLaw.NEWTONIAN:
         coefficient = LIMITING_COEFFICIENT
-        assumed.append(f"limiting_stress_coefficient = {coefficient:g} (paraffinic mineral oil, Arana et al., 2019)")
+        assumed.append(
+            f"limiting_stress_coefficient = {coefficient:g} (paraffinic mineral oil, Arana et al., 2019)"
+        )
     if law is ShearLaw.REE_EYRING and eyring is None:
         eyring = 2.0 * LIMITING_COEFFICIENT / oil.pressure_viscosity / MPA
         assumed.append(f"eyring_stress_MPa = {eyring:.3g} (2 Lambda/alpha, Arana et al., 2019)")
     if assumed:
-        warnings.warn(f"lubricant: the shear of the oil is assumed: {', '.join(assumed)}", stacklevel=2)
+        warnings.warn(
+            f"lubricant: the shear of the oil is assumed: {', '.join(assumed)}", stacklevel=2
+        )
     constants: dict[str, Any] = {"limiting_coefficient": coefficient}
     if eyring is not None and law is ShearLaw.REE_EYRING:
         constants["eyring_stress"] = eyring * MPA

@@ -1,7 +1,5 @@
 """[friction] heat_transfer_W_K and what belongs to it: the heat balance of a bearing."""
 
-from __future__ import annotations
-
 from bearing.heating.heat_balance import Cooling
 from ehl import Lubricant
 
@@ -30,19 +28,26 @@ def heating(file: BearingFile, oil: Lubricant) -> HeatingPlan | None:
     if flow:
         if oil.thermal is None:
             key = "supply_mL_min" if table.cooling_oil_mL_min is None else "cooling_oil_mL_min"
-            raise UnfitKey(("friction", key), "the heat that oil carries needs lubricant.specific_heat_J_kg_K")
+            raise UnfitKey(
+                ("friction", key), "the heat that oil carries needs lubricant.specific_heat_J_kg_K"
+            )
         carried = flow * ML_MIN * oil.density * oil.thermal.specific_heat
     ambient = table.ambient_C + ZERO_CELSIUS
     supply = ambient if table.cooling_oil_C is None else table.cooling_oil_C + ZERO_CELSIUS
-    cooling = Cooling(conductance=table.heat_transfer_W_K, ambient=ambient, oil_flow=carried, oil_supply=supply)
+    cooling = Cooling(
+        conductance=table.heat_transfer_W_K, ambient=ambient, oil_flow=carried, oil_supply=supply
+    )
 
     def at(kelvin: float) -> Lubricant:
         warm = file.operation.model_copy(update={"temperature_C": kelvin - ZERO_CELSIUS})
         return lubricant(file.model_copy(update={"operation": warm}))
 
-    rings, reference, excess = file.temperatures, None, 0.0
+    rings = file.temperatures
+    reference = None
+    excess = 0.0
     if rings is not None:
-        reference, excess = rings.reference_C + ZERO_CELSIUS, 0.5 * (rings.inner_ring_C - rings.outer_ring_C)
+        reference = rings.reference_C + ZERO_CELSIUS
+        excess = 0.5 * (rings.inner_ring_C - rings.outer_ring_C)
     elif file.fit is not None:
         reference = REFERENCE
     return HeatingPlan(
@@ -56,4 +61,5 @@ def heating(file: BearingFile, oil: Lubricant) -> HeatingPlan | None:
     )
 
 
-REFERENCE = 293.15  # at which fits were measured where no [temperatures] tells it, as `TemperaturesTable` has it [K]
+# at which fits were measured where no [temperatures] tells it, as `TemperaturesTable` has it [K]
+REFERENCE = 293.15

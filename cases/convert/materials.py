@@ -1,7 +1,5 @@
 """Materials, the case's own and those of the library."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from bearing.library.names import matching_name
@@ -19,7 +17,9 @@ THERMAL = {  # field: key of [materials.NAME] and its unit in SI
 
 
 def materials(file: BearingFile | ContactFile, names: tuple[str, ...]) -> dict[str, Material]:
-    """The named materials, the case's own before those of the library; modulus [Pa], density [kg/m^3]."""
+    """The named materials, the case's own before those of the library; modulus [Pa], density
+    [kg/m^3].
+    """
     found = {}
     for name in names:
         own = file.materials.get(name)
@@ -28,9 +28,13 @@ def materials(file: BearingFile | ContactFile, names: tuple[str, ...]) -> dict[s
 
 
 def _material(name: str, table: MaterialTable) -> Material:
-    """A material of the case's own; kind and thermal data of the library's where it has the name of one [1/K, SI]."""
+    """A material of the case's own; kind and thermal data of the library's where it has the name
+    of one [1/K, SI].
+    """
     library = load_material(name) if matching_name(name, list_materials()) else None
-    kind = MaterialKind(table.kind) if table.kind else library.kind if library else MaterialKind.OTHER
+    kind = (
+        MaterialKind(table.kind) if table.kind else library.kind if library else MaterialKind.OTHER
+    )
     thermal: dict[str, Any] = {field: library and getattr(library, field) for field in THERMAL}
     given = {field: (getattr(table, key), unit) for field, (key, unit) in THERMAL.items()}
     thermal |= {field: value * unit for field, (value, unit) in given.items() if value is not None}
@@ -52,7 +56,11 @@ def material_table(material: Material) -> dict[str, Any]:
         "youngs_modulus_GPa": rounded(material.youngs_modulus / GPA),
         "poisson_ratio": material.poisson_ratio,
         "density_kg_m3": rounded(material.density),
-        **{key: rounded(value / unit) for key, (value, unit) in thermal.items() if value is not None},
+        **{
+            key: rounded(value / unit)
+            for key, (value, unit) in thermal.items()
+            if value is not None
+        },
         "kind": material.kind.value,
         "source": material.source,
     }
@@ -60,7 +68,8 @@ def material_table(material: Material) -> dict[str, Any]:
 
 def ring_materials(table: BearingTable) -> tuple[str, str, str]:
     """Names of the materials of balls, inner ring and outer ring [-]."""
-    inner, outer = table.inner_ring_material or table.ring_material, table.outer_ring_material or table.ring_material
+    inner = table.inner_ring_material or table.ring_material
+    outer = table.outer_ring_material or table.ring_material
     assert table.ball_material and inner and outer  # checked before
     return table.ball_material, inner, outer
 

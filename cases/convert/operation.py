@@ -1,7 +1,5 @@
 """[operation], [model] and [slip]."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from bearing.friction.sources import BallTraction
@@ -17,14 +15,20 @@ TRACTION_EQUILIBRIUM = "traction equilibrium"
 
 
 def operation(table: OperationTable) -> Operation:
-    """Speeds [rad/s], temperature [K], and per degree of freedom a load [N, N m] or a displacement [m, rad]."""
+    """Speeds [rad/s], temperature [K], and per degree of freedom a load [N, N m] or a displacement
+    [m, rad].
+    """
     force = table.force_N or (table.axial_load_N or 0.0, table.radial_load_N or 0.0, 0.0)
     displacement = _split(table.displacement_um or (FREE,) * 3, UM)
     free = table.tilt == FREE or table.moment_N_mm is not None
     tilt = _split(table.tilt_mrad or ((FREE,) * 2 if free else (0.0,) * 2), MRAD)
     moment = table.moment_N_mm or (0.0, 0.0)
-    loads: Any = tuple(load if fixed is None else None for load, fixed in zip(force, displacement, strict=True))
-    moments: Any = tuple(load * N_MM if fixed is None else None for load, fixed in zip(moment, tilt, strict=True))
+    loads: Any = tuple(
+        load if fixed is None else None for load, fixed in zip(force, displacement, strict=True)
+    )
+    moments: Any = tuple(
+        load * N_MM if fixed is None else None for load, fixed in zip(moment, tilt, strict=True)
+    )
     return Operation(
         inner_speed=table.inner_speed_rpm * RPM,
         outer_speed=table.outer_speed_rpm * RPM,
@@ -41,9 +45,13 @@ def _split(entries: tuple[Any, ...], unit: float) -> Any:
 
 
 def model(file: BearingFile, traction: BallTraction | None = None) -> Model:
-    """Assumptions of the bearing model [-], with the friction of balls on races where the case names it."""
+    """Assumptions of the bearing model [-], with the friction of balls on races where the case
+    names it.
+    """
     kinematics = BallKinematics(kinematics_name(file))
-    return Model(ball_kinematics=kinematics, curvature=Curvature(file.model.curvature), traction=traction)
+    return Model(
+        ball_kinematics=kinematics, curvature=Curvature(file.model.curvature), traction=traction
+    )
 
 
 def kinematics_name(file: BearingFile) -> str:

@@ -1,7 +1,5 @@
 """[[rows]]: where rows sit and how they are preloaded."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from math import radians
 
@@ -15,11 +13,15 @@ from .units import MM, UM
 
 
 def rows(file: BearingFile) -> tuple[Row, ...] | None:
-    """Rows with positions and offsets [m], set with the clearance as delivered; None without [[rows]]."""
+    """Rows with positions and offsets [m], set with the clearance as delivered; None without
+    [[rows]].
+    """
     if file.rows is None:
         return None
-    given, found = bearing(file), []
-    at_rest = Model(curvature=Curvature(file.model.curvature))  # where nothing turns, no kinematics counts
+    given = bearing(file)
+    found = []
+    # where nothing turns, no kinematics counts
+    at_rest = Model(curvature=Curvature(file.model.curvature))
     for table in file.rows:
         row = preloaded_row(
             given,

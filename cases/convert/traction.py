@@ -1,7 +1,5 @@
 """[friction] traction: where traction equilibrium takes the friction of balls on races from."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 
@@ -45,7 +43,9 @@ def ball_traction(
         return None
     asked = friction(file)
     resistance = resistance_of(asked.cage, bearing, oil.viscosity, oil.density, asked.oil_fraction)
-    return BallTraction(source=_source(file, bearing, oil, rheology, films), lubricant=oil, resistance=resistance)
+    return BallTraction(
+        source=_source(file, bearing, oil, rheology, films), lubricant=oil, resistance=resistance
+    )
 
 
 def _source(
@@ -56,13 +56,17 @@ def _source(
         assert table.coefficient is not None  # checked before
         return CoulombTraction(friction=table.coefficient)
     if table.traction == "four constants":
-        largest, slide, limit = table.traction_maximum, table.traction_maximum_slide, table.traction_limit
+        largest = table.traction_maximum
+        slide = table.traction_maximum_slide
+        limit = table.traction_limit
         assert largest is not None and slide is not None and limit is not None  # checked before
         return FourConstantTraction(constants=four_constants(largest, slide, limit))
     if table.traction == "table":
         assert table.traction_table is not None  # checked before
         try:
-            tables = read_race_tables(Path(table.traction_table), bearing, oil, rheology, films.solids)
+            tables = read_race_tables(
+                Path(table.traction_table), bearing, oil, rheology, films.solids
+            )
         except ValueError as problem:
             raise UnfitKey(("friction", "traction_table"), str(problem)) from None
         return LawTraction(laws=dict(tables))
@@ -70,8 +74,13 @@ def _source(
 
     options = solver_options(file.ehl)
     options = replace(options, points=min(options.points, FILM_POINTS), tolerance=None)
-    asked, asperities = friction(file), None
+    asked = friction(file)
+    asperities = None
     if asked.roughness is not None:
         inner, outer = asked.roughness
-        asperities = Asperities(inner_roughness=inner, outer_roughness=outer, boundary=asked.boundary)
-    return FilmTraction(solve=FilmSolver(options=options, films=films), rheology=rheology, asperities=asperities)
+        asperities = Asperities(
+            inner_roughness=inner, outer_roughness=outer, boundary=asked.boundary
+        )
+    return FilmTraction(
+        solve=FilmSolver(options=options, films=films), rheology=rheology, asperities=asperities
+    )

@@ -1,11 +1,17 @@
 """Units of case files in SI."""
 
-from __future__ import annotations
-
 from math import pi
 
-MM, UM, GPA, MPA, KN = 1e-3, 1e-6, 1e9, 1e6, 1e3  # in SI
-MPA_S, MM2_S, MRAD, N_MM = 1e-3, 1e-6, 1e-3, 1e-3  # mPa s, mm^2/s, mrad, N mm in SI
+# in SI
+MM = 1e-3
+UM = 1e-6
+GPA = 1e9
+MPA = 1e6
+KN = 1e3
+MPA_S = 1e-3  # mPa s
+MM2_S = 1e-6  # mm^2/s
+MRAD = 1e-3  # mrad
+N_MM = 1e-3  # N mm in SI
 RPM = 2.0 * pi / 60.0  # [rad/s]
 ZERO_CELSIUS = 273.15  # [K]
 DIGITS = 12  # of library values written back into the document; more is noise of the conversion

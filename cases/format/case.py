@@ -1,7 +1,5 @@
 """A case file, read, checked as a whole, and turned into the dataclasses the computation takes."""
 
-from __future__ import annotations
-
 import tomllib
 import warnings
 from collections.abc import Iterable
@@ -53,14 +51,16 @@ from .toml_lines import key_lines
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
 LATER_TABLES = ("load_cases",)
-LATER_VALUES = {
-    ("model", "ball_kinematics"): ("minimum dissipation",),
-}
+LATER_VALUES = {("model", "ball_kinematics"): ("minimum dissipation",)}
 NOT_OFFERED = {
     "minimum dissipation": "not offered, since it jumps between the two race controls and has no balance there; "
     "allowed: 'traction equilibrium', which balances the friction, or one of the race controls (docs/theory/bearing.md)"
 }
-NAMED_TABLES: dict[str, type[Table]] = {"materials": MaterialTable, "lubricants": OilTable, "rows": RowTable}
+NAMED_TABLES: dict[str, type[Table]] = {
+    "materials": MaterialTable,
+    "lubricants": OilTable,
+    "rows": RowTable,
+}
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
 
 
@@ -86,7 +86,8 @@ class Case:
     films: FilmPhysics = NEWTONIAN  # what the films are solved with
     rheology: Rheology | None = None  # how the oil shears
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
-    clearance: ClearanceBudget | None = None  # where fits or temperatures change it; `bearing` has the operating one
+    # where fits or temperatures change it; `bearing` has the operating one
+    clearance: ClearanceBudget | None = None
     rows: tuple[Row, ...] | None = None  # None: a single one
 
 
@@ -134,13 +135,17 @@ def case_from_text(text: str, name: str) -> Case | ContactCase:
 
 
 def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> Case | ContactCase:
-    """The case that a checked file describes; `name` stands for the file in messages, `text` gives their lines."""
+    """The case that a checked file describes; `name` stands for the file in messages, `text` gives
+    their lines.
+    """
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
             case = _bearing_case(file) if isinstance(file, BearingFile) else _contact_case(file)
         except UnfitKey as error:
-            raise CaseError([error.problem.text(name, key_lines(text))], [error.problem]) from error
+            raise CaseError(
+                [error.problem.text(name, key_lines(text))], [error.problem]
+            ) from error
         except ValueError as error:  # a bound of the physics that no table knows
             raise CaseError([f"{name}: {error}"]) from error
     return replace(case, warnings=tuple(str(warning.message) for warning in caught))
@@ -189,11 +194,15 @@ def parse(text: str, name: str) -> dict[str, Any]:
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise CaseError([f"{name}:{_syntax_line(str(error), text)}: not valid TOML: {error}"]) from None
+        raise CaseError(
+            [f"{name}:{_syntax_line(str(error), text)}: not valid TOML: {error}"]
+        ) from None
     except RecursionError:
         raise CaseError([f"{name}:1: not usable: brackets are nested too deeply"]) from None
     except ValueError:
-        raise CaseError([f"{name}:1: not usable: a whole number has thousands of digits"]) from None
+        raise CaseError(
+            [f"{name}:1: not usable: a whole number has thousands of digits"]
+        ) from None
     if not document:
         raise CaseError([f"{name}:1: the file is empty; see 'oilfilm init'"])
     return document
@@ -206,15 +215,25 @@ def _syntax_line(message: str, text: str) -> int:
     return int(numbers[-1]) if numbers else text.count("\n") + 1
 
 
-def check_document(document: dict[str, Any]) -> tuple[BearingFile | ContactFile | None, list[Problem]]:
-    """The checked file, or None, and every problem of a case document (keys and units as in the file)."""
+def check_document(
+    document: dict[str, Any],
+) -> tuple[BearingFile | ContactFile | None, list[Problem]]:
+    """The checked file, or None, and every problem of a case document (keys and units as in the
+    file).
+    """
     if any(key in document for key in SWEEP_TABLES):
-        return None, [Problem(path=(), line=1, found="a sweep", allowed="run it with 'oilfilm batch'")]
+        return None, [
+            Problem(path=(), line=1, found="a sweep", allowed="run it with 'oilfilm batch'")
+        ]
     document, problems = _set_aside(document)
     contact = "contact" in document and "bearing" not in document
     if "contact" in document and "bearing" in document:
         found = "found together with [bearing]"
-        problems.append(Problem(path=("contact",), found=found, allowed="allowed: a bearing, or a single contact"))
+        problems.append(
+            Problem(
+                path=("contact",), found=found, allowed="allowed: a bearing, or a single contact"
+            )
+        )
         document = {key: value for key, value in document.items() if key != "contact"}
     document, more = _with_catalogue(with_library_names(document))
     problems += more
@@ -228,12 +247,18 @@ def check_document(document: dict[str, Any]) -> tuple[BearingFile | ContactFile 
     meant = {(*problem.path[:-1], problem.nearest) for problem in problems if problem.nearest}
     if more:  # of an unknown bearing all is missing
         meant |= {problem.path for problem in problems if problem.path[0:1] == ("bearing",)}
-    return file, [problem for problem in problems if problem.found != MISSING or problem.path not in meant]
+    return file, [
+        problem for problem in problems if problem.found != MISSING or problem.path not in meant
+    ]
 
 
 def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]:
     """Take out, with a message, what the format knows and this version does not."""
-    problems = [Problem(path=(key,), found="found", allowed=NOT_SUPPORTED) for key in LATER_TABLES if key in document]
+    problems = [
+        Problem(path=(key,), found="found", allowed=NOT_SUPPORTED)
+        for key in LATER_TABLES
+        if key in document
+    ]
     document = {
         key: dict(value) if isinstance(value, dict) else value
         for key, value in document.items()
@@ -243,25 +268,38 @@ def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]
         if isinstance(document.get(table), dict) and document[table].get(key) in values:
             value = document[table].pop(key)
             allowed = NOT_OFFERED.get(value, NOT_SUPPORTED)
-            problems.append(Problem(path=(table, key), found=f"found {shown(value)}", allowed=allowed))
+            problems.append(
+                Problem(path=(table, key), found=f"found {shown(value)}", allowed=allowed)
+            )
     return document, problems
 
 
 def _with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[Problem]]:
-    """The document with the catalogue's values where [bearing] names an entry and does not override them."""
+    """The document with the catalogue's values where [bearing] names an entry and does not
+    override them.
+    """
     table = document.get("bearing")
     if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
         return document, []
     known = tuple(list_bearings())
     name = matching_name(table["name"], known)
     if name is None:
-        if all(key in table for key in checks.GEOMETRY):  # complete without the catalogue: a name of the user's own
+        # complete without the catalogue: a name of the user's own
+        if all(key in table for key in checks.GEOMETRY):
             return document, []
         nearest = nearest_name(table["name"], known)
         found = f"unknown bearing {shown(table['name'])}"
-        allowed = "" if nearest else "allowed: a name of 'oilfilm list bearings', or a complete geometry"
-        return document, [Problem(path=("bearing", "name"), found=found, allowed=allowed, nearest=nearest)]
-    entry = {key: value for key, value in load_catalogue_entry(name).items() if key in BearingTable.model_fields}
+        allowed = (
+            "" if nearest else "allowed: a name of 'oilfilm list bearings', or a complete geometry"
+        )
+        return document, [
+            Problem(path=("bearing", "name"), found=found, allowed=allowed, nearest=nearest)
+        ]
+    entry = {
+        key: value
+        for key, value in load_catalogue_entry(name).items()
+        if key in BearingTable.model_fields
+    }
     return {**document, "bearing": {**catalogue_values(entry, table), **table, "name": name}}, []
 
 
@@ -270,7 +308,14 @@ def _validate(
 ) -> tuple[BearingFile | ContactFile | None, list[Problem]]:
     if "schema_version" not in document:
         document = {**document, "schema_version": 1}
-        missing = [Problem(path=("schema_version",), line=1, found=MISSING, allowed="needed: schema_version = 1")]
+        missing = [
+            Problem(
+                path=("schema_version",),
+                line=1,
+                found=MISSING,
+                allowed="needed: schema_version = 1",
+            )
+        ]
     else:
         missing = []
     try:
@@ -298,7 +343,10 @@ def _names(values: checks.Values) -> checks.Names:
 def _assumed(values: checks.Values) -> list[Problem]:
     """Names under `assumed` that are no keys of a case file."""
     schema = _schema_of(ContactFile if "contact" in values.document else BearingFile)
-    tables = {table: resolved(schema, node).get("properties", ()) for table, node in schema["properties"].items()}
+    tables = {
+        table: resolved(schema, node).get("properties", ())
+        for table, node in schema["properties"].items()
+    }
     known = {f"{table}.{key}" for table, keys in tables.items() for key in keys}
     problems = []
     for name in values.get("assumed") or ():
@@ -307,19 +355,25 @@ def _assumed(values: checks.Values) -> list[Problem]:
         table, _, rest = name.partition(".")
         if rest.rpartition(".")[2] not in NAMED_TABLES.get(table, Table).model_fields:
             found = f"unknown key {shown(name)}"
-            problems.append(Problem(path=("assumed",), found=found, nearest=nearest_name(name, known)))
+            problems.append(
+                Problem(path=("assumed",), found=found, nearest=nearest_name(name, known))
+            )
     return problems
 
 
 def _bearing_case(file: BearingFile) -> Case:
     from .. import convert
 
-    assumed = {name.removeprefix("bearing.") for name in file.assumed if name.startswith("bearing.")}
+    assumed = {
+        name.removeprefix("bearing.") for name in file.assumed if name.startswith("bearing.")
+    }
     warn_of_estimates(file.bearing.name or "", file.bearing.model_dump(), assumed)
     oil = convert.lubricant(file)
     document = _document(file)
     names = (*convert.ring_materials(file.bearing), *convert.seat_materials(file))
-    document["materials"] = {name: convert.material_table(m) for name, m in convert.materials(file, names).items()}
+    document["materials"] = {
+        name: convert.material_table(m) for name, m in convert.materials(file, names).items()
+    }
     document["lubricant"] = _lubricant_document(document, convert.lubricant_keys(oil, moes=False))
     maps = file.ehl.film_maps
     operation = convert.operation(file.operation)
@@ -389,4 +443,8 @@ def _lubricant_document(document: dict[str, Any], computed: dict[str, Any]) -> d
 def json_schema() -> dict[str, Any]:
     """JSON Schema of case files, for editors."""
     adapter: TypeAdapter[Any] = TypeAdapter(BearingFile | ContactFile)
-    return {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "oilfilm case", **adapter.json_schema()}
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "oilfilm case",
+        **adapter.json_schema(),
+    }

@@ -1,6 +1,6 @@
-"""Which physics the films of a case are solved with: Newtonian, thinning under shear, or with heat."""
-
-from __future__ import annotations
+"""Which physics the films of a case are solved with: Newtonian, thinning under shear, or with
+heat.
+"""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -25,7 +25,8 @@ class FilmPhysics:
 
     model: FilmModel = FilmModel.NEWTONIAN
     rheology: Rheology | None = None
-    solids: tuple[SolidThermal, SolidThermal] | None = None  # body 1, the ball, and body 2, the race
+    # body 1, the ball, and body 2, the race
+    solids: tuple[SolidThermal, SolidThermal] | None = None
 
     def solve(self, conditions: ContactConditions, options: SolverOptions) -> ContactSolution:
         """Film of one contact; lengths in [m], pressures in [Pa]."""

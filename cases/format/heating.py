@@ -1,7 +1,5 @@
 """What a case file says about self-heating."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass
 

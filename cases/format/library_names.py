@@ -1,7 +1,5 @@
 """Names of bearings, materials and oils in a case, spelled as the libraries spell them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 
@@ -10,7 +8,13 @@ from bearing.library.names import matching_name
 from bearing.material import list_materials
 
 MATERIAL_KEYS = {
-    "bearing": ("ring_material", "inner_ring_material", "outer_ring_material", "ball_material", "cage_material"),
+    "bearing": (
+        "ring_material",
+        "inner_ring_material",
+        "outer_ring_material",
+        "ball_material",
+        "cage_material",
+    ),
     "fit": ("shaft_material", "housing_material"),
     "contact": ("material_1", "material_2"),
 }
@@ -28,13 +32,18 @@ ALTERNATIVES = (  # one of a row given in the case replaces the others of the ca
 
 
 def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
-    """The document with names that differ from those known only in case, spaces or hyphens replaced by them."""
+    """The document with names that differ from those known only in case, spaces or hyphens
+    replaced by them.
+    """
     materials = (*_own(document, "materials"), *list_materials())
     for table, keys in MATERIAL_KEYS.items():
         document = _spelled(document, table, keys, materials)
     oil = document.get("lubricant")
-    if isinstance(oil, dict) and isinstance(oil.get("name"), str):  # the library of oils needs NumPy
-        document = _spelled(document, "lubricant", ("name",), (*_own(document, "lubricants"), *list_lubricants()))
+    # the library of oils needs NumPy
+    if isinstance(oil, dict) and isinstance(oil.get("name"), str):
+        document = _spelled(
+            document, "lubricant", ("name",), (*_own(document, "lubricants"), *list_lubricants())
+        )
     return document
 
 
@@ -43,8 +52,11 @@ def _own(document: dict[str, Any], table: str) -> Iterable[str]:
     return own if isinstance(own, dict) else ()
 
 
-def _spelled(document: dict[str, Any], table: str, keys: Iterable[str], names: Iterable[str]) -> dict[str, Any]:
-    found, names = document.get(table), tuple(names)
+def _spelled(
+    document: dict[str, Any], table: str, keys: Iterable[str], names: Iterable[str]
+) -> dict[str, Any]:
+    found = document.get(table)
+    names = tuple(names)
     if not isinstance(found, dict):
         return document
     given = {key: found[key] for key in keys if isinstance(found.get(key), str)}
@@ -55,7 +67,8 @@ def _spelled(document: dict[str, Any], table: str, keys: Iterable[str], names: I
 def catalogue_values(entry: dict[str, Any], table: dict[str, Any]) -> dict[str, Any]:
     """What of a catalogue entry holds beside the keys that a case gives itself.
 
-    Ratings and shoulders of the catalogue belong to its internal geometry: a case that changes that goes without.
+    Ratings and shoulders of the catalogue belong to its internal geometry: a case that changes
+    that goes without.
     """
     for alternatives in ALTERNATIVES:
         if any(key in table for key in alternatives):

@@ -1,6 +1,6 @@
-"""What is wrong with a case file, in words: line, key, what was found, what is allowed, nearest valid name."""
-
-from __future__ import annotations
+"""What is wrong with a case file, in words: line, key, what was found, what is allowed, nearest
+valid name.
+"""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
@@ -10,9 +10,12 @@ from typing import Any
 from .toml_lines import Path, find_line
 
 MISSING = "missing"
-UNITS = frozenset("mm um deg mrad N kN N_mm rpm rad_s m_s C mPa_s mm2_s kg_m3 MPa GPa 1_GPa".split())
+UNITS = frozenset(
+    "mm um deg mrad N kN N_mm rpm rad_s m_s C mPa_s mm2_s kg_m3 MPa GPa 1_GPa".split()
+)
 SIMILARITY = 0.65  # of difflib, from which on a name counts as a slip of another
-OF_BEARINGS = (("operation",), ("model",), ("surface",), ("slip",), ("ehl", "film_maps"))  # not of a single contact
+# not of a single contact
+OF_BEARINGS = (("operation",), ("model",), ("surface",), ("slip",), ("ehl", "film_maps"))
 MOST_NAMES = 12  # shown of a list of allowed keys
 LONGEST_VALUE = 60  # characters of a found value that are shown
 
@@ -40,7 +43,9 @@ class Problem:
 
 
 class UnfitKey(ValueError):  # noqa: N818
-    """A key whose value shows itself unfit when the case is converted; the message has no line yet."""
+    """A key whose value shows itself unfit when the case is converted; the message has no line
+    yet.
+    """
 
     def __init__(self, path: Path, found: str, allowed: str = "") -> None:
         self.problem = Problem(path=path, found=found, allowed=allowed)
@@ -48,7 +53,9 @@ class UnfitKey(ValueError):  # noqa: N818
 
 
 class CaseError(ValueError):
-    """A case that cannot be run; its text has one line for each error, `problems` what is known of their keys."""
+    """A case that cannot be run; its text has one line for each error, `problems` what is known of
+    their keys.
+    """
 
     def __init__(self, messages: Iterable[str], problems: Iterable[Problem] = ()) -> None:
         self.messages, self.problems = tuple(messages), tuple(problems)
@@ -57,7 +64,10 @@ class CaseError(ValueError):
 
 def dotted(path: Path) -> str:
     """The path as table.key; a name that is no bare key of TOML in quotes."""
-    return ".".join(str(key) if str(key).replace("_", "").replace("-", "").isalnum() else f'"{key}"' for key in path)
+    return ".".join(
+        str(key) if str(key).replace("_", "").replace("-", "").isalnum() else f'"{key}"'
+        for key in path
+    )
 
 
 def shown(value: object) -> str:
@@ -75,13 +85,16 @@ def shown(value: object) -> str:
 
 
 def nearest_name(name: str, names: Iterable[str]) -> str | None:
-    """The valid name that `name` most likely means: missing unit suffix, wrong case, or a slip of spelling."""
+    """The valid name that `name` most likely means: missing unit suffix, wrong case, or a slip of
+    spelling.
+    """
     candidates = list(names)
     plain = {candidate.lower(): candidate for candidate in reversed(candidates)}
     if name.lower() in plain:
         return plain[name.lower()]
     for candidate in candidates:
-        start, unit = candidate[: len(name)], candidate[len(name) + 1 :]
+        start = candidate[: len(name)]
+        unit = candidate[len(name) + 1 :]
         if start.lower() == name.lower() and unit in UNITS:
             return candidate
     close = get_close_matches(name.lower(), plain, n=1, cutoff=SIMILARITY)
@@ -99,31 +112,57 @@ def _problem(error: Mapping[str, Any], schema: dict[str, Any]) -> Problem:
     if error["type"] == "extra_forbidden":
         return _unknown(path, schema)
     if error["type"] == "missing":
-        return Problem(path=path, found=MISSING, allowed=f"needed: {allowed_values(schema_node(schema, path))}")
+        return Problem(
+            path=path,
+            found=MISSING,
+            allowed=f"needed: {allowed_values(schema_node(schema, path))}",
+        )
     if error["type"] == "choice":
         return Problem(path=path, found=found, allowed=f"allowed: {error['msg']}")
     node = schema_node(schema, path)
-    nearest = nearest_name(error["input"], node.get("enum", ())) if isinstance(error["input"], str) else None
-    return Problem(path=path, found=found, allowed=f"allowed: {allowed_values(node)}", nearest=nearest)
+    nearest = (
+        nearest_name(error["input"], node.get("enum", ()))
+        if isinstance(error["input"], str)
+        else None
+    )
+    return Problem(
+        path=path, found=found, allowed=f"allowed: {allowed_values(node)}", nearest=nearest
+    )
 
 
 def _unknown(path: Path, schema: dict[str, Any]) -> Problem:
     """A key the table does not have: its nearest name, or the table it belongs to, or all names."""
-    key, parent = str(path[-1]), path[:-1]
+    key = str(path[-1])
+    parent = path[:-1]
     if "contact" in schema["properties"] and path in OF_BEARINGS:
-        return Problem(path=path, found="not used by a single contact", allowed="allowed in a bearing case")
+        return Problem(
+            path=path, found="not used by a single contact", allowed="allowed in a bearing case"
+        )
     names = list(schema_node(schema, parent).get("properties", ()))
     for table, node in schema["properties"].items():
         if table != (parent or ("",))[0] and key in resolved(schema, node).get("properties", ()):
             return Problem(path=path, found="unknown key", allowed=f"{key} belongs in [{table}]")
     if parent and schema_node(schema, (key,)).get("type") not in (None, "object"):
-        return Problem(path=path, found="unknown key", allowed=f"{key} belongs at the top of the file")
+        return Problem(
+            path=path, found="unknown key", allowed=f"{key} belongs at the top of the file"
+        )
     nearest = nearest_name(key, names)
     if nearest and nearest.startswith(key + "_"):
-        return Problem(path=path, found="unknown key", allowed="keys end in their unit", nearest=nearest)
-    shortened = [*names[:MOST_NAMES], "... (see docs/reference/cases.md)"] if len(names) > MOST_NAMES + 2 else names
+        return Problem(
+            path=path, found="unknown key", allowed="keys end in their unit", nearest=nearest
+        )
+    shortened = (
+        [*names[:MOST_NAMES], "... (see docs/reference/cases.md)"]
+        if len(names) > MOST_NAMES + 2
+        else names
+    )
     listed = "" if nearest else "allowed: " + ", ".join(shortened)
-    return Problem(path=path, found="unknown key" if parent else "unknown name", allowed=listed, nearest=nearest)
+    return Problem(
+        path=path,
+        found="unknown key" if parent else "unknown name",
+        allowed=listed,
+        nearest=nearest,
+    )
 
 
 def resolved(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
@@ -170,5 +209,10 @@ def allowed_values(node: dict[str, Any]) -> str:
             if key in node
         ]
         return f"{word} {' and '.join(limits)}".strip()
-    words = {"string": "text in quotes", "object": "a table", "array": "a list", "boolean": "true or false"}
+    words = {
+        "string": "text in quotes",
+        "object": "a table",
+        "array": "a list",
+        "boolean": "true or false",
+    }
     return words.get(str(kind), "another value")

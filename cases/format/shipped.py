@@ -1,7 +1,5 @@
 """The case files that come with the program, and how a name finds its file."""
 
-from __future__ import annotations
-
 import tomllib
 from pathlib import Path
 
@@ -52,9 +50,15 @@ def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:
     except (OSError, ValueError) as error:  # a name too long, or with a null character
         raise CaseError([f"{text[:200]!r}: not a usable file name: {error}"]) from None
     if directory:
-        raise CaseError([f"{text}: is a directory; allowed: a {kind} file or the name of a shipped {kind}"])
+        raise CaseError(
+            [f"{text}: is a directory; allowed: a {kind} file or the name of a shipped {kind}"]
+        )
     if special:
-        raise CaseError([f"{text}: is not a regular file; allowed: a {kind} file or the name of a shipped {kind}"])
+        raise CaseError(
+            [
+                f"{text}: is not a regular file; allowed: a {kind} file or the name of a shipped {kind}"
+            ]
+        )
     nearest = nearest_name(path.stem, [*cases, *(local.stem for local in _local_cases(path))])
     hint = f"did you mean {nearest!r}?" if nearest else f"see 'oilfilm list {kind}s'"
     raise CaseError([f"{text}: no such file, and no shipped {kind} has this name; {hint}"])

@@ -1,13 +1,14 @@
 """Where the keys of a TOML document stand: `tomllib` tells values, not lines."""
 
-from __future__ import annotations
-
 import re
 
 Path = tuple[str | int, ...]
 
 _KEY = re.compile(r"""\s*(?:"((?:[^"\\]|\\.)*)"|'([^']*)'|([A-Za-z0-9_-]+))\s*(\.|=|\]|,|\})?""")
-_OPAQUE = re.compile(r'"""(?:[^\\]|\\.)*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|\#[^\n]*', re.DOTALL)
+_OPAQUE = re.compile(
+    r'"""(?:[^\\]|\\.)*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|\#[^\n]*',
+    re.DOTALL,
+)
 
 
 def key_lines(text: str) -> dict[Path, int]:
@@ -21,8 +22,8 @@ def key_lines(text: str) -> dict[Path, int]:
     Returns
     -------
     dict
-        Path (table, ..., key; an index for each array of tables) to line number [-], counted from 1. Keys of inline
-        tables have the line of the statement they stand in.
+        Path (table, ..., key; an index for each array of tables) to line number [-], counted from
+        1. Keys of inline tables have the line of the statement they stand in.
     """
     lines: dict[Path, int] = {}
     table: Path = ()
@@ -44,7 +45,9 @@ def key_lines(text: str) -> dict[Path, int]:
 
 
 def find_line(lines: dict[Path, int], path: Path) -> int:
-    """Line [-] of `path`, or of the nearest table around it that stands in the file; 1 if none does."""
+    """Line [-] of `path`, or of the nearest table around it that stands in the file; 1 if none
+    does.
+    """
     for depth in range(len(path), 0, -1):
         if path[:depth] in lines:
             return lines[path[:depth]]
@@ -52,9 +55,13 @@ def find_line(lines: dict[Path, int], path: Path) -> int:
 
 
 def _statements(text: str) -> list[tuple[int, str]]:
-    """Headers and key-value pairs with the line each begins on; strings and brackets may run over several lines."""
+    """Headers and key-value pairs with the line each begins on; strings and brackets may run over
+    several lines.
+    """
     plain = _OPAQUE.sub(lambda match: "_" * len(match[0]), text)  # nothing but structure is left
-    found, start, depth = [], 0, 0
+    found = []
+    start = 0
+    depth = 0
     for position, character in enumerate(plain + "\n"):
         if character in "[{":
             depth += 1
@@ -63,19 +70,26 @@ def _statements(text: str) -> list[tuple[int, str]]:
         elif character == "\n" and depth <= 0:
             statement = text[start:position]
             first = len(statement) - len(statement.lstrip())
-            if plain[start + first : start + first + 1] not in ("", "\n") and not statement.lstrip().startswith("#"):
+            if plain[start + first : start + first + 1] not in (
+                "",
+                "\n",
+            ) and not statement.lstrip().startswith("#"):
                 found.append((text.count("\n", 0, start + first) + 1, statement.strip()))
-            start, depth = position + 1, 0
+            start = position + 1
+            depth = 0
     return found
 
 
 def _dotted(statement: str) -> list[str]:
     """The keys a statement opens with: `a."b c".d = 1` gives a, b c, d."""
-    keys, position = [], 0
+    keys = []
+    position = 0
     while match := _KEY.match(statement, position):
         quoted, literal, bare, after = match.groups()
         keys.append(
-            quoted.encode().decode("unicode_escape") if quoted and "\\" in quoted else quoted or literal or bare or ""
+            quoted.encode().decode("unicode_escape")
+            if quoted and "\\" in quoted
+            else quoted or literal or bare or ""
         )
         position = match.end()
         if after != ".":

@@ -1,7 +1,5 @@
 """Run a case: equilibrium of the bearing, then the film of every distinct contact."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from time import perf_counter
 
@@ -40,7 +38,10 @@ class Interrupted(Exception):  # noqa: N818
 
 
 def run_case(
-    case: Case, workers: int | None = None, progress: Progress | None = None, solve: Solve | None = None
+    case: Case,
+    workers: int | None = None,
+    progress: Progress | None = None,
+    solve: Solve | None = None,
 ) -> BearingResults:
     """Solve the bearing and the film of its contacts.
 
@@ -73,7 +74,10 @@ def run_case(
     start = perf_counter()
     solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
     solutions, interrupted = solve_contacts(wanted, case.solver, workers, notify, solver)
-    timing |= {"contacts": perf_counter() - start, "total": sum(timing.values()) + perf_counter() - start}
+    timing |= {
+        "contacts": perf_counter() - start,
+        "total": sum(timing.values()) + perf_counter() - start,
+    }
     if interrupted:
         messages = (*messages, "interrupted: the films that were not finished are null")
     tractions, torque = _friction(case, state, contacts, solutions, timing)
@@ -85,7 +89,12 @@ def run_case(
         contacts=contacts,
         solutions=solutions,
         frequencies=bearing_frequencies(state),
-        messages=(*case.warnings, *case.films.messages, *traction_messages(state, contacts), *messages),
+        messages=(
+            *case.warnings,
+            *case.films.messages,
+            *traction_messages(state, contacts),
+            *messages,
+        ),
         interrupted=interrupted,
         timing=timing,
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
@@ -100,7 +109,9 @@ def run_case(
 
 
 def _equilibrium(case: Case, model: Model) -> QuasistaticSolution:
-    """Loads, angles and motion of the balls; on Ctrl-C, while films are solved for the traction, `Interrupted`."""
+    """Loads, angles and motion of the balls; on Ctrl-C, while films are solved for the traction,
+    `Interrupted`.
+    """
     try:
         return solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
     except KeyboardInterrupt:
@@ -114,7 +125,9 @@ def _friction(
     solutions: Sequence[ContactSolution | None],
     timing: dict[str, float],
 ) -> tuple[tuple[ContactTraction | None, ...], TorqueBreakdown | None]:
-    """Shear of the contacts, with the balls in traction equilibrium where that was found, and the friction torque."""
+    """Shear of the contacts, with the balls in traction equilibrium where that was found, and the
+    friction torque.
+    """
     start = perf_counter()
     torque = _torque(case, state, contacts, solutions)
     tractions = _tractions(case, state, contacts, solutions)
@@ -139,7 +152,9 @@ def _tractions(
             return None
         return contact_traction(state, contact, film, rheology)
 
-    return tuple(traction(contact, film) for contact, film in zip(contacts, solutions, strict=True))
+    return tuple(
+        traction(contact, film) for contact, film in zip(contacts, solutions, strict=True)
+    )
 
 
 def _torque(
@@ -148,16 +163,22 @@ def _torque(
     contacts: Sequence[BearingContact],
     solutions: Sequence[ContactSolution | None],
 ) -> TorqueBreakdown | None:
-    """Friction torque by every model; the integrated one needs a friction law, or the films of all contacts."""
+    """Friction torque by every model; the integrated one needs a friction law, or the films of all
+    contacts.
+    """
     if case.friction is None or not state.converged:
         return None
     shear = None
     if state.operation.inner_speed != state.operation.outer_speed:
         shear = _law_shear(state, contacts) or _film_shear(case, state, contacts, solutions)
-    return torque_breakdown(state, contacts, case.lubricant, case.friction, shear=shear, solutions=solutions)
+    return torque_breakdown(
+        state, contacts, case.lubricant, case.friction, shear=shear, solutions=solutions
+    )
 
 
-def _law_shear(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> SolvedShear | None:
+def _law_shear(
+    state: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> SolvedShear | None:
     """Torque by the friction law that the case names; None where it takes that of its films."""
     traction = state.model.traction
     if traction is None or isinstance(traction.source, FilmTraction):
@@ -174,11 +195,16 @@ def _film_shear(
 ) -> SolvedShear | None:
     """Torque by the shear of the films; None unless those of all lubricated contacts converged."""
     solved = [film is not None and film.converged for film in solutions]
-    complete = all(film for film, contact in zip(solved, contacts, strict=True) if contact.loaded) and any(solved)
+    complete = all(
+        film for film, contact in zip(solved, contacts, strict=True) if contact.loaded
+    ) and any(solved)
     if not complete or case.rheology is None or case.friction is None:
         return None
-    asperities, rough = None, case.friction.roughness
+    asperities = None
+    rough = case.friction.roughness
     if rough is not None:
-        asperities = Asperities(inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary)
+        asperities = Asperities(
+            inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary
+        )
     resistance = FREE if state.model.traction is None else state.model.traction.resistance
     return solved_shear(state, contacts, solutions, case.rheology, asperities, resistance)

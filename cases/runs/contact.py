@@ -1,7 +1,5 @@
 """Run of a single contact."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from time import perf_counter
 
@@ -15,10 +13,14 @@ from ..format.film_model import FilmModel
 from ..version import version
 from .films import _shared
 
-FINITE_ELEMENT_MESSAGES = ("finite elements: points are those of the graded mesh, cycles are Newton steps, no FFT",)
+FINITE_ELEMENT_MESSAGES = (
+    "finite elements: points are those of the graded mesh, cycles are Newton steps, no FFT",
+)
 
 
-def run_contact(case: ContactCase, *, finite_element: bool = False, workers: int = 1) -> ContactResults:
+def run_contact(
+    case: ContactCase, *, finite_element: bool = False, workers: int = 1
+) -> ContactResults:
     """Solve a single contact, by multigrid or by finite elements; times in the result are in [s].
 
     A large contact is shared by as many threads as there are `workers` [-].
@@ -29,7 +31,10 @@ def run_contact(case: ContactCase, *, finite_element: bool = False, workers: int
 
         messages = (*messages, *FINITE_ELEMENT_MESSAGES)
         if case.solver.tolerance is not None:
-            messages = (*messages, "ehl.tolerance: not used by finite elements, the film is solved on ehl.points")
+            messages = (
+                *messages,
+                "ehl.tolerance: not used by finite elements, the film is solved on ehl.points",
+            )
     else:
         solve_contact = _contact_solver(case)
     start = perf_counter()
@@ -53,7 +58,11 @@ def _contact_solver(case: ContactCase) -> Callable[..., ContactSolution]:
 
 def _contact_traction(case: ContactCase, solution: ContactSolution) -> TractionResult | None:
     """Shear of a single contact with lengths, None where the film did not converge."""
-    if not isinstance(case.conditions, ContactConditions) or case.rheology is None or not solution.converged:
+    if (
+        not isinstance(case.conditions, ContactConditions)
+        or case.rheology is None
+        or not solution.converged
+    ):
         return None
     motion = contact_kinematics(case.conditions, grid_angle=solution.frame_angle)
     return integrate_traction(solution, motion, case.rheology, temperature=case.temperature)

@@ -1,6 +1,6 @@
-"""Run the time simulation of a case: model from the case file, history streamed to disk, restart if interrupted."""
-
-from __future__ import annotations
+"""Run the time simulation of a case: model from the case file, history streamed to disk, restart
+if interrupted.
+"""
 
 import json
 from collections.abc import Callable
@@ -105,13 +105,19 @@ def run_dynamics(
     notify = progress or (lambda done, total, state: None)
     plan = _plan(case, name)
     if tables is not None and plan.friction != "table":
-        raise CaseError([f'{name}: traction tables are for dynamics.friction = "table", found "{plan.friction}"'])
+        raise CaseError(
+            [
+                f'{name}: traction tables are for dynamics.friction = "table", found "{plan.friction}"'
+            ]
+        )
     try:
         model = build_model(case, plan, tables, notify)
         made = simulation(case.bearing, case.operation, model)
         if restart is not None:
             load_restart(made, restart, case_key(case))
-            made.messages.append(f"dynamics: gone on at t = {made.state.time:.6g} s; loads of the summary from there")
+            made.messages.append(
+                f"dynamics: gone on at t = {made.state.time:.6g} s; loads of the summary from there"
+            )
     except ValueError as problem:
         raise CaseError([f"{name}: {problem}"]) from problem
     return _stream(case, made, history, notify)
@@ -119,7 +125,9 @@ def run_dynamics(
 
 def _plan(case: Case, name: str) -> DynamicsPlan:
     if case.dynamics is None:
-        raise CaseError([f"{name}: has no table [dynamics]; it needs end_time_s, see docs/reference/cases.md"])
+        raise CaseError(
+            [f"{name}: has no table [dynamics]; it needs end_time_s, see docs/reference/cases.md"]
+        )
     if case.rows is not None and len(case.rows) > 1:
         raise CaseError([f"{name}: [[rows]]: a simulation takes one row of balls"])
     return case.dynamics
@@ -132,8 +140,10 @@ def case_key(case: Case) -> str:
 
 def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> DynamicsResults:
     """Step, write, count; on Ctrl-C what there is so far goes up with `Interrupted`."""
-    began, tally = perf_counter(), Tally(case.bearing.balls)
-    end, first = made.model.options.end_time, made.state.time
+    began = perf_counter()
+    tally = Tally(case.bearing.balls)
+    end = made.model.options.end_time
+    first = made.state.time
     attributes = _attributes(case)
 
     def results() -> DynamicsResults:
@@ -151,7 +161,8 @@ def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> Dy
         try:
             pieces = made.pieces()
             while True:
-                with finish_first("the samples under way"):  # state, history and tally stay in step
+                # state, history and tally stay in step
+                with finish_first("the samples under way"):
                     record = next(pieces, None)
                     if record is not None:
                         writer.add(record)
@@ -169,7 +180,11 @@ def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> Dy
 
 def _attributes(case: Case) -> dict[str, str | float]:
     """Of the history: what it is of, and the dimensions a picture of it needs [m], [rad]."""
-    attributes: dict[str, str | float] = {"oilfilm": version(), "case": case_key(case), "title": case.title}
+    attributes: dict[str, str | float] = {
+        "oilfilm": version(),
+        "case": case_key(case),
+        "title": case.title,
+    }
     for name in DIMENSIONS:
         value = getattr(case.bearing, name)
         if value is not None:
@@ -180,11 +195,17 @@ def _attributes(case: Case) -> dict[str, str | float]:
 def _assumed(model: DynamicsModel) -> tuple[str, ...]:
     names = [*model.ring.assumed, *(() if model.cage is None else model.cage.assumed)]
     notes = [f"dynamics: {text}" for text in model.notes.values()]
-    return (*notes, f"dynamics: estimated, not given: {', '.join(names)}") if names else tuple(notes)
+    return (
+        (*notes, f"dynamics: estimated, not given: {', '.join(names)}") if names else tuple(notes)
+    )
 
 
-def build_model(case: Case, plan: DynamicsPlan, tables: Path | None, notify: Progress) -> DynamicsModel:
-    """Model of the simulation from a case: options, ring, cage, contact laws, friction, schedule [SI]."""
+def build_model(
+    case: Case, plan: DynamicsPlan, tables: Path | None, notify: Progress
+) -> DynamicsModel:
+    """Model of the simulation from a case: options, ring, cage, contact laws, friction, schedule
+    [SI].
+    """
     notes: dict[str, str] = {}
     model = DynamicsModel(
         options=_options(case, plan),
@@ -203,13 +224,19 @@ def build_model(case: Case, plan: DynamicsPlan, tables: Path | None, notify: Pro
 def _options(case: Case, plan: DynamicsPlan) -> DynamicsOptions:
     drag = 0.0
     if plan.mixture_density is not None:
-        drag = drag_of_mixture(plan.mixture_density, case.bearing.ball_diameter, plan.drag_coefficient)
+        drag = drag_of_mixture(
+            plan.mixture_density, case.bearing.ball_diameter, plan.drag_coefficient
+        )
     elif plan.ball_drag:
         angle = case.bearing.free_contact_angle if case.operation.force[0] else 0.0
         speeds = case.operation.inner_speed, case.operation.outer_speed
-        speed = kinematic_cage_speed(case.bearing, *speeds, angle) * 0.5 * case.bearing.pitch_diameter
+        speed = (
+            kinematic_cage_speed(case.bearing, *speeds, angle) * 0.5 * case.bearing.pitch_diameter
+        )
         if speed == 0.0:
-            raise ValueError("[dynamics] ball_drag_N: counts at the speed of the operation, which is zero")
+            raise ValueError(
+                "[dynamics] ball_drag_N: counts at the speed of the operation, which is zero"
+            )
         drag = plan.ball_drag / speed**2
     return DynamicsOptions(
         end_time=plan.end_time,
@@ -224,13 +251,17 @@ def _options(case: Case, plan: DynamicsPlan) -> DynamicsOptions:
 
 def _cage(case: Case, plan: DynamicsPlan, notes: dict[str, str]) -> CageBody:
     name = plan.cage_material
-    known = name is not None and (name in plan.materials or matching_name(name, list_materials()) is not None)
+    known = name is not None and (
+        name in plan.materials or matching_name(name, list_materials()) is not None
+    )
     material: Material
     if known and name is not None:
         material = plan.materials[name] if name in plan.materials else load_material(name)
     else:
         material = load_material(CAGE_MATERIAL)
-        notes["cage"] = f"cage material {'not given' if name is None else repr(name) + ' unknown'}: {CAGE_MATERIAL}"
+        notes["cage"] = (
+            f"cage material {'not given' if name is None else repr(name) + ' unknown'}: {CAGE_MATERIAL}"
+        )
     return cage_body(case.bearing, material, **plan.cage)
 
 
@@ -247,8 +278,12 @@ def _normal(case: Case, plan: DynamicsPlan) -> NormalContact:
         for race, radius in races.items():
             modulus = contact_modulus(bearing, race)
             printed = plan.race_stiffness == "planar as printed"
-            one: Callable[..., float] = planar_stiffness_as_printed if printed else planar_stiffness
-            stiffness[race] = one(ball, radius, modulus) if printed else one(ball, radius, modulus, race)
+            one: Callable[..., float] = (
+                planar_stiffness_as_printed if printed else planar_stiffness
+            )
+            stiffness[race] = (
+                one(ball, radius, modulus) if printed else one(ball, radius, modulus, race)
+            )
         inner, outer = stiffness[Race.INNER], stiffness[Race.OUTER]
     return NormalContact(
         law=NormalLaw(plan.contact_law),
@@ -275,7 +310,9 @@ def _schedule(case: Case, plan: DynamicsPlan) -> Schedule | None:
         table = np.array(plan.load_table)
         for column in range(3):
             values[:, 2 + column] = np.interp(times, table[:, 0], table[:, 1 + column])
-    return Schedule(time=tuple(times.tolist()), values=tuple(tuple(row) for row in values.tolist()))
+    return Schedule(
+        time=tuple(times.tolist()), values=tuple(tuple(row) for row in values.tolist())
+    )
 
 
 def _friction(
@@ -299,5 +336,7 @@ def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
         found = run_table(case, progress=notify).tables
     else:
         assert case.rheology is not None  # of every bearing case
-        found = read_race_tables(path, case.bearing, case.lubricant, case.rheology, case.films.solids)
+        found = read_race_tables(
+            path, case.bearing, case.lubricant, case.rheology, case.films.solids
+        )
     return RaceFriction(inner=found[Race.INNER], outer=found[Race.OUTER])

@@ -1,7 +1,5 @@
 """Films of the contacts of a bearing, equal ones solved once, in parallel."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
@@ -33,13 +31,16 @@ MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "
 
 def cores() -> int:
     """Cores this process may use [-]."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    return (
+        len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    )
 
 
 def wanted_contacts(
     case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[list[ContactConditions | None], tuple[str, ...]]:
-    """Conditions of the contacts to solve, None for the others, and a message if there is no equilibrium.
+    """Conditions of the contacts to solve, None for the others, and a message if there is no
+    equilibrium.
 
     Parameters
     ----------
@@ -58,17 +59,25 @@ def wanted_contacts(
     if case.film_maps == "all":
         return conditions, ()
     chosen = _chosen_balls(case, contacts)
-    return [conditions[i] if contact.ball in chosen else None for i, contact in enumerate(contacts)], ()
+    return [
+        conditions[i] if contact.ball in chosen else None for i, contact in enumerate(contacts)
+    ], ()
 
 
 def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
-    """Numbers of the balls whose contacts `film_maps` asks for; loaded means that the inner race carries load."""
+    """Numbers of the balls whose contacts `film_maps` asks for; loaded means that the inner race
+    carries load.
+    """
     if case.film_maps == "none":
         return set()
     if case.film_maps == "loaded":
         return {c.ball for c in contacts if c.race.value == "inner" and c.load > 0.0}
     wanted = [degrees(azimuth) for azimuth in case.film_maps if not isinstance(azimuth, str)]
-    return {c.ball for c in contacts if any(ball_at(at, (degrees(c.azimuth),)) is not None for at in wanted)}
+    return {
+        c.ball
+        for c in contacts
+        if any(ball_at(at, (degrees(c.azimuth),)) is not None for at in wanted)
+    }
 
 
 def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
@@ -76,7 +85,9 @@ def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
     for field in fields(first):
         a, b = getattr(first, field.name), getattr(second, field.name)
         if isinstance(a, float) and isinstance(b, float):
-            if not isclose(a, b, rel_tol=EQUAL, abs_tol=EQUAL if field.name in MAY_BE_ZERO else 0.0):
+            if not isclose(
+                a, b, rel_tol=EQUAL, abs_tol=EQUAL if field.name in MAY_BE_ZERO else 0.0
+            ):
                 return False
         elif a != b:
             return False
@@ -100,7 +111,11 @@ def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
 
 def _shared(options: SolverOptions, threads: int) -> SolverOptions:
     """The options with so many threads a contact, if it is large enough to gain by them."""
-    return replace(options, threads=threads) if threads > 1 and options.points >= LARGE_CONTACT else options
+    return (
+        replace(options, threads=threads)
+        if threads > 1 and options.points >= LARGE_CONTACT
+        else options
+    )
 
 
 def solve_contacts(
@@ -110,7 +125,8 @@ def solve_contacts(
     notify: Progress,
     solve: Solve | None,
 ) -> tuple[tuple[ContactSolution | None, ...], bool]:
-    """Films of the distinct contacts, several at a time: the kernels release the interpreter's lock.
+    """Films of the distinct contacts, several at a time: the kernels release the interpreter's
+    lock.
 
     Only if they are large, and fewer than half the workers, does each get several threads.
     """
@@ -118,7 +134,8 @@ def solve_contacts(
     groups = _groups(conditions)
     if not groups:
         return tuple(solutions), False
-    solver, workers = solve or solve_contact, workers or cores()
+    solver = solve or solve_contact
+    workers = workers or cores()
     options = _shared(options, workers // len(groups))
     notify(0, len(groups), "films")
     pool = ThreadPoolExecutor(max_workers=min(workers, len(groups)))

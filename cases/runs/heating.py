@@ -1,7 +1,5 @@
 """A case that warms itself: the temperature at which friction and cooling agree."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace
@@ -28,7 +26,9 @@ def self_heated(case: Case) -> WarmState | None:
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         model = replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
 
-    def torque(state: QuasistaticSolution, contacts: Sequence[BearingContact], oil: Lubricant) -> float:
+    def torque(
+        state: QuasistaticSolution, contacts: Sequence[BearingContact], oil: Lubricant
+    ) -> float:
         return _torque(case, plan.model, state, contacts, oil)
 
     warm = WarmBearing(
@@ -53,7 +53,11 @@ def self_heated(case: Case) -> WarmState | None:
 
 
 def _torque(
-    case: Case, name: str, state: QuasistaticSolution, contacts: Sequence[BearingContact], oil: Lubricant
+    case: Case,
+    name: str,
+    state: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    oil: Lubricant,
 ) -> float:
     """Friction torque by one model [N m].
 

@@ -1,7 +1,5 @@
 """Messages on standard error, and work that an interrupt lets finish."""
 
-from __future__ import annotations
-
 import signal
 import sys
 import threading
@@ -28,7 +26,9 @@ def finish_first(what: str) -> Iterator[None]:
         waiting.append(number)
         say(f"oilfilm: finishing first: {what}")
 
-    previous = {number: signal.signal(number, remember) for number in (signal.SIGINT, signal.SIGTERM)}
+    previous = {
+        number: signal.signal(number, remember) for number in (signal.SIGINT, signal.SIGTERM)
+    }
     try:
         yield
     finally:

@@ -1,6 +1,6 @@
-"""Where the compiled kernels are kept when neither the installation nor the home directory can be written."""
-
-from __future__ import annotations
+"""Where the compiled kernels are kept when neither the installation nor the home directory can be
+written.
+"""
 
 import hashlib
 import os
@@ -20,10 +20,12 @@ VARIABLE = "NUMBA_CACHE_DIR"
 
 
 def ensure_kernel_cache() -> None:
-    """Give numba a folder of this user's own for compiled kernels if it would find none; call before numba is imported.
+    """Give numba a folder of this user's own for compiled kernels if it would find none; call
+    before numba is imported.
 
-    Without one, importing the kernels fails ("no locator available", numba issues 4908 and 5566). A folder that the
-    user has set is left alone. matplotlib gets one, too, without which it complains.
+    Without one, importing the kernels fails ("no locator available", numba issues 4908 and 5566).
+    A folder that the user has set is left alone. matplotlib gets one, too, without which it
+    complains.
     """
     if _in_the_home_directory():
         return
@@ -33,10 +35,11 @@ def ensure_kernel_cache() -> None:
 
 
 def compiled_stamp(kind: str) -> Path | None:
-    """File that stands where the kernels for a kind of work are known to be compiled; None if there is no place for it.
+    """File that stands where the kernels for a kind of work are known to be compiled; None if
+    there is no place for it.
 
-    Its name holds a digest of the kernels' sources and of what compiles them; it lies where numba keeps its own files
-    or, failing that, in the user's cache.
+    Its name holds a digest of the kernels' sources and of what compiles them; it lies where numba
+    keeps its own files or, failing that, in the user's cache.
     """
     spec = find_spec("ehl")
     if spec is None or not spec.origin:
@@ -47,7 +50,9 @@ def compiled_stamp(kind: str) -> Path | None:
     except RuntimeError:  # no home directory
         return None
     folder = Path(os.environ.get(VARIABLE) or folder)
-    whole = repr([kind, kernel_digest(), version(), sys.version, _installed("numba"), platform.machine()])
+    whole = repr(
+        [kind, kernel_digest(), version(), sys.version, _installed("numba"), platform.machine()]
+    )
     return folder / f".oilfilm-compiled-{hashlib.sha256(whole.encode()).hexdigest()[:16]}"
 
 
@@ -79,7 +84,9 @@ def _user_cache() -> Path:
 
 
 def _writable(folder: Path) -> bool:
-    """Whether a file can be made; permission bits alone do not tell for read-only file systems and root."""
+    """Whether a file can be made; permission bits alone do not tell for read-only file systems and
+    root.
+    """
     try:
         with tempfile.TemporaryFile(dir=folder):
             return True

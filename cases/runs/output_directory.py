@@ -1,7 +1,5 @@
 """The folder of a result: complete or not there, and never at the cost of somebody else's files."""
 
-from __future__ import annotations
-
 import json
 import os
 import shutil
@@ -11,14 +9,22 @@ from pathlib import Path
 
 from ..format.problems import CaseError
 
-MANIFEST = ".oilfilm-files.json"  # what we wrote, so that a later run replaces that and nothing else
-LAST = "summary.json"  # removed first and put in place last: where it stands, the result is complete
+# what we wrote, so that a later run replaces that and nothing else
+MANIFEST = ".oilfilm-files.json"
+# removed first and put in place last: where it stands, the result is complete
+LAST = "summary.json"
 
 
 def check_output(directory: Path) -> None:
-    """Whether results can be written to `directory`, before anything is computed; `CaseError` if not."""
+    """Whether results can be written to `directory`, before anything is computed; `CaseError` if
+    not.
+    """
     if directory.exists() and not directory.is_dir():
-        raise CaseError([f"{directory}: is not a directory; allowed with -o: a new directory, or one of results"])
+        raise CaseError(
+            [
+                f"{directory}: is not a directory; allowed with -o: a new directory, or one of results"
+            ]
+        )
     try:
         directory.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=directory if directory.exists() else directory.parent):
@@ -28,14 +34,16 @@ def check_output(directory: Path) -> None:
 
 
 def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str, ...]:
-    """Have `write` fill a temporary folder, and put it in place of `directory` when it is complete.
+    """Have `write` fill a temporary folder, and put it in place of `directory` when it is
+    complete.
 
     Parameters
     ----------
     write : callable
         Writes the results into the folder it is given; returns what could not be written.
     directory : Path
-        Where they belong. If it exists, files of an earlier result are replaced and all others stay.
+        Where they belong. If it exists, files of an earlier result are replaced and all others
+        stay.
 
     Returns
     -------
@@ -51,7 +59,9 @@ def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str
     temporary = Path(tempfile.mkdtemp(prefix=f".{directory.name}-", dir=directory.parent))
     try:
         problems = write(temporary)
-        files = sorted(str(path.relative_to(temporary)) for path in temporary.rglob("*") if path.is_file())
+        files = sorted(
+            str(path.relative_to(temporary)) for path in temporary.rglob("*") if path.is_file()
+        )
         (temporary / MANIFEST).write_text(json.dumps(files, indent=1), encoding="utf-8")
         if directory.exists():
             _replace(temporary, directory, files)
@@ -68,7 +78,11 @@ def _replace(temporary: Path, directory: Path, files: list[str]) -> None:
     earlier = _earlier_files(directory)
     foreign = [name for name in files if name not in earlier and (directory / name).exists()]
     if foreign:
-        raise CaseError([f"{directory / foreign[0]}: not written by oilfilm, will not be replaced; choose another -o"])
+        raise CaseError(
+            [
+                f"{directory / foreign[0]}: not written by oilfilm, will not be replaced; choose another -o"
+            ]
+        )
     (directory / LAST).unlink(missing_ok=True)
     for name in sorted(set(earlier) - set(files)):
         (directory / name).unlink(missing_ok=True)
@@ -82,7 +96,9 @@ def add_to_manifest(directory: Path, name: str) -> None:
     """Note a file made of results, so that a later run takes it away with them."""
     earlier = _earlier_files(directory)
     if earlier and name not in earlier:
-        (directory / MANIFEST).write_text(json.dumps(sorted([*earlier, name]), indent=1), encoding="utf-8")
+        (directory / MANIFEST).write_text(
+            json.dumps(sorted([*earlier, name]), indent=1), encoding="utf-8"
+        )
 
 
 def _earlier_files(directory: Path) -> list[str]:
@@ -91,7 +107,11 @@ def _earlier_files(directory: Path) -> list[str]:
     except (OSError, ValueError):
         return []
     root = directory.resolve()
-    return [name for name in names if isinstance(name, str) and root in (directory / name).resolve().parents]
+    return [
+        name
+        for name in names
+        if isinstance(name, str) and root in (directory / name).resolve().parents
+    ]
 
 
 def _remove_empty(file: Path, directory: Path) -> None:

@@ -1,4 +1,6 @@
-"""Traction tables of both races from a file, refused unless they were made for the bearing and oil that take them."""
+"""Traction tables of both races from a file, refused unless they were made for the bearing and oil
+that take them.
+"""
 
 from __future__ import annotations
 
@@ -27,24 +29,27 @@ NEAR_RADIUS = 0.05  # the same of the rolling radius, which goes with the contac
 def read_race_tables(
     path: Path, bearing: Bearing, oil: Lubricant, rheology: Rheology, solids: Solids | None = None
 ) -> Tables:
-    """Tables of both races for a bearing, an oil and the law by which it shears; with heat, for `solids`.
+    """Tables of both races for a bearing, an oil and the law by which it shears; with heat, for
+    `solids`.
 
     Raises
     ------
     ValueError
-        If the file cannot be read, is damaged, or was made for another bearing or oil; the message begins with its
-        name.
+        If the file cannot be read, is damaged, or was made for another bearing or oil; the message
+        begins with its name.
     """
     return made_for(tables_of_file(path)(oil, rheology), str(path), bearing, oil, rheology, solids)
 
 
 def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
-    """A file read once: its tables of both races, those at the temperature of an oil if it has several temperatures.
+    """A file read once: its tables of both races, those at the temperature of an oil if it has
+    several temperatures.
 
     Raises
     ------
     ValueError
-        As `read_race_tables`; what comes back does if the oil's temperature is out of range, or the oil another one.
+        As `read_race_tables`; what comes back does if the oil's temperature is out of range, or
+        the oil another one.
     """
     try:
         if not holds_temperatures(path):
@@ -64,7 +69,9 @@ def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
 
 
 def _at(found: TemperatureTable, oil: Lubricant, rheology: Rheology) -> TractionTable:
-    """The table at the temperature of an oil, with its rheology where that is the tables' own at this temperature."""
+    """The table at the temperature of an oil, with its rheology where that is the tables' own at
+    this temperature.
+    """
     if oil.temperature is None:
         raise ValueError("has tables at several temperatures, and the lubricant has none")
     table = found.at(oil.temperature, oil)
@@ -74,7 +81,9 @@ def _at(found: TemperatureTable, oil: Lubricant, rheology: Rheology) -> Traction
 
 
 def _same_shear(contact: TableContact, oil: Lubricant, rheology: Rheology) -> bool:
-    """Whether a table shears by this law; an Eyring stress may go with 1/alpha over temperature, as assumed ones do."""
+    """Whether a table shears by this law; an Eyring stress may go with 1/alpha over temperature,
+    as assumed ones do.
+    """
     stress = rheology.eyring_stress
     if contact.rheology.eyring_stress != stress and oil.pressure_viscosity > 0.0:
         stress *= oil.pressure_viscosity / contact.lubricant.pressure_viscosity
@@ -84,11 +93,18 @@ def _same_shear(contact: TableContact, oil: Lubricant, rheology: Rheology) -> bo
 
 
 def made_for(
-    tables: Tables, name: str, bearing: Bearing, oil: Lubricant, rheology: Rheology, solids: Solids | None = None
+    tables: Tables,
+    name: str,
+    bearing: Bearing,
+    oil: Lubricant,
+    rheology: Rheology,
+    solids: Solids | None = None,
 ) -> Tables:
-    """The tables themselves, `name` in messages, if they were made for this bearing and oil; else ValueError.
+    """The tables themselves, `name` in messages, if they were made for this bearing and oil; else
+    ValueError.
 
-    Tables with heat must be of the ball and race of a case with heat; a case without leaves that to its tables.
+    Tables with heat must be of the ball and race of a case with heat; a case without leaves that
+    to its tables.
     """
     for race, found in tables.items():
         contact = found.contact
@@ -96,12 +112,16 @@ def made_for(
         fitting = {
             "oil": contact.lubricant == oil,
             "shear law": contact.rheology == rheology,
-            "moduli": isclose(contact.reduced_modulus, contact_modulus(bearing, race), rel_tol=NEAR),
+            "moduli": isclose(
+                contact.reduced_modulus, contact_modulus(bearing, race), rel_tol=NEAR
+            ),
             "groove": isclose(contact.radius_y, radius_y, rel_tol=NEAR),
             "rolling radius": isclose(contact.radius_x, radius_x, rel_tol=NEAR_RADIUS),
             "thermal properties": None in (contact.solids, solids) or contact.solids == solids,
         }
         wrong = [what for what, fits in fitting.items() if not fits]
         if wrong:
-            raise ValueError(f"{name} was made for another bearing or oil ({race.value} race: {', '.join(wrong)})")
+            raise ValueError(
+                f"{name} was made for another bearing or oil ({race.value} race: {', '.join(wrong)})"
+            )
     return tables

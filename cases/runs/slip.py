@@ -1,7 +1,5 @@
 """Run the slip maps of a case, the rows shared among processes."""
 
-from __future__ import annotations
-
 import signal
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -33,8 +31,11 @@ from ..version import version
 from .films import Progress, cores
 
 
-def run_slip(case: Case, name: str, workers: int | None = None, progress: Progress | None = None) -> SlipResults:
-    """Slip factors at the case's own operation, over speed and axial load, critical curves, and minimum preloads.
+def run_slip(
+    case: Case, name: str, workers: int | None = None, progress: Progress | None = None
+) -> SlipResults:
+    """Slip factors at the case's own operation, over speed and axial load, critical curves, and
+    minimum preloads.
 
     Parameters
     ----------
@@ -94,17 +95,29 @@ def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
     operation = case.operation
     if operation.force[0] is None or (case.slip.critical_speeds and operation.force[1] is None):
         varied = "the axial load" if operation.force[0] is None else "the radial load"
-        raise CaseError([f"{name}: [operation] displacement_um: slip maps vary {varied}; allowed: a load there"])
+        raise CaseError(
+            [
+                f"{name}: [operation] displacement_um: slip maps vary {varied}; allowed: a load there"
+            ]
+        )
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
-        raise CaseError([f"{name}: [model] ball_kinematics: slip maps take a hypothesis; allowed: one of the others"])
-    study = SlipStudy(bearing=case.bearing, operation=operation, model=case.model, limit=case.slip.limit)
+        raise CaseError(
+            [
+                f"{name}: [model] ball_kinematics: slip maps take a hypothesis; allowed: one of the others"
+            ]
+        )
+    study = SlipStudy(
+        bearing=case.bearing, operation=operation, model=case.model, limit=case.slip.limit
+    )
     return study, case.slip
 
 
 def _minimum_loads(
     case: Case, study: SlipStudy, speeds: list[float], mapper: Callable[[str, int], Mapper]
 ) -> MinimumLoads:
-    """Preload that Hirano's criterion asks, as a source printed it if the case says so, and the catalogue's loads."""
+    """Preload that Hirano's criterion asks, as a source printed it if the case says so, and the
+    catalogue's loads.
+    """
     plan, oil = case.slip, case.lubricant
     assert plan is not None  # checked before
     own = case.operation.inner_speed
@@ -121,8 +134,12 @@ def _minimum_loads(
         speeds=np.array(every),
         hirano=hirano,
         as_printed=printed,
-        skf_axial=None if axial is None else np.array([minimum_axial_load_skf(axial, n) for n in every]),
-        skf_radial=None if radial is None else np.array([minimum_radial_load_skf(radial, n, nu, pitch) for n in every]),
+        skf_axial=None
+        if axial is None
+        else np.array([minimum_axial_load_skf(axial, n) for n in every]),
+        skf_radial=None
+        if radial is None
+        else np.array([minimum_radial_load_skf(radial, n, nu, pitch) for n in every]),
         own=bool(own),
     )
 
@@ -134,7 +151,9 @@ def _ignore_interrupts() -> None:
 
 @contextmanager
 def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Mapper]]:
-    """A function that makes a `map` for a stage: over processes if there are several, telling the progress."""
+    """A function that makes a `map` for a stage: over processes if there are several, telling the
+    progress.
+    """
     pool = None
     if workers > 1:
         context = get_context("spawn")
@@ -143,7 +162,9 @@ def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Map
     def stage(state: str, total: int) -> Mapper:
         def mapped(function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:
             notify(0, total, state)
-            for done, result in enumerate(pool.map(function, items) if pool else map(function, items), 1):
+            for done, result in enumerate(
+                pool.map(function, items) if pool else map(function, items), 1
+            ):
                 notify(done, total, state)
                 yield result
 

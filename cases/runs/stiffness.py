@@ -1,7 +1,5 @@
 """Run the stiffness of a case over the speed of its inner ring."""
 
-from __future__ import annotations
-
 from time import perf_counter
 
 from bearing.rows import SINGLE
@@ -36,10 +34,14 @@ def run_stiffness(
     """
     first, last = speeds or (0.0, case.operation.inner_speed)
     if first == last:
-        raise CaseError([f"{name}: the inner ring stands still; give --speeds FIRST LAST in r/min"])
+        raise CaseError(
+            [f"{name}: the inner ring stands still; give --speeds FIRST LAST in r/min"]
+        )
     start = perf_counter()
     steps = [first + (last - first) * k / (points - 1) for k in range(points)]
-    study = stiffness_over_speed(case.bearing, case.operation, steps, case.model, case.rows or SINGLE)
+    study = stiffness_over_speed(
+        case.bearing, case.operation, steps, case.model, case.rows or SINGLE
+    )
     return StiffnessResults(
         version=version(),
         case=case.document,

@@ -41,7 +41,9 @@ class FilmSolver:
     progress: Progress | None = None
     solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None = None
 
-    def __call__(self, conditions: Sequence[ContactConditions | None]) -> Sequence[ContactSolution | None]:
+    def __call__(
+        self, conditions: Sequence[ContactConditions | None]
+    ) -> Sequence[ContactSolution | None]:
         """Films [m] of the contacts that have conditions; KeyboardInterrupt on Ctrl-C."""
         from .films import solve_contacts
 
@@ -73,8 +75,12 @@ def with_workers(
     return replace(model, traction=replace(model.traction, source=replace(source, solve=solver)))
 
 
-def traction_messages(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> tuple[str, ...]:
-    """Where the friction of balls on races came from, and where a table was asked outside its range (loads in [N])."""
+def traction_messages(
+    state: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> tuple[str, ...]:
+    """Where the friction of balls on races came from, and where a table was asked outside its
+    range (loads in [N]).
+    """
     traction = state.model.traction
     if traction is None:
         return ()
@@ -93,12 +99,19 @@ def _outside(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> 
     places = {}
     for contact in contacts:
         if contact.conditions is not None:
-            k, u = bearing_kinematics(state, contact), contact.conditions.entrainment_speed
-            found = source.laws[contact.race].forces(contact.load, u, k.sliding_x, k.sliding_y, k.spin)
+            k = bearing_kinematics(state, contact)
+            u = contact.conditions.entrainment_speed
+            found = source.laws[contact.race].forces(
+                contact.load, u, k.sliding_x, k.sliding_y, k.spin
+            )
             if found.outside:
-                places[f"{contact.race.value} race of ball {contact.ball}"] = ", ".join(found.outside)
+                places[f"{contact.race.value} race of ball {contact.ball}"] = ", ".join(
+                    found.outside
+                )
     if not places:
         return ()
     first = next(iter(places))
     words = f"traction table: outside its range at {len(places)} of {len(contacts)} contacts, "
-    return (f"{words}first the {first} ({places[first]}); the nearest place counts, in proportion to the load",)
+    return (
+        f"{words}first the {first} ({places[first]}); the nearest place counts, in proportion to the load",
+    )

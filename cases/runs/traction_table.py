@@ -1,7 +1,5 @@
 """Run `oilfilm table`: equilibrium of the bearing, then the traction tables of both races."""
 
-from __future__ import annotations
-
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -37,7 +35,8 @@ class TemperatureAxis:
 
 
 def temperature_axis(name: str, text: str) -> TemperatureAxis:
-    """The axis that `--temperatures` asks for, in degrees Celsius with commas, with the oil of a case by its name.
+    """The axis that `--temperatures` asks for, in degrees Celsius with commas, with the oil of a
+    case by its name.
 
     Raises
     ------
@@ -49,7 +48,11 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
     except ValueError:
         celsius = []
     if len(celsius) < 2 or any(not b > a for a, b in pairwise(celsius)):
-        raise CaseError([f"--temperatures: {text!r}; allowed: two or more rising numbers of degrees Celsius, 40,60,80"])
+        raise CaseError(
+            [
+                f"--temperatures: {text!r}; allowed: two or more rising numbers of degrees Celsius, 40,60,80"
+            ]
+        )
     path = find_case(name)
     file = validate_text(read_text(path), str(path))
     assert isinstance(file, BearingFile)  # asked for a bearing before
@@ -69,7 +72,9 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
         raise CaseError([f"--temperatures: {problem}"]) from None
     if first.viscosity == last.viscosity:
         raise CaseError(
-            [f"--temperatures: {name} gives the viscosity at one temperature only; allowed with an oil of the library"]
+            [
+                f"--temperatures: {name} gives the viscosity at one temperature only; allowed with an oil of the library"
+            ]
         )
     return TemperatureAxis(temperatures=temperatures, oil_at=oil_at)
 
@@ -81,9 +86,11 @@ def run_table(
     progress: Progress | None = None,
     over: TemperatureAxis | None = None,
 ) -> TractionResults:
-    """Traction tables of a case, films on `points` nodes along x, `workers` at a time; times in [s].
+    """Traction tables of a case, films on `points` nodes along x, `workers` at a time; times in
+    [s].
 
-    With temperatures, the tables that summary and plots are of are those at the case's own, or the nearest.
+    With temperatures, the tables that summary and plots are of are those at the case's own, or the
+    nearest.
     """
     try:
         SolverOptions(points=points)
@@ -94,12 +101,18 @@ def run_table(
     state = solve_quasistatic(case.bearing, case.operation, case.model)
     if not state.converged:
         raise CaseError([f"no table without an equilibrium of the bearing: {state.message}"])
-    options, solids = TableOptions(points=points, workers=workers or cores()), case.films.solids
+    options = TableOptions(points=points, workers=workers or cores())
+    solids = case.films.solids
     try:
         if over is None:
-            warm, tables = None, build_race_tables(state, case.lubricant, case.rheology, options, progress, solids)
+            warm = None
+            tables = build_race_tables(
+                state, case.lubricant, case.rheology, options, progress, solids
+            )
         else:
-            warm = build_temperature_tables(state, over.oil_at, over.temperatures, options, progress, solids)
+            warm = build_temperature_tables(
+                state, over.oil_at, over.temperatures, options, progress, solids
+            )
             own = min(max(case.operation.temperature, over.temperatures[0]), over.temperatures[-1])
             tables = {race: found.at(own) for race, found in warm.items()}
     except ValueError as problem:
@@ -114,8 +127,12 @@ def run_table(
     )
 
 
-def with_full_solves(results: TractionResults, count: int, progress: Progress | None = None) -> TractionResults:
-    """The tables' films beside full solves at so many places each, with heat if the tables have it."""
+def with_full_solves(
+    results: TractionResults, count: int, progress: Progress | None = None
+) -> TractionResults:
+    """The tables' films beside full solves at so many places each, with heat if the tables have
+    it.
+    """
     found = dict(results.tables)
     for race, table in results.tables.items():
         told = race_progress(progress, race)
@@ -123,5 +140,7 @@ def with_full_solves(results: TractionResults, count: int, progress: Progress | 
         found[race] = replace(table, full_solves=beside)
     if results.over_temperature is None:
         return replace(results, tables=found)
-    over = {race: tables.replaced(found[race]) for race, tables in results.over_temperature.items()}
+    over = {
+        race: tables.replaced(found[race]) for race, tables in results.over_temperature.items()
+    }
     return replace(results, tables=found, over_temperature=over)

@@ -1,7 +1,8 @@
 """The tables of a case file: keys, types, ranges and defaults.
 
-Only pydantic is imported here, so that help and validation stay quick. Every key ends in its unit; `cases/convert`
-turns the values into SI, once. What several keys must satisfy together stands in `cases/checks`.
+Only pydantic is imported here, so that help and validation stay quick. Every key ends in its unit;
+`cases/convert` turns the values into SI, once. What several keys must satisfy together stands in
+`cases/checks`.
 """
 
 from .bearing import BearingTable, FitTable, MaterialTable, SurfaceTable, TemperaturesTable

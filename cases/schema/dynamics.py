@@ -1,7 +1,5 @@
 """[dynamics]: the time simulation."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, WithJsonSchema
@@ -18,10 +16,17 @@ def _over_time(columns: int, limit: float) -> BeforeValidator:
     def check(value: object) -> tuple[tuple[float, ...], ...]:
         rows = tuple(value) if isinstance(value, list | tuple) else ()
         fine = 0 < len(rows) <= ROWS_MAXIMUM and all(
-            isinstance(row, list | tuple) and len(row) == columns and all(is_number(x) for x in row) for row in rows
+            isinstance(row, list | tuple)
+            and len(row) == columns
+            and all(is_number(x) for x in row)
+            for row in rows
         )
         times = [row[0] for row in rows] if fine else []
-        rising = bool(times) and times[0] == 0.0 and all(a < b for a, b in zip(times, times[1:], strict=False))
+        rising = (
+            bool(times)
+            and times[0] == 0.0
+            and all(a < b for a, b in zip(times, times[1:], strict=False))
+        )
         if not rising or any(abs(x) > limit for row in rows for x in row[1:]):
             raise PydanticCustomError("choice", "{allowed}", {"allowed": allowed})
         return tuple(tuple(float(x) for x in row) for row in rows)
@@ -55,58 +60,100 @@ class DynamicsTable(Table):
 
     end_time_s: float = Field(gt=0.0, le=1.0e4, description="simulated time")
     output_interval_us: float | None = Field(
-        None, gt=0.0, le=1.0e9, description="between rows of the history; left out, a 2000th of the simulated time"
+        None,
+        gt=0.0,
+        le=1.0e9,
+        description="between rows of the history; left out, a 2000th of the simulated time",
     )
     start: Literal["quasi-static", "rolling", "rest"] = Field(
-        "quasi-static", description="equilibrium; balls rolling on the outer race; or at rest there"
+        "quasi-static",
+        description="equilibrium; balls rolling on the outer race; or at rest there",
     )
     equations: Literal["by load", "radial", "axial", "combined", "planar", "general"] = Field(
         "by load", description="the fewest that the loads allow, or those named"
     )
     speed_table_rpm: SpeedTable | None = Field(
-        None, description="[[time in s, speed of the inner ring], ...], linear between, instead of a constant speed"
+        None,
+        description="[[time in s, speed of the inner ring], ...], linear between, instead of a constant speed",
     )
     load_table_N: LoadTable | None = Field(
-        None, description="[[time in s, fx, fy, fz], ...], linear between, instead of a constant load"
+        None,
+        description="[[time in s, fx, fy, fz], ...], linear between, instead of a constant load",
     )
-    contact_law: Literal["hertz", "lankarani-nikravesh", "hunt-crossley", "flores", "lubricated"] = Field(
-        "lankarani-nikravesh", description="normal force; lubricated: the traction table's film between ball and race"
+    contact_law: Literal[
+        "hertz", "lankarani-nikravesh", "hunt-crossley", "flores", "lubricated"
+    ] = Field(
+        "lankarani-nikravesh",
+        description="normal force; lubricated: the traction table's film between ball and race",
     )
     restitution: float = Field(0.9, gt=0.0, le=1.0, description="e that the contact law is given")
     impact_speed_floor_m_s: float = Field(
-        0.05, gt=0.0, le=1.0e3, description="least speed that counts as that of an impact; damps lasting contacts"
+        0.05,
+        gt=0.0,
+        le=1.0e3,
+        description="least speed that counts as that of an impact; damps lasting contacts",
     )
     race_stiffness: Literal["hertz", "planar", "planar as printed"] = Field(
-        "hertz", description="of the grooved race, or of a sphere on the race's circle as in Shan et al. (2023)"
+        "hertz",
+        description="of the grooved race, or of a sphere on the race's circle as in Shan et al. (2023)",
     )
     friction: Literal["four constants", "coulomb", "table", "none"] = Field(
         "four constants", description="of ball on race; table: from films solved before the run"
     )
     friction_on: Literal["ellipse", "centre"] = Field(
-        "ellipse", description="a coefficient counts over the Hertz ellipse, or at its centre alone"
+        "ellipse",
+        description="a coefficient counts over the Hertz ellipse, or at its centre alone",
     )
-    friction_maximum: float = Field(0.05, gt=0.0, le=1.0, description="four constants: largest coefficient kappa_max")
-    friction_maximum_slide: float = Field(0.03, gt=0.0, le=10.0, description="four constants: slide-roll ratio of it")
-    friction_limit: float = Field(0.03, ge=0.0, le=1.0, description="four constants: coefficient at large slide")
+    friction_maximum: float = Field(
+        0.05, gt=0.0, le=1.0, description="four constants: largest coefficient kappa_max"
+    )
+    friction_maximum_slide: float = Field(
+        0.03, gt=0.0, le=10.0, description="four constants: slide-roll ratio of it"
+    )
+    friction_limit: float = Field(
+        0.03, ge=0.0, le=1.0, description="four constants: coefficient at large slide"
+    )
     friction_coefficient: float = Field(0.05, ge=0.0, le=1.0, description="coulomb: mu")
-    friction_dead_band_m_s: float = Field(0.0, ge=0.0, le=100.0, description="coulomb: v0, no friction below")
-    friction_full_m_s: float = Field(0.05, gt=0.0, le=100.0, description="coulomb: v1, all of it above")
+    friction_dead_band_m_s: float = Field(
+        0.0, ge=0.0, le=100.0, description="coulomb: v0, no friction below"
+    )
+    friction_full_m_s: float = Field(
+        0.05, gt=0.0, le=100.0, description="coulomb: v1, all of it above"
+    )
     ball_drag_N: float | None = Field(
-        None, ge=0.0, le=1.0e4, description="of one ball at the kinematic speed of the operation; grows with its square"
+        None,
+        ge=0.0,
+        le=1.0e4,
+        description="of one ball at the kinematic speed of the operation; grows with its square",
     )
     mixture_density_kg_m3: float | None = Field(
-        None, ge=0.0, le=2.0e4, description="of oil and air, for the drag of the balls instead of ball_drag_N"
+        None,
+        ge=0.0,
+        le=2.0e4,
+        description="of oil and air, for the drag of the balls instead of ball_drag_N",
     )
     drag_coefficient: float = Field(0.47, ge=0.0, le=10.0, description="of a ball in the mixture")
     gravity_m_s2: Vector = Field((0.0, 0.0, 0.0), description="[x, y, z]")
     ring_mass_kg: float | None = Field(
-        None, gt=0.0, le=1.0e6, description="inner ring and what turns with it; left out, of the ring alone"
+        None,
+        gt=0.0,
+        le=1.0e6,
+        description="inner ring and what turns with it; left out, of the ring alone",
     )
-    ring_damping_N_s_m: float = Field(0.0, ge=0.0, le=1.0e9, description="of the inner ring's support along x, y, z")
+    ring_damping_N_s_m: float = Field(
+        0.0, ge=0.0, le=1.0e9, description="of the inner ring's support along x, y, z"
+    )
     unbalance_g_mm: float = Field(0.0, ge=0.0, le=1.0e9, description="of the inner ring")
-    unbalance_phase_deg: float = Field(0.0, ge=-360.0, le=360.0, description="from +y at time zero")
+    unbalance_phase_deg: float = Field(
+        0.0, ge=-360.0, le=360.0, description="from +y at time zero"
+    )
     cage_film: bool = Field(True, description="oil film in the pockets and lands of the cage")
     cage_friction_ramp_m_s: float = Field(
-        0.01, gt=0.0, le=100.0, description="sliding speed up to which friction of pockets and lands rises"
+        0.01,
+        gt=0.0,
+        le=100.0,
+        description="sliding speed up to which friction of pockets and lands rises",
     )
-    tolerance: float = Field(1.0e-4, ge=1.0e-8, le=1.0e-2, description="of a step, in units of contact approach")
+    tolerance: float = Field(
+        1.0e-4, ge=1.0e-8, le=1.0e-2, description="of a step, in units of contact approach"
+    )

@@ -1,15 +1,22 @@
 """Types, ranges and checks of single values, from which the tables of a case file are made."""
 
-from __future__ import annotations
-
 from math import isfinite
 from typing import Annotated, Any
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Field, StringConstraints, WithJsonSchema
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    StringConstraints,
+    WithJsonSchema,
+)
 from pydantic_core import PydanticCustomError
 
 FREE = "free"
-LENGTH_MINIMUM, LENGTH_MAXIMUM = 1.0e-3, 1.0e4  # [mm]
+# [mm]
+LENGTH_MINIMUM = 1.0e-3
+LENGTH_MAXIMUM = 1.0e4
 FORCE_MAXIMUM = 1.0e8  # [N]
 SPEED_MAXIMUM = 1.0e6  # [rpm]
 
@@ -23,7 +30,9 @@ def is_number(value: object) -> bool:
 
 
 def _vector_check(length: int, limit: float, *, free: bool = False) -> BeforeValidator:
-    allowed = f"a list of {length} numbers from {-limit:g} to {limit:g}" + (' or the word "free"' if free else "")
+    allowed = f"a list of {length} numbers from {-limit:g} to {limit:g}" + (
+        ' or the word "free"' if free else ""
+    )
 
     def check(value: object) -> tuple[float | str, ...]:
         entries = value if isinstance(value, list | tuple) else ()
@@ -36,8 +45,12 @@ def _vector_check(length: int, limit: float, *, free: bool = False) -> BeforeVal
 
 
 def _list_schema(length: int, *, free: bool = False) -> WithJsonSchema:
-    items: dict[str, Any] = {"anyOf": [{"type": "number"}, {"const": FREE}]} if free else {"type": "number"}
-    return WithJsonSchema({"type": "array", "items": items, "minItems": length, "maxItems": length})
+    items: dict[str, Any] = (
+        {"anyOf": [{"type": "number"}, {"const": FREE}]} if free else {"type": "number"}
+    )
+    return WithJsonSchema(
+        {"type": "array", "items": items, "minItems": length, "maxItems": length}
+    )
 
 
 def _check_points(value: object) -> object:
@@ -59,9 +72,15 @@ def _check_domain(value: object) -> tuple[float, ...]:
 def _check_film_maps(value: object) -> object:
     if isinstance(value, str) and value in ("all", "loaded", "none"):
         return value
-    if isinstance(value, list | tuple) and value and all(is_number(x) and abs(x) <= 360.0 for x in value):
+    if (
+        isinstance(value, list | tuple)
+        and value
+        and all(is_number(x) and abs(x) <= 360.0 for x in value)
+    ):
         return tuple(float(x) for x in value)
-    raise PydanticCustomError("choice", '"all", "loaded", "none", or a list of azimuths of balls in degrees')
+    raise PydanticCustomError(
+        "choice", '"all", "loaded", "none", or a list of azimuths of balls in degrees'
+    )
 
 
 def _range_check(limit: float, sign: str) -> BeforeValidator:
@@ -78,12 +97,21 @@ def _range_check(limit: float, sign: str) -> BeforeValidator:
 
 
 Name = Annotated[str, StringConstraints(min_length=1, max_length=200)]
-Points = Annotated[int, BeforeValidator(_check_points), WithJsonSchema({"type": "integer", "minimum": 33})]
+Points = Annotated[
+    int, BeforeValidator(_check_points), WithJsonSchema({"type": "integer", "minimum": 33})
+]
 Domain = Annotated[Any, BeforeValidator(_check_domain), _list_schema(3)]
 FilmMaps = Annotated[
     Any,
     BeforeValidator(_check_film_maps),
-    WithJsonSchema({"anyOf": [{"enum": ["all", "loaded", "none"]}, {"type": "array", "items": {"type": "number"}}]}),
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"enum": ["all", "loaded", "none"]},
+                {"type": "array", "items": {"type": "number"}},
+            ]
+        }
+    ),
 ]
 SpeedRange = Annotated[Any, _range_check(SPEED_MAXIMUM, "<"), _list_schema(2)]
 AxialRange = Annotated[Any, _range_check(FORCE_MAXIMUM, "<"), _list_schema(2)]
@@ -101,6 +129,8 @@ def length(description: str) -> Any:
 
 
 class Table(BaseModel):
-    """A table of a case file: frozen, no unknown keys, no silent conversion of types, finite numbers only."""
+    """A table of a case file: frozen, no unknown keys, no silent conversion of types, finite
+    numbers only.
+    """
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)

@@ -1,7 +1,5 @@
 """A case file as a whole: which tables it has."""
 
-from __future__ import annotations
-
 from pydantic import Field
 
 from .bearing import BearingTable, FitTable, MaterialTable, SurfaceTable, TemperaturesTable
@@ -20,7 +18,9 @@ class CaseFile(Table):
     schema_version: int = Field(ge=1, le=1, description="version of this format")
     title: str = Field("", description="one line for tables and plots")
     source: str = Field("", description="paper, table or page the numbers come from")
-    assumed: tuple[str, ...] = Field((), strict=False, description="keys (table.key) whose values no source gives")
+    assumed: tuple[str, ...] = Field(
+        (), strict=False, description="keys (table.key) whose values no source gives"
+    )
     lubricant: LubricantTable
     materials: dict[str, MaterialTable] = Field({}, description="materials by name")
 
@@ -40,7 +40,11 @@ class BearingFile(CaseFile):
     cage: CageTable | None = None
     dynamics: DynamicsTable | None = None
     rows: tuple[RowTable, ...] | None = Field(
-        None, strict=False, min_length=1, max_length=8, description="rows of balls on the one inner ring"
+        None,
+        strict=False,
+        min_length=1,
+        max_length=8,
+        description="rows of balls on the one inner ring",
     )
     lubricants: dict[str, OilTable] = Field({}, description="oils by name")
 

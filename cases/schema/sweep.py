@@ -1,7 +1,5 @@
 """A sweep file: the case it varies, and how."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, WithJsonSchema
@@ -14,9 +12,15 @@ def _check_keys(value: object) -> object:
     """The word "assumed", or a list of keys."""
     if value == "assumed":
         return value
-    if isinstance(value, list | tuple) and value and all(isinstance(key, str) and "." in key for key in value):
+    if (
+        isinstance(value, list | tuple)
+        and value
+        and all(isinstance(key, str) and "." in key for key in value)
+    ):
         return tuple(value)
-    raise PydanticCustomError("choice", '"assumed", or a list of keys like "lubricant.viscosity_mPa_s"')
+    raise PydanticCustomError(
+        "choice", '"assumed", or a list of keys like "lubricant.viscosity_mPa_s"'
+    )
 
 
 def _as_list(value: object) -> object:
@@ -24,14 +28,21 @@ def _as_list(value: object) -> object:
     return [value] if isinstance(value, dict) else value
 
 
-_KEYS_SCHEMA = WithJsonSchema({"anyOf": [{"const": "assumed"}, {"type": "array", "items": {"type": "string"}}]})
+_KEYS_SCHEMA = WithJsonSchema(
+    {"anyOf": [{"const": "assumed"}, {"type": "array", "items": {"type": "string"}}]}
+)
 
 
 class HypercubeOptions(Table):
     """Options of [latin_hypercube], beside the keys it samples."""
 
     samples: int = Field(ge=1, le=100_000, description="points")
-    seed: int = Field(58_201, ge=0, le=2**63 - 1, description="of the random numbers; another one gives other points")
+    seed: int = Field(
+        58_201,
+        ge=0,
+        le=2**63 - 1,
+        description="of the random numbers; another one gives other points",
+    )
 
 
 class SensitivityTable(Table):
@@ -40,7 +51,9 @@ class SensitivityTable(Table):
     keys: Annotated[Any, BeforeValidator(_check_keys), _KEYS_SCHEMA] = Field(
         "assumed", description="keys to vary; those the case marks assumed if left out"
     )
-    step: float = Field(0.02, gt=0.0, le=0.5, description="relative change of each key up and down")
+    step: float = Field(
+        0.02, gt=0.0, le=0.5, description="relative change of each key up and down"
+    )
 
 
 class SweepFile(Table):
@@ -48,21 +61,38 @@ class SweepFile(Table):
 
     schema_version: int = Field(1, ge=1, le=1, description="version of this format")
     title: str = Field("", description="one line for tables and plots")
-    case: Name = Field(description="a case file, relative to this file, or the name of a shipped case")
+    case: Name = Field(
+        description="a case file, relative to this file, or the name of a shipped case"
+    )
     compute: Literal["run", "torque", "slip", "dynamics", "table"] = Field(
         "run", description="what is computed at every point"
     )
-    fields: bool = Field(False, description="whether film maps or histories of every point are kept, too (netCDF)")
+    fields: bool = Field(
+        False, description="whether film maps or histories of every point are kept, too (netCDF)"
+    )
     table: str | None = Field(
-        None, min_length=1, description="traction tables from `oilfilm table`, relative to this file; left out, made"
+        None,
+        min_length=1,
+        description="traction tables from `oilfilm table`, relative to this file; left out, made",
     )
-    table_points: Points = Field(257, description="nodes of each film along x of tables that are made")
+    table_points: Points = Field(
+        257, description="nodes of each film along x of tables that are made"
+    )
     plot: tuple[str, ...] = Field(
-        (), strict=False, max_length=8, description="numbers of batch.csv that --plot draws; left out, the main results"
+        (),
+        strict=False,
+        max_length=8,
+        description="numbers of batch.csv that --plot draws; left out, the main results",
     )
-    fixed: dict[str, Any] = Field({}, description="values by key that every point has in place of the case's")
-    sweep: dict[str, Any] = Field({}, description="lists of values by key; all their combinations are points")
-    combinations: tuple[dict[str, Any], ...] = Field((), strict=False, description="single points, one table each")
+    fixed: dict[str, Any] = Field(
+        {}, description="values by key that every point has in place of the case's"
+    )
+    sweep: dict[str, Any] = Field(
+        {}, description="lists of values by key; all their combinations are points"
+    )
+    combinations: tuple[dict[str, Any], ...] = Field(
+        (), strict=False, description="single points, one table each"
+    )
     latin_hypercube: Annotated[tuple[dict[str, Any], ...], BeforeValidator(_as_list)] = Field(
         (), strict=False, description="[first, last] by key, sampled; several tables add up"
     )

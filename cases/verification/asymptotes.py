@@ -1,7 +1,5 @@
 """Moes' diagram: solved films beside the four asymptotes of Nijenbanning, Venner and Moes."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from math import log, nan
@@ -17,7 +15,9 @@ from .contacts import OIL, WATER_LIKE, MoesConditions, moes
 from .page import Check, Picture, Section, Table, each, percent
 
 LUBRICANT = (0.0, 2.5, 5.0, 10.0, 20.0)  # L of the diagram
-TOLERANCE, ROUGH = 0.01, 0.03  # of the films of the regimes and of the diagram
+# of the films of the regimes and of the diagram
+TOLERANCE = 0.01
+ROUGH = 0.03
 LOADS = (0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0)  # M of the diagram
 REGIMES = {  # M, L, Rx/Ry and the factor on M or L over which the power is taken
     "RI": ((0.25, 0.0, 1.0), "M", 2.0),
@@ -43,7 +43,9 @@ POWER_TOLERANCE = {"RI": 0.1, "EI": 0.05, "RP": 0.1, "EP": 0.05}
 
 
 def asymptotes(m: float, l: float, ratio: float) -> dict[str, float]:  # noqa: E741
-    """The four asymptotes (h/Rx)(2U)^(-1/2) [-], Nijenbanning, Venner and Moes (1994); entrainment along x."""
+    """The four asymptotes (h/Rx)(2U)^(-1/2) [-], Nijenbanning, Venner and Moes (1994); entrainment
+    along x.
+    """
     d = ratio
     q = 1.0 + 0.006 * log(d) + 0.63 * d ** (4 / 7)
     return {
@@ -70,7 +72,9 @@ def moes_film(solution: ContactSolution) -> float:
 def _solve(job: tuple[float, float, float, int], tolerance: float = TOLERANCE) -> ContactSolution:
     m, l, ratio, points = job  # noqa: E741
     oil = OIL if l > 0.0 else WATER_LIKE
-    return solve_contact(moes(m, l, ratio, oil=oil), SolverOptions(points=points, tolerance=tolerance))
+    return solve_contact(
+        moes(m, l, ratio, oil=oil), SolverOptions(points=points, tolerance=tolerance)
+    )
 
 
 def moes_diagram(quick: bool = False) -> Section:
@@ -84,8 +88,12 @@ def moes_diagram(quick: bool = False) -> Section:
         some = [(job[0], s) for job, s in zip(jobs, solutions, strict=True) if job[1] == l]
         shown = [(m, moes_film(s)) for m, s in some if s.converged and s.resolved]
         dense = tuple(float(m) for m in np.geomspace(loads[0], loads[-1], 200))
-        curves.append(Curve(label=f"{l:g}", x=tuple(m for m, _ in shown), y=tuple(h for _, h in shown)))
-        fits.append(Curve(label="fit", x=dense, y=tuple(moes_film_nijenbanning(m, l, 1.0) for m in dense)))
+        curves.append(
+            Curve(label=f"{l:g}", x=tuple(m for m, _ in shown), y=tuple(h for _, h in shown))
+        )
+        fits.append(
+            Curve(label="fit", x=dense, y=tuple(moes_film_nijenbanning(m, l, 1.0) for m in dense))
+        )
     table, checks = _regimes(points, ("RI", "RP") if quick else tuple(REGIMES))
     caption = "Central film over load for five L: solved (dots), fit of Nijenbanning, Venner and Moes (lines)"
     return Section(
@@ -94,7 +102,11 @@ def moes_diagram(quick: bool = False) -> Section:
         checks=checks,
         tables=(table,),
         pictures=(
-            Picture(stem="verification_moes", caption=caption, draw=partial(draw_moes, curves=curves, fits=fits)),
+            Picture(
+                stem="verification_moes",
+                caption=caption,
+                draw=partial(draw_moes, curves=curves, fits=fits),
+            ),
         ),
     )
 
@@ -110,8 +122,10 @@ def _regimes(points: int, names: Sequence[str]) -> tuple[Table, tuple[Check, ...
         (m, l, ratio), varied, factor = REGIMES[name]  # noqa: E741
         pair = solutions[2 * i : 2 * i + 2]
         first, second = (moes_film(s) for s in pair)
-        power, theory = log(second / first) / log(factor), POWERS[name]
-        asymptote, fit = asymptotes(m, l, ratio)[name], moes_film_nijenbanning(m, l, ratio)
+        power = log(second / first) / log(factor)
+        theory = POWERS[name]
+        asymptote = asymptotes(m, l, ratio)[name]
+        fit = moes_film_nijenbanning(m, l, ratio)
         bar = pair[0].film_central_dimensionless.uncertainty * film_unit(m, ratio)
         rows.append(
             (
@@ -136,6 +150,16 @@ def _regimes(points: int, names: Sequence[str]) -> tuple[Table, tuple[Check, ...
                 most=round(theory + within, 3),
             )
         )
-    head = ("regime", "M", "L", "film, solved", "asymptote", "", "whole formula", "power", "of the asymptote")
+    head = (
+        "regime",
+        "M",
+        "L",
+        "film, solved",
+        "asymptote",
+        "",
+        "whole formula",
+        "power",
+        "of the asymptote",
+    )
     caption = "(h/R_x)(2U)^(−1/2), circular contact:"
     return Table(caption=caption, head=head, rows=tuple(rows)), tuple(checks)

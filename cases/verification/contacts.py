@@ -1,7 +1,5 @@
 """The contacts of the verification page, by name, and contacts in SI from Moes' groups."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import pi
 
@@ -34,14 +32,22 @@ class Named:
     box: Box | None = None
 
 
-def moes(m: float, l: float, ratio: float = 1.0, angle: float = 0.0, oil: Lubricant = MINERAL_OIL) -> MoesConditions:  # noqa: E741
+def moes(
+    m: float, l: float, ratio: float = 1.0, angle: float = 0.0, oil: Lubricant = MINERAL_OIL
+) -> MoesConditions:
     """A contact by M, L, Rx/Ry [-] and the angle of its entrainment [rad]."""
     return MoesConditions(
-        load_parameter=m, lubricant_parameter=l, radius_ratio=ratio, entrainment_angle=angle, lubricant=oil
+        load_parameter=m,
+        lubricant_parameter=l,
+        radius_ratio=ratio,
+        entrainment_angle=angle,
+        lubricant=oil,
     )
 
 
-def from_groups(groups: MoesConditions, rotation: float = 0.0, modulus: float = STEEL) -> ContactConditions:
+def from_groups(
+    groups: MoesConditions, rotation: float = 0.0, modulus: float = STEEL
+) -> ContactConditions:
     """The contact in SI: Rx 10 mm, E' given, the speed and the load that make its M and L.
 
     Parameters
@@ -53,7 +59,8 @@ def from_groups(groups: MoesConditions, rotation: float = 0.0, modulus: float = 
     modulus : float
         E' [Pa].
     """
-    oil, radius = groups.lubricant, 0.01
+    oil = groups.lubricant
+    radius = 0.01
     double_speed = (groups.lubricant_parameter / (oil.pressure_viscosity * modulus)) ** 4  # 2U [-]
     load = groups.load_parameter * double_speed**0.75  # W [-]
     speed = 0.5 * double_speed * modulus * radius / oil.viscosity
@@ -72,8 +79,12 @@ def from_groups(groups: MoesConditions, rotation: float = 0.0, modulus: float = 
 
 
 def race_6208(load: float, outer: bool = False) -> ContactConditions:
-    """Ball on a race of the all-ceramic 6208 at 10 000 r/min under a load [N]; ball 12 mm, pitch 60 mm."""
-    ball, race, groove = 6e-3, 36e-3 if outer else 24e-3, 6.29e-3 if outer else 6.17e-3
+    """Ball on a race of the all-ceramic 6208 at 10 000 r/min under a load [N]; ball 12 mm, pitch
+    60 mm.
+    """
+    ball = 6e-3
+    race = 36e-3 if outer else 24e-3
+    groove = 6.29e-3 if outer else 6.17e-3
     return ContactConditions(
         load=load,
         radius_x=1.0 / (1.0 / ball + (-1.0 if outer else 1.0) / race),
@@ -85,9 +96,16 @@ def race_6208(load: float, outer: bool = False) -> ContactConditions:
 
 
 CIRCULAR_20_10 = Named(name="M 20, L 10", conditions=moes(20.0, 10.0, oil=OIL), box=CIRCULAR_BOX)
-CIRCULAR_200_10 = Named(name="M 200, L 10", conditions=moes(200.0, 10.0, oil=OIL), box=CIRCULAR_BOX)
-INNER_500N = Named(name="6208 inner race, 500 N", conditions=race_6208(500.0), box=(-16.5, 1.5, 2.25))
-OBLIQUE = Named(name="M 100, L 8, R_x/R_y 0.3, entrainment at 30°", conditions=moes(100.0, 8.0, 0.3, 30.0 * DEGREE))
+CIRCULAR_200_10 = Named(
+    name="M 200, L 10", conditions=moes(200.0, 10.0, oil=OIL), box=CIRCULAR_BOX
+)
+INNER_500N = Named(
+    name="6208 inner race, 500 N", conditions=race_6208(500.0), box=(-16.5, 1.5, 2.25)
+)
+OBLIQUE = Named(
+    name="M 100, L 8, R_x/R_y 0.3, entrainment at 30°",
+    conditions=moes(100.0, 8.0, 0.3, 30.0 * DEGREE),
+)
 SPINNING = Named(
     name="M 100, L 8, R_x/R_y 0.1, rotation 0.3 u_m at the end of the ellipse",
     conditions=from_groups(moes(100.0, 8.0, 0.1), rotation=0.3),
@@ -104,7 +122,9 @@ NAMED = (
     Named(name="M 700, L 12, R_x/R_y 0.03 (wide ellipse)", conditions=moes(700.0, 12.0, 0.03)),
     Named(name="M 100, L 8, R_x/R_y 5 (along the longer axis)", conditions=moes(100.0, 8.0, 5.0)),
     Named(name="M 5, L 0.5 (thick film)", conditions=moes(5.0, 0.5)),
-    Named(name="M 150, L 0, isoviscous, incompressible", conditions=moes(150.0, 0.0, oil=WATER_LIKE)),
+    Named(
+        name="M 150, L 0, isoviscous, incompressible", conditions=moes(150.0, 0.0, oil=WATER_LIKE)
+    ),
     OBLIQUE,
     SPINNING,
 )

@@ -1,6 +1,6 @@
-"""Cost of the contact solve: time in deflections of the same run, cycles, memory, from 65 to 2049 points."""
-
-from __future__ import annotations
+"""Cost of the contact solve: time in deflections of the same run, cycles, memory, from 65 to 2049
+points.
+"""
 
 import time
 import tracemalloc
@@ -20,13 +20,16 @@ from ..runs.bearing import run_case
 from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
 from .page import Check, Picture, Section, Table
 
-POINTS, FEW_POINTS = (65, 129, 257, 513, 1025, 2049), (65, 129, 257)
+POINTS = (65, 129, 257, 513, 1025, 2049)
+FEW_POINTS = (65, 129, 257)
 CONTACTS = (
     CIRCULAR_20_10,
     CIRCULAR_200_10,
     Named(name="6208 outer race, 1612 N", conditions=race_6208(1611.8, outer=True)),
 )
-GROWTH_FROM, GROWTH = 257, 2.2  # cost per unknown may grow by this factor from here to the finest grid
+# cost per unknown may grow by this factor from here to the finest grid
+GROWTH_FROM = 257
+GROWTH = 2.2
 REPEATS = {65: 5, 129: 5, 257: 5, 513: 3, 1025: 2, 2049: 2}  # of each solve; the best counts
 BEARING = "6208_full_ceramic"
 TEXT = """\
@@ -71,8 +74,17 @@ def deflection_time(solution: ContactSolution, repeats: int = 11) -> float:
     """Time of one deflection on the half grid of a solution [s], best of several."""
     ny = (solution.Y.size + 1) // 2
     mesh = (float(solution.X[1] - solution.X[0]), float(solution.Y[1] - solution.Y[0]))
-    grid = Grid(x_in=float(solution.X[0]), hx=mesh[0], hy=mesh[1], nx=solution.X.size, ny=ny, symmetric=True)
-    kernel, pressure, times = deflection_kernel(grid, 1.0), np.random.default_rng(17).random((ny, grid.nx)), []
+    grid = Grid(
+        x_in=float(solution.X[0]),
+        hx=mesh[0],
+        hy=mesh[1],
+        nx=solution.X.size,
+        ny=ny,
+        symmetric=True,
+    )
+    kernel = deflection_kernel(grid, 1.0)
+    pressure = np.random.default_rng(17).random((ny, grid.nx))
+    times = []
     for _ in range(repeats):
         began = time.perf_counter()
         deflect(kernel, pressure)
@@ -140,7 +152,13 @@ def costs(quick: bool = False) -> Section:
         text=TEXT,
         checks=tuple(check for name, costs in found.items() for check in _checks(name, costs)),
         tables=tuple(tables),
-        pictures=(Picture(stem="verification_cost", caption=caption, draw=partial(draw_scaling, curves=curves)),),
+        pictures=(
+            Picture(
+                stem="verification_cost",
+                caption=caption,
+                draw=partial(draw_scaling, curves=curves),
+            ),
+        ),
     )
 
 
@@ -163,7 +181,11 @@ def _checks(name: str, costs: Sequence[Cost]) -> list[Check]:
     base = next(c for c in costs if c.nx == GROWTH_FROM)
     last = costs[-1]
     checks = [
-        Check(name=f"cycles, {name}: {last.nx} points less {base.nx}", value=last.cycles - base.cycles, most=0.0),
+        Check(
+            name=f"cycles, {name}: {last.nx} points less {base.nx}",
+            value=last.cycles - base.cycles,
+            most=0.0,
+        ),
         Check(
             name=f"memory per unknown, {name}: {last.nx} points over {base.nx}",
             value=last.memory / last.unknowns * base.unknowns / base.memory,
@@ -173,7 +195,11 @@ def _checks(name: str, costs: Sequence[Cost]) -> list[Check]:
     if last.nx > base.nx:
         growth = last.per_unknown / base.per_unknown
         checks.append(
-            Check(name=f"time per unknown, {name}: {last.nx} points over {base.nx}", value=growth, most=GROWTH)
+            Check(
+                name=f"time per unknown, {name}: {last.nx} points over {base.nx}",
+                value=growth,
+                most=GROWTH,
+            )
         )
     return checks
 
@@ -187,11 +213,23 @@ def _bearing() -> Table:
     solved = [s for s in best.solutions if s is not None]
     distinct = {id(s): s for s in solved}.values()
     converged = sum(s.converged for s in solved)
-    row = (BEARING, str(case.solver.points), f"{len(solved)}, {len(distinct)} distinct", str(converged))
+    row = (
+        BEARING,
+        str(case.solver.points),
+        f"{len(solved)}, {len(distinct)} distinct",
+        str(converged),
+    )
     seconds = best.timing["contacts"]
     alone = sum(deflection_time(s, 5) for s in distinct)
     return Table(
         caption="All contacts of the bearing, in as many threads as there are cores, equal ones solved once:",
-        head=("case", "points", "contacts", "converged", "time, s", "time/sum of one deflection each"),
+        head=(
+            "case",
+            "points",
+            "contacts",
+            "converged",
+            "time, s",
+            "time/sum of one deflection each",
+        ),
         rows=((*row, f"{seconds:.2f}", f"{seconds / alone:.0f}"),),
     )

@@ -1,7 +1,5 @@
 """Random contacts over the ranges the solver is made for."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from math import degrees, exp, log, pi
 
@@ -12,11 +10,16 @@ from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
 from .contacts import from_groups
 
-LOAD, LARGEST_LOAD, LARGEST_LOAD_WIDE = 5.0, 3000.0, 10_000.0  # M; the last for Rx/Ry below WIDE
+# M; the last for Rx/Ry below WIDE
+LOAD = 5.0
+LARGEST_LOAD = 3000.0
+LARGEST_LOAD_WIDE = 10_000.0
 WIDE = 0.3
 LUBRICANT = (0.0, 30.0)  # L
 RATIO = (0.005, 5.0)  # Rx/Ry
-LARGEST_PRESSURE, LARGEST_EXPONENT = 4e9, 80.0  # p_h [Pa] and alpha p_h [-]
+# p_h [Pa] and alpha p_h [-]
+LARGEST_PRESSURE = 4e9
+LARGEST_EXPONENT = 80.0
 LARGEST_ROTATION = 0.5  # speed of the rotation at the end of the ellipse over u_m
 
 
@@ -31,7 +34,9 @@ class Draw:
 
     @property
     def kind(self) -> str:
-        """Of its entrainment: along a principal direction, at an angle, or turning from place to place."""
+        """Of its entrainment: along a principal direction, at an angle, or turning from place to
+        place.
+        """
         if self.rotation:
             return "rotating"
         return "at an angle" if self.groups.entrainment_angle else "straight"
@@ -48,20 +53,26 @@ class Draw:
 
 
 def draws(count: int, seed: int) -> list[Draw]:
-    """`count` contacts: M and Rx/Ry log-uniform, L uniform; a third at an angle, a third rotating, both independent.
+    """`count` contacts: M and Rx/Ry log-uniform, L uniform; a third at an angle, a third rotating,
+    both independent.
 
-    Those with p_h above 4 GPa or alpha p_h above 80 are drawn again. The first contacts of a longer list are those of a
-    shorter one with the same seed.
+    Those with p_h above 4 GPa or alpha p_h above 80 are drawn again. The first contacts of a
+    longer list are those of a shorter one with the same seed.
     """
     random = np.random.default_rng(seed)
     found: list[Draw] = []
     while len(found) < count:
         groups, rotation = _groups(random), _rotation(random)
         pressure = scale_contact(groups).hertz_pressure
-        if pressure > LARGEST_PRESSURE or pressure * groups.lubricant.pressure_viscosity > LARGEST_EXPONENT:
+        if (
+            pressure > LARGEST_PRESSURE
+            or pressure * groups.lubricant.pressure_viscosity > LARGEST_EXPONENT
+        ):
             continue
         conditions = from_groups(groups, rotation)
-        found.append(Draw(number=len(found), conditions=conditions, groups=groups, rotation=rotation))
+        found.append(
+            Draw(number=len(found), conditions=conditions, groups=groups, rotation=rotation)
+        )
     return found
 
 
@@ -78,7 +89,8 @@ def _groups(random: np.random.Generator) -> MoesConditions:
         oil = replace(oil, density_law=DensityLaw.INCOMPRESSIBLE)
     return MoesConditions(
         load_parameter=exp(random.uniform(log(LOAD), log(largest))),
-        lubricant_parameter=max(random.uniform(*LUBRICANT), 1e-6),  # zero would leave the speed open
+        # zero would leave the speed open
+        lubricant_parameter=max(random.uniform(*LUBRICANT), 1e-6),
         radius_ratio=ratio,
         lubricant=oil,
         entrainment_angle=random.uniform(0.0, 0.5 * pi) if random.random() < 1 / 3 else 0.0,

@@ -1,7 +1,5 @@
 """Finite elements against multigrid."""
 
-from __future__ import annotations
-
 from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 
@@ -26,15 +24,37 @@ def elements(quick: bool = False) -> Section:
     contacts = CONTACTS[:1] if quick else CONTACTS
     points = (129, 129) if quick else (513, 257)
     rows, checks = [], []
-    for contact, (grid, mesh) in zip(contacts, each(lambda c: _both(c, points), contacts), strict=True):
-        cells = [contact.name, "open" if contact.box is None else ", ".join(f"{end:g}" for end in contact.box)]
+    for contact, (grid, mesh) in zip(
+        contacts, each(lambda c: _both(c, points), contacts), strict=True
+    ):
+        cells = [
+            contact.name,
+            "open" if contact.box is None else ", ".join(f"{end:g}" for end in contact.box),
+        ]
         for kind, most in (("central", 0.01), ("minimum", 0.02)):
             ours, theirs = (getattr(s, f"film_{kind}_dimensionless") for s in (grid, mesh))
             difference = theirs.value / ours.value - 1.0
-            cells += [with_bar(s.value, s.uncertainty) for s in (ours, theirs)] + [percent(difference, 2)]
-            checks.append(Check(name=f"finite elements, {kind} film, {contact.name}", value=abs(difference), most=most))
+            cells += [with_bar(s.value, s.uncertainty) for s in (ours, theirs)] + [
+                percent(difference, 2)
+            ]
+            checks.append(
+                Check(
+                    name=f"finite elements, {kind} film, {contact.name}",
+                    value=abs(difference),
+                    most=most,
+                )
+            )
         rows.append(tuple(cells))
-    head = ("contact", "box", "H_c, multigrid", "H_c, elements", "", "H_min, multigrid", "H_min, elements", "")
+    head = (
+        "contact",
+        "box",
+        "H_c, multigrid",
+        "H_c, elements",
+        "",
+        "H_min, multigrid",
+        "H_min, elements",
+        "",
+    )
     caption = f"Films in units of a²/R_x; multigrid {points[0]} points, elements {(points[1] + 1) // 2} lines of nodes:"
     return Section(
         title="Finite elements",
@@ -46,4 +66,6 @@ def elements(quick: bool = False) -> Section:
 
 def _both(contact: Named, points: tuple[int, int]) -> tuple[ContactSolution, ContactSolution]:
     grid, mesh = (SolverOptions(points=n, domain=contact.box) for n in points)
-    return solve_contact(contact.conditions, grid), solve_contact_finite_element(contact.conditions, mesh)
+    return solve_contact(contact.conditions, grid), solve_contact_finite_element(
+        contact.conditions, mesh
+    )

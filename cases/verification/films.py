@@ -1,7 +1,5 @@
 """Grid-converged films of named contacts, each with its box, its mesh and its error bar."""
 
-from __future__ import annotations
-
 from math import degrees
 
 from ehl import ContactSolution, SolverOptions, solve_contact
@@ -16,7 +14,8 @@ HEAD = (
     *("contact", "box", "grid", "H_c, a²/R_x", "H_min, a²/R_x", "h_c, µm", "h_min, µm"),
     *("H_min/(S h_x²)", "off/bar"),
 )
-POINTS, FEW_POINTS = (257, 1025), (129, 257)
+POINTS = (257, 1025)
+FEW_POINTS = (129, 257)
 TEXT = """\
 Extrapolated values and error bars; boxes in Hertz half-extents along and across the grid, *open* where the solver
 chose it; grid along the principal direction in which the entrainment passes the ellipse sooner. H_min/h_x² tells
@@ -33,14 +32,20 @@ def named_films(quick: bool = False) -> Section:
     jobs = [(contact, points) for points in (fine, coarse) for contact in named]
     solutions = each(_solve, jobs)
     rows, covered = [], []
-    for contact, best, rough in zip(named, solutions[: len(named)], solutions[len(named) :], strict=True):
+    for contact, best, rough in zip(
+        named, solutions[: len(named)], solutions[len(named) :], strict=True
+    ):
         ratios = [_error_over_bar(rough, best, film) for film in FILMS]
         if rough.resolved and rough.converged:
             covered += ratios
         rows.append(_row(contact, best, ratios))
     known = sum(s.converged and s.resolved for s in solutions[: len(named)]) / len(named)
     checks = (
-        Check(name=f"named contacts: largest error of {coarse} points over its bar", value=max(covered), most=1.0),
+        Check(
+            name=f"named contacts: largest error of {coarse} points over its bar",
+            value=max(covered),
+            most=1.0,
+        ),
         Check(name="named contacts converged and resolved, share", value=known, least=1.0),
         *_reference_checks(solutions[0], 2e-3 if quick else 2e-4),
     )
@@ -54,7 +59,9 @@ def named_films(quick: bool = False) -> Section:
 
 
 def _reference_checks(circle: ContactSolution, within: float) -> list[Check]:
-    """M 20, L 10 in its box against values of the team's earlier study by the same family of methods."""
+    """M 20, L 10 in its box against values of the team's earlier study by the same family of
+    methods.
+    """
     checks = []
     for film, reference in zip(FILMS, REFERENCE, strict=True):
         difference = abs(getattr(circle, film).value / reference - 1.0)
@@ -82,7 +89,9 @@ def _row(contact: Named, s: ContactSolution, ratios: list[float]) -> tuple[str, 
     unit = None if s.film_scale is None else 1e6 * s.film_scale
     lengths = ["", ""]
     if unit is not None:
-        lengths = [with_bar(unit * film.value, unit * film.uncertainty) for film in (central, minimum)]
+        lengths = [
+            with_bar(unit * film.value, unit * film.uncertainty) for film in (central, minimum)
+        ]
     turned = f", grid at {degrees(s.frame_angle):.0f}°" if s.frame_angle else ""
     return (
         contact.name,

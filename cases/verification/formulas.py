@@ -1,7 +1,5 @@
 """Film formulas beside solved films: where they hold and where they fail."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 
@@ -39,8 +37,12 @@ Dowson's minimum is the worst of them, since the side lobes of a heavily loaded 
 
 def formulas(quick: bool = False) -> Section:
     """Deviation of the formulas over M, L and Rx/Ry."""
-    loads, lubricant, ratios = ((15.0, 150.0), (5.0, 10.0), (1.0,)) if quick else (LOADS, LUBRICANT, RATIOS)
-    options = SolverOptions(points=257 if quick else 1025, tolerance=2.5 * TOLERANCE if quick else TOLERANCE)
+    loads, lubricant, ratios = (
+        ((15.0, 150.0), (5.0, 10.0), (1.0,)) if quick else (LOADS, LUBRICANT, RATIOS)
+    )
+    options = SolverOptions(
+        points=257 if quick else 1025, tolerance=2.5 * TOLERANCE if quick else TOLERANCE
+    )
     jobs = [(ratio, l, m) for ratio in ratios for l in lubricant for m in loads]  # noqa: E741
     contacts = [from_groups(moes(m, l, ratio)) for ratio, l, m in jobs]  # noqa: E741
     solutions = dict(zip(jobs, each(lambda c: solve_contact(c, options), contacts), strict=True))
@@ -49,20 +51,42 @@ def formulas(quick: bool = False) -> Section:
         row = [name]
         for ratio in ratios:
             share = np.array(
-                [[_deviation(formula, which, solutions[(ratio, l, m)]) for m in loads] for l in lubricant]  # noqa: E741
+                [
+                    [_deviation(formula, which, solutions[(ratio, l, m)]) for m in loads]
+                    for l in lubricant
+                ]
             )
-            maps.append(FormulaMap(title=f"{name}, $R_x/R_y$ {ratio:g}", loads=loads, lubricant=lubricant, share=share))
+            maps.append(
+                FormulaMap(
+                    title=f"{name}, $R_x/R_y$ {ratio:g}",
+                    loads=loads,
+                    lubricant=lubricant,
+                    share=share,
+                )
+            )
             row.append(_range(share))
         rows.append(tuple(row))
     head = ("formula", *(f"R_x/R_y {ratio:g}" for ratio in ratios))
-    tables = [Table(caption="Smallest and largest deviation, and the median of its size:", head=head, rows=tuple(rows))]
+    tables = [
+        Table(
+            caption="Smallest and largest deviation, and the median of its size:",
+            head=head,
+            rows=tuple(rows),
+        )
+    ]
     if not quick:
         tables.append(_named(options))
     used = sum(s.converged and s.resolved for s in solutions.values()) / len(solutions)
     return Section(
         title="Film formulas",
         text=TEXT,
-        checks=(Check(name="formulas: share of the contacts solved to the wanted error bar", value=used, least=0.9),),
+        checks=(
+            Check(
+                name="formulas: share of the contacts solved to the wanted error bar",
+                value=used,
+                least=0.9,
+            ),
+        ),
         tables=tuple(tables),
         pictures=(
             Picture(
@@ -86,7 +110,9 @@ def _deviation(formula: Formula, which: str, solution: ContactSolution) -> float
 def _range(share: np.ndarray) -> str:
     if np.isnan(share).all():
         return "not solved"
-    low, high, middle = np.nanmin(share), np.nanmax(share), np.nanmedian(abs(share))
+    low = np.nanmin(share)
+    high = np.nanmax(share)
+    middle = np.nanmedian(abs(share))
     return f"{percent(low, 0)} to {percent(high, 0)}, {100.0 * middle:.0f} %"
 
 
@@ -98,4 +124,6 @@ def _named(options: SolverOptions) -> Table:
     for contact, s in zip(named, solutions, strict=True):
         found = [percent(_deviation(formula, which, s), 1) for which, formula in FORMULAS.values()]
         rows.append((contact.name, f"{s.moes_load:.1f}", f"{s.moes_lubricant:.1f}", *found))
-    return Table(caption="Contacts of the 6208:", head=("contact", "M", "L", *FORMULAS), rows=tuple(rows))
+    return Table(
+        caption="Contacts of the 6208:", head=("contact", "M", "L", *FORMULAS), rows=tuple(rows)
+    )

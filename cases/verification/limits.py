@@ -1,6 +1,6 @@
-"""Limits with a known answer: Hertz, rigid surfaces, a contact turned or given in other units, the size of the box."""
-
-from __future__ import annotations
+"""Limits with a known answer: Hertz, rigid surfaces, a contact turned or given in other units, the
+size of the box.
+"""
 
 from dataclasses import replace
 from functools import partial
@@ -8,13 +8,7 @@ from math import pi, sqrt
 
 import numpy as np
 
-from ehl import (
-    ContactConditions,
-    ContactSolution,
-    MoesConditions,
-    SolverOptions,
-    solve_contact,
-)
+from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
 from ehl.conditions import moes_groups
 from ehl.multigrid.full_multigrid import (
     ATTEMPTS,
@@ -58,10 +52,25 @@ def hertz_limit(quick: bool = False) -> Section:
     slower = SLOWER[:3] if quick else SLOWER
     points = 129 if quick else 1025
     contacts = [moes(20.0 * s**0.75, 10.0 * s**-0.25, oil=OIL) for s in slower]
-    solutions = each(lambda c: solve_contact(c, SolverOptions(points=points, domain=CIRCULAR_BOX)), contacts)
-    head = ("M", "L", "H_c", "rms of P − P_Hertz", "P(0, 0)", "approach", "approach, formula", "resolved")
+    solutions = each(
+        lambda c: solve_contact(c, SolverOptions(points=points, domain=CIRCULAR_BOX)), contacts
+    )
+    head = (
+        "M",
+        "L",
+        "H_c",
+        "rms of P − P_Hertz",
+        "P(0, 0)",
+        "approach",
+        "approach, formula",
+        "resolved",
+    )
     curves = [
-        Curve(label=f"M {s.moes_load:.0f}, L {s.moes_lubricant:.1f}", x=tuple(s.X), y=tuple(s.P[:, s.Y.size // 2]))
+        Curve(
+            label=f"M {s.moes_load:.0f}, L {s.moes_lubricant:.1f}",
+            x=tuple(s.X),
+            y=tuple(s.P[:, s.Y.size // 2]),
+        )
         for s in solutions
         if s.resolved
     ]
@@ -83,7 +92,12 @@ def hertz_limit(quick: bool = False) -> Section:
 
 def _hertz_row(s: ContactSolution) -> tuple[str, ...]:
     m, l = s.moes_load, s.moes_lubricant  # noqa: E741
-    numbers = (s.film_central_dimensionless.value, _distance(s), _centre(s), -s.approach_dimensionless)
+    numbers = (
+        s.film_central_dimensionless.value,
+        _distance(s),
+        _centre(s),
+        -s.approach_dimensionless,
+    )
     film, *others = (*numbers, approach_formula(m, l))
     known = "yes" if s.resolved else "no"
     return (f"{m:.1f}", f"{l:.3f}", f"{film:.5f}", *(f"{number:.4f}" for number in others), known)
@@ -92,15 +106,24 @@ def _hertz_row(s: ContactSolution) -> tuple[str, ...]:
 def _hertz_checks(resolved: list[ContactSolution], share: float) -> tuple[Check, ...]:
     """Checks on the resolved solutions, fastest first."""
     fitted = [s for s in resolved if s.moes_load <= 1000.0]
-    misses = [-s.approach_dimensionless / approach_formula(s.moes_load, s.moes_lubricant) - 1.0 for s in fitted]
-    first, last = resolved[0], resolved[-1]
+    misses = [
+        -s.approach_dimensionless / approach_formula(s.moes_load, s.moes_lubricant) - 1.0
+        for s in fitted
+    ]
+    first = resolved[0]
+    last = resolved[-1]
     return (
         Check(
             name="distance to Hertz' pressure, last resolved over first, as the speed goes to zero",
             value=_distance(last) / _distance(first),
             most=share,
         ),
-        Check(name="pressure at the centre over Hertz', slowest resolved", value=_centre(last), least=0.99, most=1.01),
+        Check(
+            name="pressure at the centre over Hertz', slowest resolved",
+            value=_centre(last),
+            least=0.99,
+            most=1.01,
+        ),
         Check(
             name="approach against the formula for M 20 to 1000, largest difference",
             value=max(abs(miss) for miss in misses),
@@ -110,7 +133,9 @@ def _hertz_checks(resolved: list[ContactSolution], share: float) -> tuple[Check,
 
 
 def approach_formula(m: float, l: float) -> float:  # noqa: E741
-    """Approach of a lubricated circular contact over Hertz' [-], 1 - p M^q, Venner and Lubrecht (2000)."""
+    """Approach of a lubricated circular contact over Hertz' [-], 1 - p M^q, Venner and Lubrecht
+    (2000).
+    """
     p = ((4.0 - 0.2 * l) ** 7 + (3.5 + 0.1 * l) ** 7) ** (1 / 7)
     return float(1.0 - p * m ** (-(0.6 + 0.6 / sqrt(l + 3.0))))
 
@@ -132,7 +157,14 @@ def same_contact(quick: bool = False) -> Section:
     for name, one, other, limit in _pairs():
         first, second = (_films(conditions, box, points) for conditions, box in (one, other))
         difference = max(abs(b / a - 1.0) for a, b in zip(first, second, strict=True))
-        rows.append((name, f"{first[0]:.6g}, {first[1]:.6g}", f"{second[0]:.6g}, {second[1]:.6g}", f"{difference:.1e}"))
+        rows.append(
+            (
+                name,
+                f"{first[0]:.6g}, {first[1]:.6g}",
+                f"{second[0]:.6g}, {second[1]:.6g}",
+                f"{difference:.1e}",
+            )
+        )
         checks.append(Check(name=f"films of {name}", value=difference, most=limit))
     head = ("the same contact", "central, minimum", "central, minimum", "difference")
     tables = [
@@ -177,23 +209,43 @@ def _pairs() -> list[tuple[str, Posed, Posed, float]]:
     inner = race_6208(500.0)
     m, l = moes_groups(inner)  # noqa: E741
     groups = moes(m, l, inner.radius_x / inner.radius_y, oil=inner.lubricant)
-    oblique, circle = moes(100.0, 8.0, 0.3, 0.5), CIRCULAR_20_10.conditions
+    oblique = moes(100.0, 8.0, 0.3, 0.5)
+    circle = CIRCULAR_20_10.conditions
     mirrored = replace(oblique, entrainment_angle=-0.5)
     spin, back = (from_groups(moes(100.0, 8.0, 0.1), rotation=r) for r in (0.3, -0.3))
     assert isinstance(circle, MoesConditions)
     box = (-4.5, 1.5, 3.0)
     return [
-        ("entrainment at 90° and the principal directions exchanged", (si, box), (exchanged, box), 2e-3),
-        ("6208 in SI and in Moes' groups", (inner, (-8.0, 1.5, 2.25)), (groups, (-8.0, 1.5, 2.25)), 1e-8),
+        (
+            "entrainment at 90° and the principal directions exchanged",
+            (si, box),
+            (exchanged, box),
+            2e-3,
+        ),
+        (
+            "6208 in SI and in Moes' groups",
+            (inner, (-8.0, 1.5, 2.25)),
+            (groups, (-8.0, 1.5, 2.25)),
+            1e-8,
+        ),
         ("an entrainment and its mirror image", (oblique, None), (mirrored, None), 2e-3),
         ("a rotation and its mirror image", (spin, None), (back, None), 2e-3),
-        ("a circle, entrainment at 0° and at 40°", (circle, box), (replace(circle, entrainment_angle=0.7), box), 2e-3),
+        (
+            "a circle, entrainment at 0° and at 40°",
+            (circle, box),
+            (replace(circle, entrainment_angle=0.7), box),
+            2e-3,
+        ),
     ]
 
 
 def _films(conditions: Conditions, box: Box | None, points: int) -> tuple[float, float]:
     s = solve_contact(conditions, SolverOptions(points=points, domain=box))
-    unit = 1.0 if s.film_scale is None or not isinstance(conditions, ContactConditions) else 1e6 * s.film_scale
+    unit = (
+        1.0
+        if s.film_scale is None or not isinstance(conditions, ContactConditions)
+        else 1e6 * s.film_scale
+    )
     if box == (-8.0, 1.5, 2.25):
         unit = 1.0
     return unit * s.film_central_dimensionless.finest, unit * s.film_minimum_dimensionless.finest
@@ -204,12 +256,20 @@ BOX_CONTACTS = {  # M, L, Rx/Ry, smallest box
     "M 5, L 0.5": (5.0, 0.5, 1.0, (-5.0, 2.5, 3.5)),
     "M 12, L 25, R_x/R_y 0.055 (thick film)": (12.0, 25.0, 0.055, (-18.0, 9.0, 7.0)),
 }
-BOX_SCALES = ((1.0, 65), (2.0, 129), (4.0, 257))  # size of the box and the points that keep the mesh
+# size of the box and the points that keep the mesh
+BOX_SCALES = ((1.0, 65), (2.0, 129), (4.0, 257))
 
 
 def _boxes() -> tuple[Table, float]:
-    """Central film against the size of the box at one mesh size, and the change from the second to the third."""
-    jobs = [(name, is_open, *scale) for name in BOX_CONTACTS for is_open in (False, True) for scale in BOX_SCALES]
+    """Central film against the size of the box at one mesh size, and the change from the second to
+    the third.
+    """
+    jobs = [
+        (name, is_open, *scale)
+        for name in BOX_CONTACTS
+        for is_open in (False, True)
+        for scale in BOX_SCALES
+    ]
     films = each(lambda job: box_film(*job), jobs)
     rows, changes = [], []
     for i in range(0, len(jobs), 3):
@@ -235,6 +295,8 @@ def box_film(name: str, is_open: bool, scale: float, points: int) -> float:
     conditions = moes(m, l, ratio, oil=OIL if ratio == 1.0 else race_6208(1.0).lubricant)
     domain = (scale * box[0], scale * box[1], scale * box[2])
     options = SolverOptions(points=points, domain=None if is_open else domain)
-    outcome = Outcome(state=contact_multigrid(scale_contact(conditions), domain, options, ATTEMPTS[0]))
+    outcome = Outcome(
+        state=contact_multigrid(scale_contact(conditions), domain, options, ATTEMPTS[0])
+    )
     full_multigrid(outcome, options, Progress())
     return outcome.films[-1][0]

@@ -1,7 +1,5 @@
 """Names of the sections of the verification page."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 
 

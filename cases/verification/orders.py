@@ -1,6 +1,6 @@
-"""Observed orders: films on a sequence of grids, and the parts of the discretisation by themselves."""
-
-from __future__ import annotations
+"""Observed orders: films on a sequence of grids, and the parts of the discretisation by
+themselves.
+"""
 
 from functools import partial
 from math import log2, pi
@@ -28,13 +28,22 @@ from .contacts import (
 from .page import Check, Picture, Section, Table, each
 from .rested import RestedFilms, rested_films
 
-POINTS, FEW_POINTS = (65, 129, 257, 513, 1025), (65, 129, 257)
+POINTS = (65, 129, 257, 513, 1025)
+FEW_POINTS = (65, 129, 257)
 CONTACTS = (
     CIRCULAR_20_10,
     CIRCULAR_200_10,
     INNER_500N,
-    Named(name="M 100, L 8, R_x/R_y 0.3, at 30°", conditions=moes(100.0, 8.0, 0.3, pi / 6.0), box=(-5.0, 2.0, 3.0)),
-    Named(name="M 100, L 8, R_x/R_y 0.1, rotating", conditions=SPINNING.conditions, box=(-5.0, 1.5, 2.5)),
+    Named(
+        name="M 100, L 8, R_x/R_y 0.3, at 30°",
+        conditions=moes(100.0, 8.0, 0.3, pi / 6.0),
+        box=(-5.0, 2.0, 3.0),
+    ),
+    Named(
+        name="M 100, L 8, R_x/R_y 0.1, rotating",
+        conditions=SPINNING.conditions,
+        box=(-5.0, 1.5, 2.5),
+    ),
 )
 CELLS = (32, 64, 128, 256)
 TEXT = """\
@@ -51,30 +60,53 @@ def orders(quick: bool = False) -> Section:
     jobs = [(contact, n) for n in reversed(points) for contact in contacts]
     found = each(lambda job: rested_films(job[0].conditions, job[0].box, job[1]), jobs)
     sequences = {
-        contact.name: sorted((f for (c, _), f in zip(jobs, found, strict=True) if c is contact), key=lambda f: f.points)
+        contact.name: sorted(
+            (f for (c, _), f in zip(jobs, found, strict=True) if c is contact),
+            key=lambda f: f.points,
+        )
         for contact in contacts
     }
     rows = tuple(row for name, films in sequences.items() for row in _rows(name, films))
     part_table, part_checks = _part_table()
     checks = [
         Check(
-            name=f"order of the central film, {name}, finest three grids", value=_last_order(films), least=1.7, most=2.3
+            name=f"order of the central film, {name}, finest three grids",
+            value=_last_order(films),
+            least=1.7,
+            most=2.3,
         )
         for name, films in sequences.items()
     ]
-    head = ("contact", "points along x", "h_x", "H_c", "p", "H_min", "p", "H_c, H_min extrapolated")
+    head = (
+        "contact",
+        "points along x",
+        "h_x",
+        "H_c",
+        "p",
+        "H_min",
+        "p",
+        "H_c, H_min extrapolated",
+    )
     curves = [
         Curve(label=f"{name}, {which}", x=tuple(f.hx for f in films[:-1]), y=_errors(films, which))
         for name, films in sequences.items()
         for which in ("central", "minimum")
     ]
-    caption = "Relative error of the films against the value extrapolated from the two finest grids"
+    caption = (
+        "Relative error of the films against the value extrapolated from the two finest grids"
+    )
     return Section(
         title="Orders",
         text=TEXT,
         checks=(*checks, *part_checks),
         tables=(Table(caption="Films in units of a²/R_x:", head=head, rows=rows), part_table),
-        pictures=(Picture(stem="verification_orders", caption=caption, draw=partial(draw_orders, curves=curves)),),
+        pictures=(
+            Picture(
+                stem="verification_orders",
+                caption=caption,
+                draw=partial(draw_orders, curves=curves),
+            ),
+        ),
     )
 
 
@@ -99,8 +131,21 @@ def _rows(name: str, films: list[RestedFilms]) -> list[tuple[str, ...]]:
         ]
         last = ""
         if i == len(films) - 1:
-            last = ", ".join(f"{_extrapolated(films, which):.5f}" for which in ("central", "minimum"))
-        rows.append((name, str(f.points), f"{f.hx:.5f}", f"{f.central:.5f}", p[0], f"{f.minimum:.5f}", p[1], last))
+            last = ", ".join(
+                f"{_extrapolated(films, which):.5f}" for which in ("central", "minimum")
+            )
+        rows.append(
+            (
+                name,
+                str(f.points),
+                f"{f.hx:.5f}",
+                f"{f.central:.5f}",
+                p[0],
+                f"{f.minimum:.5f}",
+                p[1],
+                last,
+            )
+        )
     return rows
 
 
@@ -128,7 +173,11 @@ def _errors(films: list[RestedFilms], which: str) -> tuple[float, ...]:
 def _parts() -> list[tuple[str, float, list[float]]]:
     """Name, least order wanted, errors on grids of `CELLS` cells [-]."""
     found = [
-        (f"deflection under Hertz' pressure, R_x/R_y {ratio:g}", 1.4, [_hertz_error(ratio, cells) for cells in CELLS])
+        (
+            f"deflection under Hertz' pressure, R_x/R_y {ratio:g}",
+            1.4,
+            [_hertz_error(ratio, cells) for cells in CELLS],
+        )
         for ratio in (1.0, 0.05)
     ]
     for name, rotation in (
@@ -142,8 +191,16 @@ def _parts() -> list[tuple[str, float, list[float]]]:
 def _hertz_error(ratio: float, cells: int) -> float:
     """Root-mean-square departure of the deflected gap from a constant inside the ellipse [-]."""
     k, (f, g, d) = ellipse_ratio(ratio), hertz_coefficients(ratio)
-    grid = Grid(x_in=-2.0, hx=4.0 / cells, hy=4.0 * k / cells, nx=cells + 1, ny=cells // 2 + 1, symmetric=True)
-    X, Y = grid.X[None, :], grid.Y[:, None]
+    grid = Grid(
+        x_in=-2.0,
+        hx=4.0 / cells,
+        hy=4.0 * k / cells,
+        nx=cells + 1,
+        ny=cells // 2 + 1,
+        symmetric=True,
+    )
+    X = grid.X[None, :]
+    Y = grid.Y[:, None]
     inside = X**2 + (Y / k) ** 2 < 1.0
     P = np.sqrt(np.maximum(1.0 - X**2 - (Y / k) ** 2, 0.0))
     gap = deflect(deflection_kernel(grid, 2.0 * g / (pi * f)), P) + 0.5 * X**2 + 0.5 * ratio * Y**2
@@ -151,14 +208,22 @@ def _hertz_error(ratio: float, cells: int) -> float:
 
 
 def _kapitza_error(rotation: float, cells: int) -> float:
-    """Largest difference of the discrete Poiseuille term of the far field from the Couette term it balances [-]."""
-    contact = scale_contact(from_groups(moes(2.0, 1.0, 0.3, 0.4, oil=WATER_LIKE), rotation=rotation))
-    grid = Grid(x_in=-4.0, hx=8.0 / cells, hy=8.0 / cells, nx=cells + 1, ny=cells + 1, symmetric=False)
-    X, Y = grid.X[None, :], grid.Y[:, None]
+    """Largest difference of the discrete Poiseuille term of the far field from the Couette term it
+    balances [-].
+    """
+    contact = scale_contact(
+        from_groups(moes(2.0, 1.0, 0.3, 0.4, oil=WATER_LIKE), rotation=rotation)
+    )
+    grid = Grid(
+        x_in=-4.0, hx=8.0 / cells, hy=8.0 / cells, nx=cells + 1, ny=cells + 1, symmetric=False
+    )
+    X = grid.X[None, :]
+    Y = grid.Y[:, None]
     H = 1.5 + 0.5 * contact.curvature_x * X**2 + 0.5 * contact.curvature_y * Y**2
     k = far_field(contact)
     P = -(k.pressure_x * X + k.pressure_y * Y + k.pressure_xy * X * Y) / H**2
-    u, v = contact.velocity_x - contact.rotation * Y, contact.velocity_y + contact.rotation * X
+    u = contact.velocity_x - contact.rotation * Y
+    v = contact.velocity_y + contact.rotation * X
     couette = u * contact.curvature_x * X + v * contact.curvature_y * Y
     left = poiseuille(P, H**3 / contact.speed, grid.hx, grid.hy, False)
     return float(np.abs(left - couette[1:-1, 1:-1]).max())

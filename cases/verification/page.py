@@ -1,7 +1,5 @@
 """Parts of a page - checks, tables, pictures, sections - and the page in Markdown."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -21,7 +19,9 @@ PICTURES = "images"  # folder of the pictures, beside the page
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Check:
-    """One statement with the number found and the bounds it must keep; None: no bound on that side."""
+    """One statement with the number found and the bounds it must keep; None: no bound on that
+    side.
+    """
 
     name: str
     value: float
@@ -75,7 +75,9 @@ class Section:
 
 
 def each(function: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
-    """`function` of every item, in order, on all cores: the kernels release the interpreter's lock."""
+    """`function` of every item, in order, on all cores: the kernels release the interpreter's
+    lock.
+    """
     with ThreadPoolExecutor(max_workers=cores()) as pool:
         return list(pool.map(function, items))
 
@@ -95,18 +97,28 @@ def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
     parts = [f"# {title}", introduction]
     checks = [check for section in sections for check in section.checks]
     if checks:
-        rows = tuple((c.name, f"{c.value:.4g}", c.bounds, "yes" if c.passed else "**no**") for c in checks)
-        table = Table(caption="What is checked:", head=("statement", "found", "wanted", "holds"), rows=rows)
+        rows = tuple(
+            (c.name, f"{c.value:.4g}", c.bounds, "yes" if c.passed else "**no**") for c in checks
+        )
+        table = Table(
+            caption="What is checked:", head=("statement", "found", "wanted", "holds"), rows=rows
+        )
         parts += ["## Checks", _table(table)]
     for section in sections:
         parts += [f"## {section.title}", section.text]
         parts += [_table(table) for table in section.tables]
-        parts += [f"![{picture.caption}]({PICTURES}/{picture.stem}.png)" for picture in section.pictures]
+        parts += [
+            f"![{picture.caption}]({PICTURES}/{picture.stem}.png)" for picture in section.pictures
+        ]
     return "\n\n".join(part.strip() for part in parts if part.strip()) + "\n"
 
 
 def _table(table: Table) -> str:
-    lines = [_line(table.head), _line(["---"] * len(table.head)), *(_line(row) for row in table.rows)]
+    lines = [
+        _line(table.head),
+        _line(["---"] * len(table.head)),
+        *(_line(row) for row in table.rows),
+    ]
     return f"{table.caption}\n\n" + "\n".join(lines)
 
 

@@ -1,7 +1,5 @@
 """Films of one grid with the iteration error taken out, for observed orders."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from ehl import SolverOptions
@@ -25,7 +23,9 @@ MOST_CYCLES = 12
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RestedFilms:
-    """Central and minimum film of one grid in units of a^2/Rx, its mesh in semi-axes, change in the last cycle [-]."""
+    """Central and minimum film of one grid in units of a^2/Rx, its mesh in semi-axes, change in
+    the last cycle [-].
+    """
 
     points: int
     hx: float
@@ -35,19 +35,27 @@ class RestedFilms:
 
 
 def rested_films(conditions: Conditions, box: Box | None, points: int) -> RestedFilms:
-    """Solve on one grid and go on cycling until both films stand still, or no nearer to it than round the clock.
+    """Solve on one grid and go on cycling until both films stand still, or no nearer to it than
+    round the clock.
 
     With `box` None in the open box that the solver chooses. All quantities [-].
     """
     contact = scale_contact(conditions)
     options = SolverOptions(points=points, domain=box)
-    outcome = Outcome(state=contact_multigrid(contact, box or choose_domain(contact), options, ATTEMPTS[0]))
+    outcome = Outcome(
+        state=contact_multigrid(contact, box or choose_domain(contact), options, ATTEMPTS[0])
+    )
     full_multigrid(outcome, options, Progress())
-    level, films, change = outcome.state.levels[-1], outcome.films[-1], 1.0
+    level = outcome.state.levels[-1]
+    films = outcome.films[-1]
+    change = 1.0
     for _ in range(MOST_CYCLES):
         cycle(outcome.state, len(outcome.state.levels) - 1)
-        before, films = films, film_values(level.grid, level.H)
+        before = films
+        films = film_values(level.grid, level.H)
         change = max(abs(new / old - 1.0) for new, old in zip(films, before, strict=True))
         if change < AT_REST:
             break
-    return RestedFilms(points=points, hx=level.grid.hx, central=films[0], minimum=films[1], change=change)
+    return RestedFilms(
+        points=points, hx=level.grid.hx, central=films[0], minimum=films[1], change=change
+    )

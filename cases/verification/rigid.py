@@ -1,6 +1,6 @@
-"""Rigid surfaces and isoviscous oil: films beside Kapitza's closed form and a direct solution of Reynolds' equation."""
-
-from __future__ import annotations
+"""Rigid surfaces and isoviscous oil: films beside Kapitza's closed form and a direct solution of
+Reynolds' equation.
+"""
 
 from math import pi, sqrt
 from typing import Any
@@ -21,7 +21,8 @@ Array = NDArray[np.float64]
 
 LOADS = (4.0, 2.0, 1.0, 0.5, 0.25)  # M
 RATIOS = (1.0, 0.1, 5.0)  # Rx/Ry
-REACH, NEAR = 300.0, 10.0  # of the direct solution, in sqrt(2 Hc) along x and sqrt(2 Hc/D) along y [-]
+REACH = 300.0  # of the direct solution
+NEAR = 10.0  # in sqrt(2 Hc) along x and sqrt(2 Hc/D) along y [-]
 STEPS = 300  # of the active set, which moves by a layer of nodes at a time
 TEXT = """\
 At L = 0 and M → 0 nothing deforms, and the film is a pure number over M². Kapitza (1955) solved Reynolds' equation
@@ -43,7 +44,10 @@ def rigid_limit(quick: bool = False) -> Section:
     ratios = RATIOS[:1] if quick else RATIOS
     jobs = [(m, ratio) for ratio in ratios for m in LOADS]
     solutions = each(
-        lambda job: solve_contact(moes(job[0], 0.0, job[1], oil=WATER_LIKE), SolverOptions(points=points)), jobs
+        lambda job: solve_contact(
+            moes(job[0], 0.0, job[1], oil=WATER_LIKE), SolverOptions(points=points)
+        ),
+        jobs,
     )
     direct = each(
         lambda job: reynolds_over_sommerfeld(job[0], 48 if quick else 128, job[1]),
@@ -52,8 +56,10 @@ def rigid_limit(quick: bool = False) -> Section:
     far, near = (dict(zip(ratios, direct[i::2], strict=True)) for i in (0, 1))
     rows, checks = [], []
     for (m, ratio), s in zip(jobs, solutions, strict=True):
-        film, half = s.film_central_dimensionless, half_kapitza(s.conditions)
-        share, fit = film.value / half, asymptotes(m, 0.0, ratio)["RI"] / film_unit(m, ratio) / half
+        film = s.film_central_dimensionless
+        half = half_kapitza(s.conditions)
+        share = film.value / half
+        fit = asymptotes(m, 0.0, ratio)["RI"] / film_unit(m, ratio) / half
         bar = film.uncertainty / half
         rows.append(
             (
@@ -68,7 +74,9 @@ def rigid_limit(quick: bool = False) -> Section:
         if m == LOADS[-1]:
             name = f"rigid film over the direct solution, R_x/R_y {ratio:g}, M {m:g}"
             within = 0.04
-            checks.append(Check(name=name, value=share / far[ratio], least=1.0 - within, most=1.0 + within))
+            checks.append(
+                Check(name=name, value=share / far[ratio], least=1.0 - within, most=1.0 + within)
+            )
     head = ("R_x/R_y", "M", "solved", "direct, 300", "direct, 10", "fit RI")
     caption = f"Central film over that of half of Kapitza's pressure; {points} points, open box:"
     return Section(
@@ -82,8 +90,9 @@ def rigid_limit(quick: bool = False) -> Section:
 def half_kapitza(conditions: Conditions) -> float:
     """Central film of the half-Sommerfeld solution on a rigid paraboloid [-], Kapitza (1955).
 
-    The load is the integral over X < 0 of lambda |X|/((3 + 2 D) H^2), H = H_c + X^2/2 + D Y^2/2; with sqrt(D) Y for
-    Y it is lambda/((3 + 2 D) sqrt(D)) times twice the integral of r^2/(H_c + r^2/2)^2 over r, pi/sqrt(2 H_c).
+    The load is the integral over X < 0 of lambda |X|/((3 + 2 D) H^2), H = H_c + X^2/2 + D Y^2/2;
+    with sqrt(D) Y for Y it is lambda/((3 + 2 D) sqrt(D)) times twice the integral of r^2/(H_c +
+    r^2/2)^2 over r, pi/sqrt(2 H_c).
     """
     contact = scale_contact(conditions)
     d = contact.radius_ratio
@@ -91,22 +100,29 @@ def half_kapitza(conditions: Conditions) -> float:
 
 
 def reynolds_over_sommerfeld(ratio: float, cells: int = 128, reach: float = REACH) -> float:
-    """Central film with Reynolds' condition over that of half of Kapitza's pressure, at one load [-].
+    """Central film with Reynolds' condition over that of half of Kapitza's pressure, at one load
+    [-].
 
-    Solves d_x(h^3 q_x) + D d_y(h^3 q_y) = 2 x, h = 1 + x^2 + y^2, x in sqrt(2 Hc), y in sqrt(2 Hc/D), where Kapitza's
-    solution is q = -x/((3 + 2 D) h^2); `cells` along y > 0, twice as many along x, out to
-    `reach`, where half of it is the edge pressure. The film goes with the load squared.
+    Solves d_x(h^3 q_x) + D d_y(h^3 q_y) = 2 x, h = 1 + x^2 + y^2, x in sqrt(2 Hc), y in sqrt(2
+    Hc/D), where Kapitza's solution is q = -x/((3 + 2 D) h^2); `cells` along y > 0, twice as many
+    along x, out to `reach`, where half of it is the edge pressure. The film goes with the load
+    squared.
     """
-    x, y = _stretched(-1.0, 2 * cells, reach), _stretched(0.0, cells, reach)
+    x = _stretched(-1.0, 2 * cells, reach)
+    y = _stretched(0.0, cells, reach)
     matrix, wedge, area = _finite_volumes(x, y, ratio)
     inner = np.zeros((x.size, y.size), dtype=bool)
     inner[1:-1, :-1] = True
     free = inner.ravel()
-    kapitza = np.maximum(-x[:, None], 0.0) / (3.0 + 2.0 * ratio) / (1.0 + x[:, None] ** 2 + y**2) ** 2
+    kapitza = (
+        np.maximum(-x[:, None], 0.0) / (3.0 + 2.0 * ratio) / (1.0 + x[:, None] ** 2 + y**2) ** 2
+    )
     edge = np.where(inner, 0.0, kapitza).ravel()
-    wet, q = free.copy(), edge
+    wet = free.copy()
+    q = edge
     for _ in range(STEPS):
-        rows, q = matrix[wet], edge.copy()
+        rows = matrix[wet]
+        q = edge.copy()
         q[wet] = spsolve(sparse.csc_matrix(rows[:, wet]), wedge[wet] - rows @ edge)
         after = free & np.where(wet, q > 0.0, matrix @ q - wedge > 0.0)
         if np.array_equal(after, wet):
@@ -130,17 +146,22 @@ def _beyond(reach: float, ratio: float) -> float:
 
 
 def _finite_volumes(x: Array, y: Array, ratio: float) -> tuple[Any, Array, Array]:
-    """Matrix of the left side integrated over the cells around the nodes, the right side, and the cells' areas [-]."""
+    """Matrix of the left side integrated over the cells around the nodes, the right side, and the
+    cells' areas [-].
+    """
     xm, ym = 0.5 * (x[1:] + x[:-1]), 0.5 * (y[1:] + y[:-1])
-    west, east = np.concatenate((x[:1], xm)), np.concatenate((xm, x[-1:]))
-    width, height = east - west, np.diff(np.concatenate((y[:1], ym, y[-1:])))
+    west = np.concatenate((x[:1], xm))
+    east = np.concatenate((xm, x[-1:]))
+    width = east - west
+    height = np.diff(np.concatenate((y[:1], ym, y[-1:])))
     number = np.arange(x.size * y.size).reshape(x.size, y.size)
     along = (1.0 + xm[:, None] ** 2 + y**2) ** 3 / np.diff(x)[:, None] * height
     across = ratio * (1.0 + x[:, None] ** 2 + ym**2) ** 3 / np.diff(y) * width[:, None]
     first = np.concatenate((number[:-1].ravel(), number[:, :-1].ravel()))
     second = np.concatenate((number[1:].ravel(), number[:, 1:].ravel()))
     flow = np.concatenate((along.ravel(), across.ravel()))
-    rows, columns = np.concatenate((first, second, first, second)), np.concatenate((second, first, first, second))
+    rows = np.concatenate((first, second, first, second))
+    columns = np.concatenate((second, first, first, second))
     matrix = sparse.csr_matrix((np.concatenate((flow, flow, -flow, -flow)), (rows, columns)))
     wedge = (east**2 - west**2)[:, None] * height
     return matrix, wedge.ravel(), (width[:, None] * height).ravel()

@@ -1,6 +1,6 @@
-"""The sweep over random contacts: solved untuned, kept draw by draw, and gone on with after an interruption."""
-
-from __future__ import annotations
+"""The sweep over random contacts: solved untuned, kept draw by draw, and gone on with after an
+interruption.
+"""
 
 import json
 import threading
@@ -19,7 +19,8 @@ from ..format.problems import CaseError
 from ..runs.films import cores
 from .draws import Draw, draws
 
-POINTS, QUICK_POINTS = (257, 513, 1025), (65,)
+POINTS = (257, 513, 1025)
+QUICK_POINTS = (65,)
 RESOLVABLE = 10.0  # Hmin/(S hx^2) at the most points from which a contact counts as resolvable
 DAMPED = "damping halved in passing"
 Progress = Callable[[int, int, str], None]
@@ -39,7 +40,8 @@ class Finished:
     points: int  # of the last solve
     converged: bool
     resolved: bool
-    fineness: float | None  # Hmin/(S hx^2) of the last solve, of the extrapolated film if there is one; None: no film
+    # Hmin/(S hx^2) of the last solve, of the extrapolated film if there is one; None: no film
+    fineness: float | None
     measures: tuple[str, ...]  # taken in the last solve, without repetitions
     first_measures: tuple[str, ...]  # taken in the solve with the fewest points
     seconds: float  # of all its solves
@@ -54,8 +56,14 @@ class Finished:
 
     @property
     def resolvable(self) -> bool:
-        """Whether the most points resolve it: it was resolved, its film spans enough meshes, or nothing tells."""
-        return (self.converged and self.resolved) or self.fineness is None or self.fineness >= RESOLVABLE
+        """Whether the most points resolve it: it was resolved, its film spans enough meshes, or
+        nothing tells.
+        """
+        return (
+            (self.converged and self.resolved)
+            or self.fineness is None
+            or self.fineness >= RESOLVABLE
+        )
 
     @property
     def strongest(self) -> str:
@@ -103,15 +111,21 @@ def solve_draw(draw: Draw, points: tuple[int, ...] = POINTS) -> Finished:
 
 
 def _fineness(solution: ContactSolution) -> float | None:
-    """Hmin/(S hx^2) [-] on the finest grid, or of the thin-film extrapolation; None if it is not positive."""
-    curvature, film = scale_contact(solution.conditions).curvature_x, solution.film_minimum_dimensionless
+    """Hmin/(S hx^2) [-] on the finest grid, or of the thin-film extrapolation; None if it is not
+    positive.
+    """
+    curvature = scale_contact(solution.conditions).curvature_x
+    film = solution.film_minimum_dimensionless
     best = film.value if THIN_FILM in solution.record.fallbacks else film.finest
     value = best / (curvature * float(solution.X[1] - solution.X[0]) ** 2)
     return float(value) if isfinite(value) and value > 0.0 else None
 
 
-def sweep(count: int, seed: int, file: Path, progress: Progress, points: tuple[int, ...] = POINTS) -> list[Finished]:
-    """Solve the draws that `file` does not hold yet, on all cores; each is appended to it as soon as it is done.
+def sweep(
+    count: int, seed: int, file: Path, progress: Progress, points: tuple[int, ...] = POINTS
+) -> list[Finished]:
+    """Solve the draws that `file` does not hold yet, on all cores; each is appended to it as soon
+    as it is done.
 
     Raises
     ------
@@ -122,8 +136,12 @@ def sweep(count: int, seed: int, file: Path, progress: Progress, points: tuple[i
     """
     head = {"seed": seed, "points": list(points)}
     done = {finished.number: finished for finished in _take_over(file, head)}
-    last = max(done, default=-1)  # draws before it were begun when the sweep was stopped: the longest, taken last
-    waiting = sorted((d for d in draws(count, seed) if d.number not in done), key=lambda d: (d.number < last, d.number))
+    # draws before it were begun when the sweep was stopped: the longest, taken last
+    last = max(done, default=-1)
+    waiting = sorted(
+        (d for d in draws(count, seed) if d.number not in done),
+        key=lambda d: (d.number < last, d.number),
+    )
     lock = threading.Lock()
     progress(len(done), count, "random contacts")
     pool = ThreadPoolExecutor(max_workers=cores())
@@ -133,7 +151,9 @@ def sweep(count: int, seed: int, file: Path, progress: Progress, points: tuple[i
             finished = job.result()
             done[finished.number] = finished
             with lock, file.open("a", encoding="utf-8") as lines:
-                lines.write(json.dumps(asdict(finished), ensure_ascii=False, allow_nan=False) + "\n")
+                lines.write(
+                    json.dumps(asdict(finished), ensure_ascii=False, allow_nan=False) + "\n"
+                )
             progress(len(done), count, "random contacts")
     finally:
         pool.shutdown(wait=True, cancel_futures=True)
@@ -141,7 +161,9 @@ def sweep(count: int, seed: int, file: Path, progress: Progress, points: tuple[i
 
 
 def _take_over(file: Path, head: dict[str, Any]) -> list[Finished]:
-    """The finished draws of a file, which is begun if there is none; a last line cut short is taken away."""
+    """The finished draws of a file, which is begun if there is none; a last line cut short is
+    taken away.
+    """
     if not file.exists():
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(json.dumps(head) + "\n", encoding="utf-8")
@@ -162,15 +184,21 @@ def read_finished(file: Path, head: dict[str, Any] | None = None) -> list[Finish
         If the file is none of a sweep, or of another one.
     """
     try:
-        found, *lines = (json.loads(line) for line in file.read_text(encoding="utf-8").splitlines())
+        found, *lines = (
+            json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()
+        )
         wanted = {field.name for field in fields(Finished)}
         if "seed" not in found or any(set(line) != wanted for line in lines):
             raise ValueError(file)
     except (OSError, ValueError, TypeError):
-        raise CaseError([f"{file}: is no sweep of random contacts; move it away, or choose another -o"]) from None
+        raise CaseError(
+            [f"{file}: is no sweep of random contacts; move it away, or choose another -o"]
+        ) from None
     if head is not None and found != head:
         raise CaseError(
-            [f"{file}: holds the sweep with {found}, wanted is {head}; choose another -o, or --seed {found['seed']}"]
+            [
+                f"{file}: holds the sweep with {found}, wanted is {head}; choose another -o, or --seed {found['seed']}"
+            ]
         )
     names = ("measures", "first_measures")
     return [Finished(**(line | {name: tuple(line[name]) for name in names})) for line in lines]

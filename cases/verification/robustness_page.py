@@ -1,7 +1,5 @@
 """Table and map of the sweep over random contacts."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from functools import partial
@@ -23,12 +21,15 @@ H_min/(S h_x²) ≥ {fineness:g}, or is not positive and tells nothing. A film a
 unresolved on any grid, since the gap is no paraboloid there."""
 
 
-def robustness_section(finished: Sequence[Finished], seed: int, points: tuple[int, ...] = POINTS) -> Section:
+def robustness_section(
+    finished: Sequence[Finished], seed: int, points: tuple[int, ...] = POINTS
+) -> Section:
     """The sweep as a section of a page."""
     resolvable = [f for f in finished if f.resolvable]
     share = sum(f.converged for f in resolvable) / max(len(resolvable), 1)
     silent = [f for f in finished if f.outcome != OUTCOMES[0] and f.message == "converged"]
-    first, more = points[0], " and ".join(str(n) for n in points[1:]) or "no more"
+    first = points[0]
+    more = " and ".join(str(n) for n in points[1:]) or "no more"
     tables = [_outcomes(finished, points), _measures(finished), _kinds(finished)]
     if any(f.outcome != OUTCOMES[0] for f in finished):
         tables.append(_unsolved(finished))
@@ -38,7 +39,11 @@ def robustness_section(finished: Sequence[Finished], seed: int, points: tuple[in
         text=TEXT.format(first=first, more=more, fineness=RESOLVABLE),
         checks=(
             Check(name=f"converged, of {len(resolvable)} resolvable", value=share, least=0.99),
-            Check(name="neither converged nor resolved without saying so", value=len(silent), most=0.0),
+            Check(
+                name="neither converged nor resolved without saying so",
+                value=len(silent),
+                most=0.0,
+            ),
         ),
         tables=tuple(tables),
         pictures=(
@@ -63,19 +68,27 @@ def _outcomes(finished: Sequence[Finished], points: tuple[int, ...]) -> Table:
             cells = [str(sum(f.points == n for f in some)) for n in points]
             rows.append((f"{outcome}, {name}", *cells, str(len(some))))
     thin = sum(THIN_FILM in f.measures for f in finished)
-    rows.append(("of the last four: films extrapolated over the load", *("" for _ in points), str(thin)))
+    rows.append(
+        ("of the last four: films extrapolated over the load", *("" for _ in points), str(thin))
+    )
     head = ("outcome", *(f"at {n} points" for n in points), "in all")
     return Table(caption="Outcomes:", head=head, rows=tuple(rows))
 
 
 def _measures(finished: Sequence[Finished]) -> Table:
-    last, first = Counter(f.strongest for f in finished), Counter(strongest(f.first_measures) for f in finished)
+    last = Counter(f.strongest for f in finished)
+    first = Counter(strongest(f.first_measures) for f in finished)
     solved = Counter(f.strongest for f in finished if f.converged and f.resolved)
     rows = [
         (name, str(first.get(name, 0)), str(count), str(solved.get(name, 0)))
         for name, count in (last | Counter(dict.fromkeys(first, 0))).most_common()
     ]
-    head = ("strongest measure taken", "in the first solve", "in the last solve", "of these converged and resolved")
+    head = (
+        "strongest measure taken",
+        "in the first solve",
+        "in the last solve",
+        "of these converged and resolved",
+    )
     return Table(caption="Measures:", head=head, rows=tuple(rows))
 
 
@@ -87,9 +100,23 @@ def _kinds(finished: Sequence[Finished]) -> Table:
         plain = sum(f.strongest == "none" for f in some)
         seconds = sum(f.seconds for f in some) / max(len(some), 1)
         rows.append(
-            (kind, str(len(some)), str(len(good)), str(sum(f.converged for f in good)), str(plain), f"{seconds:.1f}")
+            (
+                kind,
+                str(len(some)),
+                str(len(good)),
+                str(sum(f.converged for f in good)),
+                str(plain),
+                f"{seconds:.1f}",
+            )
         )
-    head = ("entrainment", "draws", "resolvable", "of these converged", "without any measure", "mean time, s")
+    head = (
+        "entrainment",
+        "draws",
+        "resolvable",
+        "of these converged",
+        "without any measure",
+        "mean time, s",
+    )
     return Table(
         caption="By the entrainment; time of all solves of a draw, on a machine that was shared:",
         head=head,
@@ -99,18 +126,14 @@ def _kinds(finished: Sequence[Finished]) -> Table:
 
 def _unsolved(finished: Sequence[Finished]) -> Table:
     rows = [
-        (
-            str(f.number),
-            f.text,
-            f"{f.hertz_pressure / 1e9:.2f}",
-            _fineness(f.fineness),
-            f.message,
-        )
+        (str(f.number), f.text, f"{f.hertz_pressure / 1e9:.2f}", _fineness(f.fineness), f.message)
         for f in finished
         if f.outcome != OUTCOMES[0]
     ]
     head = ("number", "contact", "p_h, GPa", "H_min/(S h_x²)", "message")
-    return Table(caption="All that did not end converged and resolved:", head=head, rows=tuple(rows))
+    return Table(
+        caption="All that did not end converged and resolved:", head=head, rows=tuple(rows)
+    )
 
 
 def _fineness(value: float | None) -> str:
@@ -121,4 +144,10 @@ def _map_point(f: Finished) -> MapPoint:
     needed = f.strongest if f.converged and f.resolved else f.outcome
     names = {"none": "no measure", "damping halved in passing": "damping halved in passing"}
     group = names.get(needed, "another attempt" if needed not in OUTCOMES else needed)
-    return MapPoint(load=f.moes_load, lubricant=f.moes_lubricant, ratio=f.radius_ratio, kind=f.kind, group=group)
+    return MapPoint(
+        load=f.moes_load,
+        lubricant=f.moes_lubricant,
+        ratio=f.radius_ratio,
+        kind=f.kind,
+        group=group,
+    )

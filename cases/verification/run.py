@@ -1,7 +1,5 @@
 """All sections of the verification page, and the files they make."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable, Sequence
 from importlib import import_module
@@ -17,7 +15,9 @@ from ..runs.output_directory import check_output
 from .names import SectionName
 from .page import PICTURES, Section, markdown
 
-PAGE, SWEEP_PAGE, SWEEP = "verification.md", "robustness.md", "robustness.jsonl"
+PAGE = "verification.md"
+SWEEP_PAGE = "robustness.md"
+SWEEP = "robustness.jsonl"
 TITLES = {PAGE: "Verification of the contact solver", SWEEP_PAGE: "Random contacts"}
 INTRODUCTIONS = {
     PAGE: """\
@@ -45,13 +45,17 @@ MAKERS = {
 }
 
 
-def run_sections(names: Sequence[SectionName], progress: Progress, *, quick: bool = False) -> list[Section]:
+def run_sections(
+    names: Sequence[SectionName], progress: Progress, *, quick: bool = False
+) -> list[Section]:
     """Compute sections one after the other; each uses all cores but the one on cost."""
     found = []
     for done, name in enumerate(names):
         progress(done, len(names), name.value)
         module, function = MAKERS[name]
-        make: Callable[[bool], Section] = getattr(import_module(f".{module}", __package__), function)
+        make: Callable[[bool], Section] = getattr(
+            import_module(f".{module}", __package__), function
+        )
         found.append(make(quick))
     progress(len(names), len(names), "pictures")
     return found
@@ -63,18 +67,27 @@ def check_page(directory: Path, page: str) -> None:
     Raises
     ------
     CaseError
-        If the folder cannot be written, or a file of the page's name is there that is not such a page.
+        If the folder cannot be written, or a file of the page's name is there that is not such a
+        page.
     """
     check_output(directory)
     path = directory / page
-    if path.exists() and not path.read_text(encoding="utf-8", errors="replace").startswith(f"# {TITLES[page]}\n"):
-        raise CaseError([f"{path}: not written by oilfilm, will not be replaced; choose another -o"])
+    if path.exists() and not path.read_text(encoding="utf-8", errors="replace").startswith(
+        f"# {TITLES[page]}\n"
+    ):
+        raise CaseError(
+            [f"{path}: not written by oilfilm, will not be replaced; choose another -o"]
+        )
 
 
 def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
-    """Write the page, its pictures and its numbers into a folder; each file appears when it is complete."""
+    """Write the page, its pictures and its numbers into a folder; each file appears when it is
+    complete.
+    """
     (directory / PICTURES).mkdir(parents=True, exist_ok=True)
-    pictures = [(picture.stem, picture.draw) for section in sections for picture in section.pictures]
+    pictures = [
+        (picture.stem, picture.draw) for section in sections for picture in section.pictures
+    ]
     draw_pictures(pictures, directory / PICTURES)
     numbers = json.dumps(document(sections), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     text = markdown(TITLES[page], INTRODUCTIONS[page], sections)
@@ -86,7 +99,11 @@ def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
 def document(sections: Sequence[Section]) -> dict[str, Any]:
     """What `--json` prints: checks and tables; `converged` tells whether all checks hold."""
     checks = [check for section in sections for check in section.checks]
-    failed = [f"{check.name}: {check.value:.4g}, wanted {check.bounds}" for check in checks if not check.passed]
+    failed = [
+        f"{check.name}: {check.value:.4g}, wanted {check.bounds}"
+        for check in checks
+        if not check.passed
+    ]
     return {
         "converged": not failed,
         "messages": failed,
@@ -101,7 +118,10 @@ def document(sections: Sequence[Section]) -> dict[str, Any]:
             for check in checks
         ],
         "sections": [
-            {"title": section.title, "tables": [{"head": t.head, "rows": t.rows} for t in section.tables]}
+            {
+                "title": section.title,
+                "tables": [{"head": t.head, "rows": t.rows} for t in section.tables],
+            }
             for section in sections
         ],
     }

@@ -1,10 +1,8 @@
 """Film thickness formulas from curve fits: starting guesses and comparisons, never oracles.
 
-All take the entrainment along the principal direction x, smooth surfaces, an isothermal Newtonian oil and a flooded
-inlet. Ranges of the fits: `docs/theory/contact.md`.
+All take the entrainment along the principal direction x, smooth surfaces, an isothermal Newtonian
+oil and a flooded inlet. Ranges of the fits: `docs/theory/contact.md`.
 """
-
-from __future__ import annotations
 
 from math import exp, log, sqrt
 
@@ -22,16 +20,22 @@ def film_hamrock_dowson_minimum(conditions: ContactConditions) -> float:
 
 
 def film_hamrock_dowson_central(conditions: ContactConditions) -> float:
-    """Central film [m], 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)), Hamrock and Dowson (1977)."""
+    """Central film [m], 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)), Hamrock and Dowson
+    (1977).
+    """
     u, w, g = speed_load_material(conditions)
     k = 1.03 * (conditions.radius_y / conditions.radius_x) ** 0.64
-    return conditions.radius_x * 2.69 * u**0.67 * g**0.53 * w**-0.067 * (1.0 - 0.61 * exp(-0.73 * k))
+    return (
+        conditions.radius_x * 2.69 * u**0.67 * g**0.53 * w**-0.067 * (1.0 - 0.61 * exp(-0.73 * k))
+    )
 
 
 def film_chittenden_central(conditions: ContactConditions) -> float:
-    """Central film [m], 4.30 U^0.68 G^0.49 W^-0.073 (1 - e^(-1.23 (Ry/Rx)^(2/3))), Chittenden et al. (1985).
+    """Central film [m], 4.30 U^0.68 G^0.49 W^-0.073 (1 - e^(-1.23 (Ry/Rx)^(2/3))), Chittenden et
+    al. (1985).
 
-    Reprints of the paper give 4.30 or 4.31 and 1.23, 1.28 or 1.30 in the exponent; with Ry > 3 Rx all agree within 2 %.
+    Reprints of the paper give 4.30 or 4.31 and 1.23, 1.28 or 1.30 in the exponent; with Ry > 3 Rx
+    all agree within 2 %.
     """
     u, w, g = speed_load_material(conditions)
     side_flow = 1.0 - exp(-1.23 * (conditions.radius_y / conditions.radius_x) ** (2 / 3))
@@ -46,7 +50,9 @@ def film_nijenbanning_central(conditions: ContactConditions) -> float:
     return conditions.radius_x * sqrt(2.0 * u) * moes_film_nijenbanning(m, l, ratio)
 
 
-def moes_film_nijenbanning(load_parameter: float, lubricant_parameter: float, radius_ratio: float) -> float:
+def moes_film_nijenbanning(
+    load_parameter: float, lubricant_parameter: float, radius_ratio: float
+) -> float:
     """Central film of an elliptical contact in Moes' groups, Nijenbanning, Venner and Moes (1994).
 
     Parameters
@@ -61,7 +67,10 @@ def moes_film_nijenbanning(load_parameter: float, lubricant_parameter: float, ra
     float
         (h/Rx) (2U)^(-1/2) [-].
     """
-    m, l, d = load_parameter, max(lubricant_parameter, 1e-12), radius_ratio  # noqa: E741
+    # noqa: E741
+    m = load_parameter
+    l = max(lubricant_parameter, 1e-12)
+    d = radius_ratio
     q = 1.0 + 0.006 * log(d) + 0.63 * d ** (4 / 7)
     rigid_isoviscous = 145.0 * (1.0 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
     elastic_isoviscous = 3.18 * q ** (-14 / 25) * d ** (-1 / 15) * m ** (-2 / 15)

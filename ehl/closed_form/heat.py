@@ -1,7 +1,5 @@
 """Closed formulas of heat in the inlet, to compare with."""
 
-from __future__ import annotations
-
 from ..conditions import ContactConditions
 
 
@@ -15,13 +13,16 @@ def thermal_loading(conditions: ContactConditions) -> float:
     """
     oil = conditions.lubricant
     if oil.thermal is None:
-        raise ValueError("thermal properties of the lubricant are needed for the thermal loading parameter")
+        raise ValueError(
+            "thermal properties of the lubricant are needed for the thermal loading parameter"
+        )
     slope = oil.thermal.viscosity_temperature
     return oil.viscosity * slope * conditions.entrainment_speed**2 / oil.thermal.conductivity
 
 
 def film_reduction_gupta(pressure_ratio: float, loading: float, slide_roll_ratio: float) -> float:
-    """Thermal over isothermal film thickness by inlet shear heating, Gupta, Cheng, Zhu, Forster and Schrand (1992) [-].
+    """Thermal over isothermal film thickness by inlet shear heating, Gupta, Cheng, Zhu, Forster
+    and Schrand (1992) [-].
 
     [1 - 13.2 (p_h/E') L_T^0.42]/[1 + 0.213 (1 + 2.23 S^0.83) L_T^0.64]; fitted to line contacts.
 

@@ -1,25 +1,25 @@
 """Dry elastic contact of two quadratic surfaces, Hertz (1882), in symmetric elliptic integrals.
 
-Pressure p = p_h sqrt(1 - x^2/a^2 - y^2/b^2) on the ellipse with semi-axes a (along x) and b (along y) fills the gap
-x^2/(2 Rx) + y^2/(2 Ry) - approach when (Johnson, Contact Mechanics, 1985, section 4.2, with his integrals over the
-confocal parameter s written by Carlson's R_F and R_D)::
+Pressure p = p_h sqrt(1 - x^2/a^2 - y^2/b^2) on the ellipse with semi-axes a (along x) and b (along
+y) fills the gap x^2/(2 Rx) + y^2/(2 Ry) - approach when (Johnson, Contact Mechanics, 1985, section
+4.2, with his integrals over the confocal parameter s written by Carlson's R_F and R_D)::
 
     1/(2 Rx) = p_h a b/(3 E*) R_D(0, b^2, a^2),   E* = E'/2
     1/(2 Ry) = p_h a b/(3 E*) R_D(0, a^2, b^2)
     approach = p_h a b/E* R_F(0, a^2, b^2)
     load     = 2 pi/3 p_h a b
 
-R_D and R_F do not know which axis is the longer one: nothing is 0/0 at the circle and no branch is taken there.
+R_D and R_F do not know which axis is the longer one: nothing is 0/0 at the circle and no branch is
+taken there.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from math import cbrt, exp, isfinite, log, pi
 
 from scipy.special import elliprd, elliprf
 
-RADIUS_RATIO_LIMIT = 1.0e8  # Rx/Ry and its inverse, ellipticity about 1e5; beyond lies the line contact
+# Rx/Ry and its inverse, ellipticity about 1e5; beyond lies the line contact
+RADIUS_RATIO_LIMIT = 1.0e8
 MAX_NEWTON_STEPS = 60
 
 
@@ -115,8 +115,9 @@ def hertz_coefficients(radius_ratio: float) -> tuple[float, float, float]:
     Returns
     -------
     f, g, d : float
-        With W = F/(E' Rx^2) [-]: a/Rx = f W^(1/3), p_h/E' = g W^(1/3), approach/Rx = d W^(2/3) [-].
-        f^3 = (2/pi) R_D(0, k^2, 1), g = 3/(2 pi k f^2), d = (3/pi) R_F(0, 1, k^2)/f; 1.5, 3/(2 pi f^2), f^2 at D = 1.
+        With W = F/(E' Rx^2) [-]: a/Rx = f W^(1/3), p_h/E' = g W^(1/3), approach/Rx = d W^(2/3)
+        [-]. f^3 = (2/pi) R_D(0, k^2, 1), g = 3/(2 pi k f^2), d = (3/pi) R_F(0, 1, k^2)/f; 1.5,
+        3/(2 pi f^2), f^2 at D = 1.
     """
     k = ellipse_ratio(radius_ratio)
     f = cbrt(2.0 / pi * float(elliprd(0.0, k**2, 1.0)))
@@ -145,7 +146,9 @@ def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) 
     return float(reduced_modulus * (radius_x / d**3) ** 0.5)
 
 
-def hertz_contact(load: float, radius_x: float, radius_y: float, reduced_modulus: float) -> HertzContact:
+def hertz_contact(
+    load: float, radius_x: float, radius_y: float, reduced_modulus: float
+) -> HertzContact:
     """Ellipse, pressure and approach under a load, Hertz (1882).
 
     Parameters
@@ -161,7 +164,9 @@ def hertz_contact(load: float, radius_x: float, radius_y: float, reduced_modulus
     -------
     HertzContact
     """
-    _require_positive(load=load, radius_x=radius_x, radius_y=radius_y, reduced_modulus=reduced_modulus)
+    _require_positive(
+        load=load, radius_x=radius_x, radius_y=radius_y, reduced_modulus=reduced_modulus
+    )
     ratio = radius_x / radius_y
     f, g, d = hertz_coefficients(ratio)
     size = cbrt(load / (reduced_modulus * radius_x**2))
@@ -179,11 +184,15 @@ def hertz_contact(load: float, radius_x: float, radius_y: float, reduced_modulus
 
 
 def _log_radius_ratio(t: float) -> tuple[float, float]:
-    """ln(Rx/Ry) [-] at k = exp(t) and its slope [-]; d(R_D)/dk follows from the common integral of both."""
+    """ln(Rx/Ry) [-] at k = exp(t) and its slope [-]; d(R_D)/dk follows from the common integral of
+    both.
+    """
     k2 = exp(2.0 * t)
     along_x = float(elliprd(0.0, k2, 1.0))
     along_y = float(elliprd(0.0, 1.0, k2))
-    mixed = (along_x - along_y) / (k2 - 1.0) if abs(k2 - 1.0) > 1.0e-4 else 9.0 * pi / 16.0 * k2**-1.25
+    mixed = (
+        (along_x - along_y) / (k2 - 1.0) if abs(k2 - 1.0) > 1.0e-4 else 9.0 * pi / 16.0 * k2**-1.25
+    )
     slope = -3.0 + mixed / along_y + k2 * mixed / along_x
     return log(along_y / along_x), slope
 

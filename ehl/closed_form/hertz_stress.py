@@ -1,16 +1,16 @@
-r"""Stress below a dry elliptical contact in closed form: on its axis, and the orthogonal shear that rolling makes.
+r"""Stress below a dry elliptical contact in closed form: on its axis, and the orthogonal shear that
+rolling makes.
 
-The half-space z > 0 carries p = p_h sqrt(1 - x^2/a^2 - y^2/b^2) without friction. With Boussinesq's potentials
-psi = int p/r, chi = int p ln(r + z) (Johnson, Contact Mechanics, 1985, section 3.2; Thomas and Hoersch, 1930)::
+The half-space z > 0 carries p = p_h sqrt(1 - x^2/a^2 - y^2/b^2) without friction. With
+Boussinesq's potentials psi = int p/r, chi = int p ln(r + z) (Johnson, Contact Mechanics, 1985,
+section 3.2; Thomas and Hoersch, 1930)::
 
     2 pi sigma_x = 2 nu psi_z - z psi_xx - (1 - 2 nu) chi_xx,   2 pi sigma_z = psi_z - z psi_zz
 
 and for the ellipsoidal pressure, on the axis, every term is one of Carlson's integrals,
-int_{z^2}^inf dw/[(a^2 + w)^(3/2) (b^2 + w)^(1/2) w^(1/2)] = 2/3 R_D(b^2 + z^2, z^2, a^2 + z^2) and its likes. Stresses
-are negative in compression; depth counts into the body.
+int_{z^2}^inf dw/[(a^2 + w)^(3/2) (b^2 + w)^(1/2) w^(1/2)] = 2/3 R_D(b^2 + z^2, z^2, a^2 + z^2) and
+its likes. Stresses are negative in compression; depth counts into the body.
 """
-
-from __future__ import annotations
 
 from math import sqrt
 
@@ -20,14 +20,19 @@ from scipy.optimize import brentq, minimize_scalar
 from scipy.special import elliprd
 
 Array = NDArray[np.float64]
-DEEPEST = 1.5  # the largest shear lies above this depth, in the smaller semi-axis: 0.48 (circle) to 0.79 (line) [-]
+# the largest shear lies above this depth, in the smaller semi-axis: 0.48 (circle) to 0.79 (line)
+# [-]
+DEEPEST = 1.5
 
 
-def hertz_axis_stress(semi_axes: tuple[float, float], pressure: float, depth: Array, poisson_ratio: float) -> Array:
+def hertz_axis_stress(
+    semi_axes: tuple[float, float], pressure: float, depth: Array, poisson_ratio: float
+) -> Array:
     """Principal stresses on the axis of a Hertz contact, Thomas and Hoersch (1930).
 
-    sigma_x = p_h a b [(1 - nu) z I_x - nu z I_z - (1 - 2 nu)/(A (A + B))], A^2 = a^2 + z^2, B^2 = b^2 + z^2,
-    I_x = 2/3 R_D(B^2, z^2, A^2), I_z = 2/3 R_D(A^2, B^2, z^2), likewise sigma_y; sigma_z = -p_h a b/(A B).
+    sigma_x = p_h a b [(1 - nu) z I_x - nu z I_z - (1 - 2 nu)/(A (A + B))], A^2 = a^2 + z^2, B^2 =
+    b^2 + z^2, I_x = 2/3 R_D(B^2, z^2, A^2), I_z = 2/3 R_D(A^2, B^2, z^2), likewise sigma_y;
+    sigma_z = -p_h a b/(A B).
 
     Parameters
     ----------
@@ -46,19 +51,27 @@ def hertz_axis_stress(semi_axes: tuple[float, float], pressure: float, depth: Ar
         sigma_x, sigma_y, sigma_z [Pa].
     """
     a, b = semi_axes
-    z2, nu = np.square(depth), poisson_ratio
+    z2 = np.square(depth)
+    nu = poisson_ratio
     a2, b2 = a * a + z2, b * b + z2
     root_a, root_b = np.sqrt(a2), np.sqrt(b2)
     along_z = 2.0 / 3.0 * elliprd(a2, b2, z2)
     surface = (1.0 - 2.0 * nu) / (root_a + root_b)
-    stress_x = depth * ((1.0 - nu) * 2.0 / 3.0 * elliprd(b2, z2, a2) - nu * along_z) - surface / root_a
-    stress_y = depth * ((1.0 - nu) * 2.0 / 3.0 * elliprd(a2, z2, b2) - nu * along_z) - surface / root_b
+    stress_x = (
+        depth * ((1.0 - nu) * 2.0 / 3.0 * elliprd(b2, z2, a2) - nu * along_z) - surface / root_a
+    )
+    stress_y = (
+        depth * ((1.0 - nu) * 2.0 / 3.0 * elliprd(a2, z2, b2) - nu * along_z) - surface / root_b
+    )
     result: Array = pressure * a * b * np.stack([stress_x, stress_y, -1.0 / (root_a * root_b)])
     return result
 
 
-def hertz_maximum_shear(semi_axes: tuple[float, float], pressure: float, poisson_ratio: float) -> tuple[float, float]:
-    """Largest principal shear on the axis of a Hertz contact, half the difference of the extreme stresses there.
+def hertz_maximum_shear(
+    semi_axes: tuple[float, float], pressure: float, poisson_ratio: float
+) -> tuple[float, float]:
+    """Largest principal shear on the axis of a Hertz contact, half the difference of the extreme
+    stresses there.
 
     Parameters
     ----------
@@ -83,17 +96,21 @@ def hertz_maximum_shear(semi_axes: tuple[float, float], pressure: float, poisson
         stress = hertz_axis_stress(unit, 1.0, np.array(depth), poisson_ratio)
         return -0.5 * float(stress.max() - stress.min())
 
-    found = minimize_scalar(negative_shear, bounds=(1e-3, DEEPEST), method="bounded", options={"xatol": 1e-9})
+    found = minimize_scalar(
+        negative_shear, bounds=(1e-3, DEEPEST), method="bounded", options={"xatol": 1e-9}
+    )
     return -pressure * float(found.fun), small * float(found.x)
 
 
 def hertz_orthogonal_shear(
     semi_axis_rolling: float, semi_axis_transverse: float, pressure: float
 ) -> tuple[float, float]:
-    """Amplitude of the shear stress tau_xz of a point that the contact rolls over, Lundberg and Palmgren (1947).
+    """Amplitude of the shear stress tau_xz of a point that the contact rolls over, Lundberg and
+    Palmgren (1947).
 
-    tau_0 = p_h sqrt(2 t - 1)/(2 t (t + 1)), z_0 = a/[(t + 1) sqrt(2 t - 1)], (t^2 - 1)(2 t - 1) = (a/b)^2, with a along
-    the rolling direction. It swings between -tau_0 and +tau_0; Poisson's ratio has no part in it.
+    tau_0 = p_h sqrt(2 t - 1)/(2 t (t + 1)), z_0 = a/[(t + 1) sqrt(2 t - 1)], (t^2 - 1)(2 t - 1) =
+    (a/b)^2, with a along the rolling direction. It swings between -tau_0 and +tau_0; Poisson's
+    ratio has no part in it.
 
     Parameters
     ----------
@@ -110,6 +127,13 @@ def hertz_orthogonal_shear(
         z_0 [m].
     """
     ratio = (semi_axis_rolling / semi_axis_transverse) ** 2
-    t = float(brentq(lambda t: (t * t - 1.0) * (2.0 * t - 1.0) - ratio, 1.0, 2.0 + ratio ** (1.0 / 3.0), xtol=1e-14))
+    t = float(
+        brentq(
+            lambda t: (t * t - 1.0) * (2.0 * t - 1.0) - ratio,
+            1.0,
+            2.0 + ratio ** (1.0 / 3.0),
+            xtol=1e-14,
+        )
+    )
     root = sqrt(2.0 * t - 1.0)
     return pressure * root / (2.0 * t * (t + 1.0)), semi_axis_rolling / ((t + 1.0) * root)

@@ -1,6 +1,6 @@
-"""Linear systems of the finite-element solver: sparse direct factors, and GMRES where a dense block is coupled in."""
-
-from __future__ import annotations
+"""Linear systems of the finite-element solver: sparse direct factors, and GMRES where a dense
+block is coupled in.
+"""
 
 from collections.abc import Callable
 
@@ -10,7 +10,9 @@ from scipy import sparse
 from scipy.sparse import linalg
 
 Array = NDArray[np.float64]
-RESTART, RESTARTS = 80, 3  # of GMRES
+# of GMRES
+RESTART = 80
+RESTARTS = 3
 
 
 class LinearSolverError(Exception):
@@ -24,10 +26,11 @@ def solve_bordered(
     right: tuple[Array, float],
     tolerance: float,
 ) -> tuple[Array, float, int]:
-    """Solve [A b; w^T 0] [p; h] = [f; g] by GMRES (Saad and Schultz, 1986), A dense but known by its action.
+    """Solve [A b; w^T 0] [p; h] = [f; g] by GMRES (Saad and Schultz, 1986), A dense but known by
+    its action.
 
-    The preconditioner is the same bordered system with A replaced by its near field, factored directly (SuperLU) and
-    bordered by block elimination.
+    The preconditioner is the same bordered system with A replaced by its near field, factored
+    directly (SuperLU) and bordered by block elimination.
 
     Parameters
     ----------
@@ -83,5 +86,7 @@ def solve_bordered(
         callback_type="pr_norm",
     )
     if failed or not np.isfinite(solution).all():
-        raise LinearSolverError(f"GMRES did not reach {tolerance:g} in {len(residuals)} iterations")
+        raise LinearSolverError(
+            f"GMRES did not reach {tolerance:g} in {len(residuals)} iterations"
+        )
     return solution[:-1], float(solution[-1]), len(residuals)

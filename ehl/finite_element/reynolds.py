@@ -3,12 +3,11 @@ r"""Reynolds' equation in weak form on bilinear quadrilaterals, stabilised along
 .. math:: R(\varphi) = \int -\varepsilon \nabla P \cdot \nabla\varphi + \rho H\,\varphi_X
           - \delta\,[(\rho H)_X - \nabla\varepsilon \cdot \nabla P]\,\varphi_X
 
-for every hat function, the strong form tested with phi + delta phi_X (Brooks and Hughes, 1982). Under pressure epsilon
-vanishes and leaves (rho H)_X = 0, whose Galerkin form does not see a saw-tooth in X; delta, half a cell there and
-nothing where epsilon is large, makes it see one, and its bracket vanishes with the residual, so that the order stays.
+for every hat function, the strong form tested with phi + delta phi_X (Brooks and Hughes, 1982).
+Under pressure epsilon vanishes and leaves (rho H)_X = 0, whose Galerkin form does not see a
+saw-tooth in X; delta, half a cell there and nothing where epsilon is large, makes it see one, and
+its bracket vanishes with the residual, so that the order stays.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 
@@ -35,7 +34,9 @@ class FilmSpace:
 
 @dataclass(frozen=True, slots=True)
 class Coefficients:
-    """Local values at the quadrature points, each of shape (cells, points) or (2, cells, points) for gradients [-]."""
+    """Local values at the quadrature points, each of shape (cells, points) or (2, cells, points)
+    for gradients [-].
+    """
 
     P_grad: Array
     H: Array
@@ -54,7 +55,9 @@ def film_space(x: Array, y: Array) -> FilmSpace:
     """Space on the mesh with lines `x` and `y`, shapes (nx,), (ny,) [-]."""
     mesh = MeshQuad.init_tensor(x, y)
     basis = Basis(mesh, ElementQuad1(), intorder=QUADRATURE)
-    number = np.searchsorted(x, basis.doflocs[0] - 1e-12) * len(y) + np.searchsorted(y, basis.doflocs[1] - 1e-12)
+    number = np.searchsorted(x, basis.doflocs[0] - 1e-12) * len(y) + np.searchsorted(
+        y, basis.doflocs[1] - 1e-12
+    )
     order = np.empty(len(number), dtype=np.int_)
     order[number] = np.arange(len(number))
     corners = mesh.p[0][mesh.t]
@@ -77,8 +80,9 @@ def interpolate(space: FilmSpace, values: Array) -> tuple[Array, Array]:
 def coefficients(space: FilmSpace, contact: ScaledContact, P: Array, H: Array) -> Coefficients:
     """Density, flow coefficient, their derivatives and the stabilisation length.
 
-    delta = hx/2 (coth Pe - 1/Pe), Pe = beta hx/(2 eps), where beta = H rho' + 2 c hx rho is the speed at which the
-    wedge term moves the shortest wave: the deflection answers a wave of number k with 2 pi c/k (k = pi/hx).
+    delta = hx/2 (coth Pe - 1/Pe), Pe = beta hx/(2 eps), where beta = H rho' + 2 c hx rho is the
+    speed at which the wedge term moves the shortest wave: the deflection answers a wave of number
+    k with 2 pi c/k (k = pi/hx).
 
     Parameters
     ----------
@@ -88,8 +92,11 @@ def coefficients(space: FilmSpace, contact: ScaledContact, P: Array, H: Array) -
         Pressure and film, both of one sign: P >= 0, H > 0 [-].
     """
     (p, p_grad), (h, h_grad) = interpolate(space, P), interpolate(space, H)
-    c, p = contact, np.maximum(p, 0.0)
-    base, z, q = 1.0 + c.viscosity_pressure * p, c.viscosity_exponent, c.viscosity_pressure
+    c = contact
+    p = np.maximum(p, 0.0)
+    base = 1.0 + c.viscosity_pressure * p
+    z = c.viscosity_exponent
+    q = c.viscosity_pressure
     slope = c.viscosity_slope * z * q * base ** (z - 1.0)  # d(ln eta)/dP
     curvature = slope * (z - 1.0) * q / base
     n, d = c.density_numerator, c.density_denominator
@@ -157,7 +164,9 @@ def film_derivative(space: FilmSpace, k: Coefficients) -> sparse.csr_matrix:
             + k.rho[0] * u.grad[0]
             - k.eps_H * _dot(u.grad, k.P_grad)
         )
-        return -k.eps_H * u * _dot(k.P_grad, v.grad) + (k.rho[0] * u - k.delta * strong) * v.grad[0]
+        return (
+            -k.eps_H * u * _dot(k.P_grad, v.grad) + (k.rho[0] * u - k.delta * strong) * v.grad[0]
+        )
 
     return _assemble(space, form)
 

@@ -1,12 +1,12 @@
-"""Solve one lubricated contact by finite elements and Newton's method: a check that shares nothing with the multigrid.
+"""Solve one lubricated contact by finite elements and Newton's method: a check that shares nothing
+with the multigrid.
 
-Unknowns are the nodal pressures on a graded rectangle mesh and the constant H0; equations are the weak Reynolds
-equation with the cavitation condition (`reynolds_fem.py`), the film H = H0 + gap + compliance P (`compliance.py`) and
-the load balance. Cavitation is the semi-smooth equation min(P, -R/d) = 0, d the diagonal (Hintermueller, Ito and
-Kunisch, 2002). Three meshes, each twice as fine as the one before; the coarsest starts from Hertz.
+Unknowns are the nodal pressures on a graded rectangle mesh and the constant H0; equations are the
+weak Reynolds equation with the cavitation condition (`reynolds_fem.py`), the film H = H0 + gap +
+compliance P (`compliance.py`) and the load balance. Cavitation is the semi-smooth equation min(P,
+-R/d) = 0, d the diagonal (Hintermueller, Ito and Kunisch, 2002). Three meshes, each twice as fine
+as the one before; the coarsest starts from Hertz.
 """
-
-from __future__ import annotations
 
 import time
 from collections.abc import Callable
@@ -39,7 +39,9 @@ from .reynolds import (
 
 Array = NDArray[np.float64]
 LEVELS = 3
-MOST_POINTS, MOST_POINTS_SKEWED = 129, 65  # along x: the compliance matrix is dense
+# along x: the compliance matrix is dense
+MOST_POINTS = 129
+MOST_POINTS_SKEWED = 65
 CELLS_Y = 7 / 16  # cells across half the contact per cell along it
 STEPS = 60  # of Newton on each mesh
 PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]
@@ -97,33 +99,41 @@ class Progress:
 def solve_contact_finite_element(
     conditions: ContactConditions | MoesConditions, options: SolverOptions | None = None
 ) -> ContactSolution:
-    """Pressure and film of a steady, isothermal, flooded elliptical point contact by finite elements.
+    """Pressure and film of a steady, isothermal, flooded elliptical point contact by finite
+    elements.
 
     Parameters
     ----------
     conditions : ContactConditions or MoesConditions
     options : SolverOptions, optional
-        `points` asks for (points + 1)/2 nodes along x, at most 129 (65 for a skewed entrainment): the mesh is graded.
-        Without `domain` the open box is that of `choose_domain`; `tolerance` and `max_cycles` are not used.
+        `points` asks for (points + 1)/2 nodes along x, at most 129 (65 for a skewed entrainment):
+        the mesh is graded. Without `domain` the open box is that of `choose_domain`; `tolerance`
+        and `max_cycles` are not used.
 
     Returns
     -------
     ContactSolution
-        On the nodes of the finest mesh, which are not equidistant; cycles are Newton steps on all meshes. A rotation of
-        the entrainment is left out.
+        On the nodes of the finest mesh, which are not equidistant; cycles are Newton steps on all
+        meshes. A rotation of the entrainment is left out.
     """
     options = options or SolverOptions()
     if scale_contact(conditions).oil is not None:
         laws = (conditions.lubricant.viscosity_law.value, conditions.lubricant.density_law.value)
-        raise ValueError(f"finite elements know Roelands, Barus, constant viscosity, not the laws {' and '.join(laws)}")
-    began, progress = time.perf_counter(), Progress()
+        raise ValueError(
+            f"finite elements know Roelands, Barus, constant viscosity, not the laws {' and '.join(laws)}"
+        )
+    began = time.perf_counter()
+    progress = Progress()
     contact = replace(scale_contact(conditions, along_entrainment=True), rotation=0.0)
     domain = options.domain
     if domain is None:
         domain = choose_domain(contact)
     most = MOST_POINTS if contact.symmetric else MOST_POINTS_SKEWED
     cells = min(options.points - 1, 2 * (most - 1)) // 2
-    level, films, converged, message = None, [], False, "converged"
+    level = None
+    films = []
+    converged = False
+    message = "converged"
     for index in reversed(range(LEVELS)):
         level = _level(contact, domain, cells // 2**index, options.domain is None, level)
         converged, message = newton(level, progress)
@@ -140,7 +150,9 @@ def solve_contact_finite_element(
         fallbacks=(),
         wall_time=time.perf_counter() - began,
     )
-    return _solution(conditions, options, level, films or [(nan, nan)], (record, converged, message, domain))
+    return _solution(
+        conditions, options, level, films or [(nan, nan)], (record, converged, message, domain)
+    )
 
 
 def newton(level: Level, progress: Progress) -> tuple[bool, str]:
@@ -150,17 +162,28 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
         try:
             change, rise, inner = _step(level, H, progress)
         except LinearSolverError as error:
-            return False, f"the linear system was not solved: {error}; try more points or a smaller load"
+            return (
+                False,
+                f"the linear system was not solved: {error}; try more points or a smaller load",
+            )
         growth = rise + level.compliance @ change
-        size, thinner = float(np.abs(change).max()), growth < 0.0
-        share = min(1.0, PRESSURE_STEP / max(size, 1e-30), *(FILM_SHARE * H[thinner] / -growth[thinner]))
+        size = float(np.abs(change).max())
+        thinner = growth < 0.0
+        share = min(
+            1.0, PRESSURE_STEP / max(size, 1e-30), *(FILM_SHARE * H[thinner] / -growth[thinner])
+        )
         level.P += share * change
         level.approach += share * rise
-        progress.change.append(share * float(np.abs(growth[level.origin])) / float(H[level.origin]))
+        progress.change.append(
+            share * float(np.abs(growth[level.origin])) / float(H[level.origin])
+        )
         progress.inner += inner
         if size < TOLERANCE and share == 1.0:
             return True, "converged"
-    return False, f"not converged: pressure changed by {size:.1e} in the last of {STEPS} Newton steps; try more points"
+    return (
+        False,
+        f"not converged: pressure changed by {size:.1e} in the last of {STEPS} Newton steps; try more points",
+    )
 
 
 def _step(level: Level, H: Array, progress: Progress) -> tuple[Array, float, int]:
@@ -169,7 +192,9 @@ def _step(level: Level, H: Array, progress: Progress) -> tuple[Array, float, int
     residual = reynolds_residual(level.space, k)
     by_pressure, by_film = pressure_derivative(level.space, k), film_derivative(level.space, k)
     column = np.asarray(by_film.sum(axis=1)).ravel()
-    scale = np.abs(by_pressure.diagonal()) + np.abs(by_film.diagonal() * level.compliance.diagonal())
+    scale = np.abs(by_pressure.diagonal()) + np.abs(
+        by_film.diagonal() * level.compliance.diagonal()
+    )
     fixed = level.edge | (level.P + residual / scale <= 0.0)
     target, exterior = _edge_pressure(level, H)
     load = level.contact.load - exterior
@@ -188,27 +213,38 @@ def _step(level: Level, H: Array, progress: Progress) -> tuple[Array, float, int
 
 
 def _edge_pressure(level: Level, H: Array) -> tuple[Array, float]:
-    """Kapitza's (1955) pressure -(k X)/H^2 on the edge of an open box, zero elsewhere, and the load outside [-]."""
+    """Kapitza's (1955) pressure -(k X)/H^2 on the edge of an open box, zero elsewhere, and the
+    load outside [-].
+    """
     target = np.zeros_like(H)
     if level.far is None:
         return target, 0.0
     x, y = (values.ravel() for values in np.meshgrid(level.X, level.Y, indexing="ij"))
     drive = np.maximum(-(level.far.pressure_x * x + level.far.pressure_y * y), 0.0)
     target[level.edge] = (drive / H**2)[level.edge]
-    x_in, x_out, y_out = float(level.X[0]), float(level.X[-1]), float(level.Y[-1])
+    x_in = float(level.X[0])
+    x_out = float(level.X[-1])
+    y_out = float(level.Y[-1])
     corners = Grid(x_in=x_in, hx=x_out - x_in, hy=y_out, nx=2, ny=2, symmetric=True)
     inlet = np.full((2, 2), H[level.origin % len(level.Y)])
     return target, exterior_load(level.far, corners, inlet)
 
 
 def _level(
-    contact: ScaledContact, domain: tuple[float, float, float], cells: int, is_open: bool, coarse: Level | None
+    contact: ScaledContact,
+    domain: tuple[float, float, float],
+    cells: int,
+    is_open: bool,
+    coarse: Level | None,
 ) -> Level:
     """Mesh with `cells` along x, started from Hertz or from the coarser mesh."""
     X, Y = _lines(contact, domain, cells)
-    space, compliance = film_space(X, Y), compliance_matrix(X, Y, contact.symmetric)
+    space = film_space(X, Y)
+    compliance = compliance_matrix(X, Y, contact.symmetric)
     if contact.coating is not None:
-        add_coating(compliance, contact.coating, (X, Y), integral_weights(space), contact.symmetric)
+        add_coating(
+            compliance, contact.coating, (X, Y), integral_weights(space), contact.symmetric
+        )
     compliance *= contact.deformation
     x, y = (values.ravel() for values in np.meshgrid(X, Y, indexing="ij"))
     c = contact
@@ -234,7 +270,8 @@ def _level(
 def _hertz(contact: ScaledContact, x: Array, y: Array) -> Array:
     """Hertz pressure at nodes, in the frame of the entrainment [-]."""
     c, s = np.cos(contact.frame_angle), np.sin(contact.frame_angle)
-    along, across = c * x - s * y, (s * x + c * y) / contact.semi_axis_ratio
+    along = c * x - s * y
+    across = (s * x + c * y) / contact.semi_axis_ratio
     return np.sqrt(np.maximum(0.0, 1.0 - along**2 - across**2))
 
 
@@ -245,8 +282,12 @@ def _interpolated(coarse: Level, X: Array, Y: Array) -> Array:
     return np.array([np.interp(Y, coarse.Y, row) for row in lines.T])
 
 
-def _lines(contact: ScaledContact, domain: tuple[float, float, float], cells: int) -> tuple[Array, Array]:
-    """Lines of the mesh: dense at the outlet and at the sides of the Hertz ellipse; the origin is a node of all."""
+def _lines(
+    contact: ScaledContact, domain: tuple[float, float, float], cells: int
+) -> tuple[Array, Array]:
+    """Lines of the mesh: dense at the outlet and at the sides of the Hertz ellipse; the origin is
+    a node of all.
+    """
     x_in, x_out, y_half = domain
 
     def along(s: Array) -> Array:
@@ -260,7 +301,12 @@ def _lines(contact: ScaledContact, domain: tuple[float, float, float], cells: in
     coarse = 2 ** (LEVELS - 1) if cells % 4 == 0 else 1
     upstream = _share(along, x_in, x_out) * cells / coarse
     west = max(1, round(upstream)) * coarse
-    X = np.concatenate((graded_nodes((x_in, 0.0), west, along)[:-1], graded_nodes((0.0, x_out), cells - west, along)))
+    X = np.concatenate(
+        (
+            graded_nodes((x_in, 0.0), west, along)[:-1],
+            graded_nodes((0.0, x_out), cells - west, along),
+        )
+    )
     Y = graded_nodes((0.0, y_half), ceil(CELLS_Y * cells), across)
     if not contact.symmetric:
         Y = np.concatenate((-Y[:0:-1], Y))
@@ -285,10 +331,15 @@ def _minimum(level: Level) -> float:
         return least
     near = (slice(i - 1, i + 2), slice(j - 1, j + 2))
     width = (X[i + 1] - X[i - 1], Y[j + 1] - Y[j - 1])
-    u, v = np.meshgrid((X[near[0]] - X[i]) / width[0], (Y[near[1]] - Y[j]) / width[1], indexing="ij")
+    u, v = np.meshgrid(
+        (X[near[0]] - X[i]) / width[0], (Y[near[1]] - Y[j]) / width[1], indexing="ij"
+    )
     u, v = u.ravel(), v.ravel()
-    fit = np.linalg.lstsq(np.stack((u**2, v**2, u * v, u, v), axis=1), H[near].ravel() - least, rcond=None)[0]
-    hessian, slope = np.array([[2 * fit[0], fit[2]], [fit[2], 2 * fit[1]]]), fit[3:]
+    fit = np.linalg.lstsq(
+        np.stack((u**2, v**2, u * v, u, v), axis=1), H[near].ravel() - least, rcond=None
+    )[0]
+    hessian = np.array([[2 * fit[0], fit[2]], [fit[2], 2 * fit[1]]])
+    slope = fit[3:]
     if fit[0] <= 0.0 or np.linalg.det(hessian) <= 0.0:
         return least
     place = -np.linalg.solve(hessian, slope)
@@ -297,9 +348,11 @@ def _minimum(level: Level) -> float:
 
 def _whole_box(level: Level, values: Array) -> tuple[Array, Array, Array]:
     """X, Y and a nodal field over the whole box, shape (nx, ny)."""
-    Y, values = level.Y, values.reshape(level.shape)
+    Y = level.Y
+    values = values.reshape(level.shape)
     if level.contact.symmetric:
-        Y, values = np.concatenate((-Y[:0:-1], Y)), np.concatenate((values[:, :0:-1], values), axis=1)
+        Y = np.concatenate((-Y[:0:-1], Y))
+        values = np.concatenate((values[:, :0:-1], values), axis=1)
     return level.X, Y, values
 
 

@@ -1,11 +1,9 @@
 """Temperature of the film, compiled: columns one after the other along the flow.
 
-The equations and the readable twin of one column stand in `columns.py`, those of the bodies in `solids.py`.
-rheology, section, work: as in `ehl.generalized._kernels`; differences: slopes at both walls and curvature of
-`columns.wall_slopes` and `columns.curvature`.
+The equations and the readable twin of one column stand in `columns.py`, those of the bodies in
+`solids.py`. rheology, section, work: as in `ehl.generalized._kernels`; differences: slopes at both
+walls and curvature of `columns.wall_slopes` and `columns.curvature`.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -17,8 +15,17 @@ COLUMN_STEPS = 40  # Newton steps of one column
 CAREFUL_AFTER = 12  # steps from which on only half of each is taken, then a quarter
 COLUMN_TOLERANCE = 0.05  # [K] of the last step; convergence is quadratic
 LARGEST_STEP = 40.0  # [K] of one Newton step
-COLDEST, HOTTEST = 150.0, 2000.0  # [K], bounds of iterates
-U, V, RATE_X, RATE_Y, CROSSING, INFLOW, CARRIED, SOURCE = 0, 1, 2, 3, 4, 5, 6, 7  # rows of the flow's workspace
+COLDEST = 150.0  # [K]
+HOTTEST = 2000.0  # bounds of iterates
+# rows of the flow's workspace
+U = 0
+V = 1
+RATE_X = 2
+RATE_Y = 3
+CROSSING = 4
+INFLOW = 5
+CARRIED = 6
+SOURCE = 7
 FLOW_ROWS = 8
 
 
@@ -69,7 +76,8 @@ def column_temperature(
     below, above, curvature = differences
     n = last.size
     matrix = np.empty((n, n))
-    spread, flux = conductivity / (film * film), conductivity / film
+    spread = conductivity / (film * film)
+    flux = conductivity / film
     for k in range(1, n - 1):
         right = carried[k] + source[k]
         for m in range(n):
@@ -110,21 +118,25 @@ def column_motion(middle, rise, speed, height, section, work, flow):
 def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow, slope):
     """Derivative of the heat of shear by the temperatures [W/(m^3 K)].
 
-    At a given stress the heat grows with the softening b of the oil there; the stress in the middle gives way along
-    the mean rate's direction e, so that the difference of the surface velocities stays:
-    d(tau_m) = -sum(w b rate.e dT)/sum(w t), t the tangent fluidity along e.
+    At a given stress the heat grows with the softening b of the oil there; the stress in the
+    middle gives way along the mean rate's direction e, so that the difference of the surface
+    velocities stays: d(tau_m) = -sum(w b rate.e dT)/sum(w t), t the tangent fluidity along e.
     """
     nodes, weights, _ = section
-    n, size = nodes.size, np.hypot(rate[0], rate[1])
+    n = nodes.size
+    size = np.hypot(rate[0], rate[1])
     e_x, e_y = (rate[0] / size, rate[1] / size) if size > 0.0 else (0.0, 0.0)
     give = 0.0
     for k in range(n):
-        give += weights[k] * (work[T_XX, k] * e_x * e_x + 2.0 * work[T_XY, k] * e_x * e_y + work[T_YY, k] * e_y * e_y)
+        give += weights[k] * (
+            work[T_XX, k] * e_x * e_x + 2.0 * work[T_XY, k] * e_x * e_y + work[T_YY, k] * e_y * e_y
+        )
     for m in range(n):
         soft = viscosity_softening(p, temperature[m], oil)
         pull = weights[m] * soft * (flow[RATE_X, m] * e_x + flow[RATE_Y, m] * e_y)
         for k in range(n):
-            t_x, t_y = middle[0] + (nodes[k] - 0.5) * rise[0], middle[1] + (nodes[k] - 0.5) * rise[1]
+            t_x = middle[0] + (nodes[k] - 0.5) * rise[0]
+            t_y = middle[1] + (nodes[k] - 0.5) * rise[1]
             along = flow[RATE_X, k] * e_x + flow[RATE_Y, k] * e_y
             along += t_x * (work[T_XX, k] * e_x + work[T_XY, k] * e_y)
             along += t_y * (work[T_XY, k] * e_x + work[T_YY, k] * e_y)
@@ -133,10 +145,14 @@ def source_slope(p, temperature, middle, rise, rate, oil, section, work, flow, s
 
 
 @compiled
-def column_transport(j, i, mesh, symmetric, heat_density, temperature, inlet, mass, height, section, work, flow):
-    """Convection into a column: the upwind parts along x and y, and the flow through lines of constant z/h.
+def column_transport(
+    j, i, mesh, symmetric, heat_density, temperature, inlet, mass, height, section, work, flow
+):
+    """Convection into a column: the upwind parts along x and y, and the flow through lines of
+    constant z/h.
 
-    mass: mass fluxes int_0^z rho u dz of all columns along x over rho_0 [m^2/s]; the column's own is set here.
+    mass: mass fluxes int_0^z rho u dz of all columns along x over rho_0 [m^2/s]; the column's own
+    is set here.
     """
     ny, nx, n = temperature.shape
     cumulative = section[2]
@@ -184,19 +200,32 @@ def solve_heat_column(
     j, i, p, height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences, rheology,
     temperature, inlet, history, response, middle, mass, work, flow, slope, out
 ):  # fmt: skip
-    """Temperature and stress of one column together; returns heat of shear [W/m^2] and whether it came to rest.
+    """Temperature and stress of one column together; returns heat of shear [W/m^2] and whether it
+    came to rest.
 
     heat: conductivity and rho_0 c of the oil.
     """
-    n, found, dissipated = section[0].size, False, 0.0
+    n = section[0].size
+    found = False
+    dissipated = 0.0
     compression = np.empty(n)
     for turn in range(COLUMN_STEPS):
         t_x, t_y, solved = solve_column(
-            p, temperature[j, i], (middle[0, j, i], middle[1, j, i]), rise, rate, oil, section, rheology, work
+            p,
+            temperature[j, i],
+            (middle[0, j, i], middle[1, j, i]),
+            rise,
+            rate,
+            oil,
+            section,
+            rheology,
+            work,
         )
         middle[0, j, i], middle[1, j, i] = t_x, t_y
         column_motion((t_x, t_y), rise, speed, height, section, work, flow)
-        column_transport(j, i, mesh, symmetric, heat[1], temperature, inlet, mass, height, section, work, flow)
+        column_transport(
+            j, i, mesh, symmetric, heat[1], temperature, inlet, mass, height, section, work, flow
+        )
         source_slope(p, temperature[j, i], (t_x, t_y), rise, rate, oil, section, work, flow, slope)
         for k in range(n):
             expansion = thermal_expansion(p, temperature[j, i, k], oil)
@@ -219,35 +248,47 @@ def heat_sweep(
     p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences, rheology,
     inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation
 ):  # fmt: skip
-    """Columns of all lines one after the other along x, or against it; returns how many did not come to rest.
+    """Columns of all lines one after the other along x, or against it; returns how many did not
+    come to rest.
 
-    p, h: (ny, nx); gradient, speed_1, speed_2, response, flux: (2, ny, nx); bulk: temperatures of both bodies [K];
-    response: 1/(sqrt(pi u) e) of both [K m^1.5/W]; weights: of their histories [m^0.5]; in and out: temperature
-    (ny, nx, n) [K], middle (2, ny, nx) [Pa], mass (ny, nx, n) [m^2/s], flux into both bodies and dissipation [W/m^2].
+    p, h: (ny, nx); gradient, speed_1, speed_2, response, flux: (2, ny, nx); bulk: temperatures of
+    both bodies [K]; response: 1/(sqrt(pi u) e) of both [K m^1.5/W]; weights: of their histories
+    [m^0.5]; in and out: temperature (ny, nx, n) [K], middle (2, ny, nx) [Pa], mass (ny, nx, n)
+    [m^2/s], flux into both bodies and dissipation [W/m^2].
     """
     ny, nx = p.shape
-    n, missed = section[0].size, 0
+    n = section[0].size
+    missed = 0
     work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
-    slope, out = np.zeros((n, n)), np.zeros(n)
+    slope = np.zeros((n, n))
+    out = np.zeros(n)
     for j in range(ny):
         for turn in range(nx):
             i = turn if forward else nx - 1 - turn
             height = h[j, i]
-            past_1 = bulk[0] + response[0, j, i] * body_history(flux[0, j], i, speed_1[0, j, i], weights)
-            past_2 = bulk[1] + response[1, j, i] * body_history(flux[1, j], i, speed_2[0, j, i], weights)
+            past_1 = bulk[0] + response[0, j, i] * body_history(
+                flux[0, j], i, speed_1[0, j, i], weights
+            )
+            past_2 = bulk[1] + response[1, j, i] * body_history(
+                flux[1, j], i, speed_2[0, j, i], weights
+            )
             if height <= 0.0:
                 flux[0, j, i] = flux[1, j, i] = dissipation[j, i] = 0.0
                 for k in range(n):
                     temperature[j, i, k] = past_1 + section[0][k] * (past_2 - past_1)
                 continue
             rise = (height * gradient[0, j, i], height * gradient[1, j, i])
-            rate = ((speed_2[0, j, i] - speed_1[0, j, i]) / height, (speed_2[1, j, i] - speed_1[1, j, i]) / height)
+            rate = (
+                (speed_2[0, j, i] - speed_1[0, j, i]) / height,
+                (speed_2[1, j, i] - speed_1[1, j, i]) / height,
+            )
             answer = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
             speed = (speed_1[0, j, i], speed_1[1, j, i])
             before = i - 1 if forward else i + 1
             found = False
             for attempt in range(2):
-                if attempt == 1 and 0 <= before < nx:  # what was left there may be absurd: start from the neighbour
+                # what was left there may be absurd: start from the neighbour
+                if attempt == 1 and 0 <= before < nx:
                     temperature[j, i], middle[:, j, i] = temperature[j, before], np.nan
                 dissipation[j, i], found = solve_heat_column(
                     j, i, p[j, i], height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences,
@@ -266,7 +307,9 @@ def heat_sweep(
 
 @compiled
 def body_history(flux, i, speed, weights):
-    """Sum of the weighted fluxes that a surface took up before it came to node i, without that at i [W/m^1.5]."""
+    """Sum of the weighted fluxes that a surface took up before it came to node i, without that at
+    i [W/m^1.5].
+    """
     total = 0.0
     if speed >= 0.0:
         for m in range(i):

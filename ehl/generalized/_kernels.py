@@ -1,11 +1,10 @@
-"""Columns of film, compiled: stress in the middle, and the integrals of the generalized Reynolds equation.
+"""Columns of film, compiled: stress in the middle, and the integrals of the generalized Reynolds
+equation.
 
-The readable NumPy twins and the equations stand in `columns.py`. rheology: a `KernelRheology`; section: nodes, weights
-and cumulative matrix of a `Section`; work: rows for viscosity, density, 1/eta* and the tangent fluidity (xx, xy, yy) at
-the nodes of a column.
+The readable NumPy twins and the equations stand in `columns.py`. rheology: a `KernelRheology`;
+section: nodes, weights and cumulative matrix of a `Section`; work: rows for viscosity, density,
+1/eta* and the tangent fluidity (xx, xy, yy) at the nodes of a column.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -26,20 +25,32 @@ ACCEPTED = 1e-8
 OVERSHOOT = 0.5
 HALVINGS = 60
 CREEPING = 0.2
-ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY = 0, 1, 2, 3, 4, 5  # rows of the workspace
+# rows of the workspace
+ETA = 0
+RHO = 1
+FLUIDITY = 2
+T_XX = 3
+T_XY = 4
+T_YY = 5
 ROWS = 6
 
 
 @compiled
 def newtonian_stress(tau, limit, margin, rheology):
-    """eta times the rate, and its derivative by tau, at a stress magnitude; a tangent from the margin on."""
-    slope, beyond = 1.0, 0.0
+    """eta times the rate, and its derivative by tau, at a stress magnitude; a tangent from the
+    margin on.
+    """
+    slope = 1.0
+    beyond = 0.0
     if np.isfinite(limit):
         share = min(tau / limit, 1.0 - margin)
         beyond = tau - share * limit
         slope = 1.0 / (1.0 - share)
         tau = -limit * np.log1p(-share)
-    law, stress, exponent, breadth = rheology[0], rheology[1], rheology[2], rheology[3]
+    law = rheology[0]
+    stress = rheology[1]
+    exponent = rheology[2]
+    breadth = rheology[3]
     newtonian = shear_rate(tau, 1.0, np.inf, law, stress, exponent, breadth)
     if law == REE_EYRING:
         slope *= np.hypot(1.0, newtonian / stress)
@@ -51,17 +62,30 @@ def newtonian_stress(tau, limit, margin, rheology):
 
 @compiled
 def column_limit(p, temperature, eta, rate, rheology):
-    """Limiting stress of a column [Pa], and the share of it below it from which on the law follows its tangent."""
-    limit = limiting_stress(p, temperature, rheology[4], rheology[5], rheology[6], rheology[7], rheology[8])
-    base = shear_stress(rate, eta.max(), np.inf, rheology[0], rheology[1], rheology[2], rheology[3])
+    """Limiting stress of a column [Pa], and the share of it below it from which on the law follows
+    its tangent.
+    """
+    limit = limiting_stress(
+        p, temperature, rheology[4], rheology[5], rheology[6], rheology[7], rheology[8]
+    )
+    base = shear_stress(
+        rate, eta.max(), np.inf, rheology[0], rheology[1], rheology[2], rheology[3]
+    )
     return limit, LIMIT_EXCESS / max(base / limit, 1.0)
 
 
 @compiled
 def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
-    """Mean rate less the wanted one (2), its derivative by tau_m (xx, xy, yy), mean of its magnitude."""
+    """Mean rate less the wanted one (2), its derivative by tau_m (xx, xy, yy), mean of its
+    magnitude.
+    """
     nodes, weights, _ = section
-    f_x, f_y, j_xx, j_xy, j_yy, scale = -rate[0], -rate[1], 0.0, 0.0, 0.0, np.hypot(rate[0], rate[1])
+    f_x = -rate[0]
+    f_y = -rate[1]
+    j_xx = 0.0
+    j_xy = 0.0
+    j_yy = 0.0
+    scale = np.hypot(rate[0], rate[1])
     for k in range(nodes.size):
         t_x, t_y = tau_x + (nodes[k] - 0.5) * rise[0], tau_y + (nodes[k] - 0.5) * rise[1]
         magnitude = np.hypot(t_x, t_y)
@@ -70,7 +94,9 @@ def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
         if magnitude > 0.0:
             relative, e_x, e_y = newtonian / magnitude, t_x / magnitude, t_y / magnitude
         else:
-            relative, e_x, e_y = 1.0, 0.0, 0.0
+            relative = 1.0
+            e_x = 0.0
+            e_y = 0.0
         f_x += w * relative * t_x
         f_y += w * relative * t_y
         scale += w * newtonian
@@ -82,13 +108,18 @@ def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
 
 @compiled
 def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
-    """Stress in the middle of one column, from a first guess (tau_x, tau_y) [Pa], and whether it is found.
+    """Stress in the middle of one column, from a first guess (tau_x, tau_y) [Pa], and whether it
+    is found.
 
-    rise: h grad p [Pa]; eta: viscosity at the nodes [Pa s]; rate: difference of the surface velocities over h [1/s].
+    rise: h grad p [Pa]; eta: viscosity at the nodes [Pa s]; rate: difference of the surface
+    velocities over h [1/s].
     """
     tau_x, tau_y = start
-    f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology)
-    size, creeping = np.hypot(f_x, f_y), False
+    f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(
+        tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology
+    )
+    size = np.hypot(f_x, f_y)
+    creeping = False
     wanted = np.hypot(rate[0], rate[1])
     for _ in range(NEWTON_STEPS):
         if size <= TOLERANCE * scale:
@@ -96,18 +127,22 @@ def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
         determinant = j_xx * j_yy - j_xy * j_xy
         d_x = -(j_yy * f_x - j_xy * f_y) / determinant
         d_y = -(j_xx * f_y - j_xy * f_x) / determinant
-        before, share = f_x * d_x + f_y * d_y, 1.0
+        before = f_x * d_x + f_y * d_y
+        share = 1.0
         if creeping:
             share = np.log(min(max(size / max(wanted, scale * TOLERANCE), np.e), 1e12))
         t_x, t_y = tau_x, tau_y
         for _ in range(HALVINGS):
             t_x, t_y = tau_x + share * d_x, tau_y + share * d_y
-            f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(t_x, t_y, rise, eta, rate, section, limit, margin, rheology)
+            f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(
+                t_x, t_y, rise, eta, rate, section, limit, margin, rheology
+            )
             if f_x * d_x + f_y * d_y <= -OVERSHOOT * before:
                 break
             share *= 0.5
         tau_x, tau_y = t_x, t_y
-        last, size = size, np.hypot(f_x, f_y)
+        last = size
+        size = np.hypot(f_x, f_y)
         creeping = size > CREEPING * last
     return tau_x, tau_y, size <= ACCEPTED * scale
 
@@ -126,7 +161,8 @@ def first_guess(eta, rate, section, limit, rheology):
 @compiled
 def column_fluidity(middle, rise, section, limit, margin, rheology, work):
     """1/eta*, and the tensor d(rate)/d(tau), at the nodes of a column [1/(Pa s)]."""
-    nodes, eta = section[0], work[ETA]
+    nodes = section[0]
+    eta = work[ETA]
     for k in range(nodes.size):
         t_x, t_y = middle[0] + (nodes[k] - 0.5) * rise[0], middle[1] + (nodes[k] - 0.5) * rise[1]
         magnitude = np.hypot(t_x, t_y)
@@ -134,7 +170,9 @@ def column_fluidity(middle, rise, section, limit, margin, rheology, work):
         if magnitude > 0.0:
             secant, e_x, e_y = newtonian / magnitude, t_x / magnitude, t_y / magnitude
         else:
-            secant, e_x, e_y = 1.0, 0.0, 0.0
+            secant = 1.0
+            e_x = 0.0
+            e_y = 0.0
         work[FLUIDITY, k] = secant / eta[k]
         work[T_XX, k] = (secant + (slope - secant) * e_x * e_x) / eta[k]
         work[T_XY, k] = (slope - secant) * e_x * e_y / eta[k]
@@ -143,7 +181,9 @@ def column_fluidity(middle, rise, section, limit, margin, rheology, work):
 
 @compiled
 def column_properties(p, temperature, oil, section, work):
-    """Viscosity [Pa s] and density over rho_0 at the nodes of a column; returns its mean temperature [K]."""
+    """Viscosity [Pa s] and density over rho_0 at the nodes of a column; returns its mean
+    temperature [K].
+    """
     mean = 0.0
     for k in range(section[1].size):
         work[ETA, k] = viscosity(p, temperature[k], oil)
@@ -192,34 +232,53 @@ def column_tangent(section, work):
     a_xy, b_xy, c_xy, _ = column_integrals(work[T_XY], work[RHO], section)
     a_yy, b_yy, c_yy, d_yy = column_integrals(work[T_YY], work[RHO], section)
     determinant = a_xx * a_yy - a_xy * a_xy
-    m_xx, m_xy = (a_yy * b_xx - a_xy * b_xy) / determinant, (a_yy * b_xy - a_xy * b_yy) / determinant
-    m_yx, m_yy = (a_xx * b_xy - a_xy * b_xx) / determinant, (a_xx * b_yy - a_xy * b_xy) / determinant
+    m_xx = (a_yy * b_xx - a_xy * b_xy) / determinant
+    m_xy = (a_yy * b_xy - a_xy * b_yy) / determinant
+    m_yx = (a_xx * b_xy - a_xy * b_xx) / determinant
+    m_yy = (a_xx * b_yy - a_xy * b_xy) / determinant
     return 12.0 * (c_xx * m_xx + c_xy * m_yx - d_xx), 12.0 * (c_xy * m_xy + c_yy * m_yy - d_yy)
 
 
 @compiled
 def flow_factors(
-    p, h, gradient, speed_a, speed_b, temperature, oil, section, rheology, middle, poiseuille, couette, tangent
+    p,
+    h,
+    gradient,
+    speed_a,
+    speed_b,
+    temperature,
+    oil,
+    section,
+    rheology,
+    middle,
+    poiseuille,
+    couette,
+    tangent,
 ):
     """Factors of every column of a grid; returns the number of columns whose stress was not found.
 
-    p, h: shape (ny, nx) [Pa], [m]; gradient, speed_a, speed_b: (2, ny, nx) [Pa/m], [m/s]; temperature: (ny, nx, n) [K];
-    middle: (2, ny, nx), first guess of the stress in the middle and its result [Pa], to be guessed here where it is not
-    a number. Results, all over rho/eta or rho at the temperature of operation: poiseuille, tangent (2, ny, nx): the
-    factor (rho/eta)_e and the tangent of the whole flux along x and y [-]; couette: (2, ny, nx), flux of the surfaces
+    p, h: shape (ny, nx) [Pa], [m]; gradient, speed_a, speed_b: (2, ny, nx) [Pa/m], [m/s];
+    temperature: (ny, nx, n) [K]; middle: (2, ny, nx), first guess of the stress in the middle and
+    its result [Pa], to be guessed here where it is not a number. Results, all over rho/eta or rho
+    at the temperature of operation: poiseuille, tangent (2, ny, nx): the factor (rho/eta)_e and
+    the tangent of the whole flux along x and y [-]; couette: (2, ny, nx), flux of the surfaces
     over h [m/s]. Columns without a film keep 1 and the mean velocity.
     """
     ny, nx = p.shape
-    missed, work = 0, np.empty((ROWS, section[0].size))
+    missed = 0
+    work = np.empty((ROWS, section[0].size))
     for j in range(ny):
         for i in range(nx):
-            height, u, v = h[j, i], speed_a[0, j, i], speed_a[1, j, i]
+            height = h[j, i]
+            u = speed_a[0, j, i]
+            v = speed_a[1, j, i]
             du, dv = speed_b[0, j, i] - u, speed_b[1, j, i] - v
             if height <= 0.0:
                 poiseuille[j, i] = tangent[0, j, i] = tangent[1, j, i] = 1.0
                 couette[0, j, i], couette[1, j, i] = u + 0.5 * du, v + 0.5 * dv
                 continue
-            rise, rate = (height * gradient[0, j, i], height * gradient[1, j, i]), (du / height, dv / height)
+            rise = (height * gradient[0, j, i], height * gradient[1, j, i])
+            rate = (du / height, dv / height)
             start = (middle[0, j, i], middle[1, j, i])
             middle[0, j, i], middle[1, j, i], found = solve_column(
                 p[j, i], temperature[j, i], start, rise, rate, oil, section, rheology, work

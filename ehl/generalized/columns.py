@@ -1,4 +1,5 @@
-"""Columns of film in NumPy: stress across each, and the integrals of the generalized Reynolds equation.
+"""Columns of film in NumPy: stress across each, and the integrals of the generalized Reynolds
+equation.
 
 The readable twin of `_kernels`. In a thin film the momentum balance is d(tau)/dz = grad p, so that
 
@@ -8,15 +9,15 @@ tau_m the stress in the middle, which the difference of the surface velocities d
 
     integral of tau/eta* dz = (u_b - u_a, v_b - v_a).
 
-The rate is the gradient of a convex potential of tau_m, hence Newton's method with steps shortened where they overshoot
-finds the only solution from anywhere; far out on an exponential law, where a step gains one power of e only, the next
-is lengthened to as many as are wanted. A limiting stress is never reached: from a share 1 - e of it on, the law goes on
-along its tangent, with e = 0.001 tau_L/tau_base of the column, 0.001 at most, so that the stress of plain sliding
-exceeds the limit by a thousandth (Newtonian base; 3 % if Carreau and Yasuda's base exceeds it 600 times). Where half of
-h grad p exceeds the limit, which no tau_m helps, no oil of that law flows steadily, and the tangent stands for it.
+The rate is the gradient of a convex potential of tau_m, hence Newton's method with steps shortened
+where they overshoot finds the only solution from anywhere; far out on an exponential law, where a
+step gains one power of e only, the next is lengthened to as many as are wanted. A limiting stress
+is never reached: from a share 1 - e of it on, the law goes on along its tangent, with e = 0.001
+tau_L/tau_base of the column, 0.001 at most, so that the stress of plain sliding exceeds the limit
+by a thousandth (Newtonian base; 3 % if Carreau and Yasuda's base exceeds it 600 times). Where half
+of h grad p exceeds the limit, which no tau_m helps, no oil of that law flows steadily, and the
+tangent stands for it.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 
@@ -28,13 +29,16 @@ from .section import Section
 
 Array = NDArray[np.float64]
 
-LIMIT_EXCESS = 1e-3  # share of the limiting stress by which the stress of plain sliding may exceed it
+# share of the limiting stress by which the stress of plain sliding may exceed it
+LIMIT_EXCESS = 1e-3
 NEWTON_STEPS = 100
 TOLERANCE = 1e-12  # of the mean shear rate, relative to the mean of its magnitude across the film
-ACCEPTED = 1e-8  # what counts as solved: near a limiting stress round-off may leave more than the tolerance
+# what counts as solved: near a limiting stress round-off may leave more than the tolerance
+ACCEPTED = 1e-8
 OVERSHOOT = 0.5  # of the slope along a step that may remain beyond its minimum
 HALVINGS = 60
-CREEPING = 0.2  # share of the residual left by a step from which on the next is as long as for an exponential law
+# share of the residual left by a step from which on the next is as long as for an exponential law
+CREEPING = 0.2
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,13 +59,19 @@ class FilmColumns:
 class ColumnFlow:
     """Integrals across the film after Yang and Wen (1990), each of shape (m,) or (m, 2)."""
 
-    poiseuille: Array  # (rho/eta)_e: the mass flux of the pressure is -(rho/eta)_e h^3/12 grad p [kg/(m^3 Pa s)]
+    # (rho/eta)_e: the mass flux of the pressure is -(rho/eta)_e h^3/12 grad p [kg/(m^3 Pa s)]
+    poiseuille: Array
     couette: Array  # mass flux of the surfaces over h [kg/(m^2 s)]
-    tangent: Array  # 12/h^3 times -d(mass flux)/d(grad p) at unchanged film, shape (m, 2, 2) [kg/(m^3 Pa s)]
+    # 12/h^3 times -d(mass flux)/d(grad p) at unchanged film, shape (m, 2, 2) [kg/(m^3 Pa s)]
+    tangent: Array
 
 
-def _newtonian_stress(tau: Array, rheology: Rheology, limit: Array, margin: Array) -> tuple[Array, Array]:
-    """eta times the rate, and its derivative by tau, at the stress magnitude tau; a tangent from the margin on."""
+def _newtonian_stress(
+    tau: Array, rheology: Rheology, limit: Array, margin: Array
+) -> tuple[Array, Array]:
+    """eta times the rate, and its derivative by tau, at the stress magnitude tau; a tangent from
+    the margin on.
+    """
     slope, beyond = np.ones_like(tau), np.zeros_like(tau)
     if rheology.limiting_coefficient is not None:
         share = np.minimum(tau / limit, 1.0 - margin)
@@ -80,7 +90,9 @@ def _newtonian_stress(tau: Array, rheology: Rheology, limit: Array, margin: Arra
 
 
 def _limits(columns: FilmColumns, rheology: Rheology, rate: Array) -> tuple[Array, Array]:
-    """Limiting stress of each column, shape (m, 1), and the margin e from which on the law follows its tangent."""
+    """Limiting stress of each column, shape (m, 1), and the margin e from which on the law follows
+    its tangent.
+    """
     limit = limiting_stress(columns.pressure, rheology, columns.temperature)[:, None]
     thickest = columns.viscosity.max(axis=1, keepdims=True)
     base = shear_stress(np.hypot(rate[:, :1], rate[:, 1:]), thickest, 0.0, rheology.unlimited)
@@ -89,11 +101,15 @@ def _limits(columns: FilmColumns, rheology: Rheology, rate: Array) -> tuple[Arra
 
 def _stresses(middle: Array, columns: FilmColumns, section: Section) -> Array:
     """Stress vectors at the nodes, shape (m, n, 2) [Pa]."""
-    rise = (section.nodes - 0.5)[None, :, None] * (columns.film[:, None] * columns.gradient)[:, None, :]
+    rise = (section.nodes - 0.5)[None, :, None] * (columns.film[:, None] * columns.gradient)[
+        :, None, :
+    ]
     return middle[:, None, :] + rise
 
 
-def fluidities(stress: Array, columns: FilmColumns, rheology: Rheology, rate: Array) -> tuple[Array, Array]:
+def fluidities(
+    stress: Array, columns: FilmColumns, rheology: Rheology, rate: Array
+) -> tuple[Array, Array]:
     """1/eta* and the derivative of the rate's magnitude by the stress's, at the nodes [1/(Pa s)].
 
     Parameters
@@ -103,12 +119,15 @@ def fluidities(stress: Array, columns: FilmColumns, rheology: Rheology, rate: Ar
     columns : FilmColumns
     rheology : Rheology
     rate : ndarray, shape (m, 2)
-        Mean shear rate of each column [1/s]; sets how near the limiting stress the law is followed.
+        Mean shear rate of each column [1/s]; sets how near the limiting stress the law is
+        followed.
     """
     limit, margin = _limits(columns, rheology, rate)
     magnitude = np.hypot(stress[..., 0], stress[..., 1])
     newtonian, slope = _newtonian_stress(magnitude, rheology, limit, margin)
-    relative = np.where(magnitude > 0.0, newtonian / np.where(magnitude > 0.0, magnitude, 1.0), 1.0)
+    relative = np.where(
+        magnitude > 0.0, newtonian / np.where(magnitude > 0.0, magnitude, 1.0), 1.0
+    )
     return relative / columns.viscosity, slope / columns.viscosity
 
 
@@ -134,7 +153,8 @@ def mid_stress(
     rate = (columns.speed_b - columns.speed_a) / columns.film[:, None]
     middle = _first_guess(columns, section, rheology, rate) if start is None else start.copy()
     residual, jacobian, scale = _balance(middle, columns, section, rheology, rate)
-    size, creeping = np.hypot(residual[:, 0], residual[:, 1]), np.zeros(len(middle), dtype=np.bool_)
+    size = np.hypot(residual[:, 0], residual[:, 1])
+    creeping = np.zeros(len(middle), dtype=np.bool_)
     wanted = np.hypot(rate[:, 0], rate[:, 1])
     for _ in range(NEWTON_STEPS):
         open_ones = size > TOLERANCE * scale
@@ -143,7 +163,9 @@ def mid_stress(
         step = -np.linalg.solve(jacobian, residual[..., None])[..., 0] * open_ones[:, None]
         before = (residual * step).sum(axis=1)
         share = np.where(
-            creeping, np.log(np.clip(size / np.maximum(wanted, scale * TOLERANCE), np.exp(1.0), 1e12)), 1.0
+            creeping,
+            np.log(np.clip(size / np.maximum(wanted, scale * TOLERANCE), np.exp(1.0), 1e12)),
+            1.0,
         )
         for _ in range(HALVINGS):
             trial = middle + share[:, None] * step
@@ -169,7 +191,9 @@ def _first_guess(columns: FilmColumns, section: Section, rheology: Rheology, rat
 def _balance(
     middle: Array, columns: FilmColumns, section: Section, rheology: Rheology, rate: Array
 ) -> tuple[Array, Array, Array]:
-    """Mean rate less the wanted one [1/s], its derivative by tau_m, and the mean of the rate's magnitude [1/s]."""
+    """Mean rate less the wanted one [1/s], its derivative by tau_m, and the mean of the rate's
+    magnitude [1/s].
+    """
     stress = _stresses(middle, columns, section)
     fluidity, slope = fluidities(stress, columns, rheology, rate)
     magnitude = np.hypot(stress[..., 0], stress[..., 1])
@@ -183,13 +207,16 @@ def _balance(
     return residual, jacobian, scale
 
 
-def flow_integrals(columns: FilmColumns, section: Section, rheology: Rheology, middle: Array) -> ColumnFlow:
+def flow_integrals(
+    columns: FilmColumns, section: Section, rheology: Rheology, middle: Array
+) -> ColumnFlow:
     """Integrals across the film, Yang and Wen (1990).
 
     With 1/eta_e = (1/h) int dz/eta*, 1/eta'_e = (1/h^2) int z dz/eta*, rho_e = (1/h) int rho dz,
     rho'_e = (1/h^2) int rho int_0^z dz'/eta* dz, rho''_e = (1/h^3) int rho int_0^z z' dz'/eta* dz:
-    (rho/eta)_e = 12 (eta_e rho'_e/eta'_e - rho''_e) [kg/(m^3 Pa s)], and the mass flux of the surfaces over h,
-    rho'_e eta_e (u_b - u_a) + rho_e u_a [kg/(m^2 s)], in both directions. The tangent is that of both parts together.
+    (rho/eta)_e = 12 (eta_e rho'_e/eta'_e - rho''_e) [kg/(m^3 Pa s)], and the mass flux of the
+    surfaces over h, rho'_e eta_e (u_b - u_a) + rho_e u_a [kg/(m^2 s)], in both directions. The
+    tangent is that of both parts together.
 
     Parameters
     ----------
@@ -203,7 +230,8 @@ def flow_integrals(columns: FilmColumns, section: Section, rheology: Rheology, m
     stress = _stresses(middle, columns, section)
     fluidity, slope = fluidities(stress, columns, rheology, rate)
     w, z = section.weights, section.nodes
-    mean, moment = fluidity @ w, fluidity @ (w * z)
+    mean = fluidity @ w
+    moment = fluidity @ (w * z)
     first = (columns.density * (fluidity @ section.cumulative.T)) @ w
     second = (columns.density * ((fluidity * z) @ section.cumulative.T)) @ w
     slide = (first / mean)[:, None] * (columns.speed_b - columns.speed_a)
@@ -214,14 +242,21 @@ def flow_integrals(columns: FilmColumns, section: Section, rheology: Rheology, m
     )
 
 
-def _tangent(stress: Array, fluidity: Array, slope: Array, density: Array, section: Section) -> Array:
-    """The integrals of Yang and Wen with the tangent fluidity d(rate)/d(tau), a tensor, in place of 1/eta*."""
+def _tangent(
+    stress: Array, fluidity: Array, slope: Array, density: Array, section: Section
+) -> Array:
+    """The integrals of Yang and Wen with the tangent fluidity d(rate)/d(tau), a tensor, in place
+    of 1/eta*.
+    """
     magnitude = np.hypot(stress[..., 0], stress[..., 1])
     unit = stress / np.where(magnitude > 0.0, magnitude, 1.0)[..., None]
     tensor = (slope - fluidity)[..., None, None] * unit[..., :, None] * unit[..., None, :]
     tensor = tensor + fluidity[..., None, None] * np.eye(2)
-    w, wz = section.weights, section.weights * section.nodes
+    w = section.weights
+    wz = section.weights * section.nodes
     mean, moment = np.einsum("k,mkcd->mcd", w, tensor), np.einsum("k,mkcd->mcd", wz, tensor)
     inner = np.einsum("k,mk,kl,mlcd->mcd", w, density, section.cumulative, tensor, optimize=True)
-    inner_z = np.einsum("k,mk,kl,l,mlcd->mcd", w, density, section.cumulative, section.nodes, tensor, optimize=True)
+    inner_z = np.einsum(
+        "k,mk,kl,l,mlcd->mcd", w, density, section.cumulative, section.nodes, tensor, optimize=True
+    )
     return 12.0 * (inner @ np.linalg.solve(mean, moment) - inner_z)

@@ -1,4 +1,6 @@
-"""Temperature field of a film: what the columns and the bodies found last, carried from turn to turn."""
+"""Temperature field of a film: what the columns and the bodies found last, carried from turn to
+turn.
+"""
 
 from __future__ import annotations
 
@@ -76,7 +78,9 @@ class FilmHeat:
     @property
     def bulk(self) -> tuple[float, float]:
         """Temperatures of both bodies away from the contact [K]."""
-        first, second = (self.inlet if s.temperature is None else s.temperature for s in self.solids)
+        first, second = (
+            self.inlet if s.temperature is None else s.temperature for s in self.solids
+        )
         return first, second
 
     def forget(self) -> None:
@@ -93,7 +97,8 @@ class FilmHeat:
         section: Section,
         rheology: Rheology,
     ) -> Array:
-        """Temperature of the film after one more sweep against and one along the flow, shape (ny, nx, n) [K].
+        """Temperature of the film after one more sweep against and one along the flow, shape (ny,
+        nx, n) [K].
 
         The one against it carries heat up the recirculation of the inlet.
 

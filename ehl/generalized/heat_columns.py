@@ -3,20 +3,20 @@ r"""Temperature of one column of film in NumPy: the readable twin of `_kernels.c
 Heat equation across the film at zeta = z/h, convection by upwind differences along x and y:
 
 .. math::
-    \rho c\,(u\,T_x + v\,T_y) + \frac{\rho c\,W}{h}\,T_\zeta = \frac{k}{h^2}\,T_{\zeta\zeta} + \tau\cdot\dot\gamma
+    \rho c\,(u\,T_x + v\,T_y) + \frac{\rho c\,W}{h}\,T_\zeta = \frac{k}{h^2}\,T_{\zeta\zeta} +
+    \tau\cdot\dot\gamma
     + \epsilon\,T\,(u\,p_x + v\,p_y),
 
-epsilon the thermal expansion of the oil's own density law, W the velocity through the lines of constant zeta, which
-continuity gives. At the nodes inside by three-point differences for conduction and upwind ones for W, which keep the
-temperature between those it comes from where nothing heats; at the walls the bodies' temperatures answer the flux they
-take up (three-point, too),
+epsilon the thermal expansion of the oil's own density law, W the velocity through the lines of
+constant zeta, which continuity gives. At the nodes inside by three-point differences for
+conduction and upwind ones for W, which keep the temperature between those it comes from where
+nothing heats; at the walls the bodies' temperatures answer the flux they take up (three-point,
+too),
 
 .. math:: T = T_{hist} + R\,q, \qquad q = \pm\frac{k}{h}\,T_\zeta .
 
 Conduction along the film is left out: it is thin.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 
@@ -47,7 +47,9 @@ class HeatColumn:
 
 def wall_slopes(section: Section) -> tuple[Array, Array]:
     """Weights of dT/d(zeta) at both walls, each on the three nodes nearest to it, shape (n,) [-]."""
-    z, below, above = section.nodes, np.zeros(section.nodes.size), np.zeros(section.nodes.size)
+    z = section.nodes
+    below = np.zeros(section.nodes.size)
+    above = np.zeros(section.nodes.size)
     a, b = z[1], z[2]
     below[:3] = -(a + b) / (a * b), b / (a * (b - a)), -a / (b * (b - a))
     above[-3:] = -below[2::-1]
@@ -55,17 +57,24 @@ def wall_slopes(section: Section) -> tuple[Array, Array]:
 
 
 def curvature(section: Section) -> Array:
-    """Matrix of d2T/d(zeta)2 at the nodes inside from their neighbours, shape (n, n), zero at the walls [-]."""
+    """Matrix of d2T/d(zeta)2 at the nodes inside from their neighbours, shape (n, n), zero at the
+    walls [-].
+    """
     z = section.nodes
     matrix = np.zeros((z.size, z.size))
     for k in range(1, z.size - 1):
-        down, up = z[k] - z[k - 1], z[k + 1] - z[k]
-        matrix[k, k - 1 : k + 2] = np.array([1.0 / down, -1.0 / down - 1.0 / up, 1.0 / up]) * 2.0 / (down + up)
+        down = z[k] - z[k - 1]
+        up = z[k + 1] - z[k]
+        matrix[k, k - 1 : k + 2] = (
+            np.array([1.0 / down, -1.0 / down - 1.0 / up, 1.0 / up]) * 2.0 / (down + up)
+        )
     return matrix
 
 
 def upwind(crossing: Array, section: Section) -> Array:
-    """Matrix of W dT/d(zeta) at the nodes inside, the slope taken where W comes from, shape (n, n) [unit of W]."""
+    """Matrix of W dT/d(zeta) at the nodes inside, the slope taken where W comes from, shape (n, n)
+    [unit of W].
+    """
     z = section.nodes
     matrix = np.zeros((z.size, z.size))
     for k in range(1, z.size - 1):

@@ -1,6 +1,6 @@
-"""Nodes across the film: Gauss and Lobatto's, with weights, cumulative integrals and derivatives of polynomials."""
-
-from __future__ import annotations
+"""Nodes across the film: Gauss and Lobatto's, with weights, cumulative integrals and derivatives
+of polynomials.
+"""
 
 from dataclasses import dataclass
 
@@ -15,7 +15,9 @@ NODES = 11  # across the film: integrals exact for polynomials of degree 19
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Section:
-    """Nodes z/h across the film, the walls among them, and what integrates and differentiates their polynomial."""
+    """Nodes z/h across the film, the walls among them, and what integrates and differentiates
+    their polynomial.
+    """
 
     nodes: Array  # z/h, shape (n,) [-]
     weights: Array  # of the integral over the film, shape (n,) [-]
@@ -45,7 +47,9 @@ def film_section(count: int = NODES) -> Section:
     vandermonde = legendre.legvander(x, count - 1)
     inverse = np.linalg.inv(vandermonde)
     unit = np.eye(count)
-    integrals = np.stack([legendre.legval(x, legendre.legint(row, lbnd=-1.0)) for row in unit], axis=1)
+    integrals = np.stack(
+        [legendre.legval(x, legendre.legint(row, lbnd=-1.0)) for row in unit], axis=1
+    )
     slopes = np.stack([legendre.legval(x, legendre.legder(row)) for row in unit], axis=1)
     return Section(
         nodes=0.5 * (x + 1.0),

@@ -1,6 +1,6 @@
-"""Contacts with an oil that thins under shear and warms: the contact solver with a generalized Reynolds equation."""
-
-from __future__ import annotations
+"""Contacts with an oil that thins under shear and warms: the contact solver with a generalized
+Reynolds equation.
+"""
 
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -23,12 +23,14 @@ from .section import film_section
 
 Array = NDArray[np.float64]
 
-MISSED = 0.005  # share of the columns that may be without a solution: they lie where hardly anything flows
+# share of the columns that may be without a solution: they lie where hardly anything flows
+MISSED = 0.005
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GeneralizedSolution:
-    """One contact with its oil's rheology and heat; fields on the grid of `contact`, shape (nx, ny) or as told.
+    """One contact with its oil's rheology and heat; fields on the grid of `contact`, shape (nx,
+    ny) or as told.
 
     Attributes
     ----------
@@ -38,7 +40,8 @@ class GeneralizedSolution:
     nodes : ndarray, shape (n,)
         Places z/h across the film, from body 1 to body 2 [-].
     mid_stress : ndarray, shape (2, nx, ny), or None
-        Stress in the middle of the film along x and y [Pa]; None: Newtonian and of uniform temperature.
+        Stress in the middle of the film along x and y [Pa]; None: Newtonian and of uniform
+        temperature.
     temperature : ndarray, shape (nx, ny, n), or None
         Of the oil at the nodes, walls included [K]; None: solved without heat.
     heat_flux : ndarray, shape (2, nx, ny), or None
@@ -46,7 +49,8 @@ class GeneralizedSolution:
     dissipation : ndarray, shape (nx, ny), or None
         Heat of shear over the film [W/m^2].
     change : float
-        Change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's own flow [-].
+        Change of the logarithm of the Poiseuille factor in the last turn, weighted with the
+        pressure's own flow [-].
     missed : int
         Columns of the last turn without a solution [-].
     beyond : int
@@ -81,7 +85,8 @@ def solve_generalized(
     oil_temperature: float | None = None,
     options: SolverOptions | None = None,
 ) -> GeneralizedSolution:
-    """Pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen (1990).
+    """Pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen
+    (1990).
 
     Parameters
     ----------
@@ -89,7 +94,8 @@ def solve_generalized(
         With heat, its lubricant has a temperature and thermal properties.
     rheology : Rheology
     solids : tuple of SolidThermal, optional
-        Body 1 and body 2; None: uniform temperature. Newtonian and uniform is `solve_contact` itself.
+        Body 1 and body 2; None: uniform temperature. Newtonian and uniform is `solve_contact`
+        itself.
     oil_temperature : float, optional
         Of the oil that flows in [K]; None: the lubricant's temperature of operation.
     options : SolverOptions, optional
@@ -97,15 +103,20 @@ def solve_generalized(
     Returns
     -------
     GeneralizedSolution
-        Fields of the last turn of shear and heat, one multigrid cycle behind pressure and film. The time of its record
-        is that of all ways that were tried; its FFTs are those of the last one, with the Newtonian film it began from.
+        Fields of the last turn of shear and heat, one multigrid cycle behind pressure and film.
+        The time of its record is that of all ways that were tried; its FFTs are those of the last
+        one, with the Newtonian film it began from.
 
     Raises
     ------
     ValueError
         If properties that are needed are missing; the message names them.
     """
-    heat = None if solids is None else FilmHeat(conditions=conditions, solids=solids, oil_temperature=oil_temperature)
+    heat = (
+        None
+        if solids is None
+        else FilmHeat(conditions=conditions, solids=solids, oil_temperature=oil_temperature)
+    )
     flow = GeneralizedFlow(conditions=conditions, rheology=rheology, heat=heat)
     if rheology.newtonian and heat is None:
         return GeneralizedSolution(
@@ -139,12 +150,15 @@ def solve_generalized(
     return _with_state(warm)
 
 
-def _reached(conditions: ContactConditions, options: SolverOptions, flow: GeneralizedFlow) -> ContactSolution:
-    """The solution of the first way that converges; that of the last way if none does, told in the record.
+def _reached(
+    conditions: ContactConditions, options: SolverOptions, flow: GeneralizedFlow
+) -> ContactSolution:
+    """The solution of the first way that converges; that of the last way if none does, told in the
+    record.
 
-    The cycles from a Hertz pressure on, once; then the continuation from the Newtonian film, and that again with the
-    thinning carried along; then the fallbacks of the Newtonian solver one after the other. With a tolerance only the
-    cycles from a Hertz pressure, with the fallbacks.
+    The cycles from a Hertz pressure on, once; then the continuation from the Newtonian film, and
+    that again with the thinning carried along; then the fallbacks of the Newtonian solver one
+    after the other. With a tolerance only the cycles from a Hertz pressure, with the fallbacks.
     """
     flow.single = options.tolerance is None
     with suppress(BeganAnewError):
@@ -161,7 +175,9 @@ def _reached(conditions: ContactConditions, options: SolverOptions, flow: Genera
     flow.forget()
     flow.single = flow.carried = False
     contact = _judged(solve_contact(conditions, options, flow), flow)
-    return replace(contact, record=replace(contact.record, fallbacks=(*fallbacks, *contact.record.fallbacks)))
+    return replace(
+        contact, record=replace(contact.record, fallbacks=(*fallbacks, *contact.record.fallbacks))
+    )
 
 
 def _with_state(solution: GeneralizedSolution) -> GeneralizedSolution:
@@ -169,13 +185,19 @@ def _with_state(solution: GeneralizedSolution) -> GeneralizedSolution:
     contact = solution.contact
     if contact.x is None or contact.y is None or contact.film is None:
         return solution
-    thinner = log_gradient_thinning(contact.x, contact.y, contact.pressure, contact.film, solution.rheology)
+    thinner = log_gradient_thinning(
+        contact.x, contact.y, contact.pressure, contact.film, solution.rheology
+    )
     mean = None
     if solution.temperature is not None:
         weights = film_section(solution.nodes.size).weights
-        mean, profile = log_mean_fluidity(solution.temperature, weights, contact.pressure, contact.conditions.lubricant)
+        mean, profile = log_mean_fluidity(
+            solution.temperature, weights, contact.pressure, contact.conditions.lubricant
+        )
         thinner = profile + thinner
-    return replace(solution, contact=replace(contact, state=FilmState(temperature=mean, log_fluidity=thinner)))
+    return replace(
+        solution, contact=replace(contact, state=FilmState(temperature=mean, log_fluidity=thinner))
+    )
 
 
 def _missed(flow: GeneralizedFlow) -> int:
@@ -183,10 +205,16 @@ def _missed(flow: GeneralizedFlow) -> int:
 
 
 def _judged(contact: ContactSolution, flow: GeneralizedFlow) -> ContactSolution:
-    """The solution with what shear and heat say about its convergence, a limiting stress that was exceeded included."""
+    """The solution with what shear and heat say about its convergence, a limiting stress that was
+    exceeded included.
+    """
     below = f"the limiting stress is below h/2 grad p at {flow.beyond} columns"
     if not contact.converged:
-        return replace(contact, message=f"{contact.message}; {below} of the last cycle") if flow.beyond else contact
+        return (
+            replace(contact, message=f"{contact.message}; {below} of the last cycle")
+            if flow.beyond
+            else contact
+        )
     if flow.beyond > MISSED * contact.P.size:
         said = f"{below}, where no oil of that law flows steadily"
     elif not flow.change <= SETTLED:
@@ -199,7 +227,9 @@ def _judged(contact: ContactSolution, flow: GeneralizedFlow) -> ContactSolution:
 
 
 def _whole(values: Array, ny: int, signs: tuple[float, ...] = ()) -> Array:
-    """Fields of shape (..., rows, nx) of a grid as (..., nx, ny), the lower half mirrored where it was left out."""
+    """Fields of shape (..., rows, nx) of a grid as (..., nx, ny), the lower half mirrored where it
+    was left out.
+    """
     if values.shape[-2] != ny:
         mirror = values[..., :0:-1, :]
         if signs:

@@ -1,10 +1,9 @@
 """Compiled kernels of the contact solver: arrays and scalars in, results in place.
 
-Arrays are stored with lines along x contiguous, shape (ny, nx). On a symmetric grid row 0 is the line y = 0 and the
-row below it is the mirror image of row 1. The readable NumPy twins stand in `reynolds.py` and `relaxation.py`.
+Arrays are stored with lines along x contiguous, shape (ny, nx). On a symmetric grid row 0 is the
+line y = 0 and the row below it is the mirror image of row 1. The readable NumPy twins stand in
+`reynolds.py` and `relaxation.py`.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -15,12 +14,19 @@ UPPER = 3  # super-diagonals kept in the line system
 WIDTH = LOWER + UPPER + 1
 REACH = LOWER + 3  # kernel entries needed to either side
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
-FIXED, GAUSS_SEIDEL, JACOBI = 0, 1, 2  # what the relaxation does at a node
+# what the relaxation does at a node
+FIXED = 0
+GAUSS_SEIDEL = 1
+JACOBI = 2
 
 
 @compiled
-def flow_properties(P, H, slope, pressure, exponent, dense_1, dense_2, speed, eps, rho, rho_slope, first, stop):
-    """eps = rho H^3/(eta lambda), rho and d(rho)/dP at every node of the lines from `first` to before `stop`."""
+def flow_properties(
+    P, H, slope, pressure, exponent, dense_1, dense_2, speed, eps, rho, rho_slope, first, stop
+):
+    """eps = rho H^3/(eta lambda), rho and d(rho)/dP at every node of the lines from `first` to
+    before `stop`.
+    """
     nx = P.shape[1]
     for j in range(first, stop):
         for i in range(nx):
@@ -42,12 +48,19 @@ def flow_properties(P, H, slope, pressure, exponent, dense_1, dense_2, speed, ep
 
 @compiled
 def _along(i, flow, H, hx):
-    """d_X(flow H) at node i of a line: second order upstream, central in the first and last column."""
+    """d_X(flow H) at node i of a line: second order upstream, central in the first and last
+    column.
+    """
     if flow[i] >= 0.0:
         if i > 1:
-            return (1.5 * flow[i] * H[i] - 2.0 * flow[i - 1] * H[i - 1] + 0.5 * flow[i - 2] * H[i - 2]) / hx
+            return (
+                1.5 * flow[i] * H[i] - 2.0 * flow[i - 1] * H[i - 1] + 0.5 * flow[i - 2] * H[i - 2]
+            ) / hx
     elif i < H.size - 2:
-        return -(1.5 * flow[i] * H[i] - 2.0 * flow[i + 1] * H[i + 1] + 0.5 * flow[i + 2] * H[i + 2]) / hx
+        return (
+            -(1.5 * flow[i] * H[i] - 2.0 * flow[i + 1] * H[i + 1] + 0.5 * flow[i + 2] * H[i + 2])
+            / hx
+        )
     return 0.5 * (flow[i + 1] * H[i + 1] - flow[i - 1] * H[i - 1]) / hx
 
 
@@ -57,11 +70,18 @@ def _across(j, i, flow, H, hy):
     if flow[j, i] >= 0.0:
         if j > 1:
             return (
-                1.5 * flow[j, i] * H[j, i] - 2.0 * flow[j - 1, i] * H[j - 1, i] + 0.5 * flow[j - 2, i] * H[j - 2, i]
+                1.5 * flow[j, i] * H[j, i]
+                - 2.0 * flow[j - 1, i] * H[j - 1, i]
+                + 0.5 * flow[j - 2, i] * H[j - 2, i]
             ) / hy
     elif j < H.shape[0] - 2:
         return (
-            -(1.5 * flow[j, i] * H[j, i] - 2.0 * flow[j + 1, i] * H[j + 1, i] + 0.5 * flow[j + 2, i] * H[j + 2, i]) / hy
+            -(
+                1.5 * flow[j, i] * H[j, i]
+                - 2.0 * flow[j + 1, i] * H[j + 1, i]
+                + 0.5 * flow[j + 2, i] * H[j + 2, i]
+            )
+            / hy
         )
     return 0.5 * (flow[j + 1, i] * H[j + 1, i] - flow[j - 1, i] * H[j - 1, i]) / hy
 
@@ -70,15 +90,16 @@ def _across(j, i, flow, H, hy):
 def _operator(i, P, north, south, eps, eps_north, eps_south, flow, H, cx, cy, hx):
     """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow H) at node i of a line."""
     e = eps[i]
-    poiseuille = cx * ((eps[i + 1] + e) * (P[i + 1] - P[i]) - (e + eps[i - 1]) * (P[i] - P[i - 1])) + cy * (
-        (eps_north[i] + e) * (north[i] - P[i]) - (e + eps_south[i]) * (P[i] - south[i])
-    )
+    poiseuille = cx * (
+        (eps[i + 1] + e) * (P[i + 1] - P[i]) - (e + eps[i - 1]) * (P[i] - P[i - 1])
+    ) + cy * ((eps_north[i] + e) * (north[i] - P[i]) - (e + eps_south[i]) * (P[i] - south[i]))
     return poiseuille - _along(i, flow, H, hx)
 
 
 @compiled
 def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out):
-    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H) at interior nodes, zero on the edge.
+    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H) at interior nodes, zero on
+    the edge.
 
     flow_y is looked at if `lateral`.
     """
@@ -88,14 +109,18 @@ def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out
     for j in range(0 if symmetric else 1, ny - 1):
         s = j - 1 if j > 0 else 1
         for i in range(1, nx - 1):
-            out[j, i] = _operator(i, P[j], P[j + 1], P[s], eps[j], eps[j + 1], eps[s], flow_x[j], H[j], cx, cy, hx)
+            out[j, i] = _operator(
+                i, P[j], P[j + 1], P[s], eps[j], eps[j + 1], eps[s], flow_x[j], H[j], cx, cy, hx
+            )
             if lateral:
                 out[j, i] -= _across(j, i, flow_y, H, hy)
 
 
 @compiled
 def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind):
-    """Fixed: cavitated and content; Gauss-Seidel where Poiseuille flow rules; distributive Jacobi elsewhere."""
+    """Fixed: cavitated and content; Gauss-Seidel where Poiseuille flow rules; distributive Jacobi
+    elsewhere.
+    """
     for i in range(1, P.size - 1):
         e = eps[i]
         along = cx * (eps[i + 1] + eps[i - 1] + 2.0 * e)
@@ -109,11 +134,14 @@ def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind)
 
 
 @compiled
-def _line_system(eps, eps_north, eps_south, flow, slope, H, kinds, influence, cx, cy, hx, wx, wy, band):
-    """Derivative of the line's operator with respect to the changes at its own nodes, LOWER + UPPER diagonals.
+def _line_system(
+    eps, eps_north, eps_south, flow, slope, H, kinds, influence, cx, cy, hx, wx, wy, band
+):
+    """Derivative of the line's operator with respect to the changes at its own nodes, LOWER +
+    UPPER diagonals.
 
-    kinds[k + LOWER] is the kind of node k, FIXED beyond the line; influence[0, kind, m + REACH] the deflection at
-    distance m from a change of that kind, zero for FIXED.
+    kinds[k + LOWER] is the kind of node k, FIXED beyond the line; influence[0, kind, m + REACH]
+    the deflection at distance m from a change of that kind, zero for FIXED.
     """
     n = eps.size
     for i in range(1, n - 1):
@@ -124,23 +152,32 @@ def _line_system(eps, eps_north, eps_south, flow, slope, H, kinds, influence, cx
         up = -1 if flow[i] >= 0.0 else 1  # towards upstream
         inside = i > 1 if up < 0 else i < n - 2
         if inside:
-            r0, r1, r2 = up * 1.5 * flow[i] / hx, -up * 2.0 * flow[i + up] / hx, up * 0.5 * flow[i + 2 * up] / hx
+            r0 = up * 1.5 * flow[i] / hx
+            r1 = -up * 2.0 * flow[i + up] / hx
+            r2 = up * 0.5 * flow[i + 2 * up] / hx
         else:
-            r0, r1, r2 = 0.0, -up * 0.5 * flow[i + up] / hx, 0.0
+            r0 = 0.0
+            r1 = -up * 0.5 * flow[i + up] / hx
+            r2 = 0.0
         for d in range(WIDTH):
-            kind, m = kinds[i + d], LOWER - d + REACH
+            kind = kinds[i + d]
+            m = LOWER - d + REACH
             band[i, d] = (
-                r0 * influence[0, kind, m] + r1 * influence[0, kind, m + up] + r2 * influence[0, kind, m + 2 * up]
+                r0 * influence[0, kind, m]
+                + r1 * influence[0, kind, m + up]
+                + r2 * influence[0, kind, m + 2 * up]
             )
         e = eps[i]
-        east, west = cx * (eps[i + 1] + e), cx * (e + eps[i - 1])
+        east = cx * (eps[i + 1] + e)
+        west = cx * (e + eps[i - 1])
         across = cy * (eps_north[i] + eps_south[i] + 2.0 * e)
         centre = east + west + across
         spread = 1.0 if kinds[i + LOWER] == JACOBI else 0.0
         band[i, LOWER] -= centre + spread * (wx * (east + west) + wy * across)
         for side in (-1, 1):
             near = west if side < 0 else east
-            first, second = kinds[i + LOWER + side], kinds[i + LOWER + 2 * side]
+            first = kinds[i + LOWER + side]
+            second = kinds[i + LOWER + 2 * side]
             if first == GAUSS_SEIDEL:
                 band[i, LOWER + side] += near
             elif first == JACOBI:
@@ -157,7 +194,9 @@ def _line_system(eps, eps_north, eps_south, flow, slope, H, kinds, influence, cx
 
 @compiled
 def _add_lateral(j, flow, slope, H, kinds, influence, hy, band):
-    """Add the derivative of -d_Y(flow H) to a line's system: the film of this line and of the two upstream of it."""
+    """Add the derivative of -d_Y(flow H) to a line's system: the film of this line and of the two
+    upstream of it.
+    """
     ny, n = H.shape
     for i in range(1, n - 1):
         if kinds[i + LOWER] == FIXED:
@@ -165,23 +204,35 @@ def _add_lateral(j, flow, slope, H, kinds, influence, hy, band):
         up = -1 if flow[j, i] >= 0.0 else 1
         if not (j > 1 if up < 0 else j < ny - 2):
             continue
-        r0, r1 = up * 1.5 * flow[j, i] / hy, -up * 2.0 * flow[j + up, i] / hy
+        r0 = up * 1.5 * flow[j, i] / hy
+        r1 = -up * 2.0 * flow[j + up, i] / hy
         r2 = up * 0.5 * flow[j + 2 * up, i] / hy
         for d in range(WIDTH):
-            kind, m = kinds[i + d], LOWER - d + REACH
-            band[i, d] += r0 * influence[0, kind, m] + r1 * influence[1, kind, m] + r2 * influence[2, kind, m]
+            kind = kinds[i + d]
+            m = LOWER - d + REACH
+            band[i, d] += (
+                r0 * influence[0, kind, m]
+                + r1 * influence[1, kind, m]
+                + r2 * influence[2, kind, m]
+            )
         band[i, LOWER] += up * 1.5 * slope[j, i] * H[j, i] / hy
 
 
 @compiled
 def _influences(near, wx, wy, influence):
-    """Deflection in the line of a change and in the two next ones, [line, kind, distance along x + REACH]."""
+    """Deflection in the line of a change and in the two next ones, [line, kind, distance along x +
+    REACH].
+    """
     for m in range(-REACH, REACH + 1):
-        k, before, after = abs(m), abs(m - 1), abs(m + 1)
+        k = abs(m)
+        before = abs(m - 1)
+        after = abs(m + 1)
         for r in range(3):
             influence[r, GAUSS_SEIDEL, m + REACH] = near[r, k]
             influence[r, JACOBI, m + REACH] = (
-                near[r, k] - wx * (near[r, before] + near[r, after]) - wy * (near[abs(r - 1), k] + near[r + 1, k])
+                near[r, k]
+                - wx * (near[r, before] + near[r, after])
+                - wy * (near[abs(r - 1), k] + near[r + 1, k])
             )
 
 
@@ -206,10 +257,11 @@ def _solve_band(band, rhs):
 
 @compiled
 def _apply_line(j, P, eps, kind, delta, wx, relief, spread):
-    """A line's solution: its Jacobi part is kept to be spread, the changes of Gauss-Seidel nodes go into P at once.
+    """A line's solution: its Jacobi part is kept to be spread, the changes of Gauss-Seidel nodes
+    go into P at once.
 
-    The solution is turned into changes of pressure before it is damped: beside a zone of the other kind it may be far
-    larger than the changes, and unequal damping of its parts would not cancel.
+    The solution is turned into changes of pressure before it is damped: beside a zone of the other
+    kind it may be far larger than the changes, and unequal damping of its parts would not cancel.
     """
     n = kind.size
     for i in range(n):
@@ -226,12 +278,14 @@ def relax_lines(
     P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, relief, switch, kinds, spread,
     first, stop,
 ):  # fmt: skip
-    """First part of a hybrid line sweep: every second line from `first` to before `stop`; the film stays as it is.
+    """First part of a hybrid line sweep: every second line from `first` to before `stop`; the film
+    stays as it is.
 
-    near[r, m]: deflection at distance m hx in the r-th next line from a unit pressure. flow_x, flow_y: density times
-    the velocity of the Couette flow, slope_x, slope_y: their derivatives by P; those of y are looked at if `lateral`.
-    kinds, spread: what became of each node, and the changes `spread_changes` has yet to make. Lines of one colour,
-    even or odd, do not see each other.
+    near[r, m]: deflection at distance m hx in the r-th next line from a unit pressure. flow_x,
+    flow_y: density times the velocity of the Couette flow, slope_x, slope_y: their derivatives by
+    P; those of y are looked at if `lateral`. kinds, spread: what became of each node, and the
+    changes `spread_changes` has yet to make. Lines of one colour, even or odd, do not see each
+    other.
     """
     nx = P.shape[1]
     cx, cy = 0.5 / (hx * hx), 0.5 / (hy * hy)
@@ -239,7 +293,9 @@ def relax_lines(
     influence = np.zeros((3, 3, 2 * REACH + 1))
     _influences(near, wx, wy, influence)
     threshold = 2.0 * switch * near[0, 0] / hx
-    band, delta, padded = np.zeros((nx, WIDTH)), np.zeros(nx), np.zeros(nx + 2 * LOWER, dtype=np.int8)
+    band = np.zeros((nx, WIDTH))
+    delta = np.zeros(nx)
+    padded = np.zeros(nx + 2 * LOWER, dtype=np.int8)
     kind = padded[LOWER : LOWER + nx]
     for j in range(first, stop, 2):
         s = j - 1 if j > 0 else 1
@@ -254,7 +310,20 @@ def relax_lines(
             if kind[i] == FIXED:
                 delta[i] = 0.0
         _line_system(
-            eps[j], eps[j + 1], eps[s], flow_x[j], slope_x[j], H[j], padded, influence, cx, cy, hx, wx, wy, band
+            eps[j],
+            eps[j + 1],
+            eps[s],
+            flow_x[j],
+            slope_x[j],
+            H[j],
+            padded,
+            influence,
+            cx,
+            cy,
+            hx,
+            wx,
+            wy,
+            band,
         )
         if lateral:
             _add_lateral(j, flow_y, slope_y, H, padded, influence, hy, band)
@@ -272,9 +341,11 @@ def _neighbour_weights(hx, hy):
 
 @compiled
 def spread_changes(P, kinds, spread, hx, hy, damping, first, stop):
-    """Second part of a sweep: P += damping (d - wx d of either side - wy d of the next lines), P >= 0.
+    """Second part of a sweep: P += damping (d - wx d of either side - wy d of the next lines), P
+    >= 0.
 
-    Gauss-Seidel nodes had the changes of their own line already. Row -1 is the mirror image of row 1.
+    Gauss-Seidel nodes had the changes of their own line already. Row -1 is the mirror image of row
+    1.
     """
     wx, wy = _neighbour_weights(hx, hy)
     for j in range(first, stop):

@@ -1,11 +1,10 @@
 """Nonlinear Krylov acceleration of the multigrid cycle, for contacts whose cycles creep or swing.
 
-The cycle is a fixed-point map x -> g(x) of x = (P, H0). From the last cycles the combination is taken whose residual
-g(x) - x would be the smallest if the map were linear (Anderson, 1965; Walker and Ni, 2011): GMRES on the linearised
-equations with the cycle as preconditioner, without ever forming a derivative.
+The cycle is a fixed-point map x -> g(x) of x = (P, H0). From the last cycles the combination is
+taken whose residual g(x) - x would be the smallest if the map were linear (Anderson, 1965; Walker
+and Ni, 2011): GMRES on the linearised equations with the cycle as preconditioner, without ever
+forming a derivative.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass, field
 
@@ -26,7 +25,9 @@ class Acceleration:
     found: list[Array] = field(default_factory=list)
     weight: float = 1.0  # of the approach, which moves the film of every node
 
-    def mixed(self, before: tuple[Array, float], after: tuple[Array, float]) -> tuple[Array, float]:
+    def mixed(
+        self, before: tuple[Array, float], after: tuple[Array, float]
+    ) -> tuple[Array, float]:
         """Pressure, shape (ny, nx), and approach to start the next cycle from [-].
 
         Parameters

@@ -1,17 +1,16 @@
 """Full approximation scheme for the lubricated contact: levels, relaxation, cycles.
 
-After Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapters 3 to 6. On every level
+After Venner and Lubrecht, Multilevel Methods in Lubrication (2000), chapters 3 to 6. On every
+level
 
-    Reynolds   d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho u H) - d_Y(rho v H) = f,  P >= 0, complementary
-    film       H = H0 + s + c_def * double integral of P/r
-    load       integral of P = g
+    Reynolds   d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho u H) - d_Y(rho v H) = f,  P >= 0,
+    complementary film       H = H0 + s + c_def * double integral of P/r load       integral of P =
+    g
 
-f = 0, s = S X^2/2 + T Y^2/2 + C X Y and g = the load on the level being solved; below it they carry the coarse-grid
-correction, and the integral is over the change of P since it was injected. P and H are injected, residuals fully
-weighted, corrections interpolated bilinearly.
+f = 0, s = S X^2/2 + T Y^2/2 + C X Y and g = the load on the level being solved; below it they
+carry the coarse-grid correction, and the integral is over the change of P since it was injected. P
+and H are injected, residuals fully weighted, corrections interpolated bilinearly.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field, replace
@@ -50,9 +49,10 @@ class Damping:
     gauss_seidel: float = 1.0  # factor on 0.4 + 0.6 eps/(eps + 1)
     correction: float = 1.0  # of the coarse-grid correction
     approach: float = 0.1  # of the change of H0 by the load balance, on the coarsest grid
-    switch: float = 0.3  # Gauss-Seidel where Poiseuille exceeds this share of K00/hx, times (hy/hx)^1.5 if stretched
+    # Gauss-Seidel where Poiseuille exceeds this share of K00/hx, times (hy/hx)^1.5 if stretched
+    switch: float = 0.3
 
-    def halved(self) -> Damping:
+    def halved(self) -> "Damping":
         """Half the changes, three quarters of the coarse-grid correction."""
         return replace(
             self,
@@ -82,7 +82,8 @@ class Level:
     scratch: Array  # always zero on the edge
     kinds: NDArray[np.int8]  # of the nodes in the last sweep
     factors: FlowFactors
-    start: Array | None = None  # pressure that s already holds the deflection of; below the level being solved
+    # pressure that s already holds the deflection of; below the level being solved
+    start: Array | None = None
     load: float = 0.0
 
 
@@ -111,8 +112,13 @@ def make_multigrid(
     """Allocate the levels, coarsest first."""
     levels = []
     for grid in grids:
-        X, Y = grid.X[None, :], grid.Y[:, None]
-        gap = 0.5 * contact.curvature_x * X**2 + 0.5 * contact.curvature_y * Y**2 + contact.curvature_xy * X * Y
+        X = grid.X[None, :]
+        Y = grid.Y[:, None]
+        gap = (
+            0.5 * contact.curvature_x * X**2
+            + 0.5 * contact.curvature_y * Y**2
+            + contact.curvature_xy * X * Y
+        )
         shape = (grid.ny, grid.nx)
         levels.append(
             Level(
@@ -149,7 +155,8 @@ def start_level(state: Multigrid, index: int, pressure: Array) -> None:
 
 
 def update_film(state: Multigrid, index: int) -> None:
-    """H = H0 + s + deflection; on the level being solved an open edge takes its pressure from the new film.
+    """H = H0 + s + deflection; on the level being solved an open edge takes its pressure from the
+    new film.
 
     Below it s holds the film injected from above, and only the change of pressure is deflected.
     """
@@ -188,24 +195,41 @@ def flow(state: Multigrid, level: Level) -> None:
     if factors.poiseuille is not None:
         level.eps *= factors.poiseuille
     if factors.thinning is not None and factors.pressure is not None:
-        thicker = log_viscosity(state.contact, level.P) - log_viscosity(state.contact, factors.pressure)
+        thicker = log_viscosity(state.contact, level.P) - log_viscosity(
+            state.contact, factors.pressure
+        )
         level.eps *= np.exp(factors.thinning * thicker)
 
 
 def _oil(state: Multigrid, level: Level) -> None:
     """eps, and rho and its slope in place of the flow, of a Newtonian oil of uniform temperature."""
-    c, out = state.contact, (level.eps, level.flow_x, level.slope_x)
+    c = state.contact
+    out = (level.eps, level.flow_x, level.slope_x)
     if c.oil is None:
         viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
         density = (c.density_numerator, c.density_denominator)
-        _on_lines(state, level, _kernels.flow_properties, level.P, level.H, *viscosity, *density, c.speed, *out)
+        _on_lines(
+            state,
+            level,
+            _kernels.flow_properties,
+            level.P,
+            level.H,
+            *viscosity,
+            *density,
+            c.speed,
+            *out,
+        )
     else:
         law = (c.hertz_pressure, oil_numbers(c.oil), c.speed)
         _on_lines(state, level, properties.flow_properties, level.P, level.H, *law, *out)
 
 
-def _on_lines(state: Multigrid, level: Level, kernel: Callable[..., None], *arguments: Any) -> None:
-    """Call a kernel for all lines of a level; its last arguments are the first line and the one after the last."""
+def _on_lines(
+    state: Multigrid, level: Level, kernel: Callable[..., None], *arguments: Any
+) -> None:
+    """Call a kernel for all lines of a level; its last arguments are the first line and the one
+    after the last.
+    """
     state.team.share(partial(kernel, *arguments), range(level.grid.ny), level.P.size)
 
 
@@ -214,32 +238,48 @@ def log_viscosity(contact: ScaledContact, P: Array) -> Array:
     c = contact
     if c.oil is not None:
         return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
-    return c.viscosity_slope * ((1.0 + c.viscosity_pressure * np.maximum(P, 0.0)) ** c.viscosity_exponent - 1.0)
+    return c.viscosity_slope * (
+        (1.0 + c.viscosity_pressure * np.maximum(P, 0.0)) ** c.viscosity_exponent - 1.0
+    )
 
 
 def relax(state: Multigrid, index: int) -> None:
     """One line sweep, even lines before odd ones, and the film that belongs to it."""
-    level, damping = state.levels[index], state.damping
+    level = state.levels[index]
+    damping = state.damping
     P, grid = level.P, level.grid
     flow(state, level)
     switch = damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5
-    couette = (level.flow_x, level.slope_x, level.flow_y, level.slope_y, level.factors.couette_y is not None)
+    couette = (
+        level.flow_x,
+        level.slope_x,
+        level.flow_y,
+        level.slope_y,
+        level.factors.couette_y is not None,
+    )
     mesh = (level.kernel.near, grid.hx, grid.hy, grid.symmetric)
     numbers = (damping.gauss_seidel, switch, level.kinds, level.scratch)
-    lines = partial(_kernels.relax_lines, P, level.H, level.eps, *couette, level.f, *mesh, *numbers)
+    lines = partial(
+        _kernels.relax_lines, P, level.H, level.eps, *couette, level.f, *mesh, *numbers
+    )
     first = 0 if grid.symmetric else 1
     for colour in (first, first + 1):
         state.team.share(lines, range(colour, grid.ny - 1, 2), P.size)
-    changes = partial(_kernels.spread_changes, P, level.kinds, level.scratch, grid.hx, grid.hy, damping.jacobi)
+    changes = partial(
+        _kernels.spread_changes, P, level.kinds, level.scratch, grid.hx, grid.hy, damping.jacobi
+    )
     state.team.share(changes, range(first, grid.ny - 1), P.size)
     update_film(state, index)
 
 
 def reynolds_operator(level: Level) -> Array:
     """L(P) of a level whose flow is up to date, shape (ny, nx); the level's own scratch [-]."""
-    grid, lateral = level.grid, level.factors.couette_y is not None
+    grid = level.grid
+    lateral = level.factors.couette_y is not None
     couette = (level.flow_x, level.flow_y, lateral)
-    _kernels.reynolds_operator(level.P, level.H, level.eps, *couette, grid.hx, grid.hy, grid.symmetric, level.scratch)
+    _kernels.reynolds_operator(
+        level.P, level.H, level.eps, *couette, grid.hx, grid.hy, grid.symmetric, level.scratch
+    )
     return level.scratch
 
 
@@ -260,7 +300,8 @@ def load_error(state: Multigrid, index: int) -> float:
 
 
 def cycle(state: Multigrid, index: int) -> None:
-    """One cycle from level `index` down; the coarsest level also moves H0 towards the load balance.
+    """One cycle from level `index` down; the coarsest level also moves H0 towards the load
+    balance.
 
     W between the levels of `SINGLE_VISITS`, V above and below.
     """
@@ -269,7 +310,8 @@ def cycle(state: Multigrid, index: int) -> None:
     else:
         for _ in range(SWEEPS[0]):
             relax(state, index)
-        start, approach = _restrict(state, index), state.approach
+        start = _restrict(state, index)
+        approach = state.approach
         lowest, highest = SINGLE_VISITS
         for _ in range(2 if lowest < index < len(state.levels) - highest else 1):
             cycle(state, index - 1)
@@ -292,8 +334,11 @@ def _solve_coarsest(state: Multigrid) -> None:
 
 
 def _restrict(state: Multigrid, index: int) -> Array:
-    """Set up the coarse-grid problem; returns the injected pressure the correction is counted from."""
-    fine, coarse = state.levels[index], state.levels[index - 1]
+    """Set up the coarse-grid problem; returns the injected pressure the correction is counted
+    from.
+    """
+    fine = state.levels[index]
+    coarse = state.levels[index - 1]
     residual = reynolds_residual(state, index)
     start = inject(fine.P)
     coarse.P, coarse.start = start.copy(), start
@@ -306,8 +351,11 @@ def _restrict(state: Multigrid, index: int) -> Array:
 
 
 def _correct(state: Multigrid, index: int, start: Array, approach: float) -> None:
-    """P += correction where P > 0, and the film by interpolation from below: the next sweep deflects it anew."""
-    fine, coarse = state.levels[index], state.levels[index - 1]
+    """P += correction where P > 0, and the film by interpolation from below: the next sweep
+    deflects it anew.
+    """
+    fine = state.levels[index]
+    coarse = state.levels[index - 1]
     share = state.damping.correction
     correction = interpolate_linear(coarse.P - start)
     fine.P = np.where(fine.P > 0.0, np.maximum(fine.P + share * correction, 0.0), 0.0)

@@ -1,7 +1,5 @@
 """Grid-converged values and error bars from the levels of one full multigrid solve."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from math import log2
 
@@ -9,11 +7,13 @@ from ..solution import FilmValue
 
 ORDER = 2.0  # of the discretisation
 ORDER_RANGE = (1.0, 2.5)  # observed orders outside are not believed
-ORDER_DOUBT = 0.4  # the true order may be this much below the observed one; calibrated in docs/theory/contact.md
+# the true order may be this much below the observed one; calibrated in docs/theory/contact.md
+ORDER_DOUBT = 0.4
 
 
 def extrapolate(values: Sequence[float], noise: float) -> FilmValue:
-    """Richardson extrapolation with the observed order, and an uncertainty that covers the doubt about it.
+    """Richardson extrapolation with the observed order, and an uncertainty that covers the doubt
+    about it.
 
     Parameters
     ----------
@@ -25,8 +25,8 @@ def extrapolate(values: Sequence[float], noise: float) -> FilmValue:
     Returns
     -------
     FilmValue
-        With two levels the order is taken as 2 and the whole difference as uncertainty; with one there is no
-        uncertainty to be had and the value itself is given as such.
+        With two levels the order is taken as 2 and the whole difference as uncertainty; with one
+        there is no uncertainty to be had and the value itself is given as such.
     """
     values = [float(value) for value in values]
     finest = values[-1]
@@ -35,11 +35,15 @@ def extrapolate(values: Sequence[float], noise: float) -> FilmValue:
     difference = finest - values[-2]
     step = difference / (2.0**ORDER - 1.0)
     if len(values) < 3:
-        return FilmValue(value=finest + step, uncertainty=abs(difference) + noise * abs(finest), finest=finest)
+        return FilmValue(
+            value=finest + step, uncertainty=abs(difference) + noise * abs(finest), finest=finest
+        )
     before = values[-2] - values[-3]
     ratio = before / difference if difference else float("inf")
     if ratio <= 1.0:  # not falling: no order to be observed
-        return FilmValue(value=finest + step, uncertainty=abs(difference) + noise * abs(finest), finest=finest)
+        return FilmValue(
+            value=finest + step, uncertainty=abs(difference) + noise * abs(finest), finest=finest
+        )
     order = min(max(log2(ratio), ORDER_RANGE[0]), ORDER_RANGE[1])
     observed = difference / (2.0**order - 1.0)
     doubtful = difference / (2.0 ** (order - ORDER_DOUBT) - 1.0)

@@ -1,13 +1,12 @@
 """Pressure of a flooded contact far from its centre: what an open box sees on its edge.
 
-Cutting the box and setting P = 0 on its edge starves the contact, and the film error falls only with the reciprocal of
-the box. Far out the deflection varies slowly, the oil is isoviscous, and the gap is a paraboloid, for which Reynolds'
-equation without cavitation has Kapitza's (1955) exact solution P = -(k_x X + k_y Y)/H^2, to which an entrainment that
-turns about the normal adds -k_xy X Y/H^2. It is set on the edge where it is positive, and the load it carries outside
-the box is taken from the load balance; the part of the rotation, odd in both directions, is left out of that.
+Cutting the box and setting P = 0 on its edge starves the contact, and the film error falls only
+with the reciprocal of the box. Far out the deflection varies slowly, the oil is isoviscous, and
+the gap is a paraboloid, for which Reynolds' equation without cavitation has Kapitza's (1955) exact
+solution P = -(k_x X + k_y Y)/H^2, to which an entrainment that turns about the normal adds -k_xy X
+Y/H^2. It is set on the edge where it is positive, and the load it carries outside the box is taken
+from the load balance; the part of the rotation, odd in both directions, is left out of that.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from math import cos, sin
@@ -37,15 +36,20 @@ class FarField:
 def far_field(contact: ScaledContact) -> FarField:
     """Kapitza's (1955) solution for a contact's gap and entrainment.
 
-    div(H^3 grad P) = lambda dH/dX' holds for P = -lambda X'/((3 + 2 D) H^2) with principal curvatures 1 and D; the
-    entrainment along y has 1 and D exchanged, and both superpose. In the principal directions the rotation
-    u = -Omega Y, v = Omega X has div(H^3 grad P) = lambda Omega (T - S) X Y, and P = -k_xy X Y/H^2 with
-    k_xy = lambda Omega (T - S)/(3 (S + T)); in others that part is left out. All quantities [-].
+    div(H^3 grad P) = lambda dH/dX' holds for P = -lambda X'/((3 + 2 D) H^2) with principal
+    curvatures 1 and D; the entrainment along y has 1 and D exchanged, and both superpose. In the
+    principal directions the rotation u = -Omega Y, v = Omega X has div(H^3 grad P) = lambda Omega
+    (T - S) X Y, and P = -k_xy X Y/H^2 with k_xy = lambda Omega (T - S)/(3 (S + T)); in others that
+    part is left out. All quantities [-].
     """
-    c, s, d = cos(contact.frame_angle), sin(contact.frame_angle), contact.radius_ratio
-    u = c * contact.velocity_x - s * contact.velocity_y  # entrainment along the principal directions
+    c = cos(contact.frame_angle)
+    s = sin(contact.frame_angle)
+    d = contact.radius_ratio
+    # entrainment along the principal directions
+    u = c * contact.velocity_x - s * contact.velocity_y
     v = s * contact.velocity_x + c * contact.velocity_y
-    along, across = u / (3.0 + 2.0 * d), v * d / (3.0 * d + 2.0)
+    along = u / (3.0 + 2.0 * d)
+    across = v * d / (3.0 * d + 2.0)
     S, T = contact.curvature_x, contact.curvature_y
     rotation = contact.rotation if abs(contact.curvature_xy) < ALIGNED else 0.0
     return FarField(
@@ -60,7 +64,9 @@ def far_field(contact: ScaledContact) -> FarField:
 
 def edge_pressure(field: FarField, grid: Grid, H: Array, P: Array) -> None:
     """Set P = max(-(k_x X + k_y Y + k_xy X Y)/H^2, 0) on the edge of the box, in place."""
-    X, Y, k = grid.X, grid.Y, field
+    X = grid.X
+    Y = grid.Y
+    k = field
     for row in (-1,) if grid.symmetric else (0, -1):
         strength = -(k.pressure_x * X + (k.pressure_y + k.pressure_xy * X) * Y[row])
         P[row] = np.maximum(strength, 0.0) / H[row] ** 2
@@ -72,21 +78,27 @@ def edge_pressure(field: FarField, grid: Grid, H: Array, P: Array) -> None:
 def exterior_load(field: FarField, grid: Grid, H: Array) -> float:
     """Integral of the far field outside the box [-].
 
-    In polar coordinates the gap is h + q r^2/2 with the level h seen on the inlet edge (negative where the Hertz
-    approach outweighs the deflection), and with c = 2h/q each ray carries
-    integral from R of r^2/(h + q r^2/2)^2 dr = (4/q^2) [R/(2(R^2 + c)) + tail], tail = atan(sqrt(c)/R)/(2 sqrt(c)).
+    In polar coordinates the gap is h + q r^2/2 with the level h seen on the inlet edge (negative
+    where the Hertz approach outweighs the deflection), and with c = 2h/q each ray carries integral
+    from R of r^2/(h + q r^2/2)^2 dr = (4/q^2) [R/(2(R^2 + c)) + tail], tail = atan(sqrt(c)/R)/(2
+    sqrt(c)).
     """
     angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
     x, y = np.cos(angle), np.sin(angle)
     strength = np.maximum(-(field.pressure_x * x + field.pressure_y * y), 0.0)
-    x_in, x_out, y_half = grid.X[0], grid.X[-1], grid.Y[-1]
+    x_in = grid.X[0]
+    x_out = grid.X[-1]
+    y_half = grid.Y[-1]
     with np.errstate(divide="ignore"):
         radius = np.minimum(np.where(x < 0.0, x_in / x, x_out / x), y_half / np.abs(y))
     q = field.curvature_x * x * x + field.curvature_y * y * y + 2.0 * field.curvature_xy * x * y
     origin = 0 if grid.symmetric else grid.ny // 2
     c = 2.0 * (H[origin, 0] - 0.5 * field.curvature_x * x_in**2) / q
-    c = np.maximum(c, -0.9 * radius**2)  # far inside the Hertz gap: the ray's own edge stays outside the contact
+    # far inside the Hertz gap: the ray's own edge stays outside the contact
+    c = np.maximum(c, -0.9 * radius**2)
     root = np.sqrt(np.maximum(np.abs(c), 1e-12))
-    tail = np.where(c > 0.0, np.arctan(root / radius), np.arctanh(np.minimum(root / radius, 0.99))) / (2.0 * root)
+    tail = np.where(
+        c > 0.0, np.arctan(root / radius), np.arctanh(np.minimum(root / radius, 0.99))
+    ) / (2.0 * root)
     rays = 4.0 / q**2 * (0.5 * radius / (radius**2 + c) + tail)
     return float(np.sum(strength * rays)) * 2.0 * np.pi / DIRECTIONS

@@ -1,19 +1,21 @@
-"""What stands between the oil's flow and that of a Newtonian oil of uniform temperature: factors on Reynolds' terms.
+"""What stands between the oil's flow and that of a Newtonian oil of uniform temperature: factors
+on Reynolds' terms.
 
-With the factors f on the Poiseuille term and the velocities (u, v) of the Couette terms the solver's equation is
+With the factors f on the Poiseuille term and the velocities (u, v) of the Couette terms the
+solver's equation is
 
     d_X(f eps d_X P) + d_Y(f eps d_Y P) - d_X(rho u H) - d_Y(rho v H) = 0,
 
-eps and rho those of the Newtonian oil at pressure P. The velocity field of the entrainment enters here, and so do the
-frozen coefficients of a generalized Reynolds equation (Yang and Wen, 1990): a `FlowModel` is asked for them before each
-multigrid cycle, on the grid being solved, and the coarser grids take them by injection.
+eps and rho those of the Newtonian oil at pressure P. The velocity field of the entrainment enters
+here, and so do the frozen coefficients of a generalized Reynolds equation (Yang and Wen, 1990): a
+`FlowModel` is asked for them before each multigrid cycle, on the grid being solved, and the
+coarser grids take them by injection.
 
-The viscosity of a thinned oil follows the pressure less than the Newtonian one does: with the share k of the change
-that it leaves out, a factor found at P_0 counts as f [eta(P)/eta(P_0)]^k while P changes within the cycle. Without that
-a frozen factor of 1e6 in a sliding contact turns a small error of the pressure into a large one of the flow.
+The viscosity of a thinned oil follows the pressure less than the Newtonian one does: with the
+share k of the change that it leaves out, a factor found at P_0 counts as f [eta(P)/eta(P_0)]^k
+while P changes within the cycle. Without that a frozen factor of 1e6 in a sliding contact turns a
+small error of the pressure into a large one of the flow.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from typing import Protocol
@@ -30,18 +32,23 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FlowFactors:
-    """Factors on the flow of a Newtonian oil at u = 1, v = 0, shape (ny, nx) [-]; None is 1, or 0 for v."""
+    """Factors on the flow of a Newtonian oil at u = 1, v = 0, shape (ny, nx) [-]; None is 1, or 0
+    for v.
+    """
 
     poiseuille: Array | None = None  # f, on eps
-    thinning: Array | None = None  # k, share of ln(eta) at `pressure` that the factor takes back as P changes
+    # k, share of ln(eta) at `pressure` that the factor takes back as P changes
+    thinning: Array | None = None
     pressure: Array | None = None  # P_0, at which the factors were found; needed with `thinning`
     couette_x: Array | None = None  # u over u_m, the flow being rho u H
     couette_y: Array | None = None  # v over u_m; a grid of the upper half has none
 
-    def coarsened(self) -> FlowFactors:
+    def coarsened(self) -> "FlowFactors":
         """Those of the next coarser grid, by injection [-]."""
         parts = {field.name: getattr(self, field.name) for field in fields(self)}
-        return FlowFactors(**{name: None if part is None else inject(part) for name, part in parts.items()})
+        return FlowFactors(
+            **{name: None if part is None else inject(part) for name, part in parts.items()}
+        )
 
 
 class FlowModel(Protocol):

@@ -1,6 +1,6 @@
-"""Full multigrid of one contact: levels for a box, guarded cycles, and the list of attempts if one fails."""
-
-from __future__ import annotations
+"""Full multigrid of one contact: levels for a box, guarded cycles, and the list of attempts if one
+fails.
+"""
 
 from collections.abc import Iterator
 from contextlib import suppress
@@ -32,8 +32,10 @@ from .transfer import interpolate_cubic
 
 Array = NDArray[np.float64]
 
-COARSEST_CELLS = 16  # along x on the coarsest grid; its mesh may be far too coarse for the film, it only carries H0
-STARTING_MESH = (0.2, 0.55)  # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
+# along x on the coarsest grid; its mesh may be far too coarse for the film, it only carries H0
+COARSEST_CELLS = 16
+# full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
+STARTING_MESH = (0.2, 0.55)
 LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
 # relative error of central and minimum film left by the iteration, estimated from its contraction
 FILM_TOLERANCE = 4e-4
@@ -45,7 +47,8 @@ GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
 PLAIN_CYCLES = 5  # on the finest level, before the cycles are accelerated
 STEP_CYCLES = 5  # under each lighter load, where the load is reached in steps
 HALVINGS = 3  # of the damping on one level before it counts as diverged
-ORIGIN_CELLS = 32  # the origin is a node of the level with this many cells along x, and of all finer ones
+# the origin is a node of the level with this many cells along x, and of all finer ones
+ORIGIN_CELLS = 32
 
 SMALLEST_FILM = 1e-12  # keeps a relative change finite
 
@@ -69,25 +72,34 @@ class Outcome:
     """One attempt: its levels, and what happened on the finest of them. All quantities [-]."""
 
     state: Multigrid
-    films: Films = field(default_factory=list)  # of each level, coarsest first; empty if the iteration ran away
-    film: Films = field(default_factory=list)  # on the finest level, before the first and after each cycle
+    # of each level, coarsest first; empty if the iteration ran away
+    films: Films = field(default_factory=list)
+    # on the finest level, before the first and after each cycle
+    film: Films = field(default_factory=list)
     residual: list[float] = field(default_factory=list)  # after each cycle
     load: list[float] = field(default_factory=list)
     changes: list[float] = field(default_factory=list)
 
     def note(self, residual: float) -> None:
-        """Film, change and load error after a cycle on the finest level that left a mean residual [-]."""
+        """Film, change and load error after a cycle on the finest level that left a mean residual
+        [-].
+        """
         index = len(self.state.levels) - 1
-        film, before = film_values(self.state.levels[index].grid, self.state.levels[index].H), self.film[-1]
+        film = film_values(self.state.levels[index].grid, self.state.levels[index].H)
+        before = self.film[-1]
         self.film.append(film)
         self.changes.append(
-            max(abs(new - old) / max(abs(new), SMALLEST_FILM) for new, old in zip(film, before, strict=True))
+            max(
+                abs(new - old) / max(abs(new), SMALLEST_FILM)
+                for new, old in zip(film, before, strict=True)
+            )
         )
         self.residual.append(residual)
         self.load.append(load_error(self.state, index))
 
     def remaining_error(self) -> float:
-        """Relative film error the iteration leaves, change * q/(1 - q) with q the contraction of the last cycle [-].
+        """Relative film error the iteration leaves, change * q/(1 - q) with q the contraction of
+        the last cycle [-].
 
         One cycle alone tells no contraction: its whole change counts.
         """
@@ -111,16 +123,20 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Attempt:
-    """One way of solving: damping, level to start from, share of the usual mesh size across the entrainment [-]."""
+    """One way of solving: damping, level to start from, share of the usual mesh size across the
+    entrainment [-].
+    """
 
     name: str
     damping: Damping
     finer_start: int = 0
     mesh_y: float = 1.0
-    along_entrainment: bool = False  # turn the grid to it; only where it is not along a principal direction
+    # turn the grid to it; only where it is not along a principal direction
+    along_entrainment: bool = False
     long_only: bool = False  # only for ellipses whose longer axis lies along the grid's X
     patience: int = 1  # factor on the number of cycles
-    from_lighter: bool = False  # reach the load in steps on the level the full multigrid starts from
+    # reach the load in steps on the level the full multigrid starts from
+    from_lighter: bool = False
 
     def applies(self, contact: ScaledContact, turned: ScaledContact) -> bool:
         """Whether the attempt is another one for this contact than those before it."""
@@ -135,12 +151,16 @@ ATTEMPTS = (
     Attempt(name="plain", damping=Damping()),
     Attempt(name="grid turned to the entrainment", damping=Damping(), along_entrainment=True),
     Attempt(name="load reached in steps", damping=Damping(), from_lighter=True),
-    Attempt(name="mesh doubled across the entrainment", damping=Damping(), mesh_y=2.0, long_only=True),
+    Attempt(
+        name="mesh doubled across the entrainment", damping=Damping(), mesh_y=2.0, long_only=True
+    ),
     Attempt(name="damping halved, less Gauss-Seidel", damping=CAUTIOUS),
     Attempt(name="mesh halved across the entrainment", damping=CAUTIOUS, mesh_y=0.5),
     Attempt(name="started one level finer", damping=CAUTIOUS.halved(), finer_start=1, mesh_y=0.5),
     Attempt(name="three times the cycles", damping=CAUTIOUS, patience=3),
-    Attempt(name=WIDE_AND_PATIENT, damping=Damping().halved(), mesh_y=2.0, long_only=True, patience=3),
+    Attempt(
+        name=WIDE_AND_PATIENT, damping=Damping().halved(), mesh_y=2.0, long_only=True, patience=3
+    ),
 )
 
 
@@ -152,10 +172,11 @@ def solve_with_fallbacks(
     flow_model: FlowModel | None = None,
     lighter: tuple[ScaledContact, ...] = (),
 ) -> Outcome:
-    """Go down the list of attempts until one converges; the one that came nearest is kept if none does.
+    """Go down the list of attempts until one converges; the one that came nearest is kept if none
+    does.
 
-    `contacts` are the same contact, on a grid along a principal direction and on one along the entrainment; `lighter`
-    the first under rising loads below its own.
+    `contacts` are the same contact, on a grid along a principal direction and on one along the
+    entrainment; `lighter` the first under rising loads below its own.
     """
     best = None
     for attempt in ATTEMPTS:
@@ -170,7 +191,11 @@ def solve_with_fallbacks(
             steps = lighter if attempt.from_lighter else ()
             full_multigrid(outcome, patient, progress, attempt.finer_start, steps)
         progress.deflected_nodes += outcome.state.deflected_nodes()
-        if best is None or outcome.converged() or outcome.remaining_error() < best.remaining_error():
+        if (
+            best is None
+            or outcome.converged()
+            or outcome.remaining_error() < best.remaining_error()
+        ):
             best = outcome
         if best.converged():
             break
@@ -187,15 +212,21 @@ def contact_multigrid(
 ) -> Multigrid:
     """Levels for a box given in Hertz half-extents; in a box of our choice the origin is a node."""
     is_open = options.domain is None
-    x_in, x_out, y_half = domain[0] * contact.half_extent_x, domain[1] * contact.half_extent_x, domain[2]
+    x_in = domain[0] * contact.half_extent_x
+    x_out = domain[1] * contact.half_extent_x
+    y_half = domain[2]
     if is_open:
         outlet = ceil(x_out / (x_out - x_in) * ORIGIN_CELLS - 1e-9)
         x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
     levels = ((options.points - 1) // COARSEST_CELLS).bit_length()
     aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
     symmetric = contact.symmetric and (flow_model is None or flow_model.symmetric)
-    grids = grid_hierarchy(options.points, (x_in, x_out, y_half * contact.half_extent_y), aspect, levels, symmetric)
-    state = make_multigrid(contact, grids, far_field(contact) if is_open else None, attempt.damping)
+    grids = grid_hierarchy(
+        options.points, (x_in, x_out, y_half * contact.half_extent_y), aspect, levels, symmetric
+    )
+    state = make_multigrid(
+        contact, grids, far_field(contact) if is_open else None, attempt.damping
+    )
     state.flow_model, state.team = flow_model, Team(options.threads)
     return state
 
@@ -207,14 +238,16 @@ def full_multigrid(
     finer: int = 0,
     lighter: tuple[ScaledContact, ...] = (),
 ) -> None:
-    """Solve level after level; the load on the first of them is reached through those of `lighter`.
+    """Solve level after level; the load on the first of them is reached through those of
+    `lighter`.
 
     Raises
     ------
     DivergedError
         If the iteration runs away; `outcome.films` is empty then.
     """
-    state, films = outcome.state, []
+    state = outcome.state
+    films = []
     finest = len(state.levels) - 1
     first = _starting_level(state, finer)
     _start_in_steps(state, first, lighter, progress)
@@ -231,38 +264,50 @@ def full_multigrid(
 
 
 def _starting_level(state: Multigrid, finer: int) -> int:
-    contact, finest = state.contact, len(state.levels) - 1
+    contact = state.contact
+    finest = len(state.levels) - 1
     gap = sqrt(contact.film_guess / contact.curvature_x)
     mesh = max(STARTING_MESH[0] * contact.half_extent_x, STARTING_MESH[1] * gap)
-    first = next((index for index, level in enumerate(state.levels) if level.grid.hx <= mesh), finest)
+    first = next(
+        (index for index, level in enumerate(state.levels) if level.grid.hx <= mesh), finest
+    )
     return min(first + finer, finest)
 
 
 def _start(state: Multigrid, index: int) -> None:
     """Hertz pressure and the approach that gives the expected central film."""
-    contact, grid = state.contact, state.levels[index].grid
+    contact = state.contact
+    grid = state.levels[index].grid
     cosine, sine = np.cos(contact.frame_angle), np.sin(contact.frame_angle)
-    X, Y = grid.X[None, :], grid.Y[:, None]
-    along, across = X * cosine - Y * sine, (X * sine + Y * cosine) / contact.semi_axis_ratio
+    X = grid.X[None, :]
+    Y = grid.Y[:, None]
+    along = X * cosine - Y * sine
+    across = (X * sine + Y * cosine) / contact.semi_axis_ratio
     state.approach = 0.0
     start_level(state, index, np.sqrt(np.maximum(1.0 - along**2 - across**2, 0.0)))
     state.approach = contact.film_guess - central_film(grid, state.levels[index].H)
     update_film(state, index)
 
 
-def _start_in_steps(state: Multigrid, index: int, lighter: tuple[ScaledContact, ...], progress: Progress) -> None:
-    """Start a level from the solution under a lighter load, that from a lighter one still; Hertz if there is none.
+def _start_in_steps(
+    state: Multigrid, index: int, lighter: tuple[ScaledContact, ...], progress: Progress
+) -> None:
+    """Start a level from the solution under a lighter load, that from a lighter one still; Hertz
+    if there is none.
 
     In the scales of each load's own Hertz contact grid and kernel are the same.
     """
-    wanted, pressure = state.contact, None
+    wanted = state.contact
+    pressure = None
     for contact in (*lighter, wanted):
         state.contact = contact
         if pressure is None:
             _start(state, index)
         else:
             start_level(state, index, pressure)
-            state.approach += contact.film_guess - central_film(state.levels[index].grid, state.levels[index].H)
+            state.approach += contact.film_guess - central_film(
+                state.levels[index].grid, state.levels[index].H
+            )
             update_film(state, index)
         if contact is not wanted:
             for _ in _guarded_cycles(state, index, STEP_CYCLES, progress):
@@ -270,15 +315,20 @@ def _start_in_steps(state: Multigrid, index: int, lighter: tuple[ScaledContact, 
             pressure = state.levels[index].P.copy()
 
 
-def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress) -> Iterator[float]:
-    """Run cycles on a level and yield the mean residual; a runaway one is undone and repeated with half the damping.
+def _guarded_cycles(
+    state: Multigrid, index: int, count: int, progress: Progress
+) -> Iterator[float]:
+    """Run cycles on a level and yield the mean residual; a runaway one is undone and repeated with
+    half the damping.
 
     Raises
     ------
     DivergedError
         If three halvings do not help.
     """
-    last, halvings, done = inf, 0, 0
+    last = inf
+    halvings = 0
+    done = 0
     while done < count:
         kept = kept_level(state, index)
         residual = guarded_cycle(state, index, last)
@@ -290,7 +340,8 @@ def _guarded_cycles(state: Multigrid, index: int, count: int, progress: Progress
             state.damping = state.damping.halved()
             progress.fallbacks.append("cycle undone, damping halved")
             continue
-        last, done = residual, done + 1
+        last = residual
+        done = done + 1
         yield residual
 
 
@@ -321,11 +372,15 @@ def guarded_cycle(state: Multigrid, index: int, last: float = inf) -> float:
 
 
 def _finish(outcome: Outcome, films: Films, options: SolverOptions, progress: Progress) -> None:
-    """Cycle on the finest level until film and load stand still; `films` are those of the levels below."""
+    """Cycle on the finest level until film and load stand still; `films` are those of the levels
+    below.
+    """
     state = outcome.state
-    index, level = len(state.levels) - 1, state.levels[-1]
+    index = len(state.levels) - 1
+    level = state.levels[-1]
     outcome.film.append(film_values(level.grid, level.H))
-    acceleration, given = Acceleration(), (level.P.copy(), state.approach)
+    acceleration = Acceleration()
+    given = (level.P.copy(), state.approach)
     for residual in _guarded_cycles(state, index, options.max_cycles, progress):
         outcome.note(residual)
         outcome.films = [*films, outcome.film[-1]]
@@ -346,12 +401,16 @@ def central_film(grid: Grid, H: Array) -> float:
         return float(line[i])
     first = min(max(int(np.searchsorted(X, 0.0)) - 2, 0), grid.nx - 4)
     nodes, values = X[first : first + 4], line[first : first + 4]
-    weights = [np.prod([-other / (node - other) for other in nodes if other != node]) for node in nodes]
+    weights = [
+        np.prod([-other / (node - other) for other in nodes if other != node]) for node in nodes
+    ]
     return float(np.dot(weights, values))
 
 
 def film_values(grid: Grid, H: Array) -> tuple[float, float]:
-    """Central film, and minimum film by a parabola through the smallest node in each direction [-]."""
+    """Central film, and minimum film by a parabola through the smallest node in each direction
+    [-].
+    """
     j, i = np.unravel_index(int(np.argmin(H)), H.shape)
     minimum = float(H[j, i])
     if 0 < i < grid.nx - 1:

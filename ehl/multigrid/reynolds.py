@@ -1,10 +1,9 @@
-"""Reynolds' equation in NumPy: the readable twin of the compiled kernels, and what tests hold them against.
+"""Reynolds' equation in NumPy: the readable twin of the compiled kernels, and what tests hold them
+against.
 
-Arrays have the shape (ny, nx), lines along x contiguous; on a symmetric grid row 0 is y = 0 and its southern neighbour
-is the mirror image of row 1.
+Arrays have the shape (ny, nx), lines along x contiguous; on a symmetric grid row 0 is y = 0 and
+its southern neighbour is the mirror image of row 1.
 """
-
-from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,14 +24,17 @@ def flow_properties(P: Array, H: Array, contact: ScaledContact) -> tuple[Array, 
     """
     c = contact
     pressure = np.maximum(P, 0.0)
-    viscosity = np.exp(c.viscosity_slope * ((1.0 + c.viscosity_pressure * pressure) ** c.viscosity_exponent - 1.0))
+    viscosity = np.exp(
+        c.viscosity_slope * ((1.0 + c.viscosity_pressure * pressure) ** c.viscosity_exponent - 1.0)
+    )
     rho = 1.0 + c.density_numerator * pressure / (1.0 + c.density_denominator * pressure)
     rho_slope = c.density_numerator / (1.0 + c.density_denominator * pressure) ** 2
     return rho * np.maximum(H, 0.0) ** 3 / (viscosity * c.speed), rho, rho_slope
 
 
 def poiseuille(P: Array, eps: Array, hx: float, hy: float, symmetric: bool) -> Array:
-    """d_X(eps d_X P) + d_Y(eps d_Y P) at interior nodes, conservative five-point stencil, O(hx^2 + hy^2) [-].
+    """d_X(eps d_X P) + d_Y(eps d_Y P) at interior nodes, conservative five-point stencil, O(hx^2 +
+    hy^2) [-].
 
     Parameters
     ----------
@@ -49,7 +51,8 @@ def poiseuille(P: Array, eps: Array, hx: float, hy: float, symmetric: bool) -> A
 
 
 def wedge(flow: Array, H: Array, hx: float, symmetric: bool) -> Array:
-    """d_X(flow H) at interior nodes: second order upstream, (3, -4, 1)/2; central where that leaves the grid [-].
+    """d_X(flow H) at interior nodes: second order upstream, (3, -4, 1)/2; central where that
+    leaves the grid [-].
 
     Parameters
     ----------
@@ -73,9 +76,15 @@ def lateral_wedge(flow: Array, H: Array, hy: float) -> Array:
 
 
 def reynolds_operator(
-    P: Array, H: Array, eps: Array, flow: tuple[Array, Array | None], mesh: tuple[float, float], symmetric: bool
+    P: Array,
+    H: Array,
+    eps: Array,
+    flow: tuple[Array, Array | None],
+    mesh: tuple[float, float],
+    symmetric: bool,
 ) -> Array:
-    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H), shape (ny, nx), zero on the edge [-].
+    """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H), shape (ny, nx), zero on the
+    edge [-].
 
     Parameters
     ----------
@@ -88,7 +97,9 @@ def reynolds_operator(
     """
     out = np.zeros_like(P)
     rows = slice(0, -1) if symmetric else slice(1, -1)
-    out[rows, 1:-1] = poiseuille(P, eps, mesh[0], mesh[1], symmetric) - wedge(flow[0], H, mesh[0], symmetric)
+    out[rows, 1:-1] = poiseuille(P, eps, mesh[0], mesh[1], symmetric) - wedge(
+        flow[0], H, mesh[0], symmetric
+    )
     if flow[1] is not None:
         out[rows, 1:-1] -= lateral_wedge(flow[1], H, mesh[1])
     return out

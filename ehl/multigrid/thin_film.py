@@ -1,12 +1,12 @@
-"""Films too thin for the mesh: extrapolated over the load from contacts that the same mesh resolves.
+"""Films too thin for the mesh: extrapolated over the load from contacts that the same mesh
+resolves.
 
-At fixed speed, oil and geometry (constant L) the film in proportion to the central film of Nijenbanning, Venner and
-Moes (1994) changes slowly with the load: a power of it, to which a parabola in the logarithms is the next
-approximation. The power is fitted to the heaviest loads the mesh resolves; the error bar is the difference to the
-parabola, with the error bars of the fitted films and what they amount to at the wanted load.
+At fixed speed, oil and geometry (constant L) the film in proportion to the central film of
+Nijenbanning, Venner and Moes (1994) changes slowly with the load: a power of it, to which a
+parabola in the logarithms is the next approximation. The power is fitted to the heaviest loads the
+mesh resolves; the error bar is the difference to the parabola, with the error bars of the fitted
+films and what they amount to at the wanted load.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -32,7 +32,8 @@ FARTHEST = 100.0  # times the heaviest load resolved: beyond, nothing is extrapo
 def thin_film(
     solution: ContactSolution, fineness: float, solve: Callable[[Conditions], ContactSolution]
 ) -> ContactSolution:
-    """The solution with its film values replaced by extrapolated ones, named in the message; unchanged if none.
+    """The solution with its film values replaced by extrapolated ones, named in the message;
+    unchanged if none.
 
     Parameters
     ----------
@@ -63,7 +64,11 @@ def thin_film(
     )
     record = replace(solution.record, fallbacks=(*solution.record.fallbacks, FALLBACK))
     return replace(
-        solution, record=record, film_central_dimensionless=central, film_minimum_dimensionless=minimum, message=told
+        solution,
+        record=record,
+        film_central_dimensionless=central,
+        film_minimum_dimensionless=minimum,
+        message=told,
     )
 
 
@@ -74,11 +79,20 @@ def at_load(conditions: Conditions, factor: float) -> Conditions:
     return replace(conditions, load=factor * conditions.load)
 
 
-def _extrapolated(solution: ContactSolution, name: str, loads: list[float], solved: list[ContactSolution]) -> FilmValue:
-    """ln(H/H_formula) at ln(load) = 0 from its values at lighter loads, in units of the contact's own a^2/Rx [-]."""
+def _extrapolated(
+    solution: ContactSolution, name: str, loads: list[float], solved: list[ContactSolution]
+) -> FilmValue:
+    """ln(H/H_formula) at ln(load) = 0 from its values at lighter loads, in units of the contact's
+    own a^2/Rx [-].
+    """
     films = [getattr(s, name) for s in solved]
     x = np.log(loads)
-    y = np.array([log(f.value / scale_contact(s.conditions).film_guess) for f, s in zip(films, solved, strict=True)])
+    y = np.array(
+        [
+            log(f.value / scale_contact(s.conditions).film_guess)
+            for f, s in zip(films, solved, strict=True)
+        ]
+    )
     weights = [_weights_at_zero(x, degree) for degree in (1, 2)]
     line, parabola = (float(w @ y) for w in weights)
     doubts = np.array([f.uncertainty / f.value for f in films])

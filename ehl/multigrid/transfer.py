@@ -1,7 +1,5 @@
 """Transfers between a grid and the one with doubled mesh size; arrays of shape (ny, nx)."""
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import NDArray
 

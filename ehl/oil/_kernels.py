@@ -3,18 +3,25 @@
 oil: the array of `numbers.oil_numbers`.
 """
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..compiled import compiled
 
-ISOVISCOUS, BARUS, ROELANDS, TAIT_DOOLITTLE, YASUTOMI = 0, 1, 2, 3, 4  # as `numbers.VISCOSITY_CODES`
-INCOMPRESSIBLE, DOWSON_HIGGINSON, TAIT = 0, 1, 2  # as `numbers.DENSITY_CODES`
+# as `numbers.VISCOSITY_CODES`
+ISOVISCOUS = 0
+BARUS = 1
+ROELANDS = 2
+TAIT_DOOLITTLE = 3
+YASUTOMI = 4
+# as `numbers.DENSITY_CODES`
+INCOMPRESSIBLE = 0
+DOWSON_HIGGINSON = 1
+TAIT = 2
 ROELANDS_TEMPERATURE = 138.0  # as in `ehl.oil.lubricant`
 DOWSON_HIGGINSON_NUMERATOR = 0.6e-9
 DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9
-V, T = 7, 16  # as `numbers.VISCOSITY_START`, `numbers.TAIT_START`
+V = 7  # as `numbers.VISCOSITY_START`
+T = 16  # `numbers.TAIT_START`
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
 SLOPE_STEP = 1e-3  # [K], of difference quotients by temperature
 
@@ -59,13 +66,15 @@ def _log_yasutomi(pressure, temperature, oil):
 @compiled
 def log_viscosity_ratio(pressure, temperature, oil):
     """ln(eta/eta_0), at most EXPONENT_LIMIT [-]."""
-    law, above = int(oil[0]), temperature - oil[4]
+    law = int(oil[0])
+    above = temperature - oil[4]
     if law == ISOVISCOUS:
         return -oil[5] * above
     if law == BARUS:
         return min(oil[V] * pressure - oil[5] * above, EXPONENT_LIMIT)
     if law == ROELANDS:
-        slope, room = oil[V], oil[4] - ROELANDS_TEMPERATURE
+        slope = oil[V]
+        room = oil[4] - ROELANDS_TEMPERATURE
         rise = np.exp(oil[V + 2] * np.log1p(pressure / oil[V + 1]))
         if above != 0.0:
             rise *= max(1.0 + above / room, 1e-3) ** (-oil[5] * room / slope)
@@ -85,19 +94,24 @@ def viscosity(pressure, temperature, oil):
 def viscosity_softening(pressure, temperature, oil):
     """-d(ln eta)/dT [1/K], central difference."""
     cold = log_viscosity_ratio(pressure, temperature - SLOPE_STEP, oil)
-    return (cold - log_viscosity_ratio(pressure, temperature + SLOPE_STEP, oil)) / (2.0 * SLOPE_STEP)
+    return (cold - log_viscosity_ratio(pressure, temperature + SLOPE_STEP, oil)) / (
+        2.0 * SLOPE_STEP
+    )
 
 
 @compiled
 def density_ratio(pressure, temperature, oil):
     """rho/rho_0 [-]."""
-    law, above = int(oil[1]), temperature - oil[4]
+    law = int(oil[1])
+    above = temperature - oil[4]
     if law == TAIT:
         ratio = relative_volume(0.0, oil[4], oil) / relative_volume(pressure, temperature, oil)
         if oil[T + 4] > 0.0:
             return ratio
     elif law == DOWSON_HIGGINSON:
-        ratio = 1.0 + DOWSON_HIGGINSON_NUMERATOR * pressure / (1.0 + DOWSON_HIGGINSON_DENOMINATOR * pressure)
+        ratio = 1.0 + DOWSON_HIGGINSON_NUMERATOR * pressure / (
+            1.0 + DOWSON_HIGGINSON_DENOMINATOR * pressure
+        )
     else:
         ratio = 1.0
     return ratio * np.exp(-oil[6] * above)
@@ -107,7 +121,9 @@ def density_ratio(pressure, temperature, oil):
 def thermal_expansion(pressure, temperature, oil):
     """-d(ln rho)/dT [1/K], central difference."""
     cold = density_ratio(pressure, temperature - SLOPE_STEP, oil)
-    return np.log(cold / density_ratio(pressure, temperature + SLOPE_STEP, oil)) / (2.0 * SLOPE_STEP)
+    return np.log(cold / density_ratio(pressure, temperature + SLOPE_STEP, oil)) / (
+        2.0 * SLOPE_STEP
+    )
 
 
 @compiled
@@ -127,7 +143,8 @@ def density_slope(pressure, oil):
 
 @compiled
 def flow_properties(P, H, hertz_pressure, oil, speed, eps, rho, rho_slope, first, stop):
-    """eps = rho H^3/(eta lambda), rho and d(rho)/dP [-] of the lines from `first` to before `stop`, any law.
+    """eps = rho H^3/(eta lambda), rho and d(rho)/dP [-] of the lines from `first` to before
+    `stop`, any law.
 
     At the temperature of operation.
     """

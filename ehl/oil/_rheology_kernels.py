@@ -1,22 +1,30 @@
 """Shear laws for compiled kernels: scalars in, scalars out; their NumPy twins stand in `laws.py`.
 
-The arguments law, stress, exponent, breadth and those of the limit are the fields of `KernelRheology`.
+The arguments law, stress, exponent, breadth and those of the limit are the fields of
+`KernelRheology`.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
 from ..compiled import compiled
 
-NEWTONIAN, REE_EYRING, CARREAU_YASUDA = 0, 1, 2  # as `laws.LAW_CODES`
+# as `laws.LAW_CODES`
+NEWTONIAN = 0
+REE_EYRING = 1
+CARREAU_YASUDA = 2
 LARGEST_ARGUMENT = 300.0  # as in `laws`
 NEWTON_STEPS = 30
 
 
 @compiled
 def limiting_stress(
-    pressure, temperature, limit_coefficient, limit_stress, limit_slope, limit_temperature, limit_minimum
+    pressure,
+    temperature,
+    limit_coefficient,
+    limit_stress,
+    limit_slope,
+    limit_temperature,
+    limit_minimum,
 ):
     """Limiting stress [Pa]; infinite if its coefficient is."""
     if not np.isfinite(limit_coefficient):
@@ -29,7 +37,9 @@ def limiting_stress(
 
 @compiled
 def inverse_sine(x):
-    """asinh(x) for x not negative, by a logarithm, which compiles to less than the library's; near zero its series."""
+    """asinh(x) for x not negative, by a logarithm, which compiles to less than the library's; near
+    zero its series.
+    """
     if x < 2e-3:
         return x * (1.0 - x * x * (1.0 / 6.0 - 0.075 * x * x))
     return np.log(x + np.sqrt(x * x + 1.0))
@@ -37,7 +47,9 @@ def inverse_sine(x):
 
 @compiled
 def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
-    """Stress magnitude [Pa] at the magnitude of a rate [1/s]; limit: the limiting stress, or infinity [Pa]."""
+    """Stress magnitude [Pa] at the magnitude of a rate [1/s]; limit: the limiting stress, or
+    infinity [Pa].
+    """
     tau = viscosity * rate
     if law == REE_EYRING:
         tau = stress * inverse_sine(tau / stress)
@@ -58,7 +70,9 @@ def _carreau_inverse(s, exponent, breadth):
     for _ in range(NEWTON_STEPS):
         power = breadth * u
         knee = power + np.log1p(np.exp(-power)) if power > 0.0 else np.log1p(np.exp(power))
-        step = (u + (exponent - 1.0) / breadth * knee - wanted) / (1.0 + (exponent - 1.0) * np.exp(power - knee))
+        step = (u + (exponent - 1.0) / breadth * knee - wanted) / (
+            1.0 + (exponent - 1.0) * np.exp(power - knee)
+        )
         u -= step
         if abs(step) < 1e-14:
             break
@@ -67,7 +81,9 @@ def _carreau_inverse(s, exponent, breadth):
 
 @compiled
 def shear_rate(tau, viscosity, limit, law, stress, exponent, breadth):
-    """Rate [1/s] at a stress magnitude [Pa], the inverse of `shear_stress`; infinite from the limit on."""
+    """Rate [1/s] at a stress magnitude [Pa], the inverse of `shear_stress`; infinite from the
+    limit on.
+    """
     if np.isfinite(limit):
         if tau >= limit:
             return np.inf

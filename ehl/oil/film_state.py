@@ -1,6 +1,6 @@
-"""What a film solved with shear or heat leaves to those who shear it: its temperature, and how much thinner it is."""
-
-from __future__ import annotations
+"""What a film solved with shear or heat leaves to those who shear it: its temperature, and how
+much thinner it is.
+"""
 
 from dataclasses import dataclass
 
@@ -22,15 +22,17 @@ class FilmState:
     temperature : ndarray, shape (nx, ny), or None
         Mean over the film [K]; None: solved without heat.
     log_fluidity : ndarray, shape (nx, ny)
-        ln of what the mean fluidity is times that of the unsheared oil at the mean temperature, by the profile of the
-        temperature and by the stress of the pressure's own flow [-].
+        ln of what the mean fluidity is times that of the unsheared oil at the mean temperature, by
+        the profile of the temperature and by the stress of the pressure's own flow [-].
     """
 
     temperature: Array | None
     log_fluidity: Array
 
 
-def log_mean_fluidity(temperature: Array, weights: Array, pressure: Array, oil: Lubricant) -> tuple[Array, Array]:
+def log_mean_fluidity(
+    temperature: Array, weights: Array, pressure: Array, oil: Lubricant
+) -> tuple[Array, Array]:
     """Mean temperature [K] and ln of the mean fluidity over that at it [-].
 
     Parameters
@@ -49,7 +51,11 @@ def log_mean_fluidity(temperature: Array, weights: Array, pressure: Array, oil: 
     return mean, np.log(np.exp(thinner) @ weights)
 
 
-def log_gradient_thinning(x: Array, y: Array, pressure: Array, film: Array, rheology: Rheology) -> Array:
-    """ln of `rheology.thinning_by_gradient` on a grid, shape (nx, ny) [-]; x, y [m], pressure [Pa], film [m]."""
+def log_gradient_thinning(
+    x: Array, y: Array, pressure: Array, film: Array, rheology: Rheology
+) -> Array:
+    """ln of `rheology.thinning_by_gradient` on a grid, shape (nx, ny) [-]; x, y [m], pressure
+    [Pa], film [m].
+    """
     slopes = np.gradient(pressure, x, axis=0), np.gradient(pressure, y, axis=1)
     return np.log(thinning_by_gradient(np.maximum(film, 0.0) * np.hypot(*slopes), rheology))

@@ -1,10 +1,9 @@
-"""Oils by their volume: Tait's equation of state, Doolittle's free volume, Yasutomi's glass temperature.
+"""Oils by their volume: Tait's equation of state, Doolittle's free volume, Yasutomi's glass
+temperature.
 
-Each is a frozen set of constants and a function of pressure and temperature; `lubricant.py` chooses among the laws.
-The constants belong to one oil and come with a source: none has a default.
+Each is a frozen set of constants and a function of pressure and temperature; `lubricant.py`
+chooses among the laws. The constants belong to one oil and come with a source: none has a default.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass, fields
 from enum import Enum
@@ -18,7 +17,8 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TaitVolume:
-    """Constants of Tait's equation of state in the form of Dymond and Malhotra (1988), as used by Bair (2007).
+    """Constants of Tait's equation of state in the form of Dymond and Malhotra (1988), as used by
+    Bair (2007).
 
     Attributes
     ----------
@@ -56,8 +56,9 @@ class DoolittleFreeVolume:
     occupied_share : float
         R, occupied over total volume at ambient pressure and Tait's reference temperature [-].
     occupied_expansion : float or None
-        e of V_occ(T) = V_occ [1 + e (T - T_R)] [1/K]; None: the constants hold at the temperature of operation, and
-        temperature enters by the oil's coefficient of viscosity and temperature alone.
+        e of V_occ(T) = V_occ [1 + e (T - T_R)] [1/K]; None: the constants hold at the temperature
+        of operation, and temperature enters by the oil's coefficient of viscosity and temperature
+        alone.
     """
 
     factor: float
@@ -68,7 +69,9 @@ class DoolittleFreeVolume:
         _require_finite(self)
         _require_positive(self, "factor")
         if not 0.0 < self.occupied_share < 1.0:
-            raise ValueError(f"occupied_share must lie between 0 and 1, got {self.occupied_share!r}")
+            raise ValueError(
+                f"occupied_share must lie between 0 and 1, got {self.occupied_share!r}"
+            )
 
 
 class ExpansivityForm(Enum):
@@ -110,7 +113,9 @@ class YasutomiGlass:
 
     def __post_init__(self) -> None:
         _require_finite(self)
-        _require_positive(self, "glass_temperature", "glass_pressure_coefficient", "slope", "width")
+        _require_positive(
+            self, "glass_temperature", "glass_pressure_coefficient", "slope", "width"
+        )
 
 
 def _require_finite(constants: object) -> None:
@@ -146,14 +151,16 @@ def relative_volume(p: ArrayLike, temperature: ArrayLike, tait: TaitVolume) -> A
 def log_viscosity_doolittle(
     p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, doolittle: DoolittleFreeVolume
 ) -> Array:
-    """ln(eta/eta_R) = B R {O/[V/V_R - R O] - 1/(1 - R)}, O = 1 + e (T - T_R) [-], Doolittle (1951), Bair (2007).
+    """ln(eta/eta_R) = B R {O/[V/V_R - R O] - 1/(1 - R)}, O = 1 + e (T - T_R) [-], Doolittle
+    (1951), Bair (2007).
 
     Infinite where the occupied volume would fill the whole.
 
     Parameters
     ----------
     p, temperature : array_like
-        Pressure [Pa] and temperature [K]; the latter only counts if an expansion of the occupied volume is given.
+        Pressure [Pa] and temperature [K]; the latter only counts if an expansion of the occupied
+        volume is given.
     tait : TaitVolume
     doolittle : DoolittleFreeVolume
     """
@@ -167,9 +174,11 @@ def log_viscosity_doolittle(
 
 
 def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: YasutomiGlass) -> Array:
-    """ln(eta/eta_g) = -ln(10) C1 D F/(C2 + D F), D = T - T_g(p) [-], Yasutomi, Bair and Winer (1984).
+    """ln(eta/eta_g) = -ln(10) C1 D F/(C2 + D F), D = T - T_g(p) [-], Yasutomi, Bair and Winer
+    (1984).
 
-    Below the glass temperature, where the law ends, the viscosity is held at that of the glass, eta_g.
+    Below the glass temperature, where the law ends, the viscosity is held at that of the glass,
+    eta_g.
 
     Parameters
     ----------
@@ -178,16 +187,22 @@ def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: Yasutomi
     glass : YasutomiGlass
     """
     p = np.asarray(p, dtype=np.float64)
-    glass_temperature = glass.glass_temperature + glass.glass_rise * np.log1p(glass.glass_pressure_coefficient * p)
+    glass_temperature = glass.glass_temperature + glass.glass_rise * np.log1p(
+        glass.glass_pressure_coefficient * p
+    )
     if glass.form is ExpansivityForm.LOGARITHMIC:
         expansivity = 1.0 - glass.expansivity_1 * np.log1p(glass.expansivity_2 * p)
     else:
         expansivity = (1.0 + glass.expansivity_1 * p) ** glass.expansivity_2
-    distance = np.maximum(np.asarray(temperature) - glass_temperature, 0.0) * np.maximum(expansivity, 0.0)
+    distance = np.maximum(np.asarray(temperature) - glass_temperature, 0.0) * np.maximum(
+        expansivity, 0.0
+    )
     return -log(10.0) * glass.slope * distance / (glass.width + distance)
 
 
-def pressure_viscosity_doolittle(tait: TaitVolume, doolittle: DoolittleFreeVolume, temperature: float) -> float:
+def pressure_viscosity_doolittle(
+    tait: TaitVolume, doolittle: DoolittleFreeVolume, temperature: float
+) -> float:
     """d(ln eta)/dp at ambient pressure [1/Pa]: B R O (V_0/V_R)/{K_0(T) [V_0/V_R - R O]^2}.
 
     Parameters
@@ -197,7 +212,9 @@ def pressure_viscosity_doolittle(tait: TaitVolume, doolittle: DoolittleFreeVolum
     temperature : float
         Temperature T [K].
     """
-    above = 0.0 if doolittle.occupied_expansion is None else temperature - tait.reference_temperature
+    above = (
+        0.0 if doolittle.occupied_expansion is None else temperature - tait.reference_temperature
+    )
     occupied = 1.0 + (doolittle.occupied_expansion or 0.0) * above
     volume = 1.0 + tait.expansion * above
     modulus = tait.bulk_modulus * float(np.exp(-tait.bulk_modulus_temperature * above))
@@ -206,7 +223,8 @@ def pressure_viscosity_doolittle(tait: TaitVolume, doolittle: DoolittleFreeVolum
 
 
 def pressure_viscosity_yasutomi(glass: YasutomiGlass, temperature: float) -> float:
-    """d(ln eta)/dp at ambient pressure [1/Pa]: ln(10) C1 C2 [A1 A2 - D F'(0)]/(C2 + D)^2, D = T - T_g0.
+    """d(ln eta)/dp at ambient pressure [1/Pa]: ln(10) C1 C2 [A1 A2 - D F'(0)]/(C2 + D)^2, D = T -
+    T_g0.
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""Lubricant: density and viscosity as functions of pressure, and of temperature where its thermal data are given."""
-
-from __future__ import annotations
+"""Lubricant: density and viscosity as functions of pressure, and of temperature where its thermal
+data are given.
+"""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -23,11 +23,13 @@ from .free_volume import (
 Array = NDArray[np.float64]
 
 ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
-ROELANDS_LOG_OFFSET = 9.67  # ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
+# ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
+ROELANDS_LOG_OFFSET = 9.67
 ROELANDS_TEMPERATURE = 138.0  # [K], -135 degrees Celsius, Roelands (1966)
 DOWSON_HIGGINSON_NUMERATOR = 0.6e-9  # [1/Pa], Dowson and Higginson (1966)
 DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9  # [1/Pa], Dowson and Higginson (1966)
-PRESSURE_VISCOSITY_TOLERANCE = 0.01  # share by which a given coefficient may differ from that of the law's constants
+# share by which a given coefficient may differ from that of the law's constants
+PRESSURE_VISCOSITY_TOLERANCE = 0.01
 
 
 class ViscosityLaw(Enum):
@@ -59,8 +61,8 @@ class ThermalProperties:
     specific_heat : float
         Specific heat capacity c [J/(kg K)].
     viscosity_temperature : float
-        beta = -d(ln eta)/dT at ambient pressure and the temperature of operation [1/K]; not looked at by laws that
-        have their own temperature dependence.
+        beta = -d(ln eta)/dT at ambient pressure and the temperature of operation [1/K]; not looked
+        at by laws that have their own temperature dependence.
     expansion : float
         Thermal expansion -d(ln rho)/dT [1/K].
     """
@@ -100,7 +102,8 @@ class Lubricant:
         Roelands' reference pressure p_r [Pa].
     name : str
     temperature : float or None
-        Temperature of operation, at which the values hold [K]; needed by laws that depend on it and to solve with heat.
+        Temperature of operation, at which the values hold [K]; needed by laws that depend on it
+        and to solve with heat.
     tait : TaitVolume or None
         Constants of the density law and of Doolittle's viscosity law.
     doolittle : DoolittleFreeVolume or None
@@ -131,10 +134,14 @@ class Lubricant:
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
         if not (isfinite(self.pressure_viscosity) and self.pressure_viscosity >= 0.0):
-            raise ValueError(f"pressure_viscosity must be zero or positive and finite, got {self.pressure_viscosity!r}")
+            raise ValueError(
+                f"pressure_viscosity must be zero or positive and finite, got {self.pressure_viscosity!r}"
+            )
         if self.viscosity_law is ViscosityLaw.ROELANDS and not 0.0 < self.exponent <= 2.0:
             raise ValueError(f"roelands_z must lie in (0, 2], got {self.exponent!r}")
-        if self.temperature is not None and not (isfinite(self.temperature) and self.temperature > 0.0):
+        if self.temperature is not None and not (
+            isfinite(self.temperature) and self.temperature > 0.0
+        ):
             raise ValueError(f"temperature must be positive and finite, got {self.temperature!r}")
         _require_constants(self)
 
@@ -143,7 +150,11 @@ class Lubricant:
         """Roelands' z [-]: as given, or z = alpha p_r / (ln eta_0 + 9.67), Roelands (1966)."""
         if self.roelands_z is not None:
             return self.roelands_z
-        return self.pressure_viscosity * self.roelands_pressure / (log(self.viscosity) + ROELANDS_LOG_OFFSET)
+        return (
+            self.pressure_viscosity
+            * self.roelands_pressure
+            / (log(self.viscosity) + ROELANDS_LOG_OFFSET)
+        )
 
 
 def _require_constants(lubricant: Lubricant) -> None:
@@ -159,15 +170,24 @@ def _require_constants(lubricant: Lubricant) -> None:
         if getattr(lubricant, field) is None:
             laws = f"{lubricant.viscosity_law.value}, {lubricant.density_law.value}"
             raise ValueError(f"{field} is needed by the laws {laws}")
-    own, given = law_pressure_viscosity(lubricant), lubricant.pressure_viscosity
+    own = law_pressure_viscosity(lubricant)
+    given = lubricant.pressure_viscosity
     if abs(given - own) > PRESSURE_VISCOSITY_TOLERANCE * own:
-        raise ValueError(f"pressure_viscosity must be that of the law's constants, {own:.4e} 1/Pa, got {given!r}")
+        raise ValueError(
+            f"pressure_viscosity must be that of the law's constants, {own:.4e} 1/Pa, got {given!r}"
+        )
 
 
 def law_pressure_viscosity(lubricant: Lubricant) -> float:
     """d(ln eta)/dp at ambient pressure that the constants of the lubricant's law imply [1/Pa]."""
-    oil, temperature = lubricant, lubricant.temperature
-    if oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait and oil.doolittle and temperature:
+    oil = lubricant
+    temperature = lubricant.temperature
+    if (
+        oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE
+        and oil.tait
+        and oil.doolittle
+        and temperature
+    ):
         return pressure_viscosity_doolittle(oil.tait, oil.doolittle, temperature)
     if oil.viscosity_law is ViscosityLaw.YASUTOMI and oil.yasutomi and temperature:
         return pressure_viscosity_yasutomi(oil.yasutomi, temperature)
@@ -189,20 +209,28 @@ def viscosity_roelands(p: Array, lubricant: Lubricant) -> Array:
         Dynamic viscosity [Pa s].
     """
     z, p_r = lubricant.exponent, lubricant.roelands_pressure
-    return lubricant.viscosity * np.exp(lubricant.pressure_viscosity * p_r / z * ((1.0 + p / p_r) ** z - 1.0))
+    return lubricant.viscosity * np.exp(
+        lubricant.pressure_viscosity * p_r / z * ((1.0 + p / p_r) ** z - 1.0)
+    )
 
 
 def viscosity_barus(p: Array, lubricant: Lubricant) -> Array:
-    """Dynamic viscosity, eta = eta_0 exp(alpha p), Barus (1893); arguments as `viscosity_roelands` ([Pa] to [Pa s])."""
+    """Dynamic viscosity, eta = eta_0 exp(alpha p), Barus (1893); arguments as `viscosity_roelands`
+    ([Pa] to [Pa s]).
+    """
     return lubricant.viscosity * np.exp(lubricant.pressure_viscosity * p)
 
 
-def log_viscosity_ratio(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
-    """ln(eta/eta_0) after the lubricant's own law, eta_0 at ambient pressure and the temperature of operation T_0 [-].
+def log_viscosity_ratio(
+    p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None
+) -> Array:
+    """ln(eta/eta_0) after the lubricant's own law, eta_0 at ambient pressure and the temperature
+    of operation T_0 [-].
 
-    With temperature, D = T - T_0: Roelands (1966) s {(1 + p/p_r)^z [(T - 138 K)/(T_0 - 138 K)]^(-S) - 1}, S such that
-    -d(ln eta)/dT = beta at T_0 and ambient pressure; Yasutomi, and Doolittle with an expansion of the occupied volume,
-    as their laws say; the others -beta D on top of the isothermal law.
+    With temperature, D = T - T_0: Roelands (1966) s {(1 + p/p_r)^z [(T - 138 K)/(T_0 - 138
+    K)]^(-S) - 1}, S such that -d(ln eta)/dT = beta at T_0 and ambient pressure; Yasutomi, and
+    Doolittle with an expansion of the occupied volume, as their laws say; the others -beta D on
+    top of the isothermal law.
 
     Parameters
     ----------
@@ -210,15 +238,22 @@ def log_viscosity_ratio(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLi
         Pressure [Pa].
     lubricant : Lubricant
     temperature : array_like, optional
-        Temperature [K]; None: that of operation. Needs the lubricant's `temperature` and `thermal`.
+        Temperature [K]; None: that of operation. Needs the lubricant's `temperature` and
+        `thermal`.
     """
-    oil, p = lubricant, np.asarray(p, dtype=np.float64)
+    oil = lubricant
+    p = np.asarray(p, dtype=np.float64)
     reference, at = (0.0, 0.0) if oil.temperature is None else (oil.temperature, oil.temperature)
     above = np.zeros(()) if temperature is None else np.asarray(temperature) - _operation(oil)
     if oil.viscosity_law is ViscosityLaw.YASUTOMI and oil.yasutomi is not None:
-        law, glass = log_viscosity_yasutomi, oil.yasutomi
+        law = log_viscosity_yasutomi
+        glass = oil.yasutomi
         return law(p, at + above, glass) - law(0.0, reference, glass)
-    if oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait is not None and oil.doolittle is not None:
+    if (
+        oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE
+        and oil.tait is not None
+        and oil.doolittle is not None
+    ):
         result = log_viscosity_doolittle(p, at + above, oil.tait, oil.doolittle)
         result = result - log_viscosity_doolittle(0.0, reference, oil.tait, oil.doolittle)
         own = oil.doolittle.occupied_expansion is not None
@@ -259,21 +294,26 @@ def _beta(oil: Lubricant, temperature: ArrayLike | None) -> float:
 
 
 def viscosity(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
-    """Dynamic viscosity [Pa s] at pressure `p` [Pa] and temperature [K] after the lubricant's own law."""
+    """Dynamic viscosity [Pa s] at pressure `p` [Pa] and temperature [K] after the lubricant's own
+    law.
+    """
     return lubricant.viscosity * np.exp(log_viscosity_ratio(p, lubricant, temperature))
 
 
 def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
     """Density [kg/m^3] at pressure `p` [Pa] and temperature [K] after the lubricant's own law.
 
-    rho_0 [1 + 0.6 p/(1 + 1.7 p)], p in GPa, Dowson and Higginson (1966), or rho_0; both times exp[-e (T - T_0)] with
-    the oil's thermal expansion e. Tait: rho_0 V(0, T_0)/V(p, T), with that factor if Tait's own expansion is zero.
+    rho_0 [1 + 0.6 p/(1 + 1.7 p)], p in GPa, Dowson and Higginson (1966), or rho_0; both times
+    exp[-e (T - T_0)] with the oil's thermal expansion e. Tait: rho_0 V(0, T_0)/V(p, T), with that
+    factor if Tait's own expansion is zero.
     """
     p = np.asarray(p, dtype=np.float64)
     if lubricant.density_law is DensityLaw.TAIT and lubricant.tait is not None:
         start = _operation(lubricant)
         now = start if temperature is None else temperature
-        ratio = relative_volume(0.0, start, lubricant.tait) / relative_volume(p, now, lubricant.tait)
+        ratio = relative_volume(0.0, start, lubricant.tait) / relative_volume(
+            p, now, lubricant.tait
+        )
         if lubricant.tait.expansion > 0.0:
             return lubricant.density * ratio
     elif lubricant.density_law is DensityLaw.DOWSON_HIGGINSON:
@@ -281,5 +321,7 @@ def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = 
     else:
         ratio = np.ones_like(p)
     if temperature is not None and lubricant.thermal is not None:
-        ratio = ratio * np.exp(-lubricant.thermal.expansion * (np.asarray(temperature) - _operation(lubricant)))
+        ratio = ratio * np.exp(
+            -lubricant.thermal.expansion * (np.asarray(temperature) - _operation(lubricant))
+        )
     return lubricant.density * ratio

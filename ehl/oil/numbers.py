@@ -1,6 +1,6 @@
-"""A lubricant as the array of numbers that the kernels of `ehl.oil._kernels` take; law codes live here."""
-
-from __future__ import annotations
+"""A lubricant as the array of numbers that the kernels of `ehl.oil._kernels` take; law codes live
+here.
+"""
 
 from math import log
 
@@ -20,16 +20,21 @@ VISCOSITY_CODES = {
     ViscosityLaw.YASUTOMI: 4,
 }
 DENSITY_CODES = {DensityLaw.INCOMPRESSIBLE: 0, DensityLaw.DOWSON_HIGGINSON: 1, DensityLaw.TAIT: 2}
-VISCOSITY_START, TAIT_START, SIZE = 7, 16, 21  # where the constants of each begin; as in `_kernels`
+# where the constants of each begin; as in `_kernels`
+VISCOSITY_START = 7
+TAIT_START = 16
+SIZE = 21
 
 
 def oil_numbers(lubricant: Lubricant) -> Array:
     """Constants of a lubricant for the kernels, shape (21,) [SI].
 
-    Codes of the two laws; eta_0, rho_0, T_0, beta, thermal expansion; constants of the viscosity law; those of Tait.
-    The temperature is taken as 298.15 K where none is given: it is a name then, as nothing varies with it.
+    Codes of the two laws; eta_0, rho_0, T_0, beta, thermal expansion; constants of the viscosity
+    law; those of Tait. The temperature is taken as 298.15 K where none is given: it is a name
+    then, as nothing varies with it.
     """
-    oil, heat = lubricant, lubricant.thermal
+    oil = lubricant
+    heat = lubricant.thermal
     numbers = np.zeros(SIZE)
     numbers[:5] = (
         VISCOSITY_CODES[oil.viscosity_law],
@@ -67,7 +72,11 @@ def _viscosity_constants(oil: Lubricant) -> tuple[float, ...]:
             oil.exponent,
         )
     at = 0.0 if oil.temperature is None else oil.temperature
-    if oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE and oil.doolittle is not None and oil.tait is not None:
+    if (
+        oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE
+        and oil.doolittle is not None
+        and oil.tait is not None
+    ):
         d = oil.doolittle
         start = float(log_viscosity_doolittle(0.0, at, oil.tait, d))
         own = d.occupied_expansion is not None

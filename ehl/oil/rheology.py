@@ -1,15 +1,15 @@
-"""Generalised Newtonian laws: the stress vector is parallel to the shear-rate vector, its magnitude follows a law.
+"""Generalised Newtonian laws: the stress vector is parallel to the shear-rate vector, its
+magnitude follows a law.
 
-The magnitude is a base law (Newton; Ree and Eyring; Carreau and Yasuda), and, if the rheology has a limiting stress
-tau_L, the form of Bair and Winer (1979) on top of it,
+The magnitude is a base law (Newton; Ree and Eyring; Carreau and Yasuda), and, if the rheology has
+a limiting stress tau_L, the form of Bair and Winer (1979) on top of it,
 
     tau = tau_L [1 - exp(-tau_base/tau_L)],
 
-which for the Newtonian base is theirs to the letter, rate = -(tau_L/eta) ln(1 - tau/tau_L), never reaches tau_L, and
-leaves the base law as it is where its stress is small. On other bases it is a composition of ours with that property.
+which for the Newtonian base is theirs to the letter, rate = -(tau_L/eta) ln(1 - tau/tau_L), never
+reaches tau_L, and leaves the base law as it is where its stress is small. On other bases it is a
+composition of ours with that property.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from enum import Enum
@@ -22,7 +22,8 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 
 SMALLEST_ARGUMENT = 1e-6  # of sinh(b)/b, which is 1 from there on to round-off
-LARGEST_ARGUMENT = 300.0  # of exponentials: keeps the rate at absurd stresses, met only while iterating, finite
+# of exponentials: keeps the rate at absurd stresses, met only while iterating, finite
+LARGEST_ARGUMENT = 300.0
 NEWTON_STEPS = 30  # of the inversion of Carreau and Yasuda's law; it takes about five
 
 
@@ -54,17 +55,19 @@ class Rheology:
     yasuda_exponent : float
         a, breadth of the transition [-]; 2 is Carreau's law.
     limiting_coefficient : float or None
-        Lambda of the limiting stress tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)] [-]; None: no limit.
+        Lambda of the limiting stress tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)] [-]; None: no
+        limit.
     limiting_stress : float
         tau_L0 [Pa]; zero is Bair and Winer's tau_L = Lambda p.
     limiting_temperature_slope : float
-        s [1/K]; Dyson's law as printed by Zhou and Hoeprich (1991), tau_L = 0.25 [1.2 p/(2.52 + 0.024 t) - 1e8 Pa]
-        with t in degrees Celsius, is Lambda = 0.3/2.52, s = 0.024/2.52 /K, T_r = 273.15 K, tau_L0 = -25 MPa.
+        s [1/K]; Dyson's law as printed by Zhou and Hoeprich (1991), tau_L = 0.25 [1.2 p/(2.52 +
+        0.024 t) - 1e8 Pa] with t in degrees Celsius, is Lambda = 0.3/2.52, s = 0.024/2.52 /K, T_r
+        = 273.15 K, tau_L0 = -25 MPa.
     reference_temperature : float
         T_r [K].
     limiting_minimum : float
-        Smallest tau_L [Pa]: the linear law vanishes where the pressure does, which an oil does not. A magnitude from
-        memory (unverified), above the stresses of an inlet.
+        Smallest tau_L [Pa]: the linear law vanishes where the pressure does, which an oil does
+        not. A magnitude from memory (unverified), above the stresses of an inlet.
 
     Raises
     ------
@@ -90,7 +93,9 @@ class Rheology:
             _require_positive("carreau_modulus", self.carreau_modulus)
             _require_positive("yasuda_exponent", self.yasuda_exponent)
             if not 0.0 < self.carreau_exponent <= 1.0:
-                raise ValueError(f"carreau_exponent must lie in (0, 1], got {self.carreau_exponent!r}")
+                raise ValueError(
+                    f"carreau_exponent must lie in (0, 1], got {self.carreau_exponent!r}"
+                )
         if self.limiting_coefficient is not None:
             _require_positive("limiting_coefficient", self.limiting_coefficient)
             _require_positive("limiting_minimum", self.limiting_minimum)
@@ -105,7 +110,7 @@ class Rheology:
         return self.law is ShearLaw.NEWTONIAN and self.limiting_coefficient is None
 
     @property
-    def unlimited(self) -> Rheology:
+    def unlimited(self) -> "Rheology":
         """The base law, without a limiting stress."""
         return replace(self, limiting_coefficient=None)
 
@@ -118,8 +123,9 @@ def _require_positive(field: str, value: float) -> None:
 class KernelRheology(NamedTuple):
     """A rheology as plain numbers, to be unpacked into the arguments of compiled kernels.
 
-    `law` is the code of the base law, `stress` tau_0 or G [Pa], `exponent` n and `breadth` a [-]; the rest are the
-    constants of the limiting stress, its coefficient infinite where there is none [-], [Pa], [1/K], [K], [Pa].
+    `law` is the code of the base law, `stress` tau_0 or G [Pa], `exponent` n and `breadth` a [-];
+    the rest are the constants of the limiting stress, its coefficient infinite where there is none
+    [-], [Pa], [1/K], [K], [Pa].
     """
 
     law: int
@@ -134,13 +140,19 @@ class KernelRheology(NamedTuple):
 
 
 def kernel_rheology(rheology: Rheology) -> KernelRheology:
-    """Numbers of a rheology for the kernels of `ehl.oil._rheology_kernels`; the one place where a law becomes a code."""
+    """Numbers of a rheology for the kernels of `ehl.oil._rheology_kernels`; the one place where a
+    law becomes a code.
+    """
     return KernelRheology(
         law=LAW_CODES[rheology.law],
-        stress=rheology.eyring_stress if rheology.law is ShearLaw.REE_EYRING else rheology.carreau_modulus,
+        stress=rheology.eyring_stress
+        if rheology.law is ShearLaw.REE_EYRING
+        else rheology.carreau_modulus,
         exponent=rheology.carreau_exponent,
         breadth=rheology.yasuda_exponent,
-        limit_coefficient=inf if rheology.limiting_coefficient is None else rheology.limiting_coefficient,
+        limit_coefficient=inf
+        if rheology.limiting_coefficient is None
+        else rheology.limiting_coefficient,
         limit_stress=rheology.limiting_stress,
         limit_slope=rheology.limiting_temperature_slope,
         limit_temperature=rheology.reference_temperature,
@@ -149,7 +161,8 @@ def kernel_rheology(rheology: Rheology) -> KernelRheology:
 
 
 def eased(rheology: Rheology, share: float) -> Rheology:
-    """The same law with all its stresses divided by a share: the smaller that is, the more Newtonian the oil.
+    """The same law with all its stresses divided by a share: the smaller that is, the more
+    Newtonian the oil.
 
     Parameters
     ----------
@@ -170,8 +183,11 @@ def eased(rheology: Rheology, share: float) -> Rheology:
     )
 
 
-def limiting_stress(pressure: ArrayLike, rheology: Rheology, temperature: ArrayLike | None = None) -> Array:
-    """tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least `limiting_minimum` [Pa]; infinite if there is no limit.
+def limiting_stress(
+    pressure: ArrayLike, rheology: Rheology, temperature: ArrayLike | None = None
+) -> Array:
+    """tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least `limiting_minimum` [Pa]; infinite if
+    there is no limit.
 
     Parameters
     ----------
@@ -184,7 +200,9 @@ def limiting_stress(pressure: ArrayLike, rheology: Rheology, temperature: ArrayL
     p = np.asarray(pressure, dtype=np.float64)
     if rheology.limiting_coefficient is None:
         return np.full_like(p, inf)
-    excess = 0.0 if temperature is None else np.asarray(temperature) - rheology.reference_temperature
+    excess = (
+        0.0 if temperature is None else np.asarray(temperature) - rheology.reference_temperature
+    )
     softening = np.maximum(1.0 + rheology.limiting_temperature_slope * excess, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         limit = rheology.limiting_stress + rheology.limiting_coefficient * p / softening
@@ -239,7 +257,8 @@ def shear_rate(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> Array:
-    """Shear rate at a shear stress [1/s], the inverse of `shear_stress`; infinite at and beyond the limiting stress.
+    """Shear rate at a shear stress [1/s], the inverse of `shear_stress`; infinite at and beyond
+    the limiting stress.
 
     Parameters
     ----------
@@ -253,23 +272,30 @@ def shear_rate(
     ndarray, shape of the arguments together
         Shear rate [1/s].
     """
-    tau, eta = np.abs(np.asarray(stress, dtype=np.float64)), np.asarray(viscosity, dtype=np.float64)
+    tau = np.abs(np.asarray(stress, dtype=np.float64))
+    eta = np.asarray(viscosity, dtype=np.float64)
     if rheology.limiting_coefficient is not None:
         limit = limiting_stress(pressure, rheology, temperature)
         with np.errstate(divide="ignore", invalid="ignore"):
             tau = np.where(tau < limit, -limit * np.log1p(-np.minimum(tau / limit, 1.0)), inf)
     if rheology.law is ShearLaw.REE_EYRING:
         tau_0 = rheology.eyring_stress
-        newtonian = np.where(np.isinf(tau), inf, tau_0 * np.sinh(np.minimum(tau / tau_0, LARGEST_ARGUMENT)))
+        newtonian = np.where(
+            np.isinf(tau), inf, tau_0 * np.sinh(np.minimum(tau / tau_0, LARGEST_ARGUMENT))
+        )
     elif rheology.law is ShearLaw.CARREAU_YASUDA:
-        newtonian = rheology.carreau_modulus * _carreau_inverse(tau / rheology.carreau_modulus, rheology)
+        newtonian = rheology.carreau_modulus * _carreau_inverse(
+            tau / rheology.carreau_modulus, rheology
+        )
     else:
         newtonian = tau
     return np.copysign(newtonian / eta, stress)
 
 
 def _carreau_inverse(s: Array, rheology: Rheology) -> Array:
-    """x of x [1 + x^a]^((n - 1)/a) = s, x = eta rate/G and s = tau/G, by Newton's method in ln x [-]."""
+    """x of x [1 + x^a]^((n - 1)/a) = s, x = eta rate/G and s = tau/G, by Newton's method in ln x
+    [-].
+    """
     n, a = rheology.carreau_exponent, rheology.yasuda_exponent
     safe = np.where((s > 0.0) & np.isfinite(s), s, 1.0)
     wanted = np.log(safe)
@@ -290,7 +316,9 @@ def effective_viscosity(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> Array:
-    """eta* = tau/rate at a shear rate, eta where the rate vanishes; arguments as `shear_stress` [Pa s]."""
+    """eta* = tau/rate at a shear rate, eta where the rate vanishes; arguments as `shear_stress`
+    [Pa s].
+    """
     rate, eta = np.asarray(rate, dtype=np.float64), np.asarray(viscosity, dtype=np.float64)
     moving = rate != 0.0
     stress = shear_stress(rate, eta, pressure, rheology, temperature)
@@ -304,7 +332,9 @@ def shear_stress_vector(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> tuple[Array, Array]:
-    """Stresses (tau_x, tau_y) [Pa] at the rates (rate_x, rate_y) [1/s]: parallel, eta* by the rate's magnitude."""
+    """Stresses (tau_x, tau_y) [Pa] at the rates (rate_x, rate_y) [1/s]: parallel, eta* by the
+    rate's magnitude.
+    """
     x, y = (np.asarray(rate, dtype=np.float64) for rate in rates)
     effective = effective_viscosity(np.hypot(x, y), viscosity, pressure, rheology, temperature)
     return effective * x, effective * y
@@ -317,20 +347,28 @@ def shear_rate_vector(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> tuple[Array, Array]:
-    """Rates (rate_x, rate_y) [1/s] at the stresses (tau_x, tau_y) [Pa], the inverse of `shear_stress_vector`."""
+    """Rates (rate_x, rate_y) [1/s] at the stresses (tau_x, tau_y) [Pa], the inverse of
+    `shear_stress_vector`.
+    """
     x, y = (np.asarray(stress, dtype=np.float64) for stress in stresses)
     magnitude = np.hypot(x, y)
     rate = shear_rate(magnitude, viscosity, pressure, rheology, temperature)
     loaded = magnitude > 0.0
-    fluidity = np.where(loaded, rate / np.where(loaded, magnitude, 1.0), 1.0 / np.asarray(viscosity, dtype=np.float64))
+    fluidity = np.where(
+        loaded,
+        rate / np.where(loaded, magnitude, 1.0),
+        1.0 / np.asarray(viscosity, dtype=np.float64),
+    )
     return fluidity * x, fluidity * y
 
 
 def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
-    """Fluidity of a film in which the stress rises across it over that in which it does not [-]; Ree-Eyring only.
+    """Fluidity of a film in which the stress rises across it over that in which it does not [-];
+    Ree-Eyring only.
 
-    sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano (1987). The direction of
-    the sliding is not looked at. Other laws have no such factor that holds for any sliding: 1.
+    sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano
+    (1987). The direction of the sliding is not looked at. Other laws have no such factor that
+    holds for any sliding: 1.
 
     Parameters
     ----------

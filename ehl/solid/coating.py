@@ -1,6 +1,6 @@
-"""A coated body: its surface answers a load as a half space of the coating would, and a smooth rest."""
-
-from __future__ import annotations
+"""A coated body: its surface answers a load as a half space of the coating would, and a smooth
+rest.
+"""
 
 from dataclasses import dataclass
 from math import isfinite
@@ -8,7 +8,8 @@ from math import isfinite
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Coating:
-    """Coating of one body of a contact; the contact's E' is that of the coating against the other body.
+    """Coating of one body of a contact; the contact's E' is that of the coating against the other
+    body.
 
     Attributes
     ----------
@@ -38,7 +39,9 @@ class Coating:
                 raise ValueError(f"coating {field} must be positive and finite, got {value!r}")
         for field in ("poisson_ratio", "substrate_poisson_ratio"):
             if not 0.0 <= getattr(self, field) < 0.49:
-                raise ValueError(f"coating {field} must lie in [0, 0.49), got {getattr(self, field)!r}")
+                raise ValueError(
+                    f"coating {field} must lie in [0, 0.49), got {getattr(self, field)!r}"
+                )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,10 +1,8 @@
 """Half-space compliance of bilinear pressures on a graded rectangular mesh, integrated exactly.
 
-Node (i, j) of the mesh has the number i ny + j. A symmetric mesh holds y >= 0; the pressures of the mirrored half are
-added in.
+Node (i, j) of the mesh has the number i ny + j. A symmetric mesh holds y >= 0; the pressures of
+the mirrored half are added in.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable
 
@@ -19,8 +17,11 @@ Array = NDArray[np.float64]
 SAMPLES = 4001  # of the density of nodes
 
 
-def graded_nodes(ends: tuple[float, float], cells: int, density: Callable[[Array], Array]) -> Array:
-    """Nodes between two ends, spaced by the reciprocal of `density`; twice the cells keep every node.
+def graded_nodes(
+    ends: tuple[float, float], cells: int, density: Callable[[Array], Array]
+) -> Array:
+    """Nodes between two ends, spaced by the reciprocal of `density`; twice the cells keep every
+    node.
 
     Parameters
     ----------
@@ -46,8 +47,9 @@ def graded_nodes(ends: tuple[float, float], cells: int, density: Callable[[Array
 def corner_integrals(x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
     """Integrals of (1, x, y, x y)/r over the rectangle from the origin to (x, y), r^2 = x^2 + y^2.
 
-    x asinh(y/|x|) + y asinh(x/|y|) (Love, 1929), (y r + x^2 asinh(y/|x|))/2, the same with x and y exchanged, r^3/3;
-    each up to functions of x or of y alone, which cancel in differences over the corners of a rectangle.
+    x asinh(y/|x|) + y asinh(x/|y|) (Love, 1929), (y r + x^2 asinh(y/|x|))/2, the same with x and y
+    exchanged, r^3/3; each up to functions of x or of y alone, which cancel in differences over the
+    corners of a rectangle.
 
     Parameters
     ----------
@@ -55,13 +57,23 @@ def corner_integrals(x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
         Corner, of shapes that broadcast [-].
     """
     r = np.hypot(x, y)
-    along = np.arcsinh(np.divide(y, np.abs(x), out=np.zeros_like(r), where=np.broadcast_to(x, r.shape) != 0.0))
-    across = np.arcsinh(np.divide(x, np.abs(y), out=np.zeros_like(r), where=np.broadcast_to(y, r.shape) != 0.0))
-    return x * along + y * across, 0.5 * (y * r + x * x * along), 0.5 * (x * r + y * y * across), r**3 / 3.0
+    along = np.arcsinh(
+        np.divide(y, np.abs(x), out=np.zeros_like(r), where=np.broadcast_to(x, r.shape) != 0.0)
+    )
+    across = np.arcsinh(
+        np.divide(x, np.abs(y), out=np.zeros_like(r), where=np.broadcast_to(y, r.shape) != 0.0)
+    )
+    return (
+        x * along + y * across,
+        0.5 * (y * r + x * x * along),
+        0.5 * (x * r + y * y * across),
+        r**3 / 3.0,
+    )
 
 
 def compliance_matrix(x: Array, y: Array, symmetric: bool) -> Array:
-    """Double integral of P/r at every node for a unit pressure at each node, bilinear in every cell.
+    """Double integral of P/r at every node for a unit pressure at each node, bilinear in every
+    cell.
 
     Parameters
     ----------
@@ -89,11 +101,16 @@ def compliance_matrix(x: Array, y: Array, symmetric: bool) -> Array:
 
 
 def _line_compliance(x: Array, sources: Array, y: float) -> Array:
-    """Compliance of the nodes of one line, shape (nx, nx, number of source lines): field node, source node."""
+    """Compliance of the nodes of one line, shape (nx, nx, number of source lines): field node,
+    source node.
+    """
     nx, ny = len(x), len(sources)
-    dx, dy = x[None, :, None] - x[:, None, None], (sources - y)[None, None, :]
+    dx = x[None, :, None] - x[:, None, None]
+    dy = (sources - y)[None, None, :]
     area = np.diff(x)[None, :, None] * np.diff(sources)[None, None, :]
-    one, first_x, first_y, mixed = (np.diff(np.diff(f, axis=1), axis=2) for f in corner_integrals(dx, dy))
+    one, first_x, first_y, mixed = (
+        np.diff(np.diff(f, axis=1), axis=2) for f in corner_integrals(dx, dy)
+    )
     out = np.zeros((nx, nx, ny))
     for east in (0, 1):
         for north in (0, 1):
@@ -107,9 +124,14 @@ def _line_compliance(x: Array, sources: Array, y: float) -> Array:
 
 
 def add_coating(
-    matrix: Array, coating: ScaledCoating, lines: tuple[Array, Array], weights: Array, symmetric: bool
+    matrix: Array,
+    coating: ScaledCoating,
+    lines: tuple[Array, Array],
+    weights: Array,
+    symmetric: bool,
 ) -> None:
-    """Add what a coating changes to a compliance matrix, in place: it is smooth, a nodal quadrature will do.
+    """Add what a coating changes to a compliance matrix, in place: it is smooth, a nodal
+    quadrature will do.
 
     Parameters
     ----------

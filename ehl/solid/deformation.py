@@ -1,6 +1,6 @@
-"""Elastic deflection of the half space: convolution of the pressure with Love's kernel by zero-padded FFT."""
-
-from __future__ import annotations
+"""Elastic deflection of the half space: convolution of the pressure with Love's kernel by
+zero-padded FFT.
+"""
 
 from dataclasses import dataclass
 
@@ -13,7 +13,9 @@ from .coating import ScaledCoating
 from .layered import patch_compliance
 
 Array = NDArray[np.float64]
-LINES, NEAR = 4, 12  # part of the kernel handed to the line relaxation
+# part of the kernel handed to the line relaxation
+LINES = 4
+NEAR = 12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,14 +26,17 @@ class DeflectionKernel:
     shape: tuple[int, int]  # (ny, nx) of the pressure
     length_x: int  # padded lengths: twice the number of cells
     length_y: int
-    spectrum: Array  # real, as the kernel is even; of a symmetric grid: rows [even, odd frequencies], columns twice
-    near: Array  # shape (LINES, NEAR), deflection at distance m hx in the same line and in the next ones
+    # real, as the kernel is even; of a symmetric grid: rows [even, odd frequencies], columns twice
+    spectrum: Array
+    # shape (LINES, NEAR), deflection at distance m hx in the same line and in the next ones
+    near: Array
 
 
 def patch_integral(x: Array, y: Array, hx: float, hy: float) -> Array:
     """Integral of 1/r over the patch [-hx/2, hx/2] x [-hy/2, hy/2] seen from (x, y), Love (1929).
 
-    Written with asinh: F(x, y) = x asinh(y/|x|) + y asinh(x/|y|), differenced over the four corners.
+    Written with asinh: F(x, y) = x asinh(y/|x|) + y asinh(x/|y|), differenced over the four
+    corners.
 
     Parameters
     ----------
@@ -45,8 +50,16 @@ def patch_integral(x: Array, y: Array, hx: float, hy: float) -> Array:
     ndarray
         The integral [-].
     """
-    west, east, south, north = x - 0.5 * hx, x + 0.5 * hx, y - 0.5 * hy, y + 0.5 * hy
-    return patch_corner(east, north) - patch_corner(west, north) - patch_corner(east, south) + patch_corner(west, south)
+    west = x - 0.5 * hx
+    east = x + 0.5 * hx
+    south = y - 0.5 * hy
+    north = y + 0.5 * hy
+    return (
+        patch_corner(east, north)
+        - patch_corner(west, north)
+        - patch_corner(east, south)
+        + patch_corner(west, south)
+    )
 
 
 def patch_corner(u: Array, v: Array) -> Array:
@@ -54,12 +67,16 @@ def patch_corner(u: Array, v: Array) -> Array:
     return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
 
-def deflection_kernel(grid: Grid, deformation: float, coating: ScaledCoating | None = None) -> DeflectionKernel:
+def deflection_kernel(
+    grid: Grid, deformation: float, coating: ScaledCoating | None = None
+) -> DeflectionKernel:
     """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
-    cells_x, cells_y = grid.nx - 1, (2 if grid.symmetric else 1) * (grid.ny - 1)
+    cells_x = grid.nx - 1
+    cells_y = (2 if grid.symmetric else 1) * (grid.ny - 1)
     x = grid.hx * (np.arange(cells_x + 2, dtype=np.float64) - 0.5)
     y = grid.hy * (np.arange(cells_y + 2, dtype=np.float64) - 0.5)
-    quarter = deformation * np.diff(np.diff(patch_corner(x[None, :], y[:, None]), axis=0), axis=1)  # patch_integral
+    # patch_integral
+    quarter = deformation * np.diff(np.diff(patch_corner(x[None, :], y[:, None]), axis=0), axis=1)
     if coating is not None:
         centres = (x[1:] - 0.5 * grid.hx, y[1:] - 0.5 * grid.hy)
         quarter += deformation * patch_compliance(coating, *centres, grid.hx, grid.hy)
@@ -105,22 +122,27 @@ def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Arra
         columns[:half] *= kernel.spectrum
         columns[half:] *= kernel.spectrum[half - 2 : 0 : -1]
         lines = fft.ifft(columns, axis=0, overwrite_x=True)[: kernel.shape[0]]
-    return np.ascontiguousarray(fft.irfft(lines, n=kernel.length_x, axis=1, overwrite_x=True)[:, : kernel.shape[1]])
+    return np.ascontiguousarray(
+        fft.irfft(lines, n=kernel.length_x, axis=1, overwrite_x=True)[:, : kernel.shape[1]]
+    )
 
 
 def _convolve_even(rows: NDArray[np.complex128], spectrum: Array) -> NDArray[np.complex128]:
     """Convolution along y of data even in y, given by its rows y >= 0.
 
-    The even data extended to four times the cells have the cosine series X_k = x_0 + 2 sum x_n cos(pi n k/(2m)).
-    Its even frequencies are a cosine transform of type 1 over the m + 1 rows, its odd ones one of type 3 over m rows:
-    the zero padding is never stored nor transformed. The way back uses types 1 and 2.
+    The even data extended to four times the cells have the cosine series X_k = x_0 + 2 sum x_n
+    cos(pi n k/(2m)). Its even frequencies are a cosine transform of type 1 over the m + 1 rows,
+    its odd ones one of type 3 over m rows: the zero padding is never stored nor transformed. The
+    way back uses types 1 and 2.
     """
-    m, columns = rows.shape[0] - 1, rows.shape[1]
+    m = rows.shape[0] - 1
+    columns = rows.shape[1]
     data = rows.view(np.float64).reshape(m + 1, 2 * columns)
     odd = fft.dct(data[:m], type=3, axis=0)
     data[m] *= 2.0  # the last row and its mirror image are two rows of the extension
     even = fft.dct(data, type=1, axis=0, overwrite_x=True)
-    even *= spectrum[: m + 1]  # real and imaginary parts side by side: each column of the spectrum stands twice
+    # real and imaginary parts side by side: each column of the spectrum stands twice
+    even *= spectrum[: m + 1]
     odd *= spectrum[m + 1 :]
     result = fft.dct(even, type=1, axis=0, overwrite_x=True)
     result[:m] += fft.dct(odd, type=2, axis=0, overwrite_x=True)

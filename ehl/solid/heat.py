@@ -1,17 +1,15 @@
 """Bodies as half-spaces that move past the heat they take up.
 
-A body that moves at u past a heat flux q(x) into its surface takes, where u is fast against its diffusivity over the
-contact's length, the temperature (Carslaw and Jaeger, 1959)
+A body that moves at u past a heat flux q(x) into its surface takes, where u is fast against its
+diffusivity over the contact's length, the temperature (Carslaw and Jaeger, 1959)
 
     T(x) = T_b + 1/(sqrt(pi u) e) int_(-inf)^x q(x') dx'/sqrt(x - x'),
 
-e = sqrt(k rho c) its effusivity; upstream is where it comes from. The slower it moves the less that holds: the formula
-has u + (4/pi) 2 kappa/a in place of u, which gives the largest temperature of a uniformly heated circle of radius a at
-rest, q a/k, as well as at speed (as Tian and Kennedy, 1994, interpolate). Heat that spreads at right angles to the
-motion is left out otherwise.
+e = sqrt(k rho c) its effusivity; upstream is where it comes from. The slower it moves the less
+that holds: the formula has u + (4/pi) 2 kappa/a in place of u, which gives the largest temperature
+of a uniformly heated circle of radius a at rest, q a/k, as well as at speed (as Tian and Kennedy,
+1994, interpolate). Heat that spreads at right angles to the motion is left out otherwise.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from math import isfinite, pi, sqrt
@@ -48,7 +46,9 @@ class SolidThermal:
             value = getattr(self, field)
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
-        if self.temperature is not None and not (isfinite(self.temperature) and self.temperature > 0.0):
+        if self.temperature is not None and not (
+            isfinite(self.temperature) and self.temperature > 0.0
+        ):
             raise ValueError(f"temperature must be positive and finite, got {self.temperature!r}")
 
     @property
@@ -78,9 +78,11 @@ def response_factor(speed: Array, solid: SolidThermal, radius: float) -> Array:
 
 
 def history_weights(count: int, mesh: float) -> Array:
-    """Weights w_d of int q dx'/sqrt(x - x') = sum of w_d q(x - d mesh), q linear between nodes [m^0.5].
+    """Weights w_d of int q dx'/sqrt(x - x') = sum of w_d q(x - d mesh), q linear between nodes
+    [m^0.5].
 
-    Product integration: w_0 = (4/3) sqrt(mesh), w_d = (4/3) sqrt(mesh) [(d + 1)^1.5 - 2 d^1.5 + (d - 1)^1.5].
+    Product integration: w_0 = (4/3) sqrt(mesh), w_d = (4/3) sqrt(mesh) [(d + 1)^1.5 - 2 d^1.5 + (d
+    - 1)^1.5].
 
     Parameters
     ----------

@@ -1,6 +1,6 @@
-"""Compliance of a contact one body of which is coated: 1/r, and a smooth rest from finite elements."""
-
-from __future__ import annotations
+"""Compliance of a contact one body of which is coated: 1/r, and a smooth rest from finite
+elements.
+"""
 
 from functools import lru_cache
 from math import ceil
@@ -14,7 +14,8 @@ from .layered_fem import correction
 
 Array = NDArray[np.float64]
 
-NEIGHBOURS = 6  # cells around the load in which the rest is averaged over the cell where the coating is thin
+# cells around the load in which the rest is averaged over the cell where the coating is thin
+NEIGHBOURS = 6
 MOST_PARTS = 12  # of such a cell in each direction
 
 
@@ -47,5 +48,7 @@ def patch_compliance(coating: ScaledCoating, x: Array, y: Array, hx: float, hy: 
         offsets = (np.arange(parts) + 0.5) / parts - 0.5
         u = near_x[None, :, None, None] + hx * offsets[:, None]
         v = near_y[:, None, None, None] + hy * offsets[None, :]
-        result[:NEIGHBOURS, :NEIGHBOURS] = hx * hy * point_compliance(coating, np.hypot(u, v)).mean(axis=(2, 3))
+        result[:NEIGHBOURS, :NEIGHBOURS] = (
+            hx * hy * point_compliance(coating, np.hypot(u, v)).mean(axis=(2, 3))
+        )
     return result

@@ -1,27 +1,38 @@
-r"""Surface compliance of a coated half space by axisymmetric finite elements, once for each pair of materials.
+r"""Surface compliance of a coated half space by axisymmetric finite elements, once for each pair of
+materials.
 
-The displacement under a point load is that of a half space of the coating, Boussinesq's (1885) u_B, and a smooth rest w
+The displacement under a point load is that of a half space of the coating, Boussinesq's (1885)
+u_B, and a smooth rest w
 
 .. math:: \int C(z) \varepsilon(w) : \varepsilon(v)\, r\,dr\,dz
           = -\int_{z > t} (C_s - C_c)\, \varepsilon(u_B) : \varepsilon(v)\, r\,dr\,dz
 
-that has no singularity, since the source lies in the substrate only. Far away w is the difference of Boussinesq's
-solutions for substrate and coating, which is set on the outer edge.
+that has no singularity, since the source lies in the substrate only. Far away w is the difference
+of Boussinesq's solutions for substrate and coating, which is set on the outer edge.
 """
-
-from __future__ import annotations
 
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from skfem import Basis, BilinearForm, ElementQuad2, ElementVector, LinearForm, MeshQuad, asm, condense, solve
+from skfem import (
+    Basis,
+    BilinearForm,
+    ElementQuad2,
+    ElementVector,
+    LinearForm,
+    MeshQuad,
+    asm,
+    condense,
+    solve,
+)
 from skfem.helpers import ddot, grad, sym_grad
 
 Array = NDArray[np.float64]
 
 REACH = 150.0  # outer edge in thicknesses
-FINEST, GROWTH = 0.08, 1.14  # cell beside the load in thicknesses, and the growth of cells away from it
+FINEST = 0.08  # cell beside the load in thicknesses
+GROWTH = 1.14  # and the growth of cells away from it
 LAYER_CELLS = 10  # across the coating
 
 
@@ -41,7 +52,9 @@ def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array
         Distance in thicknesses, and the correction [-].
     """
     r = _graded(0.0, FINEST, REACH)
-    z = np.concatenate((np.linspace(0.0, 1.0, LAYER_CELLS + 1), _graded(1.0, 1.0 / LAYER_CELLS, REACH)[1:]))
+    z = np.concatenate(
+        (np.linspace(0.0, 1.0, LAYER_CELLS + 1), _graded(1.0, 1.0 / LAYER_CELLS, REACH)[1:])
+    )
     mesh = MeshQuad.init_tensor(r, z)
     basis = Basis(mesh, ElementVector(ElementQuad2()), intorder=5)
     below = np.nonzero(mesh.p[1][mesh.t].mean(axis=0) > 1.0)[0]
@@ -50,7 +63,9 @@ def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array
     nodes = np.where(basis.doflocs[1] >= 1.0 - 1e-9, _boussinesq(basis, 1.0, poisson[0]), 0.0)
     field = part.interpolate(nodes)
     load = -asm(_source, part, field=field, ratio=ratio, nu_c=poisson[0], nu_s=poisson[1])
-    edge = basis.get_dofs(lambda x: (x[0] > REACH * (1 - 1e-9)) | (x[1] > REACH * (1 - 1e-9))).all()
+    edge = basis.get_dofs(
+        lambda x: (x[0] > REACH * (1 - 1e-9)) | (x[1] > REACH * (1 - 1e-9))
+    ).all()
     axis = basis.get_dofs(lambda x: x[0] < 1e-12).all("u^1")
     known = np.where(np.isin(np.arange(basis.N), edge), _far(basis, ratio, poisson), 0.0)
     known[axis] = 0.0
@@ -74,7 +89,8 @@ def _by_cell(mesh: MeshQuad, coating: float, substrate: float) -> Array:
 
 def _contraction(u: Any, v: Any, r: Any, young: Any, nu: Any) -> Any:
     """C eps(u) : eps(v) with the hoop strain u_r/r, isotropic."""
-    mu, lame = young / (2.0 * (1.0 + nu)), young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
+    mu = young / (2.0 * (1.0 + nu))
+    lame = young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
     hoop_u, hoop_v = u[0] / r, v[0] / r
     trace_u = grad(u)[0, 0] + grad(u)[1, 1] + hoop_u
     trace_v = grad(v)[0, 0] + grad(v)[1, 1] + hoop_v

@@ -1,21 +1,22 @@
-r"""Stress in a half-space below a given pressure: superposition of uniformly loaded rectangles by FFT.
+r"""Stress in a half-space below a given pressure: superposition of uniformly loaded rectangles by
+FFT.
 
-Boussinesq's potentials of a unit pressure on a rectangle (Love, 1929), psi = int 1/r and chi = int ln(r + z), have
-second derivatives that are sums over its corners. With u, v from the field point to a corner and r^2 = u^2 + v^2 + z^2,
+Boussinesq's potentials of a unit pressure on a rectangle (Love, 1929), psi = int 1/r and chi = int
+ln(r + z), have second derivatives that are sums over its corners. With u, v from the field point
+to a corner and r^2 = u^2 + v^2 + z^2,
 
     psi_z  = -S atan(u v/(z r)),              psi_xx = -S u v/(r (u^2 + z^2)),      psi_yy likewise
     psi_xy =  S 1/r,                          psi_xz =  S z v/(r (u^2 + z^2)),      psi_yz likewise
-    chi_xx =  S [atan(v/u) - atan(v z/(u r))], chi_yy likewise,                     chi_xy = S ln(r + z)
+    chi_xx =  S [atan(v/u) - atan(v z/(u r))], chi_yy likewise,                     chi_xy = S ln(r
+    + z)
 
 and the stresses are (Johnson, Contact Mechanics, 1985, section 3.2)::
 
-    2 pi sigma_x = 2 nu psi_z - z psi_xx - (1 - 2 nu) chi_xx,   2 pi tau_xy = -z psi_xy - (1 - 2 nu) chi_xy
-    2 pi sigma_z = psi_z - z psi_zz,                            2 pi tau_xz = -z psi_xz
+    2 pi sigma_x = 2 nu psi_z - z psi_xx - (1 - 2 nu) chi_xx,   2 pi tau_xy = -z psi_xy - (1 - 2
+    nu) chi_xy 2 pi sigma_z = psi_z - z psi_zz,                            2 pi tau_xz = -z psi_xz
 
 No friction. The pressure is constant on every cell: second order in the mesh size.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 
@@ -57,15 +58,21 @@ class SubsurfaceStress:
 
     @property
     def maximum_shear(self) -> Array:
-        """Largest principal shear, half the difference of the extreme principal stresses, shape (nx, ny, nz) [Pa]."""
+        """Largest principal shear, half the difference of the extreme principal stresses, shape
+        (nx, ny, nz) [Pa].
+        """
         xx, yy, zz, xy, yz, xz = self.stress
-        tensor = np.moveaxis(np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]), (0, 1), (-2, -1))
+        tensor = np.moveaxis(
+            np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]), (0, 1), (-2, -1)
+        )
         principal = np.linalg.eigvalsh(tensor)
         result: Array = 0.5 * (principal[..., 2] - principal[..., 0])
         return result
 
 
-def subsurface_stress(pressure: Array, x: Array, y: Array, depth: Array, poisson_ratio: float) -> SubsurfaceStress:
+def subsurface_stress(
+    pressure: Array, x: Array, y: Array, depth: Array, poisson_ratio: float
+) -> SubsurfaceStress:
     """Stress below a pressure on an even grid, zero pressure outside of it, Love (1929).
 
     Parameters
@@ -89,12 +96,16 @@ def subsurface_stress(pressure: Array, x: Array, y: Array, depth: Array, poisson
         raise ValueError(f"depth must not be negative or empty, got {depth!r} m")
     nx, ny = pressure.shape
     if (nx, ny) != (x.size, y.size):
-        raise ValueError(f"pressure must have the shape of the grid, {(x.size, y.size)}, got {pressure.shape}")
+        raise ValueError(
+            f"pressure must have the shape of the grid, {(x.size, y.size)}, got {pressure.shape}"
+        )
     shape = [next_fast_len(3 * n - 2, real=True) for n in (nx, ny)]
     transform = rfft2(pressure, shape)
     stress = np.empty((6, nx, ny, depth.size))
     for k, z in enumerate(depth):
-        for component, kernel in enumerate(rectangle_stress((nx, ny), (steps[0], steps[1]), float(z), poisson_ratio)):
+        for component, kernel in enumerate(
+            rectangle_stress((nx, ny), (steps[0], steps[1]), float(z), poisson_ratio)
+        ):
             full = irfft2(transform * rfft2(kernel, shape), shape)
             stress[component, :, :, k] = full[nx - 1 : 2 * nx - 1, ny - 1 : 2 * ny - 1]
     return SubsurfaceStress(x=x, y=y, depth=depth, stress=stress)
@@ -123,7 +134,8 @@ def rectangle_stress(
     """
     z, nu = depth, poisson_ratio
     u, v = ((np.arange(1 - n, n + 1) - 0.5) * step for n, step in zip(points, steps, strict=True))
-    u, v = u[:, None], v[None, :]
+    u = u[:, None]
+    v = v[None, :]
     r = np.sqrt(u * u + v * v + z * z)
     by_u, by_v = r * (u * u + z * z), r * (v * v + z * z)
     psi_xx, psi_yy = _corners(-u * v / by_u), _corners(-u * v / by_v)
@@ -139,7 +151,8 @@ def rectangle_stress(
         -z * _corners(z * u / by_v),
         -z * _corners(z * v / by_u),
     )
-    return tuple(component[::-1, ::-1] / (2.0 * np.pi) for component in found)  # from source minus field to the reverse
+    # from source minus field to the reverse
+    return tuple(component[::-1, ::-1] / (2.0 * np.pi) for component in found)
 
 
 def _corners(values: Array) -> Array:
@@ -150,6 +163,10 @@ def _corners(values: Array) -> Array:
 
 def _even_step(axis: Array, name: str) -> float:
     steps = np.diff(axis)
-    if axis.size < 2 or not (steps > 0.0).all() or np.ptp(steps) > EVEN * float(np.abs(axis).max()):
+    if (
+        axis.size < 2
+        or not (steps > 0.0).all()
+        or np.ptp(steps) > EVEN * float(np.abs(axis).max())
+    ):
         raise ValueError(f"{name} must be evenly spaced and increasing")
     return float((axis[-1] - axis[0]) / (axis.size - 1))

@@ -1,4 +1,6 @@
-"""Traction of a lubricated contact: sliding inside the ellipse, shear on both surfaces, forces, moments, tables."""
+"""Traction of a lubricated contact: sliding inside the ellipse, shear on both surfaces, forces,
+moments, tables.
+"""
 
 import lazy_loader
 

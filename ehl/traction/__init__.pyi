@@ -1,4 +1,11 @@
-from .laws import ContactShape, CoulombLaw, FourConstantLaw, FrictionLaw, TractionForces, four_constants
+from .laws import (
+    ContactShape,
+    CoulombLaw,
+    FourConstantLaw,
+    FrictionLaw,
+    TractionForces,
+    four_constants,
+)
 from .response import NormalResponse, normal_response
 from .shear import Cavitation, ShearFields, TractionResult, integrate_traction, shear_fields
 from .table.build import TableOptions, build_table

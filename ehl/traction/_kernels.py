@@ -1,9 +1,9 @@
-"""Compiled kernels of traction: sums over the nodes of a film, and lookups that dynamics calls at every step.
+"""Compiled kernels of traction: sums over the nodes of a film, and lookups that dynamics calls at
+every step.
 
-Everything is arrays and floats in SI. The NumPy twins stand in `quadrature.py`, `table.py` and `laws.py`.
+Everything is arrays and floats in SI. The NumPy twins stand in `quadrature.py`, `table.py` and
+`laws.py`.
 """
-
-from __future__ import annotations
 
 import numpy as np
 from numba import carray, types
@@ -13,43 +13,68 @@ from numba.extending import intrinsic, overload
 from ..compiled import compiled
 from ..oil._rheology_kernels import inverse_sine, shear_stress
 
-COLUMNS = 4  # of a table's values: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
-SCALARS = 10  # of a table's films: logarithms of three scales, film, hydrodynamic moment, stiffness, damping, largest
-LOAD_POWER, SPIN_SHARE = -0.2, 0.3  # as in `table`
+# of a table's values: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
+COLUMNS = 4
+# of a table's films: logarithms of three scales, film, hydrodynamic moment, stiffness, damping,
+# largest
+SCALARS = 10
+# as in `table`
+LOAD_POWER = -0.2
+SPIN_SHARE = 0.3
 TINY = np.finfo(np.float64).tiny
-BELOW_LOAD, ABOVE_LOAD, BELOW_SPEED, ABOVE_SPEED, SLIDE_X, SLIDE_Y, SPIN = 1, 2, 4, 8, 16, 32, 64
+BELOW_LOAD = 1
+ABOVE_LOAD = 2
+BELOW_SPEED = 4
+ABOVE_SPEED = 8
+SLIDE_X = 16
+SLIDE_Y = 32
+SPIN = 64
 
 
 @compiled
 def mean_sliding(x, y, along, across, motion, bend):
-    """Sliding along x and y at a node, its root mean square over it, and y^2/(2R) held back at the width.
+    """Sliding along x and y at a node, its root mean square over it, and y^2/(2R) held back at the
+    width.
 
-    along, across: a twelfth of the node's squared size; motion: slide_x, slide_y, spin, rolling; bend: 1/(2R) of the
-    surface over +-width across.
+    along, across: a twelfth of the node's squared size; motion: slide_x, slide_y, spin, rolling;
+    bend: 1/(2R) of the surface over +-width across.
     """
     slide_x, slide_y, spin, rolling = motion
     curvature, width = bend
     bow = curvature * min(y * y, width * width)
-    s_x, s_y = slide_x - spin * y - rolling * bow, slide_y + spin * x
+    s_x = slide_x - spin * y - rolling * bow
+    s_y = slide_y + spin * x
     slope = spin + (2.0 * rolling * curvature * y if abs(y) < width else 0.0)
-    return s_x, s_y, np.sqrt(s_x * s_x + s_y * s_y + slope * slope * across + spin * spin * along), bow
+    return (
+        s_x,
+        s_y,
+        np.sqrt(s_x * s_x + s_y * s_y + slope * slope * across + spin * spin * along),
+        bow,
+    )
 
 
 @compiled
-def sliding_sums(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out):
+def sliding_sums(
+    nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out
+):
     """Forces and moments on body 1 by sliding: F_x, F_y, M_n, M_y.
 
-    nodes, shape (8, n): x, y, area times sheared width, film, viscosity, limiting stress, a twelfth of the squared
-    size along x and y. curvature: 1/(2R) of the surface over +-width across.
+    nodes, shape (8, n): x, y, area times sheared width, film, viscosity, limiting stress, a
+    twelfth of the squared size along x and y. curvature: 1/(2R) of the surface over +-width
+    across.
     """
     f_x = f_y = m_n = m_y = 0.0
     motion = (slide_x, slide_y, spin, rolling)
     for k in range(nodes.shape[1]):
         x, y = nodes[0, k], nodes[1, k]
-        s_x, s_y, s, bend = mean_sliding(x, y, nodes[6, k], nodes[7, k], motion, (curvature, width))
+        s_x, s_y, s, bend = mean_sliding(
+            x, y, nodes[6, k], nodes[7, k], motion, (curvature, width)
+        )
         if s <= 0.0:
             continue
-        tau = shear_stress(s / nodes[3, k], nodes[4, k], nodes[5, k], law, stress, exponent, breadth)
+        tau = shear_stress(
+            s / nodes[3, k], nodes[4, k], nodes[5, k], law, stress, exponent, breadth
+        )
         pull = nodes[2, k] * tau / s
         t_x, t_y = pull * s_x, pull * s_y
         f_x -= t_x
@@ -60,22 +85,38 @@ def sliding_sums(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, 
 
 
 @compiled
-def sliding_sums_many(nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out):
+def sliding_sums_many(
+    nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out
+):
     """`sliding_sums` for each of n motions given as arrays, out of shape (n, 4)."""
     for k in range(slide_x.size):
         sliding_sums(
-            nodes, law, stress, exponent, breadth, slide_x[k], slide_y[k], spin[k], rolling[k], curvature, width, out[k]
+            nodes,
+            law,
+            stress,
+            exponent,
+            breadth,
+            slide_x[k],
+            slide_y[k],
+            spin[k],
+            rolling[k],
+            curvature,
+            width,
+            out[k],
         )
 
 
 @compiled
 def _weights(place, axis):
-    """First index and uniform cubic B-spline weights at a place on an axis (start, nodes per unit, nodes)."""
+    """First index and uniform cubic B-spline weights at a place on an axis (start, nodes per unit,
+    nodes).
+    """
     t = (place - axis[0]) * axis[1]
     i = min(max(int(np.floor(t)), 0), int(axis[2]) - 2)
     t -= i
     r = 1.0 - t
-    inner, outer = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0, (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0
+    inner = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0
+    outer = (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0
     return i, (r * r * r / 6.0, inner, outer, t * t * t / 6.0)
 
 
@@ -92,7 +133,8 @@ def _clamped(place, axis):
 
 @compiled
 def vertex_slide(spin, b_axis, radius_x, curvature):
-    """Sliding at the vertex of the parabola -Omega y - omega y^2/(2R), near enough to the ellipse, over u.
+    """Sliding at the vertex of the parabola -Omega y - omega y^2/(2R), near enough to the ellipse,
+    over u.
 
     spin is Omega R_x/u; the vertex y = -Omega R/omega is held back at the semi-axis.
     """
@@ -114,7 +156,8 @@ def _scaled(motion, scale, limit, axis):
 @compiled
 def _motion_scale(scale, turn, b_axis, constants):
     """Scale of slide_x at a spin, see `table.spinning_scale`."""
-    far, bend = 0.5 * turn, constants[6] * b_axis
+    far = 0.5 * turn
+    bend = constants[6] * b_axis
     steep, bend = far * far * far * far, bend * bend * bend * bend
     spread = SPIN_SHARE * steep / (steep + bend + TINY) * turn * b_axis / constants[0]
     return np.sqrt(scale * scale + spread * spread)
@@ -126,7 +169,8 @@ def _film_sums(scalars, i0, i1, w0, w1):
     s0 = s1 = s2 = s3 = s4 = s5 = s6 = s7 = s8 = s9 = 0.0
     for a in range(4):
         for b in range(4):
-            weight, v = w0[a] * w1[b], scalars[i0 + a, i1 + b]
+            weight = w0[a] * w1[b]
+            v = scalars[i0 + a, i1 + b]
             s0 += weight * v[0]
             s1 += weight * v[1]
             s2 += weight * v[2]
@@ -152,7 +196,9 @@ def _room(typing):
 
     def build(context, builder, signature, arguments):
         del signature, arguments
-        return cgutils.alloca_once(builder, context.get_value_type(types.float64), size=4 * COLUMNS)
+        return cgutils.alloca_once(
+            builder, context.get_value_type(types.float64), size=4 * COLUMNS
+        )
 
     return types.CPointer(types.float64)(), build
 
@@ -167,22 +213,29 @@ def _compiled_row_sums():
 def _spline_sum(values, first, w0, w1, w2, w3, w4):
     """Sums of the 4^5 coefficients around a place, weighted along each axis.
 
-    The columns at 4 nodes of spin lie side by side, a row of 16: all are summed at once over the rows, the weights
-    along spin come last. (Written so that the compiler keeps them in a few wide registers.)
+    The columns at 4 nodes of spin lie side by side, a row of 16: all are summed at once over the
+    rows, the weights along spin come last. (Written so that the compiler keeps them in a few wide
+    registers.)
     """
     i0, i1, i2, i3, i4 = first
     _, n1, n2, n3, n4, _ = values.shape
-    flat, sums = values.reshape(-1), _row_sums()
+    flat = values.reshape(-1)
+    sums = _row_sums()
     for k in range(4 * COLUMNS):
         sums[k] = 0.0
     for a in range(4):
         for b in range(4):
-            weight, start = w0[a] * w1[b], (((i0 + a) * n1 + i1 + b) * n2 + i2) * n3 + i3
+            weight = w0[a] * w1[b]
+            start = (((i0 + a) * n1 + i1 + b) * n2 + i2) * n3 + i3
             for k in range(4 * COLUMNS):
                 rows = 0.0
                 for c in range(4):
                     for d in range(4):
-                        rows += w2[c] * w3[d] * flat[np.uint64(((start + c * n3 + d) * n4 + i4) * COLUMNS + k)]
+                        rows += (
+                            w2[c]
+                            * w3[d]
+                            * flat[np.uint64(((start + c * n3 + d) * n4 + i4) * COLUMNS + k)]
+                        )
                 sums[k] += weight * rows
     t0 = t1 = t2 = t3 = 0.0
     for e in range(4):
@@ -195,13 +248,16 @@ def _spline_sum(values, first, w0, w1, w2, w3, w4):
 
 @compiled
 def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y, spin, out):
-    """Traction of a contact from its table; returns 0, or the sum of flags of what lay outside the table's range.
+    """Traction of a contact from its table; returns 0, or the sum of flags of what lay outside the
+    table's range.
 
-    axes, shape (5, 3): start, nodes per unit, nodes of -load^LOAD_POWER, ln(speed), and the three scaled motions.
-    constants: R_x, curvature difference, largest slide_x/speed, slide_y/speed, spin R_x/speed, transverse semi-axis at
-    1 N, 1/(2R). scalars, shape (nQ + 2, nU + 2, 10), values, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4):
-    B-spline coefficients. out, 8 numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power lost [W], central
-    film [m], stiffness [N/m], damping [N s/m]. Outside, the nearest place in the table counts, forces per load.
+    axes, shape (5, 3): start, nodes per unit, nodes of -load^LOAD_POWER, ln(speed), and the three
+    scaled motions. constants: R_x, curvature difference, largest slide_x/speed, slide_y/speed,
+    spin R_x/speed, transverse semi-axis at 1 N, 1/(2R). scalars, shape (nQ + 2, nU + 2, 10),
+    values, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4): B-spline coefficients. out, 8
+    numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power lost [W], central film [m],
+    stiffness [N/m], damping [N s/m]. Outside, the nearest place in the table counts, forces per
+    load.
     """
     q, side = _clamped(-(max(load, 1e-300) ** LOAD_POWER), axes[0])
     flag = BELOW_LOAD if side < 0 else (ABOVE_LOAD if side > 0 else 0)
@@ -210,10 +266,16 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     i0, w0 = _weights(q, axes[0])
     i1, w1 = _weights(u, axes[1])
     s = _film_sums(scalars, i0, i1, w0, w1)
-    mirror, size, table_load = 1.0 if slide_y >= 0.0 else -1.0, max(abs(speed), 1e-300), -1.0 / q**5  # -1/LOAD_POWER
-    turn, b_axis = mirror * spin * constants[0] / size, constants[5] * np.cbrt(table_load)
+    # -1/LOAD_POWER
+    mirror = 1.0 if slide_y >= 0.0 else -1.0
+    size = max(abs(speed), 1e-300)
+    table_load = -1.0 / q**5
+    turn = mirror * spin * constants[0] / size
+    b_axis = constants[5] * np.cbrt(table_load)
     top = slide_x / size + vertex_slide(turn, b_axis, constants[0], constants[6])
-    x, beyond = _scaled(top, _motion_scale(np.exp(s[0]), turn, b_axis, constants), constants[2], axes[2])
+    x, beyond = _scaled(
+        top, _motion_scale(np.exp(s[0]), turn, b_axis, constants), constants[2], axes[2]
+    )
     flag += SLIDE_X if beyond else 0
     y, beyond = _scaled(abs(slide_y) / size, np.exp(s[1]), constants[3], axes[3])
     flag += SLIDE_Y if beyond else 0
@@ -236,11 +298,12 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
 
 @compiled
 def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, out):
-    """Friction over the Hertz ellipse with a coefficient that depends on the local sliding; out as `table_lookup`.
+    """Friction over the Hertz ellipse with a coefficient that depends on the local sliding; out as
+    `table_lookup`.
 
-    disc, shape (3, n): x/a, y/b, share of the load. law: kind (0 Coulomb, 1 four constants), then Coulomb's
-    coefficient, v_0, v_1 [m/s] or A, B, C, D, and v_0. constants: semi-axes x and y at 1 N, R_x, 1/(2R), curvature
-    difference. Film, stiffness and damping are zero.
+    disc, shape (3, n): x/a, y/b, share of the load. law: kind (0 Coulomb, 1 four constants), then
+    Coulomb's coefficient, v_0, v_1 [m/s] or A, B, C, D, and v_0. constants: semi-axes x and y at 1
+    N, R_x, 1/(2R), curvature difference. Film, stiffness and damping are zero.
     """
     third = np.cbrt(max(load, 0.0))
     a, b = constants[0] * third, constants[1] * third
@@ -249,7 +312,8 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
     for k in range(disc.shape[1]):
         x, y = a * disc[0, k], b * disc[1, k]
         bend = constants[3] * y * y
-        s_x, s_y = slide_x - spin * y - rolling * bend, slide_y + spin * x
+        s_x = slide_x - spin * y - rolling * bend
+        s_y = slide_y + spin * x
         s = np.sqrt(s_x * s_x + s_y * s_y)
         if s <= 0.0:
             continue

@@ -1,10 +1,9 @@
-"""Friction of a rolling contact as a law: from a table of solved films, or of a coefficient over the Hertz ellipse.
+"""Friction of a rolling contact as a law: from a table of solved films, or of a coefficient over
+the Hertz ellipse.
 
-All laws answer the same call, `forces(load, speed, slide_x, slide_y, spin)`, and carry the arrays with which compiled
-code does the same (`_kernels.table_lookup`, `_kernels.hertz_friction`).
+All laws answer the same call, `forces(load, speed, slide_x, slide_y, spin)`, and carry the arrays
+with which compiled code does the same (`_kernels.table_lookup`, `_kernels.hertz_friction`).
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -19,15 +18,20 @@ from . import _kernels
 
 Array = NDArray[np.float64]
 
-RINGS, RAYS = 16, 32  # of the quadrature over the ellipse
-DEAD_BAND = 1e-4  # slide over entrainment speed up to which a four-constant law rises from zero [-]; a regularisation
+# of the quadrature over the ellipse
+RINGS = 16
+RAYS = 32
+# slide over entrainment speed up to which a four-constant law rises from zero [-]; a
+# regularisation
+DEAD_BAND = 1e-4
 
 
 class TractionForces(NamedTuple):
     """Traction on body 1, the ball, at a contact's centre; SI.
 
-    force_x, force_y [N], spin_moment, rolling_moment [N m], power_loss [W], film [m], stiffness [N/m], damping
-    [N s/m] (zero where a law knows none), and in words what lay outside the law's range.
+    force_x, force_y [N], spin_moment, rolling_moment [N m], power_loss [W], film [m], stiffness
+    [N/m], damping [N s/m] (zero where a law knows none), and in words what lay outside the law's
+    range.
     """
 
     force_x: float
@@ -43,21 +47,29 @@ class TractionForces(NamedTuple):
 
 def traction_forces(out: Array, outside: tuple[str, ...] = ()) -> TractionForces:
     """The 8 numbers of a kernel [N], [N m], [W], [m], [N/m], [N s/m] as a result."""
-    force_x, force_y, spin, rolling, power, film, stiffness, damping = (float(value) for value in out)
-    return TractionForces(force_x, force_y, spin, rolling, power, film, stiffness, damping, outside)
+    force_x, force_y, spin, rolling, power, film, stiffness, damping = (
+        float(value) for value in out
+    )
+    return TractionForces(
+        force_x, force_y, spin, rolling, power, film, stiffness, damping, outside
+    )
 
 
 class FrictionLaw(Protocol):
     """What a bearing model asks of a contact's friction."""
 
-    def forces(self, load: float, speed: float, slide_x: float, slide_y: float, spin: float) -> TractionForces:
+    def forces(
+        self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
+    ) -> TractionForces:
         """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s]."""
         ...
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactShape:
-    """Ellipse and curvature of a contact: what a coefficient of friction needs to become forces and moments."""
+    """Ellipse and curvature of a contact: what a coefficient of friction needs to become forces
+    and moments.
+    """
 
     semi_axis_x: float  # along the entrainment, at 1 N; grows with the cube root of the load [m]
     semi_axis_y: float  # across, at 1 N [m]
@@ -69,13 +81,23 @@ class ContactShape:
     def constants(self) -> Array:
         """As the kernel takes them, shape (5,) [m], [1/m]."""
         curvature = 0.5 / self.curvature_radius
-        return np.array([self.semi_axis_x, self.semi_axis_y, self.radius_x, curvature, self.curvature_difference])
+        return np.array(
+            [
+                self.semi_axis_x,
+                self.semi_axis_y,
+                self.radius_x,
+                curvature,
+                self.curvature_difference,
+            ]
+        )
 
 
 def hertz_disc() -> Array:
-    """x/a, y/b and share of the load of quadrature points over an ellipse with Hertz' pressure, shape (3, n) [-].
+    """x/a, y/b and share of the load of quadrature points over an ellipse with Hertz' pressure,
+    shape (3, n) [-].
 
-    Gauss-Legendre in t = (1 - r^2)^(3/2), the share of the load outside the radius r, evenly spaced around.
+    Gauss-Legendre in t = (1 - r^2)^(3/2), the share of the load outside the radius r, evenly
+    spaced around.
     """
     nodes, weights = np.polynomial.legendre.leggauss(RINGS)
     radius = np.sqrt(1.0 - (0.5 * (nodes + 1.0)) ** (2.0 / 3.0))
@@ -104,23 +126,33 @@ class _HertzLaw:
         """Coefficient of friction [-] at a local sliding speed and an entrainment speed [m/s]."""
         raise NotImplementedError
 
-    def forces(self, load: float, speed: float, slide_x: float, slide_y: float, spin: float) -> TractionForces:
+    def forces(
+        self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
+    ) -> TractionForces:
         """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s]."""
         out = np.empty(8)
-        law, constants = self.kernel_law(), self.shape.constants
-        _kernels.hertz_friction(self.disc, law, constants, load, speed, slide_x, slide_y, spin, out)
+        law = self.kernel_law()
+        constants = self.shape.constants
+        _kernels.hertz_friction(
+            self.disc, law, constants, load, speed, slide_x, slide_y, spin, out
+        )
         return traction_forces(out)
 
-    def forces_twin(self, load: float, speed: float, slide_x: float, slide_y: float, spin: float) -> Array:
+    def forces_twin(
+        self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
+    ) -> Array:
         """F_x, F_y [N], M_n, M_y [N m] as `forces`, in NumPy."""
         a, b, radius, curvature, difference = self.shape.constants
         x, y, share = self.disc * np.array([[a * np.cbrt(load)], [b * np.cbrt(load)], [load]])
         rolling = speed / radius - 0.5 * difference * slide_x
-        s_x, s_y = slide_x - spin * y - rolling * curvature * y * y, slide_y + spin * x
+        s_x = slide_x - spin * y - rolling * curvature * y * y
+        s_y = slide_y + spin * x
         s = np.hypot(s_x, s_y)
         pull = share * self.coefficient(s, speed) / np.where(s > 0.0, s, 1.0)
         t_x, t_y = pull * s_x, pull * s_y
-        return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), (curvature * y * y * t_x).sum()])
+        return np.array(
+            [-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), (curvature * y * y * t_x).sum()]
+        )
 
 
 @dataclass(frozen=True)
@@ -142,9 +174,13 @@ class CoulombLaw(_HertzLaw):
 
     def __post_init__(self) -> None:
         if not (isfinite(self.friction) and self.friction >= 0.0):
-            raise ValueError(f"friction must be zero or positive and finite, got {self.friction!r}")
+            raise ValueError(
+                f"friction must be zero or positive and finite, got {self.friction!r}"
+            )
         if not 0.0 <= self.slide_none < self.slide_full:
-            raise ValueError(f"slide_full must exceed slide_none {self.slide_none}, got {self.slide_full!r}")
+            raise ValueError(
+                f"slide_full must exceed slide_none {self.slide_none}, got {self.slide_full!r}"
+            )
 
     def kernel_law(self) -> Array:
         """Kind 0, mu, v_0, v_1: [-], [m/s]."""
@@ -158,9 +194,11 @@ class CoulombLaw(_HertzLaw):
 
 @dataclass(frozen=True)
 class FourConstantLaw(_HertzLaw):
-    """mu = (A + B s) exp(-C s) + D of bearing dynamics codes, s the local slide over the entrainment speed.
+    """mu = (A + B s) exp(-C s) + D of bearing dynamics codes, s the local slide over the
+    entrainment speed.
 
-    Below `dead_band` the coefficient rises linearly from zero, for friction has no direction where nothing slides.
+    Below `dead_band` the coefficient rises linearly from zero, for friction has no direction where
+    nothing slides.
 
     Attributes
     ----------
@@ -194,7 +232,9 @@ class FourConstantLaw(_HertzLaw):
         return ramp * ((self.a + self.b * s) * np.exp(-self.c * s) + self.d)
 
 
-def four_constants(largest: float, slide: float, limit: float, zero: float = 0.0) -> tuple[float, float, float, float]:
+def four_constants(
+    largest: float, slide: float, limit: float, zero: float = 0.0
+) -> tuple[float, float, float, float]:
     """A, B, C, D [-] of mu = (A + B s) exp(-C s) + D from what a traction curve shows.
 
     Parameters
@@ -209,7 +249,8 @@ def four_constants(largest: float, slide: float, limit: float, zero: float = 0.0
     Returns
     -------
     tuple of float
-        D = kappa_inf, A = kappa_0 - kappa_inf, and with q = C s: B = C A/(1 - q), A exp(-q)/(1 - q) = kappa_max - D.
+        D = kappa_inf, A = kappa_0 - kappa_inf, and with q = C s: B = C A/(1 - q), A exp(-q)/(1 -
+        q) = kappa_max - D.
     """
     if not (isfinite(slide) and slide > 0.0):
         raise ValueError(f"slide must be positive and finite, got {slide!r}")

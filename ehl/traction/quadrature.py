@@ -1,6 +1,6 @@
-"""A film as a list of nodes that shear, and its sliding forces for many motions; twin of the kernels' sums."""
-
-from __future__ import annotations
+"""A film as a list of nodes that shear, and its sliding forces for many motions; twin of the
+kernels' sums.
+"""
 
 from dataclasses import dataclass
 
@@ -18,10 +18,13 @@ Array = NDArray[np.float64]
 
 HERTZ_SHARE = 0.02  # of the largest pressure: what lies above it gets nodes of its own
 ROWS = 64  # lines along x there
-PANELS = ((0.0, 0.75, 10), (0.75, 1.0, 14))  # of each: shares from edge to edge, nodes; the spike is in the last
-SMALLEST_FILM = 1e-12  # [m] thinner than any molecule: what films that did not converge are held to
+# of each: shares from edge to edge, nodes; the spike is in the last
+PANELS = ((0.0, 0.75, 10), (0.75, 1.0, 14))
+# [m] thinner than any molecule: what films that did not converge are held to
+SMALLEST_FILM = 1e-12
 BLOCK = 10  # nodes of the grid along x and y that become one elsewhere
-SHARE_LEFT_OUT = 1e-3  # of the friction at the largest sliding, in nodes that are not worth their time
+# of the friction at the largest sliding, in nodes that are not worth their time
+SHARE_LEFT_OUT = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -31,9 +34,10 @@ class FilmNodes:
     Attributes
     ----------
     nodes : ndarray, shape (8, n)
-        x, y [m], area times sheared width [m^2], film [m], viscosity [Pa s], limiting stress [Pa], and a twelfth of
-        the squared size along x and y [m^2]: the mean square of a linear sliding over the node exceeds that at its
-        place by the squared slope times these, and keeps the sums free of steps where sliding changes its sign.
+        x, y [m], area times sheared width [m^2], film [m], viscosity [Pa s], limiting stress [Pa],
+        and a twelfth of the squared size along x and y [m^2]: the mean square of a linear sliding
+        over the node exceeds that at its place by the squared slope times these, and keeps the
+        sums free of steps where sliding changes its sign.
     half_width : float
         Transverse semi-axis, beyond which curvature slip does not grow [m].
     rheology : Rheology
@@ -72,18 +76,27 @@ def film_nodes(
     """
     if solution.x is None or solution.y is None or solution.film is None:
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
-    zone, rest = hertz_zone(solution), low_pressure_blocks(with_outlet(solution))
+    zone = hertz_zone(solution)
+    rest = low_pressure_blocks(with_outlet(solution))
     fields = np.concatenate([zone.fields.reshape(7, -1), rest], axis=1)
-    gap, pressure = np.maximum(fields[3], SMALLEST_FILM), fields[4]
-    eta, limit = pressure_viscosity(pressure, solution), limiting_stress(pressure, rheology, temperature)
+    gap = np.maximum(fields[3], SMALLEST_FILM)
+    pressure = fields[4]
+    eta = pressure_viscosity(pressure, solution)
+    limit = limiting_stress(pressure, rheology, temperature)
     strength = fields[2] * shear_stress(largest_slide / gap, eta, pressure, rheology, temperature)
     counts = counting(strength, left_out * float(strength.sum()))
     nodes = node_rows(fields, eta, limit)[:, counts]
-    return FilmNodes(nodes=np.ascontiguousarray(nodes), half_width=transverse_semi_axis(solution), rheology=rheology)
+    return FilmNodes(
+        nodes=np.ascontiguousarray(nodes),
+        half_width=transverse_semi_axis(solution),
+        rheology=rheology,
+    )
 
 
 def counting(strength: Array, left_out: float) -> NDArray[np.intp]:
-    """Numbers of the nodes without the weakest ones, whose strengths sum to what may be left out [same unit]."""
+    """Numbers of the nodes without the weakest ones, whose strengths sum to what may be left out
+    [same unit].
+    """
     order = np.argsort(strength)
     found: NDArray[np.intp] = order[np.cumsum(strength[order]) > left_out]
     return found
@@ -125,12 +138,20 @@ class HertzZone:
 
 
 def hertz_zone(solution: ContactSolution) -> HertzZone:
-    """Midpoints of `ROWS` lines across, Gauss-Legendre points of `PANELS` along each from edge to edge [m], [Pa]."""
-    x, y, h, p = solution.x, solution.y, solution.film, solution.pressure
+    """Midpoints of `ROWS` lines across, Gauss-Legendre points of `PANELS` along each from edge to
+    edge [m], [Pa].
+    """
+    x = solution.x
+    y = solution.y
+    h = solution.film
+    p = solution.pressure
     assert x is not None and y is not None and h is not None
     near = p > HERTZ_SHARE * p.max()
     window = tuple(_around(near.any(axis=1 - axis)) for axis in (0, 1))
-    x, y, h, p = x[window[0]], y[window[1]], h[window], p[window]
+    x = x[window[0]]
+    y = y[window[1]]
+    h = h[window]
+    p = p[window]
     film, pressure = (RectBivariateSpline(x, y, part) for part in (h, p))
     ends = _crossings(y, p.max(axis=0) - HERTZ_SHARE * p.max())
     width = (ends[1] - ends[0]) / ROWS
@@ -141,17 +162,34 @@ def hertz_zone(solution: ContactSolution) -> HertzZone:
     span = (edges[:, 1] - edges[:, 0])[:, None]
     places = edges[:, :1] + span * shares
     across = np.broadcast_to(rows[:, None], places.shape)
-    values = film(places, across, grid=False), np.maximum(pressure(places, across, grid=False), 0.0)
-    slopes = (pressure(places, across, dx=1, grid=False), pressure(places, across, dy=1, grid=False))
-    fields = (places, across, span * weights * width, *values, span * weights, np.full_like(places, width))
-    return HertzZone(fields=np.stack(fields), gradient=np.stack(slopes), span=span[:, 0], shares=shares)
+    values = (
+        film(places, across, grid=False),
+        np.maximum(pressure(places, across, grid=False), 0.0),
+    )
+    slopes = (
+        pressure(places, across, dx=1, grid=False),
+        pressure(places, across, dy=1, grid=False),
+    )
+    fields = (
+        places,
+        across,
+        span * weights * width,
+        *values,
+        span * weights,
+        np.full_like(places, width),
+    )
+    return HertzZone(
+        fields=np.stack(fields), gradient=np.stack(slopes), span=span[:, 0], shares=shares
+    )
 
 
 def _panels() -> tuple[Array, Array]:
     """Places from edge to edge and their weights [-]."""
     rules = [(low, high, *np.polynomial.legendre.leggauss(count)) for low, high, count in PANELS]
     places = [low + 0.5 * (high - low) * (nodes + 1.0) for low, high, nodes, _ in rules]
-    return np.concatenate(places), np.concatenate([0.5 * (high - low) * w for low, high, _, w in rules])
+    return np.concatenate(places), np.concatenate(
+        [0.5 * (high - low) * w for low, high, _, w in rules]
+    )
 
 
 def _around(chosen: NDArray[np.bool_]) -> slice:
@@ -161,29 +199,43 @@ def _around(chosen: NDArray[np.bool_]) -> slice:
 
 
 def _crossings(places: Array, values: Array) -> tuple[float, float]:
-    """First and last place where values, interpolated linearly, pass zero; the ends where they do not."""
+    """First and last place where values, interpolated linearly, pass zero; the ends where they do
+    not.
+    """
     positive = np.flatnonzero(values > 0.0)
     if positive.size == 0:
         return float(places[values.argmax()]), float(places[values.argmax()])
-    first, last = int(positive[0]), int(positive[-1])
+    first = int(positive[0])
+    last = int(positive[-1])
     low, high = float(places[first]), float(places[last])
     if first > 0:
-        low -= (places[first] - places[first - 1]) * values[first] / (values[first] - values[first - 1])
+        low -= (
+            (places[first] - places[first - 1])
+            * values[first]
+            / (values[first] - values[first - 1])
+        )
     if last < places.size - 1:
-        high += (places[last + 1] - places[last]) * values[last] / (values[last] - values[last + 1])
+        high += (
+            (places[last + 1] - places[last]) * values[last] / (values[last] - values[last + 1])
+        )
     return float(low), float(high)
 
 
 def low_pressure_blocks(solution: ContactSolution, *further: Array) -> Array:
-    """Nodes where the pressure is low, blocks of the grid: rows as `HertzZone.fields` and one for each further field.
+    """Nodes where the pressure is low, blocks of the grid: rows as `HertzZone.fields` and one for
+    each further field.
 
-    They shear a Newtonian oil as all their nodes do under linear sliding: film A/sum(A/h), place, pressure and further
-    fields, of shape (nx, ny) [any unit], weighted by A/h.
+    They shear a Newtonian oil as all their nodes do under linear sliding: film A/sum(A/h), place,
+    pressure and further fields, of shape (nx, ny) [any unit], weighted by A/h.
     """
-    x, y, h, p = solution.x, solution.y, solution.film, solution.pressure
+    x = solution.x
+    y = solution.y
+    h = solution.film
+    p = solution.pressure
     assert x is not None and y is not None and h is not None
     low = p <= HERTZ_SHARE * p.max()
-    size_x, size_y = np.gradient(x)[:, None], np.gradient(y)[None, :]
+    size_x = np.gradient(x)[:, None]
+    size_y = np.gradient(y)[None, :]
     area = size_x * size_y * sheared_width(h, p, Cavitation.STRIATED) * low
     block = np.add.outer(np.arange(x.size) // BLOCK * y.size, np.arange(y.size) // BLOCK).ravel()
 
@@ -195,13 +247,20 @@ def low_pressure_blocks(solution: ContactSolution, *further: Array) -> Array:
     weight, thin = total(area), total(share)
     kept = weight > 0.0
     weight, thin = weight[kept], thin[kept]
-    weighted = (share * x[:, None], share * y[None, :], share * p, *(share * field for field in further))
+    weighted = (
+        share * x[:, None],
+        share * y[None, :],
+        share * p,
+        *(share * field for field in further),
+    )
     means = [total(part)[kept] / thin for part in weighted]
     sizes = [np.full(weight.size, BLOCK * float(np.mean(size))) for size in (size_x, size_y)]
     return np.stack([means[0], means[1], weight, weight / thin, means[2], *sizes, *means[3:]])
 
 
-def sliding_forces(film: FilmNodes, slide: tuple[Array, Array, Array], rolling: Array, curvature: float) -> Array:
+def sliding_forces(
+    film: FilmNodes, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
+) -> Array:
     """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
 
     Parameters
@@ -227,7 +286,9 @@ def sliding_forces_twin(film: FilmNodes, kinematics: ContactKinematics) -> Array
     sliding = mean_sliding(kinematics, x, y, (along, across))
     tau = shear_stress(sliding[2] / gap, eta, 0.0 * eta, film.rheology.unlimited)
     finite = np.isfinite(limit)
-    tau = np.where(finite, -np.where(finite, limit, 1.0) * np.expm1(-tau / np.where(finite, limit, 1.0)), tau)
+    tau = np.where(
+        finite, -np.where(finite, limit, 1.0) * np.expm1(-tau / np.where(finite, limit, 1.0)), tau
+    )
     return summed_forces(kinematics, (x, y, area), tau, sliding)
 
 
@@ -246,12 +307,17 @@ def mean_sliding(
     """
     k, (along, across) = kinematics, sizes
     s_x, s_y = k.sliding(x, y)
-    slope = k.spin + 2.0 * k.rolling * k.curvature * np.where(np.abs(y) < k.curvature_width, y, 0.0)
+    slope = k.spin + 2.0 * k.rolling * k.curvature * np.where(
+        np.abs(y) < k.curvature_width, y, 0.0
+    )
     return s_x, s_y, np.sqrt(s_x**2 + s_y**2 + slope**2 * across + k.spin**2 * along)
 
 
 def summed_forces(
-    kinematics: ContactKinematics, nodes: tuple[Array, Array, Array], stress: Array, sliding: tuple[Array, Array, Array]
+    kinematics: ContactKinematics,
+    nodes: tuple[Array, Array, Array],
+    stress: Array,
+    sliding: tuple[Array, Array, Array],
 ) -> Array:
     """F_x, F_y [N] and M_n, M_y [N m] on body 1, shape (4,), of stresses [Pa] at nodes.
 
@@ -268,4 +334,6 @@ def summed_forces(
     (x, y, area), (s_x, s_y, speed) = nodes, sliding
     pull = area * stress / np.where(speed > 0.0, speed, 1.0)
     t_x, t_y = pull * s_x, pull * s_y
-    return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), -(kinematics.bow(y) * t_x).sum()])
+    return np.array(
+        [-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), -(kinematics.bow(y) * t_x).sum()]
+    )

@@ -1,16 +1,17 @@
 r"""How a lubricated contact answers to the approach of its bodies: stiffness and squeeze damping.
 
-With h_0 the constant of the film equation (minus the approach), the load is F(h_0) when the bodies stand still and, to
-first order in its rate, F(h_0) + F' dh_0/dt when they move: stiffness k = -dF/dh_0, damping c = -F'. Both come from
-the solver: a little more load gives k and the change of the film with h_0; the squeeze term of Reynolds' equation,
+With h_0 the constant of the film equation (minus the approach), the load is F(h_0) when the bodies
+stand still and, to first order in its rate, F(h_0) + F' dh_0/dt when they move: stiffness k =
+-dF/dh_0, damping c = -F'. Both come from the solver: a little more load gives k and the change of
+the film with h_0; the squeeze term of Reynolds' equation,
 
-.. math:: \frac{\partial(\rho h)}{\partial t} = \frac{\partial(\rho h)}{\partial h_0}\Big|_{steady} \dot h_0,
+.. math:: \frac{\partial(\rho h)}{\partial t} = \frac{\partial(\rho h)}{\partial h_0}\Big|_{steady}
+    \dot h_0,
 
-in which the film follows the approach as slowly as in a row of steady states (the approximation: an approach slow
-against the time a/u_m that oil takes through the contact), then gives another h_0 under the same load, and c.
+in which the film follows the approach as slowly as in a row of steady states (the approximation:
+an approach slow against the time a/u_m that oil takes through the contact), then gives another h_0
+under the same load, and c.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
@@ -27,14 +28,16 @@ from ..solution import ContactSolution
 
 Array = NDArray[np.float64]
 
-LOAD_STEP = 0.02  # relative; the film's change is then a hundred times what the iteration leaves of an error
+# relative; the film's change is then a hundred times what the iteration leaves of an error
+LOAD_STEP = 0.02
 SQUEEZE_STEP = 0.02  # dH_0/dT over the central film, T in a/u_m; small against 1
 CYCLES = 8  # of each step, from the neighbouring solution
 CAREFUL = (  # ways of damping, one after the other; the second with twice the cycles
     Attempt(name="plain", damping=Damping()),
     Attempt(name="damped", damping=CAUTIOUS),
 )
-MESHES = tuple(sorted({attempt.mesh_y for attempt in ATTEMPTS}, key=lambda mesh: abs(mesh - 1.0)))  # across, to try
+# across, to try
+MESHES = tuple(sorted({attempt.mesh_y for attempt in ATTEMPTS}, key=lambda mesh: abs(mesh - 1.0)))
 CHANGE = 0.03  # of H_0 in the last cycle over its whole step: above it the answer is not converged
 
 
@@ -77,9 +80,13 @@ def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> Norma
     if found is None:
         return NormalResponse(stiffness=np.nan, damping=np.nan, converged=False)
     state, index = found
-    level, oil = state.levels[index], conditions.lubricant
+    level = state.levels[index]
+    oil = conditions.lubricant
     _settle(state, cycles)
-    start, pressure, content, load = state.approach, level.P.copy(), _content(state, oil), state.contact.load
+    start = state.approach
+    pressure = level.P.copy()
+    content = _content(state, oil)
+    load = state.contact.load
     state.contact = replace(state.contact, load=(1.0 + LOAD_STEP) * load)
     steady = _settle(state, cycles)
     softer = state.approach - start
@@ -100,8 +107,12 @@ def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> Norma
 
 
 def _state(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int] | None:
-    """The solver's levels with a solution on the finest of them; None if no mesh of the solver is that of it."""
-    contact = replace(scale_contact(solution.conditions), film_guess=solution.film_central_dimensionless.value)
+    """The solver's levels with a solution on the finest of them; None if no mesh of the solver is
+    that of it.
+    """
+    contact = replace(
+        scale_contact(solution.conditions), film_guess=solution.film_central_dimensionless.value
+    )
     options = SolverOptions(points=solution.X.size)
     for mesh in MESHES:
         state = contact_multigrid(contact, solution.domain, options, replace(attempt, mesh_y=mesh))

@@ -1,22 +1,23 @@
-r"""Hydrodynamic rolling moment of a contact's oil, in the solver's box and out to a stated distance.
+r"""Hydrodynamic rolling moment of a contact's oil, in the solver's box and out to a stated
+distance.
 
-Far from a flooded contact Kapitza's (1955) pressure is :math:`-k_x x/H^2` with H a paraboloid (`ehl.multigrid.far_field`), so
-that the moment :math:`-\iint x p` of the oil between two distances from the centre is
+Far from a flooded contact Kapitza's (1955) pressure is :math:`-k_x x/H^2` with H a paraboloid
+(`ehl.multigrid.far_field`), so that the moment :math:`-\iint x p` of the oil between two distances
+from the centre is
 
 .. math:: \frac{24 \pi\,\eta_0 u R_x^2}{(3 + 2 R_x/R_y)\sqrt{R_x/R_y}}\,\ln\frac{r_2}{r_1},
 
-whatever the load: it grows with the logarithm of the box, and has no limit on an infinite paraboloid. What ends it is
-the shape of the bodies. Here the oil counts up to a distance from the contact's centre (`SHARE_OF_RADIUS` of the
-smaller reduced radius, an assumption): in the box the solved pressure, from the box's edge on Kapitza's, which the
-solver has set on that edge.
+whatever the load: it grows with the logarithm of the box, and has no limit on an infinite
+paraboloid. What ends it is the shape of the bodies. Here the oil counts up to a distance from the
+contact's centre (`SHARE_OF_RADIUS` of the smaller reduced radius, an assumption): in the box the
+solved pressure, from the box's edge on Kapitza's, which the solver has set on that edge.
 
 With rupture where pressure and its slope vanish the far field is :math:`r^{-3} f(\theta)`,
-:math:`(q^3 f')' - 9 q^3 f = 8\lambda S\cos\theta` for the gap :math:`q(\theta) r^2/2`; the moment of Kapitza's positive
+:math:`(q^3 f')' - 9 q^3 f = 8\lambda S\cos\theta` for the gap :math:`q(\theta) r^2/2`; the moment
+of Kapitza's positive
 half is below that by 1.4 % of the part outside for a sphere and 3.5 % for :math:`R_x/R_y = 1/45`
 (`tests/ehl/traction/test_rolling_moment.py`).
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from math import log
@@ -31,7 +32,8 @@ from ..solution import ContactSolution
 
 Array = NDArray[np.float64]
 
-SHARE_OF_RADIUS = 0.5  # assumed; there the gap under a sphere is 8 (1 - sqrt(3)/2) = 1.07 of the parabola
+# assumed; there the gap under a sphere is 8 (1 - sqrt(3)/2) = 1.07 of the parabola
+SHARE_OF_RADIUS = 0.5
 DIRECTIONS = 720  # rays from the centre
 RAY_NODES = 24  # of Gauss and Legendre on each, in the logarithm of the distance
 SAME_ANGLE = 1e-9  # [rad]
@@ -40,7 +42,8 @@ SMALLEST = 1e-12  # keeps the node at the centre finite
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RollingMoment:
-    """Moment of the pressure ahead of the centre about y, positive where it resists rolling along x.
+    """Moment of the pressure ahead of the centre about y, positive where it resists rolling along
+    x.
 
     Attributes
     ----------
@@ -73,20 +76,22 @@ class RollingMoment:
 def rolling_moment(solution: ContactSolution, extent: float | None = None) -> RollingMoment:
     """Hydrodynamic rolling moment in the box, beyond it, and within a distance from the centre.
 
-    Kapitza (1955); his field holds far outside the ellipse, where the oil is isoviscous and the deflection small.
+    Kapitza (1955); his field holds far outside the ellipse, where the oil is isoviscous and the
+    deflection small.
 
     Parameters
     ----------
     solution : ContactSolution
         Of dimensional conditions.
     extent : float, optional
-        Distance up to which oil counts [m]; `SHARE_OF_RADIUS` of the smaller reduced radius if left out.
+        Distance up to which oil counts [m]; `SHARE_OF_RADIUS` of the smaller reduced radius if
+        left out.
 
     Returns
     -------
     RollingMoment
-        [N m]; only that of the box, with a note, where the box was fixed (its edge has no pressure: the oil ends there)
-        or the ellipse reaches beyond the extent.
+        [N m]; only that of the box, with a note, where the box was fixed (its edge has no
+        pressure: the oil ends there) or the ellipse reaches beyond the extent.
 
     Raises
     ------
@@ -95,18 +100,27 @@ def rolling_moment(solution: ContactSolution, extent: float | None = None) -> Ro
     """
     conditions, a = solution.conditions, solution.semi_axis_x
     if not isinstance(conditions, ContactConditions) or a is None:
-        raise ValueError("solution: the rolling moment needs dimensional conditions, not Moes' groups alone")
+        raise ValueError(
+            "solution: the rolling moment needs dimensional conditions, not Moes' groups alone"
+        )
     if extent is None:
         extent = SHARE_OF_RADIUS * min(conditions.radius_x, conditions.radius_y)
     if not extent > 0.0:
         raise ValueError(f"extent must be positive, got {extent!r}")
-    scale, reach = solution.hertz_pressure * a**3, extent / a
+    scale = solution.hertz_pressure * a**3
+    reach = extent / a
     moments = -_area(solution) * solution.X[:, None] * solution.P * scale
     box = float(moments.sum())
     if solution.options.domain is not None:
-        return RollingMoment(box=box, extent=extent, note="the box is fixed by [ehl] domain, the oil ends on its edge")
+        return RollingMoment(
+            box=box,
+            extent=extent,
+            note="the box is fixed by [ehl] domain, the oil ends on its edge",
+        )
     if reach < max(1.0, solution.semi_axis_ratio):
-        return RollingMoment(box=box, extent=extent, note="the contact ellipse reaches beyond the extent of the oil")
+        return RollingMoment(
+            box=box, extent=extent, note="the contact ellipse reaches beyond the extent of the oil"
+        )
     return RollingMoment(
         box=box,
         beyond_box=scale * _kapitza_moment(solution, reach),
@@ -118,16 +132,21 @@ def rolling_moment(solution: ContactSolution, extent: float | None = None) -> Ro
 def moment_of_doubling(solution: ContactSolution) -> float:
     """What oil up to twice the distance adds to the rolling moment far from the contact [N m].
 
-    Kapitza (1955), integrated over rings, without the rotation of the entrainment. Positive where it resists rolling.
-    The solution has dimensional conditions.
+    Kapitza (1955), integrated over rings, without the rotation of the entrainment. Positive where
+    it resists rolling. The solution has dimensional conditions.
     """
     field = far_field(scaled_as_solved(solution))
     angle = np.arange(DIRECTIONS) * 2.0 * np.pi / DIRECTIONS
     x, y = np.cos(angle), np.sin(angle)
-    half = 0.5 * (field.pressure_x * x + field.pressure_y * y) * x  # the field is odd: half of all is its positive half
-    per_factor = float(np.sum(half / (0.5 * _curvature(field, x, y)) ** 2)) * 2.0 * np.pi / DIRECTIONS
+    # the field is odd: half of all is its positive half
+    half = 0.5 * (field.pressure_x * x + field.pressure_y * y) * x
+    per_factor = (
+        float(np.sum(half / (0.5 * _curvature(field, x, y)) ** 2)) * 2.0 * np.pi / DIRECTIONS
+    )
     if solution.semi_axis_x is None:
-        raise ValueError("solution: the rolling moment needs dimensional conditions, not Moes' groups alone")
+        raise ValueError(
+            "solution: the rolling moment needs dimensional conditions, not Moes' groups alone"
+        )
     return per_factor * log(2.0) * solution.hertz_pressure * solution.semi_axis_x**3
 
 
@@ -143,7 +162,9 @@ def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
         contact = scale_contact(solution.conditions, along_entrainment=along)
         if abs(contact.frame_angle - solution.frame_angle) < SAME_ANGLE:
             return contact
-    raise ValueError(f"the solution's frame at {solution.frame_angle:g} rad is none of the solver's")
+    raise ValueError(
+        f"the solution's frame at {solution.frame_angle:g} rad is none of the solver's"
+    )
 
 
 def _area(solution: ContactSolution) -> Array:
@@ -155,8 +176,11 @@ def _area(solution: ContactSolution) -> Array:
 
 
 def _share_outside(solution: ContactSolution, reach: float) -> Array:
-    """Share of each node's cell farther from the centre than `reach`, its border taken as straight; shape (nx, ny)."""
-    X, Y = solution.X[:, None], solution.Y[None, :]
+    """Share of each node's cell farther from the centre than `reach`, its border taken as
+    straight; shape (nx, ny).
+    """
+    X = solution.X[:, None]
+    Y = solution.Y[None, :]
     distance = np.hypot(X, Y)
     spread = np.abs(X) * np.gradient(solution.X)[:, None] + np.abs(Y) * np.gradient(solution.Y)
     width = np.maximum(spread, SMALLEST) / np.maximum(distance, SMALLEST)
@@ -166,7 +190,8 @@ def _share_outside(solution: ContactSolution, reach: float) -> Array:
 def _kapitza_moment(solution: ContactSolution, reach: float) -> float:
     """Integral of -X P of the far field from the edge of the box to a distance [-].
 
-    The gap along a ray is H_0 + q r^2/2 and what is left of the deflection at the box's edge, which falls with 1/r.
+    The gap along a ray is H_0 + q r^2/2 and what is left of the deflection at the box's edge,
+    which falls with 1/r.
     """
     contact = scaled_as_solved(solution)
     field = far_field(contact)
@@ -179,7 +204,11 @@ def _kapitza_moment(solution: ContactSolution, reach: float) -> float:
     q = _curvature(field, x, y)
     film = _edge_film(solution, start * x, start * y)
     deflection = film - solution.approach_dimensionless - 0.5 * q * start**2
-    gap = solution.approach_dimensionless + 0.5 * q[:, None] * r**2 + (deflection * start)[:, None] / r
+    gap = (
+        solution.approach_dimensionless
+        + 0.5 * q[:, None] * r**2
+        + (deflection * start)[:, None] / r
+    )
     gap = np.maximum(gap, film[:, None])  # it opens outwards
     pressure = _drive(field, x[:, None] * r, y[:, None] * r) / gap**2
     rings = np.sum(0.5 * span * weights * pressure * x[:, None] * r**3, axis=1)
@@ -193,7 +222,9 @@ def _curvature(field: FarField, x: Array, y: Array) -> Array:
 
 def _drive(field: FarField, X: Array, Y: Array) -> Array:
     """P H^2 of the far field where it is positive, as `ehl.far_field.edge_pressure` has it [-]."""
-    return np.maximum(-(field.pressure_x * X + (field.pressure_y + field.pressure_xy * X) * Y), 0.0)
+    return np.maximum(
+        -(field.pressure_x * X + (field.pressure_y + field.pressure_xy * X) * Y), 0.0
+    )
 
 
 def _edge_distance(solution: ContactSolution, x: Array, y: Array) -> Array:
@@ -208,5 +239,7 @@ def _edge_film(solution: ContactSolution, x: Array, y: Array) -> Array:
     X, Y, H = solution.X, solution.Y, solution.H
     rows = np.where(x < 0.0, np.interp(y, Y, H[0]), np.interp(y, Y, H[-1]))
     columns = np.where(y < 0.0, np.interp(x, X, H[:, 0]), np.interp(x, X, H[:, -1]))
-    on_row = np.minimum(np.abs(x - X[0]), np.abs(x - X[-1])) < np.minimum(np.abs(y - Y[0]), np.abs(y - Y[-1]))
+    on_row = np.minimum(np.abs(x - X[0]), np.abs(x - X[-1])) < np.minimum(
+        np.abs(y - Y[0]), np.abs(y - Y[-1])
+    )
     return np.asarray(np.where(on_row, rows, columns))

@@ -1,7 +1,5 @@
 """Figures of a batch: film, pressure and torque over one or two of the varied keys."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from pathlib import Path
 from textwrap import fill
@@ -42,8 +40,10 @@ PARTS = {
     "ML": "$M_L$ oil",
 }  # of a model, where the name of the number is no word
 LINES = ("#1b1f24", "#b23a3a", "#4c78a8", "#d67b1f", "#5a8f5a", "#8c6bb1", "#79b7c9", "#a65e7d")
-STYLES, MARKERS = ("-", "--", "-.", ":"), "osD^vP*X"
-MOST_PANELS, MOST_TOGETHER = 3, 4  # the second: of one quantity, side by side
+STYLES = ("-", "--", "-.", ":")
+MARKERS = "osD^vP*X"
+MOST_PANELS = 3  # the second: of one quantity
+MOST_TOGETHER = 4  # side by side
 WORD_WIDTH = 16  # characters of a tick label
 MOST_LINES = 8  # of a family; more values are told by colour
 MOST_INSIDE = 4  # lines of a family named inside the panel; more are beside it
@@ -51,7 +51,9 @@ MOST_INSIDE = 4  # lines of a family named inside the panel; more are beside it
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Varied:
-    """A key that varies: its label, its number at every point, and the words that these stand for if it has words."""
+    """A key that varies: its label, its number at every point, and the words that these stand for
+    if it has words.
+    """
 
     label: str
     values: tuple[float | None, ...]
@@ -63,7 +65,9 @@ class Varied:
 
 
 def varied_keys(results: BatchResults) -> list[Varied]:
-    """Keys with at least two different numbers, the one with most of them first; all keys of words as one, last."""
+    """Keys with at least two different numbers, the one with most of them first; all keys of words
+    as one, last.
+    """
     numbers, wordy = [], []
     for key in results.keys:
         values = [point.values.get(key) for point in results.points]
@@ -78,19 +82,38 @@ def varied_keys(results: BatchResults) -> list[Varied]:
 
 
 def _one_family(keys: list[Varied]) -> list[Varied]:
-    """The keys after the first as one, if several and with no more combinations than lines fit a panel."""
+    """The keys after the first as one, if several and with no more combinations than lines fit a
+    panel.
+    """
     rows = list(zip(*(key.values for key in keys[1:]), strict=True))
-    if len(keys) < 3 or any(value is None for row in rows for value in row) or len(set(rows)) > MOST_LINES:
+    if (
+        len(keys) < 3
+        or any(value is None for row in rows for value in row)
+        or len(set(rows)) > MOST_LINES
+    ):
         return keys
     known = sorted(set(rows))
-    words = tuple(" / ".join(key.text(v) for key, v in zip(keys[1:], row, strict=True)) for row in known)
+    words = tuple(
+        " / ".join(key.text(v) for key, v in zip(keys[1:], row, strict=True)) for row in known
+    )
     values = tuple(float(known.index(row)) for row in rows)
-    return [keys[0], Varied(label=" / ".join(key.label for key in keys[1:]), values=values, words=words)]
+    return [
+        keys[0],
+        Varied(label=" / ".join(key.label for key in keys[1:]), values=values, words=words),
+    ]
 
 
 def _goes_along(first: Varied, other: Varied) -> bool:
-    """Whether another key rises or falls strictly with the first one, as the sizes of a bearing do."""
-    pairs = sorted({(a, b) for a, b in zip(first.values, other.values, strict=True) if a is not None and b is not None})
+    """Whether another key rises or falls strictly with the first one, as the sizes of a bearing
+    do.
+    """
+    pairs = sorted(
+        {
+            (a, b)
+            for a, b in zip(first.values, other.values, strict=True)
+            if a is not None and b is not None
+        }
+    )
     if len(pairs) < MOST_PANELS or len({a for a, _ in pairs}) < len(pairs):
         return False
     steps = np.diff([b for _, b in pairs])
@@ -125,7 +148,9 @@ def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]
     """
     keys, shown = varied_keys(results), quantities(results)
     if not keys or not shown:
-        return (f"plots/{BATCH_PLOT} not written: no {'key with several values' if shown else 'result'} to draw",)
+        return (
+            f"plots/{BATCH_PLOT} not written: no {'key with several values' if shown else 'result'} to draw",
+        )
     with matplotlib.rc_context(RC):
         figure = Figure()
         if results.plot and len(shown) > 1 and len({unit_of(name) for name in shown}) == 1:
@@ -133,11 +158,15 @@ def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]
         else:
             draw_batch(figure, results, keys, shown)
         save(figure, directory / "plots" / BATCH_PLOT)
-    return tuple(f"plots/{BATCH_PLOT}: no {name} to draw" for name in results.plot if name not in shown)
+    return tuple(
+        f"plots/{BATCH_PLOT}: no {name} to draw" for name in results.plot if name not in shown
+    )
 
 
 def quantities(results: BatchResults) -> list[str]:
-    """Numbers that the sweep file wants drawn and some point has; else as many main results, not all zero, as fit."""
+    """Numbers that the sweep file wants drawn and some point has; else as many main results, not
+    all zero, as fit.
+    """
     if results.plot:
         every = [_numbers(point) for point in results.points]
         return [name for name in results.plot if any(row.get(name) is not None for row in every)]
@@ -145,8 +174,11 @@ def quantities(results: BatchResults) -> list[str]:
     return [name for name in QUANTITIES if any(row.get(name) for row in rows)][:MOST_PANELS]
 
 
-def draw_batch(figure: Figure, results: BatchResults, keys: list[Varied], shown: list[str]) -> None:
-    """A panel for each quantity over the first key; the second key as a family of lines, or as colour.
+def draw_batch(
+    figure: Figure, results: BatchResults, keys: list[Varied], shown: list[str]
+) -> None:
+    """A panel for each quantity over the first key; the second key as a family of lines, or as
+    colour.
 
     Parameters
     ----------
@@ -166,7 +198,9 @@ def draw_batch(figure: Figure, results: BatchResults, keys: list[Varied], shown:
     for axes, name in zip(panels, shown, strict=True):
         x, colour, y, error, sound = _data(results, keys, name)
         if len(keys) == 1:
-            _line(axes, x, y, error, sound, {"color": INK, "linestyle": "" if keys[0].words else "-"})
+            _line(
+                axes, x, y, error, sound, {"color": INK, "linestyle": "" if keys[0].words else "-"}
+            )
         elif len(np.unique(colour)) <= MOST_LINES:
             _family(axes, (x, colour, y, error, sound), keys[1], legend=axes is panels[0])
         else:
@@ -177,12 +211,19 @@ def draw_batch(figure: Figure, results: BatchResults, keys: list[Varied], shown:
         axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
     if mapped is not None:
         figure.colorbar(mapped, ax=panels, label=keys[1].label)
-    notes = ["error bars: uncertainty of the film"] if shown[0].startswith("film") and mapped is None else []
+    notes = (
+        ["error bars: uncertainty of the film"]
+        if shown[0].startswith("film") and mapped is None
+        else []
+    )
     _note(figure, results, keys, notes)
 
 
-def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], shown: list[str]) -> None:
-    """Numbers of one unit as lines over the first key; a panel for each value of the second one, if there is one.
+def draw_together(
+    figure: Figure, results: BatchResults, keys: list[Varied], shown: list[str]
+) -> None:
+    """Numbers of one unit as lines over the first key; a panel for each value of the second one,
+    if there is one.
 
     Parameters
     ----------
@@ -194,7 +235,11 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
     shown : list of str
         Names of numbers, units as they say.
     """
-    values = _some(np.unique([v for v in keys[1].values if v is not None])) if len(keys) > 1 else np.zeros(1)
+    values = (
+        _some(np.unique([v for v in keys[1].values if v is not None]))
+        if len(keys) > 1
+        else np.zeros(1)
+    )
     least = np.inf
     figure.set_size_inches(PAGE_WIDTH, 3.0)
     figure.suptitle(results.title, fontsize=8.5)
@@ -215,13 +260,20 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
         if not keys[0].words:
             axes.locator_params(axis="x", nbins=9 // len(values) + 2)
     top = panels[0].get_ylim()[1]
-    panels[0].set_ylim(1.1 * min(least, 0.0) - (0.02 * top if least < 0.01 * top else 0.0), 1.05 * top)
+    panels[0].set_ylim(
+        1.1 * min(least, 0.0) - (0.02 * top if least < 0.01 * top else 0.0), 1.05 * top
+    )
     words = f"{LABELS[model]}: torque" if model else _common_words(shown)
     panels[0].set_ylabel(f"{words} [{quantity_unit(shown[0])}]")
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, ncols=min(len(labels), 4), loc="outside lower center")
     if len(keys) > 1 and len(values) < len(set(keys[1].values)):
-        _note(figure, results, keys, [f"{len(values)} of {len(set(keys[1].values))} values of {keys[1].label}"])
+        _note(
+            figure,
+            results,
+            keys,
+            [f"{len(values)} of {len(set(keys[1].values))} values of {keys[1].label}"],
+        )
     else:
         _note(figure, results, keys, [])
 
@@ -229,14 +281,24 @@ def draw_together(figure: Figure, results: BatchResults, keys: list[Varied], sho
 def _some(values: Array) -> Array:
     """At most as many values as a figure has panels, the first and the last among them."""
     return np.asarray(
-        values[np.unique(np.linspace(0, len(values) - 1, min(len(values), MOST_TOGETHER)).round().astype(int))]
+        values[
+            np.unique(
+                np.linspace(0, len(values) - 1, min(len(values), MOST_TOGETHER))
+                .round()
+                .astype(int)
+            )
+        ]
     )
 
 
 def _note(figure: Figure, results: BatchResults, keys: list[Varied], notes: list[str]) -> None:
     """What a figure does not show by itself, below it."""
     notes = notes + (["crosses: not converged"] if not results.converged else [])
-    notes += [f"further keys vary: {', '.join(key.label for key in keys[2:5])}"] if 2 < len(keys) <= 5 else []
+    notes += (
+        [f"further keys vary: {', '.join(key.label for key in keys[2:5])}"]
+        if 2 < len(keys) <= 5
+        else []
+    )
     notes += [f"{len(keys) - 2} further keys vary"] if len(keys) > 5 else []
     figure.supxlabel("; ".join(notes), fontsize=6.5, color=REFERENCE)
 
@@ -246,12 +308,16 @@ def _first_key(axes: Axes, key: Varied) -> None:
     axes.set_xlabel(key.label)
     axes.grid(linewidth=0.3, alpha=0.5)
     if key.words:
-        words = ["\n".join(fill(part, WORD_WIDTH) for part in word.split(" / ")) for word in key.words]
+        words = [
+            "\n".join(fill(part, WORD_WIDTH) for part in word.split(" / ")) for word in key.words
+        ]
         axes.set_xticks(range(len(words)), words, fontsize=6.5)
 
 
 def quantity_label(name: str, model: str | None = None) -> str:
-    """A number in words; of a torque its model and part, the part alone where all numbers are of one `model`."""
+    """A number in words; of a torque its model and part, the part alone where all numbers are of
+    one `model`.
+    """
     if name.startswith(MODELS):
         own, part = name.removeprefix(MODELS).split(".")
         words = PARTS.get(part, part)
@@ -261,14 +327,21 @@ def quantity_label(name: str, model: str | None = None) -> str:
 
 def common_model(names: list[str]) -> str | None:
     """The torque model that all numbers are of, if there is one."""
-    models = {name.removeprefix(MODELS).split(".")[0] if name.startswith(MODELS) else None for name in names}
+    models = {
+        name.removeprefix(MODELS).split(".")[0] if name.startswith(MODELS) else None
+        for name in names
+    }
     return models.pop() if len(models) == 1 else None
 
 
 def _common_words(names: list[str]) -> str:
     """What numbers of one unit are, in words."""
     return (
-        "torque" if all("torque_N_mm" in name for name in names) else "film" if names[0].startswith("film") else "value"
+        "torque"
+        if all("torque_N_mm" in name for name in names)
+        else "film"
+        if names[0].startswith("film")
+        else "value"
     )
 
 
@@ -286,26 +359,47 @@ def quantity_unit(name: str) -> str:
     return unit_of(name).replace("um", "µm").replace("degC", "°C") or "-"
 
 
-def _data(results: BatchResults, keys: list[Varied], name: str) -> tuple[Array, Array, Array, Array, Any]:
-    """First key, second key, quantity, its uncertainty, whether it converged, of the points that have all of them."""
+def _data(
+    results: BatchResults, keys: list[Varied], name: str
+) -> tuple[Array, Array, Array, Array, Any]:
+    """First key, second key, quantity, its uncertainty, whether it converged, of the points that
+    have all of them.
+    """
     head, _, unit = name.rpartition("_")
     rows = []
     seconds = keys[1].values if len(keys) > 1 else [0.0] * len(results.points)
     for point, first, second in zip(results.points, keys[0].values, seconds, strict=True):
         row = _numbers(point)
         if row.get(name) is not None and first is not None and second is not None:
-            rows.append((first, second, row[name], row.get(f"{head}_uncertainty_{unit}") or 0.0, point.converged))
+            rows.append(
+                (
+                    first,
+                    second,
+                    row[name],
+                    row.get(f"{head}_uncertainty_{unit}") or 0.0,
+                    point.converged,
+                )
+            )
     x, colour, y, error, sound = (np.array(column) for column in zip(*rows, strict=True))
     return x, colour, y, error, sound.astype(bool)
 
 
-def _family(axes: Axes, data: tuple[Array, Array, Array, Array, Any], key: Varied, *, legend: bool) -> None:
+def _family(
+    axes: Axes, data: tuple[Array, Array, Array, Array, Any], key: Varied, *, legend: bool
+) -> None:
     x, colour, y, error, sound = data
     values = np.unique(colour)
     colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.85, len(values)))
     for value, shade in zip(values, colours, strict=True):
         part = colour == value
-        _line(axes, x[part], y[part], error[part], sound[part], {"color": shade, "label": key.text(value)})
+        _line(
+            axes,
+            x[part],
+            y[part],
+            error[part],
+            sound[part],
+            {"color": shade, "label": key.text(value)},
+        )
     if legend and len(values) > MOST_INSIDE:
         figure = axes.get_figure()
         assert figure is not None

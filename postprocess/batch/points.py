@@ -1,14 +1,14 @@
 """Results of a batch, point by point."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from typing import Any
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BatchPoint:
-    """One point: its place in the sweep, the values varied, how it ended, and its summary if it has one."""
+    """One point: its place in the sweep, the values varied, how it ended, and its summary if it
+    has one.
+    """
 
     number: int
     block: str

@@ -1,7 +1,5 @@
 """Results of a batch: every number of every point, as one table and one data set."""
 
-from __future__ import annotations
-
 import csv
 import json
 from collections.abc import Iterable
@@ -18,7 +16,18 @@ from .sensitivity import bands, sensitivities
 
 BATCH_TABLE = "batch.csv"
 NOT_NUMBERS = (
-    *("case", "oilfilm", "messages", "balls", "contacts", "stiffness", "points", "domain", "nodes", "surface"),
+    *(
+        "case",
+        "oilfilm",
+        "messages",
+        "balls",
+        "contacts",
+        "stiffness",
+        "points",
+        "domain",
+        "nodes",
+        "surface",
+    ),
     *("timing_s", "wall_s", "critical_curves", "minimum_preload"),  # times depend on the machine
 )
 MOST_COMPONENTS = 3
@@ -28,7 +37,9 @@ STATES = ("done", "failed", "lost")
 
 
 def batch_summary(results: BatchResults) -> dict[str, Any]:
-    """The document of a batch: each point with its keys and main results; what failed has its message."""
+    """The document of a batch: each point with its keys and main results; what failed has its
+    message.
+    """
     points = [
         {
             "point": point.number,
@@ -68,11 +79,19 @@ def _messages(results: BatchResults) -> Iterable[str]:
         if point.summary is None:
             yield f"point {point.number} ({point.label}): {point.status}: {point.message}"
         elif not point.converged:
-            told = [m for m in point.summary.get("messages", ()) if "not converged" in m or m.startswith("equilibrium")]
-            yield f"point {point.number} ({point.label}): not converged" + (f": {told[0]}" if told else "")
+            told = [
+                m
+                for m in point.summary.get("messages", ())
+                if "not converged" in m or m.startswith("equilibrium")
+            ]
+            yield f"point {point.number} ({point.label}): not converged" + (
+                f": {told[0]}" if told else ""
+            )
     outside = [point.number for point in results.points if _is_outside(point)]
     if outside:
-        named = ", ".join(map(str, outside[:MOST_NAMED])) + (" ..." if len(outside) > MOST_NAMED else "")
+        named = ", ".join(map(str, outside[:MOST_NAMED])) + (
+            " ..." if len(outside) > MOST_NAMED else ""
+        )
         yield f"{len(outside)} points with contacts {OUTSIDE}, where the nearest place counts: {named}"
 
 
@@ -82,7 +101,9 @@ def _is_outside(point: BatchPoint) -> bool:
 
 
 def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
-    """Every single number of a summary by its dotted path; components of short vectors as .x, .y, .z."""
+    """Every single number of a summary by its dotted path; components of short vectors as .x, .y,
+    .z.
+    """
     found: dict[str, float] = {}
     for key, value in summary.items():
         name = f"{path}.{key}" if path else key
@@ -106,7 +127,9 @@ def _components(key: str, count: int) -> tuple[str, ...]:
 
 
 def columns(results: BatchResults) -> dict[str, list[Any]]:
-    """The batch as a table: one list of all points for each column; None where a point has no value."""
+    """The batch as a table: one list of all points for each column; None where a point has no
+    value.
+    """
     main = [main_results(point.summary) for point in results.points]
     every = [scalar_numbers(point.summary or {}) for point in results.points]
     found: dict[str, list[Any]] = {
@@ -144,12 +167,15 @@ def _cell(value: Any) -> Any:
 
 
 def write_batch_netcdf(results: BatchResults, path: Path) -> None:
-    """Write the data set: what the table has over `point`, and the numbers of balls and contacts over ball and race.
+    """Write the data set: what the table has over `point`, and the numbers of balls and contacts
+    over ball and race.
 
-    Units are attributes, the input of every point is the variable `case`; NaN where a point has no value.
+    Units are attributes, the input of every point is the variable `case`; NaN where a point has no
+    value.
     """
     variables: Variables = {}
-    coordinates = {"point", *(key for key in results.keys if " " not in key)}  # netCDF lists them with spaces between
+    # netCDF lists them with spaces between
+    coordinates = {"point", *(key for key in results.keys if " " not in key)}
     for name, values in columns(results).items():
         unit = _unit(name, values)
         variables[name] = (("point",), _array(values), {"units": unit} if unit else {})
@@ -208,7 +234,11 @@ def _per_ball(results: BatchResults) -> Variables:
 def _per_contact(results: BatchResults) -> Variables:
     """Numbers of the contacts over point, ball and race."""
     rows = [(point.summary or {}).get("contacts") or [] for point in results.points]
-    names = [n for n in _number_names(contact for row in rows for contact in row) if n not in ("ball", "azimuth_deg")]
+    names = [
+        n
+        for n in _number_names(contact for row in rows for contact in row)
+        if n not in ("ball", "azimuth_deg")
+    ]
     count = max((contact["ball"] for row in rows for contact in row), default=0)
     if not names:
         return {}
@@ -220,7 +250,9 @@ def _per_contact(results: BatchResults) -> Variables:
             for name in names:
                 values[name][place] = _number(contact.get(name))
     found: Variables = {"race": (("race",), np.array(races, dtype=object), {})}
-    return found | {f"contact.{n}": (("point", "ball", "race"), v, _attributes(n)) for n, v in values.items()}
+    return found | {
+        f"contact.{n}": (("point", "ball", "race"), v, _attributes(n)) for n, v in values.items()
+    }
 
 
 def _number_names(rows: Iterable[dict[str, Any]]) -> list[str]:
@@ -228,7 +260,9 @@ def _number_names(rows: Iterable[dict[str, Any]]) -> list[str]:
     names: dict[str, bool] = {}
     for row in rows:
         for key, value in row.items():
-            names[key] = names.get(key, True) and (value is None or isinstance(value, bool | int | float))
+            names[key] = names.get(key, True) and (
+                value is None or isinstance(value, bool | int | float)
+            )
     return [name for name, numeric in names.items() if numeric and name != "note"]
 
 

@@ -1,6 +1,6 @@
-"""What uncertain input does to results: finite differences of [sensitivity] points, bands of hypercubes."""
-
-from __future__ import annotations
+"""What uncertain input does to results: finite differences of [sensitivity] points, bands of
+hypercubes.
+"""
 
 from math import hypot
 from typing import Any
@@ -16,7 +16,8 @@ NOT_TOLD = ("_uncertainty_",)
 
 
 def sensitivities(results: BatchResults) -> list[dict[str, Any]]:
-    """Logarithmic sensitivities d ln(result)/d ln(key) by central differences, O(step^2), about the case.
+    """Logarithmic sensitivities d ln(result)/d ln(key) by central differences, O(step^2), about
+    the case.
 
     Parameters
     ----------
@@ -25,14 +26,22 @@ def sensitivities(results: BatchResults) -> list[dict[str, Any]]:
     Returns
     -------
     list of dict
-        For every key that [sensitivity] varied: `key`, its `value` in the case, the relative `step` [-], and under
-        `results` for every main result its `value`, the `sensitivity` [-] and whether it is `resolved`: whether the
-        change is larger than the error bars of the two films, None for results without one. Empty without such points.
+        For every key that [sensitivity] varied: `key`, its `value` in the case, the relative
+        `step` [-], and under `results` for every main result its `value`, the `sensitivity` [-]
+        and whether it is `resolved`: whether the change is larger than the error bars of the two
+        films, None for results without one. Empty without such points.
     """
-    points = [point for point in results.points if point.block == "sensitivity" and point.summary is not None]
-    if not points or any(points[0].values[k] != results.points[_first(results)].values[k] for k in results.keys):
+    points = [
+        point
+        for point in results.points
+        if point.block == "sensitivity" and point.summary is not None
+    ]
+    if not points or any(
+        points[0].values[k] != results.points[_first(results)].values[k] for k in results.keys
+    ):
         return []
-    base, found = points[0], []
+    base = points[0]
+    found = []
     reference = main_results(base.summary)
     for key in results.keys:
         pair = [point for point in points[1:] if point.values[key] != base.values[key]]
@@ -50,17 +59,32 @@ def _first(results: BatchResults) -> int:
     return next(i for i, point in enumerate(results.points) if point.block == "sensitivity")
 
 
-def _results(reference: dict[str, Any], low: BatchPoint, high: BatchPoint, step: float) -> dict[str, dict[str, Any]]:
+def _results(
+    reference: dict[str, Any], low: BatchPoint, high: BatchPoint, step: float
+) -> dict[str, dict[str, Any]]:
     below, above = main_results(low.summary), main_results(high.summary)
     rows = {}
     for name, value in reference.items():
-        if not value or below.get(name) is None or above.get(name) is None or any(word in name for word in NOT_TOLD):
+        if (
+            not value
+            or below.get(name) is None
+            or above.get(name) is None
+            or any(word in name for word in NOT_TOLD)
+        ):
             continue
         change = above[name] - below[name]
         head, _, unit = name.rpartition("_")
         first, second = (row.get(f"{head}_uncertainty_{unit}") for row in (below, above))
-        resolved = None if first is None or second is None else change == 0.0 or abs(change) > hypot(first, second)
-        rows[name] = {"value": value, "sensitivity": change / (2.0 * step * value), "resolved": resolved}
+        resolved = (
+            None
+            if first is None or second is None
+            else change == 0.0 or abs(change) > hypot(first, second)
+        )
+        rows[name] = {
+            "value": value,
+            "sensitivity": change / (2.0 * step * value),
+            "resolved": resolved,
+        }
     return rows
 
 
@@ -74,10 +98,14 @@ def bands(results: BatchResults) -> dict[str, dict[str, float]]:
     Returns
     -------
     dict
-        For every main result `points` [-], and in its unit `mean`, `standard_deviation` and the quantiles `q05`, `q50`,
-        `q95`; empty with fewer than five points.
+        For every main result `points` [-], and in its unit `mean`, `standard_deviation` and the
+        quantiles `q05`, `q50`, `q95`; empty with fewer than five points.
     """
-    rows = [main_results(p.summary) for p in results.points if p.block == "latin_hypercube" and p.converged]
+    rows = [
+        main_results(p.summary)
+        for p in results.points
+        if p.block == "latin_hypercube" and p.converged
+    ]
     found = {}
     for name in dict.fromkeys(name for row in rows for name in row):
         values = [row[name] for row in rows if row.get(name) is not None]

@@ -1,7 +1,5 @@
 """A batch as a table for a terminal of 80 columns."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from rich import box
@@ -36,7 +34,8 @@ CELL = 10  # characters of a column of results
 
 
 def batch_table(results: BatchResults) -> Group:
-    """Lay out the points of a batch, the first and the last ones of many, with the results that fit beside the keys.
+    """Lay out the points of a batch, the first and the last ones of many, with the results that
+    fit beside the keys.
 
     Parameters
     ----------
@@ -48,9 +47,15 @@ def batch_table(results: BatchResults) -> Group:
         To be printed by a rich console; units [N], [GPa], [um] ... as the headers say.
     """
     rows = [main_results(point.summary) for point in results.points]
-    keys = [key for key in results.keys if len({str(point.values.get(key)) for point in results.points}) > 1]
+    keys = [
+        key
+        for key in results.keys
+        if len({str(point.values.get(key)) for point in results.points}) > 1
+    ]
     shown = [name for name in SHOWN if any(row.get(name) is not None for row in rows)]
-    shown = shown[-max(1, (WIDTH - 10 - sum(max(9, len(_name(key))) + 1 for key in keys)) // CELL) :]
+    shown = shown[
+        -max(1, (WIDTH - 10 - sum(max(9, len(_name(key))) + 1 for key in keys)) // CELL) :
+    ]
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), collapse_padding=True)
     table.add_column("#", justify="right")
     for key in keys:
@@ -58,21 +63,30 @@ def batch_table(results: BatchResults) -> Group:
     for name in shown:
         table.add_column(f"{SHOWN[name]}\n{_unit(name)}", justify="right", no_wrap=True)
     table.add_column("", no_wrap=True)
-    count, half = len(rows), MOST_ROWS // 2
+    count = len(rows)
+    half = MOST_ROWS // 2
     for i, (point, row) in enumerate(zip(results.points, rows, strict=True)):
         if count > MOST_ROWS and half <= i < count - half:
             if i == half:
                 table.add_row("...")
             continue
         values = [_text(point.values.get(key)) for key in keys]
-        table.add_row(str(point.number), *values, *(_text(row.get(name)) for name in shown), _flag(point))
+        table.add_row(
+            str(point.number), *values, *(_text(row.get(name)) for name in shown), _flag(point)
+        )
     flags = {_flag(point) for point in results.points}
-    words = [word for flag, word in (("!", "! not converged"), ("x", "x failed, see the messages")) if flag in flags]
+    words = [
+        word
+        for flag, word in (("!", "! not converged"), ("x", "x failed, see the messages"))
+        if flag in flags
+    ]
     return Group(Text(results.title, style="bold"), table, *words, *_uncertainties(results))
 
 
 def _uncertainties(results: BatchResults) -> list[Table]:
-    """Sensitivities to each key, and bands over sampled keys, of a few main results; nothing without such points."""
+    """Sensitivities to each key, and bands over sampled keys, of a few main results; nothing
+    without such points.
+    """
     found: list[Table] = []
     style: dict[str, Any] = {"box": box.SIMPLE_HEAD, "pad_edge": False, "title_justify": "left"}
     rows = sensitivities(results)
@@ -93,7 +107,10 @@ def _uncertainties(results: BatchResults) -> list[Table]:
             table.add_column(name, justify="right" if name else "left")
         for name, band in spread.items():
             if name in SHOWN:
-                table.add_row(f"{SHOWN[name]} {_unit(name)}", *(f"{band[q]:.4g}" for q in ("q05", "q50", "q95")))
+                table.add_row(
+                    f"{SHOWN[name]} {_unit(name)}",
+                    *(f"{band[q]:.4g}" for q in ("q05", "q50", "q95")),
+                )
         found.append(table)
     return found
 

@@ -1,7 +1,5 @@
 """The summary of results: the rim where the named units appear."""
 
-from __future__ import annotations
-
 from math import isfinite
 from typing import Any
 
@@ -20,12 +18,19 @@ def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
     Returns
     -------
     dict
-        Plain JSON types; lengths [um] or [mm], pressures [GPa], angles [deg] as the keys say. What does not apply is
-        None with the reason under "messages"; no value is NaN or infinite.
+        Plain JSON types; lengths [um] or [mm], pressures [GPa], angles [deg] as the keys say. What
+        does not apply is None with the reason under "messages"; no value is NaN or infinite.
     """
-    document = contact_summary(results) if isinstance(results, ContactResults) else bearing_summary(results)
+    document = (
+        contact_summary(results)
+        if isinstance(results, ContactResults)
+        else bearing_summary(results)
+    )
     messages = document["messages"]  # _plain adds to them
-    return {key: messages if key == "messages" else _plain(value, key, messages) for key, value in document.items()}
+    return {
+        key: messages if key == "messages" else _plain(value, key, messages)
+        for key, value in document.items()
+    }
 
 
 def _plain(value: Any, path: str, messages: list[str]) -> Any:

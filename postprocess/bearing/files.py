@@ -1,7 +1,5 @@
 """Files of a bearing run: contacts as CSV, fields as netCDF."""
 
-from __future__ import annotations
-
 import csv
 from pathlib import Path
 from typing import Any
@@ -71,7 +69,8 @@ CONTACT_COLUMNS = (
 
 
 def write_contacts_csv(document: dict[str, Any], path: Path) -> None:
-    """Write the contacts of a bearing summary as a table, one line per contact, units in the header, empty for null.
+    """Write the contacts of a bearing summary as a table, one line per contact, units in the
+    header, empty for null.
 
     Parameters
     ----------
@@ -83,14 +82,19 @@ def write_contacts_csv(document: dict[str, Any], path: Path) -> None:
         writer = csv.writer(file)
         writer.writerow([title for _, title in CONTACT_COLUMNS])
         for contact in document["contacts"]:
-            writer.writerow(["" if contact[key] is None else contact[key] for key, _ in CONTACT_COLUMNS])
+            writer.writerow(
+                ["" if contact[key] is None else contact[key] for key, _ in CONTACT_COLUMNS]
+            )
 
 
-def write_netcdf(results: BearingResults | ContactResults, path: Path, document: dict[str, Any] | None = None) -> None:
+def write_netcdf(
+    results: BearingResults | ContactResults, path: Path, document: dict[str, Any] | None = None
+) -> None:
     """Write fields, input and numbers as one netCDF-4 file of groups, SI, float32 fields.
 
-    Groups: `/` (version, case, messages), `/ring`, `/balls`, and `/contacts/ball01/inner` ... with the fields P and h
-    of each solved contact; a single contact has its fields in `/contacts/contact`.
+    Groups: `/` (version, case, messages), `/ring`, `/balls`, and `/contacts/ball01/inner` ... with
+    the fields P and h of each solved contact; a single contact has its fields in
+    `/contacts/contact`.
 
     Parameters
     ----------
@@ -108,7 +112,8 @@ def write_netcdf(results: BearingResults | ContactResults, path: Path, document:
         groups |= _bearing_groups(results)
     tree = xr.DataTree.from_dict(groups)
     encoding = {
-        node.path: {name: COMPRESSION for name in ("P", "h", "T") if name in node.data_vars} for node in tree.subtree
+        node.path: {name: COMPRESSION for name in ("P", "h", "T") if name in node.data_vars}
+        for node in tree.subtree
     }
     with atomic_path(path) as temporary:
         tree.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
@@ -140,7 +145,9 @@ def _placement(contact: BearingContact) -> dict[str, Any]:
 
 
 def _field_dataset(solution: ContactSolution) -> xarray.Dataset:
-    """P and h over the contact plane, SI; in Moes input lengths are in units of a, films of a^2/Rx."""
+    """P and h over the contact plane, SI; in Moes input lengths are in units of a, films of
+    a^2/Rx.
+    """
     length, film, scale = solution.semi_axis_x, solution.film_scale, solution.hertz_pressure
     central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
     unit, film_unit = ("a", "a^2/Rx") if length is None or film is None else ("m", "m")
@@ -149,7 +156,10 @@ def _field_dataset(solution: ContactSolution) -> xarray.Dataset:
     pressure_attrs = {"units": "Pa" if scale > 0.0 else "p_h", "long_name": "pressure"}
     values = {"film_central": central, "film_minimum": minimum}
     scalars = {n: ((), v.value * h, {"units": film_unit}) for n, v in values.items()}
-    errors = {f"{n}_uncertainty": ((), v.uncertainty * h, {"units": film_unit}) for n, v in values.items()}
+    errors = {
+        f"{n}_uncertainty": ((), v.uncertainty * h, {"units": film_unit})
+        for n, v in values.items()
+    }
     attrs = {
         "semi_axis_x": a,
         "semi_axis_y": a * solution.semi_axis_ratio,
@@ -188,7 +198,8 @@ def _temperature(solution: ContactSolution) -> Variables:
 
 
 def _ring_dataset(results: BearingResults) -> xarray.Dataset:
-    state, units = results.quasistatic, "SI: N, m, rad, N m"
+    state = results.quasistatic
+    units = "SI: N, m, rad, N m"
     bearing = state.bearing
     attrs = {
         "ball_diameter": bearing.ball_diameter,
@@ -230,5 +241,8 @@ def _ball_dataset(results: BearingResults) -> xarray.Dataset:
         "inner_friction": "N",
         "outer_friction": "N",
     }
-    data = {n: ("ball", np.asarray(getattr(state, n), dtype=np.float64), {"units": u}) for n, u in units.items()}
+    data = {
+        n: ("ball", np.asarray(getattr(state, n), dtype=np.float64), {"units": u})
+        for n, u in units.items()
+    }
     return xr.Dataset(data, coords={"ball": np.arange(1, len(state.azimuth) + 1)})

@@ -1,7 +1,5 @@
 """The block `self_heating` of the summary: the temperature at which friction and cooling agree."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 
@@ -12,7 +10,9 @@ KEYS = ("temperature_C", "torque_N_mm", "power_W", "oil_W", "viscosity_mPa_s", "
 
 
 def heating_block(results: BearingResults) -> dict[str, Any]:
-    """Temperature [degrees C], torque, power and what the oil carries [W], oil and clearance; None without balance."""
+    """Temperature [degrees C], torque, power and what the oil carries [W], oil and clearance; None
+    without balance.
+    """
     found = results.heating
     known = dict.fromkeys(KEYS) | {"torque_model": None, "converged": None}
     if found is None:
@@ -38,7 +38,8 @@ def heating_messages(results: BearingResults) -> Iterator[str]:
     elif found.balance is None or not found.converged:
         yield f"self_heating: null, not converged: {found.note}; try another heat_transfer_W_K or heating_torque"
     else:
-        warm, given = found.balance.temperature, results.quasistatic.operation.temperature
+        warm = found.balance.temperature
+        given = results.quasistatic.operation.temperature
         yield (
             f"self_heating: friction ({found.model}) and cooling agree at {warm - ZERO_CELSIUS:.1f} C; all else was "
             f"computed at operation.temperature_C = {given - ZERO_CELSIUS:g}"

@@ -1,6 +1,6 @@
-"""Figures of the whole bearing: film or pressure of every ball over the azimuth, and the load zone."""
-
-from __future__ import annotations
+"""Figures of the whole bearing: film or pressure of every ball over the azimuth, and the load
+zone.
+"""
 
 from dataclasses import dataclass
 from math import degrees, pi
@@ -32,7 +32,8 @@ from ..units import GIGAPASCAL, MICROMETRE
 
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
 ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
-FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])  # of the central film, contour lines of small maps
+# of the central film, contour lines of small maps
+FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])
 PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
 WIDE_LABEL = 8  # characters of azimuths that fit above a map
 COLUMNS = 6  # maps side by side at most
@@ -49,12 +50,15 @@ COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BallColumn:
-    """Balls whose two contacts are the same, at azimuths that mirror each other about the load line."""
+    """Balls whose two contacts are the same, at azimuths that mirror each other about the load
+    line.
+    """
 
     azimuths: tuple[float, ...]  # [deg]
     views: dict[str, ContactView | None]  # by race
     row: int | None  # of several, from 1
-    window: tuple[float, float, float]  # ends along the rolling direction, half width, of every column [mm]
+    # ends along the rolling direction, half width, of every column [mm]
+    window: tuple[float, float, float]
 
     @property
     def label(self) -> str:
@@ -66,7 +70,8 @@ class BallColumn:
 
 
 def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
-    """Columns of the overview: one per ball, mirrored equal balls together, at most `COLUMNS` spread evenly.
+    """Columns of the overview: one per ball, mirrored equal balls together, at most `COLUMNS`
+    spread evenly.
 
     Parameters
     ----------
@@ -78,14 +83,22 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
         Azimuths in [deg], ascending; all views show one window.
     """
     groups: dict[tuple[float, int, int, int], list[float]] = {}
-    pairs: dict[tuple[float, int, int, int], tuple[ContactSolution | None, ContactSolution | None]] = {}
+    pairs: dict[
+        tuple[float, int, int, int], tuple[ContactSolution | None, ContactSolution | None]
+    ] = {}
     for i in range(0, len(results.contacts), 2):
         azimuth = degrees(results.contacts[i].azimuth) % 360.0
         pair = results.solutions[i], results.solutions[i + 1]
-        key = (round(min(azimuth, 360.0 - azimuth), 6), results.contacts[i].row, id(pair[0]), id(pair[1]))
+        key = (
+            round(min(azimuth, 360.0 - azimuth), 6),
+            results.contacts[i].row,
+            id(pair[0]),
+            id(pair[1]),
+        )
         groups.setdefault(key, []).append(azimuth)
         pairs[key] = pair
-    with_film = [key for key, pair in pairs.items() if pair != (None, None)]  # else no film was asked for
+    # else no film was asked for
+    with_film = [key for key, pair in pairs.items() if pair != (None, None)]
     keys = sorted(with_film or groups, key=lambda key: (groups[key][0], key[1]))
     chosen = np.unique(np.linspace(0, len(keys) - 1, min(COLUMNS, len(keys))).round().astype(int))
     distinct = {id(s): s for key in keys for s in pairs[key] if s is not None}
@@ -103,7 +116,9 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
 
 
 def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
-    """Part of the contact plane that all maps show: ends along the rolling direction, half width [mm]."""
+    """Part of the contact plane that all maps show: ends along the rolling direction, half width
+    [mm].
+    """
     x_in = max((-SHOWN_INLET * v.half_x for v in views), default=1.0)
     x_out = max((SHOWN_OUTLET * v.half_x for v in views), default=1.0)
     return -x_in, x_out, max((SHOWN_SIDE * v.half_y for v in views), default=1.0)
@@ -144,7 +159,9 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     for panel in panels[:, 1:].flat:
         panel.set_yticklabels([])
     label = "film thickness [µm]" if quantity == "film" else "pressure [GPa]"
-    bar = upper.colorbar(image, ax=panels, label=label, extend="max" if quantity == "film" else "neither", aspect=40)
+    bar = upper.colorbar(
+        image, ax=panels, label=label, extend="max" if quantity == "film" else "neither", aspect=40
+    )
     if quantity == "film":
         bar.ax.minorticks_off()
         bar.set_ticks(film_ticks(*limits), labels=[f"{tick:.3g}" for tick in film_ticks(*limits)])
@@ -167,11 +184,21 @@ def _few_ticks(axes: Axes, window: tuple[float, float, float]) -> None:
     axes.set_xticks(ticks, [f"{tick:.3g}".replace("-", "−") for tick in ticks])
 
 
-def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tuple[float, float]) -> Any:
+def _small_map(
+    axes: Axes, view: ContactView | None, quantity: str, limits: tuple[float, float]
+) -> Any:
     """One map in semi-axes of its own Hertz ellipse; an empty panel says that there is no contact."""
     if view is None:
         axes.set_facecolor("#eeeeee")
-        axes.text(0.5, 0.5, "no film", ha="center", va="center", transform=axes.transAxes, color=REFERENCE)
+        axes.text(
+            0.5,
+            0.5,
+            "no film",
+            ha="center",
+            va="center",
+            transform=axes.transAxes,
+            color=REFERENCE,
+        )
         axes.set_xticks([])
         axes.set_yticks([])
         return None
@@ -182,9 +209,19 @@ def _small_map(axes: Axes, view: ContactView | None, quantity: str, limits: tupl
     axes.set_facecolor(image.get_cmap()(np.inf if film else 0.0))
     axes.set_xlabel("")
     axes.set_ylabel("")
-    text = f"{view.central:#.3g}\n{view.minimum:#.3g} µm" if film else f"{view.pressure_top:#.3g} GPa"
+    text = (
+        f"{view.central:#.3g}\n{view.minimum:#.3g} µm" if film else f"{view.pressure_top:#.3g} GPa"
+    )
     axes.text(0.04, 0.03, text, fontsize=6.5, transform=axes.transAxes, color=INK)
-    axes.text(0.04, 0.97, view.doubt, fontsize=6.5, va="top", transform=axes.transAxes, color=OUTER_COLOUR)
+    axes.text(
+        0.04,
+        0.97,
+        view.doubt,
+        fontsize=6.5,
+        va="top",
+        transform=axes.transAxes,
+        color=OUTER_COLOUR,
+    )
     return image
 
 
@@ -192,7 +229,11 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
     """Film with error bars, or pressure, of every contact over the azimuth."""
     for race in RACES:
         pairs = [
-            (degrees(c.azimuth) % 360.0 + ROW_DODGE * (c.row - 0.5 * (1 + len(results.quasistatic.rows))), s)
+            (
+                degrees(c.azimuth) % 360.0
+                + ROW_DODGE * (c.row - 0.5 * (1 + len(results.quasistatic.rows))),
+                s,
+            )
             for c, s in zip(results.contacts, results.solutions, strict=True)
             if s is not None and c.race.value == race
         ]
@@ -205,8 +246,17 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
         else:
             maximum = [p[1].pressure_maximum / GIGAPASCAL for p in pairs]
             hertz = [p[1].hertz_pressure / GIGAPASCAL for p in pairs]
-            axes.plot(azimuth, maximum, "o", color=COLOURS[race], markersize=4, label=f"{race} race, largest")
-            axes.plot(azimuth, hertz, "_", color=COLOURS[race], markersize=9, label=f"{race} race, Hertz")
+            axes.plot(
+                azimuth,
+                maximum,
+                "o",
+                color=COLOURS[race],
+                markersize=4,
+                label=f"{race} race, largest",
+            )
+            axes.plot(
+                azimuth, hertz, "_", color=COLOURS[race], markersize=9, label=f"{race} race, Hertz"
+            )
     axes.set_xlim(-12.0, 372.0)
     balls = np.unique(np.round(np.degrees(results.quasistatic.azimuth) % 360.0, 6))
     axes.set_xticks(balls if len(balls) <= 12 else np.arange(0.0, 361.0, 30.0))
@@ -222,12 +272,19 @@ def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], rac
         value = [getattr(s, f"film_{name}") / MICROMETRE for s in solutions]
         error = [getattr(s, f"film_{name}_uncertainty") / MICROMETRE for s in solutions]
         face = COLOURS[race] if filled else "white"
-        style: Any = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4, "capsize": 3, "linewidth": 0.9}
+        style: Any = {
+            "color": COLOURS[race],
+            "markerfacecolor": face,
+            "markersize": 4,
+            "capsize": 3,
+            "linewidth": 0.9,
+        }
         axes.errorbar(azimuth, value, error, fmt=marker, label=f"{race} race, {name}", **style)
 
 
 def draw_load_zone(figure: Figure, results: BearingResults) -> None:
-    """Contact loads over the azimuth, seen against the axis x: the load line upwards, azimuth counter-clockwise.
+    """Contact loads over the azimuth, seen against the axis x: the load line upwards, azimuth
+    counter-clockwise.
 
     Parameters
     ----------
@@ -250,7 +307,9 @@ def _load_zone(axes: Any, state: QuasistaticSolution, top: float, name: str) -> 
     """Contact loads of one row as bars, on a scale up to the largest load of all rows [N]."""
     axes.set_theta_zero_location("N")
     width = 0.55 * 2.0 * pi / len(state.azimuth)
-    axes.bar(state.azimuth, state.outer_load, width, color=OUTER_COLOUR, alpha=0.35, label="outer race")
+    axes.bar(
+        state.azimuth, state.outer_load, width, color=OUTER_COLOUR, alpha=0.35, label="outer race"
+    )
     axes.bar(state.azimuth, state.inner_load, 0.55 * width, color=INNER_COLOUR, label="inner race")
     axes.set_xticks(state.azimuth, [f"{degrees(a) % 360.0:.4g}°" for a in state.azimuth])
     emptiest = int(np.argmin(state.outer_load + np.roll(state.outer_load, -1)))

@@ -1,6 +1,6 @@
-"""Figure of the conventions, drawn from a solved bearing: axes, azimuth, contact angles and frames, forces, signs."""
-
-from __future__ import annotations
+"""Figure of the conventions, drawn from a solved bearing: axes, azimuth, contact angles and
+frames, forces, signs.
+"""
 
 from math import cos, pi, sin
 from typing import Any
@@ -37,7 +37,11 @@ def draw_frame(figure: Figure, state: QuasistaticSolution) -> None:
     for axes, draw, title in zip(
         panels,
         (_section, _forces, _front),
-        ("section through a ball:\nangles, normals, spin", "forces on the ball", "seen against x (x to the reader)"),
+        (
+            "section through a ball:\nangles, normals, spin",
+            "forces on the ball",
+            "seen against x (x to the reader)",
+        ),
         strict=True,
     ):
         axes.set_aspect("equal")
@@ -53,10 +57,20 @@ def _direction(angle: float) -> Array:
     return np.array([sin(angle), cos(angle)])
 
 
-def _arrow(axes: Any, start: Array, step: Array, label: str, place: tuple[float, float], colour: str = INK) -> None:
+def _arrow(
+    axes: Any, start: Array, step: Array, label: str, place: tuple[float, float], colour: str = INK
+) -> None:
     style = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", xy=start + step, xytext=start, arrowprops=style)
-    axes.annotate(label, start + step, place, textcoords="offset points", color=colour, fontsize=8, ha="center")
+    axes.annotate(
+        label,
+        start + step,
+        place,
+        textcoords="offset points",
+        color=colour,
+        fontsize=8,
+        ha="center",
+    )
 
 
 def _arc(axes: Any, centre: Array, radius: float, ends: tuple[float, float], **style: Any) -> None:
@@ -70,7 +84,8 @@ def _ball(axes: Any) -> None:
 
 def _section(axes: Any, state: QuasistaticSolution) -> None:
     """Lengths in ball radii, the ball's centre in the middle."""
-    bearing, scale = state.bearing, 2.0 / state.bearing.ball_diameter
+    bearing = state.bearing
+    scale = 2.0 / state.bearing.ball_diameter
     outer, inner = float(state.outer_contact_angle[0]), float(state.inner_contact_angle[0])
     origin = np.zeros(2)
     _ball(axes)
@@ -78,15 +93,31 @@ def _section(axes: Any, state: QuasistaticSolution) -> None:
         (outer, 1.0, bearing.outer_groove_radius, OUTER_COLOUR, "o"),
         (inner, -1.0, bearing.inner_groove_radius, INNER_COLOUR, "i"),
     ):
-        normal, radius = side * _direction(angle), groove * scale
+        normal = side * _direction(angle)
+        radius = groove * scale
         centre = normal * (1.0 - radius)
         middle = 0.0 if side > 0.0 else pi
         _arc(axes, centre, radius, (middle - 1.15, middle + 1.15), color=colour, linewidth=2.0)
         axes.plot(*centre, "+", color=colour, markersize=6)
         axes.plot(*np.stack([origin, normal]).T, color=colour, linewidth=0.7, linestyle="--")
-        _arrow(axes, normal, UNIT * normal, f"$n_{name}$", (7.0 * normal[0], 7.0 * normal[1] - 3.0), colour)
-        across = np.array([-normal[1], normal[0]]) * side  # y = n x x of the contact, in the axial plane
-        _arrow(axes, normal, UNIT * across, f"$y_{name}$", (9.0 * across[0], 9.0 * across[1] - 3.0), colour)
+        _arrow(
+            axes,
+            normal,
+            UNIT * normal,
+            f"$n_{name}$",
+            (7.0 * normal[0], 7.0 * normal[1] - 3.0),
+            colour,
+        )
+        # y = n x x of the contact, in the axial plane
+        across = np.array([-normal[1], normal[0]]) * side
+        _arrow(
+            axes,
+            normal,
+            UNIT * across,
+            f"$y_{name}$",
+            (9.0 * across[0], 9.0 * across[1] - 3.0),
+            colour,
+        )
         _arc(axes, origin, 0.62, (middle, middle + angle), color=colour, linewidth=0.8)
         label = 0.8 * side * _direction(0.5 * angle)
         axes.text(*label, rf"$\alpha_{name}$", color=colour, fontsize=8, ha="center", va="center")
@@ -108,14 +139,29 @@ def _forces(axes: Any, state: QuasistaticSolution) -> None:
     loads = (float(state.outer_load[0]), float(state.inner_load[0]))
     scale = LONGEST / max(loads)
     _ball(axes)
-    n_outer, n_inner = _direction(outer), -_direction(inner)
-    _arrow(axes, n_outer + loads[0] * scale * n_outer, -loads[0] * scale * n_outer, "$Q_o$", (30.0, 20.0), OUTER_COLOUR)
+    n_outer = _direction(outer)
+    n_inner = -_direction(inner)
     _arrow(
-        axes, n_inner + loads[1] * scale * n_inner, -loads[1] * scale * n_inner, "$Q_i$", (-40.0, -16.0), INNER_COLOUR
+        axes,
+        n_outer + loads[0] * scale * n_outer,
+        -loads[0] * scale * n_outer,
+        "$Q_o$",
+        (30.0, 20.0),
+        OUTER_COLOUR,
+    )
+    _arrow(
+        axes,
+        n_inner + loads[1] * scale * n_inner,
+        -loads[1] * scale * n_inner,
+        "$Q_i$",
+        (-40.0, -16.0),
+        INNER_COLOUR,
     )
     force = float(state.centrifugal_force[0]) * scale
     _arrow(axes, np.zeros(2), np.array([0.0, force]), "$F_c$", (9.0, -9.0), FORCE_COLOUR)
-    outer_friction, inner_friction = (10.0 * scale * float(f[0]) for f in (state.outer_friction, state.inner_friction))
+    outer_friction, inner_friction = (
+        10.0 * scale * float(f[0]) for f in (state.outer_friction, state.inner_friction)
+    )
     if outer_friction > 0.0:
         step = outer_friction * np.array([-cos(outer), sin(outer)])
         _arrow(axes, n_outer, step, r"$\lambda_o M_g/D$", (-16.0, 5.0), OUTER_COLOUR)
@@ -123,10 +169,13 @@ def _forces(axes: Any, state: QuasistaticSolution) -> None:
         step = inner_friction * np.array([cos(inner), -sin(inner)])
         _arrow(axes, n_inner, step, r"$\lambda_i M_g/D$", (14.0, -10.0), INNER_COLOUR)
     _arc(axes, np.zeros(2), 0.5, (2.2, -2.2), color=INK, linewidth=1.0)
-    tip, turn = 0.5 * _direction(-2.2), np.array([0.07, -0.05])
+    tip = 0.5 * _direction(-2.2)
+    turn = np.array([0.07, -0.05])
     _arrow(axes, tip - turn, turn, "", (0.0, 0.0))
     axes.text(0.44, -0.44, "$M_g$", fontsize=8)
-    axes.text(0.0, -2.05, "friction drawn ten times as large", fontsize=6.5, color=REFERENCE, ha="center")
+    axes.text(
+        0.0, -2.05, "friction drawn ten times as large", fontsize=6.5, color=REFERENCE, ha="center"
+    )
 
 
 def _front(axes: Any, state: QuasistaticSolution) -> None:
@@ -140,11 +189,14 @@ def _front(axes: Any, state: QuasistaticSolution) -> None:
     for radius, colour in ((pitch - 1.7 * ball, INNER_COLOUR), (pitch + 1.5 * ball, OUTER_COLOUR)):
         axes.add_patch(Circle((0.0, 0.0), radius, fill=False, edgecolor=colour, linewidth=1.4))
     psi = float(state.azimuth[2])
-    radial, tangential = np.array([-sin(psi), cos(psi)]), np.array([-cos(psi), -sin(psi)])
+    radial = np.array([-sin(psi), cos(psi)])
+    tangential = np.array([-cos(psi), -sin(psi)])
     for end in (np.array([0.0, pitch]), pitch * radial):
         axes.plot([0.0, end[0]], [0.0, end[1]], color=REFERENCE, linewidth=0.6)
     _arc(axes, np.zeros(2), 0.75 * pitch, (0.0, -psi), color=INK, linewidth=0.9)
-    axes.text(*(0.62 * pitch * _direction(-0.5 * psi)), r"$\psi$", fontsize=9, ha="center", va="center")
+    axes.text(
+        *(0.62 * pitch * _direction(-0.5 * psi)), r"$\psi$", fontsize=9, ha="center", va="center"
+    )
     _arrow(axes, pitch * radial, 0.6 * radial, "$e_r$", (-7.0, 2.0), FORCE_COLOUR)
     _arrow(axes, pitch * radial, 0.6 * tangential, "$e_t$", (-2.0, -11.0), FORCE_COLOUR)
     _arrow(axes, np.zeros(2), np.array([0.0, 0.6]), "$y$", (6.0, -5.0))
@@ -155,4 +207,11 @@ def _front(axes: Any, state: QuasistaticSolution) -> None:
     _arc(axes, np.zeros(2), 0.8, (pi + 0.7, pi - 0.55), color=INNER_COLOUR, linewidth=1.0)
     tip = 0.8 * _direction(pi - 0.55)
     _arrow(axes, tip, np.array([0.08, 0.07]), r"$\Omega > 0$", (-19.0, 2.0), INNER_COLOUR)
-    axes.text(0.0, -2.1, "a radial load along +y loads the ball at ψ = 0", fontsize=6.5, color=REFERENCE, ha="center")
+    axes.text(
+        0.0,
+        -2.1,
+        "a radial load along +y loads the ball at ψ = 0",
+        fontsize=6.5,
+        color=REFERENCE,
+        ha="center",
+    )

@@ -1,6 +1,6 @@
-"""Figures of the friction torque: all models side by side in their components, and the share of every ball."""
-
-from __future__ import annotations
+"""Figures of the friction torque: all models side by side in their components, and the share of
+every ball.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -31,8 +31,17 @@ LABELS = {
     "palmgren": "Palmgren",
     "yao": "Yao et al.",
 }
-OIL, SLIDING, SPIN, CURVATURE, ROTATION, ORBIT = "#4c78a8", "#d67b1f", "#b23a3a", "#e0b35a", "#f0dcae", "#8c6bb1"
-CAGE, DRAG, SEAL, ASPERITY, LOAD = "#5a8f5a", "#79b7c9", "#9a9a9a", "#4d3b2f", "#a65e7d"
+OIL = "#4c78a8"
+SLIDING = "#d67b1f"
+SPIN = "#b23a3a"
+CURVATURE = "#e0b35a"
+ROTATION = "#f0dcae"
+ORBIT = "#8c6bb1"
+CAGE = "#5a8f5a"
+DRAG = "#79b7c9"
+SEAL = "#9a9a9a"
+ASPERITY = "#4d3b2f"
+LOAD = "#a65e7d"
 KINDS = (  # what one colour stands for, and the components of the models that are of this kind
     ("oil: rolling resistance", OIL, ("rolling", "hydrodynamic", "viscous", "ML")),
     ("sliding", SLIDING, ("sliding", "film")),
@@ -51,7 +60,8 @@ VISIBLE = 1.0e-4  # of the largest torque: smaller parts are not drawn
 
 
 def draw_torque(figure: Figure, results: BearingResults) -> None:
-    """Stacked bars of every model that applies; beside them the torque of each ball over its azimuth, where known.
+    """Stacked bars of every model that applies; beside them the torque of each ball over its
+    azimuth, where known.
 
     Parameters
     ----------
@@ -64,7 +74,9 @@ def draw_torque(figure: Figure, results: BearingResults) -> None:
         raise ValueError("no torque to draw")
     known = {name: model for name, model in torque.models.items() if model.total is not None}
     shares = None if torque.shear is None else torque.shear.torque.per_ball
-    figure.set_size_inches(PAGE_WIDTH, 1.1 + 0.26 * len(known) + (1.9 if shares is not None else 0.0))
+    figure.set_size_inches(
+        PAGE_WIDTH, 1.1 + 0.26 * len(known) + (1.9 if shares is not None else 0.0)
+    )
     figure.suptitle(f"{results.case.get('title', '')}\nfriction torque by model", fontsize=8.5)
     if shares is None:
         draw_models(figure.subplots(), known, torque.chosen)
@@ -76,7 +88,9 @@ def draw_torque(figure: Figure, results: BearingResults) -> None:
 
 def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None = None) -> None:
     """Horizontal stacked bars of models [N mm], the chosen one in bold."""
-    largest = max((sum(map(abs, model.components.values())) for model in models.values()), default=0.0)
+    largest = max(
+        (sum(map(abs, model.components.values())) for model in models.values()), default=0.0
+    )
     names = [name for name in LABELS if name in models]
     for row, name in enumerate(names):
         _draw_bar(axes, row, models[name], VISIBLE * largest)
@@ -85,10 +99,17 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
         if name == chosen:
             label.set_fontweight("bold")
     axes.invert_yaxis()
-    axes.set_xlim(right=1.13 * max((model.total or 0.0) for model in models.values()) / NEWTON_MILLIMETRE)
+    axes.set_xlim(
+        right=1.13 * max((model.total or 0.0) for model in models.values()) / NEWTON_MILLIMETRE
+    )
     axes.set_xlabel("torque, N mm")
     axes.spines[["top", "right"]].set_visible(False)
-    used = {part for model in models.values() for part, v in model.components.items() if abs(v) > VISIBLE * largest}
+    used = {
+        part
+        for model in models.values()
+        for part, v in model.components.items()
+        if abs(v) > VISIBLE * largest
+    }
     shown = [(label, colour) for label, colour, parts in KINDS if used & set(parts)]
     handles = [axes.barh(0.0, 0.0, color=colour, label=label) for label, colour in shown]
     axes.legend(handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.42, 1.0))
@@ -117,8 +138,18 @@ def draw_over_speed(axes: Axes, curves: Sequence[Curve], title: str) -> None:
     title : str
     """
     for curve in curves:
-        line = {"linestyle": "none", "marker": "o", "markersize": 3.5} if curve.points else {"linestyle": curve.style}
-        axes.plot(curve.speeds / RPM, curve.values / NEWTON_MILLIMETRE, color=curve.colour, label=curve.label, **line)
+        line = (
+            {"linestyle": "none", "marker": "o", "markersize": 3.5}
+            if curve.points
+            else {"linestyle": curve.style}
+        )
+        axes.plot(
+            curve.speeds / RPM,
+            curve.values / NEWTON_MILLIMETRE,
+            color=curve.colour,
+            label=curve.label,
+            **line,
+        )
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel("inner ring, r/min")
     axes.set_ylabel("torque, N mm")
@@ -133,10 +164,22 @@ def _draw_bar(axes: Axes, row: int, model: ModelTorque, least: float) -> None:
         if abs(value) <= least:
             continue
         start = right if value > 0.0 else left
-        axes.barh(row, value / NEWTON_MILLIMETRE, left=start / NEWTON_MILLIMETRE, color=colour, height=0.72)
+        axes.barh(
+            row,
+            value / NEWTON_MILLIMETRE,
+            left=start / NEWTON_MILLIMETRE,
+            color=colour,
+            height=0.72,
+        )
         right, left = (right + value, left) if value > 0.0 else (right, left + value)
     total = model.total or 0.0
-    axes.text(max(right, 0.0) / NEWTON_MILLIMETRE, row, f" {total / NEWTON_MILLIMETRE:.4g}", va="center", fontsize=7)
+    axes.text(
+        max(right, 0.0) / NEWTON_MILLIMETRE,
+        row,
+        f" {total / NEWTON_MILLIMETRE:.4g}",
+        va="center",
+        fontsize=7,
+    )
 
 
 def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None:

@@ -1,7 +1,5 @@
 """Rating life and clearance in the summary and in the terminal's table."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import degrees
 from typing import Any
@@ -11,7 +9,11 @@ from bearing.rating.life import KAPPA_LEAST, life_factor
 from ..contact.messages import lambda_ratio
 from ..results import BearingResults
 
-MICROMETRE, KILONEWTON, MEGAPASCAL, MILLION = 1e-6, 1e3, 1e6, 1e6  # in SI
+# in SI
+MICROMETRE = 1e-6
+KILONEWTON = 1e3
+MEGAPASCAL = 1e6
+MILLION = 1e6
 LIFE_KEYS = ("basic_reference_rating_Mrev", "modified_reference_rating_Mrev", "a_iso", "kappa")
 FILM_KEYS = ("kappa_film", "a_iso_film", "modified_reference_rating_film_Mrev")
 LENGTHS = (
@@ -30,7 +32,9 @@ PRESSURES = ("inner_pressure", "outer_pressure")
 
 
 def life_block(results: BearingResults) -> dict[str, Any]:
-    """Rating life [10^6 revolutions], loads [N] and [kN], the factors that led to it; None where it does not apply."""
+    """Rating life [10^6 revolutions], loads [N] and [kN], the factors that led to it; None where
+    it does not apply.
+    """
     life = results.life
     if life is None:
         return dict.fromkeys((*LIFE_KEYS, *FILM_KEYS))
@@ -53,8 +57,11 @@ def life_block(results: BearingResults) -> dict[str, Any]:
 
 
 def least_lambda(results: BearingResults) -> float | None:
-    """Smallest lambda ratio of the films that converged and are resolved [-]; None without films or roughness."""
-    surface, found = results.case.get("surface"), []
+    """Smallest lambda ratio of the films that converged and are resolved [-]; None without films
+    or roughness.
+    """
+    surface = results.case.get("surface")
+    found = []
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         if solution is not None and solution.converged and solution.resolved:
             ratio = lambda_ratio(contact, solution, surface)
@@ -63,23 +70,32 @@ def least_lambda(results: BearingResults) -> float | None:
 
 
 def film_life(results: BearingResults) -> dict[str, float | None]:
-    """kappa, a_ISO and modified life from the solved films instead of the viscosity; None where they do not apply."""
-    life, found = results.life, dict.fromkeys(FILM_KEYS)
+    """kappa, a_ISO and modified life from the solved films instead of the viscosity; None where
+    they do not apply.
+    """
+    life = results.life
+    found = dict.fromkeys(FILM_KEYS)
     least = least_lambda(results)
     if life is None or life.viscosity_ratio is None or least is None:
         return found
     kappa = least ** results.case["surface"]["kappa_exponent"]
     found["kappa_film"] = kappa
-    cleanliness, limit = life.rating.contamination_factor, life.fatigue_load_limit
+    cleanliness = life.rating.contamination_factor
+    limit = life.fatigue_load_limit
     if cleanliness is None or limit is None or life.basic_life is None or kappa < KAPPA_LEAST:
         return found
     assert life.equivalent_load is not None  # where there is a life
     factor = life_factor(kappa, cleanliness * limit / life.equivalent_load)
-    return found | {"a_iso_film": factor, "modified_reference_rating_film_Mrev": factor * life.basic_life / MILLION}
+    return found | {
+        "a_iso_film": factor,
+        "modified_reference_rating_film_Mrev": factor * life.basic_life / MILLION,
+    }
 
 
 def clearance_block(results: BearingResults) -> dict[str, float | None]:
-    """Diametral clearance as delivered, mounted and operating, and its changes [um]; pressures of the seats [MPa]."""
+    """Diametral clearance as delivered, mounted and operating, and its changes [um]; pressures of
+    the seats [MPa].
+    """
     budget = results.clearance
     keys = (*(f"{name}_um" for name in LENGTHS), *(f"{name}_MPa" for name in PRESSURES))
     cage: dict[str, float | None] = dict.fromkeys(CAGE_KEYS)
@@ -88,16 +104,25 @@ def clearance_block(results: BearingResults) -> dict[str, float | None]:
         return dict.fromkeys(keys) | {"operating_um": clearance} | cage
     if budget.cage is not None:
         cage = dict(
-            zip(CAGE_KEYS, (_in(budget.cage.pocket, MICROMETRE), _in(budget.cage.land, MICROMETRE)), strict=True)
+            zip(
+                CAGE_KEYS,
+                (_in(budget.cage.pocket, MICROMETRE), _in(budget.cage.land, MICROMETRE)),
+                strict=True,
+            )
         )
     units = (MICROMETRE,) * len(LENGTHS) + (MEGAPASCAL,) * len(PRESSURES)
     names = (*LENGTHS, *PRESSURES)
-    return {key: getattr(budget, name) / unit for key, name, unit in zip(keys, names, units, strict=True)} | cage
+    return {
+        key: getattr(budget, name) / unit
+        for key, name, unit in zip(keys, names, units, strict=True)
+    } | cage
 
 
 def rating_messages(results: BearingResults) -> Iterator[str]:
     """What the two blocks leave out, and why."""
-    yield from ("life: null, no rating was asked for",) if results.life is None else results.life.messages
+    yield from (
+        ("life: null, no rating was asked for",) if results.life is None else results.life.messages
+    )
     if results.clearance is None:
         yield "clearance: taken as the operating one, the case gives neither [fit] nor [temperatures]; the rest null"
     else:
@@ -126,14 +151,20 @@ def _cage_messages(results: BearingResults) -> Iterator[str]:
 
 def rating_rows(results: BearingResults) -> dict[str, str]:
     """Lines of the terminal's table: clearance where it was computed, life where there is one."""
-    rows, budget, life = {}, results.clearance, results.life
+    rows = {}
+    budget = results.clearance
+    life = results.life
     if budget is not None:
-        values = (value / MICROMETRE for value in (budget.initial, budget.mounted, budget.operating))
+        values = (
+            value / MICROMETRE for value in (budget.initial, budget.mounted, budget.operating)
+        )
         rows["clearance"] = "{:.1f} µm delivered, {:.1f} mounted, {:.1f} operating".format(*values)
     if life is not None and life.basic_life is not None:
         rows["rating life"] = f"{life.basic_life / MILLION:.4g} million revolutions"
         if life.modified_life is not None:
-            rows["rating life"] += f", modified {life.modified_life / MILLION:.4g} (a_ISO {life.life_factor:.3g})"
+            rows["rating life"] += (
+                f", modified {life.modified_life / MILLION:.4g} (a_ISO {life.life_factor:.3g})"
+            )
     if life is not None and life.static_safety_factor is not None:
         rows["static safety"] = f"S_0 {life.static_safety_factor:.3g}"
         if life.static_safety is not None:
@@ -142,7 +173,9 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
         rows["viscosity ratio"] = f"κ {life.viscosity_ratio:.3g}"
         film = film_life(results)["kappa_film"]
         if film is not None:
-            rows["viscosity ratio"] += f" from the viscosity, {film:.3g} from the film (λ {least_lambda(results):.3g})"
+            rows["viscosity ratio"] += (
+                f" from the viscosity, {film:.3g} from the film (λ {least_lambda(results):.3g})"
+            )
     return rows
 
 

@@ -1,7 +1,5 @@
 """Rows of balls in the summary and in the terminal's table."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 
@@ -36,7 +34,9 @@ def frequency_lines(results: BearingResults) -> dict[str, str]:
 
 
 def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
-    """Place, offset, load and cage of each row: lengths [mm] and [um], loads [N] and [N mm], frequencies [Hz]."""
+    """Place, offset, load and cage of each row: lengths [mm] and [um], loads [N] and [N mm],
+    frequencies [Hz].
+    """
     found = []
     for index, row in enumerate(state.rows):
         alone = state.row(index)
@@ -69,7 +69,9 @@ def row_lines(state: QuasistaticSolution) -> dict[str, str]:
         return {}
     return {
         f"row {block['row']}": (
-            "x {:.1f}, y {:.1f}, z {:.1f} N, ".format(*(round(force, 1) + 0.0 for force in block["force_N"]))
+            "x {:.1f}, y {:.1f}, z {:.1f} N, ".format(
+                *(round(force, 1) + 0.0 for force in block["force_N"])
+            )
             + f"{block['balls_loaded']} balls loaded, cage {block['cage_speed_rpm']:.1f} rpm"
         )
         for block in row_blocks(state)

@@ -1,7 +1,5 @@
 """Summary of a bearing: equilibrium, balls and contacts."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import degrees
 from typing import Any
@@ -28,7 +26,8 @@ STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")
 
 def bearing_summary(results: BearingResults) -> dict[str, Any]:
     """The document of a bearing in named units."""
-    state, rolling = results.quasistatic, rolling_values(results)
+    state = results.quasistatic
+    rolling = rolling_values(results)
     return {
         "oilfilm": results.version,
         "case": results.case,
@@ -95,10 +94,13 @@ def _ball(state: QuasistaticSolution, i: int) -> dict[str, Any]:
 
 
 def _lambda_of_formula(contact: BearingContact, surface: dict[str, float] | None) -> float | None:
-    """Hamrock and Dowson's minimum film over the rms roughness of race and ball [-]; None without either."""
+    """Hamrock and Dowson's minimum film over the rms roughness of race and ball [-]; None without
+    either.
+    """
     if surface is None:
         return None
-    film, roughness = formulas(contact.conditions)[LAMBDA_FORMULA], combined_roughness(contact.race.value, surface)
+    film = formulas(contact.conditions)[LAMBDA_FORMULA]
+    roughness = combined_roughness(contact.race.value, surface)
     return film * MICROMETRE / roughness if film is not None and roughness > 0.0 else None
 
 
@@ -122,7 +124,9 @@ def _bearing_contact(
         "spin_roll_ratio": contact.spin_roll_ratio,
         "hirano_ratio": contact.hirano_ratio,
         **films(solution),
-        "pressure_maximum_GPa": None if solution is None else solution.pressure_maximum / GIGAPASCAL,
+        "pressure_maximum_GPa": None
+        if solution is None
+        else solution.pressure_maximum / GIGAPASCAL,
         "film_temperature_maximum_C": film_temperature_maximum(solution),
         "lambda_ratio": lambda_ratio(contact, solution, surface),
         "lambda_ratio_formula": _lambda_of_formula(contact, surface),

@@ -1,7 +1,5 @@
 """Results as tables for a terminal of 80 columns."""
 
-from __future__ import annotations
-
 from math import degrees
 
 from rich import box
@@ -56,7 +54,9 @@ def _bearing_table(results: BearingResults) -> Table:
     rows = {
         "ring displacement": f"x {x:.2f}, y {y:.2f}, z {z:.2f} µm".replace("-0.00", "0.00"),
         "ring tilt": f"y {state.tilt[0] * 1e3:.3f}, z {state.tilt[1] * 1e3:.3f} mrad",
-        "ring load": "x {:.1f}, y {:.1f}, z {:.1f} N".format(*(round(v, 1) + 0.0 for v in state.ring_force)),
+        "ring load": "x {:.1f}, y {:.1f}, z {:.1f} N".format(
+            *(round(v, 1) + 0.0 for v in state.ring_force)
+        ),
         "cage speed": f"{state.cage_speed / RPM:.1f} rpm",
         "balls loaded": f"{int((state.inner_load > 0.0).sum())} of {len(state.azimuth)}",
         "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",
@@ -65,7 +65,9 @@ def _bearing_table(results: BearingResults) -> Table:
         rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
     if not state.tilt.any():
         del rows["ring tilt"]
-    rows |= row_lines(state) | frequency_lines(results) | rating_rows(results) | torque_rows(results)
+    rows |= (
+        row_lines(state) | frequency_lines(results) | rating_rows(results) | torque_rows(results)
+    )
     rows |= supply_rows(results)
     table = _facts_table()
     for name, value in rows.items():
@@ -94,7 +96,9 @@ def _contacts_table(results: BearingResults) -> Table:
     return table
 
 
-def _contact_cells(contact: BearingContact, solution: ContactSolution | None, most: int) -> list[str]:
+def _contact_cells(
+    contact: BearingContact, solution: ContactSolution | None, most: int
+) -> list[str]:
     inner = contact.race.value == "inner"
     loaded = contact.load > 0.0
     return [

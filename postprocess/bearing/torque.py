@@ -1,7 +1,5 @@
 """The block `torque_N_mm` of the summary: friction torque by every model."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 
@@ -31,7 +29,9 @@ AS_PRINTED = "skf_as_printed"  # only where a case asks for it
 
 
 def torque_block(results: BearingResults) -> dict[str, Any]:
-    """Torque of every model [N mm], None where it does not apply; `total` is that of the model named `model`."""
+    """Torque of every model [N mm], None where it does not apply; `total` is that of the model
+    named `model`.
+    """
     torque = results.torque
     return {
         "total": _shown(None if torque is None else torque.total),
@@ -48,11 +48,18 @@ def _as_printed(torque: TorqueBreakdown | None) -> dict[str, Any]:
     if torque is None or AS_PRINTED not in torque.models:
         return {}
     found = torque.models[AS_PRINTED]
-    return {AS_PRINTED: {"sliding": _shown(found.components.get("sliding")), "total": _shown(found.total)}}
+    return {
+        AS_PRINTED: {
+            "sliding": _shown(found.components.get("sliding")),
+            "total": _shown(found.total),
+        }
+    }
 
 
 def _power_balance(results: BearingResults) -> dict[str, Any]:
-    """Rings' power and heat of the films [W], and how far they are apart, balanced and under the hypothesis."""
+    """Rings' power and heat of the films [W], and how far they are apart, balanced and under the
+    hypothesis.
+    """
     shear = None if results.torque is None else results.torque.shear
     keys = ("shaft_W", "heat_W", "resisted_W", "imbalance", "traction_equilibrium", "hypothesis")
     if shear is None:
@@ -84,13 +91,19 @@ def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]
     if torque is None:
         return dict.fromkeys((*MODELS[name], "total"))
     found = torque.models[name]
-    return {part: _shown(found.components.get(part)) for part in MODELS[name]} | {"total": _shown(found.total)}
+    return {part: _shown(found.components.get(part)) for part in MODELS[name]} | {
+        "total": _shown(found.total)
+    }
 
 
 def traction_values(traction: TractionResult | None) -> dict[str, Any]:
-    """Traction of one contact: coefficient [-], force on body 1 along and across the grid's x [N], heat [W]."""
+    """Traction of one contact: coefficient [-], force on body 1 along and across the grid's x [N],
+    heat [W].
+    """
     if traction is None:
-        return dict.fromkeys(("traction_coefficient", "traction_force_N", "traction_power_W", "spin_moment_N_mm"))
+        return dict.fromkeys(
+            ("traction_coefficient", "traction_force_N", "traction_power_W", "spin_moment_N_mm")
+        )
     return {
         "traction_coefficient": traction.coefficient,
         "traction_force_N": [traction.force_x, traction.force_y],
@@ -121,7 +134,11 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
     if torque.chosen == "integrated" and torque.shear is not None:
         yield f"torque_N_mm.total: the integrated model{_balance_words(results)}"
     elif torque.chosen == "starved":
-        ample = "" if torque.starved is None else f", {torque.starved.flooded / NEWTON_MILLIMETRE:.4g} N mm if flooded"
+        ample = (
+            ""
+            if torque.starved is None
+            else f", {torque.starved.flooded / NEWTON_MILLIMETRE:.4g} N mm if flooded"
+        )
         rest = "null without films" if torque.shear is None else "those of flooded films"
         yield f"torque_N_mm.total: the model starved, at the supply{ample}; power_balance and per_ball_N_mm {rest}"
     elif torque.chosen is not None:
@@ -138,14 +155,24 @@ def _balance_words(results: BearingResults) -> str:
         return f"; {shear.note}: the rings' power differs from the heat by {shear.torque.imbalance:.0%} of it"
     kinematics = results.quasistatic.model.ball_kinematics
     carried = ", ".join(str(ball) for ball in shear.carried)
-    words = ", balls in traction equilibrium, as traction of the contacts" if shear.closed else f"; {shear.note}"
+    words = (
+        ", balls in traction equilibrium, as traction of the contacts"
+        if shear.closed
+        else f"; {shear.note}"
+    )
     if kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         words += f"; '{kinematics.value}' holds for loads and films only"
-    return words + (f"; balls {carried} go with the cage, their inner contacts cannot drive them" if carried else "")
+    return words + (
+        f"; balls {carried} go with the cage, their inner contacts cannot drive them"
+        if carried
+        else ""
+    )
 
 
 def torque_rows(results: BearingResults) -> dict[str, str]:
-    """The torque for the terminal: the chosen model, and the totals of the others beside it [N mm]."""
+    """The torque for the terminal: the chosen model, and the totals of the others beside it [N
+    mm].
+    """
     torque = results.torque
     if torque is None or torque.total is None:
         return {}

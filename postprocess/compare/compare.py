@@ -1,6 +1,6 @@
-"""Two results side by side: what differs in the input, what differs in the numbers, and by how much."""
-
-from __future__ import annotations
+"""Two results side by side: what differs in the input, what differs in the numbers, and by how
+much.
+"""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -13,7 +13,16 @@ from ..report.page import read_summary
 from ..units import unit_of
 
 NOT_COMPARED = ("oilfilm", "case", "messages", "timing_s", "sweep", "file", "resumed", "key")
-OF_THE_SOLUTION = ("domain", "points", "iterations", "residual", "message", "cycles", "fft_equivalents", "wall_s")
+OF_THE_SOLUTION = (
+    "domain",
+    "points",
+    "iterations",
+    "residual",
+    "message",
+    "cycles",
+    "fft_equivalents",
+    "wall_s",
+)
 ROUND_OFF = 1e-9  # of the largest component of a vector: what lies below is no difference
 
 
@@ -21,7 +30,8 @@ ROUND_OFF = 1e-9  # of the largest component of a vector: what lies below is no 
 class Difference:
     """One value in both results; `relative` is the difference over the larger magnitude [-].
 
-    `covered` tells whether the error bars of both enclose the difference; None where there are none.
+    `covered` tells whether the error bars of both enclose the difference; None where there are
+    none.
     """
 
     path: str
@@ -38,9 +48,11 @@ class Difference:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Comparison:
-    """Differences of two result folders; `main` are the results looked at first, equal ones included.
+    """Differences of two result folders; `main` are the results looked at first, equal ones
+    included.
 
-    How a result was found (nodes, box, iterations, error bars) is not compared; whether it converged is.
+    How a result was found (nodes, box, iterations, error bars) is not compared; whether it
+    converged is.
     """
 
     names: tuple[str, str]
@@ -52,14 +64,23 @@ class Comparison:
 
     @property
     def largest(self) -> float:
-        """Largest relative difference of a result [-]; infinite if a number is in one of them only."""
+        """Largest relative difference of a result [-]; infinite if a number is in one of them
+        only.
+        """
         return max((inf if d.relative is None else d.relative for d in self.results), default=0.0)
 
     def document(self) -> dict[str, Any]:
         """The comparison as plain JSON types."""
-        listed = {name: [_plain(d) for d in getattr(self, name)] for name in ("inputs", "main", "results")}
+        listed = {
+            name: [_plain(d) for d in getattr(self, name)]
+            for name in ("inputs", "main", "results")
+        }
         largest = None if self.largest == inf else self.largest
-        heads = {"names": list(self.names), "oilfilm": list(self.versions), "converged": list(self.converged)}
+        heads = {
+            "names": list(self.names),
+            "oilfilm": list(self.versions),
+            "converged": list(self.converged),
+        }
         return heads | {"largest_relative_difference": largest} | listed
 
 
@@ -83,7 +104,9 @@ def compare(first: str | Path, second: str | Path) -> Comparison:
     one, two = read_summary(Path(first)), read_summary(Path(second))
     kinds = _kind(one), _kind(two)
     if kinds[0] != kinds[1]:
-        raise ValueError(f"{first} holds results of a {kinds[0]}, {second} of a {kinds[1]}; allowed: two of one kind")
+        raise ValueError(
+            f"{first} holds results of a {kinds[0]}, {second} of a {kinds[1]}; allowed: two of one kind"
+        )
     inputs = dict(flat(_input(one))), dict(flat(_input(two)))
     results = dict(flat(_results(one))), dict(flat(_results(two)))
     main = dict(flat(_main(one))), dict(flat(_main(two)))
@@ -93,7 +116,9 @@ def compare(first: str | Path, second: str | Path) -> Comparison:
         converged=(bool(one["converged"]), bool(two["converged"])),
         inputs=tuple(d for d in _differences(*inputs) if d.differs),
         main=tuple(_differences(*main)),
-        results=tuple(d for d in _differences(*results) if d.differs and not _of_the_solution(d.path)),
+        results=tuple(
+            d for d in _differences(*results) if d.differs and not _of_the_solution(d.path)
+        ),
     )
 
 
@@ -106,7 +131,13 @@ def _of_the_solution(path: str) -> bool:
 def _kind(summary: dict[str, Any]) -> str:
     if summary.get("kind"):
         return str(summary["kind"])
-    return "bearing" if "contacts" in summary else "slip map" if "critical_curves" in summary else "contact"
+    return (
+        "bearing"
+        if "contacts" in summary
+        else "slip map"
+        if "critical_curves" in summary
+        else "contact"
+    )
 
 
 def _input(summary: dict[str, Any]) -> Any:
@@ -129,9 +160,14 @@ def _results(summary: dict[str, Any]) -> dict[str, Any]:
         found["balls"] = {f"ball {ball['ball']}": ball for ball in found["balls"]}
     if found.get("kind") == "batch":
         label = ", ".join
-        points = {label(f"{k} = {v}" for k, v in p["keys"].items()) or "case": p for p in found["points"]}
+        points = {
+            label(f"{k} = {v}" for k, v in p["keys"].items()) or "case": p for p in found["points"]
+        }
         found = {
-            "points": {name: {k: v for k, v in p.items() if k not in ("point", "keys")} for name, p in points.items()}
+            "points": {
+                name: {k: v for k, v in p.items() if k not in ("point", "keys")}
+                for name, p in points.items()
+            }
         }
     return found
 
@@ -157,7 +193,11 @@ def _differences(first: dict[str, Any], second: dict[str, Any]) -> Iterator[Diff
         if _is_number(a) and _is_number(b) and max(abs(a), abs(b)) <= noise:
             continue
         yield Difference(
-            path=path, first=a, second=b, relative=relative(a, b), covered=_covered(path, a, b, first, second)
+            path=path,
+            first=a,
+            second=b,
+            relative=relative(a, b),
+            covered=_covered(path, a, b, first, second),
         )
 
 
@@ -172,7 +212,9 @@ def _scales(values: dict[str, Any]) -> dict[str, float]:
 
 
 def _group(path: str) -> str:
-    """What a number is a component of: its vector, or the block that has the unit, like the parts of a torque."""
+    """What a number is a component of: its vector, or the block that has the unit, like the parts
+    of a torque.
+    """
     name, bracket, _ = path.partition("[")
     block, _, last = name.rpartition(".")
     return name if bracket or unit_of(last) or not unit_of(name) else block
@@ -183,7 +225,9 @@ def _is_number(value: Any) -> TypeGuard[float]:
 
 
 def relative(a: Any, b: Any) -> float | None:
-    """Difference of two numbers over the larger magnitude [-]; None where they are not two numbers."""
+    """Difference of two numbers over the larger magnitude [-]; None where they are not two
+    numbers.
+    """
     if a == b:
         return 0.0
     if not (_is_number(a) and _is_number(b)):
@@ -191,11 +235,18 @@ def relative(a: Any, b: Any) -> float | None:
     return abs(a - b) / max(abs(a), abs(b))
 
 
-def _covered(path: str, a: Any, b: Any, first: dict[str, Any], second: dict[str, Any]) -> bool | None:
+def _covered(
+    path: str, a: Any, b: Any, first: dict[str, Any], second: dict[str, Any]
+) -> bool | None:
     """Whether both error bars together enclose the difference of two films."""
     head, _, unit = path.rpartition("_")
     error = f"{head}_uncertainty_{unit}"
-    if "uncertainty" in path or relative(a, b) is None or first.get(error) is None or second.get(error) is None:
+    if (
+        "uncertainty" in path
+        or relative(a, b) is None
+        or first.get(error) is None
+        or second.get(error) is None
+    ):
         return None
     return abs(a - b) <= hypot(first[error], second[error])
 

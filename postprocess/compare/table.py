@@ -1,7 +1,5 @@
 """A comparison as tables for a terminal of 80 columns."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 
@@ -34,9 +32,21 @@ def comparison_table(comparison: Comparison) -> Group:
         Text(f"first: {comparison.names[0]} (oilfilm {comparison.versions[0]})"),
         Text(f"second: {comparison.names[1]} (oilfilm {comparison.versions[1]})"),
     ]
-    parts += [_table("input", comparison.inputs)] if comparison.inputs else [Text("the inputs are equal")]
-    parts += [_table("main results", comparison.main)] if any(d.first is not None for d in comparison.main) else []
-    parts += [_table("all results, largest differences first", shown)] if shown else [Text("the results are equal")]
+    parts += (
+        [_table("input", comparison.inputs)]
+        if comparison.inputs
+        else [Text("the inputs are equal")]
+    )
+    parts += (
+        [_table("main results", comparison.main)]
+        if any(d.first is not None for d in comparison.main)
+        else []
+    )
+    parts += (
+        [_table("all results, largest differences first", shown)]
+        if shown
+        else [Text("the results are equal")]
+    )
     if len(ordered) > len(shown):
         parts.append(Text(f"... and {len(ordered) - len(shown)} more differences; --json has all"))
     if any(d.covered for d in (*comparison.main, *shown)):
@@ -45,7 +55,13 @@ def comparison_table(comparison: Comparison) -> Group:
 
 
 def _table(title: str, differences: Iterable[Difference]) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), title=title, title_justify="left")
+    table = Table(
+        box=box.SIMPLE_HEAD,
+        pad_edge=False,
+        padding=(0, 1, 0, 0),
+        title=title,
+        title_justify="left",
+    )
     table.add_column("", overflow="fold", max_width=38)
     for name in ("first", "second", "%"):
         table.add_column(name, justify="right", overflow="fold", max_width=16)
@@ -53,7 +69,9 @@ def _table(title: str, differences: Iterable[Difference]) -> Table:
         if d.first is None and d.second is None:
             continue
         share = (
-            NOTHING if d.relative is None else f"{100.0 * d.relative:.3g}" + (" ±" if d.covered and d.differs else "")
+            NOTHING
+            if d.relative is None
+            else f"{100.0 * d.relative:.3g}" + (" ±" if d.covered and d.differs else "")
         )
         table.add_row(Text(d.path), Text(_text(d.first)), Text(_text(d.second)), Text(share))
     return table

@@ -1,7 +1,5 @@
 """The fields of one contact, read back from a result folder by its name."""
 
-from __future__ import annotations
-
 from difflib import get_close_matches
 from pathlib import Path
 
@@ -32,7 +30,11 @@ def open_contact(directory: str | Path, contact: str | None = None) -> tuple[str
     """
     with open_results(directory) as tree:
         group = tree.children.get("contacts")
-        leaves = {} if group is None else {leaf.path.removeprefix("/contacts/"): leaf for leaf in group.leaves}
+        leaves = (
+            {}
+            if group is None
+            else {leaf.path.removeprefix("/contacts/"): leaf for leaf in group.leaves}
+        )
         films = {name: leaf for name, leaf in leaves.items() if "h" in leaf.data_vars}
         if not films:
             raise ValueError(f"{directory} holds no film maps")

@@ -1,7 +1,5 @@
 """The frame of a contact: its principal directions."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from ..scene.geometry import Array

@@ -1,16 +1,16 @@
-"""A film map as an optical interferometer would see it, to be laid beside pictures of a ball on a glass disc.
+"""A film map as an optical interferometer would see it, to be laid beside pictures of a ball on a
+glass disc.
 
 Two beams, reflected by the coated glass and by the ball, with equal strength at normal incidence:
 
     I = (1 + cos(4 pi n h/lambda + phi))/2
 
-h the film, n the oil's refractive index, lambda the wavelength in vacuum, phi the difference of the phase shifts at the
-two reflections (Born and Wolf, Principles of Optics, section 7.5: two-beam interference). Bright fringes of phi = 0 lie
-at h = N lambda/(2 n), N = 0, 1, 2 ... Multiple reflections, absorption, the finite bandwidth of a lamp and the rise of
-n with pressure are left out.
+h the film, n the oil's refractive index, lambda the wavelength in vacuum, phi the difference of
+the phase shifts at the two reflections (Born and Wolf, Principles of Optics, section 7.5: two-beam
+interference). Bright fringes of phi = 0 lie at h = N lambda/(2 n), N = 0, 1, 2 ... Multiple
+reflections, absorption, the finite bandwidth of a lamp and the rise of n with pressure are left
+out.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from math import pi
@@ -30,34 +30,48 @@ Array = NDArray[np.float64]
 
 SODIUM = 589.3e-9  # mean of the sodium D lines [m]
 REFRACTIVE_INDEX = 1.5  # of an oil [-], unverified: give that of yours
-NANOMETRE, MILLIMETRE = 1e-9, 1e-3  # [m]
+# [m]
+NANOMETRE = 1e-9
+MILLIMETRE = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Optics:
-    """Wavelengths in vacuum [m], one for grey or three for red, green and blue; refractive index [-]; phase [rad]."""
+    """Wavelengths in vacuum [m], one for grey or three for red, green and blue; refractive index
+    [-]; phase [rad].
+    """
 
     wavelengths: tuple[float, ...] = (SODIUM,)
     refractive_index: float = REFRACTIVE_INDEX
     phase: float = 0.0
 
     def __post_init__(self) -> None:
-        if len(self.wavelengths) not in (1, 3) or not all(1e-8 < length < 1e-4 for length in self.wavelengths):
+        if len(self.wavelengths) not in (1, 3) or not all(
+            1e-8 < length < 1e-4 for length in self.wavelengths
+        ):
             raise ValueError("wavelengths must be one or three, between 10 nm and 0.1 mm")
         if not 1.0 <= self.refractive_index < 5.0:
-            raise ValueError(f"refractive_index must lie between 1 and 5, got {self.refractive_index}")
+            raise ValueError(
+                f"refractive_index must lie between 1 and 5, got {self.refractive_index}"
+            )
 
 
 def intensity(film: Array, optics: Optics) -> Array:
-    """Reflected intensity over its largest value [-] of a film [m]; one more axis for three wavelengths."""
+    """Reflected intensity over its largest value [-] of a film [m]; one more axis for three
+    wavelengths.
+    """
     layers = [
-        0.5 * (1.0 + np.cos(4.0 * pi * optics.refractive_index * film / w + optics.phase)) for w in optics.wavelengths
+        0.5 * (1.0 + np.cos(4.0 * pi * optics.refractive_index * film / w + optics.phase))
+        for w in optics.wavelengths
     ]
     return layers[0] if len(layers) == 1 else np.stack(layers, axis=-1)
 
 
 def write_interferogram(
-    directory: str | Path, file: str | Path, contact: str | None = None, optics: Optics | None = None
+    directory: str | Path,
+    file: str | Path,
+    contact: str | None = None,
+    optics: Optics | None = None,
 ) -> Path:
     """Draw the simulated interferogram of one contact of a result folder.
 
@@ -85,7 +99,9 @@ def write_interferogram(
         raise ValueError(f"the picture must be a .png file, got {path.name}")
     name, data = open_contact(directory, contact)
     if data["h"].attrs["units"] != "m":
-        raise ValueError(f"{name}: the film has no dimension, since the contact is given by Moes' groups")
+        raise ValueError(
+            f"{name}: the film has no dimension, since the contact is given by Moes' groups"
+        )
     with matplotlib.rc_context(RC):
         figure = Figure()
         _draw(figure, name, data, optics or Optics())
@@ -99,25 +115,38 @@ def _draw(figure: Figure, name: str, data: Any, optics: Optics) -> None:
     half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)
     x, y = data["x"].values, data["y"].values
     part = shown_part(x, y, data["P"].values, a * half_x, a * half_y)
-    x, y, film = x[part[0]], y[part[1]], data["h"].values[part]
+    x = x[part[0]]
+    y = y[part[1]]
+    film = data["h"].values[part]
     fine_x, fine_y = np.linspace(x[0], x[-1], 1200), np.linspace(y[0], y[-1], 1200)
-    rows = np.array([np.interp(fine_x, x, column) for column in film.T])  # fringes are finer than nodes
+    # fringes are finer than nodes
+    rows = np.array([np.interp(fine_x, x, column) for column in film.T])
     fine = np.array([np.interp(fine_y, y, row) for row in rows.T])
     width, height = float(np.ptp(x)), float(np.ptp(y))
     equal = 0.4 < width / height < 2.5
-    figure.set_size_inches(0.6 * PAGE_WIDTH, 0.6 * PAGE_WIDTH * (min(1.4, height / width) if equal else 1.0) + 0.6)
+    figure.set_size_inches(
+        0.6 * PAGE_WIDTH, 0.6 * PAGE_WIDTH * (min(1.4, height / width) if equal else 1.0) + 0.6
+    )
     axes = figure.add_subplot()
     picture = intensity(fine, optics)
     ends = tuple(end / MILLIMETRE for end in (x[0], x[-1], y[0], y[-1]))
     shown = picture.T if picture.ndim == 2 else picture.transpose(1, 0, 2)
     axes.imshow(
-        shown, cmap="gray", vmin=0.0, vmax=1.0, origin="lower", extent=ends, aspect="equal" if equal else "auto"
+        shown,
+        cmap="gray",
+        vmin=0.0,
+        vmax=1.0,
+        origin="lower",
+        extent=ends,
+        aspect="equal" if equal else "auto",
     )
     axes.set_xlabel(f"{data['x'].attrs['long_name']} [mm]")
     axes.set_ylabel(f"{data['y'].attrs['long_name']} [mm]")
     lengths = ", ".join(f"{w / NANOMETRE:.4g}" for w in optics.wavelengths)
     step = optics.wavelengths[0] / (2.0 * optics.refractive_index) / NANOMETRE
-    axes.set_title(f"{name}: simulated interferogram, {lengths} nm, n = {optics.refractive_index:g}")
+    axes.set_title(
+        f"{name}: simulated interferogram, {lengths} nm, n = {optics.refractive_index:g}"
+    )
     note = f"from fringe to fringe {step:.4g} nm of film" + (
         " (first wavelength)" if len(optics.wavelengths) > 1 else ""
     )

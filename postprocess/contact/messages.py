@@ -1,6 +1,6 @@
-"""Parts of what a summary says in words: why films and lambda ratios are null, where an error bar is wide."""
-
-from __future__ import annotations
+"""Parts of what a summary says in words: why films and lambda ratios are null, where an error bar
+is wide.
+"""
 
 from collections.abc import Iterator
 from math import hypot
@@ -23,7 +23,9 @@ def combined_roughness(race: str, surface: dict[str, float]) -> float:
 def lambda_ratio(
     contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
 ) -> float | None:
-    """Minimum film over the rms roughness of race and ball together [-]; None without film or roughness."""
+    """Minimum film over the rms roughness of race and ball together [-]; None without film or
+    roughness.
+    """
     if surface is None or solution is None or solution.film_minimum is None:
         return None
     roughness = combined_roughness(contact.race.value, surface)
@@ -36,7 +38,9 @@ def absent_films(results: BearingResults) -> Iterator[str]:
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         unwanted = solution is None and results.quasistatic.converged and not results.interrupted
         if contact.conditions is None or unwanted:
-            reason = contact.note if contact.conditions is None else "not asked for by [ehl] film_maps"
+            reason = (
+                contact.note if contact.conditions is None else "not asked for by [ehl] film_maps"
+            )
             absent.setdefault((contact.race.value, reason), []).append(str(contact.ball))
     for (race, reason), balls in absent.items():
         yield f"{race} race, ball{'s' if len(balls) > 1 else ''} {listed(balls)}: film null, {reason}"
@@ -60,5 +64,9 @@ def doubt_messages(name: str, solution: ContactSolution) -> Iterator[str]:
     """An error bar that is wide although nothing else is wrong."""
     film = solution.film_minimum_dimensionless
     if solution.converged and solution.resolved and film.uncertainty > DOUBTED * film.value:
-        share = f"{film.uncertainty / film.value:.0%} of it" if film.value > 0.0 else "more than all of it"
+        share = (
+            f"{film.uncertainty / film.value:.0%} of it"
+            if film.value > 0.0
+            else "more than all of it"
+        )
         yield f"{name}: error bar of the minimum film is {share}; try more points"

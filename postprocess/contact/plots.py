@@ -1,7 +1,5 @@
 """Figure of one contact: film map, pressure map, and both along the two centre lines."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 
@@ -26,9 +24,18 @@ Array = NDArray[np.float64]
 HEIGHT = 5.9  # of the figure [in]
 LINES = 8  # contour intervals of a map
 QUANTITIES = ("film", "pressure")
-LEFT, MAP_WIDTH, STRETCHED_WIDTH, LINE_WIDTH = (0.085, 0.585), 0.41, 0.33, 0.345  # boxes, in shares of the figure
-MAP_BOTTOM, MAP_HEIGHT, BAR_BOTTOM, LINE_BOTTOM, LINE_HEIGHT = 0.49, 0.31, 0.835, 0.125, 0.245
-FILM_COLOUR, PRESSURE_COLOUR = INNER_COLOUR, OUTER_COLOUR
+# boxes, in shares of the figure
+LEFT = (0.085, 0.585)
+MAP_WIDTH = 0.41
+STRETCHED_WIDTH = 0.33
+LINE_WIDTH = 0.345
+MAP_BOTTOM = 0.49
+MAP_HEIGHT = 0.31
+BAR_BOTTOM = 0.835
+LINE_BOTTOM = 0.125
+LINE_HEIGHT = 0.245
+FILM_COLOUR = INNER_COLOUR
+PRESSURE_COLOUR = OUTER_COLOUR
 
 
 def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
@@ -43,7 +50,8 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
     title : str
         Lines above the figure.
     """
-    figure.set_layout_engine("none")  # fixed boxes: the layout engine takes longer than the drawing
+    # fixed boxes: the layout engine takes longer than the drawing
+    figure.set_layout_engine("none")
     figure.set_size_inches(PAGE_WIDTH, HEIGHT)
     figure.suptitle(title, fontsize=8.5, y=0.99)
     for quantity, left in zip(QUANTITIES, LEFT, strict=True):
@@ -51,23 +59,32 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
         panel = figure.add_axes((left, MAP_BOTTOM, width, MAP_HEIGHT))
         image = draw_map(panel, view, quantity)
         if view.stretched:
-            strip = figure.add_axes((left + width + 0.01, MAP_BOTTOM, MAP_WIDTH - width - 0.01, MAP_HEIGHT))
+            strip = figure.add_axes(
+                (left + width + 0.01, MAP_BOTTOM, MAP_WIDTH - width - 0.01, MAP_HEIGHT)
+            )
             draw_map(strip, view, quantity, levels=())
             _in_proportion(strip)
         else:
             panel.set_aspect("equal", anchor="W")
-            width = min(MAP_WIDTH, MAP_HEIGHT * HEIGHT / PAGE_WIDTH * float(np.ptp(view.x) / np.ptp(view.y)))
+            width = min(
+                MAP_WIDTH,
+                MAP_HEIGHT * HEIGHT / PAGE_WIDTH * float(np.ptp(view.x) / np.ptp(view.y)),
+            )
         bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
         _colour_bar(figure, image, bar, view, quantity)
     for along, left in zip((True, False), LEFT, strict=True):
         centre_line(figure.add_axes((left, LINE_BOTTOM, LINE_WIDTH, LINE_HEIGHT)), view, along)
-    figure.text(0.5, 0.01, _footnote(view), fontsize=6.5, color=REFERENCE, ha="center", va="bottom")
+    figure.text(
+        0.5, 0.01, _footnote(view), fontsize=6.5, color=REFERENCE, ha="center", va="bottom"
+    )
 
 
 def _footnote(view: ContactView) -> str:
     """What the figure leaves out and how it is drawn."""
     scale = (
-        "axes stretched, so that the Hertz ellipse (dashed) is seen; " if view.stretched else "Hertz ellipse dashed; "
+        "axes stretched, so that the Hertz ellipse (dashed) is seen; "
+        if view.stretched
+        else "Hertz ellipse dashed; "
     )
     ends = [end / view.half_x for end in (view.x[0], view.x[-1])]
     return (
@@ -79,7 +96,11 @@ def _footnote(view: ContactView) -> str:
 
 def _movement(view: ContactView) -> str:
     """Where the oil goes."""
-    return f"Oil moves at {view.oblique:.3g}° from x towards y" if view.oblique else "Oil moves to the right"
+    return (
+        f"Oil moves at {view.oblique:.3g}° from x towards y"
+        if view.oblique
+        else "Oil moves to the right"
+    )
 
 
 def draw_map(
@@ -89,7 +110,8 @@ def draw_map(
     limits: tuple[float, float] | None = None,
     levels: Sequence[float] | Array | None = None,
 ) -> Any:
-    """One map with contour lines and the Hertz ellipse, x to the right in the direction of the oil.
+    """One map with contour lines and the Hertz ellipse, x to the right in the direction of the
+    oil.
 
     Parameters
     ----------
@@ -98,7 +120,8 @@ def draw_map(
         Lengths in [mm], film in [um], pressure in [GPa], or dimensionless.
     quantity : {"film", "pressure"}
     limits : tuple of float, optional
-        Ends of the colour scale, in the unit of the quantity; films then have a logarithmic scale, for many contacts.
+        Ends of the colour scale, in the unit of the quantity; films then have a logarithmic scale,
+        for many contacts.
     levels : sequence of float, optional
         Contour lines, in the unit of the quantity; equal steps over the scale if left out.
 
@@ -126,7 +149,9 @@ def draw_map(
     known = field[np.isfinite(field)]
     lines = [line for line in lines if known.size and known.min() < line < known.max()]
     if lines:
-        axes.contour(view.x, view.y, field.T, levels=lines, colors="white" if film else "black", alpha=0.6)
+        axes.contour(
+            view.x, view.y, field.T, levels=lines, colors="white" if film else "black", alpha=0.6
+        )
     axes.plot(*view.ellipse, color="black", linestyle=(0, (4, 2)), linewidth=0.8)
     axes.set_xlim(view.x[0], view.x[-1])
     axes.set_ylim(view.y[0], view.y[-1])
@@ -136,7 +161,9 @@ def draw_map(
 
 
 def _on_equal_steps(view: ContactView, field: Array) -> Array:
-    """The field at equal steps between the same ends, bilinear, same unit: an image has no other; for graded meshes."""
+    """The field at equal steps between the same ends, bilinear, same unit: an image has no other;
+    for graded meshes.
+    """
     for axis, nodes in enumerate((view.x, view.y)):
         steps = np.linspace(nodes[0], nodes[-1], len(nodes))
         if not np.allclose(nodes, steps, rtol=0.0, atol=1e-6 * (nodes[-1] - nodes[0])):
@@ -147,7 +174,8 @@ def _on_equal_steps(view: ContactView, field: Array) -> Array:
 
 def _extent(view: ContactView) -> tuple[float, float, float, float]:
     """Edges of an image whose pixels are the nodes, equally spaced; unit of the view, [mm]."""
-    dx, dy = 0.5 * (view.x[-1] - view.x[0]) / (len(view.x) - 1), 0.5 * (view.y[-1] - view.y[0]) / (len(view.y) - 1)
+    dx = 0.5 * (view.x[-1] - view.x[0]) / (len(view.x) - 1)
+    dy = 0.5 * (view.y[-1] - view.y[0]) / (len(view.y) - 1)
     return (
         float(view.x[0] - dx),
         float(view.x[-1] + dx),
@@ -169,7 +197,9 @@ def _in_proportion(axes: Axes) -> None:
 def _colour_bar(figure: Figure, image: Any, axes: Axes, view: ContactView, quantity: str) -> None:
     film = quantity == "film"
     label = f"film thickness [{view.film_unit}]" if film else f"pressure [{view.pressure_unit}]"
-    bar = figure.colorbar(image, cax=axes, orientation="horizontal", extend="max" if film else "neither")
+    bar = figure.colorbar(
+        image, cax=axes, orientation="horizontal", extend="max" if film else "neither"
+    )
     bar.set_label(label)
     bar.ax.xaxis.set_ticks_position("top")
     bar.ax.xaxis.set_label_position("top")
@@ -207,19 +237,34 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     film = axes.twinx()
     film.plot(s, view.film[cut], color=FILM_COLOUR, label="film")
     film.errorbar(
-        [0.0], [view.central], [view.central_uncertainty], fmt="o", markersize=2.5, capsize=2, color=FILM_COLOUR
+        [0.0],
+        [view.central],
+        [view.central_uncertainty],
+        fmt="o",
+        markersize=2.5,
+        capsize=2,
+        color=FILM_COLOUR,
     )
-    film.axhline(view.minimum, color=FILM_COLOUR, linestyle=":", linewidth=0.8, label="smallest film")
+    film.axhline(
+        view.minimum, color=FILM_COLOUR, linestyle=":", linewidth=0.8, label="smallest film"
+    )
     film.set_ylim(0.0, 3.0 * view.central if view.central > 0.0 else 1.0)
     film.set_ylabel(f"film thickness [{view.film_unit}]", color=FILM_COLOUR)
     handles = [*axes.get_legend_handles_labels()[0], *film.get_legend_handles_labels()[0]]
     axes.legend(
-        handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.5, 0.99), columnspacing=1.0, handlelength=1.6
+        handles=handles,
+        ncols=4,
+        loc="lower center",
+        bbox_to_anchor=(0.5, 0.99),
+        columnspacing=1.0,
+        handlelength=1.6,
     )
 
 
 def film_text(view: ContactView) -> str:
-    """Central and minimum film with their uncertainties, in the unit of the plots ([um] or [a^2/Rx])."""
+    """Central and minimum film with their uncertainties, in the unit of the plots ([um] or
+    [a^2/Rx]).
+    """
     central = value_with_error(view.central, view.central_uncertainty)
     minimum = value_with_error(view.minimum, view.minimum_uncertainty)
     return f"$h_c$ = {central} {view.film_unit}, $h_{{min}}$ = {minimum} {view.film_unit}"

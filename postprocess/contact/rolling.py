@@ -1,7 +1,5 @@
 """Rolling moments of the films in a summary, and how far the solver's boxes decide them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from bearing.torque.rolling_extent import RollingExtent, rolling_extent, rolling_moments
@@ -22,7 +20,9 @@ TOLD = 0.05  # of the torque: from there on it is said that the boxes decide
 
 
 def moment_values(moment: RollingMoment | None) -> dict[str, float | None]:
-    """Hydrodynamic rolling moment of one contact [N mm], in its box, beyond it and within the extent [mm]."""
+    """Hydrodynamic rolling moment of one contact [N mm], in its box, beyond it and within the
+    extent [mm].
+    """
     if moment is None:
         return dict.fromkeys(CONTACT_KEYS)
     return {
@@ -54,7 +54,9 @@ def rolling_values(results: BearingResults) -> list[dict[str, float | None]]:
 
 
 def rolling_block(results: BearingResults) -> dict[str, float | None]:
-    """Rolling torque of the films by where their oil is [N mm]; null where the integrated torque is not of films."""
+    """Rolling torque of the films by where their oil is [N mm]; null where the integrated torque
+    is not of films.
+    """
     found = _extent(results)
     if found is None:
         return dict.fromkeys(TORQUE_KEYS)
@@ -73,7 +75,11 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
         yield f"torque_N_mm.rolling_extent: null beyond the boxes, {found.note}"
         return
     assert found.beyond_box is not None and found.beyond_extent is not None
-    torque = found.box if results.torque is None or results.torque.total is None else results.torque.total
+    torque = (
+        found.box
+        if results.torque is None or results.torque.total is None
+        else results.torque.total
+    )
     if max(abs(found.beyond_box), abs(found.beyond_extent)) > TOLD * torque:
         box, beyond, counted, within, doubling = (
             f"{getattr(found, name) / NEWTON_MILLIMETRE:.4g}" for name in TORQUE_KEYS
@@ -86,11 +92,19 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
 
 
 def _moment(solution: ContactSolution) -> RollingMoment | None:
-    return rolling_moment(solution) if solution.converged and solution.semi_axis_x is not None else None
+    return (
+        rolling_moment(solution)
+        if solution.converged and solution.semi_axis_x is not None
+        else None
+    )
 
 
 def _extent(results: BearingResults) -> RollingExtent | None:
-    if results.torque is None or results.torque.shear is None or not results.torque.shear.tractions:
+    if (
+        results.torque is None
+        or results.torque.shear is None
+        or not results.torque.shear.tractions
+    ):
         return None
     return rolling_extent(results.quasistatic, results.tractions, results.solutions)
 

@@ -1,7 +1,5 @@
 """Stress, sliding and truncation of contacts in the summary."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from bearing.contacts.contacts import BearingContact
@@ -30,7 +28,9 @@ SHOULDER_KEYS = (
 
 
 def stress_values(state: QuasistaticSolution, contact: BearingContact) -> dict[str, float | None]:
-    """Stresses [GPa], depths [mm], sliding speed [m/s] of a contact; None where it is unloaded or no shoulder given."""
+    """Stresses [GPa], depths [mm], sliding speed [m/s] of a contact; None where it is unloaded or
+    no shoulder given.
+    """
     found: dict[str, float | None] = dict.fromkeys((*STRESS_KEYS, *SHOULDER_KEYS))
     stress = contact_stress(state, contact)
     if stress is None:
@@ -47,7 +47,12 @@ def stress_values(state: QuasistaticSolution, contact: BearingContact) -> dict[s
     found |= dict(zip(STRESS_KEYS, values, strict=True))
     if stress.truncation is not None:
         cut = stress.truncation
-        shoulder = (cut.margin / MILLIMETRE, cut.length_share, cut.load_share, cut.edge_pressure / GIGAPASCAL)
+        shoulder = (
+            cut.margin / MILLIMETRE,
+            cut.length_share,
+            cut.load_share,
+            cut.edge_pressure / GIGAPASCAL,
+        )
         found |= dict(zip(SHOULDER_KEYS, shoulder, strict=True))
     return found
 

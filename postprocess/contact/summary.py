@@ -1,7 +1,5 @@
 """Summary of a single contact, and what every contact tells of its film."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from math import sin
 from typing import Any
@@ -31,8 +29,16 @@ def _in(value: float | None, unit: float) -> float | None:
 
 def films(solution: ContactSolution | None) -> dict[str, float | None]:
     """Central and minimum film and their uncertainties [um], None where there is no film."""
-    names = ("film_central", "film_central_uncertainty", "film_minimum", "film_minimum_uncertainty")
-    return {f"{n}_um": None if solution is None else _in(getattr(solution, n), MICROMETRE) for n in names}
+    names = (
+        "film_central",
+        "film_central_uncertainty",
+        "film_minimum",
+        "film_minimum_uncertainty",
+    )
+    return {
+        f"{n}_um": None if solution is None else _in(getattr(solution, n), MICROMETRE)
+        for n in names
+    }
 
 
 def film_temperature_maximum(solution: ContactSolution | None) -> float | None:
@@ -43,14 +49,18 @@ def film_temperature_maximum(solution: ContactSolution | None) -> float | None:
 
 
 def formulas(conditions: object) -> dict[str, float | None]:
-    """Films of the curve-fitted formulas [um]; None without dimensions, at an angle, or for an isoviscous oil."""
+    """Films of the curve-fitted formulas [um]; None without dimensions, at an angle, or for an
+    isoviscous oil.
+    """
     if (
         not isinstance(conditions, ContactConditions)
         or abs(sin(conditions.entrainment_angle)) > ALIGNED
         or conditions.lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS
     ):
         return dict.fromkeys(FORMULAS)
-    return {name: getattr(film_formulas, f"film_{name}")(conditions) / MICROMETRE for name in FORMULAS}
+    return {
+        name: getattr(film_formulas, f"film_{name}")(conditions) / MICROMETRE for name in FORMULAS
+    }
 
 
 def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
@@ -74,9 +84,13 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "load_N": given.load if isinstance(given, ContactConditions) else None,
         "moes_M": solution.moes_load,
         "moes_L": solution.moes_lubricant,
-        "radius_ratio": given.radius_x / given.radius_y if isinstance(given, ContactConditions) else given.radius_ratio,
+        "radius_ratio": given.radius_x / given.radius_y
+        if isinstance(given, ContactConditions)
+        else given.radius_ratio,
         "semi_axis_x_mm": _in(solution.semi_axis_x, MILLIMETRE),
-        "semi_axis_y_mm": _in(solution.semi_axis_x, MILLIMETRE / solution.semi_axis_ratio) if dimensional else None,
+        "semi_axis_y_mm": _in(solution.semi_axis_x, MILLIMETRE / solution.semi_axis_ratio)
+        if dimensional
+        else None,
         "hertz_pressure_GPa": solution.hertz_pressure / GIGAPASCAL if pressure else None,
         **films(solution),
         **_dimensionless_films(solution),
@@ -117,7 +131,8 @@ def _centre(solution: ContactSolution) -> float:
 
 
 def _finest_grid(solution: ContactSolution) -> dict[str, float | None]:
-    central, minimum = solution.film_central_dimensionless.finest, solution.film_minimum_dimensionless.finest
+    central = solution.film_central_dimensionless.finest
+    minimum = solution.film_minimum_dimensionless.finest
     scale = solution.film_scale
     return {
         "film_central_dimensionless": central,
@@ -134,7 +149,10 @@ def _contact_messages(results: ContactResults) -> Iterator[str]:
     yield from results.messages
     yield from solution_messages("contact", solution)
     yield from contact_supply_messages(results)
-    if isinstance(solution.conditions, ContactConditions) and solution.conditions.coating is not None:
+    if (
+        isinstance(solution.conditions, ContactConditions)
+        and solution.conditions.coating is not None
+    ):
         yield "Hertz values, M, L and film formulas: those of bodies of the coating's material throughout"
     if not isinstance(solution.conditions, ContactConditions):
         yield "load_N, semi-axes, films in um: null, the case gives Moes' groups and no lengths"

@@ -1,6 +1,6 @@
-"""What a summary says of the oil supply: films that are starved, and which numbers are flooded ones."""
-
-from __future__ import annotations
+"""What a summary says of the oil supply: films that are starved, and which numbers are flooded
+ones.
+"""
 
 from collections.abc import Iterator
 from math import cos, hypot, isfinite, sin
@@ -14,14 +14,30 @@ from ehl import ContactConditions
 from ..results import BearingResults, ContactResults
 from ..units import MICROMETRE, NEWTON_MILLIMETRE
 
-KEYS = ("film_share", "film_share_least", "lambda_least", "oil_fraction", "torque_N_mm", "flooded_torque_N_mm")
-OF_CONTACT = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um", "starved_lambda_ratio")
-FLOOD_MARGIN = 1.0e-3  # below the flooded film by less than this share a contact is told as flooded [-]
+KEYS = (
+    "film_share",
+    "film_share_least",
+    "lambda_least",
+    "oil_fraction",
+    "torque_N_mm",
+    "flooded_torque_N_mm",
+)
+OF_CONTACT = (
+    "starved_film_share",
+    "starved_film_central_um",
+    "starved_film_minimum_um",
+    "starved_lambda_ratio",
+)
+# below the flooded film by less than this share a contact is told as flooded [-]
+FLOOD_MARGIN = 1.0e-3
 
 
 def supply_block(results: BearingResults) -> dict[str, Any]:
-    """Starved films of the balls that both races load, and the torque at the supply [N mm]; None where flooded."""
-    torque, films = results.torque, _driven(results)
+    """Starved films of the balls that both races load, and the torque at the supply [N mm]; None
+    where flooded.
+    """
+    torque = results.torque
+    films = _driven(results)
     starved = None if torque is None else torque.starved
     ratios = [film.lambda_ratio for film in films if isfinite(film.lambda_ratio)]
     values = {
@@ -43,18 +59,27 @@ def supply_kind(results: BearingResults) -> str:
 
 
 def starved_values(results: BearingResults, index: int) -> dict[str, float | None]:
-    """Share of the flooded film [-], the films left [um] and their lambda ratio of one contact; None where flooded."""
+    """Share of the flooded film [-], the films left [um] and their lambda ratio of one contact;
+    None where flooded.
+    """
     torque = results.torque
     film = torque.films[index] if torque is not None and torque.films else None
     if film is None:
         return dict.fromkeys(OF_CONTACT)
     ratio = film.lambda_ratio if isfinite(film.lambda_ratio) else None
-    return dict(zip(OF_CONTACT, (film.share, film.central / MICROMETRE, film.minimum / MICROMETRE, ratio), strict=True))
+    return dict(
+        zip(
+            OF_CONTACT,
+            (film.share, film.central / MICROMETRE, film.minimum / MICROMETRE, ratio),
+            strict=True,
+        )
+    )
 
 
 def supply_messages(results: BearingResults) -> Iterator[str]:
     """Which numbers are starved, and why they are null."""
-    kind, torque = supply_kind(results), results.torque
+    kind = supply_kind(results)
+    torque = results.torque
     if kind == "flooded":
         yield "supply: flooded; its numbers and the starved films of contacts are null"
         return
@@ -63,7 +88,13 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
         return
     films = [film for film in torque.films if film is not None]
     solved = sum(film.solved for film in films)
-    whose = "solved" if solved == len(films) else "of formulas" if not solved else f"solved for {solved}, else formulas"
+    whose = (
+        "solved"
+        if solved == len(films)
+        else "of formulas"
+        if not solved
+        else f"solved for {solved}, else formulas"
+    )
     yield (
         f"supply: {kind}; starved are starved_film_... of the contacts (flooded films {whose}), supply, and the torque "
         f"model starved{_total_words(torque)}; film_..., lambda_ratio, maps and the other torque models are flooded"
@@ -79,18 +110,29 @@ def supply_messages(results: BearingResults) -> Iterator[str]:
 
 
 def contact_starved_values(results: ContactResults) -> dict[str, float | None]:
-    """Share of the flooded film [-] and the films left [um] of a single contact; None without an inlet film."""
-    solution, layer = results.solution, results.case.get("lubricant", {}).get("inlet_film_um")
+    """Share of the flooded film [-] and the films left [um] of a single contact; None without an
+    inlet film.
+    """
+    solution = results.solution
+    layer = results.case.get("lubricant", {}).get("inlet_film_um")
     central, minimum = solution.film_central, solution.film_minimum
     if layer is None or central is None or minimum is None or not solution.converged:
         return dict.fromkeys(OF_CONTACT[:3])
     given = solution.conditions
     assert isinstance(given, ContactConditions)  # the film has a length
     along, across = cos(given.entrainment_angle), sin(given.entrainment_angle)
-    ratio = hypot(across, solution.semi_axis_ratio * along) / hypot(along, solution.semi_axis_ratio * across)
+    ratio = hypot(across, solution.semi_axis_ratio * along) / hypot(
+        along, solution.semi_axis_ratio * across
+    )
     packed = compression(solution.hertz_pressure, given.lubricant) * central
     share = starved_share(layer * MICROMETRE / packed, starvation_exponent(ratio))
-    return dict(zip(OF_CONTACT[:3], (share, share * central / MICROMETRE, share * minimum / MICROMETRE), strict=True))
+    return dict(
+        zip(
+            OF_CONTACT[:3],
+            (share, share * central / MICROMETRE, share * minimum / MICROMETRE),
+            strict=True,
+        )
+    )
 
 
 def contact_supply_messages(results: ContactResults) -> Iterator[str]:
@@ -108,7 +150,8 @@ def supply_rows(results: BearingResults) -> dict[str, str]:
     films = _driven(results)
     if not films:
         return {}
-    mean, least = sum(film.share for film in films) / len(films), min(film.lambda_ratio for film in films)
+    mean = sum(film.share for film in films) / len(films)
+    least = min(film.lambda_ratio for film in films)
     words = f"{supply_kind(results)}: loaded films {100.0 * mean:.3g} % of flooded"
     return {"oil supply": words + (f", smallest λ {least:.3g}" if isfinite(least) else "")}
 
@@ -117,7 +160,9 @@ def _total_words(torque: TorqueBreakdown) -> str:
     if torque.chosen == "starved":
         return ", which is the total"
     return (
-        " (lubricant.supply keeps the total flooded)" if not torque.for_supply else " (null, so the total is flooded)"
+        " (lubricant.supply keeps the total flooded)"
+        if not torque.for_supply
+        else " (null, so the total is flooded)"
     )
 
 

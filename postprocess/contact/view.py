@@ -1,7 +1,5 @@
 """The part of a contact that pictures show."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import cos, degrees, hypot, inf, pi, sin
 
@@ -9,7 +7,15 @@ import numpy as np
 
 from ehl import ContactSolution
 
-from ..plot_style import QUIET_PRESSURE, SHOWN_INLET, SHOWN_OUTLET, SHOWN_SIDE, STRETCHED, Array, film_range
+from ..plot_style import (
+    QUIET_PRESSURE,
+    SHOWN_INLET,
+    SHOWN_OUTLET,
+    SHOWN_SIDE,
+    STRETCHED,
+    Array,
+    film_range,
+)
 from ..scene.geometry import within
 from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
@@ -78,18 +84,25 @@ class ContactView:
 
     @property
     def pressure_top(self) -> float:
-        """Largest pressure shown, in the unit of `pressure`; that of Hertz where a failed solution has none."""
+        """Largest pressure shown, in the unit of `pressure`; that of Hertz where a failed solution
+        has none.
+        """
         top = float(np.nanmax(self.pressure, initial=0.0))
         return top if 0.0 < top < inf else self.hertz
 
     @property
     def film_range(self) -> tuple[float, float]:
-        """Film thickness at the ends of the colour scale, in the unit of `film`: the inlet is left to saturate."""
+        """Film thickness at the ends of the colour scale, in the unit of `film`: the inlet is left
+        to saturate.
+        """
         return film_range(self.central, self.minimum)
 
 
-def contact_view(solution: ContactSolution, window: tuple[float, float, float] | None = None) -> ContactView:
-    """Shown part of a solution: about [-2.5, 1.5] semi-axes along the entrainment, more where pressure reaches further.
+def contact_view(
+    solution: ContactSolution, window: tuple[float, float, float] | None = None
+) -> ContactView:
+    """Shown part of a solution: about [-2.5, 1.5] semi-axes along the entrainment, more where
+    pressure reaches further.
 
     Parameters
     ----------
@@ -108,7 +121,8 @@ def contact_view(solution: ContactSolution, window: tuple[float, float, float] |
     if window is None:
         rows, columns = shown_part(solution.X, solution.Y, solution.P, half_x, half_y)
     else:
-        rows, columns = within(a * solution.X, *window[:2]), within(a * solution.Y, -window[2], window[2])
+        rows = within(a * solution.X, *window[:2])
+        columns = within(a * solution.Y, -window[2], window[2])
     X, Y = solution.X[rows], solution.Y[columns]
     h = 1.0 if solution.film_scale is None else solution.film_scale / MICROMETRE
     p = solution.hertz_pressure / GIGAPASCAL if solution.hertz_pressure > 0.0 else 1.0
@@ -133,7 +147,11 @@ def contact_view(solution: ContactSolution, window: tuple[float, float, float] |
         pressure_unit="GPa" if solution.hertz_pressure > 0.0 else "$p_h$",
         whole=(float(solution.X[0] / half_x), float(solution.X[-1] / half_x)),
         oblique=oblique_angle(solution),
-        doubt="not converged" if not solution.converged else "" if solution.resolved else "not resolved",
+        doubt="not converged"
+        if not solution.converged
+        else ""
+        if solution.resolved
+        else "not resolved",
     )
 
 
@@ -144,14 +162,18 @@ def oblique_angle(solution: ContactSolution) -> float:
 
 
 def _ellipse(angle: float, kappa: float) -> Array:
-    """Outline of the Hertz ellipse in the grid's axes, which are turned by the entrainment angle; units of a."""
+    """Outline of the Hertz ellipse in the grid's axes, which are turned by the entrainment angle;
+    units of a.
+    """
     t = np.linspace(0.0, 2.0 * pi, 241)
-    x, y = np.cos(t), kappa * np.sin(t)
+    x = np.cos(t)
+    y = kappa * np.sin(t)
     return np.stack([cos(angle) * x + sin(angle) * y, -sin(angle) * x + cos(angle) * y])
 
 
 def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tuple[slice, slice]:
-    """Index ranges of the nodes shown; coordinates and half extents of the Hertz ellipse in one unit, [mm] or [m].
+    """Index ranges of the nodes shown; coordinates and half extents of the Hertz ellipse in one
+    unit, [mm] or [m].
 
     Parameters
     ----------
@@ -164,9 +186,13 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
     """
     loud = np.greater(P, QUIET_PRESSURE * np.nanmax(P, initial=0.0))
     rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
-    first, last, side = 0.0, 0.0, 0.0
+    first = 0.0
+    last = 0.0
+    side = 0.0
     if rows.size:  # a failed solution may have no pressure
-        first, last, side = float(X[rows[0]]), float(X[rows[-1]]), float(Y[columns[-1]])
+        first = float(X[rows[0]])
+        last = float(X[rows[-1]])
+        side = float(Y[columns[-1]])
     inlet = min(SHOWN_INLET * half_x, first - 0.15 * (last - first))
     outlet = max(SHOWN_OUTLET * half_x, last + 0.25 * (last - first))
     side = max(SHOWN_SIDE * half_y, 1.3 * side)
@@ -174,5 +200,7 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
 
 
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:
-    """Half extents of the Hertz ellipse along and across a grid at `angle` [rad] to it, in units of a [-]."""
+    """Half extents of the Hertz ellipse along and across a grid at `angle` [rad] to it, in units
+    of a [-].
+    """
     return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))

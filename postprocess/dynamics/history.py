@@ -1,6 +1,6 @@
-"""The history of a time simulation on disk: one netCDF-4 file that grows piece by piece, named quantities, SI."""
-
-from __future__ import annotations
+"""The history of a time simulation on disk: one netCDF-4 file that grows piece by piece, named
+quantities, SI.
+"""
 
 from pathlib import Path
 from types import TracebackType
@@ -28,7 +28,8 @@ CHUNK = 128  # rows
 
 def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], Any, str]]:
     """Dimensions, values and unit of every quantity of a record, by name; SI."""
-    layout, m = Layout(balls), record.time.size
+    layout = Layout(balls)
+    m = record.time.size
     three = ("time", "ball", "axis")
 
     def of_balls(part: slice) -> Any:
@@ -36,9 +37,17 @@ def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], An
 
     found: dict[str, tuple[tuple[str, ...], Any, str]] = {
         "ring_position": (("time", "ring_coordinate"), record.state[:, layout.ring], "m, rad"),
-        "ring_velocity": (("time", "ring_coordinate"), record.state[:, layout.ring_speed], "m/s, rad/s"),
+        "ring_velocity": (
+            ("time", "ring_coordinate"),
+            record.state[:, layout.ring_speed],
+            "m/s, rad/s",
+        ),
         "cage_position": (("time", "cage_coordinate"), record.state[:, layout.cage], "m, rad"),
-        "cage_velocity": (("time", "cage_coordinate"), record.state[:, layout.cage_speed], "m/s, rad/s"),
+        "cage_velocity": (
+            ("time", "cage_coordinate"),
+            record.state[:, layout.cage_speed],
+            "m/s, rad/s",
+        ),
         "ring_rotation": (("time",), record.state[:, layout.ring_angle], "rad"),
         "ball_position": (three, of_balls(layout.ball), "m"),
         "ball_velocity": (three, of_balls(layout.ball_speed), "m/s"),
@@ -82,7 +91,10 @@ class HistoryWriter:
             "mechanism": MECHANISMS,
             "load": ("fx", "fy", "fz", "mx", "my", "mz"),
         }
-        self.file.dimensions = {"time": None, **{name: len(values) for name, values in coordinates.items()}}
+        self.file.dimensions = {
+            "time": None,
+            **{name: len(values) for name, values in coordinates.items()},
+        }
         for name, values in coordinates.items():
             data = np.asarray(values) if name == "ball" else np.array(values, dtype=object)
             kind = data.dtype if name == "ball" else _text()
@@ -126,7 +138,10 @@ class HistoryWriter:
         return self
 
     def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
     ) -> None:
         self.close()
 
@@ -136,7 +151,8 @@ def _text() -> Any:
 
 
 def open_history(path: str | Path) -> xarray.Dataset:
-    """Open the history of a time simulation; quantities are read from disk when they are first used.
+    """Open the history of a time simulation; quantities are read from disk when they are first
+    used.
 
     Parameters
     ----------

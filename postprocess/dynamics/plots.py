@@ -1,7 +1,5 @@
 """Pictures of a time simulation, from its history and summary."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -22,7 +20,17 @@ from .history import open_history
 
 RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
-MECHANISM_COLOURS = ("#0b5394", "#c1440e", "#3a7d44", "#7a4fa3", "#8a6d1d", "#1f9e9e", "#b8336a", "#666666", "#d98c00")
+MECHANISM_COLOURS = (
+    "#0b5394",
+    "#c1440e",
+    "#3a7d44",
+    "#7a4fa3",
+    "#8a6d1d",
+    "#1f9e9e",
+    "#b8336a",
+    "#666666",
+    "#d98c00",
+)
 SHOWN_TURNS = 2.0  # turns of the cage in the pictures of one ball [-]
 ORBIT_POINTS = 4000  # of an orbit, the last ones
 SMALLEST_LOAD = 1.0e-2  # of the largest one; below, a traction factor says nothing [-]
@@ -30,7 +38,8 @@ SPECTRUM_REACH = 6.0  # highest frequency shown over the ball pass frequency of 
 
 
 def plot_dynamics(directory: Path, document: dict[str, Any]) -> tuple[str, ...]:
-    """Write the pictures of a simulation beside its history; problems of single pictures come back as text.
+    """Write the pictures of a simulation beside its history; problems of single pictures come back
+    as text.
 
     Parameters
     ----------
@@ -64,7 +73,9 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     cage = data["cage_velocity"].sel(cage_coordinate="rotation").to_numpy() / RPM
     orbit = orbit_speed(data) / RPM
     kinematic = kinematic_speed(data, document) / RPM
-    top.fill_between(time, orbit.min(axis=1), orbit.max(axis=1), color=OUTER_COLOUR, alpha=0.25, linewidth=0)
+    top.fill_between(
+        time, orbit.min(axis=1), orbit.max(axis=1), color=OUTER_COLOUR, alpha=0.25, linewidth=0
+    )
     top.plot(time, orbit.mean(axis=1), color=OUTER_COLOUR, label="balls: mean, and all (shaded)")
     top.plot(time, cage, color=INNER_COLOUR, label="cage")
     top.plot(time, kinematic, "--", color=REFERENCE, label="kinematic")
@@ -80,14 +91,18 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Normal and friction force of ball 1 on both races [N] over time [ms], the last turns of the cage."""
+    """Normal and friction force of ball 1 on both races [N] over time [ms], the last turns of the
+    cage.
+    """
     top, bottom = _start(figure, document, 2, 1, 4.6, sharex=True)
     part = last_turns(data)
     time = _milliseconds(part)
     for race, colour in RACES:
         one = part.sel(race=race, ball=1)
         top.plot(time, one["contact_load"], color=colour, label=f"{race} race", linewidth=0.9)
-        bottom.plot(time, one["contact_friction_x"], color=colour, label=f"{race} race", linewidth=0.9)
+        bottom.plot(
+            time, one["contact_friction_x"], color=colour, label=f"{race} race", linewidth=0.9
+        )
     top.plot(time, part["pocket_load"].sel(ball=1), color=INK, label="pocket", linewidth=0.9)
     top.set_ylabel("normal force on ball 1 [N]")
     bottom.set_ylabel("friction along the entrainment [N]")
@@ -96,7 +111,9 @@ def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg], the last turns of the cage."""
+    """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg], the last turns
+    of the cage.
+    """
     top, bottom = _start(figure, document, 2, 1, 4.6, sharex=True)
     part = last_turns(data)
     place = part["ball_position"].sel(ball=1).to_numpy()
@@ -109,7 +126,13 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
         pull = np.hypot(one["contact_friction_x"].to_numpy(), one["contact_friction_y"].to_numpy())
         loaded = load > SMALLEST_LOAD * max(float(load.max()), 1e-300)
         factor = np.divide(pull, load, out=np.full(load.shape, np.nan), where=loaded)
-        top.plot(azimuth, np.where(loaded, slide, np.nan), color=colour, label=f"{race} race", linewidth=0.9)
+        top.plot(
+            azimuth,
+            np.where(loaded, slide, np.nan),
+            color=colour,
+            label=f"{race} race",
+            linewidth=0.9,
+        )
         bottom.plot(azimuth, factor, color=colour, linewidth=0.9)
     top.set_ylabel("sliding speed at the\ncontact's centre [m/s]")
     bottom.set_ylabel("traction factor [-]")
@@ -121,18 +144,28 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
 def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
     """Free, contact, impact of each ball at both races over time [ms]."""
     axes = _start(figure, document, 2, 1, 4.2, sharex=True)
-    time, balls = _milliseconds(data), data.sizes["ball"]
+    time = _milliseconds(data)
+    balls = data.sizes["ball"]
     extent = (float(time[0]), float(time[-1]), balls + 0.5, 0.5)
     for ax, (race, _) in zip(axes, RACES, strict=True):
         states = data["contact_state"].sel(race=race).to_numpy().T
         colours = ListedColormap(list(STATE_COLOURS))
-        ax.imshow(states, aspect="auto", extent=extent, cmap=colours, vmin=-0.5, vmax=2.5, interpolation="nearest")
+        ax.imshow(
+            states,
+            aspect="auto",
+            extent=extent,
+            cmap=colours,
+            vmin=-0.5,
+            vmax=2.5,
+            interpolation="nearest",
+        )
         ax.set_ylabel(f"ball, {race} race")
         ax.yaxis.set_major_locator(_every(max(1, balls // 6), integer=True))
     axes[1].set_xlabel("time [ms]")
     words = ("free", "contact", "impact")
     keys = [
-        Patch(facecolor=c, edgecolor=INK, linewidth=0.4, label=w) for c, w in zip(STATE_COLOURS, words, strict=True)
+        Patch(facecolor=c, edgecolor=INK, linewidth=0.4, label=w)
+        for c, w in zip(STATE_COLOURS, words, strict=True)
     ]
     figure.legend(handles=keys, loc="outside lower center", ncols=3)
 
@@ -143,7 +176,9 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     late = data.isel(time=slice(-ORBIT_POINTS, None))
     for ax, body, colour in zip(axes, ("ring", "cage"), (INNER_COLOUR, OUTER_COLOUR), strict=True):
         place = late[f"{body}_position"]
-        y, z = (place.sel({f"{body}_coordinate": name}).to_numpy() / MICROMETRE for name in ("y", "z"))
+        y, z = (
+            place.sel({f"{body}_coordinate": name}).to_numpy() / MICROMETRE for name in ("y", "z")
+        )
         ax.plot(z, y, color=colour, linewidth=0.5)
         ax.plot(z[-1], y[-1], "o", color=INK, markersize=3)
         whirl = document[f"{body}_whirl_speed_rpm"]
@@ -152,22 +187,40 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
         ax.set_xlabel("z [µm]")
         ax.set_aspect("equal", adjustable="datalim")
         if np.ptp(y) == 0.0 and np.ptp(z) == 0.0:
-            ax.text(0.5, 0.6, "held by these equations", ha="center", transform=ax.transAxes, color=REFERENCE)
+            ax.text(
+                0.5,
+                0.6,
+                "held by these equations",
+                ha="center",
+                transform=ax.transAxes,
+                color=REFERENCE,
+            )
     axes[0].set_ylabel("y, along the load line [µm]")
 
 
 def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Spectrum of the ring's motion along y, or x where y is held [um], with the defect frequencies [Hz]."""
+    """Spectrum of the ring's motion along y, or x where y is held [um], with the defect
+    frequencies [Hz].
+    """
     (ax,) = _start(figure, document, 1, 1, 3.4)
     found = document["frequencies_Hz"]["with_slip"]
     frequency, amplitude, direction = ring_spectrum(data)
     shown = frequency <= SPECTRUM_REACH * max(found["ball_pass_inner"], 1.0)
-    ax.semilogy(frequency[shown][1:], amplitude[shown][1:] / MICROMETRE, color=INNER_COLOUR, linewidth=0.8)
+    ax.semilogy(
+        frequency[shown][1:], amplitude[shown][1:] / MICROMETRE, color=INNER_COLOUR, linewidth=0.8
+    )
     names = {"cage": "cage", "ball_pass_outer": "BPFO", "ball_pass_inner": "BPFI"}
     for k, (key, word) in enumerate(names.items()):
         ax.axvline(found[key], color=OUTER_COLOUR, linestyle="--", linewidth=0.7)
         label = f" {word} {found[key]:.1f}"
-        ax.text(found[key], 0.98 - 0.06 * k, label, color=OUTER_COLOUR, va="top", transform=ax.get_xaxis_transform())
+        ax.text(
+            found[key],
+            0.98 - 0.06 * k,
+            label,
+            color=OUTER_COLOUR,
+            va="top",
+            transform=ax.get_xaxis_transform(),
+        )
     ax.set_xlabel("frequency [Hz]; defect frequencies with the slip that came out")
     ax.set_ylabel(f"inner ring along {direction} [µm]")
 
@@ -175,10 +228,12 @@ def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]
 def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
     """Work put in, energy stored and lost by mechanism over time [J], and what is left over."""
     top, bottom = _start(figure, document, 2, 1, 4.8, sharex=True, height_ratios=(3, 1))
-    time, work = _milliseconds(data), data["work"].to_numpy().astype(np.float64)
+    time = _milliseconds(data)
+    work = data["work"].to_numpy().astype(np.float64)
     names = [str(name) for name in data["mechanism"].to_numpy()]
     stored = data["energy"].to_numpy().astype(np.float64).sum(axis=1)
-    put_in, lost = work[:, :INPUTS].sum(axis=1), work[:, LOSSES].sum(axis=1)
+    put_in = work[:, :INPUTS].sum(axis=1)
+    lost = work[:, LOSSES].sum(axis=1)
     top.plot(time, put_in, color=INK, label="put in", linewidth=1.6)
     top.plot(time, stored - stored[0], color=REFERENCE, label="stored")
     taken = work[:, INPUTS:]
@@ -222,7 +277,9 @@ def last_turns(data: xarray.Dataset) -> xarray.Dataset:
 
 
 def ring_spectrum(data: xarray.Dataset) -> tuple[Any, Any, str]:
-    """Frequencies [Hz] and amplitudes [m] of the ring's motion in the second half, and its direction; Hann window."""
+    """Frequencies [Hz] and amplitudes [m] of the ring's motion in the second half, and its
+    direction; Hann window.
+    """
     late = data.isel(time=slice(data.sizes["time"] // 2, None))
     place = late["ring_position"]
     direction = "y" if float(np.ptp(place.sel(ring_coordinate="y").to_numpy())) > 0.0 else "x"
@@ -236,7 +293,14 @@ def ring_spectrum(data: xarray.Dataset) -> tuple[Any, Any, str]:
     return np.fft.rfftfreq(values.size, float(time[1] - time[0])), amplitude, direction
 
 
-def _start(figure: Figure, document: dict[str, Any], rows: int, columns: int, height: float, **options: Any) -> Any:
+def _start(
+    figure: Figure,
+    document: dict[str, Any],
+    rows: int,
+    columns: int,
+    height: float,
+    **options: Any,
+) -> Any:
     figure.set_size_inches(PAGE_WIDTH, height)
     figure.suptitle(str(document["case"].get("title", "")), fontsize=8.5)
     axes = figure.subplots(rows, columns, squeeze=False, **options)

@@ -1,7 +1,5 @@
 """Results of a time simulation: summary in named units, files, pictures."""
 
-from __future__ import annotations
-
 import shutil
 from dataclasses import dataclass
 from pathlib import Path
@@ -61,7 +59,8 @@ class DynamicsResults:
 
 
 def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
-    """The simulation as plain JSON in named units; what does not apply is None with the reason in `messages`.
+    """The simulation as plain JSON in named units; what does not apply is None with the reason in
+    `messages`.
 
     Parameters
     ----------
@@ -73,7 +72,8 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
         Speeds in [r/min], energies in [J], loads in [N], shares of the time [-].
     """
     made = results.simulation
-    found, messages = outcome(made, results.tally), list(results.messages)
+    found = outcome(made, results.tally)
+    messages = list(results.messages)
     if found is None:
         messages.append("dynamics: not converged: no sample was reached; all results are null")
     elif found.energy_error > ENERGY_LIMIT:
@@ -81,10 +81,17 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
         messages.append(text)
     if found is not None and found.cage_interval is None:
         messages.append("dynamics: fewer than 60 samples: no confidence interval of the speeds")
-    still = [] if found is None else [n for n in ("ring", "cage") if getattr(found, f"{n}_whirl") is None]
+    still = (
+        []
+        if found is None
+        else [n for n in ("ring", "cage") if getattr(found, f"{n}_whirl") is None]
+    )
     if still:
-        messages.append(f"dynamics: no whirl: the centre of {' and '.join(still)} stays on the axis or is held")
-    counts, counters = made.equations, made.state.counters
+        messages.append(
+            f"dynamics: no whirl: the centre of {' and '.join(still)} stays on the axis or is held"
+        )
+    counts = made.equations
+    counters = made.state.counters
     return {
         "oilfilm": results.version,
         "case": results.case,
@@ -109,9 +116,16 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
 
 
 def _speeds(found: Outcome | None) -> dict[str, float | None]:
-    """Means over the last third [r/min] with half widths of their 95 % intervals, and over the kinematic speed [-]."""
+    """Means over the last third [r/min] with half widths of their 95 % intervals, and over the
+    kinematic speed [-].
+    """
     if found is None:
-        names = ("cage_speed_rpm", "ball_orbit_speed_rpm", "kinematic_cage_speed_rpm", "cage_speed_ratio")
+        names = (
+            "cage_speed_rpm",
+            "ball_orbit_speed_rpm",
+            "kinematic_cage_speed_rpm",
+            "cage_speed_ratio",
+        )
         intervals = ("cage_speed_interval_rpm", "ball_orbit_speed_interval_rpm")
         return dict.fromkeys((*names, *intervals, "cage_slip_ratio", *WHIRLS))
     ratio = found.cage_speed / found.kinematic_speed if found.kinematic_speed else None
@@ -123,7 +137,10 @@ def _speeds(found: Outcome | None) -> dict[str, float | None]:
         "kinematic_cage_speed_rpm": found.kinematic_speed / RPM,
         "cage_speed_ratio": ratio,
         "cage_slip_ratio": None if ratio is None else 1.0 - ratio,
-        **{name: _rpm(value) for name, value in zip(WHIRLS, (found.ring_whirl, found.cage_whirl), strict=True)},
+        **{
+            name: _rpm(value)
+            for name, value in zip(WHIRLS, (found.ring_whirl, found.cage_whirl), strict=True)
+        },
     }
 
 
@@ -148,7 +165,11 @@ def _frequencies(made: Simulation, found: Outcome) -> dict[str, Any]:
     ideal = kinematic_cage_speed(made.bearing, inner, outer, nominal_angle(made))
     pairs = {"kinematic": ideal, "with_slip": found.orbit_speed / (2.0 * np.pi)}
     return {
-        name: {"cage": abs(cage), "ball_pass_outer": n * abs(cage - outer), "ball_pass_inner": n * abs(inner - cage)}
+        name: {
+            "cage": abs(cage),
+            "ball_pass_outer": n * abs(cage - outer),
+            "ball_pass_inner": n * abs(inner - cage),
+        }
         for name, cage in pairs.items()
     }
 
@@ -173,8 +194,11 @@ def _balls(made: Simulation, found: Outcome) -> list[dict[str, Any]]:
     ]
 
 
-def write_dynamics(results: DynamicsResults, directory: Path, *, pictures: bool = True) -> tuple[str, ...]:
-    """Write summary, history and pictures into a folder; what went wrong with a picture comes back as text.
+def write_dynamics(
+    results: DynamicsResults, directory: Path, *, pictures: bool = True
+) -> tuple[str, ...]:
+    """Write summary, history and pictures into a folder; what went wrong with a picture comes back
+    as text.
 
     Parameters
     ----------

@@ -1,7 +1,5 @@
 """Parts of the page of a batch."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from html import escape
 from pathlib import Path
@@ -34,7 +32,9 @@ def cards(summary: dict[str, Any]) -> str:
     for key, name in (("film_minimum_um", "minimum film"), ("torque_N_mm", "torque")):
         values = [point[key] for point in points if point.get(key) is not None]
         if values:
-            found.append(card(name, f"{number(min(values), 4)} … {number(max(values), 4)}", unit_text(key)))
+            found.append(
+                card(name, f"{number(min(values), 4)} … {number(max(values), 4)}", unit_text(key))
+            )
     return f'<div class="cards">{"".join(found)}</div>'
 
 
@@ -68,22 +68,41 @@ def _sweep(summary: dict[str, Any]) -> str:
 def _points(summary: dict[str, Any]) -> str:
     """One line for each point: varied keys, main results, state."""
     points = summary["points"]
-    keys = [key for key in summary["keys"] if len({str(point["keys"].get(key)) for point in points}) > 1]
+    keys = [
+        key
+        for key in summary["keys"]
+        if len({str(point["keys"].get(key)) for point in points}) > 1
+    ]
     names = list(dict.fromkeys(name for point in points for name in point if name not in STATE))
     names = [
-        name for name in names if "_uncertainty_" not in name and any(point.get(name) is not None for point in points)
+        name
+        for name in names
+        if "_uncertainty_" not in name and any(point.get(name) is not None for point in points)
     ]
     head = [("#", "")]
     head += [(name_text(key.rpartition(".")[2]), unit_text(key)) for key in keys]
     head += [(name_text(name), unit_text(name)) for name in names] + [("state", "")]
     rows = []
     for point in points[:MOST_ROWS]:
-        state = point["status"] if point["status"] != "done" else "" if point["converged"] else "not converged"
+        state = (
+            point["status"]
+            if point["status"] != "done"
+            else ""
+            if point["converged"]
+            else "not converged"
+        )
         cells = [str(point["point"]), *(text(point["keys"].get(key)) for key in keys)]
-        films = (with_error(point, name) if name.startswith("film_") else _figure(point.get(name)) for name in names)
+        films = (
+            with_error(point, name) if name.startswith("film_") else _figure(point.get(name))
+            for name in names
+        )
         cells += [*films, escape(state)]
         rows.append(("" if point["converged"] else "off", cells))
-    more = f"<p>{len(points) - MOST_ROWS} more points are in batch.csv.</p>" if len(points) > MOST_ROWS else ""
+    more = (
+        f"<p>{len(points) - MOST_ROWS} more points are in batch.csv.</p>"
+        if len(points) > MOST_ROWS
+        else ""
+    )
     return table(head, rows, (len(head) - 1,)) + more
 
 
@@ -97,14 +116,14 @@ def _sensitivity(summary: dict[str, Any]) -> str:
     for row in rows:
         cells = (row["results"].get(name) for name in names)
         shown = [
-            NOTHING if c is None else number(c["sensitivity"], 3) + (" ~" if c["resolved"] is False else "")
+            NOTHING
+            if c is None
+            else number(c["sensitivity"], 3) + (" ~" if c["resolved"] is False else "")
             for c in cells
         ]
         lines.append(("", [escape(row["key"]), text(row["value"]), *shown]))
     head = [("key", ""), ("value", ""), *((name_text(name), "") for name in names)]
-    note = (
-        "Percent by which a result changes for one percent of the key, by finite differences; ~: within the error bars."
-    )
+    note = "Percent by which a result changes for one percent of the key, by finite differences; ~: within the error bars."
     return table(head, lines, (0,)) + f'<p class="quiet small">{note}</p>'
 
 
@@ -113,7 +132,14 @@ def _bands(summary: dict[str, Any]) -> str:
     spread = summary.get("bands") or {}
     if not spread:
         return ""
-    head = [("", ""), ("5 %", ""), ("median", ""), ("95 %", ""), ("mean", ""), ("standard deviation", "")]
+    head = [
+        ("", ""),
+        ("5 %", ""),
+        ("median", ""),
+        ("95 %", ""),
+        ("mean", ""),
+        ("standard deviation", ""),
+    ]
     names = ("q05", "q50", "q95", "mean", "standard_deviation")
     rows = [
         ("", [f"{name_text(key)} [{unit_text(key) or '–'}]", *(number(band[n], 4) for n in names)])
@@ -124,4 +150,10 @@ def _bands(summary: dict[str, Any]) -> str:
 
 
 def _figure(value: Any) -> str:
-    return number(float(value), 4) if isinstance(value, int | float) else NOTHING if value is None else text(value)
+    return (
+        number(float(value), 4)
+        if isinstance(value, int | float)
+        else NOTHING
+        if value is None
+        else text(value)
+    )

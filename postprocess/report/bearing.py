@@ -1,7 +1,5 @@
 """Parts of the page of a bearing or a single contact."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from html import escape
 from pathlib import Path
@@ -45,7 +43,8 @@ KNOWN = frozenset(
     "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance life frequencies_Hz "
     "kinematic_frequencies_Hz torque_N_mm timing_s kind rows".split()
 )
-GIVEN = ("nominal_contact_angle_deg", "contamination_factor")  # input among the results of a rating
+# input among the results of a rating
+GIVEN = ("nominal_contact_angle_deg", "contamination_factor")
 TOP = ("schema_version", "title", "source", "assumed")
 NAMES = {"skf": "SKF", "houpert": "Houpert", "palmgren": "Palmgren", "yao": "Yao"}  # torque models
 SHORT = {
@@ -71,19 +70,26 @@ def input_tables(case: dict[str, Any]) -> str:
     for name, values in case.items():
         if name in TOP or not isinstance(values, dict):
             continue
-        if values and all(isinstance(inner, dict) for inner in values.values()):  # materials and oils by name
+        # materials and oils by name
+        if values and all(isinstance(inner, dict) for inner in values.values()):
             for inner, table_values in values.items():
                 blocks.append(facts(f"{name}: {inner}", table_values, assumed, f"{name}.{inner}"))
         else:
             blocks.append(facts(name, values, assumed, name))
-    lists = [(name, rows) for name, rows in case.items() if isinstance(rows, list) and name not in TOP]
+    lists = [
+        (name, rows) for name, rows in case.items() if isinstance(rows, list) and name not in TOP
+    ]
     blocks += [
         facts(f"{name} {k}", row, assumed, name)
         for name, rows in lists
         for k, row in enumerate(rows, 1)
         if isinstance(row, dict)
     ]
-    legend = '<p class="small"><span class="mark">*</span> assumed: no source gives this value</p>' if assumed else ""
+    legend = (
+        '<p class="small"><span class="mark">*</span> assumed: no source gives this value</p>'
+        if assumed
+        else ""
+    )
     return f'{legend}<div class="facts">{"".join(blocks)}</div>'
 
 
@@ -99,8 +105,14 @@ def cards(summary: dict[str, Any]) -> str:
         where = f", ball {thinnest['ball']} {thinnest['race']}" if "ball" in thinnest else ""
         found.append(card(f"minimum film{where}", with_error(thinnest, "film_minimum_um"), "µm"))
     elif summary.get("film_minimum_dimensionless") is not None:
-        found.append(card("minimum film", with_error(summary, "film_minimum_dimensionless"), "a²/Rx"))
-    pressures = [c["hertz_pressure_GPa"] for c in contacts or [summary] if c.get("hertz_pressure_GPa") is not None]
+        found.append(
+            card("minimum film", with_error(summary, "film_minimum_dimensionless"), "a²/Rx")
+        )
+    pressures = [
+        c["hertz_pressure_GPa"]
+        for c in contacts or [summary]
+        if c.get("hertz_pressure_GPa") is not None
+    ]
     if pressures:
         found.append(card("largest Hertz pressure", number(max(pressures), 4), "GPa"))
     if contacts:
@@ -114,7 +126,9 @@ def cards(summary: dict[str, Any]) -> str:
         ("cage speed", summary.get("cage_speed_rpm"), "rpm"),
         ("load", summary.get("load_N"), "N"),
     )
-    found += [card(name, number(value, 4), unit) for name, value, unit in single if value is not None]
+    found += [
+        card(name, number(value, 4), unit) for name, value, unit in single if value is not None
+    ]
     return f'<div class="cards">{"".join(found)}</div>' if found else ""
 
 
@@ -141,13 +155,23 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
         "frequencies_Hz": "Frequencies [Hz]",
         "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
     }
-    shown = [facts(title, _known(summary[key])) for key, title in blocks.items() if _says_something(summary.get(key))]
-    yield "life", "Life, clearance, frequencies", f'<div class="facts">{"".join(shown)}</div>' if shown else ""
+    shown = [
+        facts(title, _known(summary[key]))
+        for key, title in blocks.items()
+        if _says_something(summary.get(key))
+    ]
+    yield (
+        "life",
+        "Life, clearance, frequencies",
+        f'<div class="facts">{"".join(shown)}</div>' if shown else "",
+    )
     yield "convergence", "Convergence and uncertainty", _convergence(summary)
 
 
 def _says_something(block: Any) -> bool:
-    return isinstance(block, dict) and any(v is not None for key, v in block.items() if key not in GIVEN)
+    return isinstance(block, dict) and any(
+        v is not None for key, v in block.items() if key not in GIVEN
+    )
 
 
 def _known(block: dict[str, Any]) -> dict[str, Any]:
@@ -174,39 +198,66 @@ def _stiffness(stiffness: dict[str, Any]) -> str:
         return ""
     level = ROUND_OFF * max(abs(value) for row in matrix for value in row)
     plain = [[0.0 if abs(value) < level else value for value in row] for row in matrix]
-    rows = [("", [escape(name), *(number(value, 3) for value in row)]) for name, row in zip(order, plain, strict=True)]
+    rows = [
+        ("", [escape(name), *(number(value, 3) for value in row)])
+        for name, row in zip(order, plain, strict=True)
+    ]
     note = '<p class="quiet small">d(load)/d(displacement): N/m, N/rad; moments N m/m, N m/rad</p>'
-    return "<h3>Stiffness</h3>" + table([("", ""), *((escape(name), "") for name in order)], rows, (0,)) + note
+    return (
+        "<h3>Stiffness</h3>"
+        + table([("", ""), *((escape(name), "") for name in order)], rows, (0,))
+        + note
+    )
 
 
 def _balls(balls: list[dict[str, Any]]) -> str:
     if not balls:
         return ""
-    names = [key for key in balls[0] if any(isinstance(ball.get(key), int | float) for ball in balls)]
+    names = [
+        key for key in balls[0] if any(isinstance(ball.get(key), int | float) for ball in balls)
+    ]
     rows = [
-        ("", [number(ball[key], 4) if isinstance(ball[key], float) else text(ball[key]) for key in names])
+        (
+            "",
+            [
+                number(ball[key], 4) if isinstance(ball[key], float) else text(ball[key])
+                for key in names
+            ],
+        )
         for ball in balls
     ]
     return (
-        "<details><summary>Balls</summary>" + table([(name_text(n), unit_text(n)) for n in names], rows) + "</details>"
+        "<details><summary>Balls</summary>"
+        + table([(name_text(n), unit_text(n)) for n in names], rows)
+        + "</details>"
     )
 
 
 def _contacts(contacts: list[dict[str, Any]]) -> str:
     """One line per ball and race; columns without a value anywhere are left out."""
-    names = [name for name in CONTACT_COLUMNS if any(contact.get(name) is not None for contact in contacts)]
+    names = [
+        name
+        for name in CONTACT_COLUMNS
+        if any(contact.get(name) is not None for contact in contacts)
+    ]
     head = [("ball", ""), ("azimuth", "°"), ("race", "")]
     head += [(SHORT.get(name, name_text(name)), unit_text(name)) for name in names]
     rows = []
     for contact in contacts:
         state = "" if contact.get("converged") in (None, True) else " !"
         state += "" if contact.get("resolved") in (None, True) else " ?"
-        cells = [str(contact["ball"]) + state, number(contact["azimuth_deg"] % 360.0, 5), escape(contact["race"])]
+        cells = [
+            str(contact["ball"]) + state,
+            number(contact["azimuth_deg"] % 360.0, 5),
+            escape(contact["race"]),
+        ]
         for name in names:
             film = name.startswith("film_")
             cells.append(with_error(contact, name) if film else _figure(contact.get(name)))
         rows.append(("" if contact.get("loaded") else "off", cells))
-    legend = "grey: unloaded; !: not converged; ?: film not resolved. All columns are in contacts.csv."
+    legend = (
+        "grey: unloaded; !: not converged; ?: film not resolved. All columns are in contacts.csv."
+    )
     return table(head, rows, (2,)) + f'<p class="quiet small">{legend}</p>'
 
 
@@ -216,8 +267,15 @@ def _figure(value: Any) -> str:
 
 def known_pictures(summary: dict[str, Any]) -> set[str]:
     """Names of the pictures that the parts of the page place themselves."""
-    names = {f"{race}_ball{c['ball']:02d}" for c in summary.get("contacts") or () for race in ("inner", "outer")}
-    return {f"{name}.png" for name in ({"load_zone", "film_per_azimuth", "pressure_per_azimuth", "contact"} | names)}
+    names = {
+        f"{race}_ball{c['ball']:02d}"
+        for c in summary.get("contacts") or ()
+        for race in ("inner", "outer")
+    }
+    return {
+        f"{name}.png"
+        for name in ({"load_zone", "film_per_azimuth", "pressure_per_azimuth", "contact"} | names)
+    }
 
 
 def is_single_contact(summary: dict[str, Any]) -> bool:
@@ -230,11 +288,23 @@ def _films(summary: dict[str, Any], folder: Path) -> str:
     if "contacts" not in summary:
         if not is_single_contact(summary):
             return ""
-        numbers = {key: value for key, value in summary.items() if key not in KNOWN and not is_large(value)}
+        numbers = {
+            key: value
+            for key, value in summary.items()
+            if key not in KNOWN and not is_large(value)
+        }
         shown = picture(plots / "contact.png", "Film thickness and pressure of the contact")
-        return shown + f'<div class="facts">{facts("Numbers", numbers)}</div>' if shown or numbers else ""
-    shown = picture(plots / "film_per_azimuth.png", "Film thickness ball by ball, both races", wide=True)
-    shown += picture(plots / "pressure_per_azimuth.png", "Pressure ball by ball, both races", wide=True)
+        return (
+            shown + f'<div class="facts">{facts("Numbers", numbers)}</div>'
+            if shown or numbers
+            else ""
+        )
+    shown = picture(
+        plots / "film_per_azimuth.png", "Film thickness ball by ball, both races", wide=True
+    )
+    shown += picture(
+        plots / "pressure_per_azimuth.png", "Pressure ball by ball, both races", wide=True
+    )
     single = [
         picture(path, path.stem.replace("_ball", " race, ball ").replace("ball 0", "ball "))
         for path in sorted([*plots.glob("inner_ball*.png"), *plots.glob("outer_ball*.png")])
@@ -247,25 +317,49 @@ def _films(summary: dict[str, Any], folder: Path) -> str:
 
 def _torque(torque: dict[str, Any]) -> str:
     """The models side by side: bars of their parts, and the numbers."""
-    models = {name: parts for name, parts in (torque.get("models") or {}).items() if isinstance(parts, dict)}
-    known = {name: parts for name, parts in models.items() if isinstance(parts.get("total"), int | float)}
+    models = {
+        name: parts
+        for name, parts in (torque.get("models") or {}).items()
+        if isinstance(parts, dict)
+    }
+    known = {
+        name: parts
+        for name, parts in models.items()
+        if isinstance(parts.get("total"), int | float)
+    }
     if not known:
         return ""
     numbers = {
         name: _without_noise(
-            {part: float(v) for part, v in parts.items() if part != "total" and isinstance(v, int | float)}
+            {
+                part: float(v)
+                for part, v in parts.items()
+                if part != "total" and isinstance(v, int | float)
+            }
         )
         for name, parts in known.items()
     }
     bars = stacked_bars([(_words(n), numbers[n], float(known[n]["total"])) for n in known], "N mm")
     rows = []
     for name, parts in known.items():
-        inner = ", ".join(f"{escape(_words(part))} {number(value, 4)}" for part, value in numbers[name].items())
-        rows.append(("", [escape(_words(name)), number(float(parts["total"]), 4), inner or NOTHING]))
+        inner = ", ".join(
+            f"{escape(_words(part))} {number(value, 4)}" for part, value in numbers[name].items()
+        )
+        rows.append(
+            ("", [escape(_words(name)), number(float(parts["total"]), 4), inner or NOTHING])
+        )
     caption = "Each model has its own assumptions; hover over a bar for its parts."
-    figure = f'<figure><div class="scroll wide">{bars}</div><figcaption>{caption}</figcaption></figure>'
-    rest = {key: v for key, v in torque.items() if not isinstance(v, dict | list) and v is not None}
-    return figure + table([("model", ""), ("total", "N mm"), ("parts", "N mm")], rows, (0, 2)) + _alone(rest)
+    figure = (
+        f'<figure><div class="scroll wide">{bars}</div><figcaption>{caption}</figcaption></figure>'
+    )
+    rest = {
+        key: v for key, v in torque.items() if not isinstance(v, dict | list) and v is not None
+    }
+    return (
+        figure
+        + table([("model", ""), ("total", "N mm"), ("parts", "N mm")], rows, (0, 2))
+        + _alone(rest)
+    )
 
 
 def _without_noise(parts: dict[str, float]) -> dict[str, float]:
@@ -274,7 +368,11 @@ def _without_noise(parts: dict[str, float]) -> dict[str, float]:
 
 
 def _alone(values: dict[str, Any]) -> str:
-    return f"<p>{'; '.join(f'{name_text(key)} {text(value)}' for key, value in values.items())}</p>" if values else ""
+    return (
+        f"<p>{'; '.join(f'{name_text(key)} {text(value)}' for key, value in values.items())}</p>"
+        if values
+        else ""
+    )
 
 
 def _words(name: str) -> str:
@@ -284,22 +382,37 @@ def _words(name: str) -> str:
 def _convergence(summary: dict[str, Any]) -> str:
     """Residual of the equilibrium, and box, nodes and error bars of every distinct film."""
     shown = (
-        f'<div class="facts">{facts("Equilibrium", summary["equilibrium"])}</div>' if "equilibrium" in summary else ""
+        f'<div class="facts">{facts("Equilibrium", summary["equilibrium"])}</div>'
+        if "equilibrium" in summary
+        else ""
     )
-    rows, seen = [], set()
+    rows = []
+    seen = set()
     for contact in summary.get("contacts") or ():
         if contact.get("film_minimum_um") is None:
             continue
-        key = (contact["race"], *(f"{contact[name]:.6g}" for name in ("film_minimum_um", "film_central_um", "load_N")))
+        key = (
+            contact["race"],
+            *(f"{contact[name]:.6g}" for name in ("film_minimum_um", "film_central_um", "load_N")),
+        )
         if key in seen:
             continue
         seen.add(key)
-        box = " … ".join(number(x, 3) for x in contact["domain"][:2]) + f"; ±{number(contact['domain'][2], 3)}"
+        box = (
+            " … ".join(number(x, 3) for x in contact["domain"][:2])
+            + f"; ±{number(contact['domain'][2], 3)}"
+        )
         nodes = " × ".join(map(str, contact["points"]))
         errors = [_share(contact, f"film_{film}") for film in ("central", "minimum")]
         states = [text(contact.get("converged")), text(contact.get("resolved"))]
         rows.append(("", [f"{contact['ball']} {contact['race']}", nodes, box, *errors, *states]))
-    head = [("ball, race", ""), ("nodes", ""), ("box", "semi-axes"), ("central film", "± %"), ("minimum film", "± %")]
+    head = [
+        ("ball, race", ""),
+        ("nodes", ""),
+        ("box", "semi-axes"),
+        ("central film", "± %"),
+        ("minimum film", "± %"),
+    ]
     head += [("converged", ""), ("resolved", "")]
     note = "Error bars enclose the distance to the film on an infinitely fine grid of the same equations."
     return shown + (table(head, rows, (0,)) + f'<p class="quiet small">{note}</p>' if rows else "")

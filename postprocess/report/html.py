@@ -1,7 +1,5 @@
 """Pieces of an HTML page: tables, facts, pictures; every text is escaped here and nowhere else."""
 
-from __future__ import annotations
-
 import base64
 import platform
 from collections.abc import Iterable, Sequence
@@ -76,7 +74,11 @@ def name_text(key: str) -> str:
     return escape(without_unit(key))
 
 
-def table(head: Sequence[tuple[str, str]], rows: Iterable[tuple[str, Sequence[str]]], texts: Sequence[int] = ()) -> str:
+def table(
+    head: Sequence[tuple[str, str]],
+    rows: Iterable[tuple[str, Sequence[str]]],
+    texts: Sequence[int] = (),
+) -> str:
     """A table that can be scrolled sideways.
 
     Parameters
@@ -94,12 +96,17 @@ def table(head: Sequence[tuple[str, str]], rows: Iterable[tuple[str, Sequence[st
     """
     kind = lambda column: ' class="text"' if column in texts else ""  # noqa: E731
     heads = "".join(
-        f"<th{kind(i)}>{name}{f'<small>{unit}</small>' if unit else ''}</th>" for i, (name, unit) in enumerate(head)
+        f"<th{kind(i)}>{name}{f'<small>{unit}</small>' if unit else ''}</th>"
+        for i, (name, unit) in enumerate(head)
     )
     lines = []
     for style, cells in rows:
-        shown = "".join(f"<td{_cell_class(i in texts, cell)}>{cell}</td>" for i, cell in enumerate(cells))
-        lines.append(f"<tr{f' class={style!r}' if style else ''}>{shown}</tr>".replace("'", '"', 2))
+        shown = "".join(
+            f"<td{_cell_class(i in texts, cell)}>{cell}</td>" for i, cell in enumerate(cells)
+        )
+        lines.append(
+            f"<tr{f' class={style!r}' if style else ''}>{shown}</tr>".replace("'", '"', 2)
+        )
     return f'<div class="scroll"><table><thead><tr>{heads}</tr></thead><tbody>{"".join(lines)}</tbody></table></div>'
 
 
@@ -109,11 +116,19 @@ def _cell_class(words: bool, cell: str) -> str:
     return ' class="text long"' if len(cell) > LONG else ' class="text"'
 
 
-def facts(title: str, values: dict[str, Any], assumed: frozenset[str] = frozenset(), path: str = "") -> str:
-    """Key, value and unit, one below the other; `assumed` keys are marked. Null values stay, as a dash."""
+def facts(
+    title: str, values: dict[str, Any], assumed: frozenset[str] = frozenset(), path: str = ""
+) -> str:
+    """Key, value and unit, one below the other; `assumed` keys are marked. Null values stay, as a
+    dash.
+    """
     rows = []
     for key, value in values.items():
-        mark, style = (' <span class="mark">*</span>', ' class="assumed"') if f"{path}.{key}" in assumed else ("", "")
+        mark, style = (
+            (' <span class="mark">*</span>', ' class="assumed"')
+            if f"{path}.{key}" in assumed
+            else ("", "")
+        )
         unit = unit_text(key) if value is not None else ""
         shown = f"{text(value)}&nbsp;{escape(unit)}" if unit else text(value)
         cells = f"<td>{name_text(key)}{mark}</td><td>{shown}</td>"
@@ -127,7 +142,8 @@ def facts(title: str, values: dict[str, Any], assumed: frozenset[str] = frozense
 def is_large(value: Any) -> bool:
     """Whether a value is too much for one line: a table, a long list, a list of tables."""
     return isinstance(value, dict) or (
-        isinstance(value, list) and (len(value) > MOST_LISTED or any(isinstance(item, list | dict) for item in value))
+        isinstance(value, list)
+        and (len(value) > MOST_LISTED or any(isinstance(item, list | dict) for item in value))
     )
 
 
@@ -137,7 +153,9 @@ def card(name: str, value: str, unit: str = "") -> str:
 
 
 def picture(path: Path, caption: str, *, wide: bool = False) -> str:
-    """A PNG file inside the page, nothing if there is none; a wide one is scrolled on a phone, not shrunk."""
+    """A PNG file inside the page, nothing if there is none; a wide one is scrolled on a phone, not
+    shrunk.
+    """
     if not path.is_file():
         return ""
     data = base64.b64encode(path.read_bytes()).decode("ascii")
@@ -169,7 +187,12 @@ def versions(summary: dict[str, Any]) -> str:
         except metadata.PackageNotFoundError:
             continue
     times = {f"{name}_s": value for name, value in (summary.get("timing_s") or {}).items()}
-    own = {"oilfilm, of the results": summary["oilfilm"], "python, of this page": platform.python_version()}
-    blocks = [facts("Versions", own | {f"{name}, of this page": v for name, v in libraries.items()})]
+    own = {
+        "oilfilm, of the results": summary["oilfilm"],
+        "python, of this page": platform.python_version(),
+    }
+    blocks = [
+        facts("Versions", own | {f"{name}, of this page": v for name, v in libraries.items()})
+    ]
     blocks += [facts("Wall time", times)] if times else []
     return f'<div class="facts">{"".join(blocks)}</div>'

@@ -1,6 +1,6 @@
-"""One HTML page of a result folder that needs no other file: case, batch, single contact, or whatever has a summary."""
-
-from __future__ import annotations
+"""One HTML page of a result folder that needs no other file: case, batch, single contact, or
+whatever has a summary.
+"""
 
 import json
 from collections.abc import Iterator
@@ -13,7 +13,18 @@ from typing import Any
 from ..files import SUMMARY_FILE, atomic_path
 from . import batch as report_batch
 from . import bearing as report_bearing
-from .html import facts, is_large, items, name_text, picture, section, table, text, unit_text, versions
+from .html import (
+    facts,
+    is_large,
+    items,
+    name_text,
+    picture,
+    section,
+    table,
+    text,
+    unit_text,
+    versions,
+)
 
 REPORT_FILE = "report.html"
 GENERATOR = '<meta name="generator" content="oilfilm'
@@ -41,7 +52,10 @@ def write_report(directory: str | Path) -> Path:
     folder = Path(directory)
     path = folder / REPORT_FILE
     page = report_page(folder)
-    if path.exists() and GENERATOR not in path.read_text(encoding="utf-8", errors="replace")[:HEADER]:
+    if (
+        path.exists()
+        and GENERATOR not in path.read_text(encoding="utf-8", errors="replace")[:HEADER]
+    ):
         raise ValueError(f"{path} was not written by oilfilm and will not be replaced")
     with atomic_path(path) as temporary:
         temporary.write_text(page, encoding="utf-8")
@@ -54,11 +68,18 @@ def read_summary(directory: Path) -> dict[str, Any]:
     try:
         summary = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise ValueError(f"{directory} holds no results: {SUMMARY_FILE}: {error.strerror or error}") from error
+        raise ValueError(
+            f"{directory} holds no results: {SUMMARY_FILE}: {error.strerror or error}"
+        ) from error
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{path} is damaged: {error}") from error
-    if not isinstance(summary, dict) or not {"oilfilm", "case", "converged", "messages"} <= summary.keys():
-        raise ValueError(f"{path} is not a summary of oilfilm, or one of a version older than this one reads")
+    if (
+        not isinstance(summary, dict)
+        or not {"oilfilm", "case", "converged", "messages"} <= summary.keys()
+    ):
+        raise ValueError(
+            f"{path} is not a summary of oilfilm, or one of a version older than this one reads"
+        )
     return summary
 
 
@@ -70,10 +91,15 @@ def report_page(folder: Path) -> str:
     sections = report_batch.sections(summary, folder) if batch else _sections(summary, folder)
     parts = [(anchor, name, body) for anchor, name, body in sections if body]
     links = " ".join(f'<a href="#{anchor}">{escape(name)}</a>' for anchor, name, _ in parts)
-    head = _head(summary, title, links) + (report_batch.cards(summary) if batch else report_bearing.cards(summary))
+    head = _head(summary, title, links) + (
+        report_batch.cards(summary) if batch else report_bearing.cards(summary)
+    )
     body = head + _warnings(summary) + "\n".join(section(*part) for part in parts)
     return Template(_template("report.html")).substitute(
-        title=escape(title), version=escape(str(summary["oilfilm"])), style=_template("report.css"), body=body
+        title=escape(title),
+        version=escape(str(summary["oilfilm"])),
+        style=_template("report.css"),
+        body=body,
     )
 
 
@@ -83,12 +109,18 @@ def _template(name: str) -> str:
 
 def _head(summary: dict[str, Any], title: str, links: str) -> str:
     case = summary["case"]
-    source = f"<p>Source of the input: {escape(str(case['source']))}</p>" if _has(case, "source") else ""
+    source = (
+        f"<p>Source of the input: {escape(str(case['source']))}</p>"
+        if _has(case, "source")
+        else ""
+    )
     state = '<span class="state fine">converged</span>'
     if not summary["converged"]:
         state = '<span class="state bad">not converged</span>'
     made = f'<span class="quiet small">oilfilm {escape(str(summary["oilfilm"]))}</span>'
-    return f"<header><h1>{escape(title)}</h1>{source}<p>{state} {made}</p><nav>{links}</nav></header>"
+    return (
+        f"<header><h1>{escape(title)}</h1>{source}<p>{state} {made}</p><nav>{links}</nav></header>"
+    )
 
 
 def _has(case: Any, key: str) -> bool:
@@ -158,5 +190,7 @@ def _pictures(summary: dict[str, Any], folder: Path) -> str:
     """Pictures that no part of the page names: slip maps, dynamics, what later versions draw."""
     known = report_bearing.known_pictures(summary)
     files = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
-    shown = [picture(file, file.stem.replace("_", " ")) for file in files if file.name not in known]
+    shown = [
+        picture(file, file.stem.replace("_", " ")) for file in files if file.name not in known
+    ]
     return f'<div class="gallery">{"".join(shown)}</div>' if shown else ""

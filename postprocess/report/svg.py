@@ -1,17 +1,21 @@
 """Diagrams drawn as SVG, so that a page needs no other file and prints sharply."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from html import escape
 
 from .html import number
 
-WIDTH, LABEL, ROW, BAR, RIGHT = 860, 170, 34, 20, 110  # of a bar chart, in pixels
+# of a bar chart, in pixels
+WIDTH = 860
+LABEL = 170
+ROW = 34
+BAR = 20
+RIGHT = 110
 COLOURS = tuple(
     "#0b5394 #c1440e #5b9a3c #8e5ea2 #c99a2e #3a9aa8 #7a6a5a #b3476a #4a7fc1 #e08a5a #2f6b3a #b9a0cf".split()
 )
-INK, LINE = "#1b1f24", "#d5dae1"
+INK = "#1b1f24"
+LINE = "#d5dae1"
 FONT = 'font-family="system-ui, sans-serif"'
 
 
@@ -21,7 +25,8 @@ def stacked_bars(rows: Sequence[tuple[str, dict[str, float], float]], unit: str)
     Parameters
     ----------
     rows : sequence of (str, dict, float)
-        Name, parts and total of each bar, in `unit`; parts that are not all of one sign are left out.
+        Name, parts and total of each bar, in `unit`; parts that are not all of one sign are left
+        out.
     unit : str
 
     Returns
@@ -31,14 +36,18 @@ def stacked_bars(rows: Sequence[tuple[str, dict[str, float], float]], unit: str)
     """
     top = max((abs(total) for _, _, total in rows), default=0.0) or 1.0
     scale = (WIDTH - LABEL - RIGHT) / top
-    names = list(dict.fromkeys(part for _, parts, _ in rows for part, value in parts.items() if value))
+    names = list(
+        dict.fromkeys(part for _, parts, _ in rows for part, value in parts.items() if value)
+    )
     colours = {name: COLOURS[i % len(COLOURS)] for i, name in enumerate(names)}
     shapes = []
     for i, (name, parts, total) in enumerate(rows):
         y = 8 + i * ROW
         shapes.append(_words(LABEL - 8, y + 15, name, "end"))
         shapes += _bar(parts, total, y, scale, colours)
-        shapes.append(_words(LABEL + abs(total) * scale + 6, y + 15, f"{total:.4g} {unit}".replace("-", "−")))
+        shapes.append(
+            _words(LABEL + abs(total) * scale + 6, y + 15, f"{total:.4g} {unit}".replace("-", "−"))
+        )
     bottom = 8 + len(rows) * ROW
     shapes.append(f'<line x1="{LABEL}" y1="4" x2="{LABEL}" y2="{bottom}" stroke="{INK}"/>')
     legend, height = _legend(colours, bottom + 12)
@@ -47,13 +56,18 @@ def stacked_bars(rows: Sequence[tuple[str, dict[str, float], float]], unit: str)
     return f'<svg xmlns="http://www.w3.org/2000/svg" {view} {FONT} font-size="13">{"".join(shapes)}{legend}</svg>'
 
 
-def _bar(parts: dict[str, float], total: float, y: float, scale: float, colours: dict[str, str]) -> list[str]:
+def _bar(
+    parts: dict[str, float], total: float, y: float, scale: float, colours: dict[str, str]
+) -> list[str]:
     """The rectangles of one bar; a single one where the parts cannot be stacked."""
     values = [value for value in parts.values() if value]
-    stackable = values and (all(value > 0.0 for value in values) or all(value < 0.0 for value in values))
+    stackable = values and (
+        all(value > 0.0 for value in values) or all(value < 0.0 for value in values)
+    )
     if not stackable:
         return [_rectangle(LABEL, y, abs(total) * scale, "#9aa4b1", f"total {number(total)}")]
-    shapes, x = [], float(LABEL)
+    shapes = []
+    x = float(LABEL)
     for name, value in parts.items():
         if not value:
             continue
@@ -68,16 +82,22 @@ def _rectangle(x: float, y: float, width: float, colour: str, title: str) -> str
 
 
 def _words(x: float, y: float, words: str, anchor: str = "start") -> str:
-    return f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{INK}">{escape(words)}</text>'
+    return (
+        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{INK}">{escape(words)}</text>'
+    )
 
 
 def _legend(colours: dict[str, str], y: float) -> tuple[str, int]:
-    """Names of the parts beside their colours, on as many lines as they need, and the height with them."""
-    shapes, x = [], float(LABEL)
+    """Names of the parts beside their colours, on as many lines as they need, and the height with
+    them.
+    """
+    shapes = []
+    x = float(LABEL)
     for name, colour in colours.items():
         width = 30.0 + 7.5 * len(name)
         if x + width > WIDTH:
-            x, y = float(LABEL), y + 20.0
+            x = float(LABEL)
+            y = y + 20.0
         shapes.append(f'<rect x="{x:.1f}" y="{y:.1f}" width="12" height="12" fill="{colour}"/>')
         shapes.append(_words(x + 17.0, y + 11.0, name))
         x += width

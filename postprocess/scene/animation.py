@@ -1,9 +1,9 @@
-"""A simulated bearing in motion: balls that roll with visible marks, cage, forces as arrows; a GIF, steps for ParaView.
+"""A simulated bearing in motion: balls that roll with visible marks, cage, forces as arrows; a
+GIF, steps for ParaView.
 
-Drawing happens in a process of its own, which may die of a missing library without harm (`rendering`).
+Drawing happens in a process of its own, which may die of a missing library without harm
+(`rendering`).
 """
-
-from __future__ import annotations
 
 import json
 import sys
@@ -29,13 +29,21 @@ from .vtk import collection_text
 
 Array = NDArray[np.float64]
 
-COLLECTION_FILE, STEP_FOLDER = "motion.pvd", "motion"
-LIGHT, DARK, CAGE_COLOUR, RING_COLOUR, INK = "#e8ebef", "#39424e", "#b98a4a", "#c3cad3", "#1b1f24"
-COLOURS = 128  # of a frame; picked to cover, not by area, so that the few points of the arrows keep theirs
+COLLECTION_FILE = "motion.pvd"
+STEP_FOLDER = "motion"
+LIGHT = "#e8ebef"
+DARK = "#39424e"
+CAGE_COLOUR = "#b98a4a"
+RING_COLOUR = "#c3cad3"
+INK = "#1b1f24"
+# of a frame; picked to cover, not by area, so that the few points of the arrows keep theirs
+COLOURS = 128
 FORCE_COLOURS = {"inner": "#0b5394", "outer": "#c1440e"}
 PER_FRAME = 60  # [ms]
 BALL_RINGS = 16  # of a ball's mesh
-BAND, BAR = 0.18, 0.5  # width of the cage's rims and length of its bars over the ball's diameter [-]
+# width of the cage's rims and length of its bars over the ball's diameter [-]
+BAND = 0.18
+BAR = 0.5
 LONGEST_ARROW = 0.9  # over the ball's diameter [-]
 
 
@@ -61,11 +69,16 @@ class AnimationOptions:
 
     def __post_init__(self) -> None:
         if self.frames < 2 or not self.turns > 0.0:
-            raise ValueError(f"frames must be at least 2 and turns positive, got {self.frames}, {self.turns}")
+            raise ValueError(
+                f"frames must be at least 2 and turns positive, got {self.frames}, {self.turns}"
+            )
 
 
-def animate(directory: str | Path, file: str | Path, options: AnimationOptions | None = None) -> Path:
-    """Write the motion of a simulation as an animated GIF, without a display, and beside its history for ParaView.
+def animate(
+    directory: str | Path, file: str | Path, options: AnimationOptions | None = None
+) -> Path:
+    """Write the motion of a simulation as an animated GIF, without a display, and beside its
+    history for ParaView.
 
     Parameters
     ----------
@@ -134,7 +147,8 @@ def ball_marks(radius: float) -> tuple[Surface, Array]:
 
 def cage_surface(pitch: float, ball: float, balls: int) -> Surface:
     """A cage for the eye, in its own frame [m]: two rims beside the balls and bars between them."""
-    side, radius = 0.5 * ball * (1.0 + BAND), 0.5 * pitch
+    side = 0.5 * ball * (1.0 + BAND)
+    radius = 0.5 * pitch
     parts = []
     turn = np.linspace(0.0, 2.0 * np.pi, 181)
     for axial in (-side, side):
@@ -155,12 +169,22 @@ def _band(turn: Array, axial: tuple[float, float], radius: float) -> Surface:
 def bearing_of(data: xarray.Dataset) -> Bearing:
     """Bearing of a history by its dimensions [m]; the materials do not show."""
     steel = load_material("bearing steel")
-    names = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius", "diametral_clearance")
+    names = (
+        "ball_diameter",
+        "pitch_diameter",
+        "inner_groove_radius",
+        "outer_groove_radius",
+        "diametral_clearance",
+    )
     dimensions: dict[str, Any] = {name: float(data.attrs[name]) for name in names}
     dimensions |= {
-        name: float(data.attrs[name]) for name in ("bore", "width", "outside_diameter") if name in data.attrs
+        name: float(data.attrs[name])
+        for name in ("bore", "width", "outside_diameter")
+        if name in data.attrs
     }
-    dimensions |= dict.fromkeys(("ball_material", "inner_ring_material", "outer_ring_material"), steel)
+    dimensions |= dict.fromkeys(
+        ("ball_material", "inner_ring_material", "outer_ring_material"), steel
+    )
     return Bearing(name="shown", balls=data.sizes["ball"], **dimensions)
 
 
@@ -185,12 +209,17 @@ class _Motion:
     def move(self, row: int) -> None:
         """Bring the meshes to a row."""
         one = self.data.isel(time=row)
-        centres, attitude = one["ball_position"].to_numpy(), one["ball_attitude"].to_numpy().astype(np.float64)
-        parts = [c + self.ball.points @ rotation(q).T for c, q in zip(centres, attitude, strict=True)]
+        centres = one["ball_position"].to_numpy()
+        attitude = one["ball_attitude"].to_numpy().astype(np.float64)
+        parts = [
+            c + self.ball.points @ rotation(q).T for c, q in zip(centres, attitude, strict=True)
+        ]
         self.balls.points = np.concatenate(parts) / MILLIMETRE
         cage = one["cage_position"].to_numpy()
         first = float(self.data.attrs["first_ball_azimuth"])
-        self.cage.points = (cage[:3] + self.cage_form.points @ about_axis(first + cage[3]).T) / MILLIMETRE
+        self.cage.points = (
+            cage[:3] + self.cage_form.points @ about_axis(first + cage[3]).T
+        ) / MILLIMETRE
         ring = one["ring_position"].to_numpy()
         turn = about_axis(float(one["ring_rotation"]))
         self.ring.points = (ring[:3] + self.ring_form.points @ turn.T) / MILLIMETRE
@@ -263,30 +292,41 @@ def _draw(directory: Path, file: Path, options: AnimationOptions) -> None:
         rows = shown_rows(data, options)
         motion = _Motion(data, rows)
         title = str(data.attrs.get("title", ""))
-    plotter = _plotter(motion, f"{title}\nforces on the balls: inner race blue, outer race red", options.size)
-    frames, steps = [], {}
+    plotter = _plotter(
+        motion, f"{title}\nforces on the balls: inner race blue, outer race red", options.size
+    )
+    frames = []
+    steps = {}
     for row, time in enumerate(motion.data["time"].to_numpy()):
         motion.move(row)
         for race, colour in FORCE_COLOURS.items():
             arrows = _arrows(motion, row, race)
             plotter.remove_actor(f"forces {race}", render=False)
             if arrows is not None:
-                plotter.add_mesh(arrows, color=colour, name=f"forces {race}", lighting=False, render=False)
-        plotter.add_text(f"{1000.0 * time:.2f} ms", position="lower_left", font_size=9, color=INK, name="time")
+                plotter.add_mesh(
+                    arrows, color=colour, name=f"forces {race}", lighting=False, render=False
+                )
+        plotter.add_text(
+            f"{1000.0 * time:.2f} ms", position="lower_left", font_size=9, color=INK, name="time"
+        )
         plotter.render()
         picture = Image.fromarray(plotter.screenshot(return_img=True))
         frames.append(picture.quantize(COLOURS, method=Image.Quantize.MAXCOVERAGE))
         if options.steps:
             steps[float(time)] = _write_step(motion, directory, row)
     plotter.close()
-    frames[0].save(file, save_all=True, append_images=frames[1:], duration=PER_FRAME, loop=0, optimize=True)
+    frames[0].save(
+        file, save_all=True, append_images=frames[1:], duration=PER_FRAME, loop=0, optimize=True
+    )
     if steps:
         with atomic_path(directory / COLLECTION_FILE) as temporary:
             temporary.write_text(collection_text(steps), encoding="utf-8")
 
 
 def _write_step(motion: _Motion, directory: Path, row: int) -> str:
-    """Balls, cage and ring of one step for ParaView in one file [mm], marks and loads [N] on the points."""
+    """Balls, cage and ring of one step for ParaView in one file [mm], marks and loads [N] on the
+    points.
+    """
     folder = directory / STEP_FOLDER
     folder.mkdir(exist_ok=True)
     each = len(motion.ball.points)

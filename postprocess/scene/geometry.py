@@ -1,6 +1,6 @@
-"""Shapes of the pictures: patches placed on their balls, balls and grooved rings; NumPy only, SI, bearing's frame."""
-
-from __future__ import annotations
+"""Shapes of the pictures: patches placed on their balls, balls and grooved rings; NumPy only, SI,
+bearing's frame.
+"""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -15,8 +15,10 @@ Array = NDArray[np.float64]
 
 WRAP_LIMIT = 1.35  # a patch reaches this far around its ball at most [rad]
 SHOULDER_HEIGHT = 0.22  # of the ball diameter, for the pictures only
-RING_WIDTH, RING_HEIGHT = 1.5, 0.83  # of the ball diameter, where the catalogue gives none: for the pictures only
-SET_BACK = 0.004  # of the ball diameter: balls and raceways stand back by this, so that the patches are seen
+RING_WIDTH = 1.5  # of the ball diameter
+RING_HEIGHT = 0.83  # where the catalogue gives none: for the pictures only
+# of the ball diameter: balls and raceways stand back by this, so that the patches are seen
+SET_BACK = 0.004
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,7 +30,8 @@ class ContactFrame:
     origin : ndarray, shape (3,)
         Contact point [m].
     axis_x, axis_y, normal : ndarray, shape (3,)
-        Rolling direction, transverse direction, normal from the ball into the race [-]; right-handed.
+        Rolling direction, transverse direction, normal from the ball into the race [-];
+        right-handed.
     ball_radius : float
         [m].
     """
@@ -70,8 +73,11 @@ class Placement:
     film: float = 0.0
 
 
-def place_patch(x: Array, y: Array, frame: ContactFrame, placement: Placement, height: Array | None = None) -> Array:
-    """Lay a contact plane on the ball: distances and directions from the contact point are kept (exponential map).
+def place_patch(
+    x: Array, y: Array, frame: ContactFrame, placement: Placement, height: Array | None = None
+) -> Array:
+    """Lay a contact plane on the ball: distances and directions from the contact point are kept
+    (exponential map).
 
     Parameters
     ----------
@@ -93,26 +99,36 @@ def place_patch(x: Array, y: Array, frame: ContactFrame, placement: Placement, h
     turn = distance / frame.ball_radius
     shrink = np.sinc(turn / pi)  # sin(turn)/turn
     radius = frame.ball_radius if height is None else frame.ball_radius + height[..., None]
-    direction = np.cos(turn)[..., None] * frame.normal + (shrink / frame.ball_radius)[..., None] * (
-        u[..., None] * frame.axis_x + v[..., None] * frame.axis_y
-    )
+    direction = np.cos(turn)[..., None] * frame.normal + (shrink / frame.ball_radius)[
+        ..., None
+    ] * (u[..., None] * frame.axis_x + v[..., None] * frame.axis_y)
     return np.asarray(frame.ball_centre + radius * direction)
 
 
-def crop_to_ball(x: Array, y: Array, ball_radius: float, placement: Placement) -> tuple[slice, slice]:
-    """Index ranges of the nodes that a patch may have without wrapping around its ball; x, y, ball_radius in [m]."""
+def crop_to_ball(
+    x: Array, y: Array, ball_radius: float, placement: Placement
+) -> tuple[slice, slice]:
+    """Index ranges of the nodes that a patch may have without wrapping around its ball; x, y,
+    ball_radius in [m].
+    """
     reach = WRAP_LIMIT * ball_radius / np.sqrt(2.0)
     along, across = reach / placement.rolling, reach / placement.transverse
     return within(x, -along, along), within(y, -across, across)
 
 
 def within(values: Array, low: float, high: float) -> slice:
-    """Index range of the ascending `values` that lie in [low, high], in the unit of `values`, as [-]."""
-    return slice(int(np.searchsorted(values, low, "left")), int(np.searchsorted(values, high, "right")))
+    """Index range of the ascending `values` that lie in [low, high], in the unit of `values`, as
+    [-].
+    """
+    return slice(
+        int(np.searchsorted(values, low, "left")), int(np.searchsorted(values, high, "right"))
+    )
 
 
 def grid_quads(n: int, m: int, closed: bool = False) -> NDArray[np.int64]:
-    """Corner numbers of the cells of an (n, m) grid of points, shape (cells, 4) [-]; closed joins the last row."""
+    """Corner numbers of the cells of an (n, m) grid of points, shape (cells, 4) [-]; closed joins
+    the last row.
+    """
     index = np.arange(n * m).reshape(n, m)
     if closed:
         index = np.vstack([index, index[:1]])
@@ -124,18 +140,27 @@ def merge(surfaces: Sequence[Surface]) -> Surface:
     """One surface of several; points in [m] stay as they are."""
     offsets = np.cumsum([0] + [len(s.points) for s in surfaces[:-1]])
     quads = [s.quads + offset for s, offset in zip(surfaces, offsets, strict=True)]
-    return Surface(points=np.concatenate([s.points for s in surfaces]), quads=np.concatenate(quads))
+    return Surface(
+        points=np.concatenate([s.points for s in surfaces]), quads=np.concatenate(quads)
+    )
 
 
 def ball_surface(centre: Array, radius: float, rings: int = 24) -> Surface:
-    """Sphere about `centre` [m], shape (3,), of `radius` [m], with its poles on the bearing's axis."""
-    polar, azimuth = np.linspace(0.0, pi, rings + 1), np.linspace(0.0, 2.0 * pi, 2 * rings, endpoint=False)
+    """Sphere about `centre` [m], shape (3,), of `radius` [m], with its poles on the bearing's
+    axis.
+    """
+    polar = np.linspace(0.0, pi, rings + 1)
+    azimuth = np.linspace(0.0, 2.0 * pi, 2 * rings, endpoint=False)
     t, f = np.meshgrid(azimuth, polar, indexing="ij")
     points = np.stack([np.cos(f), np.sin(f) * np.cos(t), np.sin(f) * np.sin(t)], axis=-1)
-    return Surface(points=centre + radius * points.reshape(-1, 3), quads=grid_quads(*t.shape, closed=True))
+    return Surface(
+        points=centre + radius * points.reshape(-1, 3), quads=grid_quads(*t.shape, closed=True)
+    )
 
 
-def ring_surface(bearing: Bearing, inner: bool, axial: float, opening: tuple[float, float]) -> Surface:
+def ring_surface(
+    bearing: Bearing, inner: bool, axial: float, opening: tuple[float, float]
+) -> Surface:
     """One ring as a solid of revolution with its groove, cut open over a sector.
 
     Parameters
@@ -147,7 +172,8 @@ def ring_surface(bearing: Bearing, inner: bool, axial: float, opening: tuple[flo
     axial : float
         Position of the groove's centre along the bearing's axis [m].
     opening : tuple of float
-        Azimuth at the middle of the cut-away sector and its width [rad]; width 0 leaves the ring whole.
+        Azimuth at the middle of the cut-away sector and its width [rad]; width 0 leaves the ring
+        whole.
 
     Returns
     -------
@@ -157,8 +183,11 @@ def ring_surface(bearing: Bearing, inner: bool, axial: float, opening: tuple[flo
     base = _base_radius(bearing, inner)
     middle, width = opening
     turn = np.linspace(0.5 * width, 2.0 * pi - 0.5 * width, 181) + middle
-    x, r = profile[:, 0] + axial, profile[:, 1]
-    axis, radial, tangential = np.eye(3)[0], _radial(turn[0]), _tangential(turn[0])
+    x = profile[:, 0] + axial
+    r = profile[:, 1]
+    axis = np.eye(3)[0]
+    radial = _radial(turn[0])
+    tangential = _tangential(turn[0])
     up = np.sign(r[0] - base)
     parts = [
         _facing(_revolve(x, r, turn), up * radial),
@@ -189,7 +218,8 @@ def _facing(surface: Surface, outward: Array) -> Surface:
 
 
 def groove_profile(bearing: Bearing, inner: bool, points: int = 48) -> Array:
-    """Shoulder, groove, shoulder of one ring, shape (points + 2, 2): axial distance from the groove, radius [m].
+    """Shoulder, groove, shoulder of one ring, shape (points + 2, 2): axial distance from the
+    groove, radius [m].
 
     The groove is set back by `SET_BACK` ball diameters.
     """
@@ -217,7 +247,12 @@ def _base_radius(bearing: Bearing, inner: bool) -> float:
 
 def _revolve(x: Array, r: Array, turn: Array) -> Surface:
     points = np.stack(
-        [np.broadcast_to(x, (turn.size, x.size)), np.outer(np.cos(turn), r), np.outer(np.sin(turn), r)], axis=-1
+        [
+            np.broadcast_to(x, (turn.size, x.size)),
+            np.outer(np.cos(turn), r),
+            np.outer(np.sin(turn), r),
+        ],
+        axis=-1,
     )
     return Surface(points=points.reshape(-1, 3), quads=grid_quads(turn.size, x.size))
 

@@ -1,6 +1,6 @@
-"""What moves in a scene: a slider over azimuth, a click that tells a contact's numbers, a movie of one turn."""
-
-from __future__ import annotations
+"""What moves in a scene: a slider over azimuth, a click that tells a contact's numbers, a movie of
+one turn.
+"""
 
 from math import degrees, pi, radians
 from pathlib import Path
@@ -28,7 +28,9 @@ def patch_facts(patch: Patch) -> str:
 
 
 def add_controls(plotter: Any) -> None:
-    """A slider that brings an azimuth [deg] to the top, and a click on a film that tells its numbers."""
+    """A slider that brings an azimuth [deg] to the top, and a click on a film that tells its
+    numbers.
+    """
     picked = [actor for actor in plotter.actors.values() if _facts(_dataset(actor))]
     if not picked:  # a single contact, or no films
         return
@@ -81,4 +83,6 @@ def write_movie(plotter: Any, file: Path) -> None:
             before = lean
         plotter.render()
         frames.append(Image.fromarray(plotter.screenshot(return_img=True)).quantize(128))
-    frames[0].save(file, save_all=True, append_images=frames[1:], duration=PER_FRAME, loop=0, optimize=True)
+    frames[0].save(
+        file, save_all=True, append_images=frames[1:], duration=PER_FRAME, loop=0, optimize=True
+    )

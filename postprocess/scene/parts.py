@@ -1,7 +1,5 @@
 """What a scene is made of: bodies, patches, labels, colour bar, camera."""
 
-from __future__ import annotations
-
 from math import log10
 from pathlib import Path
 from typing import Any
@@ -18,17 +16,25 @@ from .vtk import COLLECTION_FILE
 Array = NDArray[np.float64]
 
 ROUND_OFF = 1e-6  # a radial load below this share of the axial one is noise of the equilibrium
-BODY, EDGE, INK, LOAD_COLOUR = "#c9ced6", "#5b6470", "#1b1f24", "#b3202c"
+BODY = "#c9ced6"
+EDGE = "#5b6470"
+INK = "#1b1f24"
+LOAD_COLOUR = "#b3202c"
 
 
-def add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float], scale: str = "linear") -> Any:
-    """A surface coloured by a quantity between limits, in its unit [um] or [GPa]; the mapper for its colour bar.
+def add_field(
+    plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float], scale: str = "linear"
+) -> Any:
+    """A surface coloured by a quantity between limits, in its unit [um] or [GPa]; the mapper for
+    its colour bar.
 
-    `scale` is "linear", "logarithmic", or "logarithm": the logarithm itself, for viewers without logarithmic colours.
+    `scale` is "linear", "logarithmic", or "logarithm": the logarithm itself, for viewers without
+    logarithmic colours.
     """
     scalars = quantity
     if scale == "logarithm":
-        scalars, limits = "logarithm", (log10(limits[0]), log10(limits[1]))
+        scalars = "logarithm"
+        limits = (log10(limits[0]), log10(limits[1]))
         mesh[scalars] = np.log10(np.maximum(mesh[quantity], 1e-3 * 10.0 ** limits[0]))
     actor = plotter.add_mesh(
         mesh,
@@ -46,25 +52,39 @@ def add_field(plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float
 
 
 def add_bodies(plotter: Any, directory: Path) -> None:
-    """Balls like smoked glass, the inner ring whole, the outer one cut open, with their edges drawn."""
+    """Balls like smoked glass, the inner ring whole, the outer one cut open, with their edges
+    drawn.
+    """
     bodies = pv.get_reader(directory / COLLECTION_FILE).read()[0]["bodies"]
     balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
-    plotter.add_mesh(balls, color="#aab4c0", opacity=0.2, smooth_shading=True, specular=0.5, specular_power=30)
+    plotter.add_mesh(
+        balls, color="#aab4c0", opacity=0.2, smooth_shading=True, specular=0.5, specular_power=30
+    )
     for name in ("inner ring", "outer ring"):
         ring = bodies[name].clean()
-        solid = ring.compute_normals(consistent_normals=False, split_vertices=True, feature_angle=40.0)
-        plotter.add_mesh(solid, color=BODY, smooth_shading=True, specular=0.2, ambient=0.35, diffuse=0.7)
+        solid = ring.compute_normals(
+            consistent_normals=False, split_vertices=True, feature_angle=40.0
+        )
+        plotter.add_mesh(
+            solid, color=BODY, smooth_shading=True, specular=0.2, ambient=0.35, diffuse=0.7
+        )
         edges = ring.extract_feature_edges(feature_angle=50.0)
         plotter.add_mesh(edges, color=EDGE, line_width=1.0)
 
 
 def label_places(tree: xarray.DataTree) -> list[tuple[Array, str]]:
-    """Azimuths beside the balls, and the size of the radial load below its arrow: places [mm] and words."""
+    """Azimuths beside the balls, and the size of the radial load below its arrow: places [mm] and
+    words.
+    """
     balls, ring = tree["balls"].to_dataset(), tree["ring"].to_dataset()
-    turn, diameter = balls["azimuth"].values, float(ring.attrs["ball_diameter"]) / MILLIMETRE
+    turn = balls["azimuth"].values
+    diameter = float(ring.attrs["ball_diameter"]) / MILLIMETRE
     radius = balls["ball_radial"].values / MILLIMETRE + 1.05 * diameter
     points = np.stack([np.zeros_like(turn), radius * np.cos(turn), radius * np.sin(turn)], axis=1)
-    found = [(point, f"{angle % 360.0:.4g}°") for point, angle in zip(points, np.degrees(turn), strict=True)]
+    found = [
+        (point, f"{angle % 360.0:.4g}°")
+        for point, angle in zip(points, np.degrees(turn), strict=True)
+    ]
     load = _radial_load(ring)
     if load is not None:
         direction, size = load
@@ -76,12 +96,18 @@ def _radial_load(ring: xarray.Dataset) -> tuple[Array, float] | None:
     """Direction [-] and size [N] of the radial load on the inner ring; None if there is none."""
     force = ring["force"].values[:3] * np.array([0.0, 1.0, 1.0])
     size = float(np.linalg.norm(force))
-    return (force / size, size) if size > ROUND_OFF * float(np.abs(ring["force"].values).max()) else None
+    return (
+        (force / size, size)
+        if size > ROUND_OFF * float(np.abs(ring["force"].values).max())
+        else None
+    )
 
 
 def _bore(ring: xarray.Dataset) -> float:
     """Room for the arrow of the load [mm]."""
-    return (0.5 * float(ring.attrs["pitch_diameter"]) - float(ring.attrs["ball_diameter"])) / MILLIMETRE
+    return (
+        0.5 * float(ring.attrs["pitch_diameter"]) - float(ring.attrs["ball_diameter"])
+    ) / MILLIMETRE
 
 
 def add_load(plotter: Any, tree: xarray.DataTree) -> None:
@@ -90,7 +116,8 @@ def add_load(plotter: Any, tree: xarray.DataTree) -> None:
     load = _radial_load(ring)
     if load is None:
         return
-    direction, bore = load[0], _bore(ring)
+    direction = load[0]
+    bore = _bore(ring)
     arrow = pv.Arrow(
         start=-0.65 * bore * direction,
         direction=direction,
@@ -117,7 +144,9 @@ def add_labels(plotter: Any, tree: xarray.DataTree, scale: float) -> None:
 
 
 def aim(plotter: Any, tree: xarray.DataTree) -> Array:
-    """Look from the side of +x down on the most loaded ball, which is up; the unit vector to it [-]."""
+    """Look from the side of +x down on the most loaded ball, which is up; the unit vector to it
+    [-].
+    """
     balls = tree["balls"].to_dataset()
     turn = float(balls["azimuth"].values[int(np.argmax(balls["outer_load"].values))])
     look_at(plotter, turn)
@@ -126,7 +155,8 @@ def aim(plotter: Any, tree: xarray.DataTree) -> Array:
 
 def look_at(plotter: Any, turn: float) -> None:
     """Put what lies at azimuth `turn` [rad] on top, seen from the side of +x."""
-    radial, tangential = np.array([0.0, np.cos(turn), np.sin(turn)]), np.array([0.0, -np.sin(turn), np.cos(turn)])
+    radial = np.array([0.0, np.cos(turn), np.sin(turn)])
+    tangential = np.array([0.0, -np.sin(turn), np.cos(turn)])
     direction = np.array([0.66, 0.0, 0.0]) + 0.70 * radial - 0.30 * tangential
     plotter.camera.focal_point = (0.0, 0.0, 0.0)
     plotter.camera.position = tuple(direction)

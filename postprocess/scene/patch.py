@@ -1,6 +1,6 @@
-"""The shown part of one contact, read back from disk, as grids for the scene; no window is opened here."""
-
-from __future__ import annotations
+"""The shown part of one contact, read back from disk, as grids for the scene; no window is opened
+here.
+"""
 
 from dataclasses import dataclass
 from typing import Any
@@ -27,7 +27,8 @@ class Patch:
     Attributes
     ----------
     x, y, film, pressure : ndarray, shape (nx, ny)
-        Principal coordinates [mm], or in semi-axes a; film [um]; pressure [GPa]; dimensionless in Moes input.
+        Principal coordinates [mm], or in semi-axes a; film [um]; pressure [GPa]; dimensionless in
+        Moes input.
     central, minimum : float
         Films [um].
     attributes : dict
@@ -43,7 +44,7 @@ class Patch:
     attributes: dict[str, Any]
 
     @classmethod
-    def read(cls, data: xarray.Dataset) -> Patch:
+    def read(cls, data: xarray.Dataset) -> "Patch":
         """Take the shown part of a contact's data set; lengths in [m] there."""
         facts = data.attrs
         a, angle = float(facts["semi_axis_x"]), float(facts["frame_angle"])
@@ -73,10 +74,13 @@ class Patch:
     def mesh(self, ball_radius: float, placement: Placement) -> Any:
         """Patch on its ball of `ball_radius` [m] as a vtkStructuredGrid in [mm].
 
-        With film exaggeration the end of the colour scale lies on the ball and thinner films below, where no race hides
-        them.
+        With film exaggeration the end of the colour scale lies on the ball and thinner films
+        below, where no race hides them.
         """
-        vectors = {name: np.asarray(self.attributes[name]) for name in ("origin", "axis_x", "axis_y", "normal")}
+        vectors = {
+            name: np.asarray(self.attributes[name])
+            for name in ("origin", "axis_x", "axis_y", "normal")
+        }
         frame = ContactFrame(ball_radius=ball_radius, **vectors)
         x, y = self.x * MILLIMETRE, self.y * MILLIMETRE
         part = crop_to_ball(x[:, 0], y[0, :], ball_radius, placement)
@@ -86,9 +90,13 @@ class Patch:
         return self._grid(points / MILLIMETRE, part)
 
     def relief(self, quantity: str, height: float) -> Any:
-        """Contact plane with the quantity as height, `height` [mm or a] at its scale's end, as above."""
+        """Contact plane with the quantity as height, `height` [mm or a] at its scale's end, as
+        above.
+        """
         field = self.film if quantity == "film" else self.pressure
-        top = film_range(self.central, self.minimum)[1] if quantity == "film" else float(field.max())
+        top = (
+            film_range(self.central, self.minimum)[1] if quantity == "film" else float(field.max())
+        )
         return self._grid(np.stack([self.x, self.y, height * field / top], axis=-1))
 
     def _grid(self, points: Array, part: tuple[slice, slice] = ALL) -> Any:

@@ -1,6 +1,6 @@
-"""Whether this machine can draw, found out without risk: a missing OpenGL library ends the process that asks."""
-
-from __future__ import annotations
+"""Whether this machine can draw, found out without risk: a missing OpenGL library ends the process
+that asks.
+"""
 
 import os
 import subprocess
@@ -8,7 +8,8 @@ import sys
 from functools import lru_cache
 from pathlib import Path
 
-WINDOW_VARIABLE, WINDOW_WITHOUT_DISPLAY = "VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow"
+WINDOW_VARIABLE = "VTK_DEFAULT_OPENGL_WINDOW"
+WINDOW_WITHOUT_DISPLAY = "vtkEGLRenderWindow"
 PACKAGES = "libegl1 libegl-mesa0 libgl1-mesa-dri"
 PATIENCE = 300.0  # for one picture [s]
 
@@ -18,7 +19,8 @@ class RenderingError(RuntimeError):
 
 
 def run_python(arguments: list[str], patience: float | None) -> None:
-    """Run Python in a process of its own that may die of a missing library; `RenderingError` if it does.
+    """Run Python in a process of its own that may die of a missing library; `RenderingError` if it
+    does.
 
     Parameters
     ----------
@@ -33,14 +35,24 @@ def run_python(arguments: list[str], patience: float | None) -> None:
     command = [sys.executable, *arguments]
     try:
         done = subprocess.run(
-            command, env=environment, capture_output=True, text=True, timeout=patience, check=False, errors="replace"
+            command,
+            env=environment,
+            capture_output=True,
+            text=True,
+            timeout=patience,
+            check=False,
+            errors="replace",
         )
     except subprocess.TimeoutExpired:
         raise RenderingError(advice(f"drawing took more than {patience:.0f} s")) from None
     if done.returncode != 0:
         lines = [line for line in done.stderr.splitlines() if line.strip()]
         crashed = done.returncode < 0 or done.returncode > 128
-        reason = f"the drawing process ended with code {done.returncode}" if crashed or not lines else lines[-1].strip()
+        reason = (
+            f"the drawing process ended with code {done.returncode}"
+            if crashed or not lines
+            else lines[-1].strip()
+        )
         raise RenderingError(advice(reason))
 
 
@@ -53,7 +65,9 @@ def advice(reason: str) -> str:
 
 
 def rendering_environment() -> dict[str, str]:
-    """Environment for a process that draws: on Linux without a display VTK is sent to EGL, unless the user chose."""
+    """Environment for a process that draws: on Linux without a display VTK is sent to EGL, unless
+    the user chose.
+    """
     environment = dict(os.environ)
     if sys.platform.startswith("linux") and not environment.get("DISPLAY"):
         environment.setdefault(WINDOW_VARIABLE, WINDOW_WITHOUT_DISPLAY)
@@ -62,7 +76,9 @@ def rendering_environment() -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def require_rendering() -> None:
-    """Try a tiny picture in a process of its own; `RenderingError` if this machine cannot draw. For notebooks."""
+    """Try a tiny picture in a process of its own; `RenderingError` if this machine cannot draw.
+    For notebooks.
+    """
     code = "import pyvista; p = pyvista.Plotter(off_screen=True, window_size=(16, 16)); p.show(); p.close()"
     run_python(["-c", code], PATIENCE)
     os.environ.update({k: v for k, v in rendering_environment().items() if k == WINDOW_VARIABLE})
@@ -71,4 +87,6 @@ def require_rendering() -> None:
 def require_display() -> None:
     """`RenderingError` where a window cannot be opened for want of a display."""
     if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
-        raise RenderingError("there is no display to open a window on; a picture can be had with --screenshot FILE.png")
+        raise RenderingError(
+            "there is no display to open a window on; a picture can be had with --screenshot FILE.png"
+        )

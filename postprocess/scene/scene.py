@@ -1,9 +1,9 @@
-"""The results in three dimensions with pyvista: a bearing with its films, or the surface of one contact.
+"""The results in three dimensions with pyvista: a bearing with its films, or the surface of one
+contact.
 
-Drawing happens in a process of its own, since a missing OpenGL library ends the process that asks for a window.
+Drawing happens in a process of its own, since a missing OpenGL library ends the process that asks
+for a window.
 """
-
-from __future__ import annotations
 
 import asyncio
 import json
@@ -79,7 +79,9 @@ class SceneOptions:
             raise ValueError(f"quantity must be one of {', '.join(LABELS)}, got {self.quantity!r}")
 
 
-def screenshot(directory: str | Path, file: str | Path, options: SceneOptions | None = None) -> Path:
+def screenshot(
+    directory: str | Path, file: str | Path, options: SceneOptions | None = None
+) -> Path:
     """Draw the scene of a result directory into a PNG file, with or without a display.
 
     Parameters
@@ -113,10 +115,14 @@ def screenshot(directory: str | Path, file: str | Path, options: SceneOptions | 
     return path
 
 
-def export_html(directory: str | Path, file: str | Path, options: SceneOptions | None = None) -> Path:
-    """Write the scene as one HTML page that is turned with the mouse, offline; arguments as `screenshot`.
+def export_html(
+    directory: str | Path, file: str | Path, options: SceneOptions | None = None
+) -> Path:
+    """Write the scene as one HTML page that is turned with the mouse, offline; arguments as
+    `screenshot`.
 
-    The viewer (vtk.js) is inside the page. Azimuths and load are flat letters there, which read from the side of +x.
+    The viewer (vtk.js) is inside the page. Azimuths and load are flat letters there, which read
+    from the side of +x.
 
     Raises
     ------
@@ -129,7 +135,9 @@ def export_html(directory: str | Path, file: str | Path, options: SceneOptions |
     if path.suffix.lower() not in PAGES:
         raise ValueError(f"the page must be an .html file, got {path.name}")
     if find_spec("trame_pyvista") is None:
-        raise RenderingError("the page needs the package trame-pyvista: pip install 'oilfilm[html]'")
+        raise RenderingError(
+            "the page needs the package trame-pyvista: pip install 'oilfilm[html]'"
+        )
     _check(directory)
     with atomic_path(path) as temporary:
         _draw_elsewhere(directory, temporary, options or SceneOptions())
@@ -139,7 +147,9 @@ def export_html(directory: str | Path, file: str | Path, options: SceneOptions |
 
 
 def movie(directory: str | Path, file: str | Path, options: SceneOptions | None = None) -> Path:
-    """Write the scene as an animated GIF in which every azimuth comes to the top once; arguments as `screenshot`."""
+    """Write the scene as an animated GIF in which every azimuth comes to the top once; arguments
+    as `screenshot`.
+    """
     path = Path(file)
     if path.suffix.lower() != ".gif":
         raise ValueError(f"the movie must be a .gif file, got {path.name}")
@@ -152,7 +162,9 @@ def movie(directory: str | Path, file: str | Path, options: SceneOptions | None 
 
 
 def show(directory: str | Path, options: SceneOptions | None = None) -> None:
-    """Open a window with the scene of a result directory, to be turned with the mouse; arguments as `screenshot`."""
+    """Open a window with the scene of a result directory, to be turned with the mouse; arguments
+    as `screenshot`.
+    """
     require_display()
     _check(directory)
     _draw_elsewhere(directory, None, options or SceneOptions())
@@ -164,14 +176,20 @@ def _check(directory: str | Path) -> None:
     kind = tree.attrs["kind"]
     tree.close()
     if kind not in DRAWN:
-        raise ValueError(f"{directory} holds results of kind {kind}, which have no scene; allowed: {', '.join(DRAWN)}")
+        raise ValueError(
+            f"{directory} holds results of kind {kind}, which have no scene; allowed: {', '.join(DRAWN)}"
+        )
     if kind == "bearing" and not (Path(directory) / COLLECTION_FILE).is_file():
         raise ValueError(f"{directory} holds no VTK files: {COLLECTION_FILE} is missing")
 
 
 def _draw_elsewhere(directory: str | Path, file: Path | None, options: SceneOptions) -> None:
     """Run this module in a process of its own, and turn its end into an exception if need be."""
-    request = {"directory": str(directory), "file": None if file is None else str(file), "options": asdict(options)}
+    request = {
+        "directory": str(directory),
+        "file": None if file is None else str(file),
+        "options": asdict(options),
+    }
     patience = None if file is None else PATIENCE
     run_python(["-m", f"{__package__}.scene", json.dumps(request)], patience)
 
@@ -179,7 +197,8 @@ def _draw_elsewhere(directory: str | Path, file: Path | None, options: SceneOpti
 def bearing_scene(
     directory: str | Path, options: SceneOptions | None = None, off_screen: bool = False
 ) -> pyvista.Plotter:
-    """Plotter with the scene of a result directory: a bearing with its patches, or the surface of one contact.
+    """Plotter with the scene of a result directory: a bearing with its patches, or the surface of
+    one contact.
 
     Parameters
     ----------
@@ -206,12 +225,15 @@ def bearing_scene(
 def _scene(
     directory: Path, options: SceneOptions, off_screen: bool, page: bool = False
 ) -> tuple[pyvista.Plotter, str, str, ColourBar | None]:
-    """Plotter, title, the note that states what is magnified, and the colour bar, which a `page` draws itself."""
+    """Plotter, title, the note that states what is magnified, and the colour bar, which a `page`
+    draws itself.
+    """
     tree = open_results(directory)
     try:
         plotter = pv.Plotter(off_screen=off_screen, window_size=list(options.size))
         plotter.set_background(BACKGROUND)
-        scale, title = options.scale, str(tree.attrs.get("title", ""))
+        scale = options.scale
+        title = str(tree.attrs.get("title", ""))
         if not page:  # which has its own words
             plotter.add_text(title, position="upper_left", font_size=int(17 * scale), color=INK)
         if tree.attrs["kind"] == "contact":
@@ -229,14 +251,18 @@ def _scene(
 def _add_bearing(
     plotter: Any, directory: Path, tree: xarray.DataTree, options: SceneOptions, page: bool
 ) -> tuple[str, ColourBar | None]:
-    """Bodies, patches, labels, camera; return the note that states the factors, and the scale of the colours."""
-    balls = tree["contacts"].children.values() if "contacts" in tree.children else ()  # no films were asked for
+    """Bodies, patches, labels, camera; return the note that states the factors, and the scale of
+    the colours.
+    """
+    # no films were asked for
+    balls = tree["contacts"].children.values() if "contacts" in tree.children else ()
     nodes = [node for ball in balls for node in ball.children.values()]
     patches = [Patch.read(node.to_dataset(inherit=False)) for node in nodes]
     radius = 0.5 * float(tree["ring"].attrs["ball_diameter"])
     placement = _placement(patches, radius, options)
     add_bodies(plotter, directory)
-    limits, mapper = _limits(patches, options.quantity) if patches else (0.0, 1.0), None
+    limits = _limits(patches, options.quantity) if patches else (0.0, 1.0)
+    mapper = None
     logarithmic = options.quantity == "film" and len(patches) > 1
     scale = "linear" if not logarithmic else "logarithm" if page else "logarithmic"
     for patch in patches:
@@ -249,13 +275,17 @@ def _add_bearing(
         mapper = add_field(plotter, mesh, options.quantity, limits, scale)
         lines = mesh.contour(patch.levels(options.quantity), scalars=options.quantity)
         if lines.n_points:
-            plotter.add_mesh(lines, color=LINE_COLOURS[options.quantity], line_width=1.5, opacity=0.7)
+            plotter.add_mesh(
+                lines, color=LINE_COLOURS[options.quantity], line_width=1.5, opacity=0.7
+            )
     note = _note(placement) if patches else "no films in these results"
     add_load(plotter, tree)
     if page:
         add_flat_labels(plotter, tree, aim(plotter, tree))
         label = LABELS[options.quantity]
-        bar = ColourBar(quantity=options.quantity, label=label, limits=limits, logarithmic=logarithmic)
+        bar = ColourBar(
+            quantity=options.quantity, label=label, limits=limits, logarithmic=logarithmic
+        )
         return note, bar if mapper is not None else None
     if mapper is not None:
         add_colour_bar(plotter, mapper, LABELS[options.quantity], options.scale)
@@ -265,7 +295,9 @@ def _add_bearing(
 
 
 def _within_scale(mesh: Any, top: float) -> Any:
-    """The part of a surface where the film is below `top` [um]: the inlet would hide bodies and contact."""
+    """The part of a surface where the film is below `top` [um]: the inlet would hide bodies and
+    contact.
+    """
     return mesh.clip_scalar(scalars="film", value=top, invert=True).extract_surface(algorithm=None)
 
 
@@ -283,7 +315,9 @@ def _note(placement: Placement) -> str:
 
 
 def _placement(patches: list[Patch], ball_radius: float, options: SceneOptions) -> Placement:
-    """Factors of the patches: as asked for, or so that the largest patch covers a good part of its ball."""
+    """Factors of the patches: as asked for, or so that the largest patch covers a good part of its
+    ball.
+    """
     if options.magnification is not None:
         rolling, transverse = options.magnification
     else:
@@ -307,8 +341,12 @@ def _limits(patches: list[Patch], quantity: str) -> tuple[float, float]:
     return common_film_range([p.central for p in patches], [p.minimum for p in patches])
 
 
-def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions, page: bool) -> tuple[str, ColourBar | None]:
-    """One contact as a surface whose height is the quantity; return what the height means, and the colours' scale."""
+def _add_contact(
+    plotter: Any, data: xarray.Dataset, options: SceneOptions, page: bool
+) -> tuple[str, ColourBar | None]:
+    """One contact as a surface whose height is the quantity; return what the height means, and the
+    colours' scale.
+    """
     patch = Patch.read(data)
     size = min(float(np.ptp(patch.x)), float(np.ptp(patch.y)))
     mesh = pv.wrap(patch.relief(options.quantity, 0.45 * size))
@@ -320,7 +358,11 @@ def _add_contact(plotter: Any, data: xarray.Dataset, options: SceneOptions, page
     label = LABELS[options.quantity] if unit in ("m", "Pa") else f"{options.quantity} [{unit}]"
     if not page:
         add_colour_bar(plotter, mapper, label, options.scale)
-    plotter.camera.position, plotter.camera.focal_point, plotter.camera.up = (-0.75, -1.35, 1.3), (0, 0, 0), (0, 0, 1)
+    plotter.camera.position, plotter.camera.focal_point, plotter.camera.up = (
+        (-0.75, -1.35, 1.3),
+        (0, 0, 0),
+        (0, 0, 1),
+    )
     frame(plotter, 1.0)
     unit = data["x"].attrs["units"].replace("m", "mm")
     extent = f"{patch.x.min():.3g} ... {patch.x.max():.3g} by {patch.y.min():.3g} ... {patch.y.max():.3g} {unit}"
@@ -337,7 +379,9 @@ def _main(request: str) -> None:
     options["magnification"] = options["magnification"] and tuple(options["magnification"])
     off_screen = asked["file"] is not None
     page = off_screen and Path(asked["file"]).suffix.lower() in PAGES
-    plotter, title, note, bar = _scene(Path(asked["directory"]), SceneOptions(**options), off_screen, page)
+    plotter, title, note, bar = _scene(
+        Path(asked["directory"]), SceneOptions(**options), off_screen, page
+    )
     if asked["file"] is None:
         add_controls(plotter)
         plotter.show()
@@ -355,7 +399,8 @@ async def _export(plotter: Any, file: str) -> None:
     """The page of vtk.js."""
     from trame_pyvista.jupyter import launch_server
 
-    await launch_server().ready  # of this process only, on the loopback interface: it serialises the scene
+    # of this process only, on the loopback interface: it serialises the scene
+    await launch_server().ready
     plotter.trame.export_html(file)
 
 

@@ -1,7 +1,5 @@
 """Stress below the solved pressure of contacts, as volumes for VTK; computed on request only."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +15,8 @@ from .geometry import Array, ContactFrame, Placement, place_patch
 CELLS = 81  # each way
 LEFT_OUT = 0.01  # pressure over the largest one below which the box may end [-]
 MARGIN = 1.15  # of the box beyond the nodes with more pressure than that [-]
-DEEPEST, LEVELS = 2.0, 26  # in half the shorter side of the box, depths from the surface to there
+DEEPEST = 2.0  # in half the shorter side of the box
+LEVELS = 26  # depths from the surface to there
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -46,7 +45,8 @@ class StressVolume:
 def stress_volume(
     contact: BearingContact, solution: ContactSolution, ball_radius: float, poisson_ratio: float
 ) -> StressVolume:
-    """Stress in the race below the solved pressure, which is taken as acting on a half-space without friction.
+    """Stress in the race below the solved pressure, which is taken as acting on a half-space
+    without friction.
 
     Parameters
     ----------
@@ -65,7 +65,8 @@ def stress_volume(
     long, wide, pressure = solution.x, solution.y, solution.pressure
     if long is None or wide is None or solution.semi_axis_x is None:
         raise ValueError("a contact given by Moes' groups has no lengths and no stress in pascals")
-    a, b = solution.semi_axis_x, solution.semi_axis_x * solution.semi_axis_ratio
+    a = solution.semi_axis_x
+    b = solution.semi_axis_x * solution.semi_axis_ratio
     pressed = pressure > LEFT_OUT * pressure.max()
     x, y = _span(long, pressed.any(axis=1), a), _span(wide, pressed.any(axis=0), b)
     depth = np.linspace(0.0, DEEPEST, LEVELS) * 0.5 * min(float(np.ptp(x)), float(np.ptp(y)))
@@ -78,7 +79,9 @@ def stress_volume(
         ball_radius=ball_radius,
     )
     along, across = principal_coordinates(x, y, solution.frame_angle)
-    levels = [place_patch(along, across, frame, Placement(), np.full(along.shape, z)) for z in depth]
+    levels = [
+        place_patch(along, across, frame, Placement(), np.full(along.shape, z)) for z in depth
+    ]
     return StressVolume(
         points=np.stack(levels, axis=2),
         depth=depth,
@@ -91,11 +94,16 @@ def stress_volume(
 def _span(axis: Array, pressed: NDArray[np.bool_], semi_axis: float) -> Array:
     """Even nodes over the Hertz ellipse and all nodes that carry pressure [m]."""
     ends = np.array([min(axis[pressed].min(), -semi_axis), max(axis[pressed].max(), semi_axis)])
-    middle, half = ends.mean(), 0.5 * np.ptp(ends)
+    middle = ends.mean()
+    half = 0.5 * np.ptp(ends)
     return np.asarray(middle + MARGIN * half * np.linspace(-1.0, 1.0, CELLS))
 
 
 def _resampled(long: Array, wide: Array, pressure: Array, x: Array, y: Array) -> Array:
-    """Pressure at other nodes, linear in both directions, zero outside; `long` and `wide` need not be even."""
-    rows = np.stack([np.interp(x, long, column, left=0.0, right=0.0) for column in pressure.T], axis=1)
+    """Pressure at other nodes, linear in both directions, zero outside; `long` and `wide` need not
+    be even.
+    """
+    rows = np.stack(
+        [np.interp(x, long, column, left=0.0, right=0.0) for column in pressure.T], axis=1
+    )
     return np.stack([np.interp(y, wide, row, left=0.0, right=0.0) for row in rows])

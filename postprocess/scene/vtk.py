@@ -1,9 +1,8 @@
-"""Fields and bodies for ParaView and pyvista: fields.pvd -> fields.vtm -> one block per ball and race.
+"""Fields and bodies for ParaView and pyvista: fields.pvd -> fields.vtm -> one block per ball and
+race.
 
 Only VTK's data and file modules are used, none that could open a window.
 """
-
-from __future__ import annotations
 
 from math import degrees
 from pathlib import Path
@@ -39,9 +38,13 @@ from .subsurface import StressVolume, stress_volume
 
 Array = NDArray[np.float64]
 
-COLLECTION_FILE, STRESS_FILE, BLOCK_FOLDER = "fields.pvd", "subsurface.pvd", "vtk"
+COLLECTION_FILE = "fields.pvd"
+STRESS_FILE = "subsurface.pvd"
+BLOCK_FOLDER = "vtk"
 AZIMUTH_FILE = "azimuth.pvd"
-FILM, PRESSURE, TEMPERATURE = "film thickness [um]", "pressure [GPa]", "film temperature [degC]"
+FILM = "film thickness [um]"
+PRESSURE = "pressure [GPa]"
+TEMPERATURE = "film temperature [degC]"
 OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball [rad]
 
 
@@ -51,7 +54,8 @@ def write_collection(
     patch_magnification: float | tuple[float, float] = 1.0,
     film_exaggeration: float = 0.0,
 ) -> Path:
-    """Write the VTK collection of a run; paths inside are relative, so that the folder can be moved.
+    """Write the VTK collection of a run; paths inside are relative, so that the folder can be
+    moved.
 
     Parameters
     ----------
@@ -59,7 +63,8 @@ def write_collection(
     directory : Path
         Result directory; the blocks go to its folder `vtk`.
     patch_magnification : float or tuple of float
-        Patches are drawn this many times larger on their ball, or (along, across) the rolling direction [-].
+        Patches are drawn this many times larger on their ball, or (along, across) the rolling
+        direction [-].
     film_exaggeration : float
         Film drawn as height, times this [-].
 
@@ -68,7 +73,11 @@ def write_collection(
     Path
         The .pvd file. Lengths in it are in [mm], the factors are field data of each patch.
     """
-    both = patch_magnification if isinstance(patch_magnification, tuple) else (patch_magnification,) * 2
+    both = (
+        patch_magnification
+        if isinstance(patch_magnification, tuple)
+        else (patch_magnification,) * 2
+    )
     placement = Placement(rolling=both[0], transverse=both[1], film=film_exaggeration)
     blocks: dict[str, dict[str, str]] = {}
     if isinstance(results, ContactResults):
@@ -82,7 +91,8 @@ def write_collection(
                 ball, race = contact_name(contact.ball, contact.race.value).split("/")
                 blocks.setdefault(ball, {})[race] = _write_grid(grid, directory, f"{ball}_{race}")
         blocks["bodies"] = {
-            name: _write_body(surface, directory, name.replace(" ", "_")) for name, surface in bodies(results).items()
+            name: _write_body(surface, directory, name.replace(" ", "_"))
+            for name, surface in bodies(results).items()
         }
         _write_azimuths(results, directory, blocks)
     _write_text(directory / BLOCK_FOLDER / "fields.vtm", _multiblock(blocks))
@@ -92,7 +102,8 @@ def write_collection(
 
 
 def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
-    """Write the stress in the races below the solved contacts, one volume each, if the case asks for it.
+    """Write the stress in the races below the solved contacts, one volume each, if the case asks
+    for it.
 
     Parameters
     ----------
@@ -103,8 +114,8 @@ def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
     Returns
     -------
     Path or None
-        The .pvd file; lengths in [mm], stresses in [GPa], in the frame of the contact: x along the rolling direction, z
-        into the race.
+        The .pvd file; lengths in [mm], stresses in [GPa], in the frame of the contact: x along the
+        rolling direction, z into the race.
     """
     if not results.case.get("ehl", {}).get("subsurface_stress"):
         return None
@@ -114,9 +125,13 @@ def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
         if solution is not None:
             race = contact.race.value
             ring = bearing.inner_ring_material if race == "inner" else bearing.outer_ring_material
-            volume = stress_volume(contact, solution, 0.5 * bearing.ball_diameter, ring.poisson_ratio)
+            volume = stress_volume(
+                contact, solution, 0.5 * bearing.ball_diameter, ring.poisson_ratio
+            )
             ball, _ = contact_name(contact.ball, race).split("/")
-            blocks.setdefault(ball, {})[race] = _write_grid(volume_grid(volume), directory, f"{ball}_{race}_stress")
+            blocks.setdefault(ball, {})[race] = _write_grid(
+                volume_grid(volume), directory, f"{ball}_{race}_stress"
+            )
     _write_text(directory / BLOCK_FOLDER / "subsurface.vtm", _multiblock(blocks))
     _write_text(directory / STRESS_FILE, collection_text({0.0: f"{BLOCK_FOLDER}/subsurface.vtm"}))
     return directory / STRESS_FILE
@@ -127,7 +142,9 @@ def volume_grid(volume: StressVolume) -> Any:
     grid = structured_grid(volume.points / MILLIMETRE)
     add_point_data(grid, "largest shear [GPa]", volume.maximum_shear / GIGAPASCAL)
     add_point_data(grid, "von Mises stress [GPa]", volume.von_mises / GIGAPASCAL)
-    add_point_data(grid, "depth [mm]", np.broadcast_to(volume.depth, volume.maximum_shear.shape) / MILLIMETRE)
+    add_point_data(
+        grid, "depth [mm]", np.broadcast_to(volume.depth, volume.maximum_shear.shape) / MILLIMETRE
+    )
     components = np.stack([part.ravel(order="F") for part in volume.stress], axis=1) / GIGAPASCAL
     tensor = numpy_to_vtk(components.astype(np.float32), deep=True)
     tensor.SetName("stress xx yy zz xy yz xz [GPa]")
@@ -137,11 +154,15 @@ def volume_grid(volume: StressVolume) -> Any:
     return grid
 
 
-def placed_patch(contact: BearingContact, solution: ContactSolution, ball_radius: float, placement: Placement) -> Any:
+def placed_patch(
+    contact: BearingContact, solution: ContactSolution, ball_radius: float, placement: Placement
+) -> Any:
     """One contact as a vtkStructuredGrid on its ball, coordinates in [mm]; `ball_radius` in [m]."""
     long, wide, film = solution.x, solution.y, solution.film
     if long is None or wide is None or film is None:
-        raise ValueError("a contact given by Moes' groups has no lengths and cannot be placed in a bearing")
+        raise ValueError(
+            "a contact given by Moes' groups has no lengths and cannot be placed in a bearing"
+        )
     rows, columns = crop_to_ball(long, wide, ball_radius, placement)
     x, y = principal_coordinates(long[rows], wide[columns], solution.frame_angle)
     film = film[rows, columns]
@@ -164,7 +185,9 @@ def placed_patch(contact: BearingContact, solution: ContactSolution, ball_radius
     return grid
 
 
-def _patch_facts(contact: BearingContact, solution: ContactSolution, placement: Placement) -> dict[str, float | str]:
+def _patch_facts(
+    contact: BearingContact, solution: ContactSolution, placement: Placement
+) -> dict[str, float | str]:
     return {
         "ball": float(contact.ball),
         "race": contact.race.value,
@@ -180,13 +203,23 @@ def _patch_facts(contact: BearingContact, solution: ContactSolution, placement: 
 
 
 def flat_patch(solution: ContactSolution, film_exaggeration: float) -> Any:
-    """A single contact as a flat vtkStructuredGrid: coordinates in [mm], or in semi-axes a where no length is known."""
+    """A single contact as a flat vtkStructuredGrid: coordinates in [mm], or in semi-axes a where
+    no length is known.
+    """
     length, film_scale = solution.semi_axis_x, solution.film_scale
     unit, a = ("a", 1.0) if length is None else ("mm", length / MILLIMETRE)
-    film_name, h = ("film thickness [a^2/Rx]", 1.0) if film_scale is None else (FILM, film_scale / MICROMETRE)
-    p_name, p = ("pressure [p_h]", 1.0) if solution.hertz_pressure <= 0.0 else (PRESSURE, solution.hertz_pressure / 1e9)
+    film_name, h = (
+        ("film thickness [a^2/Rx]", 1.0) if film_scale is None else (FILM, film_scale / MICROMETRE)
+    )
+    p_name, p = (
+        ("pressure [p_h]", 1.0)
+        if solution.hertz_pressure <= 0.0
+        else (PRESSURE, solution.hertz_pressure / 1e9)
+    )
     x, y = principal_coordinates(solution.X, solution.Y, solution.frame_angle)
-    height = film_exaggeration * solution.H * (1.0 if film_scale is None else film_scale / MILLIMETRE)
+    height = (
+        film_exaggeration * solution.H * (1.0 if film_scale is None else film_scale / MILLIMETRE)
+    )
     grid = structured_grid(np.stack([a * x, a * y, height], axis=-1))
     add_point_data(grid, film_name, h * solution.H)
     add_point_data(grid, p_name, p * solution.P)
@@ -198,16 +231,30 @@ def flat_patch(solution: ContactSolution, film_exaggeration: float) -> Any:
 
 
 def bodies(results: BearingResults) -> dict[str, Surface]:
-    """Balls and rings as surfaces [m], set back a little so that the patches are seen; the outer ring is cut open."""
-    bearing, state = results.quasistatic.bearing, results.quasistatic
+    """Balls and rings as surfaces [m], set back a little so that the patches are seen; the outer
+    ring is cut open.
+    """
+    bearing = results.quasistatic.bearing
+    state = results.quasistatic
     radius = (0.5 - SET_BACK) * bearing.ball_diameter
     centres = np.stack(
-        [state.ball_axial, state.ball_radial * np.cos(state.azimuth), state.ball_radial * np.sin(state.azimuth)], axis=1
+        [
+            state.ball_axial,
+            state.ball_radial * np.cos(state.azimuth),
+            state.ball_radial * np.sin(state.azimuth),
+        ],
+        axis=1,
     )
     middle = float(state.azimuth[int(np.argmax(state.outer_load))])
     rows = range(1, len(state.rows) + 1)
-    inner = [ring_surface(bearing, True, _groove_axial(results, "inner", row), (middle, 0.0)) for row in rows]
-    outer = [ring_surface(bearing, False, _groove_axial(results, "outer", row), (middle, OPENING)) for row in rows]
+    inner = [
+        ring_surface(bearing, True, _groove_axial(results, "inner", row), (middle, 0.0))
+        for row in rows
+    ]
+    outer = [
+        ring_surface(bearing, False, _groove_axial(results, "outer", row), (middle, OPENING))
+        for row in rows
+    ]
     return {
         "balls": merge([ball_surface(centre, radius) for centre in centres]),
         "inner ring": merge(inner),
@@ -216,10 +263,14 @@ def bodies(results: BearingResults) -> dict[str, Surface]:
 
 
 def _groove_axial(results: BearingResults, race: str, row: int) -> float:
-    """Axial position of a race's groove centre [m]: from the contact point one groove radius back along the normal."""
+    """Axial position of a race's groove centre [m]: from the contact point one groove radius back
+    along the normal.
+    """
     bearing = results.quasistatic.bearing
     radius = bearing.inner_groove_radius if race == "inner" else bearing.outer_groove_radius
-    contacts = [c for c in results.contacts if c.race.value == race and c.row == row and c.load > 0.0]
+    contacts = [
+        c for c in results.contacts if c.race.value == race and c.row == row and c.load > 0.0
+    ]
     found = [c.origin[0] - radius * c.normal[0] for c in contacts]
     return float(np.mean(found)) if found else results.quasistatic.rows[row - 1].axial_position
 
@@ -258,7 +309,8 @@ def poly_data(surface: Surface) -> Any:
     points.SetData(numpy_to_vtk((surface.points / MILLIMETRE).astype(np.float32), deep=True))
     offsets = 4 * np.arange(len(surface.quads) + 1)
     cells.SetData(
-        numpy_to_vtkIdTypeArray(offsets, deep=True), numpy_to_vtkIdTypeArray(surface.quads.ravel().copy(), deep=True)
+        numpy_to_vtkIdTypeArray(offsets, deep=True),
+        numpy_to_vtkIdTypeArray(surface.quads.ravel().copy(), deep=True),
     )
     data.SetPoints(points)
     data.SetPolys(cells)
@@ -292,7 +344,11 @@ def _write_text(path: Path, text: str) -> None:
 
 def _multiblock(blocks: dict[str, dict[str, str]]) -> str:
     """XML of a .vtm file: named groups of named files."""
-    lines = ['<?xml version="1.0"?>', '<VTKFile type="vtkMultiBlockDataSet" version="1.0">', "<vtkMultiBlockDataSet>"]
+    lines = [
+        '<?xml version="1.0"?>',
+        '<VTKFile type="vtkMultiBlockDataSet" version="1.0">',
+        "<vtkMultiBlockDataSet>",
+    ]
     for i, (group, files) in enumerate(blocks.items()):
         lines.append(f'<Block index="{i}" name={quoteattr(group)}>')
         lines += [
@@ -319,8 +375,12 @@ def collection_text(steps: dict[float, str]) -> str:
     return f"{head}{sets}</Collection>\n</VTKFile>\n"
 
 
-def _write_azimuths(results: BearingResults, directory: Path, blocks: dict[str, dict[str, str]]) -> None:
-    """A collection that goes around the bearing: the films at an azimuth [deg], with the bodies, are one step."""
+def _write_azimuths(
+    results: BearingResults, directory: Path, blocks: dict[str, dict[str, str]]
+) -> None:
+    """A collection that goes around the bearing: the films at an azimuth [deg], with the bodies,
+    are one step.
+    """
     steps: dict[float, dict[str, dict[str, str]]] = {}
     for contact in results.contacts:
         ball = contact_name(contact.ball, contact.race.value).split("/")[0]

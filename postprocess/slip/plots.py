@@ -1,6 +1,6 @@
-"""Figures of the slip maps: slip factors over speed and axial load, critical loads, minimum preload, balls."""
-
-from __future__ import annotations
+"""Figures of the slip maps: slip factors over speed and axial load, critical loads, minimum
+preload, balls.
+"""
 
 from math import degrees
 from pathlib import Path
@@ -14,21 +14,13 @@ from matplotlib.figure import Figure
 
 from bearing.studies.slip import CriticalCurves, slip_factors
 
-from ..plot_style import (
-    INK,
-    INNER_COLOUR,
-    OUTER_COLOUR,
-    PAGE_WIDTH,
-    RC,
-    REFERENCE,
-    Array,
-    save,
-)
+from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, Array, save
 from ..units import RPM
 from .results import SlipResults
 
 KRPM = 1000.0 * RPM
-LEVELS = np.array([0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])  # of the contour lines, limit 10 [-]
+# of the contour lines, limit 10 [-]
+LEVELS = np.array([0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])
 DEEPEST = 0.01  # of the limit: where the colours end [-]
 MOST_TICKS = 12  # azimuths that are named [-]
 NO_LOAD = 1e-3  # slip factor that counts as none [-]
@@ -37,7 +29,8 @@ SAME = 1.0e-6  # relative difference below which two balls have one curve [-]
 
 
 def write_slip_plots(results: SlipResults, directory: Path) -> None:
-    """Write slip_factors.png, critical_loads.png (if computed), minimum_preload.png and slip_per_ball.png.
+    """Write slip_factors.png, critical_loads.png (if computed), minimum_preload.png and
+    slip_per_ball.png.
 
     Parameters
     ----------
@@ -61,14 +54,18 @@ def write_slip_plots(results: SlipResults, directory: Path) -> None:
 
 
 def draw_surface(figure: Figure, results: SlipResults) -> None:
-    """Slip factor of the worst ball over speed [r/min] and axial load [N], the limit as a heavy line."""
+    """Slip factor of the worst ball over speed [r/min] and axial load [N], the limit as a heavy
+    line.
+    """
     figure.set_size_inches(0.72 * PAGE_WIDTH, 4.0)
     axes: Axes = figure.subplots()
     surface = results.surface
     factors = np.log10(np.clip(surface.minimum.T / results.limit, DEEPEST, 1.0 / DEEPEST))
     shown = np.ma.masked_invalid(factors)
-    x, y = surface.speeds / KRPM, surface.axial_loads
-    reach = 1.25 * max(float(np.ma.max(np.ma.abs(shown))), 0.1) if shown.count() else 1.0  # the ends are too dark
+    x = surface.speeds / KRPM
+    y = surface.axial_loads
+    # the ends are too dark
+    reach = 1.25 * max(float(np.ma.max(np.ma.abs(shown))), 0.1) if shown.count() else 1.0
     norm = TwoSlopeNorm(0.0, -reach, reach)
     image = axes.pcolormesh(x, y, shown, cmap="RdBu", norm=norm, shading="gouraud")
     unloaded = np.ma.masked_where(~(surface.minimum.T < NO_LOAD), np.ones_like(factors))
@@ -76,10 +73,17 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
     levels = LEVELS * results.limit / 10.0
     if shown.count():
         thin = [v for v in np.log10(levels / results.limit) if v != 0.0]
-        lines = axes.contour(x, y, shown, levels=thin, colors=INK, linewidths=0.5, linestyles="solid")
+        lines = axes.contour(
+            x, y, shown, levels=thin, colors=INK, linewidths=0.5, linestyles="solid"
+        )
         axes.clabel(lines, fmt={v: f"{results.limit * 10.0**v:.3g}" for v in thin}, fontsize=6.5)
     _limit_line(axes, results)
-    bar = figure.colorbar(image, ax=axes, label="slip factor of the worst ball, $Q_i\\,\\sin\\alpha_i/F_c$", aspect=30)
+    bar = figure.colorbar(
+        image,
+        ax=axes,
+        label="slip factor of the worst ball, $Q_i\\,\\sin\\alpha_i/F_c$",
+        aspect=30,
+    )
     ticks = [v for v in np.log10(levels / results.limit) if -reach <= v <= reach]
     bar.set_ticks(ticks, labels=[f"{results.limit * 10.0**v:.3g}" for v in ticks])
     if shown.count():
@@ -91,14 +95,18 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
 
 
 def _limit_line(axes: Axes, results: SlipResults) -> None:
-    """The minimum preload over speed, where the worst ball's factor is the limit, and a word on either side."""
+    """The minimum preload over speed, where the worst ball's factor is the limit, and a word on
+    either side.
+    """
     minimum = results.minimum
     grid = slice(0, len(minimum.speeds) - minimum.own)
     axes.plot(minimum.speeds[grid] / KRPM, minimum.hirano[grid], color=INK, linewidth=2.0)
     top = results.surface.axial_loads[-1]
     note = f"heavy line: factor {results.limit:g}; no ball slips above it"
     if not (minimum.hirano[grid] <= top).any():
-        note = f"factor {results.limit:g} is not reached at these loads: some ball slips everywhere"
+        note = (
+            f"factor {results.limit:g} is not reached at these loads: some ball slips everywhere"
+        )
     if (results.surface.minimum < NO_LOAD).any():
         note += "\ngrey: a ball carries no load at the inner race"
     if results.surface.unsolved:
@@ -128,20 +136,35 @@ def draw_critical_loads(figure: Figure, results: SlipResults) -> None:
         groups = ball_groups(curve)
         colours = mpl.colormaps["viridis"](np.linspace(0.0, 0.88, len(groups)))
         for colour, (members, loads) in zip(colours, groups.items(), strict=True):
-            angles = sorted(round(min(a, 360.0 - a), 1) for a in (degrees(azimuths[m - 1]) % 360.0 for m in members))
+            angles = sorted(
+                round(min(a, 360.0 - a), 1)
+                for a in (degrees(azimuths[m - 1]) % 360.0 for m in members)
+            )
             label = f"{', '.join(map(str, members))}  ({angles[0]:g}°)"
             axes.plot(loads, curve.radial_loads, color=colour, label=label)
         worst = curve.axial_loads.max(axis=1)
         axes.fill_betweenx(
-            curve.radial_loads, worst, max(float(np.nanmax(worst)) * 1.08, 1.0), color=INNER_COLOUR, alpha=0.08, lw=0
+            curve.radial_loads,
+            worst,
+            max(float(np.nanmax(worst)) * 1.08, 1.0),
+            color=INNER_COLOUR,
+            alpha=0.08,
+            lw=0,
         )
         axes.set_title(f"{curve.speed / RPM:.0f} r/min")
         axes.set_xlabel("axial load [N]")
         axes.set_xlim(left=0.0, right=max(float(np.nanmax(worst)) * 1.08, 1.0))
         axes.set_ylim(curve.radial_loads[0], curve.radial_loads[-1])
     panels[0, 0].set_ylabel("radial load [N]")
-    panels[0, -1].legend(title="ball (from load line)", loc="center left", bbox_to_anchor=(1.0, 0.5), title_fontsize=7)
-    figure.supxlabel("each line: slip factor of that ball at the limit; shaded: no ball slips", fontsize=7)
+    panels[0, -1].legend(
+        title="ball (from load line)",
+        loc="center left",
+        bbox_to_anchor=(1.0, 0.5),
+        title_fontsize=7,
+    )
+    figure.supxlabel(
+        "each line: slip factor of that ball at the limit; shaded: no ball slips", fontsize=7
+    )
 
 
 def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
@@ -151,7 +174,13 @@ def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
     minimum = results.minimum
     grid = slice(0, len(minimum.speeds) - minimum.own)
     x = minimum.speeds[grid] / KRPM
-    axes.plot(x, minimum.hirano[grid], color=INNER_COLOUR, linewidth=1.8, label=f"Hirano, factor {results.limit:g}")
+    axes.plot(
+        x,
+        minimum.hirano[grid],
+        color=INNER_COLOUR,
+        linewidth=1.8,
+        label=f"Hirano, factor {results.limit:g}",
+    )
     styles = {
         "as_printed": ("as printed: half the centrifugal force", OUTER_COLOUR, "--"),
         "skf_axial": ("SKF minimum axial load", REFERENCE, "-."),
@@ -164,7 +193,14 @@ def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
     if minimum.own and np.isfinite(minimum.hirano[-1]):
         at = minimum.speeds[-1] / KRPM, minimum.hirano[-1]
         axes.plot(*at, "o", color=INNER_COLOUR, markersize=4)
-        axes.annotate(f"{at[1]:.0f} N", at, xytext=(-6, 3), textcoords="offset points", ha="right", fontsize=7)
+        axes.annotate(
+            f"{at[1]:.0f} N",
+            at,
+            xytext=(-6, 3),
+            textcoords="offset points",
+            ha="right",
+            fontsize=7,
+        )
     axes.set_xlabel("speed of the inner ring [1000 r/min]")
     axes.set_ylabel("minimum load [N]")
     axes.set_xlim(x[0], x[-1])
@@ -181,11 +217,21 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
     finite = np.where(np.isfinite(factors), factors, 0.0)
     width = 0.6 * 360.0 / len(factors)
     slips = factors < results.limit
-    for chosen, colour, label in ((slips, OUTER_COLOUR, "slips"), (~slips, INNER_COLOUR, "does not slip")):
+    for chosen, colour, label in (
+        (slips, OUTER_COLOUR, "slips"),
+        (~slips, INNER_COLOUR, "does not slip"),
+    ):
         if chosen.any():
             axes.bar(azimuths[chosen], finite[chosen], width=width, color=colour, label=label)
     for azimuth in azimuths[~(finite > 0.0)]:
-        axes.annotate("0", (azimuth, 0.0), xytext=(0, 2), textcoords="offset points", ha="center", fontsize=6.5)
+        axes.annotate(
+            "0",
+            (azimuth, 0.0),
+            xytext=(0, 2),
+            textcoords="offset points",
+            ha="center",
+            fontsize=6.5,
+        )
     if results.printed_force is not None:
         printed = finite / results.printed_force
         axes.plot(
@@ -197,15 +243,21 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
             color=INK,
             label="with half the force, as printed",
         )
-    axes.axhline(results.limit, color=INK, linewidth=1.0, linestyle="--", label=f"limit {results.limit:g}")
+    axes.axhline(
+        results.limit, color=INK, linewidth=1.0, linestyle="--", label=f"limit {results.limit:g}"
+    )
     axes.set_xlabel("azimuth of the ball from the load line [deg]")
     axes.set_ylabel("slip factor $Q_i\\,\\sin\\alpha_i/F_c$")
     every = -(-len(azimuths) // MOST_TICKS)
     axes.set_xticks(azimuths[::every], [f"{a:.4g}" for a in azimuths[::every]])
-    axes.set_ylim(0.0, 1.3 * max(results.limit, float(finite.max()) / (results.printed_force or 1.0)))
+    axes.set_ylim(
+        0.0, 1.3 * max(results.limit, float(finite.max()) / (results.printed_force or 1.0))
+    )
     x, y, _ = results.state.ring_force
     speed = results.state.operation.inner_speed / RPM
     axes.set_title(
-        f"{speed:.0f} r/min, axial {round(x) + 0:d} N, radial {round(y) + 0:d} N", fontsize=7.0, color=REFERENCE
+        f"{speed:.0f} r/min, axial {round(x) + 0:d} N, radial {round(y) + 0:d} N",
+        fontsize=7.0,
+        color=REFERENCE,
     )
     axes.legend(loc="upper right", ncols=3, columnspacing=1.2)

@@ -1,6 +1,6 @@
-"""Results of the slip maps: what they hold, their summary, their tables on disk and in the terminal."""
-
-from __future__ import annotations
+"""Results of the slip maps: what they hold, their summary, their tables on disk and in the
+terminal.
+"""
 
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -47,7 +47,9 @@ class MinimumLoads:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SlipResults:
-    """Slip maps of a case; `limit` is the factor [-], `printed_force` the centrifugal force of the source over ours."""
+    """Slip maps of a case; `limit` is the factor [-], `printed_force` the centrifugal force of the
+    source over ours.
+    """
 
     version: str
     case: dict[str, Any]
@@ -68,9 +70,13 @@ class SlipResults:
             found = (f"operation of the case: not converged: {self.state.message}",)
         if self.surface.unsolved:
             points = f"{self.surface.unsolved} of {self.surface.minimum.size}"
-            found += (f"map of slip factors: no equilibrium at {points} points (not converged); change axial_loads_N",)
+            found += (
+                f"map of slip factors: no equilibrium at {points} points (not converged); change axial_loads_N",
+            )
         if np.isnan(self.minimum.hirano).any():
-            found += ("minimum preload: not converged at some speeds; lower the radial load, the tilt or the speed",)
+            found += (
+                "minimum preload: not converged at some speeds; lower the radial load, the tilt or the speed",
+            )
         return found
 
 
@@ -91,12 +97,16 @@ def slip_summary(results: SlipResults) -> dict[str, Any]:
             "speed_rpm": _number(curve.speed / RPM),
             "radial_loads_N": _numbers(curve.radial_loads),
             "axial_loads_N": [
-                {"ball": ball + 1, "values": _numbers(row)} for ball, row in enumerate(curve.axial_loads.T)
+                {"ball": ball + 1, "values": _numbers(row)}
+                for ball, row in enumerate(curve.axial_loads.T)
             ],
         }
         for curve in results.curves
     ]
-    loads = {key: None if values is None else _numbers(values) for key, values in minimum.columns().items()}
+    loads = {
+        key: None if values is None else _numbers(values)
+        for key, values in minimum.columns().items()
+    }
     return {
         "oilfilm": results.version,
         "case": results.case,
@@ -116,9 +126,20 @@ def slip_summary(results: SlipResults) -> dict[str, Any]:
 
 
 def _left_out(results: SlipResults) -> list[str]:
-    keys = {"skf_axial": "minimum_axial_load_factor_kN", "skf_radial": "minimum_radial_load_factor_kN"}
-    found = [f"{name}_N is null: [slip] {key} is not given" for name, key in keys.items() if _missing(results, name)]
-    return found + (["as_printed_N is null: [slip] as_printed is not given"] if results.printed_force is None else [])
+    keys = {
+        "skf_axial": "minimum_axial_load_factor_kN",
+        "skf_radial": "minimum_radial_load_factor_kN",
+    }
+    found = [
+        f"{name}_N is null: [slip] {key} is not given"
+        for name, key in keys.items()
+        if _missing(results, name)
+    ]
+    return found + (
+        ["as_printed_N is null: [slip] as_printed is not given"]
+        if results.printed_force is None
+        else []
+    )
 
 
 def _missing(results: SlipResults, name: str) -> bool:
@@ -127,7 +148,8 @@ def _missing(results: SlipResults, name: str) -> bool:
 
 def _operation(results: SlipResults) -> dict[str, Any]:
     state, minimum = results.state, results.minimum
-    factors, share = slip_factors(state), results.printed_force
+    factors = slip_factors(state)
+    share = results.printed_force
     return {
         "speed_rpm": state.operation.inner_speed / RPM,
         "ring_force_N": _numbers(state.ring_force),
@@ -135,7 +157,9 @@ def _operation(results: SlipResults) -> dict[str, Any]:
         "tilt_mrad": _numbers(1e3 * state.tilt),
         "minimum_preload_N": _number(minimum.hirano[-1]) if minimum.own else None,
         "minimum_preload_as_printed_N": (
-            _number(minimum.as_printed[-1]) if minimum.own and minimum.as_printed is not None else None
+            _number(minimum.as_printed[-1])
+            if minimum.own and minimum.as_printed is not None
+            else None
         ),
         "balls": [
             {
@@ -163,7 +187,8 @@ def _numbers(values: Iterable[Any]) -> list[float | None]:
 
 
 def slip_table(results: SlipResults) -> Group:
-    """Lay out the balls at the case's operation and the minimum loads over speed, for a terminal of 80 columns.
+    """Lay out the balls at the case's operation and the minimum loads over speed, for a terminal
+    of 80 columns.
 
     Parameters
     ----------
@@ -197,23 +222,36 @@ def _balls_table(results: SlipResults) -> Table:
     printed = ["as printed"] if results.printed_force is not None else []
     table = _table(["ball", "ψ °", "Qi N", "αi °", "Fc N", "SF", *printed, ""])
     for ball in _operation(results)["balls"]:
-        cells = [f"{ball['ball']}", f"{ball['azimuth_deg'] % 360.0:.1f}", f"{ball['inner_load_N']:.1f}"]
+        cells = [
+            f"{ball['ball']}",
+            f"{ball['azimuth_deg'] % 360.0:.1f}",
+            f"{ball['inner_load_N']:.1f}",
+        ]
         cells += [f"{ball['inner_contact_angle_deg']:.2f}", f"{ball['centrifugal_force_N']:.2f}"]
-        cells += [_cell(ball["slip_factor"], 3)] + [_cell(ball["slip_factor_as_printed"], 3)] * len(printed)
+        cells += [_cell(ball["slip_factor"], 3)] + [
+            _cell(ball["slip_factor_as_printed"], 3)
+        ] * len(printed)
         table.add_row(*cells, "slips" if ball["slips"] else "")
     return table
 
 
 def _loads_table(results: SlipResults) -> Table:
     minimum = results.minimum
-    names = {"hirano_N": "Hirano", "as_printed_N": "as printed", "skf_axial_N": "SKF axial", "skf_radial_N": "radial"}
+    names = {
+        "hirano_N": "Hirano",
+        "as_printed_N": "as printed",
+        "skf_axial_N": "SKF axial",
+        "skf_radial_N": "radial",
+    }
     given = {key: values for key, values in minimum.columns().items() if values is not None}
     table = _table(["r/min", *(names[key] for key in given)])
     grid = len(minimum.speeds) - minimum.own
     chosen = [int(i) for i in np.unique(np.linspace(0, grid - 1, min(MOST_ROWS, grid)).round())]
     for index in chosen + ([grid] if minimum.own else []):
         cells = [_cell(_number(values[index]), 1) for values in given.values()]
-        table.add_row(f"{minimum.speeds[index] / RPM:.0f}" + (" *" if index == grid else ""), *cells)
+        table.add_row(
+            f"{minimum.speeds[index] / RPM:.0f}" + (" *" if index == grid else ""), *cells
+        )
     if minimum.own:
         table.caption = "* the case's own speed"
     return table
@@ -224,7 +262,8 @@ def _cell(value: float | None, digits: int) -> str:
 
 
 def write_slip_netcdf(results: SlipResults, path: Path, document: dict[str, Any]) -> None:
-    """Write slip factors [-] over `speed` [rad/s], `axial_load` [N] and ball, critical and minimum loads [N].
+    """Write slip factors [-] over `speed` [rad/s], `axial_load` [N] and ball, critical and minimum
+    loads [N].
 
     Parameters
     ----------
@@ -242,17 +281,40 @@ def write_slip_netcdf(results: SlipResults, path: Path, document: dict[str, Any]
         "slip_factor": (("speed", "axial_load", "ball"), surface.factors, number),
         "operation_slip_factor": (("ball",), slip_factors(state), number),
         "operation_inner_load": (("ball",), np.asarray(state.inner_load, dtype=float), load),
-        "operation_centrifugal_force": (("ball",), np.asarray(state.centrifugal_force, dtype=float), load),
+        "operation_centrifugal_force": (
+            ("ball",),
+            np.asarray(state.centrifugal_force, dtype=float),
+            load,
+        ),
         "minimum_speed": (("minimum_speed",), results.minimum.speeds, speed),
     }
     for name, values in results.minimum.columns().items():
         if values is not None:
             found[f"minimum_load_{name.removesuffix('_N')}"] = (("minimum_speed",), values, load)
     if results.curves:
-        found["critical_speed"] = (("critical_speed",), np.array([c.speed for c in results.curves]), speed)
-        found["critical_radial_load"] = (("critical_radial_load",), np.asarray(results.curves[0].radial_loads), load)
+        found["critical_speed"] = (
+            ("critical_speed",),
+            np.array([c.speed for c in results.curves]),
+            speed,
+        )
+        found["critical_radial_load"] = (
+            ("critical_radial_load",),
+            np.asarray(results.curves[0].radial_loads),
+            load,
+        )
         axial = np.stack([curve.axial_loads for curve in results.curves])
-        found["critical_axial_load"] = (("critical_speed", "critical_radial_load", "ball"), axial, load)
-    coordinates = {"speed", "axial_load", "ball", "minimum_speed", "critical_speed", "critical_radial_load"}
+        found["critical_axial_load"] = (
+            ("critical_speed", "critical_radial_load", "ball"),
+            axial,
+            load,
+        )
+    coordinates = {
+        "speed",
+        "axial_load",
+        "ball",
+        "minimum_speed",
+        "critical_speed",
+        "critical_radial_load",
+    }
     attributes = root_attributes(document, "slip") | {"limit": results.limit}
     write_dataset(found, coordinates & set(found), attributes, path)

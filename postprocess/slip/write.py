@@ -1,7 +1,5 @@
 """Files of a slip study."""
 
-from __future__ import annotations
-
 import csv
 from math import isfinite
 from pathlib import Path
@@ -14,7 +12,8 @@ from .results import SlipResults, slip_summary, write_slip_netcdf
 
 
 def write_slip(results: SlipResults, directory: str | Path) -> tuple[str, ...]:
-    """Write pictures, tables and, last, the summary; a picture that fails is a message, not an error.
+    """Write pictures, tables and, last, the summary; a picture that fails is a message, not an
+    error.
 
     Parameters
     ----------
@@ -33,7 +32,8 @@ def write_slip(results: SlipResults, directory: str | Path) -> tuple[str, ...]:
         from .plots import write_slip_plots
 
         write_slip_plots(results, folder)
-    except Exception as error:  # any failure in a drawing library is a lost picture, not a lost run
+    # any failure in a drawing library is a lost picture, not a lost run
+    except Exception as error:
         problems = (f"plots not written: {type(error).__name__}: {error}",)
     _write_tables(results, folder)
     document = slip_summary(results)
@@ -53,7 +53,11 @@ def _write_tables(results: SlipResults, folder: Path) -> None:
     ]
     head = ["speed [r/min]", "axial load [N]", "slip factor of the worst ball [-]", *balls]
     _write_csv(folder / "slip_factors.csv", head, rows)
-    head = ["speed [r/min]", "radial load [N]", *(f"axial load of ball {b + 1} [N]" for b in range(len(balls)))]
+    head = [
+        "speed [r/min]",
+        "radial load [N]",
+        *(f"axial load of ball {b + 1} [N]" for b in range(len(balls))),
+    ]
     rows = [
         [curve.speed / RPM, radial, *loads]
         for curve in results.curves
@@ -61,10 +65,14 @@ def _write_tables(results: SlipResults, folder: Path) -> None:
     ]
     if rows:
         _write_csv(folder / "critical_loads.csv", head, rows)
-    given = {key: values for key, values in results.minimum.columns().items() if values is not None}
+    given = {
+        key: values for key, values in results.minimum.columns().items() if values is not None
+    }
     head = ["speed [r/min]", *(f"{key.removesuffix('_N')} [N]" for key in given)]
     _write_csv(
-        folder / "minimum_loads.csv", head, np.column_stack([results.minimum.speeds / RPM, *given.values()]).tolist()
+        folder / "minimum_loads.csv",
+        head,
+        np.column_stack([results.minimum.speeds / RPM, *given.values()]).tolist(),
     )
 
 
@@ -72,4 +80,6 @@ def _write_csv(path: Path, head: list[str], rows: list[list[float]]) -> None:
     with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file)
         writer.writerow(head)
-        writer.writerows([f"{value:.9g}" if isfinite(value) else "" for value in row] for row in rows)
+        writer.writerows(
+            [f"{value:.9g}" if isfinite(value) else "" for value in row] for row in rows
+        )

@@ -1,7 +1,5 @@
 """Figure of the stiffness over speed."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +12,8 @@ from .results import ORDER, StiffnessResults
 
 PLOT_FILE = "stiffness.png"
 COLOURS = ("#1f4e8c", "#c1440e", "#3a7d44", "#7a4fa3", "#8a6d1d")
-PER_UM, PER_MRAD = 1e-6, 1e-3
+PER_UM = 1e-6
+PER_MRAD = 1e-3
 
 
 def write_stiffness_plot(results: StiffnessResults, directory: Path) -> None:
@@ -26,21 +25,44 @@ def write_stiffness_plot(results: StiffnessResults, directory: Path) -> None:
 
 
 def draw_stiffness(figure: Figure, results: StiffnessResults) -> None:
-    """Diagonal and the largest couplings of translation, and the tilts, over the speed of the inner ring."""
+    """Diagonal and the largest couplings of translation, and the tilts, over the speed of the
+    inner ring.
+    """
     figure.set_size_inches(PAGE_WIDTH, 3.4)
     figure.suptitle(str(results.case.get("title", "")), fontsize=8.5)
     left, right = figure.subplots(1, 2)
     study = results.study
     speeds = study.speeds / RPM
     for k in range(3):
-        left.plot(speeds, study.matrices[:, k, k] * PER_UM, "o-", markersize=3, color=COLOURS[k], label=f"k {ORDER[k]}")
+        left.plot(
+            speeds,
+            study.matrices[:, k, k] * PER_UM,
+            "o-",
+            markersize=3,
+            color=COLOURS[k],
+            label=f"k {ORDER[k]}",
+        )
     for i, j in ((0, 1), (0, 2), (1, 2)):
         values = study.matrices[:, i, j] * PER_UM
         if abs(values).max() > 1e-3 * abs(study.matrices[:, :3, :3]).max() * PER_UM:
-            left.plot(speeds, values, "--", linewidth=1.0, color=COLOURS[i + j], label=f"k {ORDER[i]}{ORDER[j]}")
+            left.plot(
+                speeds,
+                values,
+                "--",
+                linewidth=1.0,
+                color=COLOURS[i + j],
+                label=f"k {ORDER[i]}{ORDER[j]}",
+            )
     for k in (3, 4):
         name = f"k tilt {ORDER[k][1]}"
-        right.plot(speeds, study.matrices[:, k, k] * PER_MRAD, "o-", markersize=3, color=COLOURS[k - 2], label=name)
+        right.plot(
+            speeds,
+            study.matrices[:, k, k] * PER_MRAD,
+            "o-",
+            markersize=3,
+            color=COLOURS[k - 2],
+            label=name,
+        )
     _finish(left, "stiffness [N/µm]")
     _finish(right, "tilting stiffness [N m/mrad]")
 

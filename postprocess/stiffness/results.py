@@ -1,7 +1,5 @@
 """Stiffness over speed: summary, table, files for scripts and for the rotor code ROSS."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from math import isfinite
 from pathlib import Path
@@ -17,7 +15,8 @@ from ..units import MICROMETRE, MILLIRADIAN, RPM
 
 ORDER = ("x", "y", "z", "ty", "tz")
 UNITS = ("N/m", "N/rad", "N m/rad")
-STIFFNESS_FILE, ROSS_FILE = "stiffness.csv", "ross_bearing.csv"
+STIFFNESS_FILE = "stiffness.csv"
+ROSS_FILE = "ross_bearing.csv"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -79,7 +78,9 @@ def stiffness_summary(results: StiffnessResults) -> dict[str, Any]:
         "order": list(ORDER),
         "units": [[entry_unit(i, j) for j in range(5)] for i in range(5)],
         "points": points,
-        "ross": {name: _plain(values) for name, values in ross_table(study, results.damping).items()},
+        "ross": {
+            name: _plain(values) for name, values in ross_table(study, results.damping).items()
+        },
         "timing_s": results.timing,
     }
 
@@ -96,9 +97,14 @@ def _plain(values: Any) -> Any:
 MIXED = "SI: N, m, rad, N m"
 
 
-def write_stiffness_netcdf(results: StiffnessResults, path: Path, document: dict[str, Any]) -> None:
-    """Write stiffness and place of the ring over `speed` [rad/s]; arguments as `write_slip_netcdf`."""
-    study, freedoms = results.study, np.array(STIFFNESS_ORDER, dtype=object)
+def write_stiffness_netcdf(
+    results: StiffnessResults, path: Path, document: dict[str, Any]
+) -> None:
+    """Write stiffness and place of the ring over `speed` [rad/s]; arguments as
+    `write_slip_netcdf`.
+    """
+    study = results.study
+    freedoms = np.array(STIFFNESS_ORDER, dtype=object)
     found: Variables = {
         "speed": (("speed",), np.asarray(study.speeds), {"units": "rad/s"}),
         "freedom": (("freedom",), freedoms, {}),
@@ -107,4 +113,6 @@ def write_stiffness_netcdf(results: StiffnessResults, path: Path, document: dict
         "displacement": (("speed", "freedom"), study.displacements, {"units": MIXED}),
         "converged": (("speed",), study.converged.astype(np.int8), {}),
     }
-    write_dataset(found, {"speed", "freedom", "freedom_2"}, root_attributes(document, "stiffness"), path)
+    write_dataset(
+        found, {"speed", "freedom", "freedom_2"}, root_attributes(document, "stiffness"), path
+    )

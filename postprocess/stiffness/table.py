@@ -1,7 +1,5 @@
 """Stiffness over speed in the terminal."""
 
-from __future__ import annotations
-
 from math import isfinite
 
 from rich import box
@@ -24,7 +22,9 @@ def stiffness_table(results: StiffnessResults) -> Group:
         entries = [matrix[i, j] * 1e-6 for i, j in ((0, 0), (1, 1), (2, 2), (1, 2), (0, 1))]
         entries += [matrix[i, i] * 1e-3 for i in (3, 4)]
         noise = ROUND_OFF * max(abs(entry) for entry in entries)
-        words = ["–" if not isfinite(e) else f"{e:.4g}" if abs(e) > noise else "0" for e in entries]
+        words = [
+            "–" if not isfinite(e) else f"{e:.4g}" if abs(e) > noise else "0" for e in entries
+        ]
         table.add_row(f"{speed / RPM:.0f}", *words)
     units = Text("stiffness k in N/µm, against tilting in N m/mrad", style="dim")
     return Group(Text(str(results.case.get("title", "")), style="bold"), units, table)

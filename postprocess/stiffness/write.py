@@ -1,7 +1,5 @@
 """Files of a stiffness study."""
 
-from __future__ import annotations
-
 import csv
 from math import isfinite
 from pathlib import Path
@@ -40,7 +38,9 @@ def write_stiffness(results: StiffnessResults, directory: Path) -> tuple[str, ..
     """
     directory.mkdir(parents=True, exist_ok=True)
     study = results.study
-    names = [f"k {a} {b} [{entry_unit(i, j)}]" for i, a in enumerate(ORDER) for j, b in enumerate(ORDER)]
+    names = [
+        f"k {a} {b} [{entry_unit(i, j)}]" for i, a in enumerate(ORDER) for j, b in enumerate(ORDER)
+    ]
     rows = np.column_stack([study.speeds / RPM, study.matrices.reshape(len(study.speeds), 25)])
     _write_csv(directory / STIFFNESS_FILE, ["speed [r/min]", *names], rows)
     ross = ross_table(study, results.damping)

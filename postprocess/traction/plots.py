@@ -1,7 +1,5 @@
 """Traction curves over the slide-roll ratio, and maps of the traction over sliding and spin."""
 
-from __future__ import annotations
-
 from math import sqrt
 from pathlib import Path
 from typing import Any
@@ -16,7 +14,8 @@ from ..plot_style import PAGE_WIDTH, RC, save
 from .results import TractionResults
 
 COLOURS = ("#1f4e8c", "#3a7d44", "#8a6d1d", "#c1440e")
-CURVE_POINTS, MAP_POINTS = 161, 61
+CURVE_POINTS = 161
+MAP_POINTS = 61
 
 
 def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Path]:
@@ -31,7 +30,9 @@ def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Pa
 
 
 def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
-    """Coefficient of traction along the entrainment over the slide-roll ratio, for loads of each race."""
+    """Coefficient of traction along the entrainment over the slide-roll ratio, for loads of each
+    race.
+    """
     figure.set_size_inches(PAGE_WIDTH, 3.2)
     figure.suptitle(str(results.case.get("title", "")), fontsize=8.5)
     panels = figure.subplots(1, len(results.tables), sharey=True, squeeze=False)[0]
@@ -41,8 +42,16 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
         ratios = limit * np.linspace(-1.0, 1.0, CURVE_POINTS) ** 3
         loads = np.geomspace(1.5 * table.range.load[0], table.range.load[1], len(COLOURS))
         for load, colour in zip(loads, COLOURS, strict=True):
-            forces = [table.forces(load, speed, ratio * speed, 0.0, 0.0).force_x for ratio in ratios]
-            axes.plot(ratios, -np.array(forces) / load, color=colour, linewidth=1.1, label=f"{load:.0f} N")
+            forces = [
+                table.forces(load, speed, ratio * speed, 0.0, 0.0).force_x for ratio in ratios
+            ]
+            axes.plot(
+                ratios,
+                -np.array(forces) / load,
+                color=colour,
+                linewidth=1.1,
+                label=f"{load:.0f} N",
+            )
         axes.set_xscale("symlog", linthresh=1e-3, linscale=0.6)
         ticks = [-1.0, -1e-1, -1e-2, -1e-3, 0.0, 1e-3, 1e-2, 1e-1, 1.0]
         axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks], rotation=45)
@@ -56,21 +65,26 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
 
 
 def draw_traction_map(figure: Figure, results: TractionResults) -> None:
-    """Magnitude of the traction coefficient over sliding along and across, and over sliding and spin, of each race."""
+    """Magnitude of the traction coefficient over sliding along and across, and over sliding and
+    spin, of each race.
+    """
     figure.set_size_inches(PAGE_WIDTH, 5.4)
     figure.suptitle(str(results.case.get("title", "")), fontsize=8.5)
     panels = figure.subplots(len(results.tables), 2, squeeze=False)
     for row, (race, table) in zip(panels, results.tables.items(), strict=True):
         load = sqrt(table.range.load[0] * table.range.load[1])
         speed = sqrt(table.range.speed[0] * table.range.speed[1])
-        along, across = 0.2 * np.linspace(-1.0, 1.0, MAP_POINTS), 0.2 * np.linspace(-1.0, 1.0, MAP_POINTS)
+        along = 0.2 * np.linspace(-1.0, 1.0, MAP_POINTS)
+        across = 0.2 * np.linspace(-1.0, 1.0, MAP_POINTS)
         spins = table.range.spin * np.linspace(-1.0, 1.0, MAP_POINTS)
         flat = _coefficients(table, load, speed, [(x, y, 0.0) for y in across for x in along])
         spun = _coefficients(table, load, speed, [(x, 0.0, n) for n in spins for x in along])
         top = max(flat.max(), spun.max())
         for axes, values, vertical in ((row[0], flat, across), (row[1], spun, spins)):
             shape = (MAP_POINTS, MAP_POINTS)
-            image = axes.pcolormesh(along, vertical, values.reshape(shape), vmin=0.0, vmax=top, rasterized=True)
+            image = axes.pcolormesh(
+                along, vertical, values.reshape(shape), vmin=0.0, vmax=top, rasterized=True
+            )
             axes.set_xlabel("slide-roll ratio along [-]")
             _colour_bar(figure, image, axes)
         row[0].set_ylabel("slide-roll ratio across [-]")
@@ -80,9 +94,13 @@ def draw_traction_map(figure: Figure, results: TractionResults) -> None:
         row[1].set_title("no sliding across", fontsize=8)
 
 
-def _coefficients(table: TractionTable, load: float, speed: float, motions: list[tuple[float, float, float]]) -> Any:
+def _coefficients(
+    table: TractionTable, load: float, speed: float, motions: list[tuple[float, float, float]]
+) -> Any:
     radius = table.contact.radius_x
-    forces = [table.forces(load, speed, x * speed, y * speed, n * speed / radius) for x, y, n in motions]
+    forces = [
+        table.forces(load, speed, x * speed, y * speed, n * speed / radius) for x, y, n in motions
+    ]
     return np.array([np.hypot(found.force_x, found.force_y) / load for found in forces])
 
 

@@ -1,7 +1,5 @@
 """Traction tables of a case: their file, summary and plots."""
 
-from __future__ import annotations
-
 from dataclasses import asdict, dataclass, field
 from math import isfinite
 from typing import Any
@@ -27,7 +25,8 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
     """Summary of the tables: ranges, error, largest coefficients; units in the keys."""
     races = {}
     for race, table in results.tables.items():
-        limits, error = table.range, asdict(table.error)
+        limits = table.range
+        error = asdict(table.error)
         races[race.value] = {
             "converged": table.converged,
             "message": table.message,
@@ -50,12 +49,20 @@ def traction_summary(results: TractionResults) -> dict[str, Any]:
                 "largest_error_between": [between.largest for between in found.errors],
             }
         races[race.value]["full_solves"] = [_beside(one) for one in table.full_solves] or None
-    told = [f"{race.value} race: {t.message}" for race, t in results.tables.items() if t.message != "converged"]
+    told = [
+        f"{race.value} race: {t.message}"
+        for race, t in results.tables.items()
+        if t.message != "converged"
+    ]
     told += _open_solves(results)
     everything = (results.over_temperature or results.tables).values()
     converged = all(table.converged for table in everything)
     beside = [one.converged for table in results.tables.values() for one in table.full_solves]
-    prefix = [] if converged else ["not converged: a traction table misses its tolerance or a film did not converge"]
+    prefix = (
+        []
+        if converged
+        else ["not converged: a traction table misses its tolerance or a film did not converge"]
+    )
     return {
         "oilfilm": results.version,
         "case": results.case,
@@ -76,7 +83,9 @@ def _beside(one: FullSolve) -> dict[str, Any]:
         "coefficient_in_full": one.in_full,
         "film_ratio": one.film_ratio,
     }
-    return {key: value if isfinite(value) else None for key, value in numbers.items()} | {"converged": one.converged}
+    return {key: value if isfinite(value) else None for key, value in numbers.items()} | {
+        "converged": one.converged
+    }
 
 
 def _open_solves(results: TractionResults) -> list[str]:

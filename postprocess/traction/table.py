@@ -1,7 +1,5 @@
 """What `oilfilm table` prints."""
 
-from __future__ import annotations
-
 from rich.console import Group
 from rich.table import Table
 
@@ -25,18 +23,41 @@ def traction_table(results: TractionResults) -> Group:
             f"{table.error.quantile:.2%}",
             f"{table.error.largest:.2%}",
         )
-    beside = [_full_solves(results)] if any(table.full_solves for table in results.tables.values()) else []
-    return Group(found, *beside, *(f"  {message}" for message in traction_summary(results)["messages"]))
+    beside = (
+        [_full_solves(results)]
+        if any(table.full_solves for table in results.tables.values())
+        else []
+    )
+    return Group(
+        found, *beside, *(f"  {message}" for message in traction_summary(results)["messages"])
+    )
 
 
 def _full_solves(results: TractionResults) -> Table:
     """What the films of the tables leave out, place by place."""
     found = Table(title="Sliding on the table's film, and in full solves", title_justify="left")
-    for name in ("race", "load [N]", "speed [m/s]", "slide/roll", "µ, film", "µ, full", "film ratio"):
+    for name in (
+        "race",
+        "load [N]",
+        "speed [m/s]",
+        "slide/roll",
+        "µ, film",
+        "µ, full",
+        "film ratio",
+    ):
         found.add_column(name, justify="left" if name == "race" else "right")
     for race, table in results.tables.items():
         for one in table.full_solves:
-            told = f"{one.film_ratio:.3f}" if one.converged else f"{one.film_ratio:.3f}, not converged"
-            numbers = (f"{one.load:.4g}", f"{one.speed:.3g}", f"{one.slide_ratio:.4f}", f"{one.by_film:.4f}")
+            told = (
+                f"{one.film_ratio:.3f}"
+                if one.converged
+                else f"{one.film_ratio:.3f}, not converged"
+            )
+            numbers = (
+                f"{one.load:.4g}",
+                f"{one.speed:.3g}",
+                f"{one.slide_ratio:.4f}",
+                f"{one.by_film:.4f}",
+            )
             found.add_row(race.value, *numbers, f"{one.in_full:.4f}", told)
     return found

@@ -1,7 +1,5 @@
 """Files of traction tables."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from bearing.friction.race_tables import save_race_tables
@@ -12,7 +10,9 @@ from .results import TractionResults
 
 
 def write_traction(results: TractionResults, path: Path) -> None:
-    """Write the tables to a file, and beside it its plots, `<name>_curves.png` and `<name>_map.png`."""
+    """Write the tables to a file, and beside it its plots, `<name>_curves.png` and
+    `<name>_map.png`.
+    """
     save_tables(results, path)
     write_traction_plots(results, path)
 

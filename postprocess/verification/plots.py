@@ -1,7 +1,5 @@
 """Pictures of the verification page."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,7 +26,9 @@ class Curve:
     y: tuple[float, ...]
 
 
-def draw_pictures(pictures: Sequence[tuple[str, Callable[[Figure], None]]], directory: Path) -> None:
+def draw_pictures(
+    pictures: Sequence[tuple[str, Callable[[Figure], None]]], directory: Path
+) -> None:
     """Draw pictures, given by stem and by what draws into an empty figure, as PNG into a folder."""
     with mpl.rc_context(RC):
         for stem, draw in pictures:
@@ -49,7 +49,9 @@ def _slope(axes: Axes, x: tuple[float, float], y: float, power: int) -> None:
     """A dashed line of a power of x."""
     ends = np.array(x)
     axes.plot(ends, y * (ends / ends[0]) ** power, color=REFERENCE, linestyle="--", linewidth=0.9)
-    axes.annotate(f"order {power}", (ends[1], y * (ends[1] / ends[0]) ** power), fontsize=7, color=REFERENCE)
+    axes.annotate(
+        f"order {power}", (ends[1], y * (ends[1] / ends[0]) ** power), fontsize=7, color=REFERENCE
+    )
 
 
 def draw_orders(figure: Figure, curves: Sequence[Curve]) -> None:
@@ -60,7 +62,8 @@ def draw_orders(figure: Figure, curves: Sequence[Curve]) -> None:
     colours = _colours(len(names))
     for curve in curves:
         name, _, which = curve.label.rpartition(", ")
-        number, central = names.index(name), which == "central"
+        number = names.index(name)
+        central = which == "central"
         axes.loglog(
             curve.x,
             curve.y,
@@ -99,9 +102,18 @@ def draw_moes(figure: Figure, curves: Sequence[Curve], fits: Sequence[Curve]) ->
     """Central film (h/Rx)(2U)^(-1/2) [-] over M [-], one curve each L; fits as lines."""
     figure.set_size_inches(0.8 * PAGE_WIDTH, 3.8)
     axes: Axes = figure.subplots()
-    for number, (colour, curve, fit) in enumerate(zip(_colours(len(curves)), curves, fits, strict=True)):
+    for number, (colour, curve, fit) in enumerate(
+        zip(_colours(len(curves)), curves, fits, strict=True)
+    ):
         axes.loglog(fit.x, fit.y, color=colour, linewidth=0.9)
-        axes.loglog(curve.x, curve.y, MARKERS[number], color=colour, markersize=4, label=f"L = {curve.label}")
+        axes.loglog(
+            curve.x,
+            curve.y,
+            MARKERS[number],
+            color=colour,
+            markersize=4,
+            label=f"L = {curve.label}",
+        )
     axes.set_xlabel("load parameter $M$ [-]")
     axes.set_ylabel("$(h_c/R_x)\\,(2U)^{-1/2}$ [-]")
     axes.grid(which="major", linewidth=0.3)
@@ -112,7 +124,9 @@ def draw_moes(figure: Figure, curves: Sequence[Curve], fits: Sequence[Curve]) ->
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FormulaMap:
-    """Formula over solved film less one, shape (L, M) [-]; not a number where there is no solved film."""
+    """Formula over solved film less one, shape (L, M) [-]; not a number where there is no solved
+    film.
+    """
 
     title: str
     loads: tuple[float, ...]
@@ -128,10 +142,20 @@ def draw_formulas(figure: Figure, maps: Sequence[FormulaMap], columns: int) -> N
     image: Any = None
     for axes, shown in zip(panels.ravel(), maps, strict=True):
         percent = 100.0 * np.ma.masked_invalid(shown.share)
-        image = axes.imshow(percent, cmap="RdBu_r", vmin=-60.0, vmax=60.0, origin="lower", aspect="auto")
+        image = axes.imshow(
+            percent, cmap="RdBu_r", vmin=-60.0, vmax=60.0, origin="lower", aspect="auto"
+        )
         for (j, i), value in np.ndenumerate(shown.share):
             text = "×" if np.isnan(value) else f"{100.0 * value:+.0f}"
-            axes.text(i, j, text, ha="center", va="center", fontsize=6, color="white" if abs(value) > 0.45 else INK)
+            axes.text(
+                i,
+                j,
+                text,
+                ha="center",
+                va="center",
+                fontsize=6,
+                color="white" if abs(value) > 0.45 else INK,
+            )
         axes.set_title(shown.title, fontsize=6.5)
         axes.set_xticks(range(len(shown.loads)), [f"{m:g}" for m in shown.loads])
         axes.set_yticks(range(len(shown.lubricant)), [f"{v:g}" for v in shown.lubricant])
@@ -139,12 +163,16 @@ def draw_formulas(figure: Figure, maps: Sequence[FormulaMap], columns: int) -> N
         axes.set_xlabel("$M$ [-]")
     for axes in panels[:, 0]:
         axes.set_ylabel("$L$ [-]")
-    figure.colorbar(image, ax=panels, label="formula over solved film, less one [%]", extend="both", aspect=40)
+    figure.colorbar(
+        image, ax=panels, label="formula over solved film, less one [%]", extend="both", aspect=40
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScalingCurve:
-    """Cost of one contact over its unknowns: times [us per unknown], cycles [-], memory [bytes per unknown]."""
+    """Cost of one contact over its unknowns: times [us per unknown], cycles [-], memory [bytes per
+    unknown].
+    """
 
     label: str
     unknowns: tuple[int, ...]
@@ -161,7 +189,9 @@ def draw_scaling(figure: Figure, curves: Sequence[ScalingCurve]) -> None:
     for number, (colour, curve) in enumerate(zip(_colours(len(curves)), curves, strict=True)):
         style: dict[str, Any] = {"color": colour, "marker": MARKERS[number], "markersize": 3.5}
         panels[0].loglog(curve.unknowns, curve.time, label=_mathematical(curve.label), **style)
-        panels[0].loglog(curve.unknowns, curve.deflection, color=colour, linestyle="--", linewidth=0.8)
+        panels[0].loglog(
+            curve.unknowns, curve.deflection, color=colour, linestyle="--", linewidth=0.8
+        )
         panels[1].semilogx(curve.unknowns, curve.cycles, **style)
         panels[2].semilogx(curve.unknowns, curve.memory, **style)
     panels[0].set_ylabel("time per unknown [µs]\n(dashed: one deflection)")
@@ -209,7 +239,13 @@ def draw_robustness(figure: Figure, points: Sequence[MapPoint]) -> None:
                 x, y = [p.load for p in some], [p.lubricant for p in some]
                 axes.scatter(x, y, s=16, marker=marker, color=colour, edgecolor=INK, linewidth=0.2)
         axes.set_xscale("log")
-        name = f"above {low:g}" if high == float("inf") else f"below {high:g}" if low == 0.0 else f"{low:g} to {high:g}"
+        name = (
+            f"above {low:g}"
+            if high == float("inf")
+            else f"below {high:g}"
+            if low == 0.0
+            else f"{low:g} to {high:g}"
+        )
         axes.set_title(f"$R_x/R_y$ {name}: {len(shown)} draws")
         axes.grid(linewidth=0.3)
     for axes in panels[-1]:
@@ -217,12 +253,21 @@ def draw_robustness(figure: Figure, points: Sequence[MapPoint]) -> None:
     for axes in panels[:, 0]:
         axes.set_ylabel("lubricant parameter $L$ [-]")
     handles: list[Any] = [
-        panels[0, 0].scatter([], [], s=16, marker="o", color=colour, edgecolor=INK, linewidth=0.2, label=group)
+        panels[0, 0].scatter(
+            [], [], s=16, marker="o", color=colour, edgecolor=INK, linewidth=0.2, label=group
+        )
         for group, colour in GROUPS.items()
     ]
     handles += [
         panels[0, 0].scatter(
-            [], [], s=16, marker=marker, color="none", edgecolor=INK, linewidth=0.6, label=f"entrainment {kind}"
+            [],
+            [],
+            s=16,
+            marker=marker,
+            color="none",
+            edgecolor=INK,
+            linewidth=0.6,
+            label=f"entrainment {kind}",
         )
         for kind, marker in KINDS.items()
     ]

@@ -160,8 +160,7 @@ def test_ball_sizes_and_clearance_groups():
 
 
 @pytest.mark.parametrize(
-    ("field", "value"),
-    [("bore", -1.0), ("outside_diameter", 0.01), ("contact_angle", 2.0), ("dynamic_rating", 0.0)],
+    ("field", "value"), [("bore", -1.0), ("outside_diameter", 0.01), ("contact_angle", 2.0), ("dynamic_rating", 0.0)]
 )
 def test_impossible_catalogue_data_name_the_field(field, value):
     data = {"bore": 0.03, "outside_diameter": 0.062, "contact_angle": 0.0, "dynamic_rating": 2e4, "static_rating": 1e4}

@@ -9,13 +9,7 @@ import pytest
 
 from bearing import Operation, Race, load_material
 from bearing.fits.cage import cage_clearance
-from bearing.fits.clearance import (
-    Fit,
-    Warming,
-    centrifugal_growth,
-    clearance_budget,
-    groove_diameters,
-)
+from bearing.fits.clearance import Fit, Warming, centrifugal_growth, clearance_budget, groove_diameters
 
 STEEL, CERAMIC = load_material("bearing steel"), load_material("silicon nitride")
 STILL = Operation(inner_speed=0.0)

@@ -9,13 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import (
-    Operation,
-    Race,
-    clearance_to_contact_angle,
-    contact_angle_to_clearance,
-    reduced_radii,
-)
+from bearing import Operation, Race, clearance_to_contact_angle, contact_angle_to_clearance, reduced_radii
 from bearing.geometry import contact_modulus
 from bearing.operation import Curvature
 from bearing.quasistatic.contact_stiffness import stiffness_at, stiffness_series

@@ -63,8 +63,7 @@ def test_7000c_hirano_ratio(bearings, axial, expected):
 
 
 @pytest.mark.parametrize(
-    ("speed", "expected"),
-    [(20e3, 214.5), (30e3, 486.9), (40e3, 873.6), (50e3, 1377.7), (60e3, 2002.2), (70e3, 2750.3)],
+    ("speed", "expected"), [(20e3, 214.5), (30e3, 486.9), (40e3, 873.6), (50e3, 1377.7), (60e3, 2002.2), (70e3, 2750.3)]
 )
 def test_7000c_minimum_preload(bearings, speed, expected):
     """Axial load at which Qi sin(ai)/Fc = 10: 0.03 %."""

@@ -161,11 +161,7 @@ def test_back_to_back_is_stiffer_against_tilt(bearings):
 def test_rows_in_one_plane_are_the_sum(bearings):
     """Two rows at the origin without offset are two bearings side by side: twice the load at the same displacement."""
     held = Operation(
-        inner_speed=700.0,
-        force=(None,) * 3,
-        moment=FREE,
-        displacement=(3e-4, 1.0e-5, -4e-6),
-        tilt=(2e-4, -3e-4),
+        inner_speed=700.0, force=(None,) * 3, moment=FREE, displacement=(3e-4, 1.0e-5, -4e-6), tilt=(2e-4, -3e-4)
     )
     one = solve_quasistatic(bearings.b7008, held)
     two = solve_quasistatic(bearings.b7008, held, rows=(Row(), Row()))

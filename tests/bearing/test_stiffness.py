@@ -6,14 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import (
-    Arrangement,
-    Operation,
-    duplex,
-    ross_table,
-    solve_quasistatic,
-    stiffness_over_speed,
-)
+from bearing import Arrangement, Operation, duplex, ross_table, solve_quasistatic, stiffness_over_speed
 
 LOAD = Operation(inner_speed=0.0, force=(400.0, 150.0, -60.0))
 

@@ -9,25 +9,12 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import (
-    BallKinematics,
-    Model,
-    Operation,
-    Race,
-    Row,
-    contact_conditions,
-    solve_quasistatic,
-)
+from bearing import BallKinematics, Model, Operation, Race, Row, contact_conditions, solve_quasistatic
 from bearing.contacts.motion import bearing_kinematics
 from bearing.contacts.shape import contact_shape
 from bearing.friction.balance import balance_driven_balls, curvature_slip, ring_power
 from bearing.friction.resistance import Cage, Resistance, resistance_of
-from bearing.friction.sources import (
-    BallTraction,
-    CoulombTraction,
-    FourConstantTraction,
-    LawTraction,
-)
+from bearing.friction.sources import BallTraction, CoulombTraction, FourConstantTraction, LawTraction
 from ehl import Lubricant
 from ehl.traction.laws import CoulombLaw, four_constants
 

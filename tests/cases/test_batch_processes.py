@@ -29,7 +29,7 @@ case = "6208_full_ceramic"
 "ehl.points" = [65]
 """
 QUICK = SWEEP.replace('"ehl.points" = [65]', '"ehl.film_maps" = ["none"]')
-OILFILM = [sys.executable, "-m", "cases.cli.main"]
+OILFILM = [sys.executable, "-m", "cases.cli"]
 
 
 def same_data(first, second):

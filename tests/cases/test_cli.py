@@ -20,7 +20,7 @@ from cases.cli.main import app
 from cases.format.shipped import find_case, shipped_cases
 
 AT_REST = "209_radial_8900N"  # no films: quick
-OILFILM = [sys.executable, "-m", "cases.cli.main"]
+OILFILM = [sys.executable, "-m", "cases.cli"]
 
 
 def oilfilm(*words):

@@ -32,7 +32,7 @@ def test_no_home_directory_and_no_cache(words, tmp_path):
     (tmp_path / "sweep.toml").write_text('case = "209_radial_8900N"\n[sweep]\n"operation.radial_load_N" = [1e3, 2e3]\n')
     environment = {k: v for k, v in os.environ.items() if not k.startswith(("XDG_", "MPL", "NUMBA_"))} | {"HOME": SHUT}
     run = subprocess.run(
-        [sys.executable, "-m", "cases.cli.main", *words],
+        [sys.executable, "-m", "cases.cli", *words],
         cwd=tmp_path,
         env=environment,
         capture_output=True,

@@ -150,9 +150,7 @@ def test_conflict(table, new, key, expected):
 
 @pytest.mark.parametrize("table", ["load_cases"])
 def test_tables_of_later_versions_are_named(table):
-    assert messages(f"{BEARING}[{table}]\nx = 1\n") == [
-        f"case.toml:20: {table}: found; not supported by this version",
-    ]
+    assert messages(f"{BEARING}[{table}]\nx = 1\n") == [f"case.toml:20: {table}: found; not supported by this version"]
 
 
 def test_a_misspelt_table():

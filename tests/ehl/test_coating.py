@@ -27,11 +27,7 @@ BARE = ContactConditions(
     lubricant=Lubricant(viscosity=0.05, pressure_viscosity=20e-9),
 )
 COATING = Coating(
-    thickness=20e-6,
-    youngs_modulus=STEEL,
-    poisson_ratio=0.3,
-    substrate_youngs_modulus=70e9,
-    substrate_poisson_ratio=0.3,
+    thickness=20e-6, youngs_modulus=STEEL, poisson_ratio=0.3, substrate_youngs_modulus=70e9, substrate_poisson_ratio=0.3
 )
 
 

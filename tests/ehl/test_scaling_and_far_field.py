@@ -8,14 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from ehl import (
-    ContactConditions,
-    DensityLaw,
-    Lubricant,
-    MoesConditions,
-    SolverOptions,
-    ViscosityLaw,
-)
+from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw
 from ehl.closed_form.hertz import hertz_contact
 from ehl.conditions import moes_groups
 from ehl.grid import Grid
@@ -26,12 +19,7 @@ from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 INNER = ContactConditions(
-    load=500.0,
-    radius_x=4.8e-3,
-    radius_y=0.2178,
-    reduced_modulus=332.5e9,
-    entrainment_speed=15.08,
-    lubricant=OIL,
+    load=500.0, radius_x=4.8e-3, radius_y=0.2178, reduced_modulus=332.5e9, entrainment_speed=15.08, lubricant=OIL
 )
 
 

@@ -9,12 +9,7 @@ from numpy.testing import assert_allclose
 from ehl.grid import Grid, grid_hierarchy
 from ehl.multigrid.extrapolation import extrapolate
 from ehl.multigrid.full_multigrid import central_film, film_values
-from ehl.multigrid.transfer import (
-    full_weighting,
-    inject,
-    interpolate_cubic,
-    interpolate_linear,
-)
+from ehl.multigrid.transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 HIERARCHY = grid_hierarchy(65, (-4.0, 2.0, 3.0), 1.5, 3, True)
 

@@ -5,14 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearing import (
-    Bearing,
-    Material,
-    Operation,
-    bearing_frequencies,
-    contact_conditions,
-    solve_quasistatic,
-)
+from bearing import Bearing, Material, Operation, bearing_frequencies, contact_conditions, solve_quasistatic
 from ehl import (
     ContactConditions,
     ContactSolution,

@@ -12,13 +12,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from postprocess.scene.geometry import ContactFrame, Placement, place_patch, ring_surface
-from postprocess.scene.vtk import (
-    FILM,
-    PRESSURE,
-    collection_text,
-    write_collection,
-    write_subsurface,
-)
+from postprocess.scene.vtk import FILM, PRESSURE, collection_text, write_collection, write_subsurface
 
 pv = pytest.importorskip("pyvista")
 

@@ -16,15 +16,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing.library.lubricants import library_lubricant
-from ehl import (
-    ContactConditions,
-    DensityLaw,
-    Lubricant,
-    MoesConditions,
-    SolverOptions,
-    ViscosityLaw,
-    solve_contact,
-)
+from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact
 from ehl.conditions import moes_groups
 from ehl.multigrid.cycle import Damping, cycle, start_level, update_film
 from ehl.multigrid.extrapolation import extrapolate

@@ -8,13 +8,7 @@ from math import radians
 from pathlib import Path
 from typing import Any
 
-from bearing import (
-    library_lubricant,
-    list_bearings,
-    list_lubricants,
-    list_materials,
-    load_catalogue_entry,
-)
+from bearing import library_lubricant, list_bearings, list_lubricants, list_materials, load_catalogue_entry
 from bearing.geometry_estimate import GeometryEstimate, typical_geometry
 from bearing.library.bearings import published_bearings
 from bearing.library.lubricants import PROPERTIES, lubricant_data

@@ -15,14 +15,7 @@ from matplotlib.figure import Figure
 
 from bearing import library_lubricant
 from cases import load_case
-from ehl import (
-    ContactConditions,
-    DensityLaw,
-    Lubricant,
-    SolverOptions,
-    ViscosityLaw,
-    solve_contact,
-)
+from ehl import ContactConditions, DensityLaw, Lubricant, SolverOptions, ViscosityLaw, solve_contact
 from ehl.generalized.solver import solve_generalized
 from ehl.kinematics import ContactKinematics
 from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle

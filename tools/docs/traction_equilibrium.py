@@ -14,13 +14,7 @@ from matplotlib.figure import Figure
 from bearing import BallKinematics, Model, contact_conditions, solve_quasistatic
 from bearing.contacts.motion import bearing_kinematics
 from bearing.friction.balance import ring_power
-from bearing.friction.sources import (
-    BallTraction,
-    CoulombTraction,
-    FilmTraction,
-    FourConstantTraction,
-    TractionSource,
-)
+from bearing.friction.sources import BallTraction, CoulombTraction, FilmTraction, FourConstantTraction, TractionSource
 from bearing.quasistatic.solution import QuasistaticSolution
 from cases import load_case
 from cases.format.case import Case

@@ -13,13 +13,7 @@ import numpy as np
 from printed import printed
 
 from bearing import QuasistaticSolution, solve_quasistatic
-from bearing.studies.slip import (
-    SlipStudy,
-    critical_loads,
-    minimum_preload,
-    slip_factors,
-    slip_surface,
-)
+from bearing.studies.slip import SlipStudy, critical_loads, minimum_preload, slip_factors, slip_surface
 from cases import load_case
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -194,11 +188,7 @@ def deflections() -> list[tuple[str, str, str]]:
             "no",
             "it falls, as a preload stiffens: " + ", ".join(falling),
         ),
-        (
-            "Fig. 11: the deflection grows with the moment",
-            "yes",
-            "0 to 400 N mm: " + ", ".join(growing),
-        ),
+        ("Fig. 11: the deflection grows with the moment", "yes", "0 to 400 N mm: " + ", ".join(growing)),
     ]
 
 

@@ -150,11 +150,7 @@ def figures_6_to_9() -> list[tuple[str, str, str]]:
             "yes, by little" if houpert["curvature"] > curved else "no",
             f"500 r/min: {houpert['curvature']:.2f} and {curved:.2f} N mm; his curves are fits of the same lines",
         ),
-        (
-            "Fig. 6: Kakuta's below",
-            "no",
-            f"{conventional:.2f} N mm: lines that spin does not move apart slide most",
-        ),
+        ("Fig. 6: Kakuta's below", "no", f"{conventional:.2f} N mm: lines that spin does not move apart slide most"),
         (
             "Fig. 7: spin of the lines agrees with Houpert's",
             "yes",

@@ -1,10 +1,10 @@
-"""Contacts as compiled functions: what ball and race, ball and pocket, cage and land do to each other.
+"""Contacts as compiled functions: what ball and race, ball and pocket, cage and land do to each
+other.
 
-A body is a row of numbers: centre, axis, velocity, angular velocity, along x, y, z. Every pair gets opposite forces at
-one point, and the power lost there follows from the velocities of the two bodies at that point: the energies close.
+A body is a row of numbers: centre, axis, velocity, angular velocity, along x, y, z. Every pair
+gets opposite forces at one point, and the power lost there follows from the velocities of the two
+bodies at that point: the energies close.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -14,8 +14,11 @@ from ehl.traction._kernels import hertz_friction, table_lookup
 from ..films._kernels import elastic_approach, smallest_load
 from ..problem import COEFFICIENT, DAMPING, EXPONENT, FILM, FRICTIONLESS, STIFFNESS
 
-APPROACH, THICKNESS = 19, 20  # columns of a motion [m]
-ECCENTRICITY_LIMIT = 0.95  # of the film of a land; nearer, its forces stay and the solid contact takes over [-]
+# columns of a motion [m]
+APPROACH = 19
+THICKNESS = 20
+# of the film of a land; nearer, its forces stay and the solid contact takes over [-]
+ECCENTRICITY_LIMIT = 0.95
 
 
 @compiled
@@ -47,7 +50,9 @@ def ramped(friction, slide, ramp):
 
 @compiled
 def wall_shear(radius, film):
-    """Drag of a sphere sliding along a wall over that in free flow, Goldman, Cox and Brenner (1967)."""
+    """Drag of a sphere sliding along a wall over that in free flow, Goldman, Cox and Brenner
+    (1967).
+    """
     return 8.0 / 15.0 * np.log(max(radius / film, 1.0)) + 0.9588
 
 
@@ -60,10 +65,12 @@ def point_velocity(body, x, y, z):
 
 @compiled
 def groove_contact(body, centre_radius, reach, pos, normal):
-    """Ball in a groove: approach, axial and radial part of the normal, radius, direction of the azimuth.
+    """Ball in a groove: approach, axial and radial part of the normal, radius, direction of the
+    azimuth.
 
-    reach = groove radius less ball radius; the approach is the distance of the ball from the circle of the groove's
-    centres, less the reach. The normal into the race is written to normal[:3].
+    reach = groove radius less ball radius; the approach is the distance of the ball from the
+    circle of the groove's centres, less the reach. The normal into the race is written to
+    normal[:3].
     """
     sx, sy, sz = pos[0] - body[0], pos[1] - body[1], pos[2] - body[2]
     a0, a1, a2 = body[3], body[4], body[5]
@@ -81,10 +88,11 @@ def groove_contact(body, centre_radius, reach, pos, normal):
 
 @compiled
 def race_friction(kind, data, normal, motion, friction):
-    """Friction of one race on all balls: F_x, F_y [N], M_n, M_y [N m]; at 6, 7 stiffness and damping of the film.
+    """Friction of one race on all balls: F_x, F_y [N], M_n, M_y [N m]; at 6, 7 stiffness and
+    damping of the film.
 
-    Where films part the bodies the approach in the motion becomes that of the elastic bodies, and the damping fades
-    below the table's smallest load as friction does.
+    Where films part the bodies the approach in the motion becomes that of the elastic bodies, and
+    the damping fades below the table's smallest load as friction does.
     """
     for j in range(motion.shape[0]):
         k, out = motion[j], friction[j]
@@ -99,7 +107,18 @@ def race_friction(kind, data, normal, motion, friction):
         elif kind == COEFFICIENT:
             hertz_friction(data.disc, data.law, data.shape, load, k[16], k[12], k[13], k[14], out)
         else:
-            table_lookup(data.axes, data.constants, data.scalars, data.values, load, k[16], k[12], k[13], k[14], out)
+            table_lookup(
+                data.axes,
+                data.constants,
+                data.scalars,
+                data.values,
+                load,
+                k[16],
+                k[12],
+                k[13],
+                k[14],
+                out,
+            )
             if kind == FILM:
                 out[7] *= min(1.0, load / smallest_load(data.axes))
             else:
@@ -108,10 +127,11 @@ def race_friction(kind, data, normal, motion, friction):
 
 @compiled
 def land_film(radius, clearance, width, viscosity, ex, ey, vx, vy, mean_speed):
-    """Film of a short journal bearing with a cavitated half (Ocvirk): force on the journal, and 1/sqrt(1 - eps^2).
+    """Film of a short journal bearing with a cavitated half (Ocvirk): force on the journal, and
+    1/sqrt(1 - eps^2).
 
-    (ex, ey) is the journal's eccentricity, (vx, vy) its rate, mean_speed half the sum of the speeds; the
-    root is the factor of its friction.
+    (ex, ey) is the journal's eccentricity, (vx, vy) its rate, mean_speed half the sum of the
+    speeds; the root is the factor of its friction.
     """
     e = np.sqrt(ex * ex + ey * ey)
     if e < 1e-15:
@@ -122,7 +142,9 @@ def land_film(radius, clearance, width, viscosity, ex, ey, vx, vy, mean_speed):
     turn = mean_speed * eps - (vy * ux - vx * uy) / clearance  # (mean speed - whirl) eps
     d = 1.0 - eps * eps
     scale = viscosity * radius * width**3 / clearance**2
-    radial = scale * (-2.0 * eps * abs(turn) / d**2 - 0.5 * np.pi * squeeze * (1.0 + 2.0 * eps**2) / d**2.5)
+    radial = scale * (
+        -2.0 * eps * abs(turn) / d**2 - 0.5 * np.pi * squeeze * (1.0 + 2.0 * eps**2) / d**2.5
+    )
     sense = 1.0 if turn >= 0.0 else -1.0
     across = scale * (0.5 * np.pi * turn / d**1.5 + sense * 2.0 * eps * squeeze / d**2)
     return radial * ux - across * uy, radial * uy + across * ux, 1.0 / np.sqrt(d)

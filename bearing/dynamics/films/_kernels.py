@@ -1,10 +1,9 @@
 """A ball on a race over the film of a traction table, compiled; the NumPy twin stands in `laws`.
 
-Film and elastic bodies lie in series: as if rigid, the bodies approach by delta = w(Q) - h_c(Q, u), where w is the
-elastic approach under the load Q and h_c the table's central film at that load and the entrainment speed u.
+Film and elastic bodies lie in series: as if rigid, the bodies approach by delta = w(Q) - h_c(Q,
+u), where w is the elastic approach under the load Q and h_c the table's central film at that load
+and the entrainment speed u.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -14,7 +13,8 @@ from ehl.traction._kernels import LOAD_POWER
 from ..problem import EXPONENT, STIFFNESS
 
 FILM = 3  # column of a table's scalars: logarithm of the central film
-MOST, TIGHT = 40, 1.0e-9  # Newton's steps, and the last one over the approach: what it leaves is its square [-]
+MOST = 40  # Newton's steps
+TIGHT = 1.0e-9  # and the last one over the approach: what it leaves is its square [-]
 
 
 @compiled
@@ -25,26 +25,31 @@ def smallest_load(axes):
 
 @compiled
 def weights(place, axis):
-    """First coefficient, four weights of a uniform cubic B-spline and their slopes, at a place held on its axis."""
+    """First coefficient, four weights of a uniform cubic B-spline and their slopes, at a place
+    held on its axis.
+    """
     t = min(max(place - axis[0], 0.0) * axis[1], axis[2] - 1.0)
     i = min(max(int(t), 0), int(axis[2]) - 2)
     t -= i
     r = 1.0 - t
-    second, third = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0, (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0
+    second = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0
+    third = (4.0 - 6.0 * r * r + 3.0 * r * r * r) / 6.0
     slopes = (-0.5 * r * r, 1.5 * t * t - 2.0 * t, 2.0 * r - 1.5 * r * r, 0.5 * t * t)
     return i, (r * r * r / 6.0, second, third, t * t * t / 6.0), slopes
 
 
 @compiled
 def film_and_slope(axes, scalars, load, at_speed, share):
-    """A share of the central film at a load and the weights of a speed, and its slope over the load.
+    """A share of the central film at a load and the weights of a speed, and its slope over the
+    load.
 
     Above the table's largest load the film is that of the largest.
     """
     place = -(load**LOAD_POWER)
     i, w, d = weights(place, axes[0])
     j, v, _ = at_speed
-    logarithm, steep = 0.0, 0.0
+    logarithm = 0.0
+    steep = 0.0
     for a in range(4):
         c = scalars[i + a, j : j + 4, FILM]
         mean = v[0] * c[0] + v[1] * c[1] + v[2] * c[2] + v[3] * c[3]
@@ -57,16 +62,19 @@ def film_and_slope(axes, scalars, load, at_speed, share):
 
 @compiled
 def elastic_approach(axes, scalars, law, distance, speed):
-    """Root w of w = distance + h_c(K w^n, speed): the elastic approach, negative where the film is not touched.
+    """Root w of w = distance + h_c(K w^n, speed): the elastic approach, negative where the film is
+    not touched.
 
-    Below the table's smallest load the film goes on linearly in w: nothing jumps, neither load nor stiffness. Below its
-    smallest speed the film falls in proportion to the speed. Newton's steps start left of the root; w - h_c is concave
-    where the film falls ever less steeply, so they rise to it.
+    Below the table's smallest load the film goes on linearly in w: nothing jumps, neither load nor
+    stiffness. Below its smallest speed the film falls in proportion to the speed. Newton's steps
+    start left of the root; w - h_c is concave where the film falls ever less steeply, so they rise
+    to it.
     """
     at_speed = weights(np.log(max(speed, 1e-300)), axes[1])
     share = min(1.0, speed / np.exp(axes[1, 0]))
     lightest = smallest_load(axes)
-    least, w = (lightest / law[STIFFNESS]) ** (1.0 / law[EXPONENT]), distance
+    least = (lightest / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
+    w = distance
     if distance < least:
         film, slope = film_and_slope(axes, scalars, lightest, at_speed, share)
         w = least + (distance - least + film) / (1.0 - slope * law[EXPONENT] * lightest / least)

@@ -1,11 +1,11 @@
-"""The lubricated contact in NumPy: film, load and stiffness of a ball on a race over the film of a traction table.
+"""The lubricated contact in NumPy: film, load and stiffness of a ball on a race over the film of a
+traction table.
 
-The film of the table lifts the ball: as if rigid, ball and race approach by delta = w(Q) - h_c(Q, u), with Hertz'
-w = (Q/K)^(1/n) and the central film h_c at the load Q and entrainment speed u. So dQ/d delta = 1/(dw/dQ - dh_c/dQ), the
-stiffness of film and elastic bodies in series, and Q > 0 already where the bodies are less than the film apart.
+The film of the table lifts the ball: as if rigid, ball and race approach by delta = w(Q) - h_c(Q,
+u), with Hertz' w = (Q/K)^(1/n) and the central film h_c at the load Q and entrainment speed u. So
+dQ/d delta = 1/(dw/dQ - dh_c/dQ), the stiffness of film and elastic bodies in series, and Q > 0
+already where the bodies are less than the film apart.
 """
-
-from __future__ import annotations
 
 from math import exp, log
 
@@ -18,14 +18,18 @@ from ehl.traction.table.table import LOAD_POWER, load_place
 from ..problem import EXPONENT, STIFFNESS, Array, FrictionData
 
 FILM = 3  # column of a table's scalars: logarithm of the central film
-LOADS, SPEEDS = 120, 13  # places where a table is looked at before a simulation
+# places where a table is looked at before a simulation
+LOADS = 120
+SPEEDS = 13
 STEP = 1.0e-6  # of the load for the film's slope at the table's end [-]
 
 
 def table_loads(data: FrictionData) -> tuple[float, float]:
     """Smallest and largest load of a table [N]."""
     first, density, nodes = data.axes[0]
-    smallest, largest = ((-place) ** (1.0 / LOAD_POWER) for place in (first, first + (nodes - 1) / density))
+    smallest, largest = (
+        (-place) ** (1.0 / LOAD_POWER) for place in (first, first + (nodes - 1) / density)
+    )
     return float(smallest), float(largest)
 
 
@@ -36,7 +40,8 @@ def table_speeds(data: FrictionData) -> tuple[float, float]:
 
 
 def film(data: FrictionData, load: float, speed: float) -> float:
-    """Central film of a table [m]; beyond its ends that at the end, but in proportion to slower speeds.
+    """Central film of a table [m]; beyond its ends that at the end, but in proportion to slower
+    speeds.
 
     Parameters
     ----------
@@ -51,7 +56,10 @@ def film(data: FrictionData, load: float, speed: float) -> float:
         [m].
     """
     slowest, fastest = table_speeds(data)
-    places = load_place(float(np.clip(load, *table_loads(data)))), log(min(max(speed, slowest), fastest))
+    places = (
+        load_place(float(np.clip(load, *table_loads(data)))),
+        log(min(max(speed, slowest), fastest)),
+    )
     values: Array = data.scalars[..., FILM]
     for place, (first, density, nodes) in zip(places, data.axes[:2], strict=True):
         start, weights = spline_weights((place - first) * density, int(nodes))
@@ -88,11 +96,14 @@ def elastic_approach(data: FrictionData, law: Array, distance: float, speed: flo
     if distance + lowest <= least:
         return float(least + (distance - least + lowest) / (1.0 - slope))
     highest = distance + 2.0 * lowest
-    return float(brentq(lambda w: w - distance - film_over(w), least, highest, xtol=1e-18, rtol=1e-14))
+    return float(
+        brentq(lambda w: w - distance - film_over(w), least, highest, xtol=1e-18, rtol=1e-14)
+    )
 
 
 def check_film(data: FrictionData, law: Array, name: str) -> None:
-    """See that the load rises with the approach over a whole table: no film thickens faster than the bodies give way.
+    """See that the load rises with the approach over a whole table: no film thickens faster than
+    the bodies give way.
 
     Parameters
     ----------

@@ -1,12 +1,11 @@
 """Dormand and Prince's method of order 5(4) around the equations of motion, compiled as a whole.
 
-Coefficients: Dormand and Prince (1980), J. Comput. Appl. Math. 6, 19-26; test for stiffness: Hairer and Wanner, Solving
-Ordinary Differential Equations II, section IV.2. The last stage of a step is the first of the next. After a step the
-memory of the impacts is brought up to date; that of a contact does not change while it lasts, and does not count while
-there is none, so the derivative stays valid. Work and dissipation are integrated along, outside the error control.
+Coefficients: Dormand and Prince (1980), J. Comput. Appl. Math. 6, 19-26; test for stiffness:
+Hairer and Wanner, Solving Ordinary Differential Equations II, section IV.2. The last stage of a
+step is the first of the next. After a step the memory of the impacts is brought up to date; that
+of a contact does not change while it lasts, and does not count while there is none, so the
+derivative stays valid. Work and dissipation are integrated along, outside the error control.
 """
-
-from __future__ import annotations
 
 import numpy as np
 
@@ -28,16 +27,23 @@ A = np.array(
 )
 C = np.array([1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
 E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
-SAFETY, SHRINK, GROW = 0.9, 0.2, 5.0
-STIFF_BOUND, STIFF_STEPS, SOFT_STEPS = 3.25, 15, 6
+SAFETY = 0.9
+SHRINK = 0.2
+GROW = 5.0
+STIFF_BOUND = 3.25
+STIFF_STEPS = 15
+SOFT_STEPS = 6
 DONE, TOO_SMALL, STIFF, NOT_FINITE = range(4)
 STEPS, REJECTED, STIFF_SEEN, SOFT_SEEN, EVALUATIONS = range(5)  # of the counters
-HERTZ_DURATION = 2.943  # duration of an elastic impact over largest approach by speed, Hertz (1882)
+# duration of an elastic impact over largest approach by speed, Hertz (1882)
+HERTZ_DURATION = 2.943
 
 
 @compiled
 def stages(t, y, h, p, k, trial):
-    """Stages 2 to 7 from the first one in k[0]; the new state is left in k[8], that of stage 6 in k[7]."""
+    """Stages 2 to 7 from the first one in k[0]; the new state is left in k[8], that of stage 6 in
+    k[7].
+    """
     for i in range(6):
         for m in range(y.size):
             total = 0.0
@@ -67,7 +73,8 @@ def error_norm(k, h, scale):
 @compiled
 def stiffness(k, h, scale):
     """h times an estimate of the largest eigenvalue, from the two stages at the end of the step."""
-    top, bottom = 0.0, 0.0
+    top = 0.0
+    bottom = 0.0
     for m in range(scale.size):
         top += ((k[6, m] - k[5, m]) / scale[m]) ** 2
         bottom += ((k[8, m] - k[7, m]) / scale[m]) ** 2
@@ -77,13 +84,17 @@ def stiffness(k, h, scale):
 @compiled
 def duration(stiffness_constant, exponent, mass, speed):
     """Duration of an elastic impact [s]."""
-    deepest = (0.5 * (exponent + 1.0) * mass * speed**2 / stiffness_constant) ** (1.0 / (exponent + 1.0))
+    deepest = (0.5 * (exponent + 1.0) * mass * speed**2 / stiffness_constant) ** (
+        1.0 / (exponent + 1.0)
+    )
     return HERTZ_DURATION * deepest / speed
 
 
 @compiled
 def remember_one(memory, floor, place, approach, rate, t, onset):
-    """Memory of one contact: speed of the approach and time, kept as they were while the contact lasts."""
+    """Memory of one contact: speed of the approach and time, kept as they were while the contact
+    lasts.
+    """
     if approach <= 0.0:
         memory[place] = max(floor, rate)
         onset[place] = t
@@ -91,8 +102,11 @@ def remember_one(memory, floor, place, approach, rate, t, onset):
 
 @compiled
 def remember(p, t, h, onset, states, shares):
-    """After a step: memory of the impacts, and the time spent free (0), in contact (1), in an impact (2)."""
-    c, n = p.constants, p.constants.balls
+    """After a step: memory of the impacts, and the time spent free (0), in contact (1), in an
+    impact (2).
+    """
+    c = p.constants
+    n = p.constants.balls
     for race in range(2):
         law = p.normal[race]
         for j in range(n):
@@ -104,14 +118,22 @@ def remember(p, t, h, onset, states, shares):
                 speed = p.memory[place]
                 if speed > c.floor:
                     age = t - onset[place]
-                    state = 2 if age < duration(law[STIFFNESS], law[EXPONENT], c.ball_mass, speed) else 1
+                    state = (
+                        2
+                        if age < duration(law[STIFFNESS], law[EXPONENT], c.ball_mass, speed)
+                        else 1
+                    )
             remember_one(p.memory, c.floor, place, approach, rate, t, onset)
             states[race, j] = state
             shares[race, j, state] += h
     for j in range(n):
-        remember_one(p.memory, c.floor, 2 * n + j, p.pocket_out[j, 1], p.pocket_out[j, 2], t, onset)
+        remember_one(
+            p.memory, c.floor, 2 * n + j, p.pocket_out[j, 1], p.pocket_out[j, 2], t, onset
+        )
     for side in range(2):
-        remember_one(p.memory, c.floor, 3 * n + side, p.land_out[side, 0], p.land_out[side, 1], t, onset)
+        remember_one(
+            p.memory, c.floor, 3 * n + side, p.land_out[side, 0], p.land_out[side, 1], t, onset
+        )
 
 
 @compiled
@@ -125,7 +147,9 @@ def mark_films(p):
 
 @compiled
 def add_film_work(p, y):
-    """After a step: what films that part the bodies took up, -integral of Q dh_c by trapezoids, O(h^2)."""
+    """After a step: what films that part the bodies took up, -integral of Q dh_c by trapezoids,
+    O(h^2).
+    """
     if p.friction_kind != FILM:
         return
     place = 23 + 9 * p.constants.balls + FILMS
@@ -148,8 +172,14 @@ def turn_balls(y_before, y_after, h, balls, attitude):
         c = 0.25 * h * (y_before[m + 2] + y_after[m + 2])
         half = np.sqrt(a * a + b * b + c * c)
         s = np.sin(half) / half if half > 0.0 else 1.0
-        w, a, b, c = np.cos(half), a * s, b * s, c * s
-        q0, q1, q2, q3 = attitude[j, 0], attitude[j, 1], attitude[j, 2], attitude[j, 3]
+        w = np.cos(half)
+        a = a * s
+        b = b * s
+        c = c * s
+        q0 = attitude[j, 0]
+        q1 = attitude[j, 1]
+        q2 = attitude[j, 2]
+        q3 = attitude[j, 3]
         attitude[j, 0] = w * q0 - a * q1 - b * q2 - c * q3
         attitude[j, 1] = w * q1 + a * q0 + b * q3 - c * q2
         attitude[j, 2] = w * q2 - a * q3 + b * q0 + c * q1
@@ -158,10 +188,11 @@ def turn_balls(y_before, y_after, h, balls, attitude):
 
 @compiled
 def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
-    """Steps from t to `end`; y, k[0] (its derivative) and the history are brought up to date. Status, time, next step.
+    """Steps from t to `end`; y, k[0] (its derivative) and the history are brought up to date.
+    Status, time, next step.
 
-    control: least step, longest step [s], step below which a stiff problem is given back [s]. history: onset, states,
-    shares, attitude.
+    control: least step, longest step [s], step below which a stiff problem is given back [s].
+    history: onset, states, shares, attitude.
     """
     onset, states, shares, attitude = history
     after_rejection = False
@@ -173,7 +204,8 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
         counters[EVALUATIONS] += 6
         error = error_norm(k, step, scale)
         if not np.isfinite(error):
-            factor, accepted = SHRINK, False
+            factor = SHRINK
+            accepted = False
         else:
             factor = min(GROW, max(SHRINK, SAFETY * (1.0 / max(error, 1e-10)) ** 0.2))
             accepted = error <= 1.0
@@ -192,7 +224,8 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
                 return STIFF, t, h
         else:
             counters[REJECTED] += 1
-            h, after_rejection = step * min(factor, 1.0), True
+            h = step * min(factor, 1.0)
+            after_rejection = True
             if h < control[0]:
                 return (NOT_FINITE if not np.isfinite(error) else TOO_SMALL), t, h
     return DONE, t, h
@@ -234,7 +267,9 @@ def sample(y, p, history, record, row):
 
 @compiled
 def advance_samples(t, y, times, h, p, control, scale, k, trial, history, counters, record):
-    """`advance` to each of the times, with a row of the record at each. Status, rows written, time, next step."""
+    """`advance` to each of the times, with a row of the record at each. Status, rows written,
+    time, next step.
+    """
     derivative(t, y, p, k[0])
     mark_films(p)
     for row in range(times.size):
@@ -247,7 +282,9 @@ def advance_samples(t, y, times, h, p, control, scale, k, trial, history, counte
 
 @compiled
 def jacobian(t, y, p, scale, out):
-    """Jacobian of the mechanical equations by forward differences over `scale`, shape (mechanical, mechanical)."""
+    """Jacobian of the mechanical equations by forward differences over `scale`, shape (mechanical,
+    mechanical).
+    """
     base, rates, trial = np.empty(y.size), np.empty(y.size), np.empty(y.size)
     derivative(t, y, p, base)
     for place in range(scale.size):

@@ -16,15 +16,19 @@ if TYPE_CHECKING:
 
 def control_of(simulation: Simulation) -> Array:
     """Least and longest step, and the step below which a stiff problem is given back [s]."""
-    options, frequency = simulation.model.options, simulation.frequency
+    options = simulation.model.options
+    frequency = simulation.frequency
     longest = options.longest_step or STEP_ANGLE / frequency
     least = LEAST_STEP * options.end_time
-    return np.array([least, min(longest, options.sample_interval), STIFF_STEP * 2.0 * np.pi / frequency])
+    return np.array(
+        [least, min(longest, options.sample_interval), STIFF_STEP * 2.0 * np.pi / frequency]
+    )
 
 
 def advance_explicit(simulation: Simulation, times: Array) -> tuple[int, Record]:
     """Move a simulation on to the given times [s]; the kernel's status, and the rows reached."""
-    state, size = simulation.state, simulation.layout.size
+    state = simulation.state
+    size = simulation.layout.size
     record = empty_record(times, simulation.bearing.balls)
     history = (state.onset, state.contact_state, state.shares, state.attitude)
     status, rows, state.time, state.step = _kernels.advance_samples(

@@ -1,4 +1,6 @@
-"""The implicit way: SciPy's LSODA with the Jacobian of the compiled equations, where friction is too steep."""
+"""The implicit way: SciPy's LSODA with the Jacobian of the compiled equations, where friction is
+too steep.
+"""
 
 from __future__ import annotations
 
@@ -15,17 +17,22 @@ from .explicit import control_of
 if TYPE_CHECKING:
     from ..simulation import Simulation
 
-DONE, TOO_SMALL = 0, 1
+DONE = 0
+TOO_SMALL = 1
 TIGHTER = 0.1  # LSODA holds its error less closely than a method of order five its own [-]
 ACCUMULATED = 1.0e-6  # tolerance of the accumulators, of themselves [-]
 
 
 def advance_implicit(simulation: Simulation, times: Array) -> tuple[int, Record]:
-    """Move a simulation on to the given times [s]; 0 or 1 (the step became too small), and the rows reached."""
+    """Move a simulation on to the given times [s]; 0 or 1 (the step became too small), and the
+    rows reached.
+    """
     record = empty_record(times, simulation.bearing.balls)
-    simulation.state.counters[[_kernels.STIFF_SEEN, _kernels.SOFT_SEEN]] = 0  # explicit steps begin anew after it
+    # explicit steps begin anew after it
+    simulation.state.counters[[_kernels.STIFF_SEEN, _kernels.SOFT_SEEN]] = 0
     history = _history(simulation)
-    status, rows = DONE, 0
+    status = DONE
+    rows = 0
     for rows, time in enumerate(times):
         status = _to(simulation, float(time))
         if status != DONE:
@@ -45,7 +52,8 @@ def _history(simulation: Simulation) -> tuple[Array, Any, Array, Array]:
 def _to(simulation: Simulation, end: float) -> int:
     """Steps of LSODA up to `end` [s], the memory of the impacts brought up to date after each."""
     state, problem = simulation.state, simulation.problem
-    rates, before = np.zeros_like(state.y), state.y.copy()
+    rates = np.zeros_like(state.y)
+    before = state.y.copy()
     _kernels.derivative(state.time, state.y, problem, rates)
     if end <= state.time:  # the explicit steps were given up right at a sample
         return DONE
@@ -74,7 +82,9 @@ def _to(simulation: Simulation, end: float) -> int:
 
 def _solver(simulation: Simulation, end: float) -> LSODA:
     state, problem, scale = simulation.state, simulation.problem, simulation.scale
-    size, mechanical = simulation.layout.size - 1, simulation.layout.mechanical  # work of the films: after each step
+    # work of the films: after each step
+    size = simulation.layout.size - 1
+    mechanical = simulation.layout.mechanical
     full, found = np.zeros(size + 1), np.zeros(size + 1)
 
     def rates(t: float, y: Array) -> Array:

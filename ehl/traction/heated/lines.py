@@ -1,7 +1,5 @@
 """A film with heat as lines of nodes that shear and warm, and its sliding forces for many motions."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,7 +40,8 @@ from .heating import heated_stress_twin, line_history
 Array = NDArray[np.float64]
 
 SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
-FALL_SPAN = 100.0  # [K] above the film's own temperature, where the fall of the softening is taken from
+# [K] above the film's own temperature, where the fall of the softening is taken from
+FALL_SPAN = 100.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,8 +51,9 @@ class WarmLines:
     Attributes
     ----------
     lines : ndarray, shape (L, N, 12)
-        x, y [m], area [m^2], film [m], viscosity [Pa s], pressure [Pa], temperature [K], softening -d(ln eta)/dT and
-        its fall [1/K], a twelfth of the squared size along x and y [m^2], capacity rho c h u/dx [W/(m^2 K)].
+        x, y [m], area [m^2], film [m], viscosity [Pa s], pressure [Pa], temperature [K], softening
+        -d(ln eta)/dT and its fall [1/K], a twelfth of the squared size along x and y [m^2],
+        capacity rho c h u/dx [W/(m^2 K)].
     span : ndarray, shape (L,)
         Length of each line [m].
     history : ndarray, shape (N, N)
@@ -87,7 +87,9 @@ class WarmLines:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class WarmNodes:
-    """A film with heat: lines where the pressure is high, and nodes elsewhere that stay as warm as they roll."""
+    """A film with heat: lines where the pressure is high, and nodes elsewhere that stay as warm as
+    they roll.
+    """
 
     lines: WarmLines
     rest: FilmNodes
@@ -117,9 +119,15 @@ def warm_nodes(
     ValueError
         If the solution has no temperatures or no dimensions.
     """
-    contact, conditions = solution.contact, dimensional_conditions(solution.contact)
+    contact = solution.contact
+    conditions = dimensional_conditions(solution.contact)
     oil = conditions.lubricant
-    if solution.temperature is None or contact.x is None or contact.y is None or oil.thermal is None:
+    if (
+        solution.temperature is None
+        or contact.x is None
+        or contact.y is None
+        or oil.thermal is None
+    ):
         raise ValueError("solution: no temperatures; solve the film with heat")
     weights = film_section(solution.nodes.size).weights
     mean, profile = log_mean_fluidity(solution.temperature, weights, contact.pressure, oil)
@@ -146,10 +154,15 @@ def warm_nodes(
 
 def _at_nodes(zone: HertzZone, x: Array, y: Array, *fields: Array) -> list[Array]:
     """Fields of the grid [any unit] at the nodes of a zone, linear between the grid's."""
-    return [RegularGridInterpolator((x, y), field)(np.moveaxis(zone.fields[:2], 0, -1)) for field in fields]
+    return [
+        RegularGridInterpolator((x, y), field)(np.moveaxis(zone.fields[:2], 0, -1))
+        for field in fields
+    ]
 
 
-def _lines(zone: HertzZone, warmth: tuple[Array, Array], oil: Lubricant, rheology: Rheology, speed: float) -> Array:
+def _lines(
+    zone: HertzZone, warmth: tuple[Array, Array], oil: Lubricant, rheology: Rheology, speed: float
+) -> Array:
     """Rows of `WarmLines.lines`; warmth: those of `log_mean_fluidity` at the nodes."""
     warm, fluid = warmth
     x, y, area, gap, pressure, along, across = zone.fields
@@ -158,7 +171,9 @@ def _lines(zone: HertzZone, warmth: tuple[Array, Array], oil: Lubricant, rheolog
     def log_viscosity(rise: float) -> Array:
         return log_viscosity_ratio(pressure, oil, warm + rise)
 
-    soft = (log_viscosity(-SOFTENING_STEP) - log_viscosity(SOFTENING_STEP)) / (2.0 * SOFTENING_STEP)
+    soft = (log_viscosity(-SOFTENING_STEP) - log_viscosity(SOFTENING_STEP)) / (
+        2.0 * SOFTENING_STEP
+    )
     far = log_viscosity(0.0) - log_viscosity(FALL_SPAN)
     soft = np.maximum(soft, np.finfo(np.float64).tiny)
     fall = np.maximum(soft / np.maximum(far, np.finfo(np.float64).tiny) - 1.0 / FALL_SPAN, 0.0)
@@ -170,28 +185,54 @@ def _lines(zone: HertzZone, warmth: tuple[Array, Array], oil: Lubricant, rheolog
     step = np.maximum(np.diff(zone.shares, prepend=0.0) * zone.span[:, None], SMALLEST_FILM)
     assert oil.thermal is not None
     capacity = density(pressure, oil, warm) * oil.thermal.specific_heat * gap * abs(speed) / step
-    parts = (x, y, area, gap, eta, pressure, warm, soft, fall, along**2 / 12.0, across**2 / 12.0, capacity)
+    parts = (
+        x,
+        y,
+        area,
+        gap,
+        eta,
+        pressure,
+        warm,
+        soft,
+        fall,
+        along**2 / 12.0,
+        across**2 / 12.0,
+        capacity,
+    )
     return np.stack(parts, axis=-1)
 
 
 def _rest(
-    solution: GeneralizedSolution, mean: Array, rheology: Rheology, largest_slide: float, friction: float
+    solution: GeneralizedSolution,
+    mean: Array,
+    rheology: Rheology,
+    largest_slide: float,
+    friction: float,
 ) -> FilmNodes:
-    """Nodes of low pressure at the temperature they roll with; friction [N]: that of the others, to be weighed with."""
+    """Nodes of low pressure at the temperature they roll with; friction [N]: that of the others,
+    to be weighed with.
+    """
     contact = solution.contact
     oil = dimensional_conditions(contact).lubricant
     further = np.pad(mean, ((0, OUTLET_NODES), (0, 0)), mode="edge")
     *fields, warm = low_pressure_blocks(with_outlet(contact), further)
     rows = np.stack(fields)
-    film, pressure = np.maximum(rows[3], SMALLEST_FILM), rows[4]
+    film = np.maximum(rows[3], SMALLEST_FILM)
+    pressure = rows[4]
     eta = bounded_viscosity(pressure, oil, warm)
     strength = rows[2] * shear_stress(largest_slide / film, eta, pressure, rheology, warm)
     counts = counting(strength, SHARE_LEFT_OUT * (friction + float(strength.sum())))
     nodes = node_rows(rows, eta, limiting_stress(pressure, rheology, warm))[:, counts]
-    return FilmNodes(nodes=np.ascontiguousarray(nodes), half_width=transverse_semi_axis(contact), rheology=rheology)
+    return FilmNodes(
+        nodes=np.ascontiguousarray(nodes),
+        half_width=transverse_semi_axis(contact),
+        rheology=rheology,
+    )
 
 
-def warm_forces(film: WarmNodes, slide: tuple[Array, Array, Array], rolling: Array, curvature: float) -> Array:
+def warm_forces(
+    film: WarmNodes, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
+) -> Array:
     """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
 
     Parameters
@@ -202,7 +243,8 @@ def warm_forces(film: WarmNodes, slide: tuple[Array, Array, Array], rolling: Arr
     """
     from . import _kernels
 
-    found, lines = sliding_forces(film.rest, slide, rolling, curvature), film.lines
+    found = sliding_forces(film.rest, slide, rolling, curvature)
+    lines = film.lines
     numbers = tuple(kernel_rheology(lines.rheology))
     _kernels.heated_sums_many(
         lines.lines,
@@ -225,4 +267,6 @@ def warm_forces_twin(film: WarmNodes, kinematics: ContactKinematics) -> Array:
     x, y, area, _, _, _, _, _, _, *sizes, _ = np.moveaxis(film.lines.lines, -1, 0)
     sliding = mean_sliding(kinematics, x, y, (sizes[0], sizes[1]))
     tau = heated_stress_twin(film.lines, sliding[2], kinematics.sliding_x)
-    return summed_forces(kinematics, (x, y, area), tau, sliding) + sliding_forces_twin(film.rest, kinematics)
+    return summed_forces(kinematics, (x, y, area), tau, sliding) + sliding_forces_twin(
+        film.rest, kinematics
+    )

@@ -1,11 +1,11 @@
-"""Build a traction table: films over load and speed, shear over the motions, more of both until a check is passed.
+"""Build a traction table: films over load and speed, shear over the motions, more of both until a
+check is passed.
 
-The check solves films at loads and speeds between the nodes and evaluates the shear at random motions there: its error
-counts everything that the table does. Where it is too large, the axis whose nodes are worst predicted by their
-neighbours gets more of them. Films are kept when the nodes along load or speed are doubled.
+The check solves films at loads and speeds between the nodes and evaluates the shear at random
+motions there: its error counts everything that the table does. Where it is too large, the axis
+whose nodes are worst predicted by their neighbours gets more of them. Films are kept when the
+nodes along load or speed are doubled.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -37,10 +37,13 @@ from .table import (
 
 Array = NDArray[np.float64]
 
-START = (12, 4, 41, 15, 27)  # nodes of load, speed, slide_x, slide_y (its half above zero) and spin
+# nodes of load, speed, slide_x, slide_y (its half above zero) and spin
+START = (12, 4, 41, 15, 27)
 GROWTH = 1.4  # of the nodes of a motion
-SCALE_SHARE = (0.02, 0.04, 1.6)  # of the motion where the traction has risen by half, along, across and of spin
-SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 57)  # motions over the largest ones, where that slide is looked for
+# of the motion where the traction has risen by half, along, across and of spin
+SCALE_SHARE = (0.02, 0.04, 1.6)
+# motions over the largest ones, where that slide is looked for
+SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 57)
 RESPONSE_POINTS = 129  # of the films that stiffness and damping are taken from
 
 ERRORS = ("largest", "quantile", "rms", "largest_spin", "largest_rolling")
@@ -66,7 +69,8 @@ class TableOptions:
     seed : int
         Of the random places of the check.
     nodes : tuple of int
-        Of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, at least 4 each.
+        Of load, speed, slide_x, slide_y (its half above zero) and spin to begin with, at least 4
+        each.
     """
 
     points: int = 257
@@ -107,7 +111,10 @@ class _Study:
 
 
 def build_table(
-    contact: TableContact, limits: TableRange, options: TableOptions | None = None, progress: Progress | None = None
+    contact: TableContact,
+    limits: TableRange,
+    options: TableOptions | None = None,
+    progress: Progress | None = None,
 ) -> TractionTable:
     """Solve films and evaluate their shear until the table is as good as asked for.
 
@@ -123,7 +130,8 @@ def build_table(
     Returns
     -------
     TractionTable
-        Its `error` is that of the check; `converged` tells whether all films did and the tolerance is reached.
+        Its `error` is that of the check; `converged` tells whether all films did and the tolerance
+        is reached.
 
     Raises
     ------
@@ -132,7 +140,11 @@ def build_table(
     """
     options = options or TableOptions()
     study = _Study(
-        contact=contact, range=limits, options=options, progress=progress or _quiet, counts=list(options.nodes)
+        contact=contact,
+        range=limits,
+        options=options,
+        progress=progress or _quiet,
+        counts=list(options.nodes),
     )
     _solve_checks(study)
     for _ in range(options.rounds):
@@ -144,8 +156,16 @@ def build_table(
 
 
 def check_table(table: TractionTable, contact: TableContact, options: TableOptions) -> TableError:
-    """Error of a table at films and motions not in it, for a contact at its temperature; forces [N], moments [N m]."""
-    study = _Study(contact=contact, range=table.range, options=options, progress=_quiet, counts=list(options.nodes))
+    """Error of a table at films and motions not in it, for a contact at its temperature; forces
+    [N], moments [N m].
+    """
+    study = _Study(
+        contact=contact,
+        range=table.range,
+        options=options,
+        progress=_quiet,
+        counts=list(options.nodes),
+    )
     _solve_checks(study)
     return _checked(study, table)
 
@@ -156,7 +176,8 @@ def _quiet(done: int, total: int, state: str) -> None:
 
 def _solve_checks(study: _Study) -> None:
     """Films between the nodes: a random place in each of as many cells of a Latin hypercube."""
-    rng, n = np.random.default_rng(study.options.seed), study.options.check_films
+    rng = np.random.default_rng(study.options.seed)
+    n = study.options.check_films
     load, speed = (tuple(map(log, ends)) for ends in (study.range.load, study.range.speed))
     shares = (np.stack([rng.permutation(n), rng.permutation(n)]) + rng.random((2, n))) / n
     q, u = load[0] + (load[1] - load[0]) * shares[0], speed[0] + (speed[1] - speed[0]) * shares[1]
@@ -166,7 +187,8 @@ def _solve_checks(study: _Study) -> None:
 
 def _solve(study: _Study, places: Iterable[tuple[float, float]]) -> list[_Film]:
     """Films at places, several at a time: the kernels release the interpreter's lock."""
-    wanted, films = list(places), []
+    wanted = list(places)
+    films = []
     total = len(study.films) + len(study.checks) + len(wanted)
     with ThreadPoolExecutor(max_workers=max(1, study.options.workers)) as pool:
         for film in pool.map(lambda place: _film(study, place), wanted):
@@ -177,8 +199,13 @@ def _solve(study: _Study, places: Iterable[tuple[float, float]]) -> list[_Film]:
 
 def _film(study: _Study, place: tuple[float, float]) -> _Film:
     """Solve a film, its nodes, its scales and its answer to an approach."""
-    contact, load, speed, points = study.contact, exp(place[0]), exp(place[1]), study.options.points
-    film = table_film(contact, load, speed, study.range.slide_x * speed, SolverOptions(points=points))
+    contact = study.contact
+    load = exp(place[0])
+    speed = exp(place[1])
+    points = study.options.points
+    film = table_film(
+        contact, load, speed, study.range.slide_x * speed, SolverOptions(points=points)
+    )
     solution = film.solution
     assert solution.x is not None and solution.y is not None  # `table_film`
 
@@ -190,7 +217,9 @@ def _film(study: _Study, place: tuple[float, float]) -> _Film:
     response = normal_response(cold(min(points, RESPONSE_POINTS)))
     if not response.converged and points > RESPONSE_POINTS:
         response = normal_response(cold(points))
-    moment = -np.trapezoid(np.trapezoid(solution.pressure * solution.x[:, None], solution.y, axis=1), solution.x)
+    moment = -np.trapezoid(
+        np.trapezoid(solution.pressure * solution.x[:, None], solution.y, axis=1), solution.x
+    )
     return _Film(
         place=place,
         sheared=film,
@@ -204,7 +233,9 @@ def _film(study: _Study, place: tuple[float, float]) -> _Film:
 
 
 def _scales(study: _Study, film: TableFilm, speed: float) -> tuple[float, float, float]:
-    """Motions, over u or u/R_x, at a share of those where traction or spin moment has risen by half."""
+    """Motions, over u or u/R_x, at a share of those where traction or spin moment has risen by
+    half.
+    """
     none = np.zeros(SCALE_SAMPLES.size)
     found = []
     for axis, (limit, share) in enumerate(zip(_bounds(study), SCALE_SHARE, strict=True)):
@@ -276,9 +307,12 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
         points=study.options.points,
         axes=axes,
         scalars=spline_coefficients(scalars, (0, 1)),
-        values=mirrored_seam(_coefficients(raw).astype(np.float32).astype(np.float64)),  # what a file holds of them
+        # what a file holds of them
+        values=mirrored_seam(_coefficients(raw).astype(np.float32).astype(np.float64)),
         kappa_max=float((largest[..., 0] / axis_loads(axes[0])[:, None]).max()),
-        error=TableError(**dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance),
+        error=TableError(
+            **dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance
+        ),
         films=len(study.films) + len(study.checks),
         converged=False,
         message="",
@@ -287,18 +321,25 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
 
 
 def _largest(raw: Array) -> Array:
-    """Largest force, moment about n and about y of each film, shape (nQ, nU, 3), at least tiny [N], [N m]."""
+    """Largest force, moment about n and about y of each film, shape (nQ, nU, 3), at least tiny
+    [N], [N m].
+    """
     motions = (2, 3, 4)
     parts = (np.hypot(raw[..., 0], raw[..., 1]), np.abs(raw[..., 2]), np.abs(raw[..., 3]))
-    return np.maximum(np.stack([part.max(axis=motions) for part in parts], axis=-1), np.finfo(np.float64).tiny)
+    return np.maximum(
+        np.stack([part.max(axis=motions) for part in parts], axis=-1), np.finfo(np.float64).tiny
+    )
 
 
 def _judged(study: _Study, table: TractionTable) -> TractionTable:
     films = [*study.films.values(), *study.checks]
-    bad, filled = sum(not film.converged for film in films), sum(film.damping is None for film in study.films.values())
+    bad = sum(not film.converged for film in films)
+    filled = sum(film.damping is None for film in study.films.values())
     parts = []
     if not table.error.reached:
-        parts.append(f"error {table.error.largest:.2%} of kappa_max Q, above {table.error.tolerance:.2%}")
+        parts.append(
+            f"error {table.error.largest:.2%} of kappa_max Q, above {table.error.tolerance:.2%}"
+        )
     if bad:
         parts.append(f"{bad} of {len(films)} films did not converge")
     message = "; ".join(parts) or "converged"
@@ -310,39 +351,56 @@ def _judged(study: _Study, table: TractionTable) -> TractionTable:
 def _scalars(films: list[list[_Film]]) -> Array:
     """Logarithms of scales, film, hydrodynamic moment, stiffness, damping, shape (nQ, nU, 7)."""
     scalars = np.array([[(*film.scales, film.film, film.moment) for film in row] for row in films])
-    answers = np.array([[(film.stiffness, film.damping) for film in row] for row in films], dtype=np.float64)
+    answers = np.array(
+        [[(film.stiffness, film.damping) for film in row] for row in films], dtype=np.float64
+    )
     if scalars.min() <= 0.0:
         load, speed = (exp(part) for part in films[0][0].place)
-        raise ValueError(f"no rolling moment in some film from {load:.4g} N and {speed:.4g} m/s on: take another range")
+        raise ValueError(
+            f"no rolling moment in some film from {load:.4g} N and {speed:.4g} m/s on: take another range"
+        )
     return np.concatenate([np.log(scalars), _filled(np.log(answers))], axis=-1)
 
 
 def _filled(values: Array) -> Array:
-    """Values [same unit] whose gaps along the first axis are filled in linearly, beyond the ends with the last one."""
+    """Values [same unit] whose gaps along the first axis are filled in linearly, beyond the ends
+    with the last one.
+    """
     nodes = np.arange(values.shape[0])
     for column in np.ndindex(values.shape[1:]):
         line = values[(slice(None), *column)]
         known = np.isfinite(line)
         if not known.any():
-            raise ValueError("load: at one of the speeds no film has a stiffness and damping; take another range")
+            raise ValueError(
+                "load: at one of the speeds no film has a stiffness and damping; take another range"
+            )
         values[(slice(None), *column)] = np.interp(nodes, nodes[known], line[known])
     return values
 
 
 def _values(study: _Study, film: _Film, axes: Array) -> Array:
-    """Forces and moments of one film at the nodes of the motions, shape (nX, nY, nS, 4) [N], [N m]."""
+    """Forces and moments of one film at the nodes of the motions, shape (nX, nY, nS, 4) [N], [N
+    m].
+    """
     places = np.meshgrid(*(axis_nodes(axis) for axis in axes[2:]), indexing="ij")
-    forces = _evaluate(study.contact, film.sheared, exp(film.place[1]), _motions(study, film, places))
+    forces = _evaluate(
+        study.contact, film.sheared, exp(film.place[1]), _motions(study, film, places)
+    )
     return forces.reshape(*places[0].shape, 4)
 
 
 def _motions(study: _Study, film: _Film, places: Sequence[Array] | Array) -> list[Array]:
     """Motions over u, u and u/R_x at places on a table's axes, flat [-]."""
     (x, y, n), (bound_x, bound_y, bound_n) = (part.ravel() for part in places), _bounds(study)
-    contact, load = study.contact, exp(film.place[0])
+    contact = study.contact
+    load = exp(film.place[0])
     spin = motion_of(n, film.scales[2], bound_n)
     slide_x = motion_of(x, spinning_scale(film.scales[0], spin, contact, load), bound_x)
-    return [slide_x - vertex_slide(spin, contact, load), motion_of(y, film.scales[1], bound_y), spin]
+    return [
+        slide_x - vertex_slide(spin, contact, load),
+        motion_of(y, film.scales[1], bound_y),
+        spin,
+    ]
 
 
 def _bounds(study: _Study) -> tuple[float, float, float]:
@@ -350,30 +408,43 @@ def _bounds(study: _Study) -> tuple[float, float, float]:
 
 
 def _coefficients(raw: Array) -> Array:
-    """Spline coefficients of values; along slide_y with their mirror image, of which the half above zero is kept."""
+    """Spline coefficients of values; along slide_y with their mirror image, of which the half
+    above zero is kept.
+    """
     whole = spline_coefficients(_mirrored(raw), (0, 1, 2, 3, 4))
     return np.ascontiguousarray(whole[:, :, :, raw.shape[3] - 1 :])
 
 
 def _mirrored(raw: Array) -> Array:
-    """Values with their mirror image at slide_y below zero: F_y and M_n change sign with slide_y and spin [-]."""
+    """Values with their mirror image at slide_y below zero: F_y and M_n change sign with slide_y
+    and spin [-].
+    """
     return np.concatenate([raw[:, :, :, :0:-1, ::-1] * np.array(MIRROR), raw], axis=3)
 
 
 def _checked(study: _Study, table: TractionTable) -> TableError:
     """Error at the films of the check, for motions drawn evenly in the table's coordinates."""
-    rng, n = np.random.default_rng(study.options.seed + 1), study.options.check_motions
-    contact, errors = study.contact, []
+    rng = np.random.default_rng(study.options.seed + 1)
+    n = study.options.check_motions
+    contact = study.contact
+    errors = []
     for film in study.checks:
         load, speed = exp(film.place[0]), exp(film.place[1])
         motion = _motions(study, film, rng.uniform(-1.0, 1.0, (3, n)))
         wanted = _evaluate(contact, film.sheared, speed, motion)
         wanted[:, 0] -= 0.5 * contact.curvature_difference * film.moment
         wanted[:, 3] -= film.moment
-        parts = np.stack([motion[0] * speed, motion[1] * speed, motion[2] * speed / contact.radius_x], axis=1)
+        parts = np.stack(
+            [motion[0] * speed, motion[1] * speed, motion[2] * speed / contact.radius_x], axis=1
+        )
         off = np.array([table.forces(load, speed, *part)[:4] for part in parts]) - wanted
         unit = table.largest(load, speed) + np.array([0.0, 0.0, film.moment])
-        errors.append(np.stack([np.hypot(off[:, 0], off[:, 1]), np.abs(off[:, 2]), np.abs(off[:, 3])], axis=1) / unit)
+        errors.append(
+            np.stack(
+                [np.hypot(off[:, 0], off[:, 1]), np.abs(off[:, 2]), np.abs(off[:, 3])], axis=1
+            )
+            / unit
+        )
     every = np.concatenate(errors)
     return TableError(
         largest=float(every[:, 0].max()),

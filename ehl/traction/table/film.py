@@ -1,7 +1,5 @@
 """The film that a table shears: Newtonian, without sliding, with its heat where the table has it."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -28,7 +26,9 @@ class TableFilm:
 
     @property
     def central(self) -> float:
-        """Central film [m]: extrapolated; with heat that of the finest grid, as on the others heat is not at rest."""
+        """Central film [m]: extrapolated; with heat that of the finest grid, as on the others heat
+        is not at rest.
+        """
         found = self.solution.film_central_dimensionless
         scale = self.solution.film_scale
         assert scale is not None  # of conditions with dimensions
@@ -64,15 +64,31 @@ def table_film(
     if contact.solids is None:
         solution = solve_contact(conditions, options)
         _require_film(solution, load, speed)
-        nodes = film_nodes(solution, contact.rheology, largest_slide, temperature=contact.temperature)
+        nodes = film_nodes(
+            solution, contact.rheology, largest_slide, temperature=contact.temperature
+        )
         return TableFilm(solution=solution, nodes=nodes)
     warm = solve_generalized(
-        conditions, Rheology(), solids=contact.solids, oil_temperature=contact.temperature, options=options
+        conditions,
+        Rheology(),
+        solids=contact.solids,
+        oil_temperature=contact.temperature,
+        options=options,
     )
     _require_film(warm.contact, load, speed)
-    return TableFilm(solution=warm.contact, nodes=warm_nodes(warm, contact.solids, contact.rheology, largest_slide))
+    return TableFilm(
+        solution=warm.contact,
+        nodes=warm_nodes(warm, contact.solids, contact.rheology, largest_slide),
+    )
 
 
 def _require_film(solution: ContactSolution, load: float, speed: float) -> None:
-    if solution.film_central is None or not solution.film_central > 0.0 or solution.x is None or solution.y is None:
-        raise ValueError(f"no film at a load of {load:.4g} N and {speed:.4g} m/s: {solution.message}")
+    if (
+        solution.film_central is None
+        or not solution.film_central > 0.0
+        or solution.x is None
+        or solution.y is None
+    ):
+        raise ValueError(
+            f"no film at a load of {load:.4g} N and {speed:.4g} m/s: {solution.message}"
+        )

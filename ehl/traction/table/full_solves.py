@@ -1,12 +1,12 @@
-"""What the films of a traction table leave out: their traction beside that of full solves of contacts that slide.
+"""What the films of a traction table leave out: their traction beside that of full solves of
+contacts that slide.
 
-A table shears films that were solved Newtonian and without sliding. In a full solve the oil's rheology, and heat where
-the table has it, act in film and flow, at the sliding of the contact (`solve_generalized`). Both without spin and
-curvature slip. The limiting stress has no finite tangent for the flow: the full solve goes without, and it is put on
-top of the stress in the middle of the film.
+A table shears films that were solved Newtonian and without sliding. In a full solve the oil's
+rheology, and heat where the table has it, act in film and flow, at the sliding of the contact
+(`solve_generalized`). Both without spin and curvature slip. The limiting stress has no finite
+tangent for the flow: the full solve goes without, and it is put on top of the stress in the middle
+of the film.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -58,7 +58,8 @@ def full_solves(
     ValueError
         If properties that heat needs are missing; the message names them.
     """
-    options, found = options or SolverOptions(points=POINTS), []
+    options = options or SolverOptions(points=POINTS)
+    found = []
     for number, (load, speed, ratio) in enumerate(_places(limits, count)):
         if progress is not None:
             progress(number + 1, count, "full solves")
@@ -69,12 +70,20 @@ def full_solves(
 def _places(limits: TableRange, count: int) -> Array:
     """Loads [N], speeds [m/s] and slide-roll ratios [-], shape (count, 3)."""
     rng = np.random.default_rng(SEED)
-    ends = np.log([limits.load, limits.speed, (SLIDE_RATIOS[0], min(SLIDE_RATIOS[1], limits.slide_x))])
-    shares = (np.stack([rng.permutation(count) for _ in range(3)]) + rng.random((3, count))) / count
-    return np.asarray(np.exp(ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * shares).T, dtype=np.float64)
+    ends = np.log(
+        [limits.load, limits.speed, (SLIDE_RATIOS[0], min(SLIDE_RATIOS[1], limits.slide_x))]
+    )
+    shares = (
+        np.stack([rng.permutation(count) for _ in range(3)]) + rng.random((3, count))
+    ) / count
+    return np.asarray(
+        np.exp(ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * shares).T, dtype=np.float64
+    )
 
 
-def _both(contact: TableContact, place: tuple[float, float, float], options: SolverOptions) -> FullSolve:
+def _both(
+    contact: TableContact, place: tuple[float, float, float], options: SolverOptions
+) -> FullSolve:
     load, speed, ratio = place
     film = table_film(contact, load, speed, ratio * speed, options)
     rolling = np.array([speed / contact.radius_x])
@@ -93,10 +102,14 @@ def _both(contact: TableContact, place: tuple[float, float, float], options: Sol
     else:
         x, y, p = full.contact.x, full.contact.y, full.contact.pressure
         assert x is not None and y is not None and p is not None  # of conditions with dimensions
-        stress = np.where(np.isfinite(full.mid_stress[0]), full.mid_stress[0], 0.0)  # columns without oil have none
+        # columns without oil have none
+        stress = np.where(np.isfinite(full.mid_stress[0]), full.mid_stress[0], 0.0)
         stress = _limited(stress, p, full.mean_temperature, contact)
         in_full = abs(float(np.trapezoid(np.trapezoid(stress, y, axis=1), x)))
-    films = (full.contact.film_central_dimensionless.finest, film.solution.film_central_dimensionless.finest)
+    films = (
+        full.contact.film_central_dimensionless.finest,
+        film.solution.film_central_dimensionless.finest,
+    )
     return FullSolve(
         load=load,
         speed=speed,
@@ -104,13 +117,25 @@ def _both(contact: TableContact, place: tuple[float, float, float], options: Sol
         by_film=by_film / load,
         in_full=in_full / load,
         film_ratio=float(films[0] / films[1]),
-        converged=bool(film.solution.converged and full.contact.converged and np.isfinite([in_full, *films]).all()),
+        converged=bool(
+            film.solution.converged
+            and full.contact.converged
+            and np.isfinite([in_full, *films]).all()
+        ),
     )
 
 
-def _limited(stress: Array, pressure: Array, temperature: Array | None, contact: TableContact) -> Array:
-    """A stress of the base law with the limiting one on top, tau_L [1 - exp(-tau/tau_L)] [Pa]; temperature [K]."""
+def _limited(
+    stress: Array, pressure: Array, temperature: Array | None, contact: TableContact
+) -> Array:
+    """A stress of the base law with the limiting one on top, tau_L [1 - exp(-tau/tau_L)] [Pa];
+    temperature [K].
+    """
     if contact.rheology.limiting_coefficient is None:
         return stress
-    limit = limiting_stress(pressure, contact.rheology, contact.temperature if temperature is None else temperature)
-    return np.asarray(-limit * np.expm1(-np.abs(stress) / limit) * np.sign(stress), dtype=np.float64)
+    limit = limiting_stress(
+        pressure, contact.rheology, contact.temperature if temperature is None else temperature
+    )
+    return np.asarray(
+        -limit * np.expm1(-np.abs(stress) / limit) * np.sign(stress), dtype=np.float64
+    )

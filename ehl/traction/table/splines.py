@@ -1,11 +1,10 @@
-"""Uniform cubic B-splines through values on a grid: coefficients, and weights at a place (de Boor, 1978).
+"""Uniform cubic B-splines through values on a grid: coefficients, and weights at a place (de Boor,
+1978).
 
-With n nodes there are n + 2 coefficients; on the interval i the spline is
-sum c_(i+k) w_k(t), w = ((1-t)^3, 4 - 6 t^2 + 3 t^3, 4 - 6 (1-t)^2 + 3 (1-t)^3, t^3)/6. The two conditions left are the
+With n nodes there are n + 2 coefficients; on the interval i the spline is sum c_(i+k) w_k(t), w =
+((1-t)^3, 4 - 6 t^2 + 3 t^3, 4 - 6 (1-t)^2 + 3 (1-t)^3, t^3)/6. The two conditions left are the
 continuity of the third derivative at the second and the last but one node.
 """
-
-from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,18 +37,23 @@ def spline_coefficients(values: Array, axes: tuple[int, ...]) -> Array:
 
 
 def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
-    """First coefficient and weights [-], shape (4,), at a place counted in nodes from the first [-]."""
+    """First coefficient and weights [-], shape (4,), at a place counted in nodes from the first
+    [-].
+    """
     i = min(max(int(np.floor(place)), 0), nodes - 2)
     t = place - i
     r = 1.0 - t
-    return i, np.array([r**3, 4.0 - 6.0 * t**2 + 3.0 * t**3, 4.0 - 6.0 * r**2 + 3.0 * r**3, t**3]) / 6.0
+    return i, np.array(
+        [r**3, 4.0 - 6.0 * t**2 + 3.0 * t**3, 4.0 - 6.0 * r**2 + 3.0 * r**3, t**3]
+    ) / 6.0
 
 
 def left_out_error(values: Array, axis: int) -> float:
     """How well cubics through the four nearest other nodes predict each inner node [same unit].
 
-    A cubic that leaves out its middle is off by 24/9 of the fourth difference term of one through nodes at +-1, +-2
-    against one between nodes; the largest over all nodes, scaled down accordingly.
+    A cubic that leaves out its middle is off by 24/9 of the fourth difference term of one through
+    nodes at +-1, +-2 against one between nodes; the largest over all nodes, scaled down
+    accordingly.
     """
     v = np.moveaxis(values, axis, 0)
     n = v.shape[0]

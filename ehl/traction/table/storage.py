@@ -1,10 +1,9 @@
 """Traction tables on disk: one npz file that knows its format, its inputs and its own content.
 
-The inputs are stored as text (JSON of the dataclasses) with their SHA-256; so is the digest of the arrays. A file that
-is no such table, of another format, damaged, or made for other inputs than asked for is refused.
+The inputs are stored as text (JSON of the dataclasses) with their SHA-256; so is the digest of the
+arrays. A file that is no such table, of another format, damaged, or made for other inputs than
+asked for is refused.
 """
-
-from __future__ import annotations
 
 import json
 import os
@@ -23,7 +22,8 @@ import numpy as np
 from .table import TableContact, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
-FORMAT_VERSION = 3  # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films
+# 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films
+FORMAT_VERSION = 3
 ARRAYS = ("axes", "scalars", "values")
 PLAIN = ("points", "kappa_max", "films", "converged", "message")
 
@@ -61,7 +61,9 @@ def write_table(table: TractionTable, file: IO[bytes]) -> None:
         "full_solves": _plain(table.full_solves),
         **{name: getattr(table, name) for name in PLAIN},
     }
-    arrays = {name: getattr(table, name) for name in ARRAYS} | {"values": table.values.astype(np.float32)}
+    arrays = {name: getattr(table, name) for name in ARRAYS} | {
+        "values": table.values.astype(np.float32)
+    }
     np.savez(file, document=np.array(json.dumps(document)), **arrays)
 
 
@@ -81,7 +83,8 @@ def load_table(path: Path, expected: str | None = None) -> TractionTable:
     Raises
     ------
     ValueError
-        If the file is no table, of another format, damaged, or made for other inputs; the message says which.
+        If the file is no table, of another format, damaged, or made for other inputs; the message
+        says which.
     """
     with path.open("rb") as stream:
         return read_table(stream, str(path), expected)
@@ -94,7 +97,9 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
             document = json.loads(str(file["document"]))
             arrays: dict[str, Any] = {name: file[name].astype(np.float64) for name in ARRAYS}
     except (zipfile.BadZipFile, zlib.error, KeyError, ValueError, EOFError, OSError) as problem:
-        raise ValueError(f"{path}: no traction table, or a damaged one ({type(problem).__name__})") from problem
+        raise ValueError(
+            f"{path}: no traction table, or a damaged one ({type(problem).__name__})"
+        ) from problem
     if not isinstance(document, dict) or document.get("format") != FORMAT:
         raise ValueError(f"{path}: no traction table")
     if document.get("format_version") != FORMAT_VERSION:
@@ -103,15 +108,22 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
             "make the table again"
         )
     try:
-        parts = {name: _restored(document[name]) for name in ("contact", "range", "error", "full_solves")}
+        parts = {
+            name: _restored(document[name])
+            for name in ("contact", "range", "error", "full_solves")
+        }
         table = TractionTable(**parts, **arrays, **{name: document[name] for name in PLAIN})
     except (KeyError, TypeError, AttributeError, ImportError, ValueError) as problem:
-        raise ValueError(f"{path}: damaged, or written by another version of this program") from problem
+        raise ValueError(
+            f"{path}: damaged, or written by another version of this program"
+        ) from problem
     digest = inputs_digest(table.contact, table.range, table.points)
     if document.get("content") != _content(table) or document.get("inputs") != digest:
         raise ValueError(f"{path}: damaged: its content is not what was written")
     if expected is not None and expected != digest:
-        raise ValueError(f"{path}: made for another contact, oil, temperature or range; make it again")
+        raise ValueError(
+            f"{path}: made for another contact, oil, temperature or range; make it again"
+        )
     return table
 
 
@@ -128,7 +140,10 @@ def _plain(value: Any) -> Any:
     if isinstance(value, Enum):
         return {"type": kind, "value": value.value}
     if is_dataclass(value) and not isinstance(value, type):
-        return {"type": kind, **{field.name: _plain(getattr(value, field.name)) for field in fields(value)}}
+        return {
+            "type": kind,
+            **{field.name: _plain(getattr(value, field.name)) for field in fields(value)},
+        }
     if isinstance(value, tuple | list):
         return [_plain(part) for part in value]
     return str(value) if isinstance(value, float) and not isfinite(value) else value

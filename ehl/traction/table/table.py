@@ -1,20 +1,20 @@
 """Table of a contact's traction over load, entrainment speed, sliding along both axes, and spin.
 
-What is named an approximation: the film is that of the Newtonian oil without sliding, solved at each load and speed,
-isothermal or, with the thermal properties of both bodies, with its heat; the shear of the rheology is evaluated in it
-at each motion, then with the heat of sliding (`warm.heating`). Coordinates make few nodes enough: minus
-load^(-1/5), as light contacts change more with the load, ln(speed), and for a slide S over the speed u
+What is named an approximation: the film is that of the Newtonian oil without sliding, solved at
+each load and speed, isothermal or, with the thermal properties of both bodies, with its heat; the
+shear of the rheology is evaluated in it at each motion, then with the heat of sliding
+(`warm.heating`). Coordinates make few nodes enough: minus load^(-1/5), as light contacts change
+more with the load, ln(speed), and for a slide S over the speed u
 
     X = asinh(S/(u s))/asinh(L/s) in [-1, 1],
 
-where S_x is taken at the vertex of the parabola of spin and curvature slip (`vertex_slide`), with a scale s of the
-film's own (a share of where the traction has risen by half, itself a spline over load and speed) and the largest slide
-L; spin counts as Omega R_x/u. Values are the forces and moments of sliding over the largest of their film, kappa_max Q
-for the forces, whose logarithms are splines, too. The mirror image in y halves the table: with
-slide_y and spin reversed F_y and M_n are. All are cubic B-splines.
+where S_x is taken at the vertex of the parabola of spin and curvature slip (`vertex_slide`), with
+a scale s of the film's own (a share of where the traction has risen by half, itself a spline over
+load and speed) and the largest slide L; spin counts as Omega R_x/u. Values are the forces and
+moments of sliding over the largest of their film, kappa_max Q for the forces, whose logarithms are
+splines, too. The mirror image in y halves the table: with slide_y and spin reversed F_y and M_n
+are. All are cubic B-splines.
 """
-
-from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
@@ -38,7 +38,8 @@ AXES = ("load", "speed", "slide_x", "slide_y", "spin")
 LOAD_POWER = -0.2  # of the load in its coordinate
 SPIN_SHARE = 0.3  # of the sliding by spin at the end of the ellipse in the scale of slide_x
 MIRROR = (1.0, -1.0, -1.0, 1.0)  # signs of F_x, F_y, M_n, M_y where slide_y and spin change theirs
-FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "slide_y", "spin")  # bits of the kernel
+# bits of the kernel
+FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "slide_y", "spin")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,7 +100,8 @@ class TableRange:
     load, speed : tuple of float
         Smallest and largest load [N] and entrainment speed [m/s].
     slide_x, slide_y : float
-        Largest sliding along and across over the entrainment speed [-]; 2 along is one surface at rest.
+        Largest sliding along and across over the entrainment speed [-]; 2 along is one surface at
+        rest.
     spin : float
         Largest spin over u_m/R_x, the relative rolling speed [-].
     """
@@ -117,15 +119,17 @@ class TableRange:
                 raise ValueError(f"{field} must be a range of positive numbers, got {(low, high)}")
         for field in ("slide_x", "slide_y", "spin"):
             if not (isfinite(getattr(self, field)) and getattr(self, field) > 0.0):
-                raise ValueError(f"{field} must be positive and finite, got {getattr(self, field)!r}")
+                raise ValueError(
+                    f"{field} must be positive and finite, got {getattr(self, field)!r}"
+                )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableError:
     """Error at films and motions that are not in the table, against shear evaluated there.
 
-    Forces are measured against kappa_max Q, moments about n against their own largest, about y against their largest
-    by sliding and the hydrodynamic one together, at each load and speed.
+    Forces are measured against kappa_max Q, moments about n against their own largest, about y
+    against their largest by sliding and the hydrodynamic one together, at each load and speed.
     """
 
     largest: float  # of the force vector over kappa_max Q [-]
@@ -156,8 +160,8 @@ class FullSolve:
     slide_ratio : float
         Sliding over the entrainment speed [-].
     by_film, in_full : float
-        Force of sliding over the load, sheared on the table's film and in the full solve [-]; not a number where the
-        solve ran away.
+        Force of sliding over the load, sheared on the table's film and in the full solve [-]; not
+        a number where the solve ran away.
     film_ratio : float
         Central film of the full solve over that of the table's film [-]; likewise.
     converged : bool
@@ -175,7 +179,8 @@ class FullSolve:
 
 @dataclass(frozen=True, kw_only=True)
 class TractionTable:
-    """Traction of one contact over load, speed and motion: a friction law with the film, stiffness and damping.
+    """Traction of one contact over load, speed and motion: a friction law with the film, stiffness
+    and damping.
 
     Attributes
     ----------
@@ -184,12 +189,12 @@ class TractionTable:
     points : int
         Of the films along x.
     axes : ndarray, shape (5, 3)
-        Start, nodes per unit, nodes of load_place(load), ln(speed), and the scaled motions; of slide_y the half
-        above zero.
+        Start, nodes per unit, nodes of load_place(load), ln(speed), and the scaled motions; of
+        slide_y the half above zero.
     scalars : ndarray, shape (nQ + 2, nU + 2, 10)
-        Spline coefficients of the logarithms of the scales of slide_x, slide_y, spin [-], of the central film [m],
-        the hydrodynamic moment [N m], stiffness [N/m], damping [N s/m], and the largest force [N] and moments about n
-        and y [N m] of sliding.
+        Spline coefficients of the logarithms of the scales of slide_x, slide_y, spin [-], of the
+        central film [m], the hydrodynamic moment [N m], stiffness [N/m], damping [N s/m], and the
+        largest force [N] and moments about n and y [N m] of sliding.
     values : ndarray, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
         Spline coefficients of the sliding forces and moments over the largest ones [-].
     kappa_max : float
@@ -223,32 +228,53 @@ class TractionTable:
         contact, limits = self.contact, self.range
         motion = (limits.slide_x, limits.slide_y, limits.spin)
         curvature = 0.5 / contact.curvature_radius
-        return np.array([contact.radius_x, contact.curvature_difference, *motion, contact.unit_semi_axis, curvature])
+        return np.array(
+            [
+                contact.radius_x,
+                contact.curvature_difference,
+                *motion,
+                contact.unit_semi_axis,
+                curvature,
+            ]
+        )
 
     @cached_property
     def joined_values(self) -> Array:
-        """`values` [-] without a step at slide_y = 0, which tables of earlier versions have: see `mirrored_seam`."""
+        """`values` [-] without a step at slide_y = 0, which tables of earlier versions have: see
+        `mirrored_seam`.
+        """
         return mirrored_seam(self.values)
 
     def kernel_arguments(self) -> tuple[Array, Array, Array, Array]:
         """The arrays that `_kernels.table_lookup` takes before load and motion."""
         return self.axes, self.constants, self.scalars, self.joined_values
 
-    def forces(self, load: float, speed: float, slide_x: float, slide_y: float, spin: float) -> TractionForces:
+    def forces(
+        self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
+    ) -> TractionForces:
         """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s].
 
-        Outside the table's range the nearest place counts, forces in proportion to the load, and `outside` says so.
+        Outside the table's range the nearest place counts, forces in proportion to the load, and
+        `outside` says so.
         """
         out = np.empty(8)
-        flag = _kernels.table_lookup(*self.kernel_arguments(), load, speed, slide_x, slide_y, spin, out)
+        flag = _kernels.table_lookup(
+            *self.kernel_arguments(), load, speed, slide_x, slide_y, spin, out
+        )
         return traction_forces(out, flag_names(flag))
 
-    def forces_twin(self, load: float, speed: float, slide_x: float, slide_y: float, spin: float) -> Array:
-        """F_x, F_y, M_n, M_y, power, film, stiffness, damping as `forces`, in NumPy and within the range."""
+    def forces_twin(
+        self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
+    ) -> Array:
+        """F_x, F_y, M_n, M_y, power, film, stiffness, damping as `forces`, in NumPy and within the
+        range.
+        """
         places = (load_place(load), log(speed))
         scalars, values = self.scalars, self.joined_values
         for axis, place in enumerate(places):
-            scalars, values = (_along_first(part, place, self.axes[axis]) for part in (scalars, values))
+            scalars, values = (
+                _along_first(part, place, self.axes[axis]) for part in (scalars, values)
+            )
         radius, difference, *limits = self.constants[:5]
         mirror = 1.0 if slide_y >= 0.0 else -1.0
         turn = mirror * spin * radius / speed
@@ -261,13 +287,19 @@ class TractionTable:
         hydrodynamic = -exp(scalars[4])
         force = np.array([values[0], mirror * values[1]]) * exp(scalars[7])
         force[0] += 0.5 * difference * hydrodynamic
-        moment = np.array([mirror * values[2] * exp(scalars[8]), values[3] * exp(scalars[9]) + hydrodynamic])
+        moment = np.array(
+            [mirror * values[2] * exp(scalars[8]), values[3] * exp(scalars[9]) + hydrodynamic]
+        )
         rolling = speed / radius - 0.5 * difference * slide_x
         power = -(force @ [slide_x, slide_y] + moment @ [spin, rolling])
-        return np.array([*force, *moment, power, exp(scalars[3]), exp(scalars[5]), exp(scalars[6])])
+        return np.array(
+            [*force, *moment, power, exp(scalars[3]), exp(scalars[5]), exp(scalars[6])]
+        )
 
     def largest(self, load: float, speed: float) -> Array:
-        """Largest force [N] and moments about n and y [N m] by sliding at a load [N] and entrainment speed [m/s]."""
+        """Largest force [N] and moments about n and y [N m] by sliding at a load [N] and
+        entrainment speed [m/s].
+        """
         scalars = self.scalars
         for axis, place in enumerate((load_place(load), log(speed))):
             scalars = _along_first(scalars, place, self.axes[axis])
@@ -280,16 +312,19 @@ def load_place(load: float) -> float:
 
 
 def mirrored_seam(values: Array) -> Array:
-    """Coefficients whose half at slide_y above zero and its mirror image, which is not stored, meet smoothly [-].
+    """Coefficients whose half at slide_y above zero and its mirror image, which is not stored,
+    meet smoothly [-].
 
-    A film is symmetric in y but for the error of its solution, and what would vanish by symmetry without slide_y and
-    spin, F_y and M_n, jumped there from a value to its opposite. The coefficients at slide_y = 0 become the mean with
-    their mirror image, those before it the mirror image of those behind it: the spline goes on with two derivatives.
+    A film is symmetric in y but for the error of its solution, and what would vanish by symmetry
+    without slide_y and spin, F_y and M_n, jumped there from a value to its opposite. The
+    coefficients at slide_y = 0 become the mean with their mirror image, those before it the mirror
+    image of those behind it: the spline goes on with two derivatives.
 
     Parameters
     ----------
     values : ndarray, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
-        As in `TractionTable`, rounded to what a file holds; the same again where they meet already.
+        As in `TractionTable`, rounded to what a file holds; the same again where they meet
+        already.
     """
     before, at = (np.array(MIRROR) * values[:, :, :, k, ::-1] for k in (2, 1))
     at = (0.5 * (at + values[:, :, :, 1])).astype(np.float32)
@@ -306,11 +341,13 @@ def scaled_motion(motion: float, scale: float, limit: float) -> float:
 
 
 def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
-    """Sliding at the vertex of the parabola of spin and curvature slip over u [-]; added to slide_x it is a coordinate.
+    """Sliding at the vertex of the parabola of spin and curvature slip over u [-]; added to
+    slide_x it is a coordinate.
 
-    -Omega y - omega y^2/(2R) is largest at y = -Omega R/omega. Where slide_x cancels it the traction turns most
-    sharply. Off the ellipse there is no vertex: y = -b r/(1 + r^4)^(1/4) with r = Omega R/(omega b), which is the
-    vertex for small r and the end of the ellipse for large ones.
+    -Omega y - omega y^2/(2R) is largest at y = -Omega R/omega. Where slide_x cancels it the
+    traction turns most sharply. Off the ellipse there is no vertex: y = -b r/(1 + r^4)^(1/4) with
+    r = Omega R/(omega b), which is the vertex for small r and the end of the ellipse for large
+    ones.
 
     Parameters
     ----------
@@ -320,7 +357,8 @@ def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
     load : float
         [N].
     """
-    curvature, b = 0.5 / contact.curvature_radius, contact.unit_semi_axis * np.cbrt(load)
+    curvature = 0.5 / contact.curvature_radius
+    b = contact.unit_semi_axis * np.cbrt(load)
     if curvature <= 0.0:
         return 0.0 * spin
     far = 0.5 * spin / (curvature * b)
@@ -332,9 +370,11 @@ def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
 def spinning_scale(scale: float, spin: Array, contact: TableContact, load: float) -> Array:
     """Scale of slide_x [-] at a spin Omega R_x/u [-].
 
-    Spin without a vertex on the ellipse (r > 1 in `vertex_slide`) spreads the traction's rise over slides of Omega b.
+    Spin without a vertex on the ellipse (r > 1 in `vertex_slide`) spreads the traction's rise over
+    slides of Omega b.
     """
-    curvature, b = 0.5 / contact.curvature_radius, contact.unit_semi_axis * np.cbrt(load)
+    curvature = 0.5 / contact.curvature_radius
+    b = contact.unit_semi_axis * np.cbrt(load)
     steep = (0.5 * spin) ** 4
     away = steep / (steep + (curvature * b) ** 4 + np.finfo(np.float64).tiny)
     return np.hypot(scale, SPIN_SHARE * away * spin * b / contact.radius_x)

@@ -1,11 +1,11 @@
-"""Traction tables over the temperature of the oil at the inlet: tables of one contact at several, and between them.
+"""Traction tables over the temperature of the oil at the inlet: tables of one contact at several,
+and between them.
 
-Scales, films and forces between the temperatures are those of the polynomial in T through the nearest tables, up to
-four. All tables have the same nodes, so that one at any temperature between is the weighted sum of their coefficients:
-it is made once, and a lookup in it costs what one in a table of a single temperature does.
+Scales, films and forces between the temperatures are those of the polynomial in T through the
+nearest tables, up to four. All tables have the same nodes, so that one at any temperature between
+is the weighted sum of their coefficients: it is made once, and a lookup in it costs what one in a
+table of a single temperature does.
 """
-
-from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -39,7 +39,9 @@ class TemperatureTable:
 
     def __post_init__(self) -> None:
         if len(self.tables) < 2 or any(b <= a for a, b in pairwise(self.temperatures)):
-            raise ValueError(f"tables must be two or more at rising temperatures, got {self.temperatures} K")
+            raise ValueError(
+                f"tables must be two or more at rising temperatures, got {self.temperatures} K"
+            )
         first = self.tables[0]
         for table in self.tables[1:]:
             if table.range != first.range or not np.allclose(table.axes, first.axes, rtol=SIMILAR):
@@ -53,12 +55,19 @@ class TemperatureTable:
     @property
     def converged(self) -> bool:
         """Whether every table is, and those between keep the tolerance."""
-        return all(table.converged for table in self.tables) and all(error.reached for error in self.errors)
+        return all(table.converged for table in self.tables) and all(
+            error.reached for error in self.errors
+        )
 
-    def replaced(self, table: TractionTable) -> TemperatureTable:
-        """These with a table in place of the one at its temperature [K]; without it where there is none there."""
+    def replaced(self, table: TractionTable) -> "TemperatureTable":
+        """These with a table in place of the one at its temperature [K]; without it where there is
+        none there.
+        """
         at = table.contact.temperature
-        return replace(self, tables=tuple(table if one.contact.temperature == at else one for one in self.tables))
+        return replace(
+            self,
+            tables=tuple(table if one.contact.temperature == at else one for one in self.tables),
+        )
 
     def at(self, temperature: float, lubricant: Lubricant | None = None) -> TractionTable:
         """The table at a temperature.
@@ -68,12 +77,14 @@ class TemperatureTable:
         temperature : float
             [K].
         lubricant : Lubricant, optional
-            The oil there; None: that of the nearest table, but for viscosities and density between.
+            The oil there; None: that of the nearest table, but for viscosities and density
+            between.
 
         Raises
         ------
         ValueError
-            If the temperature is out of range, or the lubricant's viscosities are not those between the tables'.
+            If the temperature is out of range, or the lubricant's viscosities are not those
+            between the tables'.
         """
         known = np.array(self.temperatures)
         if not known[0] <= temperature <= known[-1]:
@@ -87,8 +98,14 @@ class TemperatureTable:
             _require_same(nearest.contact.lubricant, lubricant)
             return nearest
         chosen = order[:NEAREST]
-        weights, tables = lagrange_weights(known[chosen], temperature), [self.tables[int(k)] for k in chosen]
-        oil = _oil(nearest.contact.lubricant, [table.contact.lubricant for table in tables], weights, temperature)
+        weights = lagrange_weights(known[chosen], temperature)
+        tables = [self.tables[int(k)] for k in chosen]
+        oil = _oil(
+            nearest.contact.lubricant,
+            [table.contact.lubricant for table in tables],
+            weights,
+            temperature,
+        )
         _require_same(oil, lubricant)
         return replace(
             nearest,
@@ -131,16 +148,23 @@ def build_temperature_table(
     load, speed, slide_x, slide_y, spin = (int(count) for count in most)
     same = replace(options, nodes=(load, speed, slide_x, slide_y, spin), rounds=1)
     tables = [
-        table if np.array_equal(table.axes[:, 2], most) else build_table(table.contact, limits, same, progress)
+        table
+        if np.array_equal(table.axes[:, 2], most)
+        else build_table(table.contact, limits, same, progress)
         for table in tables
     ]
     found = TemperatureTable(tables=tuple(tables))
     middles = [0.5 * (a + b) for a, b in pairwise(found.temperatures)]
-    return replace(found, errors=tuple(check_table(found.at(one), contact_at(one), options) for one in middles))
+    return replace(
+        found,
+        errors=tuple(check_table(found.at(one), contact_at(one), options) for one in middles),
+    )
 
 
 def lagrange_weights(places: Array, place: float) -> Array:
-    """Weights of values at places [same unit] in the polynomial through them at another place [-], Lagrange."""
+    """Weights of values at places [same unit] in the polynomial through them at another place [-],
+    Lagrange.
+    """
     return np.array([np.prod([(place - b) / (a - b) for b in places if b != a]) for a in places])
 
 
@@ -149,7 +173,9 @@ def _require_same(expected: Lubricant, given: Lubricant | None) -> None:
     for field in ("viscosity", "pressure_viscosity"):
         wanted = getattr(expected, field)
         if given is not None and abs(getattr(given, field) - wanted) > OIL_TOLERANCE * wanted:
-            raise ValueError(f"made for another oil: its {field} is {wanted:.4g}, not {getattr(given, field):.4g}")
+            raise ValueError(
+                f"made for another oil: its {field} is {wanted:.4g}, not {getattr(given, field):.4g}"
+            )
 
 
 def _sum(weights: Array, parts: Sequence[Array]) -> Array:
@@ -159,12 +185,17 @@ def _sum(weights: Array, parts: Sequence[Array]) -> Array:
     return total
 
 
-def _oil(nearest: Lubricant, oils: Sequence[Lubricant], weights: Array, temperature: float) -> Lubricant:
-    """An oil with the viscosities and the density between; further constants of its laws are the nearest one's."""
+def _oil(
+    nearest: Lubricant, oils: Sequence[Lubricant], weights: Array, temperature: float
+) -> Lubricant:
+    """An oil with the viscosities and the density between; further constants of its laws are the
+    nearest one's.
+    """
     viscosity = float(np.exp(weights @ np.log([oil.viscosity for oil in oils])))
     slope = float(weights @ np.array([oil.pressure_viscosity for oil in oils]))
     density = float(weights @ np.array([oil.density for oil in oils]))
     given = {"viscosity": viscosity, "density": density, "temperature": temperature}
-    if nearest.tait is None and nearest.yasutomi is None:  # else the coefficient is that of the law's constants
+    # else the coefficient is that of the law's constants
+    if nearest.tait is None and nearest.yasutomi is None:
         given["pressure_viscosity"] = slope
     return replace(nearest, **given)  # type: ignore[arg-type]

@@ -25,13 +25,7 @@ from ehl.conditions import ContactConditions
 from ehl.oil.rheology import Rheology
 from ehl.traction.response import normal_response
 from ehl.traction.table.splines import spline_coefficients
-from ehl.traction.table.table import (
-    LOAD_POWER,
-    TableContact,
-    TableError,
-    TableRange,
-    TractionTable,
-)
+from ehl.traction.table.table import LOAD_POWER, TableContact, TableError, TableRange, TractionTable
 
 OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)
 LOADS, SPEEDS = (2.0, 800.0), (0.5, 20.0)

@@ -10,14 +10,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing.dynamics.friction import coulomb_friction, four_constant_friction
-from bearing.dynamics.inputs import (
-    Guidance,
-    LoadType,
-    NormalContact,
-    NormalLaw,
-    Schedule,
-    Start,
-)
+from bearing.dynamics.inputs import Guidance, LoadType, NormalContact, NormalLaw, Schedule, Start
 from bearing.dynamics.integration.implicit import advance_implicit
 from bearing.dynamics.laws import damping_factor, restitution_returned
 from bearing.dynamics.record import empty_record

@@ -9,22 +9,9 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
-from bearing import (
-    BallKinematics,
-    Bearing,
-    Material,
-    Model,
-    Operation,
-    contact_conditions,
-    solve_quasistatic,
-)
+from bearing import BallKinematics, Bearing, Material, Model, Operation, contact_conditions, solve_quasistatic
 from bearing.friction.coulomb import balanced_friction
-from bearing.friction.ellipse import (
-    Ellipses,
-    coulomb_dissipation,
-    coulomb_dissipation_twin,
-    line_dissipation,
-)
+from bearing.friction.ellipse import Ellipses, coulomb_dissipation, coulomb_dissipation_twin, line_dissipation
 from bearing.torque.pure_rolling_lines import rolling_lines
 from bearing.torque.sliding import shaft_speed
 from ehl import Lubricant

@@ -121,14 +121,7 @@ def test_models_side_by_side_under_axial_load():
 
 def test_friction_of_a_6206_is_that_of_the_sliding_friction_paper_within_its_open_inputs():
     """Axial 500 N, 500 r/min: 26.416 N mm there with mu 0.0935; groove radii and clearance are not given there."""
-    from bearing.torque.skf import (
-        MM2_S,
-        Series,
-        SkfBearing,
-        SkfOperation,
-        skf_constants,
-        skf_torque,
-    )
+    from bearing.torque.skf import MM2_S, Series, SkfBearing, SkfOperation, skf_constants, skf_torque
 
     skf = skf_torque(
         SkfBearing(

@@ -11,12 +11,7 @@ import pytest
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.friction.asperities import asperity_share, mixed_friction
 from bearing.heating.heat_balance import LARGEST_RISE, Cooling, heat_balance
-from bearing.supply.starved_films import (
-    least_lambda,
-    mean_share,
-    of_driven_balls,
-    starved_films,
-)
+from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.supply.supply import (
     InletFilm,
     Supply,

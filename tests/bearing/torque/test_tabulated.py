@@ -21,13 +21,7 @@ from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.rheology import Rheology
 from ehl.traction.laws import ContactShape, CoulombLaw, FourConstantLaw
-from ehl.traction.table.table import (
-    TableContact,
-    TableError,
-    TableRange,
-    TractionTable,
-    load_place,
-)
+from ehl.traction.table.table import TableContact, TableError, TableRange, TractionTable, load_place
 
 OIL = Lubricant(viscosity=0.0174, pressure_viscosity=18e-9)
 MU = 0.08

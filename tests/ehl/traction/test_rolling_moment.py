@@ -18,12 +18,7 @@ from scipy.optimize import brentq
 import ehl
 from ehl.kinematics import contact_kinematics
 from ehl.scaling import scale_contact
-from ehl.traction.rolling_moment import (
-    SHARE_OF_RADIUS,
-    moment_of_doubling,
-    rolling_moment,
-    scaled_as_solved,
-)
+from ehl.traction.rolling_moment import SHARE_OF_RADIUS, moment_of_doubling, rolling_moment, scaled_as_solved
 from ehl.traction.shear import integrate_traction
 
 HEAVY = ((4.0, 129), (8.0, 257), (16.0, 513))  # inlet in semi-axes and points, the mesh along x kept

@@ -277,10 +277,7 @@ SHAPE = ContactShape(semi_axis_x=1e-4, semi_axis_y=6e-4, radius_x=4.8e-3, curvat
 
 @pytest.mark.parametrize(
     ("given", "expected"),
-    [
-        ((0.05, 0.03, 0.03), (-0.03, 3.64488, 45.9363, 0.03)),
-        ((0.05, 1.0, 0.036), (-0.036, 0.10178, 1.5473, 0.036)),
-    ],
+    [((0.05, 0.03, 0.03), (-0.03, 3.64488, 45.9363, 0.03)), ((0.05, 1.0, 0.036), (-0.036, 0.10178, 1.5473, 0.036))],
 )
 def test_four_constants_from_a_traction_curve(given, expected):
     constants = four_constants(*given)
