@@ -45,6 +45,15 @@ def test_every_page_is_in_the_navigation():
     assert sorted(navigation) == sorted([*pages, "gallery.md", "reference/changelog.md"])
 
 
+@pytest.mark.parametrize(
+    "page", [*sorted(DOCS.rglob("*.md")), ROOT / "README.md", ROOT / "CONTRIBUTING.md"], ids=lambda path: path.stem
+)
+def test_paths_on_a_page_exist(page):
+    packages = "bearing|benchmarks|cases|docs|ehl|postprocess|tests|tools"
+    paths = re.findall(rf"(?<![\w/.])((?:{packages})/[\w/.-]*\w)", page.read_text(encoding="utf-8"))
+    assert [path for path in paths if not (ROOT / path).exists()] == []
+
+
 def test_printed_numbers_name_their_source():
     """Source in the first line, a unit at the end of each column, full rows."""
     from printed import REFERENCE, printed
@@ -76,7 +85,7 @@ def test_the_gallery_shows_the_slip_cases():
 def test_the_page_of_commands_names_every_command_and_option():
     from typer.main import get_command
 
-    from cases.cli import app
+    from cases.cli.main import app
 
     page = (DOCS / "reference" / "commands.md").read_text(encoding="utf-8")
     for name, command in get_command(app).commands.items():

@@ -34,7 +34,7 @@ def test_files_and_names_that_the_page_speaks_of_exist():
     text = PAGE.read_text(encoding="utf-8")
     for name in re.findall(r"`((?:bearing|ehl|cases|docs|tools)/[\w/.]+)`", text):
         assert (ROOT / name).exists(), name
-    source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "ehl" / "rheology").glob("*.py"))
+    source = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "ehl" / "oil").glob("*.py"))
     for name in ("LAW_CODES", "class ShearLaw", "def shear_rate"):
         assert name in source
     assert "class ModelTorque" in (ROOT / "bearing" / "torque" / "models.py").read_text(encoding="utf-8")

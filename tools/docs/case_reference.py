@@ -82,7 +82,7 @@ def row(key: str, node: dict[str, Any], schema: dict[str, Any], required: list[s
 def table(name: str, node: dict[str, Any], schema: dict[str, Any]) -> list[str]:
     """Heading and keys of one table of the file."""
     required = node.get("required", [])
-    lines = [f"### {name}", "", node.get("description", ""), ""]
+    lines = [f"### {name}", "", " ".join(node.get("description", "").split()), ""]
     lines += ["| key | unit | default | range | meaning |", "|---|---|---|---|---|"]
     return [*lines, *(row(key, item, schema, required) for key, item in node["properties"].items()), ""]
 

@@ -40,7 +40,7 @@ def main(names: list[str]) -> None:
     """Draw the pictures of the named cases, or of all that have none."""
     import tomllib
 
-    for path in sorted((ROOT / "cases").rglob("*.toml")):
+    for path in sorted((ROOT / "cases" / "library").rglob("*.toml")):
         document = tomllib.loads(path.read_text(encoding="utf-8"))
         command = "batch" if path.parent.name == "sweeps" else "run"
         command = next((word for word in ("contact", "dynamics") if word in document), command)

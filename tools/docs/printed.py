@@ -1,4 +1,4 @@
-"""Numbers as papers print them: cases/reference/*.csv, each with its source in the first line."""
+"""Numbers as papers print them: cases/library/reference/*.csv, each with its source in the first line."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from pathlib import Path
 
 import cases
 
-REFERENCE = Path(cases.__file__).parent / "reference"
+REFERENCE = Path(cases.__file__).parent / "library" / "reference"
 
 
 def printed(name: str) -> list[dict[str, str]]:

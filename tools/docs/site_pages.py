@@ -32,7 +32,7 @@ def gallery() -> str:
         *_paper_figures(),
     ]
     folders: dict[str, list[Path]] = {}
-    for path in sorted((ROOT / "cases").rglob("*.toml")):
+    for path in sorted((ROOT / "cases" / "library").rglob("*.toml")):
         folders.setdefault(path.parent.name.replace("_", " "), []).append(path)
     for folder, paths in sorted(folders.items()):
         lines += [f"## {folder.capitalize()}", ""]

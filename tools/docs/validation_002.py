@@ -9,14 +9,7 @@ from pathlib import Path
 
 from printed import printed
 
-from bearing import (
-    Bearing,
-    Race,
-    contact_conditions,
-    reduced_modulus,
-    reduced_radii,
-    solve_quasistatic,
-)
+from bearing import Bearing, Race, contact_conditions, reduced_modulus, reduced_radii, solve_quasistatic
 from cases import load_case
 from ehl.closed_form.hertz import hertz_contact
 
