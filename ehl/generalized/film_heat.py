@@ -2,10 +2,7 @@
 turn.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,10 +15,7 @@ from ..scaling import ScaledContact
 from ..solid.heat import SolidThermal, history_weights, response_factor
 from . import _heat_kernels as _kernels
 from .heat_columns import curvature, wall_slopes
-from .section import Section
-
-if TYPE_CHECKING:
-    from .flow import FilmFields
+from .section import FilmFields, Section
 
 Array = NDArray[np.float64]
 

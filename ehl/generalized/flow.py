@@ -30,12 +30,10 @@ the rheology are divided by it, and the rise of temperature is multiplied by it.
 changed.
 """
 
-from __future__ import annotations
-
 import copy
 from dataclasses import dataclass, field, replace
 from math import inf
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,10 +48,8 @@ from ..oil.rheology import Rheology, eased, kernel_rheology, limiting_stress
 from ..scaling import ScaledContact
 from . import _kernels
 from .columns import LIMIT_EXCESS
-from .section import Section, film_section
-
-if TYPE_CHECKING:
-    from .film_heat import FilmHeat
+from .film_heat import FilmHeat
+from .section import FilmFields, Section, film_section
 
 Array = NDArray[np.float64]
 
@@ -65,19 +61,6 @@ SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as i
 
 class BeganAnewError(Exception):
     """A solve gave up its first attempt."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FilmFields:
-    """Pressure, film and surface velocities of a grid, SI; arrays of shape (ny, nx) or (2, ny,
-    nx).
-    """
-
-    p: Array  # [Pa]
-    h: Array  # [m]; not positive: no film
-    gradient: Array  # [Pa/m]
-    speed_1: Array  # velocity of body 1, at z = 0 [m/s]
-    speed_2: Array  # velocity of body 2, at z = h [m/s]
 
 
 def film_fields(

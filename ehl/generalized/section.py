@@ -30,6 +30,19 @@ class Section:
         return self.nodes, self.weights, self.cumulative
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmFields:
+    """Pressure, film and surface velocities of a grid, SI; arrays of shape (ny, nx) or (2, ny,
+    nx).
+    """
+
+    p: Array  # [Pa]
+    h: Array  # [m]; not positive: no film
+    gradient: Array  # [Pa/m]
+    speed_1: Array  # velocity of body 1, at z = 0 [m/s]
+    speed_2: Array  # velocity of body 2, at z = h [m/s]
+
+
 def film_section(count: int = NODES) -> Section:
     """Legendre-Gauss-Lobatto nodes on [0, 1] and their matrices [-].
 
