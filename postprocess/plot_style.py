@@ -9,11 +9,10 @@ from typing import Any
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
+
+from ehl.solution import Array
 
 from .files import atomic_path
-
-Array = NDArray[np.float64]
 
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200

@@ -1,12 +1,9 @@
 """PNG plots of a run: one figure per distinct contact, film and pressure per azimuth, load zone."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from functools import partial
 from math import degrees
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 import matplotlib
 from matplotlib.figure import Figure
@@ -18,8 +15,7 @@ from .contact.view import ContactView, contact_view
 from .plot_style import RC, save
 from .results import BearingResults, ContactResults, DistinctContact, distinct_contacts
 
-if TYPE_CHECKING:
-    NamedFigure = tuple[str, Callable[[Figure], None]]
+NamedFigure = tuple[str, Callable[[Figure], None]]
 
 PLOT_FOLDER = "plots"
 

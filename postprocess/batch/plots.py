@@ -10,9 +10,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ehl.solution import Array
+
 from ..bearing.plots_torque import LABELS
 from ..main_results import main_results
-from ..plot_style import INK, PAGE_WIDTH, RC, REFERENCE, Array, save
+from ..plot_style import INK, PAGE_WIDTH, RC, REFERENCE, save
 from ..units import unit_of, without_unit
 from .points import BatchPoint, BatchResults
 from .results import scalar_numbers

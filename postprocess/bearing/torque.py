@@ -5,9 +5,9 @@ from typing import Any
 
 from bearing.operation import BallKinematics
 from bearing.torque.breakdown import TorqueBreakdown
-from ehl.traction.shear import TractionResult
 
 from ..contact.rolling import rolling_block
+from ..contact.summary import traction_values
 from ..results import BearingResults
 from ..units import NEWTON_MILLIMETRE
 
@@ -93,22 +93,6 @@ def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]
     found = torque.models[name]
     return {part: _shown(found.components.get(part)) for part in MODELS[name]} | {
         "total": _shown(found.total)
-    }
-
-
-def traction_values(traction: TractionResult | None) -> dict[str, Any]:
-    """Traction of one contact: coefficient [-], force on body 1 along and across the grid's x [N],
-    heat [W].
-    """
-    if traction is None:
-        return dict.fromkeys(
-            ("traction_coefficient", "traction_force_N", "traction_power_W", "spin_moment_N_mm")
-        )
-    return {
-        "traction_coefficient": traction.coefficient,
-        "traction_force_N": [traction.force_x, traction.force_y],
-        "traction_power_W": traction.power_loss,
-        "spin_moment_N_mm": traction.spin_moment / NEWTON_MILLIMETRE,
     }
 
 

@@ -1,8 +1,8 @@
-"""The frame of a contact: its principal directions."""
+"""The frame of a contact: its principal directions, and parts of its grid."""
 
 import numpy as np
 
-from ..scene.geometry import Array
+from ehl.solution import Array
 
 
 def principal_coordinates(x: Array, y: Array, angle: float) -> tuple[Array, Array]:
@@ -23,3 +23,12 @@ def principal_coordinates(x: Array, y: Array, angle: float) -> tuple[Array, Arra
     along, across = np.meshgrid(x, y, indexing="ij")
     c, s = np.cos(angle), np.sin(angle)
     return c * along - s * across, s * along + c * across
+
+
+def within(values: Array, low: float, high: float) -> slice:
+    """Index range of the ascending `values` that lie in [low, high], in the unit of `values`, as
+    [-].
+    """
+    return slice(
+        int(np.searchsorted(values, low, "left")), int(np.searchsorted(values, high, "right"))
+    )

@@ -20,13 +20,12 @@ from typing import Any
 import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
+
+from ehl.solution import Array
 
 from ..plot_style import PAGE_WIDTH, RC, REFERENCE, save
 from .fields import open_contact
 from .view import half_extents, shown_part
-
-Array = NDArray[np.float64]
 
 SODIUM = 589.3e-9  # mean of the sodium D lines [m]
 REFRACTIVE_INDEX = 1.5  # of an oil [-], unverified: give that of yours

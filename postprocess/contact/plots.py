@@ -6,7 +6,8 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
+
+from ehl.solution import Array
 
 from ..plot_style import (
     BEYOND_SCALE,
@@ -18,8 +19,6 @@ from ..plot_style import (
 )
 from ..text import value_with_error
 from .view import ContactView
-
-Array = NDArray[np.float64]
 
 HEIGHT = 5.9  # of the figure [in]
 LINES = 8  # contour intervals of a map

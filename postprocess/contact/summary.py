@@ -6,10 +6,10 @@ from typing import Any
 
 from ehl import ContactConditions, ContactSolution, ViscosityLaw
 from ehl.closed_form import film as film_formulas
+from ehl.traction.shear import TractionResult
 
-from ..bearing.torque import traction_values
 from ..results import ContactResults
-from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
+from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE, NEWTON_MILLIMETRE, ZERO_CELSIUS
 from .messages import doubt_messages
 from .rolling import contact_rolling_messages, contact_rolling_values
 from .supply import contact_starved_values, contact_supply_messages
@@ -60,6 +60,22 @@ def formulas(conditions: object) -> dict[str, float | None]:
         return dict.fromkeys(FORMULAS)
     return {
         name: getattr(film_formulas, f"film_{name}")(conditions) / MICROMETRE for name in FORMULAS
+    }
+
+
+def traction_values(traction: TractionResult | None) -> dict[str, Any]:
+    """Traction of one contact: coefficient [-], force on body 1 along and across the grid's x [N],
+    heat [W].
+    """
+    if traction is None:
+        return dict.fromkeys(
+            ("traction_coefficient", "traction_force_N", "traction_power_W", "spin_moment_N_mm")
+        )
+    return {
+        "traction_coefficient": traction.coefficient,
+        "traction_force_N": [traction.force_x, traction.force_y],
+        "traction_power_W": traction.power_loss,
+        "spin_moment_N_mm": traction.spin_moment / NEWTON_MILLIMETRE,
     }
 
 

@@ -6,6 +6,7 @@ from math import cos, degrees, hypot, inf, pi, sin
 import numpy as np
 
 from ehl import ContactSolution
+from ehl.solution import Array
 
 from ..plot_style import (
     QUIET_PRESSURE,
@@ -13,11 +14,10 @@ from ..plot_style import (
     SHOWN_OUTLET,
     SHOWN_SIDE,
     STRETCHED,
-    Array,
     film_range,
 )
-from ..scene.geometry import within
 from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from .frame import within
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearing.geometry import Bearing
+from ehl.solution import Array
 
-Array = NDArray[np.float64]
+from ..contact.frame import within
 
 WRAP_LIMIT = 1.35  # a patch reaches this far around its ball at most [rad]
 SHOULDER_HEIGHT = 0.22  # of the ball diameter, for the pictures only
@@ -114,15 +115,6 @@ def crop_to_ball(
     reach = WRAP_LIMIT * ball_radius / np.sqrt(2.0)
     along, across = reach / placement.rolling, reach / placement.transverse
     return within(x, -along, along), within(y, -across, across)
-
-
-def within(values: Array, low: float, high: float) -> slice:
-    """Index range of the ascending `values` that lie in [low, high], in the unit of `values`, as
-    [-].
-    """
-    return slice(
-        int(np.searchsorted(values, low, "left")), int(np.searchsorted(values, high, "right"))
-    )
 
 
 def grid_quads(n: int, m: int, closed: bool = False) -> NDArray[np.int64]:

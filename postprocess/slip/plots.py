@@ -13,8 +13,9 @@ from matplotlib.colors import ListedColormap, TwoSlopeNorm
 from matplotlib.figure import Figure
 
 from bearing.studies.slip import CriticalCurves, slip_factors
+from ehl.solution import Array
 
-from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, Array, save
+from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
 from ..units import RPM
 from .results import SlipResults
 

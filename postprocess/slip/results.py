@@ -16,9 +16,9 @@ from rich.text import Text
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.studies.slip import CriticalCurves, SlipSurface, slip_factors
+from ehl.solution import Array
 
 from ..files import Variables, root_attributes, write_dataset
-from ..plot_style import Array
 from ..units import RPM
 
 MOST_ROWS = 11  # speeds listed in the terminal

@@ -5,11 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 
 import matplotlib as mpl
+from conventions_frame import draw_frame
 from matplotlib.figure import Figure
 
 from bearing import BallKinematics, Model, solve_quasistatic
 from cases import load_case
-from postprocess.bearing.plots_frame import draw_frame
 from postprocess.plot_style import RC, save
 
 PICTURE = Path(__file__).parents[2] / "docs" / "images" / "conventions.png"

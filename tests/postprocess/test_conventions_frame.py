@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from conventions_frame import draw_frame
 from matplotlib.figure import Figure
 
 from bearing import BallKinematics, Model, solve_quasistatic
 from cases import load_case
-from postprocess.bearing.plots_frame import draw_frame
 
 
 @pytest.fixture(scope="module")

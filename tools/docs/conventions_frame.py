@@ -10,9 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle
 
 from bearing.quasistatic.solution import QuasistaticSolution
-
-from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE
-from ..scene.geometry import Array
+from ehl.solution import Array
+from postprocess.plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE
 
 BALL_COLOUR = "#eceff3"
 FORCE_COLOUR = "#3a7d44"
@@ -37,11 +36,7 @@ def draw_frame(figure: Figure, state: QuasistaticSolution) -> None:
     for axes, draw, title in zip(
         panels,
         (_section, _forces, _front),
-        (
-            "section through a ball:\nangles, normals, spin",
-            "forces on the ball",
-            "seen against x (x to the reader)",
-        ),
+        ("section through a ball:\nangles, normals, spin", "forces on the ball", "seen against x (x to the reader)"),
         strict=True,
     ):
         axes.set_aspect("equal")
@@ -57,20 +52,10 @@ def _direction(angle: float) -> Array:
     return np.array([sin(angle), cos(angle)])
 
 
-def _arrow(
-    axes: Any, start: Array, step: Array, label: str, place: tuple[float, float], colour: str = INK
-) -> None:
+def _arrow(axes: Any, start: Array, step: Array, label: str, place: tuple[float, float], colour: str = INK) -> None:
     style = {"arrowstyle": "-|>", "color": colour, "linewidth": 1.1, "shrinkA": 0, "shrinkB": 0}
     axes.annotate("", xy=start + step, xytext=start, arrowprops=style)
-    axes.annotate(
-        label,
-        start + step,
-        place,
-        textcoords="offset points",
-        color=colour,
-        fontsize=8,
-        ha="center",
-    )
+    axes.annotate(label, start + step, place, textcoords="offset points", color=colour, fontsize=8, ha="center")
 
 
 def _arc(axes: Any, centre: Array, radius: float, ends: tuple[float, float], **style: Any) -> None:
@@ -100,24 +85,10 @@ def _section(axes: Any, state: QuasistaticSolution) -> None:
         _arc(axes, centre, radius, (middle - 1.15, middle + 1.15), color=colour, linewidth=2.0)
         axes.plot(*centre, "+", color=colour, markersize=6)
         axes.plot(*np.stack([origin, normal]).T, color=colour, linewidth=0.7, linestyle="--")
-        _arrow(
-            axes,
-            normal,
-            UNIT * normal,
-            f"$n_{name}$",
-            (7.0 * normal[0], 7.0 * normal[1] - 3.0),
-            colour,
-        )
+        _arrow(axes, normal, UNIT * normal, f"$n_{name}$", (7.0 * normal[0], 7.0 * normal[1] - 3.0), colour)
         # y = n x x of the contact, in the axial plane
         across = np.array([-normal[1], normal[0]]) * side
-        _arrow(
-            axes,
-            normal,
-            UNIT * across,
-            f"$y_{name}$",
-            (9.0 * across[0], 9.0 * across[1] - 3.0),
-            colour,
-        )
+        _arrow(axes, normal, UNIT * across, f"$y_{name}$", (9.0 * across[0], 9.0 * across[1] - 3.0), colour)
         _arc(axes, origin, 0.62, (middle, middle + angle), color=colour, linewidth=0.8)
         label = 0.8 * side * _direction(0.5 * angle)
         axes.text(*label, rf"$\alpha_{name}$", color=colour, fontsize=8, ha="center", va="center")
@@ -141,27 +112,13 @@ def _forces(axes: Any, state: QuasistaticSolution) -> None:
     _ball(axes)
     n_outer = _direction(outer)
     n_inner = -_direction(inner)
+    _arrow(axes, n_outer + loads[0] * scale * n_outer, -loads[0] * scale * n_outer, "$Q_o$", (30.0, 20.0), OUTER_COLOUR)
     _arrow(
-        axes,
-        n_outer + loads[0] * scale * n_outer,
-        -loads[0] * scale * n_outer,
-        "$Q_o$",
-        (30.0, 20.0),
-        OUTER_COLOUR,
-    )
-    _arrow(
-        axes,
-        n_inner + loads[1] * scale * n_inner,
-        -loads[1] * scale * n_inner,
-        "$Q_i$",
-        (-40.0, -16.0),
-        INNER_COLOUR,
+        axes, n_inner + loads[1] * scale * n_inner, -loads[1] * scale * n_inner, "$Q_i$", (-40.0, -16.0), INNER_COLOUR
     )
     force = float(state.centrifugal_force[0]) * scale
     _arrow(axes, np.zeros(2), np.array([0.0, force]), "$F_c$", (9.0, -9.0), FORCE_COLOUR)
-    outer_friction, inner_friction = (
-        10.0 * scale * float(f[0]) for f in (state.outer_friction, state.inner_friction)
-    )
+    outer_friction, inner_friction = (10.0 * scale * float(f[0]) for f in (state.outer_friction, state.inner_friction))
     if outer_friction > 0.0:
         step = outer_friction * np.array([-cos(outer), sin(outer)])
         _arrow(axes, n_outer, step, r"$\lambda_o M_g/D$", (-16.0, 5.0), OUTER_COLOUR)
@@ -173,9 +130,7 @@ def _forces(axes: Any, state: QuasistaticSolution) -> None:
     turn = np.array([0.07, -0.05])
     _arrow(axes, tip - turn, turn, "", (0.0, 0.0))
     axes.text(0.44, -0.44, "$M_g$", fontsize=8)
-    axes.text(
-        0.0, -2.05, "friction drawn ten times as large", fontsize=6.5, color=REFERENCE, ha="center"
-    )
+    axes.text(0.0, -2.05, "friction drawn ten times as large", fontsize=6.5, color=REFERENCE, ha="center")
 
 
 def _front(axes: Any, state: QuasistaticSolution) -> None:
@@ -194,9 +149,7 @@ def _front(axes: Any, state: QuasistaticSolution) -> None:
     for end in (np.array([0.0, pitch]), pitch * radial):
         axes.plot([0.0, end[0]], [0.0, end[1]], color=REFERENCE, linewidth=0.6)
     _arc(axes, np.zeros(2), 0.75 * pitch, (0.0, -psi), color=INK, linewidth=0.9)
-    axes.text(
-        *(0.62 * pitch * _direction(-0.5 * psi)), r"$\psi$", fontsize=9, ha="center", va="center"
-    )
+    axes.text(*(0.62 * pitch * _direction(-0.5 * psi)), r"$\psi$", fontsize=9, ha="center", va="center")
     _arrow(axes, pitch * radial, 0.6 * radial, "$e_r$", (-7.0, 2.0), FORCE_COLOUR)
     _arrow(axes, pitch * radial, 0.6 * tangential, "$e_t$", (-2.0, -11.0), FORCE_COLOUR)
     _arrow(axes, np.zeros(2), np.array([0.0, 0.6]), "$y$", (6.0, -5.0))
@@ -207,11 +160,4 @@ def _front(axes: Any, state: QuasistaticSolution) -> None:
     _arc(axes, np.zeros(2), 0.8, (pi + 0.7, pi - 0.55), color=INNER_COLOUR, linewidth=1.0)
     tip = 0.8 * _direction(pi - 0.55)
     _arrow(axes, tip, np.array([0.08, 0.07]), r"$\Omega > 0$", (-19.0, 2.0), INNER_COLOUR)
-    axes.text(
-        0.0,
-        -2.1,
-        "a radial load along +y loads the ball at ψ = 0",
-        fontsize=6.5,
-        color=REFERENCE,
-        ha="center",
-    )
+    axes.text(0.0, -2.1, "a radial load along +y loads the ball at ψ = 0", fontsize=6.5, color=REFERENCE, ha="center")
