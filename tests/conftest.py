@@ -1,0 +1,75 @@
+"""Seed of the rotating sample of slow tests, and kernels that parallel workers compile once."""
+
+from __future__ import annotations
+
+import functools
+import os
+import random
+from collections import defaultdict
+from datetime import date
+
+import pytest
+from filelock import FileLock
+
+SEED = "OILFILM_SEED"
+SHARE = 0.1  # of the slow tests of a file that are in the sample, one at least
+WORKER = "PYTEST_XDIST_WORKER" in os.environ
+
+
+def pytest_configure(config):
+    """Before workers start: they inherit the seed; and two of them with two threads each would be four."""
+    os.environ.setdefault(SEED, date.today().strftime("%Y%m%d"))
+    if getattr(config.option, "numprocesses", None):
+        os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+
+def pytest_report_header(config):
+    """The seed to set for the same sample again."""
+    return f"sample of the slow tests: {SEED}={os.environ[SEED]}"
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(items):
+    """Mark as `sample` a tenth of each file's slow tests, another one every day."""
+    slow = defaultdict(list)
+    for item in items:
+        if item.get_closest_marker("slow"):
+            slow[item.location[0]].append(item)
+    for name, tests in slow.items():
+        draw = random.Random(f"{os.environ[SEED]} {name}")
+        for item in draw.sample(tests, max(1, round(SHARE * len(tests)))):
+            item.add_marker("sample")
+
+
+@pytest.fixture(scope="session", autouse=WORKER)
+def kernels_compiled_once(tmp_path_factory):
+    """A worker that needs a kernel waits while another compiles, and finds it in the cache on disk."""
+    from numba.core.dispatcher import Dispatcher
+
+    lock = FileLock(tmp_path_factory.getbasetemp().parent / "kernels.lock")
+    plain = Dispatcher.compile
+
+    @functools.wraps(plain)
+    def compile_in_turn(self, signature):
+        with lock:
+            return plain(self, signature)
+
+    Dispatcher.compile = compile_in_turn
+    yield
+    Dispatcher.compile = plain
+
+
+@pytest.fixture(scope="session")
+def shared(tmp_path_factory, worker_id):
+    """Function `shared(name, make)`: the file that `make(path)` writes, made once for all workers."""
+    base = tmp_path_factory.getbasetemp()
+    folder = base if worker_id == "master" else base.parent
+
+    def file(name, make):
+        path = folder / name
+        with FileLock(folder / f"{name}.lock"):
+            if not path.exists():
+                make(path)
+        return path
+
+    return file
