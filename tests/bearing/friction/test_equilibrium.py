@@ -18,7 +18,7 @@ from bearing.friction.sources import BallTraction, CoulombTraction, FourConstant
 from ehl import Lubricant
 from ehl.traction.laws import CoulombLaw, four_constants
 
-from .test_random_bearings import random_bearing, random_operation
+from ..quasistatic.test_random_bearings import random_bearing, random_operation
 
 OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)  # makes contact conditions; the friction is a law's
 FOUR = FourConstantTraction(constants=four_constants(0.05, 0.03, 0.03))

@@ -18,7 +18,7 @@ from cases.format.shipped import find_case
 from cases.runs.dynamics import build_model
 from ehl.traction.table.temperature import TemperatureTable
 
-from .made_up_tables import made_up_tables
+from ..made_up_tables import made_up_tables
 
 SWEEP = 'case = "case.toml"\ncompute = "{}"\ntable = "made.zip"\n[sweep]\n"operation.axial_load_N" = [100.0, 150.0]\n'
 FOREIGN = {

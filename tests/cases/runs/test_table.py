@@ -18,7 +18,7 @@ from ehl.traction.table.build import TableOptions
 from ehl.traction.table.full_solves import FullSolve
 from postprocess.traction.results import TractionResults, _beside, traction_summary
 
-from .made_up_tables import made_up_tables
+from ..made_up_tables import made_up_tables
 
 
 def call(*arguments):

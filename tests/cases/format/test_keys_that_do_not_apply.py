@@ -14,7 +14,7 @@ from cases.checks.bearing import DEEP_GROOVE_DEG
 from cases.cli.main import app
 from cases.format.case import case_from_text, validate_text
 
-from .made_up_tables import made_up_tables
+from ..made_up_tables import made_up_tables
 
 BEARING = """\
 schema_version = 1

@@ -15,7 +15,7 @@ from cases.runs.bearing import run_case
 from cases.runs.slip import run_slip
 from postprocess import summary
 
-from .made_up_tables import made_up_tables
+from ..made_up_tables import made_up_tables
 
 TEXT = """
 schema_version = 1

@@ -29,7 +29,7 @@ from postprocess.batch.results import batch_summary
 from postprocess.main_results import main_results
 
 from .test_batch import HerePool
-from .test_batch_torque import case_text, sweep_of, without_times
+from .test_torque import case_text, sweep_of, without_times
 
 TORQUE = """
 case = "6208_five_terms"

@@ -13,7 +13,7 @@ from cases.schema.files import BearingFile, ContactFile
 from postprocess.compare.compare import _group
 from postprocess.units import UNITS, unit_of, without_unit
 
-from .test_batch import HerePool
+from ..batch.test_batch import HerePool
 
 LAW = """
 case = "6208_full_ceramic"

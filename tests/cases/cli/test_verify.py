@@ -28,7 +28,7 @@ from ehl.closed_form.film import moes_film_nijenbanning
 from ehl.conditions import moes_groups
 from ehl.scaling import scale_contact
 
-PAGES = Path(__file__).parents[2] / "docs" / "validation"
+PAGES = Path(__file__).parents[3] / "docs" / "validation"
 POINTS = (65,)
 
 
