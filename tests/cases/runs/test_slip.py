@@ -1,4 +1,4 @@
-"""`oilfilm slip`: its files, its summary, its exit codes; the physics is tested in tests/bearing/studies/test_slip.py."""
+"""`oilfilm slip`: its files, summary, exit codes; the physics is tested in tests/bearing/studies/test_slip.py."""
 
 from __future__ import annotations
 
