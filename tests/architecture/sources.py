@@ -37,4 +37,11 @@ def at(name, node):
     return f"{name}:{node.lineno}"
 
 
-__all__ = ["FILES", "LAYERS", "ROOT", "at", "layer", "nodes", "text", "tree"]
+def nothing(offenders):
+    """Whether there are no offenders; prints all that there are, which an assertion of a list would cut short."""
+    for offender in offenders.items() if isinstance(offenders, dict) else offenders:
+        print(offender)
+    return not offenders
+
+
+__all__ = ["FILES", "LAYERS", "ROOT", "at", "layer", "nodes", "nothing", "text", "tree"]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 import re
 
-from .sources import FILES, at, layer, text, tree
+from .sources import FILES, at, layer, nothing, text, tree
 
 PHYSICS = ("ehl", "bearing")
 UNIT = re.compile(r"\[[^\]\n]*\]")
@@ -31,7 +31,7 @@ def returns_numbers(node):
 
 
 def test_public_names_have_docstrings():
-    assert [label(name, node) for name, node in PUBLIC if not docstring(node)] == []
+    assert nothing([label(name, node) for name, node in PUBLIC if not docstring(node)])
 
 
 def test_quantities_have_units():
@@ -42,24 +42,32 @@ def test_quantities_have_units():
         if layer(name) in PHYSICS and returns_numbers(node) and "_kernels" not in name
     ]
     assert quantities
-    assert [label(name, node) for name, node in quantities if not UNIT.search(docstring(node))] == []
+    assert nothing([label(name, node) for name, node in quantities if not UNIT.search(docstring(node))])
+
+
+def comments(lines, field):
+    """The comment beside a field, and those on lines of their own right above it."""
+    first = field.lineno - 1
+    while lines[first - 1].lstrip().startswith("#"):
+        first -= 1
+    return [line.partition("#")[2] for line in lines[first : field.end_lineno]]
 
 
 def fields_without_unit(name, node):
-    """Fields of a class that hold numbers, with a unit neither in the comment beside them nor in its docstring."""
+    """Fields of a class that hold numbers, with a unit neither in their comment nor in its docstring."""
     if UNIT.search(docstring(node)):
         return []
     lines = text(name).splitlines()
     fields = [item for item in node.body if isinstance(item, ast.AnnAssign) and "float" in ast.unparse(item.annotation)]
-    return [item for item in fields if not UNIT.search(lines[item.lineno - 1].partition("#")[2])]
+    return [item for item in fields if not any(map(UNIT.search, comments(lines, item)))]
 
 
 def test_fields_that_are_numbers_have_units():
-    """In the comment beside the field, or in the docstring for all of them."""
+    """In the comment beside or above the field, or in the docstring for all of them."""
     offenders = [
         f"{at(name, item)} {node.name}.{item.target.id}"
         for name, node in PUBLIC
         if layer(name) in PHYSICS and isinstance(node, ast.ClassDef) and node.decorator_list
         for item in fields_without_unit(name, node)
     ]
-    assert offenders == []
+    assert nothing(offenders)

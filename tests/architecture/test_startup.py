@@ -21,7 +21,7 @@ def imported(code):
 def test_help_imports_nothing_heavy():
     code = """
 import sys
-from cases.cli import main
+from cases.cli.main import main
 sys.argv = ["oilfilm", "--help"]
 try:
     main()

@@ -93,13 +93,7 @@ def test_outside_its_range_a_lubricant_warns():
         library_lubricant("iso vg 32", 253.15)
 
 
-DIMENSIONS = {
-    "ball_diameter_mm",
-    "pitch_diameter_mm",
-    "balls",
-    "inner_groove_radius_mm",
-    "outer_groove_radius_mm",
-}
+DIMENSIONS = {"ball_diameter_mm", "pitch_diameter_mm", "balls", "inner_groove_radius_mm", "outer_groove_radius_mm"}
 
 
 def faults(name, entry):
