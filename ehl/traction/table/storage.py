@@ -1,8 +1,8 @@
 """Traction tables on disk: one npz file that knows its format, its inputs and its own content.
 
 The inputs are stored as text (JSON of the dataclasses) with their SHA-256; so is the digest of the
-arrays. A file that is no such table, of another format, damaged, or made for other inputs than
-asked for is refused.
+arrays. A file that is no such table, of another format, damaged, or built for other inputs than
+requested is refused.
 """
 
 import json
@@ -12,20 +12,42 @@ import zlib
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from hashlib import sha256
-from importlib import import_module
 from math import isfinite
 from pathlib import Path
 from typing import IO, Any
 
 import numpy as np
 
-from .table import TableContact, TableRange, TractionTable
+from ...oil.free_volume import DoolittleFreeVolume, ExpansivityForm, TaitVolume, YasutomiGlass
+from ...oil.lubricant import DensityLaw, Lubricant, ThermalProperties, ViscosityLaw
+from ...oil.rheology import Rheology, ShearLaw
+from ...solid.heat import SolidThermal
+from .table import FullSolve, TableContact, TableError, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
 # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films
 FORMAT_VERSION = 3
 ARRAYS = ("axes", "scalars", "values")
 PLAIN = ("points", "kappa_max", "films", "converged", "message")
+# names of the types in a file of this format; they stay where a class moves or is renamed
+TYPES: dict[str, Any] = {
+    "ehl.free_volume:DoolittleFreeVolume": DoolittleFreeVolume,
+    "ehl.free_volume:ExpansivityForm": ExpansivityForm,
+    "ehl.free_volume:TaitVolume": TaitVolume,
+    "ehl.free_volume:YasutomiGlass": YasutomiGlass,
+    "ehl.lubricant:DensityLaw": DensityLaw,
+    "ehl.lubricant:Lubricant": Lubricant,
+    "ehl.lubricant:ThermalProperties": ThermalProperties,
+    "ehl.lubricant:ViscosityLaw": ViscosityLaw,
+    "ehl.rheology.laws:Rheology": Rheology,
+    "ehl.rheology.laws:ShearLaw": ShearLaw,
+    "ehl.thermal.solids:SolidThermal": SolidThermal,
+    "ehl.traction.table:FullSolve": FullSolve,
+    "ehl.traction.table:TableContact": TableContact,
+    "ehl.traction.table:TableError": TableError,
+    "ehl.traction.table:TableRange": TableRange,
+}
+NAMES = {kind: name for name, kind in TYPES.items()}
 
 
 def inputs_digest(contact: TableContact, limits: TableRange, points: int) -> str:
@@ -104,8 +126,8 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
         raise ValueError(f"{path}: no traction table")
     if document.get("format_version") != FORMAT_VERSION:
         raise ValueError(
-            f"{path}: format version {document.get('format_version')}, this program reads {FORMAT_VERSION}; "
-            "make the table again"
+            f"{path}: format version {document.get('format_version')}, this program reads "
+            f"{FORMAT_VERSION}; make the table again"
         )
     try:
         parts = {
@@ -113,7 +135,7 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
             for name in ("contact", "range", "error", "full_solves")
         }
         table = TractionTable(**parts, **arrays, **{name: document[name] for name in PLAIN})
-    except (KeyError, TypeError, AttributeError, ImportError, ValueError) as problem:
+    except (KeyError, TypeError, AttributeError, ValueError) as problem:
         raise ValueError(
             f"{path}: damaged, or written by another version of this program"
         ) from problem
@@ -136,35 +158,25 @@ def _content(table: TractionTable) -> str:
 
 def _plain(value: Any) -> Any:
     """Dataclasses and enumerations as tables that name their type, infinities as text."""
-    kind = f"{type(value).__module__}:{type(value).__qualname__}"
     if isinstance(value, Enum):
-        return {"type": kind, "value": value.value}
-    if is_dataclass(value) and not isinstance(value, type):
-        return {
-            "type": kind,
-            **{field.name: _plain(getattr(value, field.name)) for field in fields(value)},
-        }
+        return {"type": NAMES[type(value)], "value": value.value}
+    if is_dataclass(value):
+        parts = {field.name: _plain(getattr(value, field.name)) for field in fields(value)}
+        return {"type": NAMES[type(value)], **parts}
     if isinstance(value, tuple | list):
         return [_plain(part) for part in value]
     return str(value) if isinstance(value, float) and not isfinite(value) else value
 
 
 def _restored(value: Any) -> Any:
-    """The inverse of `_plain`; only types of this package are made."""
+    """The inverse of `_plain`."""
     if isinstance(value, list):
         return tuple(_restored(part) for part in value)
     if value in ("inf", "-inf", "nan"):
         return float(value)
     if not isinstance(value, dict):
         return value
-    module, _, name = value["type"].partition(":")
-    root = __name__.partition(".")[0]
-    if not module.startswith(f"{root}."):
-        raise ValueError(f"a table holds no {value['type']}")
-    kind: Any = getattr(import_module(module), name)
+    kind = TYPES[value["type"]]
     if issubclass(kind, Enum):
         return kind(value["value"])
-    if not is_dataclass(kind):
-        raise ValueError(f"a table holds no {value['type']}")
-    make: Any = kind
-    return make(**{key: _restored(part) for key, part in value.items() if key != "type"})
+    return kind(**{key: _restored(part) for key, part in value.items() if key != "type"})

@@ -38,6 +38,7 @@ CIRCLE = TableContact(
     curvature_difference=50.0,
 )
 LIMITS = TableRange(load=(40.0, 80.0), speed=(1.0, 2.0), slide_x=0.5, slide_y=0.3, spin=0.3)
+DIGEST = "38b067174cd46b74cdd2263438437c00df9b4c643831b29aa112d8d04e546c7a"  # of both, in files of format 3
 OPTIONS = TableOptions(points=65, tolerance=0.02, check_films=3, check_motions=40, rounds=1, nodes=(5, 4, 21, 9, 13))
 
 
@@ -195,6 +196,17 @@ def test_heat_and_full_solves_are_kept(table, tmp_path):
     assert np.isnan(found.full_solves[1].in_full)
     with pytest.raises(ValueError, match="another contact, oil"):
         load_table(tmp_path / "table.npz", inputs_digest(CIRCLE, LIMITS, 65))
+
+
+def test_types_keep_their_names_in_files(table, tmp_path):
+    """Those of format 3, wherever the classes stand: files written before stay readable, and their digests equal."""
+    save_table(table, tmp_path / "table.npz")
+    with np.load(tmp_path / "table.npz") as file:
+        document = json.loads(str(file["document"]))
+    assert document["contact"]["type"] == "ehl.traction.table:TableContact"
+    assert document["contact"]["lubricant"]["viscosity_law"]["type"] == "ehl.lubricant:ViscosityLaw"
+    assert document["contact"]["rheology"]["law"]["type"] == "ehl.rheology.laws:ShearLaw"
+    assert inputs_digest(CIRCLE, LIMITS, 65) == DIGEST
 
 
 def test_files_of_an_older_format_are_refused(table, tmp_path):
