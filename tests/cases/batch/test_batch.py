@@ -264,7 +264,7 @@ def test_a_failing_point_is_recorded_and_does_not_stop_the_others(tmp_path, monk
     from cases.runs import bearing as module
 
     original = module.run_case
-    monkeypatch.setattr(module, "run_case", run)
+    monkeypatch.setattr("cases.batch.compute.run_case", run)
     batch = run_batch(sweep, tmp_path / "out", HerePool)
     results = gathered(batch)
     assert bad["operation"]["radial_load_N"] == 1750.0
@@ -387,7 +387,7 @@ def test_contacts_equal_in_several_points_are_solved_once(tmp_path, monkeypatch)
         return original(conditions, options)
 
     original = ehl.solve_contact
-    monkeypatch.setattr(ehl, "solve_contact", solve)
+    monkeypatch.setattr("cases.batch.contact_cache.solve_contact", solve)
     results = gathered(run_batch(sweep_from_text(text, "sweep.toml"), tmp_path / "out", HerePool))
     assert len(solved) == 2  # both races of one ball, for two points
     first, second = (point.summary["contacts"] for point in results.points)

@@ -244,15 +244,13 @@ def test_a_failure_of_the_machine_is_one_line_and_a_log(error, expected, monkeyp
 def test_not_converged_is_written_flagged_and_told(monkeypatch, tmp_path):
     import dataclasses
 
-    import bearing.quasistatic
-
-    solve = bearing.quasistatic.solve_quasistatic
+    from bearing import solve_quasistatic as solve
 
     def fail(*arguments, **options):
         solved = solve(*arguments, **options)
         return dataclasses.replace(solved, converged=False, message="the load exceeds every capacity")
 
-    monkeypatch.setattr(bearing.quasistatic.solver, "solve_quasistatic", fail)
+    monkeypatch.setattr("cases.runs.bearing.solve_quasistatic", fail)
     answer = oilfilm("run", AT_REST, "-o", "out", "--quiet")
     assert answer.exit_code == 1
     assert "the load exceeds every capacity" in answer.stderr

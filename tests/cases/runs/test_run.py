@@ -10,6 +10,7 @@ from types import SimpleNamespace
 import pytest
 
 import ehl
+from bearing import solve_quasistatic
 from cases import load_case, run_case, run_contact
 from cases.runs.bearing import Interrupted
 from cases.runs.films import equal_contacts
@@ -43,10 +44,16 @@ def unsheared(monkeypatch):
     monkeypatch.setattr("cases.runs.contact._contact_traction", lambda *_: None)
 
 
+def replace_solver(monkeypatch, stand_in):
+    """Solve films by a stand-in, in runs of bearings and of single contacts."""
+    for module in ("cases.format.film_model", "cases.runs.films"):
+        monkeypatch.setattr(f"{module}.solve_contact", stand_in)
+
+
 @pytest.fixture
 def solver(monkeypatch):
     stand_in = Solver()
-    monkeypatch.setattr(ehl, "solve_contact", stand_in, raising=False)
+    replace_solver(monkeypatch, stand_in)
     return stand_in
 
 
@@ -80,14 +87,12 @@ def test_film_maps(solver):
 
 
 def test_no_films_without_equilibrium(solver, monkeypatch):
-    import bearing.quasistatic
-
-    solve = bearing.quasistatic.solve_quasistatic
+    solve = solve_quasistatic
 
     def fail(*arguments, **named):
         return dataclasses.replace(solve(*arguments, **named), converged=False, message="no equilibrium")
 
-    monkeypatch.setattr(bearing.quasistatic.solver, "solve_quasistatic", fail)
+    monkeypatch.setattr("cases.runs.bearing.solve_quasistatic", fail)
     results = run_case(load_case(CASE))
     assert solver.asked == []
     assert not results.converged
@@ -102,7 +107,7 @@ def test_progress_counts_to_the_end(solver):
 
 
 def test_a_stopped_run_keeps_the_finished_films(monkeypatch):
-    monkeypatch.setattr(ehl, "solve_contact", Solver(stop_after=2), raising=False)
+    replace_solver(monkeypatch, Solver(stop_after=2))
     with pytest.raises(Interrupted) as stop:
         run_case(load_case(CASE), workers=1)
     results = stop.value.results
@@ -111,7 +116,7 @@ def test_a_stopped_run_keeps_the_finished_films(monkeypatch):
 
 
 def test_a_run_stopped_at_once_has_nothing_to_keep(monkeypatch):
-    monkeypatch.setattr(ehl, "solve_contact", Solver(stop_after=0), raising=False)
+    replace_solver(monkeypatch, Solver(stop_after=0))
     with pytest.raises(Interrupted) as stop:
         run_case(load_case(CASE), workers=1)
     assert stop.value.results is None
