@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from postprocess.units import unit_of
+from ehl.units import unit_of
 
 ROOT = Path(__file__).parents[1]
 DOCS = ROOT / "docs"

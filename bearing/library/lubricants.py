@@ -13,11 +13,11 @@ from typing import Any
 
 from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
 from ehl.oil.lubricant import ROELANDS_LOG_OFFSET, Lubricant, ThermalProperties, ViscosityLaw
+from ehl.units import ZERO_CELSIUS
 
 from .names import matching_name
 
 PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
-ZERO_CELSIUS = 273.15  # [K]
 STEP = 0.5  # of the differences that give the temperature coefficients [K]
 CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
 

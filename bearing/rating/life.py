@@ -10,12 +10,13 @@ bearing). For any other material no life is given.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import degrees, hypot, pi, radians
+from math import degrees, hypot, radians
 
 import numpy as np
 
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.lubricant import Lubricant
+from ehl.units import RPM
 
 from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from ..material import MaterialKind
@@ -48,7 +49,6 @@ A_ISO_PIECES = (  # kappa up to, constant, exponent [-]; continuous at 0.4 and 1
 )
 LIGHT_ENOUGH = 0.5  # P/C_r up to which the life formula holds [-]
 # in SI
-RPM = 2.0 * pi / 60.0
 MM = 1e-3
 
 

@@ -6,14 +6,14 @@ import tomllib
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
-from math import pi
 from typing import Any
+
+from ehl.units import RPM
 
 # in SI
 MM = 1e-3
 N_MM = 1e-3
 MM2_S = 1e-6
-RPM = 2.0 * pi / 60.0
 BRANCH = 2000.0  # nu n [mm^2/s r/min] from which the viscous moment rises with the speed
 
 

@@ -13,11 +13,12 @@ from importlib.resources import files
 from math import acos, exp, pi, radians, sin, sqrt
 from typing import Any
 
+from ehl.units import RPM
+
 # in SI
 MM = 1e-3
 N_MM = 1e-3
 MM2_S = 1e-6
-RPM = 2.0 * pi / 60.0
 BOUNDARY_FRICTION = 0.12  # mu_bl of a running bearing, 2018 edition; 0.15 at the start
 # K_rs
 STARVATION_OIL = 3e-8

@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator
 
+from ehl.units import unit_of
 from postprocess.main_results import result_names
-from postprocess.units import unit_of
 
 from ..format.problems import Problem, nearest_name, shown
 

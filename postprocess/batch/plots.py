@@ -11,11 +11,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ehl.solution import Array
+from ehl.units import unit_of, without_unit
 
 from ..bearing.plots_torque import LABELS
 from ..main_results import main_results
 from ..plot_style import INK, PAGE_WIDTH, RC, REFERENCE, save
-from ..units import unit_of, without_unit
 from .points import BatchPoint, BatchResults
 from .results import scalar_numbers
 

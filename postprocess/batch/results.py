@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from ehl.units import unit_of
+
 from ..files import Variables, atomic_path, write_dataset
 from ..main_results import main_results
-from ..units import unit_of
 from .points import BatchPoint, BatchResults
 from .sensitivity import bands, sensitivities
 

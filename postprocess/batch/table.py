@@ -7,8 +7,9 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
+from ehl.units import unit_of, without_unit
+
 from ..main_results import main_results
-from ..units import unit_of, without_unit
 from .points import BatchPoint, BatchResults
 from .sensitivity import bands, sensitivities
 

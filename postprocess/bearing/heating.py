@@ -3,8 +3,9 @@
 from collections.abc import Iterator
 from typing import Any
 
+from ehl.units import MICROMETRE, NEWTON_MILLIMETRE, ZERO_CELSIUS
+
 from ..results import BearingResults
-from ..units import MICROMETRE, NEWTON_MILLIMETRE, ZERO_CELSIUS
 
 KEYS = ("temperature_C", "torque_N_mm", "power_W", "oil_W", "viscosity_mPa_s", "clearance_um")
 

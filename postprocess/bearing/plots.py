@@ -12,6 +12,7 @@ from matplotlib.figure import Figure
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
+from ehl.units import GIGAPASCAL, MICROMETRE
 
 from ..contact.plots import draw_map
 from ..contact.view import ContactView, contact_view
@@ -28,7 +29,6 @@ from ..plot_style import (
     film_ticks,
 )
 from ..results import BearingResults
-from ..units import GIGAPASCAL, MICROMETRE
 
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
 ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]

@@ -11,10 +11,10 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from bearing.torque.models import ModelTorque
+from ehl.units import NEWTON_MILLIMETRE, RPM
 
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE
 from ..results import BearingResults
-from ..units import NEWTON_MILLIMETRE, RPM
 
 LABELS = {
     "integrated": "integrated films",

@@ -5,9 +5,9 @@ from typing import Any
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
+from ehl.units import MICROMETRE, MILLIMETRE, NEWTON_MILLIMETRE, RPM
 
 from ..results import BearingResults
-from ..units import MICROMETRE, MILLIMETRE, NEWTON_MILLIMETRE, RPM
 
 FREQUENCIES = ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin")
 

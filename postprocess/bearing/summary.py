@@ -7,6 +7,7 @@ from typing import Any
 from bearing.contacts.contacts import BearingContact
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
+from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, MILLIRADIAN, NEWTON_MILLIMETRE, RPM
 
 from ..contact.messages import absent_films, combined_roughness, lambda_ratio, ratio_messages
 from ..contact.rolling import rolling_messages, rolling_values
@@ -14,7 +15,6 @@ from ..contact.stress import stress_messages, stress_values
 from ..contact.summary import film_temperature_maximum, films, formulas, solution_messages
 from ..contact.supply import starved_values, supply_block, supply_messages
 from ..results import BearingResults, distinct_contacts
-from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE, MILLIRADIAN, NEWTON_MILLIMETRE, RPM
 from .heating import heating_block, heating_messages
 from .ratings import clearance_block, life_block, rating_messages
 from .rows import frequency_block, kinematic_block, row_blocks, row_messages

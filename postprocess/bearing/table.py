@@ -9,12 +9,12 @@ from rich.text import Text
 
 from bearing.contacts.contacts import BearingContact
 from ehl import ContactSolution
+from ehl.units import GIGAPASCAL, MICROMETRE, RPM
 
 from ..contact.messages import lambda_ratio
 from ..contact.supply import supply_rows
 from ..results import BearingResults, ContactResults
 from ..text import value_with_error
-from ..units import GIGAPASCAL, MICROMETRE, RPM
 from .ratings import rating_rows
 from .rows import frequency_lines, row_lines
 from .torque import torque_rows

@@ -5,11 +5,11 @@ from typing import Any
 
 from bearing.operation import BallKinematics
 from bearing.torque.breakdown import TorqueBreakdown
+from ehl.units import NEWTON_MILLIMETRE
 
 from ..contact.rolling import rolling_block
 from ..contact.summary import traction_values
 from ..results import BearingResults
-from ..units import NEWTON_MILLIMETRE
 
 MODELS = {
     "integrated": ("rolling", "sliding", "spin", "curvature", "asperity", "cage", "drag"),

@@ -8,9 +8,10 @@ from math import hypot, inf
 from pathlib import Path
 from typing import Any, TypeGuard
 
+from ehl.units import unit_of
+
 from ..main_results import main_results
 from ..report.page import read_summary
-from ..units import unit_of
 
 NOT_COMPARED = ("oilfilm", "case", "messages", "timing_s", "sweep", "file", "resumed", "key")
 OF_THE_SOLUTION = (

@@ -5,9 +5,9 @@ from collections.abc import Iterator
 from bearing.torque.rolling_extent import RollingExtent, rolling_extent, rolling_moments
 from ehl import ContactSolution
 from ehl.traction.rolling_moment import RollingMoment, rolling_moment
+from ehl.units import MILLIMETRE, NEWTON_MILLIMETRE
 
 from ..results import BearingResults
-from ..units import MILLIMETRE, NEWTON_MILLIMETRE
 
 CONTACT_KEYS = (
     "rolling_moment_N_mm",

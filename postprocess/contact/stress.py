@@ -5,10 +5,10 @@ from collections.abc import Iterator
 from bearing.contacts.contacts import BearingContact
 from bearing.contacts.stress import contact_stress
 from bearing.quasistatic.solution import QuasistaticSolution
+from ehl.units import GIGAPASCAL, MILLIMETRE
 
 from ..results import BearingResults
 from ..text import listed
-from ..units import GIGAPASCAL, MILLIMETRE
 
 STRESS_KEYS = (
     "mean_pressure_GPa",

@@ -7,9 +7,9 @@ from typing import Any
 from ehl import ContactConditions, ContactSolution, ViscosityLaw
 from ehl.closed_form import film as film_formulas
 from ehl.traction.shear import TractionResult
+from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, NEWTON_MILLIMETRE, ZERO_CELSIUS
 
 from ..results import ContactResults
-from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE, NEWTON_MILLIMETRE, ZERO_CELSIUS
 from .messages import doubt_messages
 from .rolling import contact_rolling_messages, contact_rolling_values
 from .supply import contact_starved_values, contact_supply_messages

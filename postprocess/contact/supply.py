@@ -10,9 +10,9 @@ from bearing.supply.starved_films import StarvedFilm, of_driven_balls
 from bearing.supply.supply import compression, starvation_exponent, starved_share
 from bearing.torque.breakdown import TorqueBreakdown
 from ehl import ContactConditions
+from ehl.units import MICROMETRE, NEWTON_MILLIMETRE
 
 from ..results import BearingResults, ContactResults
-from ..units import MICROMETRE, NEWTON_MILLIMETRE
 
 KEYS = (
     "film_share",

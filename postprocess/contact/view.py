@@ -7,6 +7,7 @@ import numpy as np
 
 from ehl import ContactSolution
 from ehl.solution import Array
+from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
 from ..plot_style import (
     QUIET_PRESSURE,
@@ -16,7 +17,6 @@ from ..plot_style import (
     STRETCHED,
     film_range,
 )
-from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from .frame import within
 
 

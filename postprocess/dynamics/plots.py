@@ -13,9 +13,9 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from bearing.dynamics.outcome import INPUTS, LOSSES
+from ehl.units import MICROMETRE, RPM
 
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
-from ..units import MICROMETRE, RPM
 from .history import open_history
 
 RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))

@@ -18,9 +18,9 @@ from bearing.dynamics.outcome import (
     outcome,
 )
 from bearing.dynamics.simulation import Simulation
+from ehl.units import RPM
 
 from ..files import SUMMARY_FILE, write_json
-from ..units import RPM
 from .history import HISTORY_FILE
 from .plots import plot_dynamics
 

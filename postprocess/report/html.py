@@ -9,7 +9,7 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from ..units import unit_of, without_unit
+from ehl.units import unit_of, without_unit
 
 NOTHING = "–"
 SYMBOLS = {

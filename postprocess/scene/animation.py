@@ -19,10 +19,10 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from bearing import Bearing, load_material
+from ehl.units import MILLIMETRE
 
 from ..dynamics.history import open_history
 from ..files import atomic_path
-from ..units import MILLIMETRE
 from .geometry import Surface, ball_surface, grid_quads, merge, ring_surface
 from .rendering import PATIENCE, RenderingError, advice, run_python
 from .vtk import collection_text

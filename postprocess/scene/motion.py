@@ -8,7 +8,8 @@ from typing import Any
 
 from PIL import Image
 
-from ..units import GIGAPASCAL
+from ehl.units import GIGAPASCAL
+
 from .parts import INK, look_at
 from .patch import Patch
 

@@ -16,8 +16,9 @@ import numpy as np
 import pyvista as pv
 import xarray
 
+from ehl.units import MILLIMETRE
+
 from ..plot_style import colour_stops, film_ticks
-from ..units import MILLIMETRE
 from .parts import INK, Array, label_places
 
 OFFLINE = """<meta http-equiv="Content-Security-Policy" content="img-src data: blob:; connect-src data: blob:">"""

@@ -9,8 +9,9 @@ import pyvista as pv
 import xarray
 from numpy.typing import NDArray
 
+from ehl.units import MILLIMETRE
+
 from ..plot_style import COLOUR_MAPS
-from ..units import MILLIMETRE
 from .vtk import COLLECTION_FILE
 
 Array = NDArray[np.float64]

@@ -9,10 +9,11 @@ import numpy as np
 import xarray
 from numpy.typing import NDArray
 
+from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
+
 from ..contact.frame import principal_coordinates
 from ..contact.view import half_extents, shown_part
 from ..plot_style import film_range
-from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from .geometry import ContactFrame, Placement, crop_to_ball, place_patch
 from .vtk import add_point_data, structured_grid
 

@@ -19,10 +19,11 @@ import pyvista as pv
 import xarray
 from numpy.typing import NDArray
 
+from ehl.units import MILLIMETRE
+
 from ..files import atomic_path
 from ..plot_style import common_film_range, film_range
 from ..reader import open_results
-from ..units import MILLIMETRE
 from .geometry import Placement
 from .motion import FACTS, add_controls, patch_facts, write_movie
 from .page import ColourBar, add_flat_labels, add_words

@@ -18,11 +18,11 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLStructuredGridWriter
 
 from bearing.contacts.contacts import BearingContact
 from ehl import ContactSolution
+from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 from ..contact.frame import principal_coordinates
 from ..files import atomic_path, contact_name
 from ..results import BearingResults, ContactResults
-from ..units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 from .geometry import (
     SET_BACK,
     ContactFrame,

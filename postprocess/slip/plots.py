@@ -14,9 +14,9 @@ from matplotlib.figure import Figure
 
 from bearing.studies.slip import CriticalCurves, slip_factors
 from ehl.solution import Array
+from ehl.units import RPM
 
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
-from ..units import RPM
 from .results import SlipResults
 
 KRPM = 1000.0 * RPM

@@ -17,9 +17,9 @@ from rich.text import Text
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.studies.slip import CriticalCurves, SlipSurface, slip_factors
 from ehl.solution import Array
+from ehl.units import RPM
 
 from ..files import Variables, root_attributes, write_dataset
-from ..units import RPM
 
 MOST_ROWS = 11  # speeds listed in the terminal
 

@@ -6,8 +6,9 @@ from pathlib import Path
 
 import numpy as np
 
+from ehl.units import RPM
+
 from ..files import FIELDS_FILE, SUMMARY_FILE, atomic_path, write_json
-from ..units import RPM
 from .results import SlipResults, slip_summary, write_slip_netcdf
 
 

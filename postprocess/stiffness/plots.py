@@ -6,8 +6,9 @@ from typing import Any
 import matplotlib as mpl
 from matplotlib.figure import Figure
 
+from ehl.units import RPM
+
 from ..plot_style import PAGE_WIDTH, RC, save
-from ..units import RPM
 from .results import ORDER, StiffnessResults
 
 PLOT_FILE = "stiffness.png"

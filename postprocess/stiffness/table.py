@@ -7,7 +7,8 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from ..units import RPM
+from ehl.units import RPM
+
 from .results import StiffnessResults
 
 ROUND_OFF = 1e-9  # of the largest entry: shown as zero [-]

@@ -8,9 +8,9 @@ from typing import Any
 import numpy as np
 
 from bearing.studies.stiffness import ross_table
+from ehl.units import RPM
 
 from ..files import FIELDS_FILE, SUMMARY_FILE, atomic_path, write_json
-from ..units import RPM
 from .plots import write_stiffness_plot
 from .results import (
     ORDER,

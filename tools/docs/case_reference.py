@@ -8,7 +8,7 @@ from typing import Any
 
 from cases.format.problems import allowed_values, resolved
 from cases.schema.files import BearingFile, ContactFile
-from postprocess.units import unit_of
+from ehl.units import unit_of
 
 DOCS = Path(__file__).parents[2] / "docs"
 PAGE = DOCS / "reference" / "cases.md"

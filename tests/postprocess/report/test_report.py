@@ -10,12 +10,12 @@ from html.parser import HTMLParser
 
 import pytest
 
+from ehl.units import unit_of, without_unit
 from postprocess import write_results
 from postprocess.files import SUMMARY_FILE
 from postprocess.report.html import number, text
 from postprocess.report.page import report_page, write_report
 from postprocess.report.svg import stacked_bars
-from postprocess.units import unit_of, without_unit
 
 VOID = {"meta", "img", "br", "rect", "line"}
 CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.which("chromium-browser")

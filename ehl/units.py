@@ -1,0 +1,156 @@
+"""Units of named numbers: the last words of a key say its unit, `film_minimum_um` is in micrometres.
+
+The one registry for case files, summaries, tables, netCDF attributes and pictures.
+"""
+
+from dataclasses import dataclass
+from math import pi
+from typing import Any
+
+NANOMETRE = 1e-9  # [m]
+MICROMETRE = 1e-6  # [m]
+MILLIMETRE = 1e-3  # [m]
+KILONEWTON = 1e3  # [N]
+NEWTON_MILLIMETRE = 1e-3  # [N m]
+MEGAPASCAL = 1e6  # [Pa]
+GIGAPASCAL = 1e9  # [Pa]
+MILLIRADIAN = 1e-3  # [rad]
+RPM = 2.0 * pi / 60.0  # [rad/s]
+ZERO_CELSIUS = 273.15  # [K]
+MILLION = 1e6  # revolutions of a rating life [-]
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """A unit of keys: its text and its scale."""
+
+    text: str
+    si: float = 1.0  # of one unit [SI]
+    zero: float = 0.0  # of zero units [SI]
+
+
+UNITS = {
+    "N": Unit("N"),
+    "kN": Unit("kN", KILONEWTON),
+    "mm": Unit("mm", MILLIMETRE),
+    "um": Unit("um", MICROMETRE),
+    "g": Unit("g", 1e-3),
+    "kg": Unit("kg"),
+    "g_mm": Unit("g mm", 1e-6),
+    "g_mm2": Unit("g mm2", 1e-9),
+    "deg": Unit("deg", pi / 180.0),
+    "mrad": Unit("mrad", MILLIRADIAN),
+    "rad_s": Unit("rad/s"),
+    "rpm": Unit("rpm", RPM),
+    "Hz": Unit("Hz"),
+    "C": Unit("degC", 1.0, ZERO_CELSIUS),
+    "K": Unit("K"),
+    "s": Unit("s"),
+    "ms": Unit("ms", 1e-3),
+    "us": Unit("us", 1e-6),
+    "m_s": Unit("m/s"),
+    "m_s2": Unit("m/s2"),
+    "N_s_m": Unit("N s/m"),
+    "mL_min": Unit("mL/min", 1e-6 / 60.0),
+    "J": Unit("J"),
+    "W": Unit("W"),
+    "W_K": Unit("W/K"),
+    "W_m_K": Unit("W/(m K)"),
+    "J_kg_K": Unit("J/(kg K)"),
+    "N_mm": Unit("N mm", NEWTON_MILLIMETRE),
+    "MPa": Unit("MPa", MEGAPASCAL),
+    "GPa": Unit("GPa", GIGAPASCAL),
+    "GPa_m_s": Unit("GPa m/s", GIGAPASCAL),
+    "1_GPa": Unit("1/GPa", 1e-9),
+    "1_K": Unit("1/K"),
+    "mPa_s": Unit("mPa s", 1e-3),
+    "mm2_s": Unit("mm2/s", 1e-6),
+    "kg_m3": Unit("kg/m3"),
+    "um_m_K": Unit("um/(m K)", 1e-6),
+    "Mrev": Unit("10^6 rev", MILLION),
+}
+NO_UNIT = Unit("")
+# last words of keys that have no unit, whatever block they stand in
+DIMENSIONLESS = frozenset(
+    "coefficient ratio share fraction factor exponent imbalance error number count "
+    "converged equilibrium resolved".split()
+)
+LONGEST = max(suffix.count("_") for suffix in UNITS) + 1  # words of a unit
+SYMBOLS = {"um": "µm", "degC": "°C"}  # in pictures
+
+
+def _split(key: str) -> tuple[list[str], Unit | None]:
+    """Words of a key before its unit, and the unit; the longest that fits."""
+    words = key.split("_")
+    for count in range(min(LONGEST, len(words) - 1), 0, -1):
+        unit = UNITS.get("_".join(words[-count:]))
+        if unit is not None:
+            return words[:-count], unit
+    return words, None
+
+
+def unit(path: str) -> Unit:
+    """Unit of a dotted path: that of the last part that ends in one, `NO_UNIT` if none does.
+
+    What has no unit by its name takes none from the block it stands in.
+    """
+    for part in reversed(path.split(".")):
+        words, found = _split(part)
+        if found is not None:
+            return found
+        if words[-1] in DIMENSIONLESS:
+            break
+    return NO_UNIT
+
+
+def unit_of(path: str) -> str:
+    """Text of the unit of a dotted path, empty if it has none.
+
+    >>> unit_of("torque_N_mm.models.skf.total")
+    'N mm'
+    >>> unit_of("torque_N_mm.coulomb_coefficient")
+    ''
+    """
+    return unit(path).text
+
+
+def unit_symbol(path: str) -> str:
+    """As `unit_of`, with the signs of pictures: `µm`, `°C`."""
+    text = unit_of(path)
+    return SYMBOLS.get(text, text)
+
+
+def without_unit(key: str) -> str:
+    """A key in words, its unit taken off: `film_minimum_um` is `film minimum`."""
+    return " ".join(_split(key)[0])
+
+
+def si_factor(key: str) -> float:
+    """Value of one unit of a key [SI]."""
+    return unit(key).si
+
+
+def from_si(key: str, value: Any) -> Any:
+    """A number or an array in SI, in the unit of its key; None stays None.
+
+    >>> from_si("film_minimum_um", 2.5e-7)
+    0.25
+    """
+    if value is None:
+        return None
+    own = unit(key)
+    if own.text == "deg":  # as `math.degrees`, which divides nothing
+        return value * (180.0 / pi)
+    return (value - own.zero) / own.si if own.zero or own.si != 1.0 else value
+
+
+def to_si(key: str, value: Any) -> Any:
+    """A number or an array in the unit of its key, in SI; None stays None.
+
+    >>> to_si("temperature_C", 40.0)
+    313.15
+    """
+    if value is None:
+        return None
+    own = unit(key)
+    return value * own.si + own.zero if own.zero or own.si != 1.0 else value

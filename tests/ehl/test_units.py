@@ -1,0 +1,42 @@
+"""Numbers of named units in SI and back."""
+
+from math import degrees, pi
+
+import numpy as np
+import pytest
+
+from ehl.units import UNITS, from_si, si_factor, to_si, unit_of, unit_symbol
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "si"),
+    [
+        ("film_minimum_um", 0.25, 2.5e-7),
+        ("temperature_C", 40.0, 313.15),
+        ("inner_speed_rpm", 60.0, 2.0 * pi),
+        ("tilt_deg", 180.0, pi),
+        ("supply_mL_min", 60.0, 1e-6),
+        ("pressure_sliding_maximum_GPa_m_s", 2.0, 2e9),
+        ("ratio", 0.5, 0.5),
+    ],
+)
+def test_values_of_keys_in_si(key, value, si):
+    assert to_si(key, value) == pytest.approx(si, rel=1e-15)
+    assert from_si(key, si) == pytest.approx(value, rel=1e-15)
+
+
+def test_every_unit_returns_what_went_in():
+    values = np.array([-3.0, 0.0, 17.0])
+    for suffix, unit in UNITS.items():
+        key = f"anything_{suffix}"
+        assert unit_of(key) == unit.text
+        assert si_factor(key) == unit.si
+        np.testing.assert_allclose(from_si(key, to_si(key, values)), values, rtol=1e-15, atol=1e-12)
+
+
+def test_null_and_signs():
+    assert from_si("load_N", None) is None
+    assert to_si("load_N", None) is None
+    assert from_si("azimuth_deg", 0.7) == degrees(0.7)
+    assert unit_symbol("film_minimum_um") == "µm"
+    assert unit_symbol("temperature_C") == "°C"
