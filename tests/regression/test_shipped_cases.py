@@ -1,5 +1,8 @@
 """Every shipped case: complete, valid, and with the numbers it had when they were last looked at.
 
+Cases with films are run on a coarse grid; on the grid that they ask for among the slow tests, and quickly where they
+take no time.
+
 The numbers are ours, not a reference: a change of them is to be understood, then written down by
 `python tests/regression/test_shipped_cases.py`. Loads and pressures follow from closed equations and are kept to 1e-6,
 films to 0.5 %, which covers a change of grid or of extrapolation, not one of physics.
@@ -9,6 +12,7 @@ from __future__ import annotations
 
 import json
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -25,15 +29,19 @@ QUICK += ("6206_axial_500N", "6206_radial_500N", "6206_combined_1000N", "6208_oi
 QUICK += ("6208_oil_supply", "6208_self_heating", "6208_with_heat")  # no films
 QUICK += ("7008_axial", "7008_radial", "7008_combined", "6304_planar")  # of the dynamics: loads at the start
 EXPECTED = Path(__file__).with_name("expected.json")
+COARSE = Path(__file__).with_name("expected_coarse.json")
+COARSE_POINTS = 65
 CLOSED, FILM = 1e-6, 5e-3
 NOISE = 1e-6  # of values that are zero, in the unit of their key
 
 
-def numbers(stem):
-    """The main results of a case, by key."""
+def numbers(stem, points=None):
+    """The main results of a case, by key, with its own points along x or others."""
     from postprocess import summary
 
     case = load_case(stem)
+    if points is not None:
+        case = replace(case, solver=replace(case.solver, points=points))
     found = summary(run_case(case) if isinstance(case, Case) else run_contact(case))
     if not isinstance(case, Case):
         films = ("film_central_dimensionless", "film_minimum_dimensionless", "film_central_um", "film_minimum_um")
@@ -67,12 +75,39 @@ def test_a_case_says_what_it_is_and_where_its_numbers_come_from(stem):
     "stem", [stem if stem in QUICK else pytest.param(stem, marks=pytest.mark.slow) for stem in STEMS]
 )
 def test_numbers(stem):
-    expected, found = json.loads(EXPECTED.read_text(encoding="utf-8"))[stem], numbers(stem)
+    compare(numbers(stem), json.loads(EXPECTED.read_text(encoding="utf-8"))[stem])
+
+
+@pytest.mark.parametrize("stem", json.loads(COARSE.read_text(encoding="utf-8")))
+def test_numbers_on_a_coarse_grid(stem):
+    compare(numbers(stem, COARSE_POINTS), json.loads(COARSE.read_text(encoding="utf-8"))[stem])
+
+
+def test_every_case_with_films_has_numbers_on_a_coarse_grid():
+    assert films() == list(json.loads(COARSE.read_text(encoding="utf-8")))
+
+
+def films():
+    """Cases that have a film among their expected numbers."""
+    expected = json.loads(EXPECTED.read_text(encoding="utf-8"))
+    return [stem for stem in STEMS if any("film" in key and value is not None for key, value in expected[stem].items())]
+
+
+def compare(found, expected):
     assert found.keys() == expected.keys()
+    offenders = {}
     for key, value in expected.items():
         tolerance = FILM if "film" in key else CLOSED
-        assert found[key] == (value if value is None else pytest.approx(value, rel=tolerance, abs=NOISE)), key
+        if found[key] != (value if value is None else pytest.approx(value, rel=tolerance, abs=NOISE)):
+            offenders[key] = found[key], value
+    assert offenders == {}
+
+
+def write(path, numbers_of):
+    """Write the expected numbers, by case."""
+    path.write_text(json.dumps(numbers_of, indent=1) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":
-    EXPECTED.write_text(json.dumps({stem: numbers(stem) for stem in STEMS}, indent=1) + "\n", encoding="utf-8")
+    write(EXPECTED, {stem: numbers(stem) for stem in STEMS})
+    write(COARSE, {stem: numbers(stem, COARSE_POINTS) for stem in films()})
