@@ -16,6 +16,7 @@ from ehl import (
     SolverOptions,
 )
 from ehl.scaling import scale_contact
+from postprocess import write_results
 from postprocess.results import BearingResults, ContactResults
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, name="example oil")
@@ -131,3 +132,25 @@ def moes_results():
     return ContactResults(
         version="0.1.0", case={"schema_version": 1, "title": "M 20, L 10"}, solution=made_up_solution(conditions)
     )
+
+
+@pytest.fixture(scope="session")
+def bearing_folder(bearing_results, shared):
+    """Folder with all files of the bearing, for every test that changes none."""
+    return shared("bearing", lambda folder: written(bearing_results, folder))
+
+
+@pytest.fixture(scope="session")
+def contact_folder(contact_results, shared):
+    """Folder with all files of the contact, likewise."""
+    return shared("contact", lambda folder: written(contact_results, folder))
+
+
+@pytest.fixture(scope="session")
+def moes_folder(moes_results, shared):
+    """Folder with all files of the contact in Moes' units, likewise."""
+    return shared("moes", lambda folder: written(moes_results, folder))
+
+
+def written(results, folder):
+    assert write_results(results, folder) == ()

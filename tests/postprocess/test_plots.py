@@ -19,9 +19,8 @@ from postprocess.text import value_with_error
 pytest.importorskip("matplotlib")
 
 
-def test_one_figure_per_distinct_contact(bearing_results, tmp_path):
-    assert write_plots(bearing_results, tmp_path) == ()
-    assert {path.name for path in (tmp_path / "plots").iterdir()} == {
+def test_one_figure_per_distinct_contact(bearing_folder):
+    assert {path.name for path in (bearing_folder / "plots").iterdir()} == {
         "load_zone.png",
         "film_per_azimuth.png",
         "pressure_per_azimuth.png",
@@ -31,18 +30,18 @@ def test_one_figure_per_distinct_contact(bearing_results, tmp_path):
         "outer_ball02.png",
         "outer_ball03.png",
     }
-    assert all(p.read_bytes().startswith(b"\x89PNG") for p in (tmp_path / "plots").iterdir())
+    assert all(p.read_bytes().startswith(b"\x89PNG") for p in (bearing_folder / "plots").iterdir())
 
 
-def test_single_contacts(contact_results, moes_results, tmp_path):
-    for name, results in (("si", contact_results), ("moes", moes_results)):
-        assert write_plots(results, tmp_path / name) == ()
-        assert [p.name for p in (tmp_path / name / "plots").iterdir()] == ["contact.png"]
+def test_single_contacts(contact_folder, moes_folder):
+    for folder in (contact_folder, moes_folder):
+        assert [p.name for p in (folder / "plots").iterdir()] == ["contact.png"]
 
 
 @pytest.mark.parametrize("value", [0.0, np.nan])
 def test_failed_solution_is_drawn_all_the_same(bearing_results, tmp_path, value):
-    good = bearing_results.solutions[0]
+    """Beside one that is good; the other balls have no film."""
+    good, other, *others = bearing_results.solutions
     film = FilmValue(value=value, uncertainty=value, finest=value)
     nothing = np.full_like(good.P, value)
     bad = replace(
@@ -54,7 +53,7 @@ def test_failed_solution_is_drawn_all_the_same(bearing_results, tmp_path, value)
         converged=False,
         resolved=False,
     )
-    results = replace(bearing_results, solutions=(bad, *bearing_results.solutions[1:]))
+    results = replace(bearing_results, solutions=(bad, other, *(None for _ in others)))
     assert write_plots(results, tmp_path) == ()
     assert "null" in " ".join(summary(results)["messages"])
     result_table(results)

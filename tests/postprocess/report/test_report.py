@@ -11,7 +11,6 @@ from html.parser import HTMLParser
 import pytest
 
 from ehl.units import unit_of, without_unit
-from postprocess import write_results
 from postprocess.files import SUMMARY_FILE
 from postprocess.report.html import number, text
 from postprocess.report.page import report_page, write_report
@@ -54,9 +53,9 @@ class Page(HTMLParser):
 
 
 @pytest.fixture(scope="module")
-def folder(bearing_results, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("results")
-    write_results(bearing_results, folder)
+def folder(bearing_folder, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("results") / "copy"
+    shutil.copytree(bearing_folder, folder)
     document = json.loads((folder / SUMMARY_FILE).read_text(encoding="utf-8"))
     document["torque_N_mm"] = TORQUE
     document["case"] |= {
@@ -111,10 +110,9 @@ def test_parts_of_both_signs_are_not_stacked():
     assert widths[2] == pytest.approx(3.0 * widths[1], rel=0.01)
 
 
-def test_a_single_contact_and_one_of_moes_groups(contact_results, moes_results, tmp_path):
-    for name, results in (("contact", contact_results), ("moes", moes_results)):
-        write_results(results, tmp_path / name)
-        page = Page(write_report(tmp_path / name).read_text(encoding="utf-8"))
+def test_a_single_contact_and_one_of_moes_groups(contact_folder, moes_folder):
+    for folder in (contact_folder, moes_folder):
+        page = Page(report_page(folder))
         assert page.open == []
         assert "minimum film" in " ".join(page.words)
 

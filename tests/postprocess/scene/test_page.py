@@ -8,7 +8,6 @@ import subprocess
 
 import pytest
 
-from postprocess import write_results
 from postprocess.scene.rendering import RenderingError, require_rendering
 from postprocess.scene.scene import export_html
 
@@ -16,15 +15,13 @@ CHROMIUM = shutil.which("chromium") or shutil.which("google-chrome") or shutil.w
 
 
 @pytest.fixture(scope="module")
-def page(contact_results, tmp_path_factory):
+def page(contact_folder, tmp_path_factory):
     pytest.importorskip("trame_pyvista")
     try:
         require_rendering()
     except RenderingError as error:
         pytest.skip(str(error))
-    folder = tmp_path_factory.mktemp("scene")
-    write_results(contact_results, folder)
-    return export_html(folder, folder / "scene.html")
+    return export_html(contact_folder, tmp_path_factory.mktemp("scene") / "scene.html")
 
 
 def test_the_page_says_what_it_shows_and_asks_nobody(page):
@@ -46,10 +43,9 @@ def test_a_browser_draws_it(page, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.skipif(CHROMIUM is None, reason="no Chromium")
-def test_a_browser_draws_a_bearing(page, bearing_results, tmp_path):
+def test_a_browser_draws_a_bearing(page, bearing_folder, tmp_path):
     """Films in the colours of their logarithm, the scale beside them, azimuths in dark letters."""
-    write_results(bearing_results, tmp_path / "out")
-    whole = browsed(export_html(tmp_path / "out", tmp_path / "scene.html"), tmp_path)
+    whole = browsed(export_html(bearing_folder, tmp_path / "scene.html"), tmp_path)
     text = (tmp_path / "scene.html").read_text(encoding="utf-8")
     assert "film thickness [" in text
     bar = whole[180:440, 715:740]
@@ -112,27 +108,26 @@ MOTION = """
 import json, sys
 from pathlib import Path
 import numpy as np
-from postprocess import scene, scene_motion, scene_parts
+from postprocess.scene import motion, parts, scene
 plotter, *_ = scene._scene(Path(sys.argv[1]), scene.SceneOptions(size=(320, 240)), True)
-scene_motion.add_controls(plotter)
-films = [a.mapper.dataset for a in plotter.actors.values() if scene_motion._facts(scene_motion._dataset(a))]
-scene_motion.show_facts(plotter, films[0])
+motion.add_controls(plotter)
+films = [a.mapper.dataset for a in plotter.actors.values() if motion._facts(motion._dataset(a))]
+motion.show_facts(plotter, films[0])
 plotter.slider_widgets[0].GetRepresentation().SetValue(90.0)
-scene_parts.look_at(plotter, np.pi / 2)
-facts, up = scene_motion._facts(films[0]), list(plotter.camera.up)
+parts.look_at(plotter, np.pi / 2)
+facts, up = motion._facts(films[0]), list(plotter.camera.up)
 print(json.dumps({"facts": facts, "up": up, "words": "picked" in plotter.actors}))
 """
 
 
-def test_a_click_tells_numbers_and_the_slider_turns(page, bearing_results, tmp_path):
+def test_a_click_tells_numbers_and_the_slider_turns(page, bearing_results, bearing_folder):
     import json
     import sys
 
     from postprocess.scene.rendering import rendering_environment
 
-    write_results(bearing_results, tmp_path)
     run = subprocess.run(
-        [sys.executable, "-c", MOTION, str(tmp_path)],
+        [sys.executable, "-c", MOTION, str(bearing_folder)],
         capture_output=True,
         text=True,
         env=rendering_environment(),
@@ -149,12 +144,12 @@ def test_a_click_tells_numbers_and_the_slider_turns(page, bearing_results, tmp_p
 
 
 @pytest.mark.slow
-def test_a_movie_has_different_frames(page, tmp_path):
+def test_a_movie_has_different_frames(page, contact_folder, tmp_path):
     image = pytest.importorskip("PIL.Image")
     from postprocess.scene.scene import SceneOptions, movie
 
-    file = movie(page.parent, tmp_path / "turn.gif", SceneOptions(size=(160, 120)))
+    file = movie(contact_folder, tmp_path / "turn.gif", SceneOptions(size=(160, 120)))
     with image.open(file) as frames:
         assert frames.n_frames > 20
     with pytest.raises(ValueError, match=r"must be a \.gif file"):
-        movie(page.parent, tmp_path / "turn.mp4")
+        movie(contact_folder, tmp_path / "turn.mp4")

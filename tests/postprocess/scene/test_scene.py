@@ -23,13 +23,6 @@ LINUX = sys.platform.startswith("linux")
 
 
 @pytest.fixture(scope="module")
-def run_folder(bearing_results, tmp_path_factory):
-    folder = tmp_path_factory.mktemp("run")
-    write_results(bearing_results, folder)
-    return folder
-
-
-@pytest.fixture(scope="module")
 def drawing():
     try:
         require_rendering()
@@ -39,10 +32,10 @@ def drawing():
 
 @pytest.mark.usefixtures("drawing")
 @pytest.mark.parametrize("quantity", ["film", "pressure"])
-def test_screenshot_shows_something(run_folder, tmp_path, quantity):
+def test_screenshot_shows_something(bearing_folder, tmp_path, quantity):
     from matplotlib.image import imread
 
-    path = screenshot(run_folder, tmp_path / "scene.png", SceneOptions(quantity=quantity, size=(400, 300)))
+    path = screenshot(bearing_folder, tmp_path / "scene.png", SceneOptions(quantity=quantity, size=(400, 300)))
     picture = imread(path)
     assert picture.shape[:2] == (300, 400)
     saturation = np.ptp(picture[..., :3], axis=2)
@@ -50,9 +43,8 @@ def test_screenshot_shows_something(run_folder, tmp_path, quantity):
 
 
 @pytest.mark.usefixtures("drawing")
-def test_single_contact_in_moes_units(moes_results, tmp_path):
-    write_results(moes_results, tmp_path / "run")
-    assert screenshot(tmp_path / "run", tmp_path / "scene.png", SceneOptions(size=(400, 300))).stat().st_size > 1000
+def test_single_contact_in_moes_units(moes_folder, tmp_path):
+    assert screenshot(moes_folder, tmp_path / "scene.png", SceneOptions(size=(400, 300))).stat().st_size > 1000
 
 
 @pytest.mark.usefixtures("drawing")
@@ -85,17 +77,17 @@ def test_window_kind_is_chosen_without_a_display(monkeypatch):
 
 
 @pytest.mark.skipif(not LINUX, reason="Linux only")
-def test_window_needs_a_display(run_folder, monkeypatch):
+def test_window_needs_a_display(bearing_folder, monkeypatch):
     monkeypatch.delenv("DISPLAY", raising=False)
     with pytest.raises(RenderingError, match="--screenshot"):
-        show(run_folder)
+        show(bearing_folder)
 
 
-def test_bad_requests(run_folder, tmp_path):
+def test_bad_requests(bearing_folder, tmp_path):
     with pytest.raises(ValueError, match="holds no results"):
         screenshot(tmp_path, tmp_path / "scene.png")
     with pytest.raises(ValueError, match=r"\.png"):
-        screenshot(run_folder, tmp_path / "scene.jpg")
+        screenshot(bearing_folder, tmp_path / "scene.jpg")
     with pytest.raises(ValueError, match="quantity"):
         SceneOptions(quantity="temperature")
 
