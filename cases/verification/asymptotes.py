@@ -12,7 +12,7 @@ from ehl.closed_form.hertz import hertz_coefficients
 from postprocess.verification.plots import Curve, draw_moes
 
 from .contacts import OIL, WATER_LIKE, MoesConditions, moes
-from .page import Check, Picture, Section, Table, each, percent
+from .page import Check, Picture, Section, Table, columns, each, percent, text
 
 LUBRICANT = (0.0, 2.5, 5.0, 10.0, 20.0)  # L of the diagram
 # of the films of the regimes and of the diagram
@@ -32,13 +32,6 @@ NAMES = {
     "RP": "rigid piezoviscous",
     "EP": "elastic piezoviscous",
 }
-TEXT = """\
-M and L deep in each of the four regimes of a circular contact; the power of M (of L for rigid-piezoviscous) is
-taken from two solutions, a factor of 2 (1.5) apart, and compared with that of the asymptote in the formula of
-Nijenbanning, Venner and Moes (1994, coefficients read second-hand). The powers follow from theory, the factors are
-their fits. No contact is wholly in one regime, least of all in the third, where Roelands' law weakens the power of
-L. Around M 4 and at L of 5 and more the film is thinner than at M 10, which no formula shows and the finite
-elements below confirm: the pressure is not yet high enough to thicken the oil."""
 POWER_TOLERANCE = {"RI": 0.1, "EI": 0.05, "RP": 0.1, "EP": 0.05}
 
 
@@ -85,28 +78,30 @@ def moes_diagram(quick: bool = False) -> Section:
     solutions = each(partial(_solve, tolerance=ROUGH), jobs)
     curves, fits = [], []
     for l in lubricant:  # noqa: E741
-        some = [(job[0], s) for job, s in zip(jobs, solutions, strict=True) if job[1] == l]
-        shown = [(m, moes_film(s)) for m, s in some if s.converged and s.resolved]
+        films = [
+            (job[0], moes_film(s))
+            for job, s in zip(jobs, solutions, strict=True)
+            if job[1] == l and s.converged and s.resolved
+        ]
         dense = tuple(float(m) for m in np.geomspace(loads[0], loads[-1], 200))
         curves.append(
-            Curve(label=f"{l:g}", x=tuple(m for m, _ in shown), y=tuple(h for _, h in shown))
+            Curve(label=f"{l:g}", x=tuple(m for m, _ in films), y=tuple(h for _, h in films))
         )
         fits.append(
             Curve(label="fit", x=dense, y=tuple(moes_film_nijenbanning(m, l, 1.0) for m in dense))
         )
     table, checks = _regimes(points, ("RI", "RP") if quick else tuple(REGIMES))
-    caption = "Central film over load for five L: solved (dots), fit of Nijenbanning, Venner and Moes (lines)"
+    caption = (
+        "Central film over load for five L: solved (dots), "
+        "fit of Nijenbanning, Venner and Moes (lines)"
+    )
     return Section(
         title="Moes' asymptotes",
-        text=TEXT,
+        text=text("asymptotes"),
         checks=checks,
         tables=(table,),
         pictures=(
-            Picture(
-                stem="verification_moes",
-                caption=caption,
-                draw=partial(draw_moes, curves=curves, fits=fits),
-            ),
+            Picture("verification_moes", caption, partial(draw_moes, curves=curves, fits=fits)),
         ),
     )
 
@@ -144,22 +139,14 @@ def _regimes(points: int, names: Sequence[str]) -> tuple[Table, tuple[Check, ...
         known = all(s.converged and s.resolved for s in pair)
         checks.append(
             Check(
-                name=f"power of {varied}, {NAMES[name]}",
-                value=power if known else nan,
+                f"power of {varied}, {NAMES[name]}",
+                power if known else nan,
                 least=round(theory - within, 3),
                 most=round(theory + within, 3),
             )
         )
-    head = (
-        "regime",
-        "M",
-        "L",
-        "film, solved",
-        "asymptote",
-        "",
-        "whole formula",
-        "power",
-        "of the asymptote",
+    head = columns(
+        "regime | M | L | film, solved | asymptote |  | whole formula | power | of the asymptote"
     )
     caption = "(h/R_x)(2U)^(−1/2), circular contact:"
-    return Table(caption=caption, head=head, rows=tuple(rows)), tuple(checks)
+    return Table(caption, head, tuple(rows)), tuple(checks)

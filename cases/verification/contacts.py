@@ -23,9 +23,9 @@ CIRCULAR_BOX = (-4.5, 1.5, 3.0)
 DEGREE = pi / 180.0
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Named:
-    """A contact with its name; a box fixes it, None leaves it to the solver [Hertz half-extents]."""
+    """A contact with its name; box [Hertz half-extents], None leaves it to the solver."""
 
     name: str
     conditions: Conditions
@@ -33,7 +33,7 @@ class Named:
 
 
 def moes(
-    m: float, l: float, ratio: float = 1.0, angle: float = 0.0, oil: Lubricant = MINERAL_OIL
+    m: float, l: float, ratio: float = 1.0, angle: float = 0.0, oil: Lubricant = MINERAL_OIL  # noqa: E741
 ) -> MoesConditions:
     """A contact by M, L, Rx/Ry [-] and the angle of its entrainment [rad]."""
     return MoesConditions(
@@ -95,36 +95,29 @@ def race_6208(load: float, outer: bool = False) -> ContactConditions:
     )
 
 
-CIRCULAR_20_10 = Named(name="M 20, L 10", conditions=moes(20.0, 10.0, oil=OIL), box=CIRCULAR_BOX)
-CIRCULAR_200_10 = Named(
-    name="M 200, L 10", conditions=moes(200.0, 10.0, oil=OIL), box=CIRCULAR_BOX
-)
-INNER_500N = Named(
-    name="6208 inner race, 500 N", conditions=race_6208(500.0), box=(-16.5, 1.5, 2.25)
-)
+CIRCULAR_20_10 = Named("M 20, L 10", moes(20.0, 10.0, oil=OIL), box=CIRCULAR_BOX)
+CIRCULAR_200_10 = Named("M 200, L 10", moes(200.0, 10.0, oil=OIL), box=CIRCULAR_BOX)
+INNER_500N = Named("6208 inner race, 500 N", race_6208(500.0), box=(-16.5, 1.5, 2.25))
 OBLIQUE = Named(
-    name="M 100, L 8, R_x/R_y 0.3, entrainment at 30°",
-    conditions=moes(100.0, 8.0, 0.3, 30.0 * DEGREE),
+    "M 100, L 8, R_x/R_y 0.3, entrainment at 30°", moes(100.0, 8.0, 0.3, 30.0 * DEGREE)
 )
 SPINNING = Named(
-    name="M 100, L 8, R_x/R_y 0.1, rotation 0.3 u_m at the end of the ellipse",
-    conditions=from_groups(moes(100.0, 8.0, 0.1), rotation=0.3),
+    "M 100, L 8, R_x/R_y 0.1, rotation 0.3 u_m at the end of the ellipse",
+    from_groups(moes(100.0, 8.0, 0.1), rotation=0.3),
 )
 NAMED = (
     CIRCULAR_20_10,
-    Named(name="M 20, L 10", conditions=CIRCULAR_20_10.conditions),
+    Named("M 20, L 10", CIRCULAR_20_10.conditions),
     CIRCULAR_200_10,
-    Named(name="M 200, L 10", conditions=CIRCULAR_200_10.conditions),
+    Named("M 200, L 10", CIRCULAR_200_10.conditions),
     INNER_500N,
-    Named(name="6208 inner race, 500 N", conditions=race_6208(500.0)),
-    Named(name="6208 outer race, 1612 N", conditions=race_6208(1611.8, outer=True)),
-    Named(name="6208 outer race, 15 N (thick film)", conditions=race_6208(15.48, outer=True)),
-    Named(name="M 700, L 12, R_x/R_y 0.03 (wide ellipse)", conditions=moes(700.0, 12.0, 0.03)),
-    Named(name="M 100, L 8, R_x/R_y 5 (along the longer axis)", conditions=moes(100.0, 8.0, 5.0)),
-    Named(name="M 5, L 0.5 (thick film)", conditions=moes(5.0, 0.5)),
-    Named(
-        name="M 150, L 0, isoviscous, incompressible", conditions=moes(150.0, 0.0, oil=WATER_LIKE)
-    ),
+    Named("6208 inner race, 500 N", race_6208(500.0)),
+    Named("6208 outer race, 1612 N", race_6208(1611.8, outer=True)),
+    Named("6208 outer race, 15 N (thick film)", race_6208(15.48, outer=True)),
+    Named("M 700, L 12, R_x/R_y 0.03 (wide ellipse)", moes(700.0, 12.0, 0.03)),
+    Named("M 100, L 8, R_x/R_y 5 (along the longer axis)", moes(100.0, 8.0, 5.0)),
+    Named("M 5, L 0.5 (thick film)", moes(5.0, 0.5)),
+    Named("M 150, L 0, isoviscous, incompressible", moes(150.0, 0.0, oil=WATER_LIKE)),
     OBLIQUE,
     SPINNING,
 )

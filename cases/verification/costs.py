@@ -18,27 +18,20 @@ from postprocess.verification.plots import ScalingCurve, draw_scaling
 from ..format.case import Case, load_case
 from ..runs.bearing import run_case
 from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
-from .page import Check, Picture, Section, Table
+from .page import Check, Picture, Section, Table, columns, text
 
 POINTS = (65, 129, 257, 513, 1025, 2049)
 FEW_POINTS = (65, 129, 257)
 CONTACTS = (
     CIRCULAR_20_10,
     CIRCULAR_200_10,
-    Named(name="6208 outer race, 1612 N", conditions=race_6208(1611.8, outer=True)),
+    Named("6208 outer race, 1612 N", race_6208(1611.8, outer=True)),
 )
 # cost per unknown may grow by this factor from here to the finest grid
 GROWTH_FROM = 257
 GROWTH = 2.2
 REPEATS = {65: 5, 129: 5, 257: 5, 513: 3, 1025: 2, 2049: 2}  # of each solve; the best counts
 BEARING = "6208_full_ceramic"
-TEXT = """\
-One thread, compiled before the clock starts, best of several runs; pilot solve included where the box is open. A
-deflection is a zero-padded FFT forward and back on the finest grid, measured in the same run; *FFTs* counts all
-deflections of a solve, coarser ones by their nodes. Seconds are those of the machine that made this page, whose
-cores others used at the same time: the ratios in the last columns are what to compare. Memory is the peak of
-NumPy's arrays while the contact is solved. Best possible growth of the time per unknown is that of the FFT, as log
-n and as the caches run out."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -119,20 +112,13 @@ def costs(quick: bool = False) -> Section:
     """Scaling of the solve, and the time of all contacts of a bearing."""
     solve_contact(CIRCULAR_20_10.conditions, SolverOptions(points=65))  # compile
     points, contacts = (FEW_POINTS, CONTACTS[:1]) if quick else (POINTS, CONTACTS)
-    found = {contact.name: [measure(contact, n) for n in points] for contact in contacts}
-    rows = tuple(_row(cost, costs) for costs in found.values() for cost in costs)
-    head = (
-        "contact",
-        "grid of the half",
-        "cycles",
-        "FFTs",
-        "time, s",
-        "time/deflection",
-        "µs per unknown",
-        "over 257",
-        "bytes per unknown",
+    measured = {contact.name: [measure(contact, n) for n in points] for contact in contacts}
+    rows = tuple(_row(cost, costs) for costs in measured.values() for cost in costs)
+    head = columns(
+        "contact | grid of the half | cycles | FFTs | time, s | time/deflection"
+        " | µs per unknown | over 257 | bytes per unknown"
     )
-    tables = [Table(caption="Cost of a solve:", head=head, rows=rows)]
+    tables = [Table("Cost of a solve:", head, rows)]
     if not quick:
         tables.append(_bearing())
     curves = [
@@ -144,21 +130,18 @@ def costs(quick: bool = False) -> Section:
             cycles=tuple(c.cycles for c in costs),
             memory=tuple(c.memory / c.unknowns for c in costs),
         )
-        for name, costs in found.items()
+        for name, costs in measured.items()
     ]
-    caption = "Time per unknown (deflection alone dashed), cycles on the finest grid and memory per unknown"
+    caption = (
+        "Time per unknown (deflection alone dashed), "
+        "cycles on the finest grid and memory per unknown"
+    )
     return Section(
         title="Cost",
-        text=TEXT,
-        checks=tuple(check for name, costs in found.items() for check in _checks(name, costs)),
+        text=text("costs"),
+        checks=tuple(check for name, costs in measured.items() for check in _checks(name, costs)),
         tables=tuple(tables),
-        pictures=(
-            Picture(
-                stem="verification_cost",
-                caption=caption,
-                draw=partial(draw_scaling, curves=curves),
-            ),
-        ),
+        pictures=(Picture("verification_cost", caption, partial(draw_scaling, curves=curves)),),
     )
 
 
@@ -182,13 +165,11 @@ def _checks(name: str, costs: Sequence[Cost]) -> list[Check]:
     last = costs[-1]
     checks = [
         Check(
-            name=f"cycles, {name}: {last.nx} points less {base.nx}",
-            value=last.cycles - base.cycles,
-            most=0.0,
+            f"cycles, {name}: {last.nx} points less {base.nx}", last.cycles - base.cycles, most=0.0
         ),
         Check(
-            name=f"memory per unknown, {name}: {last.nx} points over {base.nx}",
-            value=last.memory / last.unknowns * base.unknowns / base.memory,
+            f"memory per unknown, {name}: {last.nx} points over {base.nx}",
+            last.memory / last.unknowns * base.unknowns / base.memory,
             most=1.1,
         ),
     ]
@@ -196,16 +177,14 @@ def _checks(name: str, costs: Sequence[Cost]) -> list[Check]:
         growth = last.per_unknown / base.per_unknown
         checks.append(
             Check(
-                name=f"time per unknown, {name}: {last.nx} points over {base.nx}",
-                value=growth,
-                most=GROWTH,
+                f"time per unknown, {name}: {last.nx} points over {base.nx}", growth, most=GROWTH
             )
         )
     return checks
 
 
 def _bearing() -> Table:
-    """All contacts of the 6208, warm."""
+    """All contacts of the 6208, kernels compiled."""
     case = load_case(BEARING)
     assert isinstance(case, Case)
     runs = [run_case(case) for _ in range(3)][1:]
@@ -222,14 +201,8 @@ def _bearing() -> Table:
     seconds = best.timing["contacts"]
     alone = sum(deflection_time(s, 5) for s in distinct)
     return Table(
-        caption="All contacts of the bearing, in as many threads as there are cores, equal ones solved once:",
-        head=(
-            "case",
-            "points",
-            "contacts",
-            "converged",
-            "time, s",
-            "time/sum of one deflection each",
-        ),
-        rows=((*row, f"{seconds:.2f}", f"{seconds / alone:.0f}"),),
+        "All contacts of the bearing, in as many threads as there are cores, "
+        "equal ones solved once:",
+        ("case", "points", "contacts", "converged", "time, s", "time/sum of one deflection each"),
+        ((*row, f"{seconds:.2f}", f"{seconds / alone:.0f}"),),
     )

@@ -47,7 +47,8 @@ class Draw:
         g = self.groups
         turned = f", rotation {self.rotation:.2f}" if self.rotation else ""
         return (
-            f"M {g.load_parameter:.0f}, L {g.lubricant_parameter:.1f}, R_x/R_y {g.radius_ratio:.4f}, "
+            f"M {g.load_parameter:.0f}, L {g.lubricant_parameter:.1f}, "
+            f"R_x/R_y {g.radius_ratio:.4f}, "
             f"{degrees(g.entrainment_angle):.0f}°{turned}, {g.lubricant.viscosity_law.value}"
         )
 
@@ -60,8 +61,8 @@ def draws(count: int, seed: int) -> list[Draw]:
     longer list are those of a shorter one with the same seed.
     """
     random = np.random.default_rng(seed)
-    found: list[Draw] = []
-    while len(found) < count:
+    contacts: list[Draw] = []
+    while len(contacts) < count:
         groups, rotation = _groups(random), _rotation(random)
         pressure = scale_contact(groups).hertz_pressure
         if (
@@ -70,10 +71,10 @@ def draws(count: int, seed: int) -> list[Draw]:
         ):
             continue
         conditions = from_groups(groups, rotation)
-        found.append(
-            Draw(number=len(found), conditions=conditions, groups=groups, rotation=rotation)
+        contacts.append(
+            Draw(number=len(contacts), conditions=conditions, groups=groups, rotation=rotation)
         )
-    return found
+    return contacts
 
 
 def _groups(random: np.random.Generator) -> MoesConditions:

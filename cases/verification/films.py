@@ -4,9 +4,10 @@ from math import degrees
 
 from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.scaling import scale_contact
+from postprocess.text import value_with_error
 
 from .contacts import NAMED, Named
-from .page import Check, Section, Table, each, with_bar
+from .page import Check, Section, Table, each, text
 
 FILMS = ("film_central_dimensionless", "film_minimum_dimensionless")
 REFERENCE = (0.430856, 0.29259)  # both films of M 20, L 10 in the box -4.5, 1.5, 3
@@ -16,13 +17,6 @@ HEAD = (
 )
 POINTS = (257, 1025)
 FEW_POINTS = (129, 257)
-TEXT = """\
-Extrapolated values and error bars; boxes in Hertz half-extents along and across the grid, *open* where the solver
-chose it; grid along the principal direction in which the entrainment passes the ellipse sooner. H_min/h_x² tells
-how well the mesh resolves the film (5 is the limit below which a film is reported as unresolved, S being the
-curvature of the gap along the grid's x). The bars speak of the mesh only: not of the box, of the oil's data, or of
-what the model leaves out. The last column is how far the coarser solve was off, over its bar: below 1 the bar
-covered."""
 
 
 def named_films(quick: bool = False) -> Section:
@@ -42,19 +36,19 @@ def named_films(quick: bool = False) -> Section:
     known = sum(s.converged and s.resolved for s in solutions[: len(named)]) / len(named)
     checks = (
         Check(
-            name=f"named contacts: largest error of {coarse} points over its bar",
-            value=max(covered),
+            f"named contacts: largest error of {coarse} points over its bar",
+            max(covered),
             most=1.0,
         ),
-        Check(name="named contacts converged and resolved, share", value=known, least=1.0),
+        Check("named contacts converged and resolved, share", known, least=1.0),
         *_reference_checks(solutions[0], 2e-3 if quick else 2e-4),
     )
     caption = f"{fine} points along x, judged by it {coarse}:"
     return Section(
         title="Grid-converged films",
-        text=TEXT,
+        text=text("films"),
         checks=checks,
-        tables=(Table(caption=caption, head=HEAD, rows=tuple(rows)),),
+        tables=(Table(caption, HEAD, tuple(rows)),),
     )
 
 
@@ -65,8 +59,9 @@ def _reference_checks(circle: ContactSolution, within: float) -> list[Check]:
     checks = []
     for film, reference in zip(FILMS, REFERENCE, strict=True):
         difference = abs(getattr(circle, film).value / reference - 1.0)
-        name = f"{film.split('_')[1]} film of M 20, L 10 against the earlier study, relative difference"
-        checks.append(Check(name=name, value=difference, most=within))
+        kind = film.split("_")[1]
+        name = f"{kind} film of M 20, L 10 against the earlier study, relative difference"
+        checks.append(Check(name, difference, most=within))
     return checks
 
 
@@ -90,15 +85,16 @@ def _row(contact: Named, s: ContactSolution, ratios: list[float]) -> tuple[str, 
     lengths = ["", ""]
     if unit is not None:
         lengths = [
-            with_bar(unit * film.value, unit * film.uncertainty) for film in (central, minimum)
+            value_with_error(unit * film.value, unit * film.uncertainty)
+            for film in (central, minimum)
         ]
     turned = f", grid at {degrees(s.frame_angle):.0f}°" if s.frame_angle else ""
     return (
         contact.name,
         box if contact.box is not None else f"open: {box}",
         f"{s.X.size} × {s.Y.size}{turned}",
-        with_bar(central.value, central.uncertainty),
-        with_bar(minimum.value, minimum.uncertainty),
+        value_with_error(central.value, central.uncertainty),
+        value_with_error(minimum.value, minimum.uncertainty),
         *lengths,
         f"{fineness:.0f}" if s.resolved else f"{fineness:.1f}, unresolved",
         ", ".join(f"{ratio:.2f}" for ratio in ratios),

@@ -15,7 +15,7 @@ from ehl.closed_form.film import (
 from postprocess.verification.plots import FormulaMap, draw_formulas
 
 from .contacts import NAMED, from_groups, moes
-from .page import Check, Picture, Section, Table, each, percent
+from .page import Check, Picture, Section, Table, each, percent, text
 
 LOADS = (5.0, 15.0, 50.0, 150.0, 500.0, 1500.0)  # M
 LUBRICANT = (2.0, 5.0, 10.0, 20.0)  # L
@@ -28,11 +28,6 @@ FORMULAS: dict[str, tuple[str, Formula]] = {
     "Nijenbanning, central": ("central", film_nijenbanning_central),
     "Hamrock–Dowson, minimum": ("minimum", film_hamrock_dowson_minimum),
 }
-TEXT = """\
-Formula over solved film, less one. Steel (E′ 226 GPa), oil of 20 1/GPa after Roelands, entrainment along the short
-axis; error bars of the solved films below 2 %, by points doubled up to 1025. The formulas were fitted to moderate
-loads: read them within their ranges, and not at all for balls that carry centrifugal force only. Hamrock and
-Dowson's minimum is the worst of them, since the side lobes of a heavily loaded contact thin faster than its centre."""
 
 
 def formulas(quick: bool = False) -> Section:
@@ -53,7 +48,7 @@ def formulas(quick: bool = False) -> Section:
             share = np.array(
                 [
                     [_deviation(formula, which, solutions[(ratio, l, m)]) for m in loads]
-                    for l in lubricant
+                    for l in lubricant  # noqa: E741
                 ]
             )
             maps.append(
@@ -68,38 +63,33 @@ def formulas(quick: bool = False) -> Section:
         rows.append(tuple(row))
     head = ("formula", *(f"R_x/R_y {ratio:g}" for ratio in ratios))
     tables = [
-        Table(
-            caption="Smallest and largest deviation, and the median of its size:",
-            head=head,
-            rows=tuple(rows),
-        )
+        Table("Smallest and largest deviation, and the median of its size:", head, tuple(rows))
     ]
     if not quick:
         tables.append(_named(options))
     used = sum(s.converged and s.resolved for s in solutions.values()) / len(solutions)
     return Section(
         title="Film formulas",
-        text=TEXT,
+        text=text("formulas"),
         checks=(
             Check(
-                name="formulas: share of the contacts solved to the wanted error bar",
-                value=used,
-                least=0.9,
+                "formulas: share of the contacts solved to the wanted error bar", used, least=0.9
             ),
         ),
         tables=tuple(tables),
         pictures=(
             Picture(
-                stem="verification_formulas",
-                caption="Deviation of film formulas from solved films; crossed: not solved to the wanted bar",
-                draw=partial(draw_formulas, maps=maps, columns=len(ratios)),
+                "verification_formulas",
+                "Deviation of film formulas from solved films; "
+                "crossed: not solved to the wanted bar",
+                partial(draw_formulas, maps=maps, columns=len(ratios)),
             ),
         ),
     )
 
 
 def _deviation(formula: Formula, which: str, solution: ContactSolution) -> float:
-    """Formula over solved film less one [-]; not a number where the film is not known well enough."""
+    """Formula over solved film less one [-]; NaN where the film is not known well enough."""
     assert isinstance(solution.conditions, ContactConditions)
     film = solution.film_central if which == "central" else solution.film_minimum
     if film is None or not (solution.converged and solution.resolved):
@@ -122,8 +112,8 @@ def _named(options: SolverOptions) -> Table:
     solutions = each(lambda c: solve_contact(c.conditions, options), named)
     rows = []
     for contact, s in zip(named, solutions, strict=True):
-        found = [percent(_deviation(formula, which, s), 1) for which, formula in FORMULAS.values()]
-        rows.append((contact.name, f"{s.moes_load:.1f}", f"{s.moes_lubricant:.1f}", *found))
-    return Table(
-        caption="Contacts of the 6208:", head=("contact", "M", "L", *FORMULAS), rows=tuple(rows)
-    )
+        deviations = [
+            percent(_deviation(formula, which, s), 1) for which, formula in FORMULAS.values()
+        ]
+        rows.append((contact.name, f"{s.moes_load:.1f}", f"{s.moes_lubricant:.1f}", *deviations))
+    return Table("Contacts of the 6208:", ("contact", "M", "L", *FORMULAS), tuple(rows))

@@ -31,20 +31,12 @@ from .contacts import (
     moes,
     race_6208,
 )
-from .page import Check, Picture, Section, Table, each, percent
+from .page import Check, Picture, Section, Table, columns, each, percent, text
 
 SLOWER = (1.0, 4.0, 16.0, 64.0, 256.0)  # speed of M 20, L 10 divided by this
-HERTZ_TEXT = """\
-The contact M 20, L 10 at one load, its speed divided by 4 from row to row; box −4.5, 1.5, 3. The pressure differs
-from Hertz' half-ellipsoid by the inlet and the spike, both of which shrink. The approach, in units of a²/R_x, is 1
-for a dry contact; the formula is 1 − p M^q, p = [(4 − 0.2 L)⁷ + (3.5 + 0.1 L)⁷]^(1/7), q = −0.6 − 0.6 (L +
-3)^(−1/2), a fit for the customary box (Venner and Lubrecht, 2000)."""
-SAME_TEXT = """\
-Principal directions exchanged and the entrainment turned by 90°; SI and Moes' groups; the entrainment and its
-mirror image; a rotation and its mirror image; a circular contact at any angle. What remains is what two iterations
-leave."""
 BOX_CAPTION = """\
-Central film in units of a²/R_x at one mesh size; boxes of 3, 5 and 18 semi-axes upstream, and their multiples:"""
+Central film in units of a²/R_x at one mesh size; boxes of 3, 5 and 18 semi-axes upstream,
+and their multiples:"""
 
 
 def hertz_limit(quick: bool = False) -> Section:
@@ -55,15 +47,8 @@ def hertz_limit(quick: bool = False) -> Section:
     solutions = each(
         lambda c: solve_contact(c, SolverOptions(points=points, domain=CIRCULAR_BOX)), contacts
     )
-    head = (
-        "M",
-        "L",
-        "H_c",
-        "rms of P − P_Hertz",
-        "P(0, 0)",
-        "approach",
-        "approach, formula",
-        "resolved",
+    head = columns(
+        "M | L | H_c | rms of P − P_Hertz | P(0, 0) | approach | approach, formula | resolved"
     )
     curves = [
         Curve(
@@ -77,14 +62,14 @@ def hertz_limit(quick: bool = False) -> Section:
     caption = f"Constant load, falling speed, {points} points:"
     return Section(
         title="Hertz as the speed goes to zero",
-        text=HERTZ_TEXT,
+        text=text("hertz"),
         checks=_hertz_checks([s for s in solutions if s.resolved], 0.5 if quick else 0.2),
-        tables=(Table(caption=caption, head=head, rows=tuple(_hertz_row(s) for s in solutions)),),
+        tables=(Table(caption, head, tuple(_hertz_row(s) for s in solutions)),),
         pictures=(
             Picture(
-                stem="verification_hertz",
-                caption="Pressure along the centre line at one load and falling speed, Hertz' dashed",
-                draw=partial(draw_hertz, curves=curves),
+                "verification_hertz",
+                "Pressure along the centre line at one load and falling speed, Hertz' dashed",
+                partial(draw_hertz, curves=curves),
             ),
         ),
     )
@@ -114,19 +99,19 @@ def _hertz_checks(resolved: list[ContactSolution], share: float) -> tuple[Check,
     last = resolved[-1]
     return (
         Check(
-            name="distance to Hertz' pressure, last resolved over first, as the speed goes to zero",
-            value=_distance(last) / _distance(first),
+            "distance to Hertz' pressure, last resolved over first, as the speed goes to zero",
+            _distance(last) / _distance(first),
             most=share,
         ),
         Check(
-            name="pressure at the centre over Hertz', slowest resolved",
-            value=_centre(last),
+            "pressure at the centre over Hertz', slowest resolved",
+            _centre(last),
             least=0.99,
             most=1.01,
         ),
         Check(
-            name="approach against the formula for M 20 to 1000, largest difference",
-            value=max(abs(miss) for miss in misses),
+            "approach against the formula for M 20 to 1000, largest difference",
+            max(abs(miss) for miss in misses),
             most=0.01,
         ),
     )
@@ -165,13 +150,13 @@ def same_contact(quick: bool = False) -> Section:
                 f"{difference:.1e}",
             )
         )
-        checks.append(Check(name=f"films of {name}", value=difference, most=limit))
-    head = ("the same contact", "central, minimum", "central, minimum", "difference")
+        checks.append(Check(f"films of {name}", difference, most=limit))
+    head = columns("the same contact | central, minimum | central, minimum | difference")
     tables = [
         Table(
-            caption=f"Films of the finest grid, {points} points, in µm (first row) or in units of a²/R_x:",
-            head=head,
-            rows=tuple(rows),
+            f"Films of the finest grid, {points} points, in µm (first row) or in units of a²/R_x:",
+            head,
+            tuple(rows),
         )
     ]
     if not quick:
@@ -179,14 +164,15 @@ def same_contact(quick: bool = False) -> Section:
         tables.append(table)
         checks.append(
             Check(
-                name="open box: change of the film when the box doubles, largest but for the thick film",
-                value=change,
+                "open box: change of the film when the box doubles, "
+                "largest but for the thick film",
+                change,
                 most=0.01,
             )
         )
     return Section(
         title="One contact, posed in different ways",
-        text=SAME_TEXT,
+        text=text("same"),
         checks=tuple(checks),
         tables=tuple(tables),
     )
@@ -285,8 +271,8 @@ def _boxes() -> tuple[Table, float]:
         )
         if is_open and "thick" not in name:
             changes.append(abs(large / middle - 1.0))
-    head = ("contact", "edge pressure", "box", "box × 2", "box × 4", "last change")
-    return Table(caption=BOX_CAPTION, head=head, rows=tuple(rows)), max(changes)
+    head = columns("contact | edge pressure | box | box × 2 | box × 4 | last change")
+    return Table(BOX_CAPTION, head, tuple(rows)), max(changes)
 
 
 def box_film(name: str, is_open: bool, scale: float, points: int) -> float:

@@ -25,8 +25,8 @@ from .contacts import (
     from_groups,
     moes,
 )
-from .page import Check, Picture, Section, Table, each
-from .rested import RestedFilms, rested_films
+from .converged_films import ConvergedFilms, fully_converged_films
+from .page import Check, Picture, Section, Table, columns, each, text
 
 POINTS = (65, 129, 257, 513, 1025)
 FEW_POINTS = (65, 129, 257)
@@ -35,22 +35,11 @@ CONTACTS = (
     CIRCULAR_200_10,
     INNER_500N,
     Named(
-        name="M 100, L 8, R_x/R_y 0.3, at 30°",
-        conditions=moes(100.0, 8.0, 0.3, pi / 6.0),
-        box=(-5.0, 2.0, 3.0),
+        "M 100, L 8, R_x/R_y 0.3, at 30°", moes(100.0, 8.0, 0.3, pi / 6.0), box=(-5.0, 2.0, 3.0)
     ),
-    Named(
-        name="M 100, L 8, R_x/R_y 0.1, rotating",
-        conditions=SPINNING.conditions,
-        box=(-5.0, 1.5, 2.5),
-    ),
+    Named("M 100, L 8, R_x/R_y 0.1, rotating", SPINNING.conditions, box=(-5.0, 1.5, 2.5)),
 )
 CELLS = (32, 64, 128, 256)
-TEXT = """\
-Each grid is solved by itself and cycled until both films change by less than 2·10⁻⁷ in a cycle, or by twelve more
-cycles: what is then left is below 10⁻⁵. p is log₂ of the ratio of successive differences; the last column is the
-film extrapolated with p = 2 from the two finest grids. The minimum lies between nodes where the film is steepest,
-so that its order wavers."""
 
 
 def orders(quick: bool = False) -> Section:
@@ -58,10 +47,10 @@ def orders(quick: bool = False) -> Section:
     points = FEW_POINTS if quick else POINTS
     contacts = CONTACTS[:1] if quick else CONTACTS
     jobs = [(contact, n) for n in reversed(points) for contact in contacts]
-    found = each(lambda job: rested_films(job[0].conditions, job[0].box, job[1]), jobs)
+    films = each(lambda job: fully_converged_films(job[0].conditions, job[0].box, job[1]), jobs)
     sequences = {
         contact.name: sorted(
-            (f for (c, _), f in zip(jobs, found, strict=True) if c is contact),
+            (f for (c, _), f in zip(jobs, films, strict=True) if c is contact),
             key=lambda f: f.points,
         )
         for contact in contacts
@@ -70,22 +59,15 @@ def orders(quick: bool = False) -> Section:
     part_table, part_checks = _part_table()
     checks = [
         Check(
-            name=f"order of the central film, {name}, finest three grids",
-            value=_last_order(films),
+            f"order of the central film, {name}, finest three grids",
+            _last_order(films),
             least=1.7,
             most=2.3,
         )
         for name, films in sequences.items()
     ]
-    head = (
-        "contact",
-        "points along x",
-        "h_x",
-        "H_c",
-        "p",
-        "H_min",
-        "p",
-        "H_c, H_min extrapolated",
+    head = columns(
+        "contact | points along x | h_x | H_c | p | H_min | p | H_c, H_min extrapolated"
     )
     curves = [
         Curve(label=f"{name}, {which}", x=tuple(f.hx for f in films[:-1]), y=_errors(films, which))
@@ -97,16 +79,10 @@ def orders(quick: bool = False) -> Section:
     )
     return Section(
         title="Orders",
-        text=TEXT,
+        text=text("orders"),
         checks=(*checks, *part_checks),
-        tables=(Table(caption="Films in units of a²/R_x:", head=head, rows=rows), part_table),
-        pictures=(
-            Picture(
-                stem="verification_orders",
-                caption=caption,
-                draw=partial(draw_orders, curves=curves),
-            ),
-        ),
+        tables=(Table("Films in units of a²/R_x:", head, rows), part_table),
+        pictures=(Picture("verification_orders", caption, partial(draw_orders, curves=curves)),),
     )
 
 
@@ -116,13 +92,13 @@ def _part_table() -> tuple[Table, list[Check]]:
     for name, least, errors in _parts():
         order = log2(errors[-2] / errors[-1])
         rows.append((name, *(f"{error:.2e}" for error in errors), f"{order:.2f}"))
-        checks.append(Check(name=f"order of the {name}", value=order, least=least, most=2.3))
+        checks.append(Check(f"order of the {name}", order, least=least, most=2.3))
     head = ("part", *(f"{cells} cells" for cells in CELLS), "p, last two")
     caption = "Parts by themselves, largest or root-mean-square error:"
-    return Table(caption=caption, head=head, rows=tuple(rows)), checks
+    return Table(caption, head, tuple(rows)), checks
 
 
-def _rows(name: str, films: list[RestedFilms]) -> list[tuple[str, ...]]:
+def _rows(name: str, films: list[ConvergedFilms]) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     for i, f in enumerate(films):
         p = [
@@ -154,25 +130,25 @@ def _order(values: list[float]) -> str:
     return f"{log2(ratio):.2f}" if ratio > 0.0 else "sign changes"
 
 
-def _last_order(films: list[RestedFilms]) -> float:
+def _last_order(films: list[ConvergedFilms]) -> float:
     first, second, third = (f.central for f in films[-3:])
     ratio = (second - first) / (third - second)
     return log2(ratio) if ratio > 0.0 else float("nan")
 
 
-def _extrapolated(films: list[RestedFilms], which: str) -> float:
+def _extrapolated(films: list[ConvergedFilms], which: str) -> float:
     coarse, fine = (getattr(f, which) for f in films[-2:])
     return float(fine + (fine - coarse) / 3.0)
 
 
-def _errors(films: list[RestedFilms], which: str) -> tuple[float, ...]:
+def _errors(films: list[ConvergedFilms], which: str) -> tuple[float, ...]:
     truth = _extrapolated(films, which)
     return tuple(abs(getattr(f, which) / truth - 1.0) for f in films[:-1])
 
 
 def _parts() -> list[tuple[str, float, list[float]]]:
-    """Name, least order wanted, errors on grids of `CELLS` cells [-]."""
-    found = [
+    """Name, required order, errors on grids of `CELLS` cells [-]."""
+    parts = [
         (
             f"deflection under Hertz' pressure, R_x/R_y {ratio:g}",
             1.4,
@@ -184,8 +160,8 @@ def _parts() -> list[tuple[str, float, list[float]]]:
         ("Poiseuille term of Kapitza's pressure", 0.0),
         ("Poiseuille term of the far field with a rotation", 0.7),
     ):
-        found.append((name, 1.8, [_kapitza_error(rotation, cells) for cells in CELLS]))
-    return found
+        parts.append((name, 1.8, [_kapitza_error(rotation, cells) for cells in CELLS]))
+    return parts
 
 
 def _hertz_error(ratio: float, cells: int) -> float:

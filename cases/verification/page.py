@@ -3,11 +3,10 @@
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from importlib import resources
 from typing import TypeVar
 
 from matplotlib.figure import Figure
-
-from postprocess.text import value_with_error
 
 from ..runs.films import cores
 
@@ -17,11 +16,9 @@ Result = TypeVar("Result")
 PICTURES = "images"  # folder of the pictures, beside the page
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Check:
-    """One statement with the number found and the bounds it must keep; None: no bound on that
-    side.
-    """
+    """A statement, its computed number and the bounds it must keep; None: not bounded."""
 
     name: str
     value: float
@@ -45,7 +42,7 @@ class Check:
         return f"{self.least:g} to {self.most:g}"
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Table:
     """Cells as text, the head first."""
 
@@ -54,7 +51,7 @@ class Table:
     rows: tuple[tuple[str, ...], ...]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Picture:
     """A picture by its stem, what stands below it, and what draws it into an empty figure."""
 
@@ -74,17 +71,24 @@ class Section:
     pictures: tuple[Picture, ...] = ()
 
 
+def text(name: str) -> str:
+    """Text of a section, from `texts.md`."""
+    page = resources.files(__package__).joinpath("texts.md").read_text(encoding="utf-8")
+    parts = page.split("<!-- ")[1:]
+    return {key: part.strip() for key, _, part in (part.partition(" -->") for part in parts)}[name]
+
+
+def columns(names: str) -> tuple[str, ...]:
+    """Head of a table from names with bars between them."""
+    return tuple(name.strip() for name in names.split("|"))
+
+
 def each(function: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
     """`function` of every item, in order, on all cores: the kernels release the interpreter's
     lock.
     """
     with ThreadPoolExecutor(max_workers=cores()) as pool:
         return list(pool.map(function, items))
-
-
-def with_bar(value: float, error: float) -> str:
-    """Value and error bar, to the bar's first digit [same unit]."""
-    return value_with_error(value, error)
 
 
 def percent(share: float, digits: int = 1) -> str:
@@ -100,9 +104,7 @@ def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
         rows = tuple(
             (c.name, f"{c.value:.4g}", c.bounds, "yes" if c.passed else "**no**") for c in checks
         )
-        table = Table(
-            caption="What is checked:", head=("statement", "found", "wanted", "holds"), rows=rows
-        )
+        table = Table("What is checked:", ("statement", "found", "wanted", "holds"), rows)
         parts += ["## Checks", _table(table)]
     for section in sections:
         parts += [f"## {section.title}", section.text]

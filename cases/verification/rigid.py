@@ -15,27 +15,15 @@ from ehl.scaling import scale_contact
 
 from .asymptotes import asymptotes, film_unit
 from .contacts import WATER_LIKE, Conditions, moes
-from .page import Check, Section, Table, each
+from .page import Check, Section, Table, columns, each, text
 
 Array = NDArray[np.float64]
 
 LOADS = (4.0, 2.0, 1.0, 0.5, 0.25)  # M
 RATIOS = (1.0, 0.1, 5.0)  # Rx/Ry
 REACH = 300.0  # of the direct solution
-NEAR = 10.0  # in sqrt(2 Hc) along x and sqrt(2 Hc/D) along y [-]
+NEAR_REACH = 10.0  # in sqrt(2 Hc) along x and sqrt(2 Hc/D) along y [-]
 STEPS = 300  # of the active set, which moves by a layer of nodes at a time
-TEXT = """\
-At L = 0 and M → 0 nothing deforms, and the film is a pure number over M². Kapitza (1955) solved Reynolds' equation
-on the paraboloid without cavitation; half of his pressure, P > 0 upstream only (half-Sommerfeld), carries the load
-at √H_c = λ π √(2/D)/((3 + 2 D) W), D = R_x/R_y, W the load: a closed form. With the condition of Reynolds the
-pressure ends a little behind the centre and carries more. How much more is a number that depends on D alone;
-*direct* is its value from a solution of Reynolds' equation on the rigid paraboloid that shares nothing with the
-multigrid: finite volumes on a mesh that grows as sinh, the cavity by an active set, a sparse direct solver; out to
-300 √(2 H_c), and out to 10 √(2 H_c) with half of Kapitza's pressure on the edge, as in the open box of the contact
-solver, whose inlet lies at 20 √(2 H_c) and outlet at 1.3 √(2 H_c). That edge is what the solved film lacks: with
-Reynolds' condition the far field reaches behind the middle (to 18° for D = 1) and is a little higher than
-Kapitza's. Films that carry their load far outside the Hertz ellipse are too thin by that much. The last column is
-the rigid-isoviscous asymptote of Nijenbanning, Venner and Moes (1994), a fit."""
 
 
 def rigid_limit(quick: bool = False) -> Section:
@@ -51,7 +39,7 @@ def rigid_limit(quick: bool = False) -> Section:
     )
     direct = each(
         lambda job: reynolds_over_sommerfeld(job[0], 48 if quick else 128, job[1]),
-        [(ratio, reach) for ratio in ratios for reach in (REACH, NEAR)],
+        [(ratio, reach) for ratio in ratios for reach in (REACH, NEAR_REACH)],
     )
     far, near = (dict(zip(ratios, direct[i::2], strict=True)) for i in (0, 1))
     rows, checks = [], []
@@ -74,16 +62,14 @@ def rigid_limit(quick: bool = False) -> Section:
         if m == LOADS[-1]:
             name = f"rigid film over the direct solution, R_x/R_y {ratio:g}, M {m:g}"
             within = 0.04
-            checks.append(
-                Check(name=name, value=share / far[ratio], least=1.0 - within, most=1.0 + within)
-            )
-    head = ("R_x/R_y", "M", "solved", "direct, 300", "direct, 10", "fit RI")
+            checks.append(Check(name, share / far[ratio], least=1.0 - within, most=1.0 + within))
+    head = columns("R_x/R_y | M | solved | direct, 300 | direct, 10 | fit RI")
     caption = f"Central film over that of half of Kapitza's pressure; {points} points, open box:"
     return Section(
         title="Rigid surfaces, isoviscous oil",
-        text=TEXT,
+        text=text("rigid"),
         checks=tuple(checks),
-        tables=(Table(caption=caption, head=head, rows=tuple(rows)),),
+        tables=(Table(caption, head, tuple(rows)),),
     )
 
 

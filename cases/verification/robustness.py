@@ -184,20 +184,19 @@ def read_finished(file: Path, head: dict[str, Any] | None = None) -> list[Finish
         If the file is none of a sweep, or of another one.
     """
     try:
-        found, *lines = (
-            json.loads(line) for line in file.read_text(encoding="utf-8").splitlines()
-        )
-        wanted = {field.name for field in fields(Finished)}
-        if "seed" not in found or any(set(line) != wanted for line in lines):
+        own, *lines = (json.loads(line) for line in file.read_text(encoding="utf-8").splitlines())
+        keys = {field.name for field in fields(Finished)}
+        if "seed" not in own or any(set(line) != keys for line in lines):
             raise ValueError(file)
     except (OSError, ValueError, TypeError):
         raise CaseError(
             [f"{file}: is no sweep of random contacts; move it away, or choose another -o"]
         ) from None
-    if head is not None and found != head:
+    if head is not None and own != head:
         raise CaseError(
             [
-                f"{file}: holds the sweep with {found}, wanted is {head}; choose another -o, or --seed {found['seed']}"
+                f"{file}: holds the sweep with {own}, wanted is {head}; "
+                f"choose another -o, or --seed {own['seed']}"
             ]
         )
     names = ("measures", "first_measures")

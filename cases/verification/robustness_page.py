@@ -6,19 +6,10 @@ from functools import partial
 
 from postprocess.verification.plots import MapPoint, draw_robustness
 
-from .page import Check, Picture, Section, Table
+from .page import Check, Picture, Section, Table, columns, text
 from .robustness import POINTS, RESOLVABLE, THIN_FILM, Finished, strongest
 
 OUTCOMES = ("converged and resolved", "converged, unresolved", "failed")
-TEXT = """\
-Random contacts, solved untuned: M 5 to 3000 (to 10 000 for R_x/R_y < 0.3) and R_x/R_y 0.005 to 5 log-uniform, L 0
-to 30 and pressure-viscosity 8 to 30 1/GPa uniform, entrainment along x or, a third, at any angle; independently of
-that, a third with a rotation of the entrainment of up to half of u_m at the end of the ellipse, as spin makes it;
-Roelands 70 %, Barus 20 %, isoviscous 10 %; Dowson–Higginson 80 %, incompressible 20 %; p_h up to 4 GPa, α p_h up to
-80. Each is solved with {first} points along x and, while it does not end converged and resolved, with {more}.
-*Resolvable* is a contact that is resolved on one of these grids, or whose last film, extrapolated or not, has
-H_min/(S h_x²) ≥ {fineness:g}, or is not positive and tells nothing. A film above 2 % of R_x is reported as
-unresolved on any grid, since the gap is no paraboloid there."""
 
 
 def robustness_section(
@@ -36,21 +27,17 @@ def robustness_section(
     caption = "What each draw needed, over M and L, by R_x/R_y"
     return Section(
         title=f"{len(finished)} contacts, seed {seed}",
-        text=TEXT.format(first=first, more=more, fineness=RESOLVABLE),
+        text=text("robustness").format(first=first, more=more, fineness=RESOLVABLE),
         checks=(
-            Check(name=f"converged, of {len(resolvable)} resolvable", value=share, least=0.99),
-            Check(
-                name="neither converged nor resolved without saying so",
-                value=len(silent),
-                most=0.0,
-            ),
+            Check(f"converged, of {len(resolvable)} resolvable", share, least=0.99),
+            Check("neither converged nor resolved without saying so", len(silent), most=0.0),
         ),
         tables=tuple(tables),
         pictures=(
             Picture(
-                stem="robustness",
-                caption=caption,
-                draw=partial(draw_robustness, points=[_map_point(f) for f in finished]),
+                "robustness",
+                caption,
+                partial(draw_robustness, points=[_map_point(f) for f in finished]),
             ),
         ),
     )
@@ -63,16 +50,16 @@ def _outcomes(finished: Sequence[Finished], points: tuple[int, ...]) -> Table:
         if outcome == OUTCOMES[0]:
             rows.append((outcome, *(str(count) for count in counts), str(sum(counts))))
             continue
-        for name, wanted in (("resolvable", True), ("too thin to resolve", False)):
-            some = [f for f in finished if f.outcome == outcome and f.resolvable == wanted]
-            cells = [str(sum(f.points == n for f in some)) for n in points]
-            rows.append((f"{outcome}, {name}", *cells, str(len(some))))
+        for name, resolvable in (("resolvable", True), ("too thin to resolve", False)):
+            group = [f for f in finished if f.outcome == outcome and f.resolvable == resolvable]
+            cells = [str(sum(f.points == n for f in group)) for n in points]
+            rows.append((f"{outcome}, {name}", *cells, str(len(group))))
     thin = sum(THIN_FILM in f.measures for f in finished)
     rows.append(
         ("of the last four: films extrapolated over the load", *("" for _ in points), str(thin))
     )
     head = ("outcome", *(f"at {n} points" for n in points), "in all")
-    return Table(caption="Outcomes:", head=head, rows=tuple(rows))
+    return Table("Outcomes:", head, tuple(rows))
 
 
 def _measures(finished: Sequence[Finished]) -> Table:
@@ -83,44 +70,38 @@ def _measures(finished: Sequence[Finished]) -> Table:
         (name, str(first.get(name, 0)), str(count), str(solved.get(name, 0)))
         for name, count in (last | Counter(dict.fromkeys(first, 0))).most_common()
     ]
-    head = (
-        "strongest measure taken",
-        "in the first solve",
-        "in the last solve",
-        "of these converged and resolved",
+    head = columns(
+        "strongest measure taken | in the first solve | in the last solve"
+        " | of these converged and resolved"
     )
-    return Table(caption="Measures:", head=head, rows=tuple(rows))
+    return Table("Measures:", head, tuple(rows))
 
 
 def _kinds(finished: Sequence[Finished]) -> Table:
     rows = []
     for kind in ("straight", "at an angle", "rotating"):
-        some = [f for f in finished if f.kind == kind]
-        good = [f for f in some if f.resolvable]
-        plain = sum(f.strongest == "none" for f in some)
-        seconds = sum(f.seconds for f in some) / max(len(some), 1)
+        group = [f for f in finished if f.kind == kind]
+        good = [f for f in group if f.resolvable]
+        plain = sum(f.strongest == "none" for f in group)
+        seconds = sum(f.seconds for f in group) / max(len(group), 1)
         rows.append(
             (
                 kind,
-                str(len(some)),
+                str(len(group)),
                 str(len(good)),
                 str(sum(f.converged for f in good)),
                 str(plain),
                 f"{seconds:.1f}",
             )
         )
-    head = (
-        "entrainment",
-        "draws",
-        "resolvable",
-        "of these converged",
-        "without any measure",
-        "mean time, s",
+    head = columns(
+        "entrainment | draws | resolvable | of these converged | without any measure"
+        " | mean time, s"
     )
     return Table(
-        caption="By the entrainment; time of all solves of a draw, on a machine that was shared:",
-        head=head,
-        rows=tuple(rows),
+        "By the entrainment; time of all solves of a draw, on a machine that was shared:",
+        head,
+        tuple(rows),
     )
 
 
@@ -130,10 +111,8 @@ def _unsolved(finished: Sequence[Finished]) -> Table:
         for f in finished
         if f.outcome != OUTCOMES[0]
     ]
-    head = ("number", "contact", "p_h, GPa", "H_min/(S h_x²)", "message")
-    return Table(
-        caption="All that did not end converged and resolved:", head=head, rows=tuple(rows)
-    )
+    head = columns("number | contact | p_h, GPa | H_min/(S h_x²) | message")
+    return Table("All that did not end converged and resolved:", head, tuple(rows))
 
 
 def _fineness(value: float | None) -> str:

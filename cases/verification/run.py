@@ -1,8 +1,7 @@
 """All sections of the verification page, and the files they make."""
 
 import json
-from collections.abc import Callable, Sequence
-from importlib import import_module
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,36 +11,32 @@ from postprocess.verification.plots import draw_pictures
 from ..format.problems import CaseError
 from ..runs.films import Progress
 from ..runs.output_directory import check_output
+from .asymptotes import moes_diagram
+from .costs import costs
+from .elements import elements
+from .films import named_films
+from .formulas import formulas
+from .limits import hertz_limit, same_contact
 from .names import SectionName
-from .page import PICTURES, Section, markdown
+from .orders import orders
+from .page import PICTURES, Section, markdown, text
+from .rigid import rigid_limit
 
 PAGE = "verification.md"
 SWEEP_PAGE = "robustness.md"
 SWEEP = "robustness.jsonl"
 TITLES = {PAGE: "Verification of the contact solver", SWEEP_PAGE: "Random contacts"}
-INTRODUCTIONS = {
-    PAGE: """\
-This page is written by `oilfilm verify -o docs/validation`: every number on it is computed when the
-command runs. `--section NAME` computes a part of it, `--quick` all of it on coarse grids, and
-`--robustness DRAWS` the sweep over random contacts, see [robustness.md](robustness.md). Equations,
-method and limits are those of [contact.md](../theory/contact.md). Each film value has the error bar
-that the solver gives. A statement that does not hold is marked, and the command ends with
-exit code 1.""",
-    SWEEP_PAGE: """\
-This page is written by `oilfilm verify --robustness 300 -o docs/validation`, from the finished contacts in
-`robustness.jsonl`: the command goes on where it was interrupted, and a larger number adds to them.""",
-}
 
 MAKERS = {
-    SectionName.ORDERS: ("orders", "orders"),
-    SectionName.HERTZ: ("limits", "hertz_limit"),
-    SectionName.RIGID: ("rigid", "rigid_limit"),
-    SectionName.MOES: ("asymptotes", "moes_diagram"),
-    SectionName.SAME: ("limits", "same_contact"),
-    SectionName.FILMS: ("films", "named_films"),
-    SectionName.FORMULAS: ("formulas", "formulas"),
-    SectionName.ELEMENTS: ("elements", "elements"),
-    SectionName.COST: ("costs", "costs"),
+    SectionName.ORDERS: orders,
+    SectionName.HERTZ: hertz_limit,
+    SectionName.RIGID: rigid_limit,
+    SectionName.MOES: moes_diagram,
+    SectionName.SAME: same_contact,
+    SectionName.FILMS: named_films,
+    SectionName.FORMULAS: formulas,
+    SectionName.ELEMENTS: elements,
+    SectionName.COST: costs,
 }
 
 
@@ -49,16 +44,12 @@ def run_sections(
     names: Sequence[SectionName], progress: Progress, *, quick: bool = False
 ) -> list[Section]:
     """Compute sections one after the other; each uses all cores but the one on cost."""
-    found = []
+    sections = []
     for done, name in enumerate(names):
         progress(done, len(names), name.value)
-        module, function = MAKERS[name]
-        make: Callable[[bool], Section] = getattr(
-            import_module(f".{module}", __package__), function
-        )
-        found.append(make(quick))
+        sections.append(MAKERS[name](quick))
     progress(len(names), len(names), "pictures")
-    return found
+    return sections
 
 
 def check_page(directory: Path, page: str) -> None:
@@ -90,8 +81,8 @@ def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
     ]
     draw_pictures(pictures, directory / PICTURES)
     numbers = json.dumps(document(sections), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
-    text = markdown(TITLES[page], INTRODUCTIONS[page], sections)
-    for name, content in ((Path(page).with_suffix(".json").name, numbers), (page, text)):
+    markdown_text = markdown(TITLES[page], text("page" if page == PAGE else "sweep"), sections)
+    for name, content in ((Path(page).with_suffix(".json").name, numbers), (page, markdown_text)):
         with atomic_path(directory / name) as temporary:
             temporary.write_text(content, encoding="utf-8")
 

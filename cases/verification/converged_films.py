@@ -17,12 +17,12 @@ from ehl.solver import choose_domain
 
 from .contacts import Box, Conditions
 
-AT_REST = 2e-7  # relative change of both films in a cycle [-]
+FILM_CHANGE = 2e-7  # relative change of both films in a cycle [-]
 MOST_CYCLES = 12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RestedFilms:
+class ConvergedFilms:
     """Central and minimum film of one grid in units of a^2/Rx, its mesh in semi-axes, change in
     the last cycle [-].
     """
@@ -34,11 +34,10 @@ class RestedFilms:
     change: float
 
 
-def rested_films(conditions: Conditions, box: Box | None, points: int) -> RestedFilms:
-    """Solve on one grid and go on cycling until both films stand still, or no nearer to it than
-    round the clock.
+def fully_converged_films(conditions: Conditions, box: Box | None, points: int) -> ConvergedFilms:
+    """Films of one grid, cycled until both change by less than `FILM_CHANGE` in a cycle [-].
 
-    With `box` None in the open box that the solver chooses. All quantities [-].
+    At most `MOST_CYCLES` further cycles. With `box` None in the open box that the solver chooses.
     """
     contact = scale_contact(conditions)
     options = SolverOptions(points=points, domain=box)
@@ -54,8 +53,8 @@ def rested_films(conditions: Conditions, box: Box | None, points: int) -> Rested
         before = films
         films = film_values(level.grid, level.H)
         change = max(abs(new / old - 1.0) for new, old in zip(films, before, strict=True))
-        if change < AT_REST:
+        if change < FILM_CHANGE:
             break
-    return RestedFilms(
+    return ConvergedFilms(
         points=points, hx=level.grid.hx, central=films[0], minimum=films[1], change=change
     )
