@@ -23,9 +23,10 @@ def pytest_configure(config):
         os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 
-def pytest_report_header(config):
-    """The seed to set for the same sample again."""
-    return f"sample of the slow tests: {SEED}={os.environ[SEED]}"
+def pytest_terminal_summary(terminalreporter, config):
+    """What to set for the same sample again."""
+    if "sample" in config.option.markexpr:
+        terminalreporter.write_line(f"for the same sample again: {SEED}={os.environ[SEED]}")
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -61,7 +62,7 @@ def kernels_compiled_once(tmp_path_factory):
 
 @pytest.fixture(scope="session")
 def shared(tmp_path_factory, worker_id):
-    """Function `shared(name, make)`: the file that `make(path)` writes, made once for all workers."""
+    """Function `shared(name, make)`: the file or folder that `make(path)` writes, once for all workers."""
     base = tmp_path_factory.getbasetemp()
     folder = base if worker_id == "master" else base.parent
 

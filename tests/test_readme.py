@@ -25,7 +25,7 @@ def test_two_commands_set_up_run_and_test():
     first, second = blocks("bash")
     assert "pip install" in first
     assert first.strip().endswith("oilfilm run 6208_full_ceramic")
-    assert second.strip().endswith("pytest")
+    assert second.strip().endswith("pytest -n auto")
     assert all(len(block.strip().splitlines()) == 1 for block in (first, second))
 
 
