@@ -1,6 +1,8 @@
 from .contacts.contacts import BearingContact, contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
 from .fits.clearance import ClearanceBudget, Fit, Warming, clearance_budget
+from .friction.equilibrium import solve_traction_equilibrium
+from .friction.sources import BallTraction
 from .geometry import (
     Bearing,
     Race,
@@ -24,6 +26,7 @@ from .studies.stiffness import StiffnessOverSpeed, ross_table, stiffness_over_sp
 __all__ = [
     "Arrangement",
     "BallKinematics",
+    "BallTraction",
     "Bearing",
     "BearingContact",
     "ClearanceBudget",
@@ -69,5 +72,6 @@ __all__ = [
     "slip_factors",
     "slip_surface",
     "solve_quasistatic",
+    "solve_traction_equilibrium",
     "stiffness_over_speed",
 ]

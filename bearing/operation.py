@@ -1,14 +1,8 @@
 """What is done to a bearing, and the assumptions it is computed with."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import Enum
 from math import isfinite, pi
-from typing import TYPE_CHECKING
-
-if TYPE_CHECKING:
-    from .friction.sources import BallTraction
 
 DEGREES_OF_FREEDOM = ("x", "y", "z", "tilt y", "tilt z")
 
@@ -20,7 +14,7 @@ class BallKinematics(Enum):
     OUTER_RACE_CONTROL: no spin at the outer race, which takes the whole couple;
     INNER_RACE_CONTROL: likewise inner; HALF_AND_HALF: the ball spins about the mean contact angle
     and each race takes half of the couple. TRACTION_EQUILIBRIUM: no hypothesis; the friction of
-    ball on race balances itself on every ball (`BallTraction`).
+    ball on race is in balance on every ball (`friction.equilibrium`).
     """
 
     OUTER_RACE_CONTROL = "outer race control"
@@ -45,19 +39,10 @@ class Curvature(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Model:
-    """Assumptions of the bearing model; `traction` is what traction equilibrium takes and nothing
-    else does.
-    """
+    """Assumptions of the bearing model."""
 
     ball_kinematics: BallKinematics = BallKinematics.HALF_AND_HALF
     curvature: Curvature = Curvature.OPERATING
-    traction: BallTraction | None = None
-
-    def __post_init__(self) -> None:
-        if self.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM and self.traction is None:
-            raise ValueError(
-                "traction: traction equilibrium needs the friction of ball on race, found none"
-            )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

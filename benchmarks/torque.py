@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from time import process_time
 
-from bearing import BallKinematics, Model, Operation, Race, contact_conditions, solve_quasistatic
+from bearing import Operation, Race, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.friction.coulomb import balanced_friction
 from bearing.friction.race_tables import build_race_tables
 from bearing.friction.sources import BallTraction, LawTraction
@@ -63,21 +63,20 @@ def measure_table(case: Case, laws: dict[Race, TractionTable], axial: float, rad
     state = solve_quasistatic(case.bearing, operation, case.model)
     contacts = contact_conditions(state, case.lubricant)
     traction = BallTraction(source=LawTraction(laws=laws), lubricant=case.lubricant)
-    equilibrium = Model(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM, traction=traction)
 
     def point() -> None:
         solved = solve_quasistatic(case.bearing, operation, case.model)
         tabulated_torque(solved, contact_conditions(solved, case.lubricant), laws)
 
     def whole() -> None:
-        solved = solve_quasistatic(case.bearing, operation, equilibrium)
+        solved = solve_traction_equilibrium(case.bearing, operation, None, traction)
         ready = contact_conditions(solved, case.lubricant)
         law_torque(solved, ready, traction.source.prepare(solved, ready).law(solved, ready))
 
     return (
         spent(lambda: tabulated_torque(state, contacts, laws)),
         spent(point),
-        spent(lambda: solve_quasistatic(case.bearing, operation, equilibrium)),
+        spent(lambda: solve_traction_equilibrium(case.bearing, operation, None, traction)),
         spent(whole),
     )
 

@@ -25,7 +25,7 @@ from ..operation import BallKinematics, Model, Operation
 from ..quasistatic.kinematics import HeldBalls, ball_mass
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_held_balls, solve_quasistatic
-from ..rows import Row
+from ..rows import SINGLE, Row
 from .balance import SKID, BalancedFriction, balance_balls, balance_driven_balls, sliding_ratio
 from .newton import BALANCE_TOLERANCE, ContactLaw
 from .sources import PREPARED, BallTraction, PreparedTraction
@@ -67,25 +67,28 @@ class _State:
 def solve_traction_equilibrium(
     bearing: Bearing,
     operation: Operation,
-    model: Model,
-    near: QuasistaticSolution | None,
-    rows: tuple[Row, ...],
+    model: Model | None,
+    traction: BallTraction,
+    initial_guess: QuasistaticSolution | None = None,
+    rows: Sequence[Row] = SINGLE,
 ) -> QuasistaticSolution:
     """Equilibrium of ring and balls with the friction of the races in balance on every ball.
 
     Parameters
     ----------
-    bearing, operation, model, near, rows
-        As in `solve_quasistatic`, SI; the friction is `model.traction`.
+    bearing, operation, model, initial_guess, rows
+        As in `solve_quasistatic`, SI; the ball kinematics of the model is not a hypothesis here
+        but traction equilibrium.
+    traction : BallTraction
+        Friction of ball on race and what holds the balls back.
 
     Returns
     -------
     QuasistaticSolution
         With `converged` False and a `message` where one of the balances was not found.
     """
-    traction = model.traction
-    assert traction is not None  # `Model` sees to it
-    start = _hypothesis(bearing, operation, model, near, rows)
+    model = replace(model or Model(), ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM)
+    start = _hypothesis(bearing, operation, model, initial_guess, rows)
     if not start.converged:
         return replace(
             start, model=model, message=f"traction equilibrium: nowhere to begin; {start.message}"
@@ -135,13 +138,13 @@ def _hypothesis(
     bearing: Bearing,
     operation: Operation,
     model: Model,
-    near: QuasistaticSolution | None,
-    rows: tuple[Row, ...],
+    initial_guess: QuasistaticSolution | None,
+    rows: Sequence[Row],
 ) -> QuasistaticSolution:
     """Equilibrium under the first hypothesis that has one."""
     for kinematics in STARTS:
-        assumed = replace(model, ball_kinematics=kinematics, traction=None)
-        found = solve_quasistatic(bearing, operation, assumed, near, rows)
+        assumed = replace(model, ball_kinematics=kinematics)
+        found = solve_quasistatic(bearing, operation, assumed, initial_guess, rows)
         if found.converged:
             break
     return found

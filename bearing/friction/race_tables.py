@@ -1,4 +1,4 @@
-"""Traction tables of a bearing's two races, in one file.
+"""Traction tables of a bearing's two races, at one temperature of the oil or at several.
 
 The rolling radius of a race changes little from ball to ball with the contact angle: the table
 takes that of its heaviest loaded contact. Loads reach from below the lightest ball (which carries
@@ -6,18 +6,14 @@ its centrifugal force only) to above the heaviest one at either race, speeds fro
 times the entrainment speeds of the case.
 """
 
-import io
-import os
-import zipfile
-from collections.abc import Callable
-from pathlib import Path
+from collections.abc import Callable, Sequence
 
 from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
 from ehl.solid.heat import SolidThermal
 from ehl.traction.table.build import TableOptions, build_table
-from ehl.traction.table.storage import inputs_digest, read_table, write_table
 from ehl.traction.table.table import TableContact, TableRange, TractionTable
+from ehl.traction.table.temperature import TemperatureTable, build_temperature_table
 
 from ..contacts.contacts import BearingContact, contact_conditions
 from ..contacts.motion import bearing_kinematics
@@ -29,6 +25,8 @@ SPEED_MARGIN = (0.5, 1.25)
 LOAD_SPAN = 300.0  # largest over smallest load of a table at most
 Progress = Callable[[int, int, str], None]
 Tables = dict[Race, TractionTable]
+TemperatureTables = dict[Race, TemperatureTable]
+OilAt = Callable[[float], tuple[Lubricant, Rheology]]
 Solids = tuple[SolidThermal, SolidThermal]
 
 
@@ -115,6 +113,41 @@ def build_race_tables(
     return tables
 
 
+def build_temperature_tables(
+    solution: QuasistaticSolution,
+    oil_at: OilAt,
+    temperatures: Sequence[float],
+    options: TableOptions | None = None,
+    progress: Progress | None = None,
+    solids: Solids | None = None,
+) -> TemperatureTables:
+    """Traction tables of both races around a quasi-static solution.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    oil_at : callable
+        Lubricant and rheology at a temperature [K].
+    temperatures : sequence of float
+        Two or more, rising [K].
+    options : TableOptions, optional
+    progress : callable, optional
+        Called with films done, films wanted so far, and a word.
+    solids : tuple of SolidThermal, optional
+        Ball and race, for films with heat; None: at the temperature of the oil [K].
+    """
+    limits = table_range(solution, oil_at(temperatures[0])[0])
+    found = {}
+    for race in Race:
+
+        def contact_at(temperature: float, race: Race = race) -> TableContact:
+            return table_contacts(solution, *oil_at(temperature), temperature, solids)[race]
+
+        told = race_progress(progress, race)
+        found[race] = build_temperature_table(contact_at, temperatures, limits, options, told)
+    return found
+
+
 def race_progress(progress: Progress | None, race: Race) -> Progress:
     """A progress whose words begin with the race; nobody is told where there is none."""
 
@@ -132,59 +165,3 @@ def _loaded(contacts: tuple[BearingContact, ...], race: Race) -> list[BearingCon
     if not found:
         raise ValueError(f"no contact of the {race.value} race is loaded and entrains oil")
     return found
-
-
-def save_race_tables(tables: Tables, path: Path) -> None:
-    """Write the tables of both races into one file; it appears under its name only when it is
-    complete.
-    """
-    partial = path.with_name(path.name + ".partial")
-    with zipfile.ZipFile(partial, "w") as archive:
-        for race, table in tables.items():
-            stream = io.BytesIO()
-            write_table(table, stream)
-            archive.writestr(f"{race.value}.npz", stream.getvalue())
-    os.replace(partial, path)
-
-
-def load_race_tables(
-    path: Path, expected: Tables | None = None, *, oil: Lubricant | None = None
-) -> Tables:
-    """Read the tables of both races.
-
-    Parameters
-    ----------
-    path : Path
-    expected : dict of TractionTable, optional
-        Tables with whose inputs those of the file must agree.
-    oil : Lubricant, optional
-        At whose temperature the tables of a file with several temperatures are wanted; it must be
-        theirs.
-
-    Raises
-    ------
-    ValueError
-        If the file is none of this kind, damaged, or made for other inputs; the message says
-        which.
-    """
-    from .temperature_tables import holds_temperatures, tables_for_oil
-
-    if holds_temperatures(path):
-        if oil is None:
-            raise ValueError(
-                f"{path}: has tables at several temperatures; one of a single temperature is needed here"
-            )
-        return tables_for_oil(path, oil)
-    tables = {}
-    try:
-        with zipfile.ZipFile(path) as archive:
-            parts = {race: archive.read(f"{race.value}.npz") for race in Race}
-    except (zipfile.BadZipFile, KeyError) as problem:
-        raise ValueError(f"{path}: no traction tables of a bearing, or damaged ones") from problem
-    for race, part in parts.items():
-        digest = None
-        if expected is not None:
-            wanted = expected[race]
-            digest = inputs_digest(wanted.contact, wanted.range, wanted.points)
-        tables[race] = read_table(io.BytesIO(part), str(path), digest)
-    return tables

@@ -19,6 +19,7 @@ from ehl.solution import ContactSolution
 from ehl.traction.laws import FourConstantLaw, FrictionLaw
 
 from ..contacts.contacts import BearingContact
+from ..contacts.shape import contact_shape
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
 from .coulomb import contact_ellipses
@@ -144,8 +145,6 @@ class FourConstantTraction(_Everywhere):
 
     def law(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
         """The law at the loads [N] and contact angles of an equilibrium."""
-        from ..contacts.shape import contact_shape
-
         a, b, c, d = self.constants
         laws = []
         for contact in contacts:

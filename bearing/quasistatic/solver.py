@@ -34,7 +34,7 @@ def solve_quasistatic(
     bearing: Bearing,
     operation: Operation,
     model: Model | None = None,
-    near: QuasistaticSolution | None = None,
+    initial_guess: QuasistaticSolution | None = None,
     rows: Sequence[Row] = SINGLE,
 ) -> QuasistaticSolution:
     """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas.
@@ -46,7 +46,8 @@ def solve_quasistatic(
     operation : Operation
         Speeds [rad/s], and per degree of freedom a load [N], [N m] or a displacement [m], [rad].
     model : Model, optional
-    near : QuasistaticSolution, optional
+        With one of the hypotheses on the balls' kinematics.
+    initial_guess : QuasistaticSolution, optional
         A converged solution of the same bearing at speeds and loads nearby, from where the search
         begins.
     rows : sequence of Row, optional
@@ -56,16 +57,22 @@ def solve_quasistatic(
     -------
     QuasistaticSolution
         With `converged` False and a `message` where there is no equilibrium or none was found.
+
+    Raises
+    ------
+    ValueError
+        For traction equilibrium, which `friction.equilibrium.solve_traction_equilibrium` solves.
     """
     model = model or Model()
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
-        from ..friction.equilibrium import solve_traction_equilibrium
-
-        return solve_traction_equilibrium(bearing, operation, model, near, tuple(rows))
+        raise ValueError(
+            "ball_kinematics: solve_quasistatic takes a hypothesis; traction equilibrium needs the "
+            "friction of ball on race, see solve_traction_equilibrium"
+        )
     inputs = (bearing, operation, model, tuple(rows))
     ring = ring_of(bearing, operation, inputs[3])
     problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
-    point, iterations = _from_near(ring, problem, near)
+    point, iterations = _from_near(ring, problem, initial_guess)
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         start = None
         for factor in SPEED_STEPS:

@@ -4,7 +4,7 @@ The stiffness is that of the equilibrium at each speed: contact angles, ball loa
 friction change with it.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -53,6 +53,7 @@ def stiffness_over_speed(
     speeds: Sequence[float],
     model: Model | None = None,
     rows: Sequence[Row] = SINGLE,
+    solve: Callable[..., QuasistaticSolution] = solve_quasistatic,
 ) -> StiffnessOverSpeed:
     """Stiffness at several speeds of the inner ring, all else as in the operation.
 
@@ -65,6 +66,8 @@ def stiffness_over_speed(
         [rad/s].
     model : Model, optional
     rows : sequence of Row, optional
+    solve : callable, optional
+        Finds the equilibrium; called as `solve_quasistatic`.
 
     Returns
     -------
@@ -75,9 +78,8 @@ def stiffness_over_speed(
     near: QuasistaticSolution | None = None
     messages = []
     for index, speed in enumerate(speeds):
-        found = solve_quasistatic(
-            bearing, replace(operation, inner_speed=float(speed)), model, near, rows
-        )
+        at_speed = replace(operation, inner_speed=float(speed))
+        found = solve(bearing, at_speed, model, initial_guess=near, rows=rows)
         if found.converged:
             matrices[index] = found.stiffness
             near = found

@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from bearing.contacts.contacts import BearingContact
-from bearing.friction.race_tables import Tables, save_race_tables
+from bearing.friction.race_tables import Tables
 from bearing.friction.resistance import FREE
 from bearing.friction.sources import BallTraction, LawTraction
+from bearing.friction.table_files import save_race_tables
 from postprocess import summary
 from postprocess.batch.results import OUTSIDE
 from postprocess.bearing.files import write_netcdf
@@ -146,12 +147,11 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
         case.rheology,
         case.films.solids,
     )
-    resistance = FREE if case.model.traction is None else case.model.traction.resistance
+    resistance = FREE if case.traction is None else case.traction.resistance
     traction = BallTraction(
         source=LawTraction(laws=dict(tables)), lubricant=case.lubricant, resistance=resistance
     )
-    model = replace(case.model, traction=traction)
-    results = run_case(replace(case, film_maps="none", model=model), 1)
+    results = run_case(replace(case, film_maps="none", traction=traction), 1)
     return results, () if results.torque is None else _notes(results.contacts, tables)
 
 

@@ -14,17 +14,11 @@ from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from bearing.friction.race_tables import (
-    LOAD_SPAN,
-    Tables,
-    save_race_tables,
-    table_contacts,
-    table_range,
-)
+from bearing.friction.race_tables import LOAD_SPAN, Tables, table_contacts, table_range
 from bearing.friction.sources import FilmTraction
+from bearing.friction.table_files import save_race_tables
 from bearing.geometry import Race
-from bearing.operation import BallKinematics, Model
-from bearing.quasistatic.solver import solve_quasistatic
+from bearing.operation import BallKinematics
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions, build_table
@@ -33,6 +27,7 @@ from ehl.traction.table.table import TableRange
 from ..convert.operation import TRACTION_EQUILIBRIUM
 from ..format.case import Case, ContactCase, case_of_file, check_document
 from ..format.problems import CaseError
+from ..runs.equilibrium import case_equilibrium
 from ..runs.films import cores
 from ..runs.race_tables import made_for, tables_of_file
 from ..version import version
@@ -61,7 +56,7 @@ def needs_tables(case: Case | ContactCase, compute: str) -> bool:
     if not isinstance(case, Case):
         return False
     if compute == "torque":
-        return case.model.traction is None or isinstance(case.model.traction.source, FilmTraction)
+        return case.traction is None or isinstance(case.traction.source, FilmTraction)
     return (
         compute == "dynamics" and case.dynamics is not None and case.dynamics.friction == "table"
     )
@@ -233,7 +228,7 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
     states = []
     for k, case in enumerate(cases):
         progress(k, len(cases), "loads of the points, for traction tables")
-        states.append(solve_quasistatic(case.bearing, case.operation, _without_films(case.model)))
+        states.append(case_equilibrium(_without_films(case)))
     states = [state for state in states if state.converged]
     if not states:
         raise ValueError("no point that shares them has an equilibrium")
@@ -261,15 +256,16 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
     return tables
 
 
-def _without_films(model: Model) -> Model:
+def _without_films(case: Case) -> Case:
     """Half and half in place of an equilibrium by films, which tables are to spare; loads hardly
     depend on it.
     """
-    if model.traction is None or not isinstance(model.traction.source, FilmTraction):
-        return model
-    balanced = model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
-    kinematics = BallKinematics.HALF_AND_HALF if balanced else model.ball_kinematics
-    return replace(model, ball_kinematics=kinematics, traction=None)
+    if case.traction is None or not isinstance(case.traction.source, FilmTraction):
+        return case
+    model = case.model
+    if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
+        model = replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
+    return replace(case, model=model, traction=None)
 
 
 def case_of_document(document: dict[str, Any]) -> Case:

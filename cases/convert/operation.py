@@ -2,7 +2,6 @@
 
 from typing import Any
 
-from bearing.friction.sources import BallTraction
 from bearing.operation import BallKinematics, Curvature, Model, Operation
 
 from ..schema.fields import FREE
@@ -44,14 +43,10 @@ def _split(entries: tuple[Any, ...], unit: float) -> Any:
     return tuple(None if entry == FREE else entry * unit for entry in entries)
 
 
-def model(file: BearingFile, traction: BallTraction | None = None) -> Model:
-    """Assumptions of the bearing model [-], with the friction of balls on races where the case
-    names it.
-    """
+def model(file: BearingFile) -> Model:
+    """Assumptions of the bearing model [-]."""
     kinematics = BallKinematics(kinematics_name(file))
-    return Model(
-        ball_kinematics=kinematics, curvature=Curvature(file.model.curvature), traction=traction
-    )
+    return Model(ball_kinematics=kinematics, curvature=Curvature(file.model.curvature))
 
 
 def kinematics_name(file: BearingFile) -> str:

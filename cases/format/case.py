@@ -13,6 +13,7 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 
 from bearing.fits.clearance import ClearanceBudget
+from bearing.friction.sources import BallTraction
 from bearing.geometry import Bearing
 from bearing.library.bearings import list_bearings, load_catalogue_entry, warn_of_estimates
 from bearing.library.lubricants import list_lubricants
@@ -75,6 +76,8 @@ class Case:
     lubricant: Lubricant
     operation: Operation
     model: Model
+    # friction of balls on races, where the case names it or takes traction equilibrium
+    traction: BallTraction | None
     solver: SolverOptions
     film_maps: str | tuple[float, ...]  # "all", "loaded", "none", or azimuths of balls [rad]
     document: dict[str, Any]  # the case file as run, defaults and library values filled in
@@ -379,7 +382,7 @@ def _bearing_case(file: BearingFile) -> Case:
     operation = convert.operation(file.operation)
     bearing, clearance = convert.operating_bearing(file, operation)
     films = convert.film_physics(file, shear := convert.rheology(file, oil))
-    model = convert.model(file, convert.ball_traction(file, bearing, oil, shear, films))
+    model = convert.model(file)
     document["model"]["ball_kinematics"] = model.ball_kinematics.value
     return Case(
         title=file.title,
@@ -389,6 +392,7 @@ def _bearing_case(file: BearingFile) -> Case:
         lubricant=oil,
         operation=operation,
         model=model,
+        traction=convert.ball_traction(file, bearing, oil, shear, films),
         solver=convert.solver_options(file.ehl),
         film_maps=maps if isinstance(maps, str) else tuple(radians(azimuth) for azimuth in maps),
         document=document,

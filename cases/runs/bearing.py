@@ -1,6 +1,7 @@
 """Run a case: equilibrium of the bearing, then the film of every distinct contact."""
 
 from collections.abc import Sequence
+from dataclasses import replace
 from time import perf_counter
 
 from bearing.contacts.contacts import BearingContact, contact_conditions
@@ -8,12 +9,9 @@ from bearing.contacts.traction import ContactTraction, contact_traction
 from bearing.friction.films import Asperities
 from bearing.friction.resistance import FREE
 from bearing.friction.sources import FilmTraction
-from bearing.operation import Model
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.quasistatic.solver import solve_quasistatic
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
-from bearing.rows import SINGLE
 from bearing.torque.breakdown import TorqueBreakdown, torque_breakdown
 from bearing.torque.integrated import solved_shear
 from bearing.torque.shear_torque import SolvedShear
@@ -24,6 +22,7 @@ from postprocess.results import BearingResults
 from ..format.case import Case
 from ..format.film_model import FilmModel
 from ..version import version
+from .equilibrium import case_equilibrium
 from .films import Progress, Solve, solve_contacts, wanted_contacts
 from .heating import self_heated
 from .traction_films import traction_messages, with_workers
@@ -67,7 +66,8 @@ def run_case(
     notify = progress or (lambda done, total, state: None)
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
-    state = _equilibrium(case, with_workers(case.model, workers, notify, solve))
+    case = replace(case, traction=with_workers(case.traction, workers, notify, solve))
+    state = _equilibrium(case)
     contacts = contact_conditions(state, case.lubricant)
     timing = {"quasistatic": perf_counter() - start}
     wanted, messages = wanted_contacts(case, state, contacts)
@@ -92,7 +92,7 @@ def run_case(
         messages=(
             *case.warnings,
             *case.films.messages,
-            *traction_messages(state, contacts),
+            *traction_messages(case.traction, state, contacts),
             *messages,
         ),
         interrupted=interrupted,
@@ -108,12 +108,12 @@ def run_case(
     return results
 
 
-def _equilibrium(case: Case, model: Model) -> QuasistaticSolution:
+def _equilibrium(case: Case) -> QuasistaticSolution:
     """Loads, angles and motion of the balls; on Ctrl-C, while films are solved for the traction,
     `Interrupted`.
     """
     try:
-        return solve_quasistatic(case.bearing, case.operation, model, rows=case.rows or SINGLE)
+        return case_equilibrium(case)
     except KeyboardInterrupt:
         raise Interrupted(None) from None
 
@@ -170,17 +170,17 @@ def _torque(
         return None
     shear = None
     if state.operation.inner_speed != state.operation.outer_speed:
-        shear = _law_shear(state, contacts) or _film_shear(case, state, contacts, solutions)
+        shear = _law_shear(case, state, contacts) or _film_shear(case, state, contacts, solutions)
     return torque_breakdown(
         state, contacts, case.lubricant, case.friction, shear=shear, solutions=solutions
     )
 
 
 def _law_shear(
-    state: QuasistaticSolution, contacts: Sequence[BearingContact]
+    case: Case, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> SolvedShear | None:
     """Torque by the friction law that the case names; None where it takes that of its films."""
-    traction = state.model.traction
+    traction = case.traction
     if traction is None or isinstance(traction.source, FilmTraction):
         return None
     law = traction.source.prepare(state, contacts).law(state, contacts)
@@ -206,5 +206,5 @@ def _film_shear(
         asperities = Asperities(
             inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary
         )
-    resistance = FREE if state.model.traction is None else state.model.traction.resistance
+    resistance = FREE if case.traction is None else case.traction.resistance
     return solved_shear(state, contacts, solutions, case.rheology, asperities, resistance)

@@ -2,25 +2,18 @@
 that take them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from math import isclose
 from pathlib import Path
-from typing import TYPE_CHECKING
 
-from bearing.friction.race_tables import Tables, load_race_tables
-from bearing.friction.temperature_tables import holds_temperatures, load_temperature_tables
+from bearing.friction.race_tables import Solids, Tables
+from bearing.friction.table_files import load_tables
 from bearing.geometry import Bearing, contact_modulus, reduced_radii
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology
-from ehl.solid.heat import SolidThermal
 from ehl.traction.table.table import TableContact, TractionTable
 from ehl.traction.table.temperature import TemperatureTable
-
-if TYPE_CHECKING:
-    Solids = tuple[SolidThermal, SolidThermal]
 
 NEAR = 1.0e-6  # relative difference up to which a table is for this bearing [-]
 NEAR_RADIUS = 0.05  # the same of the rolling radius, which goes with the contact angle [-]
@@ -52,26 +45,27 @@ def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
         the oil another one.
     """
     try:
-        if not holds_temperatures(path):
-            single = load_race_tables(path)
-            return lambda oil, rheology: single
-        several = load_temperature_tables(path)
+        read = load_tables(path)
     except OSError as problem:
         raise ValueError(f"{path} cannot be read: {problem.strerror or problem}") from None
 
     def tables_at(oil: Lubricant, rheology: Rheology) -> Tables:
         try:
-            return {race: _at(found, oil, rheology) for race, found in several.items()}
+            return {race: _at(table, oil, rheology) for race, table in read.items()}
         except ValueError as problem:
             raise ValueError(f"{path}: {problem}") from problem
 
     return tables_at
 
 
-def _at(found: TemperatureTable, oil: Lubricant, rheology: Rheology) -> TractionTable:
+def _at(
+    found: TractionTable | TemperatureTable, oil: Lubricant, rheology: Rheology
+) -> TractionTable:
     """The table at the temperature of an oil, with its rheology where that is the tables' own at
     this temperature.
     """
+    if isinstance(found, TractionTable):
+        return found
     if oil.temperature is None:
         raise ValueError("has tables at several temperatures, and the lubricant has none")
     table = found.at(oil.temperature, oil)

@@ -9,6 +9,7 @@ from postprocess.stiffness.results import StiffnessResults
 from ..format.case import Case
 from ..format.problems import CaseError
 from ..version import version
+from .equilibrium import equilibrium_solver
 
 
 def run_stiffness(
@@ -40,7 +41,12 @@ def run_stiffness(
     start = perf_counter()
     steps = [first + (last - first) * k / (points - 1) for k in range(points)]
     study = stiffness_over_speed(
-        case.bearing, case.operation, steps, case.model, case.rows or SINGLE
+        case.bearing,
+        case.operation,
+        steps,
+        case.model,
+        case.rows or SINGLE,
+        equilibrium_solver(case),
     )
     return StiffnessResults(
         version=version(),

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from bearing.contacts.contacts import BearingContact
 from bearing.contacts.motion import bearing_kinematics
-from bearing.friction.sources import FilmTraction, LawTraction
-from bearing.operation import BallKinematics, Model
+from bearing.friction.sources import BallTraction, FilmTraction, LawTraction
+from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution, SolverOptions
 
@@ -56,44 +56,45 @@ class FilmSolver:
 
 
 def with_workers(
-    model: Model,
+    traction: BallTraction | None,
     workers: int | None,
     progress: Progress,
     solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None,
-) -> Model:
-    """The model with its films, if it takes any, solved by so many workers [-]."""
-    if model.traction is None or not isinstance(model.traction.source, FilmTraction):
-        return model
-    source = model.traction.source
+) -> BallTraction | None:
+    """The friction with its films, if it takes any, solved by so many workers [-]."""
+    if traction is None or not isinstance(traction.source, FilmTraction):
+        return traction
+    source = traction.source
     if not isinstance(source.solve, FilmSolver):
-        return model
+        return traction
 
     def told(done: int, total: int, state: str) -> None:
         progress(done, total, f"{state} for the traction")
 
     solver = replace(source.solve, workers=workers, progress=told, solve=solve)
-    return replace(model, traction=replace(model.traction, source=replace(source, solve=solver)))
+    return replace(traction, source=replace(source, solve=solver))
 
 
 def traction_messages(
-    state: QuasistaticSolution, contacts: Sequence[BearingContact]
+    traction: BallTraction | None, state: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[str, ...]:
     """Where the friction of balls on races came from, and where a table was asked outside its
     range (loads in [N]).
     """
-    traction = state.model.traction
     if traction is None:
         return ()
     words = f"friction of balls on races: {traction.source.words}"
     if state.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         words = f"balls in traction equilibrium; {words}"
         words += f"; {state.message}" if state.converged else ""
-    return (words, *_outside(state, contacts))
+    return (words, *_outside(traction, state, contacts))
 
 
-def _outside(state: QuasistaticSolution, contacts: Sequence[BearingContact]) -> tuple[str, ...]:
+def _outside(
+    traction: BallTraction, state: QuasistaticSolution, contacts: Sequence[BearingContact]
+) -> tuple[str, ...]:
     """A message if a table's range does not hold a contact at its motion."""
-    source = None if state.model.traction is None else state.model.traction.source
+    source = traction.source
     if not isinstance(source, LawTraction):
         return ()
     places = {}

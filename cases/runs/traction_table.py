@@ -6,9 +6,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 from time import perf_counter
 
-from bearing.friction.race_tables import build_race_tables, race_progress
-from bearing.friction.temperature_tables import build_temperature_tables
-from bearing.quasistatic.solver import solve_quasistatic
+from bearing.friction.race_tables import build_race_tables, build_temperature_tables, race_progress
 from ehl import Lubricant, SolverOptions
 from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions
@@ -23,6 +21,7 @@ from ..format.problems import CaseError
 from ..format.shipped import find_case
 from ..schema.files import BearingFile
 from ..version import version
+from .equilibrium import case_equilibrium
 from .films import Progress, cores
 
 
@@ -98,7 +97,7 @@ def run_table(
         raise CaseError([f"--points: {problem}"]) from None
     assert case.rheology is not None  # of every bearing case
     start = perf_counter()
-    state = solve_quasistatic(case.bearing, case.operation, case.model)
+    state = case_equilibrium(case)
     if not state.converged:
         raise CaseError([f"no table without an equilibrium of the bearing: {state.message}"])
     options = TableOptions(points=points, workers=workers or cores())

@@ -4,8 +4,7 @@ from dataclasses import asdict, dataclass, field
 from math import isfinite
 from typing import Any
 
-from bearing.friction.race_tables import Tables
-from bearing.friction.temperature_tables import TemperatureTables
+from bearing.friction.race_tables import Tables, TemperatureTables
 from ehl.traction.table.full_solves import FullSolve
 
 

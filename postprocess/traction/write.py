@@ -2,8 +2,7 @@
 
 from pathlib import Path
 
-from bearing.friction.race_tables import save_race_tables
-from bearing.friction.temperature_tables import save_temperature_tables
+from bearing.friction.table_files import save_race_tables, save_temperature_tables
 
 from .plots import write_traction_plots
 from .results import TractionResults

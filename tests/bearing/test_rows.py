@@ -254,7 +254,7 @@ def test_a_neighbour_of_a_pair_is_a_start(bearings):
     first = solve_quasistatic(bearings.b7008, Operation(inner_speed=900.0, force=(100.0, 300.0, 0.0)), rows=rows)
     operation = Operation(inner_speed=910.0, force=(110.0, 300.0, 0.0))
     cold = solve_quasistatic(bearings.b7008, operation, rows=rows)
-    warm = solve_quasistatic(bearings.b7008, operation, near=first, rows=rows)
+    warm = solve_quasistatic(bearings.b7008, operation, initial_guess=first, rows=rows)
     assert warm.iterations < cold.iterations + 1
     assert_allclose(warm.inner_load, cold.inner_load, rtol=1e-8, atol=1e-7)
 

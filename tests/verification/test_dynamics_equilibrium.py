@@ -13,15 +13,14 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import (
-    BallKinematics,
     Bearing,
     Material,
-    Model,
     Operation,
     Race,
     contact_angle_to_clearance,
     contact_conditions,
     solve_quasistatic,
+    solve_traction_equilibrium,
 )
 from bearing.dynamics.bodies import ring_body
 from bearing.dynamics.friction import RaceFriction, four_constant_friction
@@ -79,8 +78,7 @@ def motion(state, layout):
 def balanced(operation, laws):
     """Ring, balls and their friction in balance together, and the friction of every contact."""
     traction = BallTraction(source=LawTraction(laws=laws), lubricant=OIL)
-    model = Model(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM, traction=traction)
-    state = solve_quasistatic(BEARING, operation, model)
+    state = solve_traction_equilibrium(BEARING, operation, None, traction)
     assert state.converged
     friction = law_balance(state, contact_conditions(state, OIL), laws)
     assert friction.converged

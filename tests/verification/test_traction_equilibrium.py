@@ -7,7 +7,7 @@ from math import pi
 import numpy as np
 from numpy.testing import assert_allclose
 
-from bearing import BallKinematics, Model, Operation, Race, solve_quasistatic
+from bearing import Operation, Race, solve_quasistatic, solve_traction_equilibrium
 from bearing.dynamics.bodies import ring_body
 from bearing.dynamics.friction import RaceFriction, four_constant_friction
 from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
@@ -31,8 +31,7 @@ def test_steady_dynamics_is_the_traction_equilibrium_with_its_loads():
 
     source = LawTraction(laws={Race.INNER: friction.inner, Race.OUTER: friction.outer})
     traction = BallTraction(source=source, lubricant=OIL)
-    model = Model(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM, traction=traction)
-    state = solve_quasistatic(BEARING, operation, model)
+    state = solve_traction_equilibrium(BEARING, operation, None, traction)
     assert state.converged, state.message
     assumed = solve_quasistatic(BEARING, operation)
 

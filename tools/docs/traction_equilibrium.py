@@ -11,7 +11,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from bearing import BallKinematics, Model, contact_conditions, solve_quasistatic
+from bearing import BallKinematics, Model, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.contacts.motion import bearing_kinematics
 from bearing.friction.balance import ring_power
 from bearing.friction.sources import BallTraction, CoulombTraction, FilmTraction, FourConstantTraction, TractionSource
@@ -82,8 +82,12 @@ def imbalance(state: QuasistaticSolution, source: TractionSource, case: Case) ->
 
 
 def row(case: Case, model: Model, source: TractionSource | None) -> Row:
-    """Ball 1 of the case under a model."""
-    state = solve_quasistatic(case.bearing, case.operation, model)
+    """Ball 1 of the case under a model; in traction equilibrium where there is a source of friction."""
+    if source is None:
+        state = solve_quasistatic(case.bearing, case.operation, model)
+    else:
+        traction = BallTraction(source=source, lubricant=case.lubricant)
+        state = solve_traction_equilibrium(case.bearing, case.operation, model, traction)
     if not state.converged:
         raise SystemExit(state.message)
     inner, outer = contact_conditions(state, case.lubricant)[:2]
@@ -97,7 +101,7 @@ def row(case: Case, model: Model, source: TractionSource | None) -> Row:
         outer_spin=outer.spin_roll_ratio,
         inner_share=float(state.inner_friction[0] / both),
         cage=state.cage_speed / case.operation.inner_speed,
-        imbalance=None if source is None else imbalance(state, source, case),
+        imbalance=imbalance(state, source, case) if source and not isinstance(source, FilmTraction) else None,
     )
 
 
@@ -106,10 +110,7 @@ def ways(case: Case) -> Iterator[tuple[str, Row]]:
     for name, kinematics in HYPOTHESES.items():
         yield name, row(case, Model(ball_kinematics=kinematics), None)
     for name, source in sources(case).items():
-        traction = BallTraction(source=source, lubricant=case.lubricant)
-        model = Model(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM, traction=traction)
-        exact = None if isinstance(source, FilmTraction) else source
-        yield name, row(case, model, exact)
+        yield name, row(case, Model(), source)
 
 
 def at(case: Case, rpm: float, axial: float) -> Case:

@@ -6,12 +6,13 @@ Run it with `python tools/docs/validation_004.py`.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from math import pi
 from pathlib import Path
 
 from printed import printed
 
-from bearing import BallKinematics, contact_conditions, solve_quasistatic
+from bearing import BallKinematics, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.friction.coulomb import balanced_friction
 from bearing.friction.sources import BallTraction, CoulombTraction
 from bearing.torque.breakdown import torque_breakdown
@@ -35,8 +36,11 @@ def solved(case: Case, speed: float, loads: tuple[float, float], **changes: obje
     if changes.get("free"):
         operation = replace(operation, moment=(0.0, 0.0), tilt=(None, None))
     kinematics = changes.get("kinematics", case.model.ball_kinematics)
-    model = replace(case.model, ball_kinematics=kinematics, traction=changes.get("traction"))  # type: ignore[arg-type]
-    state = solve_quasistatic(case.bearing, operation, model)
+    model = replace(case.model, ball_kinematics=kinematics)  # type: ignore[arg-type]
+    solve = solve_quasistatic
+    if "traction" in changes:
+        solve = partial(solve_traction_equilibrium, traction=changes["traction"])  # type: ignore[arg-type]
+    state = solve(case.bearing, operation, model)
     assert state.converged
     contacts = contact_conditions(state, case.lubricant)
     assert case.friction is not None  # of every bearing case

@@ -9,7 +9,16 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import BallKinematics, Model, Operation, Race, Row, contact_conditions, solve_quasistatic
+from bearing import (
+    BallKinematics,
+    Model,
+    Operation,
+    Race,
+    Row,
+    contact_conditions,
+    solve_quasistatic,
+    solve_traction_equilibrium,
+)
 from bearing.contacts.motion import bearing_kinematics
 from bearing.contacts.shape import contact_shape
 from bearing.friction.balance import balance_driven_balls, curvature_slip, ring_power
@@ -26,23 +35,23 @@ COULOMB = CoulombTraction(friction=0.06)
 E_X = np.array([1.0, 0.0, 0.0])
 
 
-def model(source, resistance=None, lubricant=OIL):
-    traction = BallTraction(source=source, lubricant=lubricant, resistance=resistance or Resistance())
-    return Model(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM, traction=traction)
+def solved(bearing, operation, source, resistance=None, **options):
+    traction = BallTraction(source=source, lubricant=OIL, resistance=resistance or Resistance())
+    return solve_traction_equilibrium(bearing, operation, None, traction, **options)
 
 
-def friction(state):
+def friction(state, source):
     """Contacts of a solved bearing, their motions (n, 4) and forces and moments (n, 4) on the balls."""
     contacts = contact_conditions(state, OIL)
     kinematics = [bearing_kinematics(state, contact) for contact in contacts]
     motion = np.array([[k.sliding_x, k.sliding_y, k.spin, k.rolling] for k in kinematics])
-    law = state.model.traction.source.prepare(state, contacts).law(state, contacts)
+    law = source.prepare(state, contacts).law(state, contacts)
     return contacts, motion, -law.dissipation(motion, np.arange(len(contacts))).gradient
 
 
-def left_over(state):
+def left_over(state, source):
     """Force and moment left on every ball and force on the ring, by vectors in the bearing's frame."""
-    contacts, _, forces = friction(state)
+    contacts, _, forces = friction(state, source)
     radius, count = 0.5 * state.bearing.ball_diameter, state.azimuth.size
     force, moment, ring = np.zeros((count, 3)), np.zeros((count, 3)), np.zeros(3)
     for contact, (along, across, spin, rolling) in zip(contacts, forces, strict=True):
@@ -73,17 +82,17 @@ CASES = (
 @pytest.mark.parametrize(("name", "operation", "source"), CASES)
 def test_forces_and_moments_of_balls_and_ring_balance(bearings, name, operation, source):
     """All six balances of each ball and the ring's, to 1e-8 of the loads; rings' power is heat to 1e-6."""
-    state = solve_quasistatic(getattr(bearings, name), Operation(**operation), model(source))
+    state = solved(getattr(bearings, name), Operation(**operation), source)
     assert state.converged, state.message
     assert (state.inner_load > 0.0).all()
-    force, moment, ring = left_over(state)
+    force, moment, ring = left_over(state, source)
     assert_allclose(force, 0.0, atol=1e-8 * state.inner_load.max())
     assert_allclose(moment, 0.0, atol=1e-8 * state.inner_load.max() * state.bearing.ball_diameter)
     assert_allclose(ring, -np.array(state.operation.force), atol=1e-8 * state.inner_load.max())
     assert_allclose(state.ring_force, state.operation.force, atol=1e-8 * state.inner_load.max())
     both = (state.inner_friction + state.outer_friction) * 0.5 * state.bearing.ball_diameter
     assert_allclose(both, state.gyroscopic_moment, rtol=1e-6)
-    contacts, motion, forces = friction(state)
+    contacts, motion, forces = friction(state, source)
     heat = -float((forces * motion).sum())
     shaft = sum(ring_power(state, contact, pull) for contact, pull in zip(contacts, forces, strict=True))
     assert shaft == pytest.approx(heat, rel=1e-6)
@@ -94,9 +103,9 @@ def test_power_that_drag_and_cage_take_is_the_rest(bearings):
     cage = Cage(pocket_friction=0.0, land_diameter=0.066, land_width=4e-3, land_clearance=3e-4)
     resistance = resistance_of(cage, bearings.b6208, 0.02, 870.0, 0.05)
     operation = Operation(inner_speed=800.0, force=(600.0, 1000.0, 0.0))
-    state = solve_quasistatic(bearings.b6208, operation, model(COULOMB, resistance))
-    free = solve_quasistatic(bearings.b6208, operation, model(COULOMB))
-    contacts, motion, forces = friction(state)
+    state = solved(bearings.b6208, operation, COULOMB, resistance)
+    free = solved(bearings.b6208, operation, COULOMB)
+    contacts, motion, forces = friction(state, COULOMB)
     heat = -float((forces * motion).sum())
     shaft = sum(ring_power(state, contact, pull) for contact, pull in zip(contacts, forces, strict=True))
     speed = 0.5 * bearings.b6208.pitch_diameter * state.orbit_speed
@@ -110,7 +119,7 @@ def test_power_that_drag_and_cage_take_is_the_rest(bearings):
 def test_balls_under_radial_load_have_no_attitude_and_roll_at_the_kinematic_speed(bearings):
     """Symmetric grooves, no thrust: no spin, no couple, orbit within the little slide that drives the ball."""
     operation = Operation(inner_speed=800.0, force=(0.0, 3000.0, 0.0))
-    state = solve_quasistatic(bearings.b6208, operation, model(FOUR))
+    state = solved(bearings.b6208, operation, FOUR)
     assumed = solve_quasistatic(bearings.b6208, operation)
     assert state.converged
     assert_allclose(state.attitude, 0.0, atol=1e-12)
@@ -127,9 +136,7 @@ def test_at_little_speed_the_motion_does_not_know_how_strong_the_friction_is(bea
     Friction is rounded off alike for all mu, hence the tolerance is that of the gyroscopic couple left.
     """
     operation = Operation(inner_speed=1.0, force=(5000.0, 1500.0, 0.0))
-    weak, strong = (
-        solve_quasistatic(bearings.b7008, operation, model(CoulombTraction(friction=mu))) for mu in (0.05, 0.5)
-    )
+    weak, strong = (solved(bearings.b7008, operation, CoulombTraction(friction=mu)) for mu in (0.05, 0.5))
     assert weak.converged and strong.converged
     assert_allclose(strong.attitude, weak.attitude, rtol=1e-4)
     assert_allclose(strong.orbit_speed, weak.orbit_speed, rtol=1e-4)
@@ -143,10 +150,10 @@ def test_at_little_speed_the_motion_does_not_know_how_strong_the_friction_is(bea
 def test_mirror_and_reversed_rotation(bearings):
     """Thrust the other way mirrors attitudes and angles; rotation the other way reverses speeds alone."""
     loads = (15000.0, 4000.0, 0.0)
-    first = solve_quasistatic(bearings.b218, Operation(inner_speed=800.0, force=loads), model(COULOMB))
+    first = solved(bearings.b218, Operation(inner_speed=800.0, force=loads), COULOMB)
     mirrored = Operation(inner_speed=800.0, force=(-loads[0], *loads[1:]))
-    mirror = solve_quasistatic(bearings.b218, mirrored, model(COULOMB))
-    back = solve_quasistatic(bearings.b218, Operation(inner_speed=-800.0, force=loads), model(COULOMB))
+    mirror = solved(bearings.b218, mirrored, COULOMB)
+    back = solved(bearings.b218, Operation(inner_speed=-800.0, force=loads), COULOMB)
     assert_allclose(mirror.attitude, -first.attitude, rtol=1e-6)
     assert_allclose(mirror.inner_friction, -first.inner_friction, rtol=1e-6)
     assert_allclose(mirror.orbit_speed, first.orbit_speed, rtol=1e-9)
@@ -157,8 +164,8 @@ def test_mirror_and_reversed_rotation(bearings):
 def test_rows_are_in_equilibrium_together(bearings):
     """Two like rows in tandem are one row under half the load."""
     operation = Operation(inner_speed=500.0, force=(600.0, 0.0, 0.0))
-    pair = solve_quasistatic(bearings.b7008, operation, model(FOUR), rows=(Row(), Row()))
-    one = solve_quasistatic(bearings.b7008, replace(operation, force=(300.0, 0.0, 0.0)), model(FOUR))
+    pair = solved(bearings.b7008, operation, FOUR, rows=(Row(), Row()))
+    one = solved(bearings.b7008, replace(operation, force=(300.0, 0.0, 0.0)), FOUR)
     assert pair.converged
     for index in range(2):
         assert_allclose(pair.row(index).inner_load, one.inner_load, rtol=1e-8)
@@ -181,7 +188,7 @@ def test_the_torque_takes_the_balance_of_the_equilibrium(bearings):
     """Balls found to be carried stay so, and the motion found is that of the torque: no step is made any more."""
     shapes = {race: contact_shape(bearings.b6208, race, 0.1) for race in Race}
     source = LawTraction(laws={race: RollingResistance(shape) for race, shape in shapes.items()})
-    state = solve_quasistatic(bearings.b6208, Operation(inner_speed=500.0, force=(400.0, 1500.0, 0.0)), model(source))
+    state = solved(bearings.b6208, Operation(inner_speed=500.0, force=(400.0, 1500.0, 0.0)), source)
     assert state.converged, state.message
     assert state.carried.any() and (state.inner_load[state.carried] > 0.0).all()
     contacts = contact_conditions(state, OIL)
@@ -195,7 +202,7 @@ def test_the_torque_takes_the_balance_of_the_equilibrium(bearings):
 
 def test_rings_that_turn_as_one_have_nothing_to_balance(bearings):
     operation = Operation(inner_speed=300.0, outer_speed=300.0, force=(300.0, 0.0, 0.0))
-    state = solve_quasistatic(bearings.b7008, operation, model(FOUR))
+    state = solved(bearings.b7008, operation, FOUR)
     assert state.converged
     assert "as one" in state.message
     assert_allclose(state.spin_speed, 0.0, atol=1e-12)
@@ -203,14 +210,15 @@ def test_rings_that_turn_as_one_have_nothing_to_balance(bearings):
 
 def test_friction_that_cannot_hold_the_balls_is_told(bearings):
     operation = Operation(inner_speed=5000.0, force=(0.0, 0.0, 0.0))
-    state = solve_quasistatic(bearings.b6208, operation, model(FOUR))
+    state = solved(bearings.b6208, operation, FOUR)
     assert not state.converged
     assert "equilibrium" in state.message
 
 
-def test_without_friction_there_is_no_traction_equilibrium():
-    with pytest.raises(ValueError, match="traction"):
-        Model(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM)
+def test_the_quasistatic_solver_refuses_traction_equilibrium(bearings):
+    model = Model(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM)
+    with pytest.raises(ValueError, match="solve_traction_equilibrium"):
+        solve_quasistatic(bearings.b6208, Operation(inner_speed=500.0, force=(400.0, 0.0, 0.0)), model)
 
 
 def test_random_bearings_converge_or_say_why():
@@ -225,7 +233,7 @@ def test_random_bearings_converge_or_say_why():
             continue
         drawn += 1
         source = FOUR if drawn % 2 else COULOMB
-        state = solve_quasistatic(bearing, operation, model(source))
+        state = solved(bearing, operation, source)
         if not state.converged:
             assert "equilibrium" in state.message
             failed.append(drawn)

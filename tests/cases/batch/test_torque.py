@@ -54,11 +54,11 @@ def test_traction_equilibrium_is_the_default_with_tables(tmp_path):
 def test_no_film_is_solved_for_the_loads_of_shared_tables(tmp_path):
     case = case_of_document(sweep_of(tmp_path, case_text()).points[0].document)
     assert case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
-    plain = _without_films(case.model)
-    assert plain.ball_kinematics is BallKinematics.HALF_AND_HALF
+    plain = _without_films(case)
+    assert plain.model.ball_kinematics is BallKinematics.HALF_AND_HALF
     assert plain.traction is None
     law = case_of_document(sweep_of(tmp_path, case_text(LAW)).points[0].document)
-    assert _without_films(law.model) is law.model
+    assert _without_films(law) is law
 
 
 @pytest.mark.parametrize("kinematics", [None, "outer race control"])

@@ -250,7 +250,7 @@ def test_not_converged_is_written_flagged_and_told(monkeypatch, tmp_path):
         solved = solve(*arguments, **options)
         return dataclasses.replace(solved, converged=False, message="the load exceeds every capacity")
 
-    monkeypatch.setattr("cases.runs.bearing.solve_quasistatic", fail)
+    monkeypatch.setattr("cases.runs.equilibrium.solve_quasistatic", fail)
     answer = oilfilm("run", AT_REST, "-o", "out", "--quiet")
     assert answer.exit_code == 1
     assert "the load exceeds every capacity" in answer.stderr

@@ -5,8 +5,7 @@ from __future__ import annotations
 import pytest
 from typer.testing import CliRunner
 
-from bearing.friction.race_tables import save_race_tables
-from bearing.friction.temperature_tables import save_temperature_tables
+from bearing.friction.table_files import save_race_tables, save_temperature_tables
 from bearing.geometry import Race
 from bearing.material import load_material
 from cases.batch.sweep import sweep_from_text
@@ -154,7 +153,7 @@ def test_tables_over_the_temperature_are_taken_at_that_of_the_case(over_temperat
         assert model.friction.outer.contact.temperature == celsius + 273.15
         assert model.friction.outer.contact.rheology == case.rheology
         named = f'[friction]\ntraction = "table"\ntraction_table = "{over_temperature}"\n'
-        laws = case_from_text(warm_text(celsius) + named, "case.toml").model.traction.source.laws
+        laws = case_from_text(warm_text(celsius) + named, "case.toml").traction.source.laws
         assert laws[Race.INNER].contact == model.friction.inner.contact
     file_of(tmp_path, warm_text(40.0))
     (tmp_path / "made.zip").write_bytes(over_temperature.read_bytes())

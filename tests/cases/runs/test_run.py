@@ -92,7 +92,7 @@ def test_no_films_without_equilibrium(solver, monkeypatch):
     def fail(*arguments, **named):
         return dataclasses.replace(solve(*arguments, **named), converged=False, message="no equilibrium")
 
-    monkeypatch.setattr("cases.runs.bearing.solve_quasistatic", fail)
+    monkeypatch.setattr("cases.runs.equilibrium.solve_quasistatic", fail)
     results = run_case(load_case(CASE))
     assert solver.asked == []
     assert not results.converged

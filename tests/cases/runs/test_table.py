@@ -9,11 +9,13 @@ from dataclasses import replace
 import pytest
 from typer.testing import CliRunner
 
-from bearing.friction.race_tables import load_race_tables
+from bearing.friction.table_files import load_race_tables
 from bearing.geometry import Race
 from bearing.library.lubricants import library_lubricant
 from cases.cli.main import app
 from cases.format.case import load_case
+from cases.runs.race_tables import tables_of_file
+from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions
 from ehl.traction.table.full_solves import FullSolve
 from postprocess.traction.results import TractionResults, _beside, traction_summary
@@ -78,6 +80,11 @@ def test_bad_input(arguments, told, tmp_path, monkeypatch):
     assert list(tmp_path.iterdir()) == []
 
 
+def tables_at(path, oil):
+    """Tables of both races for an oil, from a file with several temperatures."""
+    return tables_of_file(path)(oil, Rheology(eyring_stress=5e6))
+
+
 @pytest.mark.slow
 def test_tables_over_the_temperature(quick, tmp_path):
     """Saved with all temperatures, read for the oil of a case between them, refused for another oil."""
@@ -90,18 +97,18 @@ def test_tables_over_the_temperature(quick, tmp_path):
     assert told["temperatures_K"] == [313.15, 333.15]
     assert len(told["largest_error_between"]) == 1
     oil = library_lubricant("iso vg 32", 328.15)
-    for table in load_race_tables(path, oil=oil).values():
+    for table in tables_at(path, oil).values():
         assert table.contact.lubricant == oil
         assert table.contact.temperature == 328.15
     with pytest.raises(ValueError, match="made for another oil: its viscosity"):
-        load_race_tables(path, oil=library_lubricant("iso vg 68", 328.15))
+        tables_at(path, library_lubricant("iso vg 68", 328.15))
     with pytest.raises(ValueError, match=r"temperature must lie within 313\.15 to 333\.15 K"):
-        load_race_tables(path, oil=library_lubricant("iso vg 32", 350.0))
+        tables_at(path, library_lubricant("iso vg 32", 350.0))
     with pytest.raises(ValueError, match="has tables at several temperatures"):
         load_race_tables(path)
     path.write_bytes(path.read_bytes()[:-2000])
     with pytest.raises(ValueError, match="damaged"):
-        load_race_tables(path, oil=oil)
+        tables_at(path, oil)
 
 
 def test_full_solves_that_do_not_converge_are_told():

@@ -6,8 +6,8 @@ from math import radians
 
 import pytest
 
-from bearing.friction.race_tables import save_race_tables
 from bearing.friction.sources import CoulombTraction, FilmTraction, FourConstantTraction
+from bearing.friction.table_files import save_race_tables
 from bearing.operation import BallKinematics
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError
@@ -46,12 +46,12 @@ def test_a_law_named_makes_traction_equilibrium_the_default():
     named = case(TEXT + LAW)
     assert named.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     assert named.document["model"]["ball_kinematics"] == "traction equilibrium"
-    assert isinstance(named.model.traction.source, FourConstantTraction)
+    assert isinstance(named.traction.source, FourConstantTraction)
     kept = case(TEXT + LAW + '[model]\nball_kinematics = "inner race control"\n')
     assert kept.model.ball_kinematics is BallKinematics.INNER_RACE_CONTROL
     coulomb = case(TEXT + '[friction]\ntraction = "coulomb"\ncoefficient = 0.06\n')
-    assert coulomb.model.traction.source == CoulombTraction(friction=0.06)
-    assert isinstance(case(TEXT + ASKED).model.traction.source, FilmTraction)
+    assert coulomb.traction.source == CoulombTraction(friction=0.06)
+    assert isinstance(case(TEXT + ASKED).traction.source, FilmTraction)
 
 
 def test_the_summary_has_the_new_state_and_power_closes():
@@ -120,11 +120,11 @@ def test_a_table_is_read_and_a_foreign_one_refused(tables, tmp_path):
     path = tmp_path / "6208.table"
     save_race_tables(tables, path)
     named = f'[friction]\ntraction = "table"\ntraction_table = "{path}"\n'
-    model = case(TEXT + named).model
-    assert model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
+    table_case = case(TEXT + named)
+    assert table_case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     for race, table in tables.items():
         motion = (sum(table.range.load) / 2.0, sum(table.range.speed) / 2.0, 0.1, 0.02, 50.0)
-        assert model.traction.source.laws[race].forces(*motion) == table.forces(*motion)
+        assert table_case.traction.source.laws[race].forces(*motion) == table.forces(*motion)
     with pytest.raises(CaseError, match="oil"):
         case(TEXT.replace("20.0\n", "21.0\n", 1) + named)
 

@@ -1,0 +1,27 @@
+"""Equilibrium of the bearing of a case: under a hypothesis on the balls, or in traction equilibrium."""
+
+from collections.abc import Callable
+from functools import partial
+
+from bearing.friction.equilibrium import solve_traction_equilibrium
+from bearing.operation import BallKinematics
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.quasistatic.solver import solve_quasistatic
+from bearing.rows import SINGLE
+
+from ..format.case import Case
+
+
+def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
+    """The solver that the ball kinematics of a case asks for; called as `solve_quasistatic`."""
+    if case.model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
+        return solve_quasistatic
+    if case.traction is None:
+        raise ValueError("traction equilibrium needs the friction of ball on race, found none")
+    return partial(solve_traction_equilibrium, traction=case.traction)
+
+
+def case_equilibrium(case: Case) -> QuasistaticSolution:
+    """Loads, angles and motion of the balls of a case."""
+    solve = equilibrium_solver(case)
+    return solve(case.bearing, case.operation, case.model, rows=case.rows or SINGLE)
