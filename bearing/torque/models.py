@@ -60,6 +60,8 @@ class FrictionInput:
     flooded: bool = False  # the total stays that of flooded films although a supply is given
     # SKF's sliding moment also with the slip of the sliding friction paper
     as_printed: bool = False
+    # results show every model, not only integrated, SKF, Palmgren and Coulomb
+    all_models: bool = False
 
     @property
     def film_friction(self) -> float:

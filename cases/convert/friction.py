@@ -50,6 +50,7 @@ def friction(file: BearingFile) -> FrictionInput:
         supply=_supply(file),
         flooded=file.lubricant.supply == "flooded",
         as_printed=table.as_printed,
+        all_models=table.models == "all",
     )
 
 

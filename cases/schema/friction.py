@@ -32,6 +32,10 @@ class FrictionTable(Table):
     traction_limit: float | None = Field(
         None, ge=0.0, le=1.0, description="four constants: coefficient at large slide"
     )
+    models: Literal["main", "all"] = Field(
+        "main",
+        description="torque models shown: main are integrated, skf, palmgren and coulomb; all adds those of single papers",
+    )
     lubrication: Literal["oil bath", "low oil bath", "oil jet", "grease", "oil air"] = Field(
         "low oil bath",
         description="how the oil comes to the bearing, for SKF's model and Palmgren's",
