@@ -51,16 +51,16 @@ def case_path(key: str) -> tuple[str, ...]:
 
 def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
     """The keys of a block; `"operation.load" = 1` and `operation.load = 1` are the same."""
-    found: list[Setting] = []
+    settings: list[Setting] = []
     for name, value in table.items():
         if isinstance(value, dict):
             inner = block_settings(value, (*where, name))
-            found += [
+            settings += [
                 Setting(f"{name}.{setting.key}", setting.where, setting.value) for setting in inner
             ]
         else:
-            found.append(Setting(name, (*where, name), value))
-    return found
+            settings.append(Setting(name, (*where, name), value))
+    return settings
 
 
 def factorial(file: SweepFile) -> tuple[Iterator[Variation], int, list[Problem]]:

@@ -27,8 +27,8 @@ from ..runs.films import Solve
 from ..runs.race_tables import made_for
 from ..runs.slip import run_slip
 from ..runs.traction_table import run_table
+from .points import Task
 from .tables import tables_once
-from .tasks import Task
 
 Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
 
@@ -70,7 +70,7 @@ def compute(
 
 
 def _with_fields(results: BearingResults | ContactResults, task: Task) -> Computed:
-    """The summary, and the netCDF file of the film maps if it is wanted."""
+    """The summary, and the netCDF file of the film maps if one is written."""
     document = summary(results)
     if not task.fields:
         return document, {}
@@ -81,7 +81,7 @@ def _with_fields(results: BearingResults | ContactResults, task: Task) -> Comput
 
 
 def _dynamics(case: Case, task: Task, tables: Path | None) -> Computed:
-    """Time simulation; its history is a file if it is wanted."""
+    """Time simulation; its history is a file if one is written."""
     with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
         history = Path(temporary) / "history.nc"
         document = dynamics_summary(run_dynamics(case, "case", history, tables=tables))
@@ -110,8 +110,8 @@ def _torque(case: Case, tables: Tables | None) -> Computed:
         for race, table in tables.items()
         if not table.converged
     ]
-    told = [f"not converged: traction table, {text}" for text in poor]
-    document["messages"] = [*document["messages"], *notes, *told]
+    warnings = [f"not converged: traction table, {text}" for text in poor]
+    document["messages"] = [*document["messages"], *notes, *warnings]
     document["converged"] = document["converged"] and not poor
     return document, {}
 

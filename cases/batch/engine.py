@@ -11,22 +11,21 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from .points import Sweep
+from .points import Receipt, Sweep, Task
 from .pools import Pool
 from .store import SWEEP_FILE, finished_keys, open_folder, write_file, write_point
 from .tables import prepare_tables, table_path
-from .task import FAILED, LOST, failure
-from .tasks import Receipt, Task
+from .worker import FAILED, LOST, failure
 
 Notify = Callable[[int, int, str], None]
-TICK = 1.0  # the time left is told anew at least as often [s]
+TICK = 1.0  # the time left is updated at least as often [s]
 # tables that leave the contacts as they are
 WITHOUT_EFFECT = ("surface", "slip", "friction", "cage", "dynamics")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Batch:
-    """What a batch did: points found finished, points computed, those that failed, and the wall
+    """What a batch did: points finished before, points computed, those that failed, and the wall
     time [s].
     """
 
@@ -37,23 +36,26 @@ class Batch:
     wall: float
 
 
-class Pace:
+class ProgressEstimate:
     """Rate and time left, from the points computed so far."""
 
     def __init__(self, total: int, notify: Notify) -> None:
-        self.total, self.done, self.found, self.notify = total, 0, 0, notify
+        self.total = total
+        self.done = 0
+        self.resumed = 0
+        self.notify = notify
         self.start = perf_counter()
 
     def tell(self) -> None:
         """Show how far the batch is."""
-        self.notify(self.done + self.found, self.total, self.text(perf_counter() - self.start))
+        self.notify(self.done + self.resumed, self.total, self.text(perf_counter() - self.start))
 
     def text(self, elapsed: float) -> str:
         """Rate and time left in words, after `elapsed` seconds [s]."""
         if not self.done or elapsed <= 0.0:
             return "points"
         rate = self.done / elapsed
-        left = (self.total - self.done - self.found) / rate
+        left = (self.total - self.done - self.resumed) / rate
         speed = f"{rate:.3g}/s" if rate >= 1.0 else f"{60.0 * rate:.3g}/min"
         return f"points, {speed}, {duration(left)} left"
 
@@ -99,15 +101,15 @@ def run_batch(
     CaseError
         If the folder cannot be used.
     OSError
-        If a finished point cannot be written; all that were finished before are kept.
+        If a finished point cannot be written; all finished before stay.
     """
     start = perf_counter()
     open_folder(directory, resume=resume)
     write_file(directory / SWEEP_FILE, sweep.text.encode("utf-8"))
     documents = {point.key: point.document for point in sweep.points}
     finished = finished_keys(directory, documents)
-    pace = Pace(len(documents), progress or (lambda done, total, state: None))
-    pace.found = len(finished)
+    pace = ProgressEstimate(len(documents), progress or (lambda done, total, state: None))
+    pace.resumed = len(finished)
     pace.tell()
     waiting = [key for key in documents if key not in finished]
     tables = _tables(sweep, waiting, directory, pace)
@@ -147,15 +149,19 @@ class _PointTables:
     failed: frozenset[str]
 
 
-def _tables(sweep: Sweep, waiting: list[str], directory: Path, pace: Pace) -> _PointTables:
-    """Have the traction tables made that points need; those without them are recorded."""
-    wanted = set(waiting)
+def _tables(
+    sweep: Sweep, waiting: list[str], directory: Path, pace: ProgressEstimate
+) -> _PointTables:
+    """Build the traction tables that points need; points without them are recorded."""
+    unfinished = set(waiting)
     names = {point.key: point.tables for point in sweep.points if point.tables is not None}
     if not any(key in names for key in waiting):
         return _PointTables({}, frozenset())
-    problems = prepare_tables(sweep, wanted, directory, pace.notify)
+    problems = prepare_tables(sweep, unfinished, directory, pace.notify)
     failed = {
-        key: problems[name] for key, name in names.items() if key in wanted and name in problems
+        key: problems[name]
+        for key, name in names.items()
+        if key in unfinished and name in problems
     }
     for key, message in failed.items():
         write_point(directory, key, failure(key, FAILED, message))
@@ -175,7 +181,7 @@ def _closing(pool: Pool) -> Iterator[Pool]:
     pool.close(at_once=False)
 
 
-def _execute(tasks: Iterable[Task], pool: Pool, directory: Path, pace: Pace) -> None:
+def _execute(tasks: Iterable[Task], pool: Pool, directory: Path, pace: ProgressEstimate) -> None:
     """Keep every worker busy; when one is lost, try the points it may have held again, one at a
     time.
     """
@@ -214,7 +220,9 @@ def _submit(pool: Pool, task: Task) -> Future[Receipt]:
         return future
 
 
-def _keep(future: Future[Receipt], task: Task, pool: Pool, directory: Path, pace: Pace) -> bool:
+def _keep(
+    future: Future[Receipt], task: Task, pool: Pool, directory: Path, pace: ProgressEstimate
+) -> bool:
     """Put a finished point on disk; whether its worker was there to the end."""
     try:
         receipt = future.result()
@@ -235,7 +243,7 @@ def _keep(future: Future[Receipt], task: Task, pool: Pool, directory: Path, pace
     return True
 
 
-def _alone(task: Task, pool: Pool, directory: Path, pace: Pace) -> None:
+def _alone(task: Task, pool: Pool, directory: Path, pace: ProgressEstimate) -> None:
     """A point whose worker may have died of it, by itself; recorded if it loses a second one."""
     future = _submit(pool, task)
     wait([future])

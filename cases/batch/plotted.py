@@ -23,12 +23,12 @@ def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[Problem]:
     known = result_names(kind)
     for k, name in enumerate(names):
         if name not in known:
-            told = "allowed: main results, torque_N_mm, supply and self_heating of batch.csv"
+            allowed = "allowed: main results, torque_N_mm, supply and self_heating of batch.csv"
             nearest = next(
                 (whole for whole in known if whole.endswith(f".{name}")), nearest_name(name, known)
             )
             yield Problem(
-                path=("plot", k), found=f"found {shown(name)}", allowed=told, nearest=nearest
+                path=("plot", k), found=f"found {shown(name)}", allowed=allowed, nearest=nearest
             )
         elif name in names[:k]:
             yield Problem(

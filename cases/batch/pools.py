@@ -10,8 +10,8 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from ..format.problems import CaseError
-from .task import DONE, compute_point
-from .tasks import Receipt, Task
+from .points import Receipt, Task
+from .worker import DONE, compute_point
 
 THREADS = (
     "OMP_NUM_THREADS",
@@ -56,7 +56,7 @@ class Pool(Protocol):
 
 
 def prepare_worker() -> None:
-    """In a new process: one thread each, Ctrl-C is the parent's to answer, and no life after the
+    """In a new process: one thread each, Ctrl-C is the parent's to handle, and no life after the
     parent's.
     """
     os.environ.update(dict.fromkeys(THREADS, "1"))

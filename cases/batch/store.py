@@ -1,10 +1,11 @@
 """The folder of a batch: one file for each finished point, there as a whole or not at all.
 
-sweep.toml          the sweep as run last points/KEY.json     a finished point: the case as run and
-its summary, or the message it failed with points/KEY.nc       its film maps, where they are asked
-for points/KEY.zip      its traction tables, where these are what is computed contacts/KEY.npz
-solved contacts that several points share tables/KEY.zip      traction tables that several points
-share
+sweep.toml          the sweep as run last
+points/KEY.json     a finished point: case and summary, or the message it failed with
+points/KEY.nc       its film maps, where the batch writes them
+points/KEY.zip      its traction tables, where the batch computes tables
+contacts/KEY.npz    solved contacts that several points share
+tables/KEY.zip      traction tables that several points share
 """
 
 import json

@@ -99,7 +99,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     table = _table_file(file, folder, bool(common), (name, lines))
     if table is not None:
         wrong = foreign_points(table, common, examples)
-        problems = [_foreign(found, numbers) for found, numbers in wrong.items()]
+        problems = [_foreign(reason, numbers) for reason, numbers in wrong.items()]
         if problems:
             raise _error(name, lines, problems)
     points = with_tables(
@@ -128,36 +128,36 @@ def _table_file(
     """The traction tables that the sweep file names, if its points need any."""
     if file.table is None:
         return None
-    found = None
+    reason = None
     if not needed:
-        found = "no point needs traction tables"
+        reason = "no point needs traction tables"
         allowed = 'allowed: with compute = "torque" and no law in friction.traction, or dynamics.friction = "table"'
     path = (folder or FilePath()) / file.table
     try:
-        if found is None and not path.is_file():
-            found = f"{file.table}: there is no such file"
+        if reason is None and not path.is_file():
+            reason = f"{file.table}: there is no such file"
             allowed = "allowed: a file that `oilfilm table` wrote"
     except (OSError, ValueError) as error:
-        found = f"{file.table!r}: {error}"
+        reason = f"{file.table!r}: {error}"
         allowed = "allowed: a file that `oilfilm table` wrote"
-    if found is not None:
-        raise _error(*place, [Problem(path=("table",), found=found, allowed=allowed)])
+    if reason is not None:
+        raise _error(*place, [Problem(path=("table",), found=reason, allowed=allowed)])
     return path
 
 
-def _foreign(found: str, numbers: Sequence[int]) -> Problem:
-    """Tables that were not made for some points."""
+def _foreign(reason: str, numbers: Sequence[int]) -> Problem:
+    """Tables of other bodies or another oil than some points have."""
     others = f" and {len(numbers) - 1} others" if len(numbers) > 1 else ""
     allowed = (
         "allowed: tables that `oilfilm table` made of the same bearing and oil, or table left out"
     )
-    return Problem(path=("table",), found=f"{found}: point {numbers[0]}{others}", allowed=allowed)
+    return Problem(path=("table",), found=f"{reason}: point {numbers[0]}{others}", allowed=allowed)
 
 
 def _title(case: str, keys: tuple[str, ...]) -> str:
     """The title of the case and what is varied of it."""
-    words = [key.rpartition(".")[2] for key in keys]
-    return f"{case}; varied: {', '.join(words[:4])}{' ...' if len(words) > 4 else ''}"
+    names = [key.rpartition(".")[2] for key in keys]
+    return f"{case}; varied: {', '.join(names[:4])}{' ...' if len(names) > 4 else ''}"
 
 
 def _schema() -> dict[str, Any]:
@@ -215,25 +215,25 @@ def _variations(
         )
     if problems:
         return [], [], problems
-    found: list[Variation] = [*combinations, *listed(file)]
+    variations: list[Variation] = [*combinations, *listed(file)]
     for table, options, where in cubes:
         sampled, faults = hypercube(table, options, where)
-        found += sampled
+        variations += sampled
         problems += faults
     if file.sensitivity is not None:
         changed, notes, faults = _sensitivity(file, base)
-        found += changed
+        variations += changed
         problems += faults
-    if not found and not problems:
+    if not variations and not problems:
         allowed = "needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys"
         problems.append(Problem(path=(), line=1, found="no points", allowed=allowed))
-    return found, notes, problems
+    return variations, notes, problems
 
 
 def _sensitivity(
     file: SweepFile, base: dict[str, Any]
 ) -> tuple[list[Variation], list[str], list[Problem]]:
-    assert file.sensitivity is not None  # asked before
+    assert file.sensitivity is not None  # checked before
     case, problems = _checked(base, "case")
     if case is None:
         return (
@@ -247,8 +247,8 @@ def _sensitivity(
                 )
             ],
         )
-    asked = file.sensitivity.keys
-    keys = case.assumed if asked == "assumed" else tuple(asked)
+    names = file.sensitivity.keys
+    keys = case.assumed if names == "assumed" else tuple(names)
     return differences(file.sensitivity, keys, {key: _value(case.document, key) for key in keys})
 
 
@@ -301,7 +301,7 @@ def _points(
     """Every variation as a checked point, by their numbers what those that need tables must have
     in common, and a case of each kind of these.
 
-    `CaseError` with the problems of all of them, each told once.
+    `CaseError` with the problems of all of them, each reported once.
     """
     points = []
     common = dict[int, str]()
@@ -311,9 +311,9 @@ def _points(
         document = with_values(base, variation)
         if file.compute == "torque":
             document = with_equilibrium(document)
-        case, found = _checked(document, f"point {number}")
+        case, faults = _checked(document, f"point {number}")
         if case is None:
-            problems += _located(found, variation, fixed, number)
+            problems += _located(faults, variation, fixed, number)
         elif not problems:
             points.append(
                 Point(
@@ -381,7 +381,7 @@ def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[Probl
 def _located(
     problems: Iterable[Problem], variation: Variation, fixed: Variation, number: int
 ) -> Iterator[Problem]:
-    """Problems of a point as problems of the sweep file: at the key it varies or fixes, or told
+    """Problems of a point as problems of the sweep file: at the key it varies or fixes, or stated
     with the point.
     """
     settings = (*variation.settings, *fixed.settings)

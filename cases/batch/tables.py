@@ -137,7 +137,7 @@ def foreign_points(
     path: Path, common: Mapping[int, str], examples: Mapping[str, Case]
 ) -> dict[str, list[int]]:
     """Points that the tables of a file were not made for, by what is wrong; none of damaged ones,
-    which are told later.
+    which are reported later.
 
     `common` has by the number of a point what it must have in common with others, `examples` a
     case of each kind.
@@ -147,17 +147,17 @@ def foreign_points(
     except ValueError:
         return {}
     wrong: dict[str, list[int]] = {}
-    told = {}
+    reasons = {}
     for same, case in examples.items():
         assert case.rheology is not None  # of every bearing case
         oil = (case.lubricant, case.rheology)
         try:
             made_for(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
         except ValueError as problem:
-            told[same] = str(problem).replace(str(path), path.name)
+            reasons[same] = str(problem).replace(str(path), path.name)
     for number, same in common.items():
-        if same in told:
-            wrong.setdefault(told[same], []).append(number)
+        if same in reasons:
+            wrong.setdefault(reasons[same], []).append(number)
     return wrong
 
 
@@ -172,7 +172,7 @@ def table_path(directory: Path, name: str) -> Path:
 
 
 def prepare_tables(
-    sweep: Sweep, wanted: Iterable[str], directory: Path, progress: Progress
+    sweep: Sweep, names: Iterable[str], directory: Path, progress: Progress
 ) -> dict[str, str]:
     """Make the traction tables that points still to be computed need, those that are there already
     left as they are.
@@ -180,19 +180,19 @@ def prepare_tables(
     Parameters
     ----------
     sweep : Sweep
-    wanted : iterable of str
+    names : iterable of str
         Names of the points.
     directory : Path
         Of the batch.
     progress : callable
-        Called with films done, films wanted so far, and a word.
+        Called with films done, films planned so far, and a word.
 
     Returns
     -------
     dict of str
-        What kept tables from being made, by their name.
+        Why tables could not be built, by their name.
     """
-    keys = set(wanted)
+    keys = set(names)
     problems = {}
     for name in dict.fromkeys(
         point.tables for point in sweep.points if point.tables and point.key in keys
@@ -213,7 +213,7 @@ def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:
     if sweep.table is None:
         save_race_tables(shared_tables(sweep, name, progress), path)
         return
-    tables_of_file(sweep.table)  # damaged ones are told before anything is copied
+    tables_of_file(sweep.table)  # damaged ones are reported before anything is copied
     partial = path.with_name(f"{path.name}.partial")
     shutil.copyfile(sweep.table, partial)
     os.replace(partial, path)
@@ -249,10 +249,10 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
         heaviest, oil, rheology, solids=cases[0].films.solids
     ).items():
 
-        def told(done: int, total: int, state: str, race: Race = race) -> None:
+        def notify(done: int, total: int, state: str, race: Race = race) -> None:
             progress(done, total, f"traction tables, {race.value} race: {state}")
 
-        tables[race] = build_table(contact, whole, options, told)
+        tables[race] = build_table(contact, whole, options, notify)
     return tables
 
 

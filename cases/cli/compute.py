@@ -47,9 +47,9 @@ def run(
             save(results, directory, progress)
     except Interrupted as stop:
         if stop.results is not None and directory is not None:
-            kept = directory if not directory.exists() else Path(f"{directory}_interrupted")
-            save(stop.results, kept)
-            say(f"finished films in {kept}")
+            target = directory if not directory.exists() else Path(f"{directory}_interrupted")
+            save(stop.results, target)
+            say(f"finished films in {target}")
         raise KeyboardInterrupt from None
     return finish(results, directory, as_json=as_json, quiet=quiet)
 

@@ -74,22 +74,24 @@ def compare(
     from postprocess.compare.compare import compare as compared
 
     with _as_case_errors(first, second):
-        found = compared(first, second)
+        comparison = compared(first, second)
     if as_json:
-        print_lines(json.dumps(found.document(), indent=2, ensure_ascii=False, allow_nan=False))
+        print_lines(
+            json.dumps(comparison.document(), indent=2, ensure_ascii=False, allow_nan=False)
+        )
     elif not quiet:
         from rich.console import Console
 
         from postprocess.compare.table import comparison_table
 
-        Console().print(comparison_table(found))
-    for name, converged in zip(found.names, found.converged, strict=True):
+        Console().print(comparison_table(comparison))
+    for name, converged in zip(comparison.names, comparison.converged, strict=True):
         if not converged:
             say(f"oilfilm: {name}: not converged")
-    far = within is not None and found.largest > within
+    far = within is not None and comparison.largest > within
     if far:
-        say(f"oilfilm: a result differs by more than {within:g}: {found.largest:.3g}")
-    return NOT_CONVERGED if far or not all(found.converged) else 0
+        say(f"oilfilm: a result differs by more than {within:g}: {comparison.largest:.3g}")
+    return NOT_CONVERGED if far or not all(comparison.converged) else 0
 
 
 @app.command()

@@ -29,7 +29,7 @@ Restart = Annotated[
 Tables = Annotated[
     Path | None,
     typer.Option(
-        "--table", metavar="FILE", help="Traction tables that 'oilfilm table' made of the case."
+        "--table", metavar="FILE", help="Traction tables that 'oilfilm table' built for the case."
     ),
 ]
 
@@ -91,7 +91,7 @@ def dynamics(
 
 
 def _animate(directory: Path, file: Path) -> None:
-    """Draw the motion; a machine that cannot draw is told of, and the results stay."""
+    """Draw the motion; where that fails a message says so, and the results stay."""
     from postprocess.scene.animation import animate
     from postprocess.scene.rendering import RenderingError
 

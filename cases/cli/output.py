@@ -1,4 +1,4 @@
-"""What the commands that compute share: where results go, how they are written and told."""
+"""What the commands that compute share: where results go, how they are written and reported."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def save_with(write: Callable[[Path], tuple[str, ...]], directory: Path | None) 
 def finish(
     results: BearingResults | ContactResults, directory: Path | None, *, as_json: bool, quiet: bool
 ) -> int:
-    """Print what a run found, and tell what did not converge."""
+    """Print the results of a run and what did not converge."""
     from postprocess import summary
     from postprocess.bearing.table import result_table
 
@@ -94,7 +94,7 @@ def say_notes(messages: list[str]) -> None:
 
 
 def _of_failure(message: str) -> bool:
-    """Whether a message is told with what did not converge."""
+    """Whether a message belongs to what did not converge."""
     return "not converged" in message or message.startswith(
         ("equilibrium of", "no film was computed")
     )

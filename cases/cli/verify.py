@@ -67,7 +67,7 @@ def verify(
         sections = [
             _sweep(robustness, SEED if seed is None else seed, directory, quick=quick, quiet=quiet)
         ]
-    return _tell(sections, directory, as_json=as_json, quiet=quiet)
+    return _report(sections, directory, as_json=as_json, quiet=quiet)
 
 
 def _page(
@@ -97,7 +97,7 @@ def _sweep(draws: int, seed: int, directory: Path, *, quick: bool, quiet: bool) 
             finished = sweep(draws, seed, directory / SWEEP, progress, points)
     except KeyboardInterrupt:
         say(
-            f"finished contacts are kept in {directory / SWEEP}; the same command goes on with them"
+            f"finished contacts are kept in {directory / SWEEP}; the same command continues with them"
         )
         raise
     section = robustness_section(finished, seed, points)
@@ -106,22 +106,22 @@ def _sweep(draws: int, seed: int, directory: Path, *, quick: bool, quiet: bool) 
     return section
 
 
-def _tell(sections: list[Section], directory: Path | None, *, as_json: bool, quiet: bool) -> int:
+def _report(sections: list[Section], directory: Path | None, *, as_json: bool, quiet: bool) -> int:
     from ..verification.run import document
 
-    found = document(sections)
+    results = document(sections)
     if directory is not None and not quiet:
         say(f"results in {directory}")
     if as_json:
-        print_lines(json.dumps(found, indent=2, ensure_ascii=False, allow_nan=False))
+        print_lines(json.dumps(results, indent=2, ensure_ascii=False, allow_nan=False))
     elif not quiet:
         from rich.console import Console
 
         Console().print(_table(sections))
-    if found["converged"]:
+    if results["converged"]:
         return 0
     say("oilfilm: these statements do not hold:")
-    for message in found["messages"]:
+    for message in results["messages"]:
         say(f"  {message}")
     return NOT_CONVERGED
 

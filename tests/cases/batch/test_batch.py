@@ -16,13 +16,13 @@ import postprocess
 from cases import CaseError
 from cases.batch import engine
 from cases.batch.contact_cache import cached_solver, content_key
-from cases.batch.engine import Pace, duration, run_batch
+from cases.batch.engine import ProgressEstimate, duration, run_batch
+from cases.batch.points import Receipt, Task
 from cases.batch.pools import LocalPool, scheduler_address
 from cases.batch.results import gathered, write_batch
 from cases.batch.store import finished_keys, read_point
 from cases.batch.sweep import read_sweep, sweep_from_text
-from cases.batch.task import compute_point
-from cases.batch.tasks import Receipt, Task
+from cases.batch.worker import compute_point
 from cases.cli.main import app
 
 HEAD = 'case = "6208_full_ceramic"\n'
@@ -326,7 +326,7 @@ def test_resume_after_the_sweep_was_extended_and_a_file_was_damaged(tmp_path):
 def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatch):
     import errno
 
-    from cases.batch import task
+    from cases.batch import worker
 
     written = []
 
@@ -336,8 +336,8 @@ def test_a_full_disk_ends_the_batch_and_keeps_what_is_there(tmp_path, monkeypatc
         written.append(key)
         real(folder, key, files)
 
-    real = task.write_point
-    monkeypatch.setattr(task, "write_point", write)
+    real = worker.write_point
+    monkeypatch.setattr(worker, "write_point", write)
     sweep = sweep_from_text(QUICK, "sweep.toml")
     with pytest.raises(OSError, match="No space left"):
         run_batch(sweep, tmp_path / "out", HerePool)
@@ -359,7 +359,7 @@ def test_a_full_disk_is_told_with_what_is_kept(tmp_path, monkeypatch):
         patch.setattr(results, "write_batch", full)
         found = CliRunner().invoke(app, words)
     assert found.exit_code == 4
-    assert f"finished points are kept in {tmp_path / 'out'}; make room, and go on with --resume" in found.stderr
+    assert f"finished points are kept in {tmp_path / 'out'}; make room, then continue with --resume" in found.stderr
     assert "No space left on device" in found.stderr
     assert CliRunner().invoke(app, [*words, "--resume"]).exit_code == 0
     assert json.loads((tmp_path / "out" / "summary.json").read_text(encoding="utf-8"))["resumed"] == 6
@@ -458,8 +458,8 @@ def test_a_worker_without_the_folder_sends_its_files(tmp_path):
 
 def test_rate_and_time_left():
     told = []
-    pace = Pace(10, lambda *words: told.append(words))
-    pace.found = 2
+    pace = ProgressEstimate(10, lambda *words: told.append(words))
+    pace.resumed = 2
     pace.tell()
     assert told == [(2, 10, "points")]
     pace.done = 4

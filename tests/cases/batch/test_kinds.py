@@ -16,11 +16,11 @@ from bearing.operation import BallKinematics
 from cases import CaseError, load_case, run_case
 from cases.batch.compute import torque_by_tables
 from cases.batch.engine import run_batch
+from cases.batch.points import Task
 from cases.batch.pools import ClusterPool, LocalPool
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
-from cases.batch.task import compute_point
-from cases.batch.tasks import Task
+from cases.batch.worker import compute_point
 from cases.cli.main import app
 from ehl.traction.table.build import TableOptions
 from postprocess import summary

@@ -167,7 +167,7 @@ def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
     process.send_signal(signal.SIGINT)
     _, stderr = process.communicate(timeout=240.0)
     assert process.returncode == 3
-    assert "go on with --resume" in stderr
+    assert "continue with --resume" in stderr
     assert "Traceback" not in stderr
     answer = subprocess.run([*words, "--resume", "--json"], cwd=tmp_path, capture_output=True, text=True, check=False)
     assert answer.returncode == 0

@@ -14,8 +14,8 @@ from ..format.problems import CaseError
 from ..version import version
 from .compute import Computed, compute
 from .contact_cache import cached_solver
+from .points import Receipt, Task
 from .store import CONTACTS, read_point, write_file, write_point
-from .tasks import Receipt, Task
 
 DONE = "done"
 FAILED = "failed"
