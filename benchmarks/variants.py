@@ -31,9 +31,9 @@ class FullDomain:
 
     symmetric = False
 
-    def factors(self, contact, grid, P, H):
+    def factors(self, contact, grid, P, H, last):
         """Those of the entrainment."""
-        return entrainment_factors(contact, grid)
+        return entrainment_factors(contact, grid), None
 
 
 @contextmanager

@@ -14,8 +14,9 @@ from .multigrid.extrapolation import extrapolate
 from .multigrid.flow_model import FlowModel
 from .multigrid.full_multigrid import (
     ATTEMPTS,
+    Attempt,
+    AttemptResult,
     DivergedError,
-    Outcome,
     Progress,
     contact_multigrid,
     full_multigrid,
@@ -71,29 +72,41 @@ def solve_contact(
     ValueError
         If the conditions leave the problem undetermined; the message names the field.
     """
-    options = options or SolverOptions()
+    return solve_attempts(conditions, options or SolverOptions(), flow_model)[0]
+
+
+def solve_attempts(
+    conditions: ContactConditions | MoesConditions,
+    options: SolverOptions,
+    flow_model: FlowModel | None = None,
+    attempts: tuple[Attempt, ...] = ATTEMPTS,
+) -> tuple[ContactSolution, Multigrid]:
+    """As `solve_contact`, with attempts of choice; the levels of the solution, too."""
     if options.tolerance is not None:
-        return _solve_to_tolerance(conditions, options, options.tolerance, flow_model)
-    outcome, solution = _solve(conditions, options, flow_model)
-    if not _too_thin(outcome) or options.domain is not None or flow_model is not None:
-        return solution
-    contact = outcome.state.contact
-    grid = outcome.state.levels[-1].grid
-    # where the film found is none
-    guess = THINNEST * contact.film_guess / (contact.curvature_x * grid.hx**2)
-    fineness = max(_fineness(outcome), guess) / RESOLVED
-    return thin_film(solution, fineness, lambda lighter: _solve(lighter, options, None)[1])
+        return _solve_to_tolerance(conditions, options, flow_model, attempts)
+    result, solution = _solve(conditions, options, flow_model, attempts)
+    if _too_thin(result) and options.domain is None and flow_model is None:
+        contact = result.state.contact
+        grid = result.state.levels[-1].grid
+        # without a film to measure, from the formula's
+        guess = THINNEST * contact.film_guess / (contact.curvature_x * grid.hx**2)
+        fineness = max(_fineness(result), guess) / RESOLVED
+        solution = thin_film(
+            solution, fineness, lambda lighter: _solve(lighter, options, None, attempts)[1]
+        )
+    return solution, result.state
 
 
 def _solve(
     conditions: ContactConditions | MoesConditions,
     options: SolverOptions,
     flow_model: FlowModel | None,
-) -> tuple[Outcome, ContactSolution]:
-    """One contact on the number of points asked for."""
+    attempts: tuple[Attempt, ...],
+) -> tuple[AttemptResult, ContactSolution]:
+    """One contact on the number of points of the options."""
     contact = scale_contact(conditions)
     turned = scale_contact(conditions, along_entrainment=True)
-    began = time.perf_counter()
+    start = time.perf_counter()
     progress = Progress()
     if options.domain is None:
         domain, film = _pilot(contact, progress)
@@ -101,36 +114,37 @@ def _solve(
     else:
         domain = options.domain
     lighter = tuple(scale_contact(at_load(conditions, share)) for share in LOAD_STEPS)
-    outcome = solve_with_fallbacks(
-        (contact, turned), domain, options, progress, flow_model, lighter
+    result = solve_with_fallbacks(
+        (contact, turned), domain, options, progress, flow_model, lighter, attempts
     )
     record = ConvergenceRecord(
-        residual=tuple(outcome.residual),
-        force_error=tuple(outcome.load),
-        film_change=tuple(outcome.changes),
-        cycles=len(outcome.changes),
-        fft_equivalents=progress.deflected_nodes / outcome.state.levels[-1].P.size,
+        residual=tuple(result.residual),
+        force_error=tuple(result.load),
+        film_change=tuple(result.changes),
+        cycles=len(result.changes),
+        fft_equivalents=progress.deflected_nodes / result.state.levels[-1].P.size,
         fallbacks=tuple(progress.fallbacks),
-        wall_time=time.perf_counter() - began,
+        wall_time=time.perf_counter() - start,
     )
-    return outcome, _solution(conditions, options, outcome, record)
+    return result, _solution(conditions, options, result, record)
 
 
 def _solve_to_tolerance(
     conditions: ContactConditions | MoesConditions,
     options: SolverOptions,
-    tolerance: float,
     flow_model: FlowModel | None,
-) -> ContactSolution:
-    """Double the points until both error bars are small enough, or the budget is spent: then say
-    so.
+    attempts: tuple[Attempt, ...],
+) -> tuple[ContactSolution, Multigrid]:
+    """Double the points until both error bars are within the tolerance; the message says so if the
+    points of the options do not suffice.
     """
+    tolerance = options.tolerance
+    assert tolerance is not None
     points = min(TOLERANCE_START, options.points)
     wall_time = 0.0
     while True:
-        solution = solve_contact(
-            conditions, replace(options, points=points, tolerance=None), flow_model
-        )
+        coarser = replace(options, points=points, tolerance=None)
+        solution, levels = solve_attempts(conditions, coarser, flow_model, attempts)
         wall_time += solution.record.wall_time
         films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
         bars = [film.uncertainty / abs(film.value) for film in films]
@@ -144,14 +158,14 @@ def _solve_to_tolerance(
             f"tolerance {tolerance:g} not reached at {points} points: error bars {bars[0]:.1e} central, "
             f"{bars[1]:.1e} minimum film; try more points"
         )
-    record = replace(solution.record, wall_time=wall_time)
-    return replace(
+    solution = replace(
         solution,
         options=options,
-        record=record,
+        record=replace(solution.record, wall_time=wall_time),
         message=message,
         resolved=solution.resolved and bool(reached),
     )
+    return solution, levels
 
 
 def choose_domain(contact: ScaledContact) -> tuple[float, float, float]:
@@ -171,17 +185,17 @@ def _pilot(contact: ScaledContact, progress: Progress) -> tuple[tuple[float, flo
     scale = 1.0
     for _ in range(2):
         pilot = replace(contact, film_guess=film)
-        outcome = Outcome(
+        result = AttemptResult(
             state=contact_multigrid(pilot, _box(contact, film, scale), options, ATTEMPTS[0])
         )
         try:
-            full_multigrid(outcome, options, Progress())
+            full_multigrid(result, options, Progress())
         except DivergedError:
             progress.fallbacks.append("pilot solve ran away: box from the film formula")
             return _box(contact, contact.film_guess, 1.5), contact.film_guess
-        progress.deflected_nodes += outcome.state.deflected_nodes()
-        film = max(outcome.films[-1][0], 0.1 * contact.film_guess)
-        scale *= max(1.0, min(3.0, outcome.state.exterior / contact.load / EXTERIOR_SHARE))
+        progress.deflected_nodes += result.state.deflected_nodes()
+        film = max(result.films[-1][0], 0.1 * contact.film_guess)
+        scale *= max(1.0, min(3.0, result.state.exterior / contact.load / EXTERIOR_SHARE))
     return _box(contact, film, scale), film
 
 
@@ -197,14 +211,14 @@ def _box(contact: ScaledContact, film: float, scale: float) -> tuple[float, floa
 def _solution(
     conditions: ContactConditions | MoesConditions,
     options: SolverOptions,
-    outcome: Outcome,
+    result: AttemptResult,
     record: ConvergenceRecord,
 ) -> ContactSolution:
-    state = outcome.state
+    state = result.state
     contact = state.contact
     grid = state.levels[-1].grid
-    Y, P, H = whole_box(state)
-    resolved, message = verdict(outcome)
+    Y, P, H = unfold_symmetry(state)
+    resolved, message = resolution_message(result)
     return ContactSolution(
         conditions=conditions,
         options=options,
@@ -212,8 +226,8 @@ def _solution(
         Y=Y,
         P=P,
         H=H,
-        film_central_dimensionless=_film(outcome, 0),
-        film_minimum_dimensionless=_film(outcome, 1),
+        film_central_dimensionless=_film(result, 0),
+        film_minimum_dimensionless=_film(result, 1),
         approach_dimensionless=state.approach,
         moes_load=contact.moes_load,
         moes_lubricant=contact.moes_lubricant,
@@ -224,20 +238,20 @@ def _solution(
         film_scale=contact.film_scale,
         domain=_domain(contact, grid),
         resolved=resolved,
-        converged=outcome.converged(),
+        converged=result.converged(),
         message=message,
         record=record,
     )
 
 
-def _film(outcome: Outcome, kind: int) -> FilmValue:
+def _film(result: AttemptResult, kind: int) -> FilmValue:
     """Central (0) or minimum (1) film extrapolated; not a number where the iteration ran away."""
-    if not outcome.films:
+    if not result.films:
         return FilmValue(value=nan, uncertainty=nan, finest=nan)
-    return extrapolate([film[kind] for film in outcome.films], outcome.remaining_error())
+    return extrapolate([film[kind] for film in result.films], result.remaining_error())
 
 
-def whole_box(state: Multigrid) -> tuple[Array, Array, Array]:
+def unfold_symmetry(state: Multigrid) -> tuple[Array, Array, Array]:
     """Y, P and H of the finest grid over the whole box; fields of shape (nx, ny)."""
     level = state.levels[-1]
     Y = level.grid.Y
@@ -256,51 +270,51 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
 
 
-def verdict(outcome: Outcome) -> tuple[bool, str]:
-    """Whether the film of a solve is resolved, and what is to be said of it."""
+def resolution_message(result: AttemptResult) -> tuple[bool, str]:
+    """Whether the film of a solve is resolved, and the message on it."""
     resolved = (
-        bool(outcome.films)
-        and _fineness(outcome) >= RESOLVED
-        and _film_over_radius(outcome) <= PARABOLIC
+        bool(result.films)
+        and _fineness(result) >= RESOLVED
+        and _film_over_radius(result) <= PARABOLIC
     )
-    return resolved, _message(outcome, resolved)
+    return resolved, _message(result, resolved)
 
 
-def _fineness(outcome: Outcome) -> float:
+def _fineness(result: AttemptResult) -> float:
     """Hmin/(S hx^2): minimum film over twice what the gap rises within a mesh size [-]; zero after
     a runaway.
     """
-    if not outcome.films:
+    if not result.films:
         return 0.0
-    curvature = outcome.state.contact.curvature_x
-    return outcome.films[-1][1] / (curvature * outcome.state.levels[-1].grid.hx ** 2)
+    curvature = result.state.contact.curvature_x
+    return result.films[-1][1] / (curvature * result.state.levels[-1].grid.hx ** 2)
 
 
-def _too_thin(outcome: Outcome) -> bool:
+def _too_thin(result: AttemptResult) -> bool:
     """Whether the mesh is too coarse for the film, in a gap that is a paraboloid."""
-    return not outcome.films or (
-        _fineness(outcome) < RESOLVED and _film_over_radius(outcome) <= PARABOLIC
+    return not result.films or (
+        _fineness(result) < RESOLVED and _film_over_radius(result) <= PARABOLIC
     )
 
 
-def _film_over_radius(outcome: Outcome) -> float:
+def _film_over_radius(result: AttemptResult) -> float:
     """Central film over Rx [-]; zero where no lengths are given."""
-    contact = outcome.state.contact
+    contact = result.state.contact
     if contact.film_scale is None or contact.semi_axis_x is None:
         return 0.0
-    return outcome.films[-1][0] * (contact.film_scale / contact.semi_axis_x) ** 2
+    return result.films[-1][0] * (contact.film_scale / contact.semi_axis_x) ** 2
 
 
-def _message(outcome: Outcome, resolved: bool) -> str:
-    if not outcome.films:
+def _message(result: AttemptResult, resolved: bool) -> str:
+    if not result.films:
         return "the iteration ran away in spite of stronger damping; try more points or a smaller load"
-    if not outcome.converged():
-        change, load = outcome.changes[-1], outcome.load[-1]
+    if not result.converged():
+        change, load = result.changes[-1], result.load[-1]
         return f"not converged: film changed by {change:.1e} in the last cycle, load error {load:.1e}; try more points"
-    if _film_over_radius(outcome) > PARABOLIC:
-        share = _film_over_radius(outcome)
+    if _film_over_radius(result) > PARABOLIC:
+        share = _film_over_radius(result)
         return f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; an upper bound"
     if not resolved:
-        ratio = _fineness(outcome)
+        ratio = _fineness(result)
         return f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}; try more points"
     return "converged"

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 
 from ehl import SolverOptions
 from ehl.multigrid.cycle import cycle
+from ehl.multigrid.extrapolation import film_values
 from ehl.multigrid.full_multigrid import (
     ATTEMPTS,
-    Outcome,
+    AttemptResult,
     Progress,
     contact_multigrid,
-    film_values,
     full_multigrid,
 )
 from ehl.scaling import scale_contact
@@ -41,7 +41,7 @@ def fully_converged_films(conditions: Conditions, box: Box | None, points: int) 
     """
     contact = scale_contact(conditions)
     options = SolverOptions(points=points, domain=box)
-    outcome = Outcome(
+    outcome = AttemptResult(
         state=contact_multigrid(contact, box or choose_domain(contact), options, ATTEMPTS[0])
     )
     full_multigrid(outcome, options, Progress())

@@ -12,7 +12,7 @@ from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOption
 from ehl.conditions import moes_groups
 from ehl.multigrid.full_multigrid import (
     ATTEMPTS,
-    Outcome,
+    AttemptResult,
     Progress,
     contact_multigrid,
     full_multigrid,
@@ -281,7 +281,7 @@ def box_film(name: str, is_open: bool, scale: float, points: int) -> float:
     conditions = moes(m, l, ratio, oil=OIL if ratio == 1.0 else race_6208(1.0).lubricant)
     domain = (scale * box[0], scale * box[1], scale * box[2])
     options = SolverOptions(points=points, domain=None if is_open else domain)
-    outcome = Outcome(
+    outcome = AttemptResult(
         state=contact_multigrid(scale_contact(conditions), domain, options, ATTEMPTS[0])
     )
     full_multigrid(outcome, options, Progress())

@@ -1,24 +1,22 @@
-"""From the Newtonian film of uniform temperature to that of an oil that thins and warms, in steps.
+"""From the Newtonian film of uniform temperature to that of an oil that thins and heats up.
 
-Frozen coefficients of an oil whose viscosity falls a millionfold under shear make the cycles run
-away from a pressure that is not nearly the right one, while the same cycles converge from one that
-is. The film of the Newtonian oil is found first, and the share of rheology and heat (see
-`GeneralizedFlow`) raised from there on the finest grid, in steps that are halved, with the
-damping, where a cycle runs away. At the full share the cycles are accelerated once the
-temperatures are at rest.
+With an oil whose viscosity falls a millionfold under shear, cycles with frozen coefficients
+diverge from a pressure that is far from the solution and converge from one that is close to it.
 
-Where the pressure falls steeply at the outlet decompression cools the oil by tens of kelvins
-within a few nodes, and the pressure answers to the viscosity there: followed at once, the
-temperatures of single columns jump from cycle to cycle and never come to rest. A share of the way
-in each cycle settles them.
+1. Solve the Newtonian film.
+2. On the finest grid, raise the share of rheology and heat (`flow.Continuation`) from zero to one;
+   a step whose cycles diverge is undone and halved, and so is the damping, twice at most.
+3. At the full share, accelerate the cycles once the temperatures have settled.
 
-Where the stress at the outlet is tens of times that at which the oil thins, the pressure there
-swings or runs away all the same; a factor that is carried along with the pressure (see
-`GeneralizedFlow`) settles that.
+Where the pressure falls steeply at the outlet, decompression cools the oil by tens of kelvins
+within a few nodes, and the pressure responds to the viscosity there. Temperatures of single
+columns then oscillate from cycle to cycle; relaxation settles them. Where the stress at the outlet
+is tens of times the one at which the oil thins, a Poiseuille factor that follows the pressure (see
+`flow`) is needed as well.
 """
 
 from dataclasses import replace
-from math import inf
+from math import inf, isfinite
 
 import numpy as np
 
@@ -29,48 +27,47 @@ from ..multigrid.far_field import exterior_load
 from ..multigrid.full_multigrid import (
     ATTEMPTS,
     PLAIN_CYCLES,
-    DivergedError,
-    Outcome,
+    AttemptResult,
     contact_multigrid,
     film_values,
     guarded_cycle,
-    kept_level,
-    put_back,
+    restore,
+    snapshot,
 )
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution, FilmValue
-from ..solver import solve_contact, verdict, whole_box
-from .flow import GeneralizedFlow
+from ..solver import resolution_message, solve_contact, unfold_symmetry
+from .flow import Continuation, FlowState, GeneralizedFlow
 
-# among the fallbacks of a record
-NAME = "continued from the Newtonian film"
-CARRIED = "thinning carried along with the pressure"
-SLOWER = "rheology and heat raised in smaller steps"
+# entries among the fallbacks of a record
+CONTINUED = "continued from the Newtonian film"
+FOLLOWED_PRESSURE = "thinning updated with the pressure"
+SMALLER_STEP = "rheology and heat raised in smaller steps"
 FIRST_SHARE = 0.1
 STEP_GROWTH = 2.0  # of the share from step to step
 STEP_CYCLES = 4  # at each share below the full one, and the first ones at that
-CARRIED_STEP = 0.1  # of the share, at most, where the factor is carried along
-CARRIED_CYCLES = 15  # at each share, at most, until the flow is at rest, there
+FOLLOWING_STEP = 0.1  # largest step of the share where the factor follows the pressure
+FOLLOWING_CYCLES = 15  # most cycles at each share until the flow has settled, there
 SMALLEST_STEP = 0.01  # of the share, below which the continuation gives up
 HALVINGS = 2  # of the damping, at most
-PATIENCE = 3  # times the cycles of the options at the full share
-# change of the logarithm of the Poiseuille factor in the last turn, weighted with the pressure's
-# flow
-SETTLED = 0.03
-FOLLOWING = 0.3  # of the temperature found, felt in the next cycle: see `GeneralizedFlow`
-RESTING = 1.0  # largest change of a temperature in a turn [K], below which cycles are accelerated
+CYCLES_FACTOR = 3  # on the cycles of the options, at the full share
+# change of the logarithm of the Poiseuille factor in a cycle, weighted with the pressure's flow,
+# up to which the flow counts as settled
+FLOW_TOLERANCE = 0.03
+TEMPERATURE_RELAXATION = 0.3
+SETTLED_TEMPERATURE = 1.0  # largest change in a cycle [K] at which cycles are accelerated
 FILMS = ("film_central_dimensionless", "film_minimum_dimensionless")
 
 
-def continued(
+def solve_by_continuation(
     conditions: ContactConditions,
     options: SolverOptions,
     flow: GeneralizedFlow,
-    plain: ContactSolution | None = None,
-) -> ContactSolution:
-    """The contact reached from its Newtonian film; not converged if that did not, or if no step
-    succeeded.
+    newtonian: ContactSolution | None = None,
+) -> tuple[ContactSolution, FlowState | None]:
+    """The contact reached from its Newtonian film, not converged if that did not or if no step
+    succeeded, and the flow of its last cycle.
 
     Film values keep the extrapolation and the error bar of the Newtonian film, in proportion.
 
@@ -80,43 +77,44 @@ def continued(
     options : SolverOptions
         Mesh, box and number of cycles, without a tolerance.
     flow : GeneralizedFlow
-        The oil; its fields are those of the last turn afterwards.
-    plain : ContactSolution, optional
+        Its continuation says whether the factor follows the pressure.
+    newtonian : ContactSolution, optional
         The Newtonian film, if it is known.
     """
-    plain = plain or solve_contact(conditions, options)
-    taken = (*plain.record.fallbacks, NAME, *([CARRIED] if flow.carried else []))
-    record = replace(plain.record, fallbacks=taken)
-    plain = replace(plain, record=record)
+    # 1. Newtonian film
+    plain = newtonian or solve_contact(conditions, options)
+    follows = flow.continuation.follow_pressure
+    fallbacks = [*plain.record.fallbacks, CONTINUED, *([FOLLOWED_PRESSURE] if follows else [])]
     if not plain.converged:
-        return replace(plain, message=f"the Newtonian film is {plain.message}")
-    outcome = Outcome(state=_state(plain, options, flow))
-    slower: list[str] = []
-    flow.forget()
-    flow.single, flow.following = False, FOLLOWING
-    try:
-        _raise_share(outcome.state, flow, slower)
-        _finish(outcome, flow, PATIENCE * options.max_cycles)
-    except DivergedError:
-        outcome.films = []
-    reached, flow.share, flow.following = flow.share, 1.0, 1.0
-    return _solution(
-        replace(plain, record=replace(record, fallbacks=(*record.fallbacks, *slower))),
-        outcome,
-        reached,
-    )
+        message = f"the Newtonian film is {plain.message}"
+        return _with_fallbacks(replace(plain, message=message), fallbacks), None
+    result = AttemptResult(state=_start(plain, options, flow))
+    # 2. share of rheology and heat
+    share, halvings = _raise_share(result.state, flow)
+    fallbacks += halvings * [SMALLER_STEP]
+    # 3. cycles at the full share
+    if share == 1.0:
+        _finish(result, CYCLES_FACTOR * options.max_cycles)
+    solution = _solution(plain, result) if result.films else _diverged(plain, share)
+    return _with_fallbacks(solution, fallbacks), result.state.levels[-1].flow_state
 
 
-def _state(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow) -> Multigrid:
+def _with_fallbacks(solution: ContactSolution, fallbacks: list[str]) -> ContactSolution:
+    return replace(solution, record=replace(solution.record, fallbacks=tuple(fallbacks)))
+
+
+def _start(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow) -> Multigrid:
     """Levels on the grid of a solution and with its damping, its pressure and approach on the
     finest.
     """
     assert isinstance(plain.conditions, ContactConditions)
-    ways = [scale_contact(plain.conditions, along_entrainment=turned) for turned in (False, True)]
-    contact = min(ways, key=lambda way: abs(way.frame_angle - plain.frame_angle))
+    scaled = [
+        scale_contact(plain.conditions, along_entrainment=turned) for turned in (False, True)
+    ]
+    contact = min(scaled, key=lambda frame: abs(frame.frame_angle - plain.frame_angle))
     contact = replace(contact, film_guess=plain.film_central_dimensionless.finest)
-    taken = [attempt for attempt in ATTEMPTS if attempt.name in plain.record.fallbacks]
-    attempt = max(taken, key=lambda a: plain.record.fallbacks.index(a.name), default=ATTEMPTS[0])
+    tried = [attempt for attempt in ATTEMPTS if attempt.name in plain.record.fallbacks]
+    attempt = max(tried, key=lambda a: plain.record.fallbacks.index(a.name), default=ATTEMPTS[0])
     state = contact_multigrid(contact, plain.domain, options, attempt, flow)
     state.approach = plain.approach_dimensionless
     level = state.levels[-1]
@@ -128,122 +126,123 @@ def _state(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow
     return state
 
 
-def _raise_share(state: Multigrid, flow: GeneralizedFlow, slower: list[str]) -> None:
-    """Raise the share to 1 [-], the first cycles there included; `slower` gets an entry for each
-    step halved.
-
-    Raises
-    ------
-    DivergedError
-        If the smallest step runs away.
+def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[float, int]:
+    """Raise the share to 1 [-], the first cycles there included; the share reached, below 1 if
+    even the smallest step diverged, and the number of steps halved.
     """
+    follows = flow.continuation.follow_pressure
+    largest = FOLLOWING_STEP if follows else 1.0
     reached = 0.0
-    wanted = FIRST_SHARE
+    share = FIRST_SHARE
+    halvings = 0
     index = len(state.levels) - 1
     while reached < 1.0:
-        flow.share = wanted
-        kept = kept_level(state, index)
-        found = flow.kept()
-        if _stepped(state, flow):
-            reached = wanted
-            wanted = min(STEP_GROWTH * wanted, 1.0)
-            if flow.carried:
-                wanted = min(wanted, reached + CARRIED_STEP)
+        before, flow_before = snapshot(state, index), state.levels[index].flow_state
+        continuation = Continuation(
+            share=share, relaxation=TEMPERATURE_RELAXATION, follow_pressure=follows
+        )
+        state.flow_model = replace(flow, continuation=continuation)
+        if _settles(state, FOLLOWING_CYCLES if follows else STEP_CYCLES):
+            reached = share
+            share = min(STEP_GROWTH * share, 1.0, reached + largest)
             continue
-        put_back(state, index, kept)
-        flow.restore(found)
-        wanted = 0.5 * (reached + wanted)
-        slower.append(SLOWER)
-        if len(slower) <= HALVINGS:
+        restore(state, index, before)
+        state.levels[index].flow_state = flow_before
+        share = 0.5 * (reached + share)
+        halvings += 1
+        if halvings <= HALVINGS:
             state.damping = state.damping.halved()
-        if wanted - reached < SMALLEST_STEP:
-            flow.share = reached
-            raise DivergedError
+        if share - reached < SMALLEST_STEP:
+            break
+    return reached, halvings
 
 
-def _stepped(state: Multigrid, flow: GeneralizedFlow) -> bool:
-    """Cycle at a share; False if a cycle ran away. A carried factor comes to rest before the next
-    share [-].
+def _settles(state: Multigrid, cycles: int) -> bool:
+    """Cycle at a share until the flow has settled, `STEP_CYCLES` at least; False if a cycle
+    diverged.
     """
-    for done in range(1, (CARRIED_CYCLES if flow.carried else STEP_CYCLES) + 1):
-        if not np.isfinite(guarded_cycle(state, len(state.levels) - 1)):
+    level = state.levels[-1]
+    for count in range(1, cycles + 1):
+        if not isfinite(guarded_cycle(state, len(state.levels) - 1)):
             return False
-        if done >= STEP_CYCLES and flow.change <= SETTLED:
+        if count >= STEP_CYCLES and level.flow_state.change <= FLOW_TOLERANCE:
             break
     return True
 
 
-def _finish(outcome: Outcome, flow: GeneralizedFlow, cycles: int) -> None:
-    """Cycle at the full share until film, load and flow stand still, accelerated.
-
-    Raises
-    ------
-    DivergedError
-        If a cycle runs away.
+def _finish(result: AttemptResult, cycles: int) -> None:
+    """Accelerated cycles at the full share until film, load and flow have converged; no films if
+    one diverges.
     """
-    state = outcome.state
+    state = result.state
     index = len(state.levels) - 1
     level = state.levels[-1]
     residual = inf
     acceleration = Acceleration()
-    outcome.film.append(film_values(level.grid, level.H))
+    result.film.append(film_values(level.grid, level.H))
     for _ in range(cycles):
-        given = (level.P.copy(), state.approach)
+        before = (level.P.copy(), state.approach)
         residual = guarded_cycle(state, index, residual)
-        if not np.isfinite(residual):
-            raise DivergedError
-        outcome.note(residual)
-        outcome.films = [outcome.film[-1]]
-        if outcome.converged() and flow.change <= SETTLED:
+        if not isfinite(residual):
+            result.films = []
             return
-        rest = flow.heat is None or flow.heat.change < RESTING
-        if rest and len(outcome.changes) > PLAIN_CYCLES:
-            level.P, state.approach = acceleration.mixed(given, (level.P, state.approach))
+        result.add_cycle(residual)
+        result.films = [result.film[-1]]
+        flow: FlowState = level.flow_state
+        if result.converged() and flow.change <= FLOW_TOLERANCE:
+            return
+        settled = flow.heat is None or flow.heat.change < SETTLED_TEMPERATURE
+        if settled and len(result.changes) > PLAIN_CYCLES:
+            level.P, state.approach = acceleration.next(before, (level.P, state.approach))
             update_film(state, index)
 
 
-def _solution(plain: ContactSolution, outcome: Outcome, reached: float) -> ContactSolution:
-    """Fields and film values of the finest grid; the plain solution's, flagged, if the full share
-    was not reached.
-    """
-    if not outcome.films:
-        told = f"not converged: ran away from the Newtonian film at {reached:.0%} of rheology and heat; try more points"
-        return replace(plain, converged=False, message=told)
-    _, P, H = whole_box(outcome.state)
-    deflected = outcome.state.deflected_nodes() / outcome.state.levels[-1].P.size
+def _diverged(plain: ContactSolution, share: float) -> ContactSolution:
+    """The Newtonian film, not converged."""
+    message = (
+        f"not converged: diverged from the Newtonian film at {share:.0%} of rheology and heat; "
+        "try more points"
+    )
+    return replace(plain, converged=False, message=message)
+
+
+def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
+    """Fields and film values of the finest grid."""
+    _, P, H = unfold_symmetry(result.state)
+    deflected = result.state.deflected_nodes() / result.state.levels[-1].P.size
     central, minimum = (
-        _in_proportion(getattr(plain, name), outcome, kind) for kind, name in enumerate(FILMS)
+        _in_proportion(getattr(plain, name), result, kind) for kind, name in enumerate(FILMS)
     )
     record = replace(
         plain.record,
-        residual=tuple(outcome.residual),
-        force_error=tuple(outcome.load),
-        film_change=tuple(outcome.changes),
-        cycles=len(outcome.changes),
+        residual=tuple(result.residual),
+        force_error=tuple(result.load),
+        film_change=tuple(result.changes),
+        cycles=len(result.changes),
         fft_equivalents=plain.record.fft_equivalents + deflected,
     )
-    resolved, message = verdict(outcome)
+    resolved, message = resolution_message(result)
     return replace(
         plain,
         P=P,
         H=H,
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
-        approach_dimensionless=outcome.state.approach,
+        approach_dimensionless=result.state.approach,
         resolved=resolved,
-        converged=outcome.converged(),
+        converged=result.converged(),
         message=message,
         record=record,
     )
 
 
-def _in_proportion(plain: FilmValue, outcome: Outcome, kind: int) -> FilmValue:
+def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmValue:
     """Central (0) or minimum (1) film, its extrapolation that of the Newtonian film in proportion
     [-].
     """
-    finest = outcome.films[-1][kind]
+    finest = result.films[-1][kind]
     ratio = finest / plain.finest
-    noise = outcome.remaining_error() * abs(finest)
+    noise = result.remaining_error() * abs(finest)
     return FilmValue(
         value=ratio * plain.value,
         uncertainty=abs(ratio) * plain.uncertainty + noise,

@@ -1,8 +1,8 @@
-"""Temperature field of a film: what the columns and the bodies found last, carried from turn to
-turn.
+"""Heat of a film and of the surfaces of its bodies, advanced by one sweep in each direction a
+cycle.
 """
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,13 +14,12 @@ from ..oil.rheology import Rheology, kernel_rheology
 from ..scaling import ScaledContact
 from ..solid.heat import SolidThermal, history_weights, response_factor
 from . import _heat_kernels as _kernels
-from .heat_columns import curvature, wall_slopes
-from .section import FilmFields, Section
+from .section import FilmFields, Section, curvature, wall_slopes
 
 Array = NDArray[np.float64]
 
 
-@dataclass(slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class HeatState:
     """Heat of one grid, SI; n nodes across the film."""
 
@@ -28,34 +27,28 @@ class HeatState:
     mass: Array  # int_0^z rho u dz/rho_0, shape (ny, nx, n) [m^2/s]
     flux: Array  # into body 1 and body 2, shape (2, ny, nx) [W/m^2]
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
+    change: float = 0.0  # largest change of a temperature in the last cycle [K]
+    unsolved_columns: int = 0  # that did not converge in the last sweep [-]
+
+    def copy(self) -> "HeatState":
+        """With arrays of its own, for sweeps that change them in place."""
+        return HeatState(
+            temperature=self.temperature.copy(),
+            mass=self.mass.copy(),
+            flux=self.flux.copy(),
+            dissipation=self.dissipation.copy(),
+        )
 
 
-@dataclass(slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class FilmHeat:
-    """Heat of a contact's film and of the surfaces of its bodies.
-
-    Attributes
-    ----------
-    conditions : ContactConditions
-        Its lubricant has a temperature and thermal properties.
-    solids : tuple of SolidThermal
-        Body 1 and body 2.
-    oil_temperature : float or None
-        Of the oil that flows in [K]; None: the lubricant's temperature of operation.
-    missed : int
-        Columns that did not come to rest in the last sweep [-].
-    change : float
-        Largest change of a temperature in the last turn [K].
-    states : dict
-        State of each grid by the shape of its arrays.
+    """A contact whose film is solved with heat; its lubricant has a temperature and thermal
+    properties.
     """
 
     conditions: ContactConditions
-    solids: tuple[SolidThermal, SolidThermal]
-    oil_temperature: float | None = None
-    missed: int = 0
-    change: float = 0.0
-    states: dict[tuple[int, ...], HeatState] = field(default_factory=dict)
+    solids: tuple[SolidThermal, SolidThermal]  # body 1 and body 2
+    oil_temperature: float | None = None  # of the inflow [K]; None: the temperature of operation
 
     def __post_init__(self) -> None:
         for name in ("temperature", "thermal"):
@@ -77,24 +70,18 @@ class FilmHeat:
         )
         return first, second
 
-    def forget(self) -> None:
-        """Start from the oil's own temperature again."""
-        self.states.clear()
-        self.missed, self.change = 0, 0.0
-
-    def temperature(
+    def advance(
         self,
         contact: ScaledContact,
         grid: Grid,
         fields: FilmFields,
         middle: Array,
-        section: Section,
-        rheology: Rheology,
-    ) -> Array:
-        """Temperature of the film after one more sweep against and one along the flow, shape (ny,
-        nx, n) [K].
+        across: tuple[Section, Rheology],
+        last: HeatState | None,
+    ) -> HeatState:
+        """Heat after one more sweep against and one along the flow.
 
-        The one against it carries heat up the recirculation of the inlet.
+        The sweep against it carries heat up the recirculation of the inlet.
 
         Parameters
         ----------
@@ -102,49 +89,56 @@ class FilmHeat:
         grid : Grid
         fields : FilmFields
         middle : ndarray, shape (2, ny, nx)
-            Stress in the middle of the film, a first guess and then the result [Pa].
-        section : Section
-        rheology : Rheology
+            Stress in the middle of the film, a first guess that the solution replaces [Pa].
+        across : tuple of Section and Rheology
+        last : HeatState or None
+            Of the last cycle on this grid; None: its first.
         """
-        shape = fields.p.shape
-        fresh = shape not in self.states
-        if fresh:
-            self.states[shape] = HeatState(
-                temperature=self._uniform(shape, section),
-                mass=np.zeros((*shape, section.nodes.size)),
-                flux=np.zeros((2, *shape)),
-                dissipation=np.zeros(shape),
-            )
-        state = self.states[shape]
-        before = state.temperature.copy()
         along = contact.velocity_x >= 0.0
-        for forward in (along, not along, along) if fresh else (not along, along):
-            self._sweep(contact, grid, fields, (middle, state), (section, rheology), forward)
-        self.change = float(np.abs(state.temperature - before).max())
-        return state.temperature
+        sweeps = [not along, along]
+        if last is None:
+            state = self._initial(fields.p.shape, across[0])
+            sweeps.insert(0, along)
+        else:
+            state = last.copy()
+        before = state.temperature.copy()
+        unsolved = 0
+        for forward in sweeps:
+            unsolved = self._sweep(contact, grid, fields, (middle, state), across, forward)
+        change = float(np.abs(state.temperature - before).max())
+        return replace(state, change=change, unsolved_columns=unsolved)
 
-    def _uniform(self, shape: tuple[int, ...], section: Section) -> Array:
-        """Oil at the temperature it flows in with, between walls at those of the bodies [K]."""
-        temperature = np.full((*shape, section.nodes.size), self.inlet)
+    def _initial(self, shape: tuple[int, ...], section: Section) -> HeatState:
+        """Oil at the temperature of the inflow between walls at those of the bodies."""
+        n = section.nodes.size
+        temperature = np.full((*shape, n), self.inlet)
         temperature[..., 0], temperature[..., -1] = self.bulk
-        return temperature
+        return HeatState(
+            temperature=temperature,
+            mass=np.zeros((*shape, n)),
+            flux=np.zeros((2, *shape)),
+            dissipation=np.zeros(shape),
+        )
 
     def _sweep(
         self,
         contact: ScaledContact,
         grid: Grid,
         fields: FilmFields,
-        found: tuple[Array, HeatState],
+        unknowns: tuple[Array, HeatState],
         across: tuple[Section, Rheology],
         forward: bool,
-    ) -> None:
-        oil, (middle, state), (section, rheology) = self.conditions.lubricant, found, across
+    ) -> int:
+        """Columns of all lines one after the other, in place; returns how many did not converge."""
+        oil = self.conditions.lubricant
+        middle, state = unknowns
+        section, rheology = across
         a = contact.semi_axis_x
         assert a is not None and oil.thermal is not None
         speeds = (fields.speed_1, fields.speed_2)
         response = [response_factor(u[0], s, a) for u, s in zip(speeds, self.solids, strict=True)]
         heat = (oil.thermal.conductivity, oil.density * oil.thermal.specific_heat)
-        self.missed = _kernels.heat_sweep(
+        unsolved = _kernels.heat_sweep(
             fields.p,
             fields.h,
             fields.gradient,
@@ -167,3 +161,4 @@ class FilmHeat:
             state.flux,
             state.dissipation,
         )
+        return int(unsolved)

@@ -70,3 +70,29 @@ def film_section(count: int = NODES) -> Section:
         cumulative=0.5 * integrals @ inverse,
         derivative=2.0 * slopes @ inverse,
     )
+
+
+def wall_slopes(section: Section) -> tuple[Array, Array]:
+    """Weights of dT/d(zeta) at both walls, each on the three nodes nearest to it, shape (n,) [-]."""
+    z = section.nodes
+    below = np.zeros(section.nodes.size)
+    above = np.zeros(section.nodes.size)
+    a, b = z[1], z[2]
+    below[:3] = -(a + b) / (a * b), b / (a * (b - a)), -a / (b * (b - a))
+    above[-3:] = -below[2::-1]
+    return below, above
+
+
+def curvature(section: Section) -> Array:
+    """Matrix of d2T/d(zeta)2 at the nodes inside from their neighbours, shape (n, n), zero at the
+    walls [-].
+    """
+    z = section.nodes
+    matrix = np.zeros((z.size, z.size))
+    for k in range(1, z.size - 1):
+        down = z[k] - z[k - 1]
+        up = z[k + 1] - z[k]
+        matrix[k, k - 1 : k + 2] = (
+            np.array([1.0 / down, -1.0 / down - 1.0 / up, 1.0 / up]) * 2.0 / (down + up)
+        )
+    return matrix

@@ -1,8 +1,7 @@
-"""Contacts with an oil that thins under shear and warms: the contact solver with a generalized
+"""Contacts with an oil that thins under shear and heats up: the contact solver with a generalized
 Reynolds equation.
 """
 
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from time import perf_counter
 
@@ -10,63 +9,43 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..conditions import ContactConditions
+from ..multigrid.full_multigrid import ATTEMPTS, Attempt
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from ..oil.rheology import Rheology
 from ..options import SolverOptions
 from ..solid.heat import SolidThermal
 from ..solution import ContactSolution
-from ..solver import solve_contact
-from .continuation import SETTLED, continued
+from ..solver import solve_attempts, solve_contact
+from .continuation import FLOW_TOLERANCE, solve_by_continuation
 from .film_heat import FilmHeat
-from .flow import BeganAnewError, GeneralizedFlow
+from .flow import Continuation, FlowState, GeneralizedFlow
 from .section import film_section
 
 Array = NDArray[np.float64]
 
-# share of the columns that may be without a solution: they lie where hardly anything flows
-MISSED = 0.005
+# of the columns that may stay unsolved or over the limiting stress, measured: they lie at the edge
+# of the cavity, where hardly anything flows
+UNSOLVED_SHARE = 0.005
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class GeneralizedSolution:
-    """One contact with its oil's rheology and heat; fields on the grid of `contact`, shape (nx,
-    ny) or as told.
+    """One contact with its oil's rheology and heat; fields on the grid of `contact`."""
 
-    Attributes
-    ----------
-    contact : ContactSolution
-        Pressure and film; `converged` and `message` include shear and heat.
-    rheology : Rheology
-    nodes : ndarray, shape (n,)
-        Places z/h across the film, from body 1 to body 2 [-].
-    mid_stress : ndarray, shape (2, nx, ny), or None
-        Stress in the middle of the film along x and y [Pa]; None: Newtonian and of uniform
-        temperature.
-    temperature : ndarray, shape (nx, ny, n), or None
-        Of the oil at the nodes, walls included [K]; None: solved without heat.
-    heat_flux : ndarray, shape (2, nx, ny), or None
-        Into body 1 and body 2 [W/m^2].
-    dissipation : ndarray, shape (nx, ny), or None
-        Heat of shear over the film [W/m^2].
-    change : float
-        Change of the logarithm of the Poiseuille factor in the last turn, weighted with the
-        pressure's own flow [-].
-    missed : int
-        Columns of the last turn without a solution [-].
-    beyond : int
-        Columns of the last turn in which h/2 grad p exceeded the limiting stress [-].
-    """
-
-    contact: ContactSolution
+    contact: ContactSolution  # `converged` and `message` include shear and heat
     rheology: Rheology
-    nodes: Array
+    nodes: Array  # z/h across the film, from body 1 to body 2, shape (n,) [-]
+    # in the middle of the film along x and y, shape (2, nx, ny) [Pa]; None: Newtonian, isothermal
     mid_stress: Array | None = None
+    # of the oil at the nodes, walls included, shape (nx, ny, n) [K]; None: solved without heat
     temperature: Array | None = None
-    heat_flux: Array | None = None
-    dissipation: Array | None = None
+    heat_flux: Array | None = None  # into body 1 and body 2, shape (2, nx, ny) [W/m^2]
+    dissipation: Array | None = None  # heat of shear over the film, shape (nx, ny) [W/m^2]
+    # of the logarithm of the Poiseuille factor in the last cycle, weighted with the pressure's
+    # flow [-]
     change: float = 0.0
-    missed: int = 0
-    beyond: int = 0
+    unsolved_columns: int = 0  # in the last cycle [-]
+    over_limit_columns: int = 0  # in which h/2 grad p exceeded the limiting stress [-]
 
     @property
     def mean_temperature(self) -> Array | None:
@@ -103,85 +82,105 @@ def solve_generalized(
     Returns
     -------
     GeneralizedSolution
-        Fields of the last turn of shear and heat, one multigrid cycle behind pressure and film.
-        The time of its record is that of all ways that were tried; its FFTs are those of the last
-        one, with the Newtonian film it began from.
+        Shear and heat are one multigrid cycle behind pressure and film. The time of its record
+        covers all methods that were tried; its FFTs are those of the last one, with those of the
+        Newtonian film that it started from.
 
     Raises
     ------
     ValueError
         If properties that are needed are missing; the message names them.
     """
+    options = options or SolverOptions()
+    if rheology.newtonian and solids is None:
+        return GeneralizedSolution(
+            contact=solve_contact(conditions, options),
+            rheology=rheology,
+            nodes=film_section().nodes,
+        )
     heat = (
         None
         if solids is None
         else FilmHeat(conditions=conditions, solids=solids, oil_temperature=oil_temperature)
     )
     flow = GeneralizedFlow(conditions=conditions, rheology=rheology, heat=heat)
-    if rheology.newtonian and heat is None:
-        return GeneralizedSolution(
-            contact=solve_contact(conditions, options), rheology=rheology, nodes=flow.section.nodes
-        )
-    began = perf_counter()
-    contact = _reached(conditions, options or SolverOptions(), flow)
-    contact = replace(contact, record=replace(contact.record, wall_time=perf_counter() - began))
-    nx, ny = contact.P.shape
-    shape = next((s for s in ((ny, nx), (ny // 2 + 1, nx)) if s in flow.stresses), None)
-    solution = GeneralizedSolution(
-        contact=contact,
-        rheology=rheology,
-        nodes=flow.section.nodes,
-        change=flow.change,
-        missed=_missed(flow),
-        beyond=flow.beyond,
-    )
-    if shape is None:
-        return _with_state(solution)
-    solution = replace(solution, mid_stress=_whole(flow.stresses[shape], ny, (1.0, -1.0)))
-    if heat is None:
-        return _with_state(solution)
-    state = heat.states[shape]
-    warm = replace(
-        solution,
-        temperature=np.moveaxis(_whole(np.moveaxis(state.temperature, -1, 0), ny), 0, -1),
-        heat_flux=_whole(state.flux, ny),
-        dissipation=_whole(state.dissipation, ny),
-    )
-    return _with_state(warm)
+    start = perf_counter()
+    contact, state = _first_converged(conditions, options, flow)
+    contact = replace(contact, record=replace(contact.record, wall_time=perf_counter() - start))
+    solution = GeneralizedSolution(contact=contact, rheology=rheology, nodes=flow.section.nodes)
+    return _with_oil_state(solution if state is None else _with_fields(solution, state))
 
 
-def _reached(
+def _first_converged(
     conditions: ContactConditions, options: SolverOptions, flow: GeneralizedFlow
-) -> ContactSolution:
-    """The solution of the first way that converges; that of the last way if none does, told in the
-    record.
-
-    The cycles from a Hertz pressure on, once; then the continuation from the Newtonian film, and
-    that again with the thinning carried along; then the fallbacks of the Newtonian solver one
-    after the other. With a tolerance only the cycles from a Hertz pressure, with the fallbacks.
+) -> tuple[ContactSolution, FlowState | None]:
+    """The solution of the first method that converges, else of the last, and the flow of its last
+    cycle; the record names the methods. With a tolerance the first method alone, with all
+    attempts.
     """
-    flow.single = options.tolerance is None
-    with suppress(BeganAnewError):
-        contact = _judged(solve_contact(conditions, options, flow), flow)
-        if contact.converged or not flow.single:
-            return contact
-    plain = solve_contact(conditions, options)
-    fallbacks = plain.record.fallbacks
-    for flow.carried in (False, True) if plain.converged else (False,):
-        contact = _judged(continued(conditions, options, flow, plain), flow)
-        fallbacks = (*fallbacks, *contact.record.fallbacks[len(plain.record.fallbacks) :])
+    # 1. full multigrid from a Hertz pressure, its first attempt alone
+    alone = options.tolerance is None
+    contact, state = _checked(
+        *_solve(conditions, options, flow, ATTEMPTS[:1] if alone else ATTEMPTS)
+    )
+    if contact.converged or not alone:
+        return contact, state
+    # 2. continuation from the Newtonian film, with a frozen factor and one that follows the pressure
+    newtonian = solve_contact(conditions, options)
+    fallbacks = newtonian.record.fallbacks
+    for follows in (False, True) if newtonian.converged else (False,):
+        contact, state = _checked(
+            *solve_by_continuation(
+                conditions,
+                options,
+                replace(flow, continuation=Continuation(follow_pressure=follows)),
+                newtonian,
+            )
+        )
+        fallbacks = (*fallbacks, *contact.record.fallbacks[len(newtonian.record.fallbacks) :])
         if contact.converged:
-            return replace(contact, record=replace(contact.record, fallbacks=fallbacks))
-    flow.forget()
-    flow.single = flow.carried = False
-    contact = _judged(solve_contact(conditions, options, flow), flow)
+            return replace(contact, record=replace(contact.record, fallbacks=fallbacks)), state
+    # 3. full multigrid with all its attempts
+    contact, state = _checked(*_solve(conditions, options, flow, ATTEMPTS))
+    fallbacks = (*fallbacks, *contact.record.fallbacks)
+    return replace(contact, record=replace(contact.record, fallbacks=fallbacks)), state
+
+
+def _solve(
+    conditions: ContactConditions,
+    options: SolverOptions,
+    flow: GeneralizedFlow,
+    attempts: tuple[Attempt, ...],
+) -> tuple[ContactSolution, FlowState | None]:
+    """Full multigrid from a Hertz pressure, and the flow of its last cycle."""
+    contact, levels = solve_attempts(conditions, options, flow, attempts)
+    return contact, levels.levels[-1].flow_state
+
+
+def _with_fields(solution: GeneralizedSolution, state: FlowState) -> GeneralizedSolution:
+    """The solution with stress and heat over the whole box."""
+    ny = solution.contact.P.shape[1]
+    solution = replace(
+        solution,
+        change=state.change,
+        unsolved_columns=state.unsolved_columns,
+        over_limit_columns=state.over_limit_columns,
+        mid_stress=_unfolded(state.mid_stress, ny, (1.0, -1.0)),
+    )
+    heat = state.heat
+    if heat is None:
+        return solution
+    temperature = _unfolded(np.moveaxis(heat.temperature, -1, 0), ny)
     return replace(
-        contact, record=replace(contact.record, fallbacks=(*fallbacks, *contact.record.fallbacks))
+        solution,
+        temperature=np.moveaxis(temperature, 0, -1),
+        heat_flux=_unfolded(heat.flux, ny),
+        dissipation=_unfolded(heat.dissipation, ny),
     )
 
 
-def _with_state(solution: GeneralizedSolution) -> GeneralizedSolution:
-    """The solution whose contact, if it has dimensions, knows the state of its oil."""
+def _with_oil_state(solution: GeneralizedSolution) -> GeneralizedSolution:
+    """The solution with the state of its oil, where the contact has dimensions."""
     contact = solution.contact
     if contact.x is None or contact.y is None or contact.film is None:
         return solution
@@ -200,35 +199,40 @@ def _with_state(solution: GeneralizedSolution) -> GeneralizedSolution:
     )
 
 
-def _missed(flow: GeneralizedFlow) -> int:
-    return flow.missed + (0 if flow.heat is None else flow.heat.missed)
-
-
-def _judged(contact: ContactSolution, flow: GeneralizedFlow) -> ContactSolution:
-    """The solution with what shear and heat say about its convergence, a limiting stress that was
-    exceeded included.
+def _checked(
+    contact: ContactSolution, state: FlowState | None
+) -> tuple[ContactSolution, FlowState | None]:
+    """The solution, converged only if shear and heat have converged too and the limiting stress is
+    exceeded almost nowhere.
     """
-    below = f"the limiting stress is below h/2 grad p at {flow.beyond} columns"
+    if state is None:
+        return contact, state
+    few = UNSOLVED_SHARE * contact.P.size
+    over = f"the limiting stress is below h/2 grad p at {state.over_limit_columns} columns"
     if not contact.converged:
-        return (
-            replace(contact, message=f"{contact.message}; {below} of the last cycle")
-            if flow.beyond
-            else contact
+        if state.over_limit_columns:
+            contact = replace(contact, message=f"{contact.message}; {over} of the last cycle")
+        return contact, state
+    if state.over_limit_columns > few:
+        reason = f"{over}, where no oil of that law flows steadily"
+    elif not state.change <= FLOW_TOLERANCE:
+        reason = (
+            f"shear and heat changed the flow by {state.change:.1e} in the last cycle; "
+            "try more cycles"
         )
-    if flow.beyond > MISSED * contact.P.size:
-        said = f"{below}, where no oil of that law flows steadily"
-    elif not flow.change <= SETTLED:
-        said = f"shear and heat changed the flow by {flow.change:.1e} in the last cycle; try more cycles"
-    elif _missed(flow) > MISSED * contact.P.size:
-        said = f"{_missed(flow)} columns of film without a solution of shear and heat; try more cycles"
+    elif state.unsolved_columns > few:
+        reason = (
+            f"{state.unsolved_columns} columns of film without a solution of shear and heat; "
+            "try more cycles"
+        )
     else:
-        return contact
-    return replace(contact, converged=False, message=f"not converged: {said}")
+        return contact, state
+    return replace(contact, converged=False, message=f"not converged: {reason}"), state
 
 
-def _whole(values: Array, ny: int, signs: tuple[float, ...] = ()) -> Array:
-    """Fields of shape (..., rows, nx) of a grid as (..., nx, ny), the lower half mirrored where it
-    was left out.
+def _unfolded(values: Array, ny: int, signs: tuple[float, ...] = ()) -> Array:
+    """Fields of shape (..., rows, nx) of a grid as (..., nx, ny), the half y < 0 mirrored where
+    the grid is symmetric.
     """
     if values.shape[-2] != ny:
         mirror = values[..., :0:-1, :]

@@ -29,15 +29,16 @@ from ..solid.deformation import DeflectionKernel, deflect, deflection_kernel
 from . import _kernels
 from .far_field import FarField, edge_pressure, exterior_load
 from .flow_model import FlowFactors, FlowModel, entrainment_factors
-from .threads import Team
+from .threads import Threads
 from .transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 Array = NDArray[np.float64]
 
 COARSEST_SWEEPS = 10
 SWEEPS = (2, 1)  # on every other level before and after the coarser ones
-# levels above the coarsest, and finest levels, that visit the next lower one once a cycle instead of twice: below,
-# calling costs more than arithmetic; above, a second visit costs more deflections than it saves
+# levels above the coarsest, and finest levels, that visit the next lower one once a cycle instead
+# of twice: near the coarsest calls cost more than arithmetic, near the finest a second visit costs
+# more deflections than it saves
 SINGLE_VISITS = (2, 2)
 
 
@@ -85,6 +86,7 @@ class Level:
     # pressure that s already holds the deflection of; below the level being solved
     start: Array | None = None
     load: float = 0.0
+    flow_state: Any = None  # of the flow model after the last cycle on this level
 
 
 @dataclass(slots=True, kw_only=True)
@@ -96,7 +98,7 @@ class Multigrid:
     levels: tuple[Level, ...]  # coarsest first
     damping: Damping
     flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
-    team: Team = field(default_factory=Team)
+    threads: Threads = field(default_factory=Threads)
     approach: float = 0.0  # H0
     exterior: float = 0.0  # load carried outside the box
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
@@ -162,7 +164,7 @@ def update_film(state: Multigrid, index: int) -> None:
     """
     level = state.levels[index]
     pressure = level.P if level.start is None else level.P - level.start
-    level.H = deflect(level.kernel, pressure, state.team.threads_for(pressure.size))
+    level.H = deflect(level.kernel, pressure, state.threads.number_for(pressure.size))
     level.H += level.s
     level.H += state.approach
     state.deflections[index] = state.deflections.get(index, 0) + 1
@@ -171,11 +173,13 @@ def update_film(state: Multigrid, index: int) -> None:
 
 
 def refresh_factors(state: Multigrid, index: int) -> None:
-    """Ask the flow model for the factors of level `index`, and hand them down to the coarser ones."""
+    """New factors of the flow model on level `index`, injected into the coarser levels."""
     if state.flow_model is None:
         return
     level = state.levels[index]
-    factors = state.flow_model.factors(state.contact, level.grid, level.P, level.H)
+    factors, level.flow_state = state.flow_model.factors(
+        state.contact, level.grid, level.P, level.H, level.flow_state
+    )
     level.factors = factors
     for coarser in reversed(state.levels[:index]):
         factors = factors.coarsened()
@@ -230,7 +234,7 @@ def _on_lines(
     """Call a kernel for all lines of a level; its last arguments are the first line and the one
     after the last.
     """
-    state.team.share(partial(kernel, *arguments), range(level.grid.ny), level.P.size)
+    state.threads.run(partial(kernel, *arguments), range(level.grid.ny), level.P.size)
 
 
 def log_viscosity(contact: ScaledContact, P: Array) -> Array:
@@ -264,11 +268,11 @@ def relax(state: Multigrid, index: int) -> None:
     )
     first = 0 if grid.symmetric else 1
     for colour in (first, first + 1):
-        state.team.share(lines, range(colour, grid.ny - 1, 2), P.size)
+        state.threads.run(lines, range(colour, grid.ny - 1, 2), P.size)
     changes = partial(
         _kernels.spread_changes, P, level.kinds, level.scratch, grid.hx, grid.hy, damping.jacobi
     )
-    state.team.share(changes, range(first, grid.ny - 1), P.size)
+    state.threads.run(changes, range(first, grid.ny - 1), P.size)
     update_film(state, index)
 
 
@@ -301,21 +305,26 @@ def load_error(state: Multigrid, index: int) -> float:
 
 def cycle(state: Multigrid, index: int) -> None:
     """One cycle from level `index` down; the coarsest level also moves H0 towards the load
-    balance.
+    balance, Venner and Lubrecht (2000), chapters 3 and 6.
 
     W between the levels of `SINGLE_VISITS`, V above and below.
     """
     if index == 0:
         _solve_coarsest(state)
     else:
+        # 1. sweeps before
         for _ in range(SWEEPS[0]):
             relax(state, index)
+        # 2. coarse-grid problem of the full approximation scheme, Brandt (1977)
         start = _restrict(state, index)
         approach = state.approach
+        # 3. its solution by cycles of the levels below
         lowest, highest = SINGLE_VISITS
         for _ in range(2 if lowest < index < len(state.levels) - highest else 1):
             cycle(state, index - 1)
+        # 4. correction of pressure and film
         _correct(state, index, start, approach)
+        # 5. sweeps after
         for _ in range(SWEEPS[1]):
             relax(state, index)
     if state.far_field is not None and state.levels[index].s is state.levels[index].gap:
@@ -324,7 +333,7 @@ def cycle(state: Multigrid, index: int) -> None:
 
 def _solve_coarsest(state: Multigrid) -> None:
     level = state.levels[0]
-    stiffness = 1.0 + 2.0 * max(state.contact.film_guess, 0.0)  # a thick film answers softly
+    stiffness = 1.0 + 2.0 * max(state.contact.film_guess, 0.0)  # a thick film responds softly
     for _ in range(COARSEST_SWEEPS):
         relax(state, 0)
         step = state.damping.approach * stiffness * load_error(state, 0)
@@ -334,8 +343,8 @@ def _solve_coarsest(state: Multigrid) -> None:
 
 
 def _restrict(state: Multigrid, index: int) -> Array:
-    """Set up the coarse-grid problem; returns the injected pressure the correction is counted
-    from.
+    """Set up the coarse-grid problem; returns the injected pressure, from which the correction
+    counts.
     """
     fine = state.levels[index]
     coarse = state.levels[index - 1]
@@ -351,8 +360,8 @@ def _restrict(state: Multigrid, index: int) -> Array:
 
 
 def _correct(state: Multigrid, index: int, start: Array, approach: float) -> None:
-    """P += correction where P > 0, and the film by interpolation from below: the next sweep
-    deflects it anew.
+    """P += correction where P > 0, and the film by interpolation until the next sweep deflects it
+    again.
     """
     fine = state.levels[index]
     coarse = state.levels[index - 1]

@@ -8,17 +8,17 @@ solver's equation is
 
 eps and rho those of the Newtonian oil at pressure P. The velocity field of the entrainment enters
 here, and so do the frozen coefficients of a generalized Reynolds equation (Yang and Wen, 1990): a
-`FlowModel` is asked for them before each multigrid cycle, on the grid being solved, and the
-coarser grids take them by injection.
+`FlowModel` computes them before each multigrid cycle on the grid being solved, and the coarser
+grids take them by injection.
 
 The viscosity of a thinned oil follows the pressure less than the Newtonian one does: with the
-share k of the change that it leaves out, a factor found at P_0 counts as f [eta(P)/eta(P_0)]^k
+share k of the change that it leaves out, a factor f evaluated at P_0 counts as f [eta(P)/eta(P_0)]^k
 while P changes within the cycle. Without that a frozen factor of 1e6 in a sliding contact turns a
 small error of the pressure into a large one of the flow.
 """
 
 from dataclasses import dataclass, fields
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -39,7 +39,9 @@ class FlowFactors:
     poiseuille: Array | None = None  # f, on eps
     # k, share of ln(eta) at `pressure` that the factor takes back as P changes
     thinning: Array | None = None
-    pressure: Array | None = None  # P_0, at which the factors were found; needed with `thinning`
+    pressure: Array | None = (
+        None  # P_0, at which the factors were evaluated; needed with `thinning`
+    )
     couette_x: Array | None = None  # u over u_m, the flow being rho u H
     couette_y: Array | None = None  # v over u_m; a grid of the upper half has none
 
@@ -52,21 +54,17 @@ class FlowFactors:
 
 
 class FlowModel(Protocol):
-    """Where the factors come from."""
+    """Source of the factors; it has no state of its own."""
 
     @property
     def symmetric(self) -> bool:
         """Whether the factors keep a contact even in Y that is so without them."""
 
-    def factors(self, contact: ScaledContact, grid: Grid, P: Array, H: Array) -> FlowFactors:
-        """Factors at pressure and film of a grid, the entrainment's velocity field included.
-
-        Parameters
-        ----------
-        contact : ScaledContact
-        grid : Grid
-        P, H : ndarray, shape (ny, nx)
-            Pressure and film [-]; not to be changed.
+    def factors(
+        self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: Any
+    ) -> tuple[FlowFactors, Any]:
+        """Factors at pressure and film of a grid [-], the entrainment's velocity field included,
+        and the state that the next cycle on the grid takes as `last`; None on its first cycle.
         """
 
 

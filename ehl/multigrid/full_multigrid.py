@@ -1,5 +1,5 @@
-"""Full multigrid of one contact: levels for a box, guarded cycles, and the list of attempts if one
-fails.
+"""Full multigrid of one contact, Venner and Lubrecht (2000): levels for a box, guarded cycles, and
+a list of attempts with other settings where one fails.
 """
 
 from collections.abc import Iterator
@@ -10,7 +10,7 @@ from math import ceil, inf, sqrt
 import numpy as np
 from numpy.typing import NDArray
 
-from ..grid import Grid, grid_hierarchy
+from ..grid import grid_hierarchy
 from ..options import SolverOptions
 from ..scaling import ScaledContact
 from .acceleration import Acceleration
@@ -25,25 +25,26 @@ from .cycle import (
     start_level,
     update_film,
 )
+from .extrapolation import central_film, film_values
 from .far_field import far_field
 from .flow_model import FlowModel
-from .threads import Team
+from .threads import Threads
 from .transfer import interpolate_cubic
 
 Array = NDArray[np.float64]
 
-# along x on the coarsest grid; its mesh may be far too coarse for the film, it only carries H0
+# along x on the coarsest grid, which may be far too coarse for the film: it only balances the load
 COARSEST_CELLS = 16
 # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 STARTING_MESH = (0.2, 0.55)
 LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
 # relative error of central and minimum film left by the iteration, estimated from its contraction
 FILM_TOLERANCE = 4e-4
-CONTRACTION = (0.4, 0.9)  # bounds of the contraction believed in that estimate
-FEWEST_CYCLES = 2  # on the finest level, before its film can count as at rest
+CONTRACTION = (0.4, 0.9)  # bounds of the contraction in that estimate
+FEWEST_CYCLES = 2  # on the finest level, before its film can count as converged
 LOAD_TOLERANCE = 1e-4  # relative error of the load balance
-PRESSURE_LIMIT = 5.0  # a pressure above this is a runaway iteration
-GROWTH_LIMIT = 10.0  # so is a residual that grows by this factor in one cycle
+PRESSURE_LIMIT = 5.0  # of P, above which the iteration has diverged
+GROWTH_LIMIT = 10.0  # of the residual in one cycle, above which it has, too
 PLAIN_CYCLES = 5  # on the finest level, before the cycles are accelerated
 STEP_CYCLES = 5  # under each lighter load, where the load is reached in steps
 HALVINGS = 3  # of the damping on one level before it counts as diverged
@@ -56,23 +57,23 @@ Films = list[tuple[float, float]]  # central and minimum film of each level, coa
 
 
 class DivergedError(Exception):
-    """The iteration ran away in spite of its guards."""
+    """The iteration diverged in spite of its guards."""
 
 
 @dataclass(slots=True, kw_only=True)
 class Progress:
-    """What a contact took so far, over all attempts and the pilot [-]."""
+    """Work and fallbacks of a contact so far, over all attempts and the pilot solve [-]."""
 
     fallbacks: list[str] = field(default_factory=list)
     deflected_nodes: int = 0  # nodes times deflection FFTs
 
 
 @dataclass(slots=True, kw_only=True)
-class Outcome:
-    """One attempt: its levels, and what happened on the finest of them. All quantities [-]."""
+class AttemptResult:
+    """Levels of one attempt and the history of the finest of them; all quantities [-]."""
 
     state: Multigrid
-    # of each level, coarsest first; empty if the iteration ran away
+    # of each level, coarsest first; empty if the iteration diverged
     films: Films = field(default_factory=list)
     # on the finest level, before the first and after each cycle
     film: Films = field(default_factory=list)
@@ -80,9 +81,9 @@ class Outcome:
     load: list[float] = field(default_factory=list)
     changes: list[float] = field(default_factory=list)
 
-    def note(self, residual: float) -> None:
-        """Film, change and load error after a cycle on the finest level that left a mean residual
-        [-].
+    def add_cycle(self, residual: float) -> None:
+        """Append film, change and load error after a cycle on the finest level, and its mean
+        residual [-].
         """
         index = len(self.state.levels) - 1
         film = film_values(self.state.levels[index].grid, self.state.levels[index].H)
@@ -99,9 +100,7 @@ class Outcome:
 
     def remaining_error(self) -> float:
         """Relative film error the iteration leaves, change * q/(1 - q) with q the contraction of
-        the last cycle [-].
-
-        One cycle alone tells no contraction: its whole change counts.
+        the last cycle [-]; after one cycle its whole change.
         """
         if not self.films or not self.changes:
             return inf
@@ -112,7 +111,7 @@ class Outcome:
         return last * q / (1.0 - q)
 
     def converged(self) -> bool:
-        """Film at rest, judged after two cycles at least; load balanced, film positive."""
+        """Film and load within their tolerances after two cycles at least, film positive."""
         return (
             len(self.changes) >= FEWEST_CYCLES
             and self.remaining_error() < FILM_TOLERANCE
@@ -123,29 +122,27 @@ class Outcome:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Attempt:
-    """One way of solving: damping, level to start from, share of the usual mesh size across the
-    entrainment [-].
-    """
+    """Settings of one attempt to solve a contact."""
 
     name: str
     damping: Damping
-    finer_start: int = 0
-    mesh_y: float = 1.0
-    # turn the grid to it; only where it is not along a principal direction
+    finer_start: int = 0  # levels above the usual one to start from
+    mesh_y: float = 1.0  # mesh size across the entrainment over the usual one [-]
+    # turn the grid to the entrainment; only where that is not a principal direction
     along_entrainment: bool = False
     long_only: bool = False  # only for ellipses whose longer axis lies along the grid's X
-    patience: int = 1  # factor on the number of cycles
+    cycles_factor: int = 1  # on the largest number of cycles
     # reach the load in steps on the level the full multigrid starts from
     from_lighter: bool = False
 
     def applies(self, contact: ScaledContact, turned: ScaledContact) -> bool:
-        """Whether the attempt is another one for this contact than those before it."""
+        """Whether the attempt differs for this contact from those before it."""
         if self.along_entrainment and contact.frame_angle == turned.frame_angle:
             return False
         return not self.long_only or contact.half_extent_x > contact.half_extent_y
 
 
-WIDE_AND_PATIENT = "mesh doubled across the entrainment, three times the cycles"
+WIDE_MESH_MORE_CYCLES = "mesh doubled across the entrainment, three times the cycles"
 CAUTIOUS = replace(Damping().halved(), switch=1.5)
 ATTEMPTS = (
     Attempt(name="plain", damping=Damping()),
@@ -157,9 +154,13 @@ ATTEMPTS = (
     Attempt(name="damping halved, less Gauss-Seidel", damping=CAUTIOUS),
     Attempt(name="mesh halved across the entrainment", damping=CAUTIOUS, mesh_y=0.5),
     Attempt(name="started one level finer", damping=CAUTIOUS.halved(), finer_start=1, mesh_y=0.5),
-    Attempt(name="three times the cycles", damping=CAUTIOUS, patience=3),
+    Attempt(name="three times the cycles", damping=CAUTIOUS, cycles_factor=3),
     Attempt(
-        name=WIDE_AND_PATIENT, damping=Damping().halved(), mesh_y=2.0, long_only=True, patience=3
+        name=WIDE_MESH_MORE_CYCLES,
+        damping=Damping().halved(),
+        mesh_y=2.0,
+        long_only=True,
+        cycles_factor=3,
     ),
 )
 
@@ -171,32 +172,30 @@ def solve_with_fallbacks(
     progress: Progress,
     flow_model: FlowModel | None = None,
     lighter: tuple[ScaledContact, ...] = (),
-) -> Outcome:
-    """Go down the list of attempts until one converges; the one that came nearest is kept if none
-    does.
+    attempts: tuple[Attempt, ...] = ATTEMPTS,
+) -> AttemptResult:
+    """The first attempt that converges, or the one with the smallest remaining error.
 
     `contacts` are the same contact, on a grid along a principal direction and on one along the
     entrainment; `lighter` the first under rising loads below its own.
     """
     best = None
-    for attempt in ATTEMPTS:
+    for attempt in attempts:
         contact = contacts[attempt.along_entrainment]
         if not attempt.applies(*contacts):
             continue
         if best is not None:
             progress.fallbacks.append(attempt.name)
-        outcome = Outcome(state=contact_multigrid(contact, domain, options, attempt, flow_model))
+        result = AttemptResult(
+            state=contact_multigrid(contact, domain, options, attempt, flow_model)
+        )
         with suppress(DivergedError):
-            patient = replace(options, max_cycles=attempt.patience * options.max_cycles)
+            limit = replace(options, max_cycles=attempt.cycles_factor * options.max_cycles)
             steps = lighter if attempt.from_lighter else ()
-            full_multigrid(outcome, patient, progress, attempt.finer_start, steps)
-        progress.deflected_nodes += outcome.state.deflected_nodes()
-        if (
-            best is None
-            or outcome.converged()
-            or outcome.remaining_error() < best.remaining_error()
-        ):
-            best = outcome
+            full_multigrid(result, limit, progress, attempt.finer_start, steps)
+        progress.deflected_nodes += result.state.deflected_nodes()
+        if best is None or result.converged() or result.remaining_error() < best.remaining_error():
+            best = result
         if best.converged():
             break
     assert best is not None
@@ -210,7 +209,7 @@ def contact_multigrid(
     attempt: Attempt,
     flow_model: FlowModel | None = None,
 ) -> Multigrid:
-    """Levels for a box given in Hertz half-extents; in a box of our choice the origin is a node."""
+    """Levels for a box given in Hertz half-extents; in an open box the origin is a node."""
     is_open = options.domain is None
     x_in = domain[0] * contact.half_extent_x
     x_out = domain[1] * contact.half_extent_x
@@ -227,12 +226,13 @@ def contact_multigrid(
     state = make_multigrid(
         contact, grids, far_field(contact) if is_open else None, attempt.damping
     )
-    state.flow_model, state.team = flow_model, Team(options.threads)
+    state.flow_model = flow_model
+    state.threads = Threads(options.threads)
     return state
 
 
 def full_multigrid(
-    outcome: Outcome,
+    result: AttemptResult,
     options: SolverOptions,
     progress: Progress,
     finer: int = 0,
@@ -244,23 +244,25 @@ def full_multigrid(
     Raises
     ------
     DivergedError
-        If the iteration runs away; `outcome.films` is empty then.
+        If the iteration diverges; `result.films` is empty then.
     """
-    state = outcome.state
+    state = result.state
     films = []
     finest = len(state.levels) - 1
     first = _starting_level(state, finer)
     _start_in_steps(state, first, lighter, progress)
     for index in range(first, finest + 1):
+        # 1. start from the level below, Venner and Lubrecht (2000), sec. 3.5
         if index > first:
             below = state.levels[index - 1]
             start_level(state, index, interpolate_cubic(below.P, below.grid.symmetric))
+        # 2. a few cycles, on the finest level until it has converged
         if index < finest:
             for _ in _guarded_cycles(state, index, LEVEL_CYCLES, progress):
                 pass
             films.append(film_values(state.levels[index].grid, state.levels[index].H))
         else:
-            _finish(outcome, films, options, progress)
+            _finish(result, films, options, progress)
 
 
 def _starting_level(state: Multigrid, finer: int) -> int:
@@ -292,8 +294,8 @@ def _start(state: Multigrid, index: int) -> None:
 def _start_in_steps(
     state: Multigrid, index: int, lighter: tuple[ScaledContact, ...], progress: Progress
 ) -> None:
-    """Start a level from the solution under a lighter load, that from a lighter one still; Hertz
-    if there is none.
+    """Start a level from the solution under the last of the lighter loads, the first of them from
+    a Hertz pressure.
 
     In the scales of each load's own Hertz contact grid and kernel are the same.
     """
@@ -318,8 +320,8 @@ def _start_in_steps(
 def _guarded_cycles(
     state: Multigrid, index: int, count: int, progress: Progress
 ) -> Iterator[float]:
-    """Run cycles on a level and yield the mean residual; a runaway one is undone and repeated with
-    half the damping.
+    """Run cycles on a level and yield the mean residual; one that diverges is undone and repeated
+    with half the damping.
 
     Raises
     ------
@@ -328,12 +330,12 @@ def _guarded_cycles(
     """
     last = inf
     halvings = 0
-    done = 0
-    while done < count:
-        kept = kept_level(state, index)
+    cycles = 0
+    while cycles < count:
+        before = snapshot(state, index)
         residual = guarded_cycle(state, index, last)
         if residual == inf:
-            put_back(state, index, kept)
+            restore(state, index, before)
             if halvings == HALVINGS:
                 raise DivergedError
             halvings += 1
@@ -341,88 +343,54 @@ def _guarded_cycles(
             progress.fallbacks.append("cycle undone, damping halved")
             continue
         last = residual
-        done = done + 1
+        cycles += 1
         yield residual
 
 
-Kept = tuple[Array, float, float, float]
+Snapshot = tuple[Array, float, float, float]
 
 
-def kept_level(state: Multigrid, index: int) -> Kept:
-    """Copy of what a cycle on a level changes, for `put_back` [-]."""
+def snapshot(state: Multigrid, index: int) -> Snapshot:
+    """Copy of what a cycle on a level changes, for `restore` [-]."""
     level = state.levels[index]
     return level.P.copy(), state.approach, state.exterior, level.load
 
 
-def put_back(state: Multigrid, index: int, kept: Kept) -> None:
-    """Undo the cycles on a level since it was kept; `kept` may be used once [-]."""
+def restore(state: Multigrid, index: int, before: Snapshot) -> None:
+    """Undo the cycles on a level since a snapshot, which may be used once [-]."""
     level = state.levels[index]
-    level.P, state.approach, state.exterior, level.load = kept
+    level.P, state.approach, state.exterior, level.load = before
     update_film(state, index)
 
 
 def guarded_cycle(state: Multigrid, index: int, last: float = inf) -> float:
-    """One cycle on a level; its mean residual, infinite if it ran away from the last one [-]."""
-    with np.errstate(all="ignore"):  # a runaway cycle overflows; it is looked at, not warned of
+    """One cycle on a level; its mean residual, infinite if it diverged from the last one [-]."""
+    with np.errstate(all="ignore"):  # a cycle that diverges may overflow
         refresh_factors(state, index)
         cycle(state, index)
         residual = float(np.abs(reynolds_residual(state, index)).mean())
-    runaway = not np.isfinite(residual) or residual > GROWTH_LIMIT * last
-    return inf if runaway or not 0.0 < state.levels[index].P.max() <= PRESSURE_LIMIT else residual
+    diverged = not np.isfinite(residual) or residual > GROWTH_LIMIT * last
+    return inf if diverged or not 0.0 < state.levels[index].P.max() <= PRESSURE_LIMIT else residual
 
 
-def _finish(outcome: Outcome, films: Films, options: SolverOptions, progress: Progress) -> None:
-    """Cycle on the finest level until film and load stand still; `films` are those of the levels
-    below.
+def _finish(
+    result: AttemptResult, films: Films, options: SolverOptions, progress: Progress
+) -> None:
+    """Cycle on the finest level until film and load have converged; `films` are those of the
+    levels below.
     """
-    state = outcome.state
+    state = result.state
     index = len(state.levels) - 1
     level = state.levels[-1]
-    outcome.film.append(film_values(level.grid, level.H))
+    result.film.append(film_values(level.grid, level.H))
     acceleration = Acceleration()
-    given = (level.P.copy(), state.approach)
+    before = (level.P.copy(), state.approach)
     for residual in _guarded_cycles(state, index, options.max_cycles, progress):
-        outcome.note(residual)
-        outcome.films = [*films, outcome.film[-1]]
-        if outcome.converged():
+        result.add_cycle(residual)
+        result.films = [*films, result.film[-1]]
+        if result.converged():
             return
-        if len(outcome.changes) > PLAIN_CYCLES:
-            level.P, state.approach = acceleration.mixed(given, (level.P, state.approach))
+        if len(result.changes) > PLAIN_CYCLES:
+            level.P, state.approach = acceleration.next(before, (level.P, state.approach))
             update_film(state, index)
-        given = (level.P.copy(), state.approach)
-
-
-def central_film(grid: Grid, H: Array) -> float:
-    """Film at the origin; cubic interpolation along x where the origin is no node [-]."""
-    line = H[0] if grid.symmetric else H[grid.ny // 2]
-    X = grid.X
-    i = int(np.argmin(np.abs(X)))
-    if abs(X[i]) < 1e-9 * grid.hx:
-        return float(line[i])
-    first = min(max(int(np.searchsorted(X, 0.0)) - 2, 0), grid.nx - 4)
-    nodes, values = X[first : first + 4], line[first : first + 4]
-    weights = [
-        np.prod([-other / (node - other) for other in nodes if other != node]) for node in nodes
-    ]
-    return float(np.dot(weights, values))
-
-
-def film_values(grid: Grid, H: Array) -> tuple[float, float]:
-    """Central film, and minimum film by a parabola through the smallest node in each direction
-    [-].
-    """
-    j, i = np.unravel_index(int(np.argmin(H)), H.shape)
-    minimum = float(H[j, i])
-    if 0 < i < grid.nx - 1:
-        minimum -= _dip(H[j, i - 1], H[j, i], H[j, i + 1])
-    if grid.symmetric and j == 0:
-        return central_film(grid, H), minimum
-    if 0 < j < grid.ny - 1:
-        minimum -= _dip(H[j - 1, i], H[j, i], H[j + 1, i])
-    return central_film(grid, H), minimum
-
-
-def _dip(before: float, middle: float, after: float) -> float:
-    """How far the parabola through three equidistant values dips below the middle one."""
-    curvature = before - 2.0 * middle + after
-    return (after - before) ** 2 / (8.0 * curvature) if curvature > 0.0 else 0.0
+        before = (level.P.copy(), state.approach)

@@ -3,39 +3,32 @@
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
-# nodes of the smallest grid that is shared: below, handing over costs more than it saves
+# nodes of the smallest grid that is shared: below, the hand-over costs more than it saves
 SHARED_NODES = 2**15
 
 
-class Team:
-    """As many threads as asked for, this one among them; the others end with the team.
+class Threads:
+    """A number of threads, the calling one included; results do not depend on the number."""
 
-    What the threads compute does not depend on their number.
-    """
+    def __init__(self, number: int = 1) -> None:
+        self.number = number
+        self._pool = ThreadPoolExecutor(number - 1) if number > 1 else None
 
-    def __init__(self, threads: int = 1) -> None:
-        self.threads = threads
-        self._others = ThreadPoolExecutor(threads - 1) if threads > 1 else None
+    def number_for(self, nodes: int) -> int:
+        """Threads to use for a grid of so many nodes [-]."""
+        return self.number if nodes >= SHARED_NODES else 1
 
-    def threads_for(self, nodes: int) -> int:
-        """Threads for a grid of so many nodes [-]."""
-        return self.threads if nodes >= SHARED_NODES else 1
-
-    def share(self, kernel: Callable[[int, int], None], lines: range, nodes: int) -> None:
-        """Call kernel(first, stop) on equal parts of `lines` of a grid of so many nodes, all at
-        the same time.
-
-        A part begins with one of `lines`; its end is the end of a half-open range.
+    def run(self, kernel: Callable[[int, int], None], lines: range, nodes: int) -> None:
+        """Call kernel(first, stop) at the same time on equal parts of `lines` of a grid of so many
+        nodes; each part begins with one of `lines` and is half-open.
         """
-        threads = self.threads_for(nodes)
-        cuts = [k * len(lines) // threads for k in range(threads + 1)]
+        number = self.number_for(nodes)
+        cuts = [k * len(lines) // number for k in range(number + 1)]
         parts = [
             (lines[a], lines[b - 1] + 1) for a, b in zip(cuts[:-1], cuts[1:], strict=True) if b > a
         ]
         jobs = (
-            [self._others.submit(kernel, *part) for part in parts[1:]]
-            if self._others is not None
-            else []
+            [] if self._pool is None else [self._pool.submit(kernel, *part) for part in parts[1:]]
         )
         for part in parts[: len(parts) - len(jobs)]:
             kernel(*part)

@@ -160,26 +160,20 @@ def kernel_rheology(rheology: Rheology) -> KernelRheology:
     )
 
 
-def eased(rheology: Rheology, share: float) -> Rheology:
-    """The same law with all its stresses divided by a share: the smaller that is, the more
-    Newtonian the oil.
-
-    Parameters
-    ----------
-    rheology : Rheology
-    share : float
-        In (0, 1] [-]; 1 returns the rheology itself.
+def divide_stresses(rheology: Rheology, divisor: float) -> Rheology:
+    """The same law with all its stresses divided by a number in (0, 1] [-]: the smaller it is, the
+    more Newtonian the oil.
     """
-    if share == 1.0:
+    if divisor == 1.0:
         return rheology
     coefficient = rheology.limiting_coefficient
     return replace(
         rheology,
-        eyring_stress=rheology.eyring_stress / share,
-        carreau_modulus=rheology.carreau_modulus / share,
-        limiting_coefficient=None if coefficient is None else coefficient / share,
-        limiting_stress=rheology.limiting_stress / share,
-        limiting_minimum=rheology.limiting_minimum / share,
+        eyring_stress=rheology.eyring_stress / divisor,
+        carreau_modulus=rheology.carreau_modulus / divisor,
+        limiting_coefficient=None if coefficient is None else coefficient / divisor,
+        limiting_stress=rheology.limiting_stress / divisor,
+        limiting_minimum=rheology.limiting_minimum / divisor,
     )
 
 

@@ -9,12 +9,13 @@ import pytest
 from numpy.testing import assert_allclose, assert_array_equal
 
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
-from ehl.generalized.continuation import CARRIED, NAME, continued
+from ehl.generalized.continuation import CONTINUED, FOLLOWED_PRESSURE, solve_by_continuation
 from ehl.generalized.film_heat import FilmHeat
-from ehl.generalized.flow import BeganAnewError, GeneralizedFlow
-from ehl.generalized.solver import _judged, solve_generalized
+from ehl.generalized.flow import Continuation, GeneralizedFlow
+from ehl.generalized.solver import _checked, solve_generalized
+from ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid
 from ehl.oil.lubricant import ThermalProperties, log_viscosity_ratio
-from ehl.oil.rheology import Rheology, ShearLaw, eased, shear_stress
+from ehl.oil.rheology import Rheology, ShearLaw, divide_stresses, shear_stress
 from ehl.scaling import scale_contact
 from ehl.solid.heat import SolidThermal
 
@@ -60,21 +61,25 @@ SWINGING = ContactConditions(
 )
 
 
+FOLLOWING = Continuation(follow_pressure=True)
+
+
 @pytest.mark.parametrize(
-    ("heat", "carried"), [(False, False), (False, True), (True, False)], ids=["shear", "carried", "heat"]
+    ("heat", "follows"), [(False, False), (False, True), (True, False)], ids=["shear", "following", "heat"]
 )
-def test_continuation_finds_the_same_film(heat, carried):
+def test_continuation_finds_the_same_film(heat, follows):
     flow = GeneralizedFlow(
         conditions=CIRCULAR,
         rheology=EYRING,
         heat=FilmHeat(conditions=CIRCULAR, solids=(STEEL, STEEL)) if heat else None,
-        carried=carried,
+        continuation=Continuation(follow_pressure=follows),
     )
-    there = continued(CIRCULAR, COARSE, flow)
+    there, state = solve_by_continuation(CIRCULAR, COARSE, flow)
     straight = solve_generalized(CIRCULAR, EYRING, solids=(STEEL, STEEL) if heat else None, options=COARSE).contact
     assert there.converged and straight.converged
-    assert there.record.fallbacks == ((NAME, CARRIED) if carried else (NAME,)) and straight.record.fallbacks == ()
-    assert (flow.share, flow.following) == (1.0, 1.0)
+    assert there.record.fallbacks == ((CONTINUED, FOLLOWED_PRESSURE) if follows else (CONTINUED,))
+    assert straight.record.fallbacks == ()
+    assert (state.heat is not None) is heat
     for film in ("film_central_dimensionless", "film_minimum_dimensionless"):
         assert_allclose(getattr(there, film).finest, getattr(straight, film).finest, rtol=AT_REST)
     assert (
@@ -87,137 +92,135 @@ def test_continuation_to_a_newtonian_oil_stays_where_it_is():
     """1e15 Pa leaves (tau/tau_0)^2/6 < 1e-12; two directions and a whole grid where lateral sliding needs one."""
     conditions = replace(CIRCULAR, lateral_slide_ratio=0.02)
     flow = GeneralizedFlow(conditions=conditions, rheology=replace(EYRING, eyring_stress=1e15))
-    there, plain = continued(conditions, COARSE, flow), solve_contact(conditions, COARSE)
+    (there, _), plain = solve_by_continuation(conditions, COARSE, flow), solve_contact(conditions, COARSE)
     assert there.converged and there.P.shape == plain.P.shape
     assert_allclose(there.film_central, plain.film_central, rtol=AT_REST)
 
 
-def test_eased_rheology_is_the_same_law_at_higher_stresses():
+def test_divided_stresses_are_the_same_law_at_higher_stresses():
     """tau(rate; stresses/s) = tau(s rate; stresses)/s for every law, the limiting stress included."""
     carreau = Rheology(law=ShearLaw.CARREAU_YASUDA, carreau_modulus=2e6, carreau_exponent=0.5)
     rates, share = np.array([1e2, 1e5, 1e8]), 0.2
     for rheology in (EYRING, carreau, replace(EYRING, limiting_coefficient=0.05, limiting_stress=1e5)):
-        assert eased(rheology, 1.0) is rheology
+        assert divide_stresses(rheology, 1.0) is rheology
         wanted = shear_stress(share * rates, 3.0, 5e8, rheology) / share
-        assert_allclose(shear_stress(rates, 3.0, 5e8, eased(rheology, share)), wanted, rtol=1e-12)
+        assert_allclose(shear_stress(rates, 3.0, 5e8, divide_stresses(rheology, share)), wanted, rtol=1e-12)
 
 
-def test_solve_that_begins_anew_forgets():
-    """A grid that is not finer than the last is another attempt: its fields must not come from the one that failed."""
-    flow, fresh = (GeneralizedFlow(conditions=CIRCULAR, rheology=EYRING) for _ in range(2))
-    first, second = (_asked(flow, 33) for _ in range(2))
-    assert_array_equal(first.poiseuille, second.poiseuille)
-    assert_array_equal(first.poiseuille, _asked(fresh, 33).poiseuille)
-    flow.single = True
-    _asked(flow, 65)
-    with pytest.raises(BeganAnewError):
-        _asked(flow, 33)
-
-
-def test_restored_flow_goes_on_as_before():
+def test_first_cycle_on_a_grid_knows_nothing_of_others():
+    """The flow model has no memory of its own: without a last state it answers as at first."""
     flow = GeneralizedFlow(conditions=CIRCULAR, rheology=EYRING)
-    grid = _grid(33)
-    _asked(flow, grid)
-    kept = flow.kept()
-    wanted = _asked(flow, grid, film=0.2)
-    flow.restore(kept)
-    assert_array_equal(_asked(flow, grid, film=0.2).poiseuille, wanted.poiseuille)
+    first, state = _asked(flow, 33)
+    assert np.isinf(state.change)
+    _asked(flow, 33, film=0.2, last=state)
+    assert_array_equal(_asked(flow, 33)[0].poiseuille, first.poiseuille)
+
+
+@pytest.mark.parametrize("heat", [False, True], ids=["shear", "heat"])
+def test_a_state_serves_any_number_of_cycles(heat):
+    """A cycle that is undone leaves the state it started from as it was."""
+    heated = FilmHeat(conditions=CIRCULAR, solids=(STEEL, STEEL)) if heat else None
+    flow = GeneralizedFlow(conditions=CIRCULAR, rheology=EYRING, heat=heated)
+    state = _asked(flow, 33)[1]
+    one, other = (_asked(flow, 33, film=0.2, last=state) for _ in range(2))
+    assert_array_equal(one[0].poiseuille, other[0].poiseuille)
+    assert one[1].change == other[1].change > 0.0
 
 
 @pytest.mark.slow
 def test_contact_that_stalls_from_hertz_pressure():
     solution = solve_generalized(STALLED, EYRING, options=SolverOptions(points=129)).contact
     assert solution.converged
-    assert NAME in solution.record.fallbacks
+    assert CONTINUED in solution.record.fallbacks
 
 
 @pytest.mark.slow
 def test_contact_that_swings_at_the_outlet():
-    flow = GeneralizedFlow(conditions=SWINGING, rheology=EYRING, carried=True)
-    solution = continued(SWINGING, SolverOptions(points=129), flow)
-    assert solution.converged and flow.change < 0.03
-    assert solution.record.fallbacks == (NAME, CARRIED)
+    flow = GeneralizedFlow(conditions=SWINGING, rheology=EYRING, continuation=FOLLOWING)
+    solution, state = solve_by_continuation(SWINGING, SolverOptions(points=129), flow)
+    assert solution.converged and state.change < 0.03
+    assert solution.record.fallbacks == (CONTINUED, FOLLOWED_PRESSURE)
     assert len(solution.record.residual) < 30
 
 
-@pytest.mark.parametrize("carried", [False, True], ids=["frozen", "carried"])
-def test_carried_factor_foretells_the_gradient_of_a_given_flux(carried):
+@pytest.mark.parametrize("follows", [False, True], ids=["frozen", "following"])
+def test_factor_that_follows_the_pressure_predicts_the_gradient_of_a_given_flux(follows):
     """A pressure raised by dp, the gradient that which keeps the flux with the frozen factor: is it found again?
 
-    To first order with a carried factor. Frozen as it was it is off by the m-th power of the gradient that answers dp.
+    To first order with a factor that follows. Frozen it is off by the m-th power of the gradient that answers dp.
     """
     rolling = replace(CIRCULAR, slide_roll_ratio=0.0)
-    flow = GeneralizedFlow(conditions=rolling, rheology=replace(EYRING, eyring_stress=2e6), carried=carried)
+    flow = GeneralizedFlow(
+        conditions=rolling,
+        rheology=replace(EYRING, eyring_stress=2e6),
+        continuation=Continuation(follow_pressure=follows),
+    )
     contact, grid = scale_contact(rolling), _grid(33)
     shape, node = (grid.ny, grid.nx), (3, 20)
     film, pressure, gradient = 0.3 * np.ones(shape), 0.6, -2.0
     place = np.broadcast_to(grid.X - grid.X[node[1]], shape)
-    for _ in range(60):
-        factors = flow.factors(contact, grid, np.maximum(pressure + gradient * place, 0.0), film)
-    before = flow.factors(contact, grid, np.maximum(pressure + gradient * place, 0.0), film).poiseuille[node]
+    state = None
+    for _ in range(61):
+        factors, state = flow.factors(contact, grid, np.maximum(pressure + gradient * place, 0.0), film, state)
+    before = factors.poiseuille[node]
     p, risen = (np.array([x]) * contact.hertz_pressure for x in (pressure, 1.005 * pressure))
     thicker = float((log_viscosity_ratio(risen, OIL) - log_viscosity_ratio(p, OIL))[0])
     passed = np.exp((factors.thinning[node] - 1.0) * thicker)  # of the flux, at the old gradient
     after = np.maximum(1.005 * pressure + gradient / passed * place, 0.0)
     for _ in range(60):
-        found = flow.factors(contact, grid, after, film).poiseuille[node]
-    error = abs(np.log(found / before) - factors.thinning[node] * thicker) / thicker
-    assert error < 0.01 if carried else error > 0.1
+        new, state = flow.factors(contact, grid, after, film, state)
+    error = abs(np.log(new.poiseuille[node] / before) - factors.thinning[node] * thicker) / thicker
+    assert error < 0.01 if follows else error > 0.1
 
 
-def test_columns_beyond_the_limiting_stress_are_counted_and_told():
+def test_columns_over_the_limiting_stress_are_counted_and_reported():
     """A pressure that rises linearly over a flat film: h/2 grad p > Lambda p where p < h grad p/(2 Lambda)."""
     contact, grid = scale_contact(CIRCULAR), _grid(33)
     P = 0.5 + 0.1 * np.broadcast_to(grid.X, (grid.ny, grid.nx))
     rise = 0.3 * contact.film_scale * 0.1 / contact.semi_axis_x  # h grad p over p_h
     rheology = replace(EYRING, limiting_coefficient=0.5 * rise / 0.3, limiting_minimum=1.0)
     flow = GeneralizedFlow(conditions=CIRCULAR, rheology=rheology)
-    flow.factors(contact, grid, P, np.full_like(P, 0.3))
-    assert flow.beyond == np.count_nonzero(P * 1.001 < 0.3)
-    assert 0 < flow.beyond < P.size
-    flow.factors(contact, grid, P, np.full_like(P, 0.01))
-    assert flow.beyond == 0
+    state = flow.factors(contact, grid, P, np.full_like(P, 0.3))[1]
+    assert state.over_limit_columns == np.count_nonzero(P * 1.001 < 0.3)
+    assert 0 < state.over_limit_columns < P.size
+    assert flow.factors(contact, grid, P, np.full_like(P, 0.01))[1].over_limit_columns == 0
     solved = solve_contact(CIRCULAR, COARSE)
-    flow.change, flow.beyond = 0.0, int(0.004 * solved.P.size)
-    assert _judged(solved, flow).converged
-    flow.beyond = int(0.006 * solved.P.size)
-    told = _judged(solved, flow)
-    assert not told.converged and f"limiting stress is below h/2 grad p at {flow.beyond} columns" in told.message
-    assert f"at {flow.beyond} columns of the last cycle" in _judged(replace(solved, converged=False), flow).message
+    state = replace(state, change=0.0, unsolved_columns=0, over_limit_columns=int(0.004 * solved.P.size))
+    assert _checked(solved, state)[0].converged
+    count = int(0.006 * solved.P.size)
+    state = replace(state, over_limit_columns=count)
+    checked = _checked(solved, state)[0]
+    assert not checked.converged and f"limiting stress is below h/2 grad p at {count} columns" in checked.message
+    assert f"at {count} columns of the last cycle" in _checked(replace(solved, converged=False), state)[0].message
 
 
 def _grid(points):
-    from ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid
-    from ehl.scaling import scale_contact
-
     contact = scale_contact(CIRCULAR)
     flow = GeneralizedFlow(conditions=CIRCULAR, rheology=EYRING)
     options = SolverOptions(points=points, domain=(-4.0, 1.5, 2.5))
     return contact_multigrid(contact, options.domain, options, ATTEMPTS[0], flow).levels[-1].grid
 
 
-def _asked(flow, grid, film=0.3):
-    """Factors at a Hertz pressure over a parabolic gap."""
-    from ehl.scaling import scale_contact
-
-    grid = _grid(grid) if isinstance(grid, int) else grid
+def _asked(flow, points, film=0.3, last=None):
+    """Factors at a Hertz pressure over a parabolic gap, and the state."""
+    grid = _grid(points)
     X, Y = grid.X[None, :], grid.Y[:, None]
     P = np.sqrt(np.maximum(1.0 - X**2 - Y**2, 0.0))
-    return flow.factors(scale_contact(CIRCULAR), grid, P, film + 0.1 * np.maximum(X**2 + Y**2 - 1.0, 0.0))
+    return flow.factors(scale_contact(CIRCULAR), grid, P, film + 0.1 * np.maximum(X**2 + Y**2 - 1.0, 0.0), last)
 
 
-def test_a_film_that_heat_makes_too_thin_is_told(monkeypatch):
-    """Resolved is said of the film that was found, not of the Newtonian one that it began from."""
+def test_a_film_that_heat_makes_too_thin_is_unresolved(monkeypatch):
+    """Resolution is that of the final film, not of the Newtonian one it started from."""
     conditions = replace(CIRCULAR, load=320.0, entrainment_speed=10.0)
     plain = solve_contact(conditions, COARSE)
     heat = FilmHeat(conditions=conditions, solids=(STEEL, STEEL))
     flow = GeneralizedFlow(conditions=conditions, rheology=EYRING, heat=heat)
-    films = [solution.film_minimum_dimensionless.finest for solution in (plain, continued(conditions, COARSE, flow))]
+    heated = solve_by_continuation(conditions, COARSE, flow)[0]
+    films = [solution.film_minimum_dimensionless.finest for solution in (plain, heated)]
     assert films[1] < 0.95 * films[0]
     mesh = float(plain.X[1] - plain.X[0])
     monkeypatch.setattr("ehl.solver.RESOLVED", np.mean(films) / (scale_contact(conditions).curvature_x * mesh**2))
     assert solve_contact(conditions, COARSE).resolved
-    flow.forget()
-    found = continued(conditions, COARSE, flow)
-    assert found.converged and not found.resolved
-    assert "unresolved" in found.message
+    heated = solve_by_continuation(conditions, COARSE, flow)[0]
+    assert heated.converged and not heated.resolved
+    assert "unresolved" in heated.message

@@ -15,10 +15,11 @@ from cases.verification.contacts import from_groups
 from cases.verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
 from ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, solve_contact
 from ehl.grid import Grid
-from ehl.multigrid.reynolds import flow_properties, reynolds_operator
 from ehl.multigrid.thin_film import FALLBACK as THIN_FILM
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 from ehl.solid.deformation import deflect, deflection_kernel
+
+from ..reference.reynolds import flow_properties, reynolds_operator
 
 FILMS = ("film_central_dimensionless", "film_minimum_dimensionless")
 

@@ -13,11 +13,12 @@ from numpy.testing import assert_allclose
 from scipy.integrate import quad
 
 from ehl.generalized import _kernels
-from ehl.generalized.columns import FilmColumns, _stresses, flow_integrals, fluidities, mid_stress
 from ehl.generalized.section import film_section
 from ehl.oil.lubricant import Lubricant, ThermalProperties, ViscosityLaw, density, viscosity
 from ehl.oil.numbers import oil_numbers
 from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
+
+from ...reference.film_columns import FilmColumns, _stresses, flow_integrals, fluidities, mid_stress
 
 SECTION = film_section()
 NEWTON = Rheology()

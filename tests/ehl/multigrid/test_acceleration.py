@@ -24,7 +24,7 @@ def test_a_linear_map_with_few_slow_modes_is_solved_at_once():
     acceleration, given = Acceleration(), (np.zeros((4, 5)) + 1.0, 1.0)
     for _ in range(6):
         found = cycle(np.append(given[0].ravel(), given[1]))
-        given = acceleration.mixed(given, (found[:-1].reshape(4, 5), float(found[-1])))
+        given = acceleration.next(given, (found[:-1].reshape(4, 5), float(found[-1])))
     assert_allclose(np.append(given[0].ravel(), given[1]), fixed, rtol=1e-6)
     plain = np.ones(21)
     for _ in range(6):
@@ -35,6 +35,6 @@ def test_a_linear_map_with_few_slow_modes_is_solved_at_once():
 def test_pressure_stays_positive():
     acceleration = Acceleration()
     first = (np.array([[1.0, 0.2]]), 0.0)
-    acceleration.mixed(first, (np.array([[1.0, 0.1]]), 0.0))
-    P, _ = acceleration.mixed((np.array([[1.0, 0.1]]), 0.0), (np.array([[1.0, 0.01]]), 0.0))
+    acceleration.next(first, (np.array([[1.0, 0.1]]), 0.0))
+    P, _ = acceleration.next((np.array([[1.0, 0.1]]), 0.0), (np.array([[1.0, 0.01]]), 0.0))
     assert P.min() >= 0.0

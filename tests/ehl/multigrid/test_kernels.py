@@ -1,4 +1,4 @@
-"""Every compiled kernel against its NumPy twin."""
+"""Every compiled kernel against its reference in NumPy."""
 
 from __future__ import annotations
 
@@ -8,12 +8,14 @@ from numpy.testing import assert_allclose
 
 from ehl import Lubricant, MoesConditions, ViscosityLaw
 from ehl.grid import Grid
-from ehl.multigrid import _kernels, relaxation, reynolds
+from ehl.multigrid import _kernels
 from ehl.multigrid.cycle import Damping, make_multigrid, relax, start_level, update_film
 from ehl.oil import _kernels as properties
 from ehl.oil.numbers import oil_numbers
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 from ehl.solid.deformation import deflection_kernel
+
+from ...reference import relaxation, reynolds
 
 ROUND_OFF = 1e-12  # relative; sums of a few terms in another order
 

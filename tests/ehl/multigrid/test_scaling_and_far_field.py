@@ -13,9 +13,10 @@ from ehl.closed_form.hertz import hertz_contact
 from ehl.conditions import moes_groups
 from ehl.grid import Grid
 from ehl.multigrid.far_field import edge_pressure, exterior_load, far_field
-from ehl.multigrid.reynolds import poiseuille
 from ehl.oil.lubricant import density, viscosity
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
+
+from ...reference.reynolds import poiseuille
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 INNER = ContactConditions(

@@ -9,21 +9,21 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import Lubricant, MoesConditions, SolverOptions, solve_contact
-from ehl.multigrid.threads import SHARED_NODES, Team
+from ehl.multigrid.threads import SHARED_NODES, Threads
 
 
 @pytest.mark.parametrize("threads", [1, 2, 3, 7])
 @pytest.mark.parametrize("lines", [range(0, 5), range(1, 40, 2), range(0, 2), range(3, 4)])
 def test_each_line_is_given_once_and_in_its_colour(threads, lines):
     given = []
-    Team(threads).share(lambda first, stop: given.append(range(first, stop, lines.step)), lines, SHARED_NODES)
+    Threads(threads).run(lambda first, stop: given.append(range(first, stop, lines.step)), lines, SHARED_NODES)
     assert sorted(line for part in given for line in part) == list(lines)
     assert len(given) == min(threads, len(lines))
 
 
 def test_small_grids_stay_with_the_caller():
     seen = []
-    Team(4).share(lambda first, stop: seen.append((first, stop, get_ident())), range(10), SHARED_NODES - 1)
+    Threads(4).run(lambda first, stop: seen.append((first, stop, get_ident())), range(10), SHARED_NODES - 1)
     assert seen == [(0, 10, get_ident())]
 
 
@@ -33,7 +33,7 @@ def test_an_error_of_any_part_is_raised():
             raise ValueError(first)
 
     with pytest.raises(ValueError, match="5"):
-        Team(2).share(kernel, range(10), SHARED_NODES)
+        Threads(2).run(kernel, range(10), SHARED_NODES)
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.4], ids=["half", "full"])

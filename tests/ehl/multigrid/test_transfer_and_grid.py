@@ -7,8 +7,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl.grid import Grid, grid_hierarchy
-from ehl.multigrid.extrapolation import extrapolate
-from ehl.multigrid.full_multigrid import central_film, film_values
+from ehl.multigrid.extrapolation import central_film, extrapolate, film_values
 from ehl.multigrid.transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 HIERARCHY = grid_hierarchy(65, (-4.0, 2.0, 3.0), 1.5, 3, True)

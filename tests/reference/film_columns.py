@@ -1,7 +1,7 @@
 """Columns of film in NumPy: stress across each, and the integrals of the generalized Reynolds
 equation.
 
-The readable twin of `_kernels`. In a thin film the momentum balance is d(tau)/dz = grad p, so that
+The reference for `ehl.generalized._kernels`. In a thin film the momentum balance is d(tau)/dz = grad p, so that
 
     tau(z) = tau_m + (z - h/2) grad p,      d(u, v)/dz = tau/eta*(|tau|),
 
@@ -24,8 +24,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ..oil.rheology import Rheology, ShearLaw, limiting_stress, shear_rate, shear_stress
-from .section import Section
+from ehl.generalized.section import Section
+from ehl.oil.rheology import Rheology, ShearLaw, limiting_stress, shear_rate, shear_stress
 
 Array = NDArray[np.float64]
 
@@ -66,9 +66,7 @@ class ColumnFlow:
     tangent: Array
 
 
-def _newtonian_stress(
-    tau: Array, rheology: Rheology, limit: Array, margin: Array
-) -> tuple[Array, Array]:
+def _newtonian_stress(tau: Array, rheology: Rheology, limit: Array, margin: Array) -> tuple[Array, Array]:
     """eta times the rate, and its derivative by tau, at the stress magnitude tau; a tangent from
     the margin on.
     """
@@ -101,15 +99,11 @@ def _limits(columns: FilmColumns, rheology: Rheology, rate: Array) -> tuple[Arra
 
 def _stresses(middle: Array, columns: FilmColumns, section: Section) -> Array:
     """Stress vectors at the nodes, shape (m, n, 2) [Pa]."""
-    rise = (section.nodes - 0.5)[None, :, None] * (columns.film[:, None] * columns.gradient)[
-        :, None, :
-    ]
+    rise = (section.nodes - 0.5)[None, :, None] * (columns.film[:, None] * columns.gradient)[:, None, :]
     return middle[:, None, :] + rise
 
 
-def fluidities(
-    stress: Array, columns: FilmColumns, rheology: Rheology, rate: Array
-) -> tuple[Array, Array]:
+def fluidities(stress: Array, columns: FilmColumns, rheology: Rheology, rate: Array) -> tuple[Array, Array]:
     """1/eta* and the derivative of the rate's magnitude by the stress's, at the nodes [1/(Pa s)].
 
     Parameters
@@ -125,9 +119,7 @@ def fluidities(
     limit, margin = _limits(columns, rheology, rate)
     magnitude = np.hypot(stress[..., 0], stress[..., 1])
     newtonian, slope = _newtonian_stress(magnitude, rheology, limit, margin)
-    relative = np.where(
-        magnitude > 0.0, newtonian / np.where(magnitude > 0.0, magnitude, 1.0), 1.0
-    )
+    relative = np.where(magnitude > 0.0, newtonian / np.where(magnitude > 0.0, magnitude, 1.0), 1.0)
     return relative / columns.viscosity, slope / columns.viscosity
 
 
@@ -163,9 +155,7 @@ def mid_stress(
         step = -np.linalg.solve(jacobian, residual[..., None])[..., 0] * open_ones[:, None]
         before = (residual * step).sum(axis=1)
         share = np.where(
-            creeping,
-            np.log(np.clip(size / np.maximum(wanted, scale * TOLERANCE), np.exp(1.0), 1e12)),
-            1.0,
+            creeping, np.log(np.clip(size / np.maximum(wanted, scale * TOLERANCE), np.exp(1.0), 1e12)), 1.0
         )
         for _ in range(HALVINGS):
             trial = middle + share[:, None] * step
@@ -207,9 +197,7 @@ def _balance(
     return residual, jacobian, scale
 
 
-def flow_integrals(
-    columns: FilmColumns, section: Section, rheology: Rheology, middle: Array
-) -> ColumnFlow:
+def flow_integrals(columns: FilmColumns, section: Section, rheology: Rheology, middle: Array) -> ColumnFlow:
     """Integrals across the film, Yang and Wen (1990).
 
     With 1/eta_e = (1/h) int dz/eta*, 1/eta'_e = (1/h^2) int z dz/eta*, rho_e = (1/h) int rho dz,
@@ -242,9 +230,7 @@ def flow_integrals(
     )
 
 
-def _tangent(
-    stress: Array, fluidity: Array, slope: Array, density: Array, section: Section
-) -> Array:
+def _tangent(stress: Array, fluidity: Array, slope: Array, density: Array, section: Section) -> Array:
     """The integrals of Yang and Wen with the tangent fluidity d(rate)/d(tau), a tensor, in place
     of 1/eta*.
     """
@@ -256,7 +242,5 @@ def _tangent(
     wz = section.weights * section.nodes
     mean, moment = np.einsum("k,mkcd->mcd", w, tensor), np.einsum("k,mkcd->mcd", wz, tensor)
     inner = np.einsum("k,mk,kl,mlcd->mcd", w, density, section.cumulative, tensor, optimize=True)
-    inner_z = np.einsum(
-        "k,mk,kl,l,mlcd->mcd", w, density, section.cumulative, section.nodes, tensor, optimize=True
-    )
+    inner_z = np.einsum("k,mk,kl,l,mlcd->mcd", w, density, section.cumulative, section.nodes, tensor, optimize=True)
     return 12.0 * (inner @ np.linalg.solve(mean, moment) - inner_z)

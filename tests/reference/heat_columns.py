@@ -1,4 +1,5 @@
-r"""Temperature of one column of film in NumPy: the readable twin of `_kernels.column_temperature`.
+r"""Temperature of one column of film in NumPy, the reference for
+`ehl.generalized._heat_kernels.column_temperature`.
 
 Heat equation across the film at zeta = z/h, convection by upwind differences along x and y:
 
@@ -23,7 +24,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .section import Section
+from ehl.generalized.section import Section, curvature, wall_slopes
 
 Array = NDArray[np.float64]
 
@@ -43,32 +44,6 @@ class HeatColumn:
     last: Array  # last temperature [K]
     history: tuple[float, float]  # of body 1 and body 2 by the heat taken up before [K]
     response: tuple[float, float]  # R of body 1 and body 2 [K m^2/W]
-
-
-def wall_slopes(section: Section) -> tuple[Array, Array]:
-    """Weights of dT/d(zeta) at both walls, each on the three nodes nearest to it, shape (n,) [-]."""
-    z = section.nodes
-    below = np.zeros(section.nodes.size)
-    above = np.zeros(section.nodes.size)
-    a, b = z[1], z[2]
-    below[:3] = -(a + b) / (a * b), b / (a * (b - a)), -a / (b * (b - a))
-    above[-3:] = -below[2::-1]
-    return below, above
-
-
-def curvature(section: Section) -> Array:
-    """Matrix of d2T/d(zeta)2 at the nodes inside from their neighbours, shape (n, n), zero at the
-    walls [-].
-    """
-    z = section.nodes
-    matrix = np.zeros((z.size, z.size))
-    for k in range(1, z.size - 1):
-        down = z[k] - z[k - 1]
-        up = z[k + 1] - z[k]
-        matrix[k, k - 1 : k + 2] = (
-            np.array([1.0 / down, -1.0 / down - 1.0 / up, 1.0 / up]) * 2.0 / (down + up)
-        )
-    return matrix
 
 
 def upwind(crossing: Array, section: Section) -> Array:

@@ -1,5 +1,4 @@
-"""Reynolds' equation in NumPy: the readable twin of the compiled kernels, and what tests hold them
-against.
+"""Reynolds' equation in NumPy, the reference for the compiled kernels of `ehl.multigrid`.
 
 Arrays have the shape (ny, nx), lines along x contiguous; on a symmetric grid row 0 is y = 0 and
 its southern neighbour is the mirror image of row 1.
@@ -8,7 +7,7 @@ its southern neighbour is the mirror image of row 1.
 import numpy as np
 from numpy.typing import NDArray
 
-from ..scaling import ScaledContact
+from ehl.scaling import ScaledContact
 
 Array = NDArray[np.float64]
 
@@ -24,9 +23,7 @@ def flow_properties(P: Array, H: Array, contact: ScaledContact) -> tuple[Array, 
     """
     c = contact
     pressure = np.maximum(P, 0.0)
-    viscosity = np.exp(
-        c.viscosity_slope * ((1.0 + c.viscosity_pressure * pressure) ** c.viscosity_exponent - 1.0)
-    )
+    viscosity = np.exp(c.viscosity_slope * ((1.0 + c.viscosity_pressure * pressure) ** c.viscosity_exponent - 1.0))
     rho = 1.0 + c.density_numerator * pressure / (1.0 + c.density_denominator * pressure)
     rho_slope = c.density_numerator / (1.0 + c.density_denominator * pressure) ** 2
     return rho * np.maximum(H, 0.0) ** 3 / (viscosity * c.speed), rho, rho_slope
@@ -76,12 +73,7 @@ def lateral_wedge(flow: Array, H: Array, hy: float) -> Array:
 
 
 def reynolds_operator(
-    P: Array,
-    H: Array,
-    eps: Array,
-    flow: tuple[Array, Array | None],
-    mesh: tuple[float, float],
-    symmetric: bool,
+    P: Array, H: Array, eps: Array, flow: tuple[Array, Array | None], mesh: tuple[float, float], symmetric: bool
 ) -> Array:
     """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H), shape (ny, nx), zero on the
     edge [-].
@@ -97,9 +89,7 @@ def reynolds_operator(
     """
     out = np.zeros_like(P)
     rows = slice(0, -1) if symmetric else slice(1, -1)
-    out[rows, 1:-1] = poiseuille(P, eps, mesh[0], mesh[1], symmetric) - wedge(
-        flow[0], H, mesh[0], symmetric
-    )
+    out[rows, 1:-1] = poiseuille(P, eps, mesh[0], mesh[1], symmetric) - wedge(flow[0], H, mesh[0], symmetric)
     if flow[1] is not None:
         out[rows, 1:-1] -= lateral_wedge(flow[1], H, mesh[1])
     return out

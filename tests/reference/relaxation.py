@@ -1,17 +1,18 @@
-"""The hybrid line relaxation in NumPy and SciPy: the readable twin of `_kernels.relax_lines`.
+"""The hybrid line relaxation in NumPy and SciPy: the reference for
+`ehl.multigrid._kernels.relax_lines`.
 
-Along a line in x all changes are found together from the linearised Reynolds operator, the
+Along a line in x all changes follow together from the linearised Reynolds operator, the
 deflection truncated to a band. Each node is one of three kinds (Venner and Lubrecht, 2000, section
 5.5):
 
-fixed         cavitated, and its residual wants a lower pressure still Gauss-Seidel  Poiseuille
-flow rules: the change goes into P at once Jacobi        deflection rules: the change d is spread
-over the neighbours, +d at the node, -wx d to either side and
-              -wy d to the next lines, so that its deflection is local; all lines are changed at
-              the end of the sweep
+fixed         cavitated, and its residual asks for a lower pressure still
+Gauss-Seidel  Poiseuille flow dominates: the change goes into P at once
+Jacobi        deflection dominates: the change d is spread over the neighbours, +d at the node,
+              -wx d to either side and -wy d to the next lines, so that its deflection is local;
+              all lines are changed at the end of the sweep
 
 Venner and Lubrecht's recipe is for square cells. On the stretched cells of wide ellipses it is
-changed in three places, each found by local mode analysis and measurement: the weights (see
+changed in three places, by local mode analysis and measurement: the weights (see
 `neighbour_weights`), the switch, which rises with the 3/2 power of hy/hx because Gauss-Seidel
 lines amplify deflections that are smooth across the lines, and the damping, which acts on the
 changes of pressure and not on d.
@@ -23,8 +24,9 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import solve
 
-from ..grid import Grid
-from ..solid.deformation import DeflectionKernel
+from ehl.grid import Grid
+from ehl.solid.deformation import DeflectionKernel
+
 from .reynolds import reynolds_operator
 
 Array = NDArray[np.float64]
@@ -96,9 +98,7 @@ def line_kinds(P: Array, residual: Array, line: Line, grid: Grid, threshold: flo
     along = 0.5 * (e[2:] + e[:-2] + 2.0 * e[1:-1]) / grid.hx**2
     across = 0.5 * (line.eps_north + line.eps_south + 2.0 * e)[1:-1] / grid.hy**2
     free = (P[1:-1] > 0.0) | (residual[1:-1] < 0.0)
-    kinds[1:-1] = np.where(
-        free, np.where(np.maximum(along, across) > threshold, GAUSS_SEIDEL, JACOBI), FIXED
-    )
+    kinds[1:-1] = np.where(free, np.where(np.maximum(along, across) > threshold, GAUSS_SEIDEL, JACOBI), FIXED)
     return kinds
 
 
@@ -124,13 +124,8 @@ def line_matrix(line: Line, kinds: Kinds, grid: Grid, kernel: DeflectionKernel) 
         across = 1.0
         if kinds[k] == JACOBI:
             for r in range(3):
-                sides = (
-                    kernel.near[r, np.abs(index - k - 1)[near]]
-                    + kernel.near[r, np.abs(index - k + 1)[near]]
-                )
-                lines = (
-                    kernel.near[abs(r - 1), distance[near]] + kernel.near[r + 1, distance[near]]
-                )
+                sides = kernel.near[r, np.abs(index - k - 1)[near]] + kernel.near[r, np.abs(index - k + 1)[near]]
+                lines = kernel.near[abs(r - 1), distance[near]] + kernel.near[r + 1, distance[near]]
                 film[r, near] -= wx * sides + wy * lines
             pressure[[k - 1, k + 1]] = -wx
             across = 1.0 + wy
@@ -154,10 +149,7 @@ def _column(pressure: Array, film: Array, across: float, line: Line, grid: Grid,
     column -= sideways * np.where(np.arange(pressure.size) == k, across, pressure)
     unit = np.zeros(pressure.size)
     unit[k] = 1.0
-    column -= (
-        _upstream(line.flow, line.flow * film[0], np.where(unit, 0.0, line.flow * film[0]))
-        / grid.hx
-    )
+    column -= _upstream(line.flow, line.flow * film[0], np.where(unit, 0.0, line.flow * film[0])) / grid.hx
     compressed = line.slope * line.H * unit
     column -= _upstream(line.flow, compressed, np.zeros_like(unit)) / grid.hx
     if line.lateral is not None:
@@ -198,13 +190,7 @@ def _lateral(flow: Flow, j: int) -> LateralFlow | None:
 
 
 def relax_lines(
-    P: Array,
-    H: Array,
-    flow: Flow,
-    f: Array,
-    grid: Grid,
-    kernel: DeflectionKernel,
-    damping: tuple[float, float, float],
+    P: Array, H: Array, flow: Flow, f: Array, grid: Grid, kernel: DeflectionKernel, damping: tuple[float, float, float]
 ) -> Array:
     """One hybrid line sweep at fixed film, even lines before odd ones; the new pressure, shape
     (ny, nx) [-].
@@ -230,23 +216,15 @@ def relax_lines(
     for j in (*range(first, grid.ny - 1, 2), *range(first + 1, grid.ny - 1, 2)):
         line = _line(flow, H, j)
         couette = (flow.flow_x, flow.flow_y)
-        residual = (f - reynolds_operator(P, H, eps, couette, (grid.hx, grid.hy), grid.symmetric))[
-            j
-        ]
+        residual = (f - reynolds_operator(P, H, eps, couette, (grid.hx, grid.hy), grid.symmetric))[j]
         kinds[j] = line_kinds(P[j], residual, line, grid, threshold)
-        delta = solve(
-            line_matrix(line, kinds[j], grid, kernel), np.where(kinds[j] == FIXED, 0.0, residual)
-        )
+        delta = solve(line_matrix(line, kinds[j], grid, kernel), np.where(kinds[j] == FIXED, 0.0, residual))
         spread[j] = np.where(kinds[j] == JACOBI, delta, 0.0)
-        gauss_seidel = (
-            relief * (0.4 + 0.6 * eps[j] / (eps[j] + 1.0)) * (delta - wx * _sides(spread[j]))
-        )
+        gauss_seidel = relief * (0.4 + 0.6 * eps[j] / (eps[j] + 1.0)) * (delta - wx * _sides(spread[j]))
         P[j] = np.where(kinds[j] == GAUSS_SEIDEL, np.maximum(P[j] + gauss_seidel, 0.0), P[j])
     above = np.vstack((spread[1:], 0.0 * spread[:1]))
     below = np.vstack((spread[1:2] if grid.symmetric else 0.0 * spread[:1], spread[:-1]))
-    change = -wy * (above + below) + np.where(
-        kinds == GAUSS_SEIDEL, 0.0, spread - wx * _sides(spread)
-    )
+    change = -wy * (above + below) + np.where(kinds == GAUSS_SEIDEL, 0.0, spread - wx * _sides(spread))
     rows = slice(first, -1)
     P[rows, 1:-1] = np.maximum(P + jacobi * change, 0.0)[rows, 1:-1]
     return P
