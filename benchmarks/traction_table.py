@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.traction._kernels import table_lookup
-from ehl.traction.quadrature import film_nodes, sliding_forces
+from ehl.traction.film_quadrature import film_quadrature, sliding_forces
 from ehl.traction.table.build import START
 from ehl.traction.table.table import load_place
 
@@ -66,7 +66,7 @@ def shear_time(motions: Array) -> float:
         load=500.0, radius_x=RADIUS, radius_y=0.2178, reduced_modulus=3.325e11, entrainment_speed=15.0, lubricant=oil
     )
     rheology = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5.2e6, limiting_coefficient=0.047)
-    nodes = film_nodes(solve_contact(contact, SolverOptions(points=257)), rheology, 30.0)
+    nodes = film_quadrature(solve_contact(contact, SolverOptions(points=257)), rheology, 30.0)
     slides, best = tuple(np.ascontiguousarray(part) for part in motions[:, 2:].T), np.inf
     for _ in range(REPEATS):
         began = process_time()

@@ -7,7 +7,7 @@ from pathlib import Path
 PACKAGES = ("ehl", "bearing")
 CONSTANTS = (  # modules from which kernels take constants, beside other kernels
     "bearing/dynamics/problem.py",
-    "ehl/traction/heated/heating.py",
+    "ehl/traction/heated/nahme.py",
 )
 
 

@@ -1,8 +1,7 @@
 """Compiled kernels of traction: sums over the nodes of a film, and lookups that dynamics calls at
 every step.
 
-Everything is arrays and floats in SI. The NumPy twins stand in `quadrature.py`, `table.py` and
-`laws.py`.
+Everything is arrays and floats in SI. The NumPy twins stand in `tests/reference/ehl`.
 """
 
 import numpy as np
@@ -13,6 +12,8 @@ from numba.extending import intrinsic, overload
 from ..compiled import compiled
 from ..oil._rheology_kernels import inverse_sine, shear_stress
 
+# rows of the nodes of a film; spread: a twelfth of the squared size
+X, Y, AREA, FILM, VISCOSITY, LIMIT, SPREAD_X, SPREAD_Y = range(8)
 # of a table's values: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
 COLUMNS = 4
 # of a table's films: logarithms of three scales, film, hydrodynamic moment, stiffness, damping,
@@ -32,78 +33,61 @@ SPIN = 64
 
 
 @compiled
-def mean_sliding(x, y, along, across, motion, bend):
-    """Sliding along x and y at a node, its root mean square over it, and y^2/(2R) held back at the
-    width.
+def mean_sliding(x, y, spread_x, spread_y, motion, surface):
+    """Sliding along x and y at a node, its root mean square over it, and y^2/(2R), which does not
+    grow beyond the width.
 
-    along, across: a twelfth of the node's squared size; motion: slide_x, slide_y, spin, rolling;
-    bend: 1/(2R) of the surface over +-width across.
+    spread_x, spread_y: a twelfth of the node's squared size; motion: slide_x, slide_y, spin,
+    rolling; surface: 1/(2R) over +-width across.
     """
     slide_x, slide_y, spin, rolling = motion
-    curvature, width = bend
+    curvature, width = surface
     bow = curvature * min(y * y, width * width)
     s_x = slide_x - spin * y - rolling * bow
     s_y = slide_y + spin * x
     slope = spin + (2.0 * rolling * curvature * y if abs(y) < width else 0.0)
-    return (
-        s_x,
-        s_y,
-        np.sqrt(s_x * s_x + s_y * s_y + slope * slope * across + spin * spin * along),
-        bow,
-    )
+    square = s_x * s_x + s_y * s_y + slope * slope * spread_y + spin * spin * spread_x
+    return s_x, s_y, np.sqrt(square), bow
 
 
 @compiled
-def sliding_sums(
-    nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out
-):
-    """Forces and moments on body 1 by sliding: F_x, F_y, M_n, M_y.
-
-    nodes, shape (8, n): x, y, area times sheared width, film, viscosity, limiting stress, a
-    twelfth of the squared size along x and y. curvature: 1/(2R) of the surface over +-width
-    across.
+def add_shear(out, x, y, bow, pull, s_x, s_y):
+    """Add to F_x, F_y, M_n, M_y on body 1 what a node does: its area times stress over sliding
+    speed is `pull`.
     """
-    f_x = f_y = m_n = m_y = 0.0
-    motion = (slide_x, slide_y, spin, rolling)
-    for k in range(nodes.shape[1]):
-        x, y = nodes[0, k], nodes[1, k]
-        s_x, s_y, s, bend = mean_sliding(
-            x, y, nodes[6, k], nodes[7, k], motion, (curvature, width)
-        )
-        if s <= 0.0:
-            continue
-        tau = shear_stress(
-            s / nodes[3, k], nodes[4, k], nodes[5, k], law, stress, exponent, breadth
-        )
-        pull = nodes[2, k] * tau / s
-        t_x, t_y = pull * s_x, pull * s_y
-        f_x -= t_x
-        f_y -= t_y
-        m_n += y * t_x - x * t_y
-        m_y += bend * t_x
-    out[0], out[1], out[2], out[3] = f_x, f_y, m_n, m_y
+    t_x = pull * s_x
+    t_y = pull * s_y
+    out[0] -= t_x
+    out[1] -= t_y
+    out[2] += y * t_x - x * t_y
+    out[3] += bow * t_x
 
 
 @compiled
-def sliding_sums_many(
-    nodes, law, stress, exponent, breadth, slide_x, slide_y, spin, rolling, curvature, width, out
-):
-    """`sliding_sums` for each of n motions given as arrays, out of shape (n, 4)."""
-    for k in range(slide_x.size):
-        sliding_sums(
-            nodes,
-            law,
-            stress,
-            exponent,
-            breadth,
-            slide_x[k],
-            slide_y[k],
-            spin[k],
-            rolling[k],
-            curvature,
-            width,
-            out[k],
+def sliding_sums(nodes, law, motion, surface, out):
+    """Forces and moments on body 1 by sliding, added to out: F_x, F_y, M_n, M_y.
+
+    nodes, shape (8, n): rows as named above. law: base law and its constants. motion and surface
+    as in `mean_sliding`.
+    """
+    for k in range(nodes.shape[1]):
+        x = nodes[X, k]
+        y = nodes[Y, k]
+        s_x, s_y, s, bow = mean_sliding(
+            x, y, nodes[SPREAD_X, k], nodes[SPREAD_Y, k], motion, surface
         )
+        if s > 0.0:
+            tau = shear_stress(s / nodes[FILM, k], nodes[VISCOSITY, k], nodes[LIMIT, k], *law)
+            add_shear(out, x, y, bow, nodes[AREA, k] * tau / s, s_x, s_y)
+
+
+@compiled
+def sliding_sums_many(nodes, law, motions, surface, out):
+    """`sliding_sums` for each of n motions, four arrays, added to out of shape (n, 4)."""
+    slide_x, slide_y, spin, rolling = motions
+    for k in range(slide_x.size):
+        motion = (slide_x[k], slide_y[k], spin[k], rolling[k])
+        sliding_sums(nodes, law, motion, surface, out[k])
 
 
 @compiled

@@ -138,22 +138,6 @@ class _HertzLaw:
         )
         return traction_forces(out)
 
-    def forces_twin(
-        self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
-    ) -> Array:
-        """F_x, F_y [N], M_n, M_y [N m] as `forces`, in NumPy."""
-        a, b, radius, curvature, difference = self.shape.constants
-        x, y, share = self.disc * np.array([[a * np.cbrt(load)], [b * np.cbrt(load)], [load]])
-        rolling = speed / radius - 0.5 * difference * slide_x
-        s_x = slide_x - spin * y - rolling * curvature * y * y
-        s_y = slide_y + spin * x
-        s = np.hypot(s_x, s_y)
-        pull = share * self.coefficient(s, speed) / np.where(s > 0.0, s, 1.0)
-        t_x, t_y = pull * s_x, pull * s_y
-        return np.array(
-            [-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), (curvature * y * y * t_x).sum()]
-        )
-
 
 @dataclass(frozen=True)
 class CoulombLaw(_HertzLaw):

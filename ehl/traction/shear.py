@@ -184,7 +184,7 @@ def shear_fields(
     ShearFields
         Stresses in [Pa].
     """
-    x, y, h = _dimensional(solution)
+    x, y, h = dimensional_grid(solution)
     p = solution.pressure
     s_x, s_y = kinematics.sliding(x[:, None], y[None, :])
     eta = film_viscosity(solution)
@@ -232,7 +232,7 @@ def integrate_traction(
     fields = shear_fields(
         solution, kinematics, rheology, temperature=temperature, cavitation=cavitation
     )
-    x, y, _ = _dimensional(solution)
+    x, y, _ = dimensional_grid(solution)
     p = solution.pressure
     load = dimensional_conditions(solution).load
     X = x[:, None]
@@ -356,7 +356,7 @@ def with_outlet(solution: ContactSolution) -> ContactSolution:
     solution : ContactSolution
         Of dimensional conditions [m].
     """
-    x, y, h = _dimensional(solution)
+    x, y, h = dimensional_grid(solution)
     assert solution.semi_axis_x is not None and solution.film_scale is not None
     start = max(x[-1] - x[-2], 1e-3 * solution.semi_axis_x)
     further = x[-1] + start * np.cumsum(OUTLET_GROWTH ** np.arange(OUTLET_NODES))
@@ -396,7 +396,7 @@ def _film_balance(solution: ContactSolution, traction: float) -> float:
     """Sum of the tractions on both bodies along x and of the pressure on the film's sides [N];
     zero if balanced.
     """
-    x, y, h = _dimensional(solution)
+    x, y, h = dimensional_grid(solution)
     p = solution.pressure
     along, mixed = _curvatures(solution)
     horizontal = _Integral(x, y)(p * (along * x[:, None] + mixed * y[None, :]))
@@ -416,7 +416,8 @@ class _Integral:
         return float(np.sum(self.weight * values))
 
 
-def _dimensional(solution: ContactSolution) -> tuple[Array, Array, Array]:
+def dimensional_grid(solution: ContactSolution) -> tuple[Array, Array, Array]:
+    """x, y and film of a solution that has them [m]."""
     if solution.x is None or solution.y is None or solution.film is None:
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
     return solution.x, solution.y, solution.film

@@ -22,7 +22,7 @@ from ehl.generalized.solver import solve_generalized
 from ehl.kinematics import ContactKinematics
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
-from ehl.traction.heated.lines import warm_forces, warm_nodes
+from ehl.traction.heated.film import heated_film, heated_forces
 from ehl.traction.shear import integrate_traction
 
 CARREAU = Rheology(
@@ -99,8 +99,8 @@ def test_heat_of_sliding_makes_a_maximum_and_a_fall():
     assert film.contact.converged
     ratios = np.geomspace(0.003, 1.5, 24)
     none = np.zeros_like(ratios)
-    nodes = warm_nodes(film, (STEEL, STEEL), limited, 1.5)
-    warm = -warm_forces(nodes, (ratios, none, none), none, 0.0)[:, 0] / conditions.load
+    nodes = heated_film(film, (STEEL, STEEL), limited, 1.5)
+    warm = -heated_forces(nodes, (ratios, none, none), none, 0.0)[:, 0] / conditions.load
     motions = [ContactKinematics(entrainment_speed=1.0, sliding_x=ratio) for ratio in ratios]
     cold = [-integrate_traction(film.contact, motion, limited).sliding_force_x / conditions.load for motion in motions]
     assert np.all(np.diff(cold) > 0.0)

@@ -21,7 +21,7 @@ from ehl.kinematics import ContactKinematics
 from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
-from ehl.traction.heated.lines import warm_forces, warm_nodes
+from ehl.traction.heated.film import heated_film, heated_forces
 from ehl.traction.shear import integrate_traction
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 
@@ -100,8 +100,8 @@ def with_heat(contact: ContactConditions) -> list[np.ndarray]:
     slide, none = RATIOS * contact.entrainment_speed, np.zeros_like(RATIOS)
     found = []
     for limit in LIMITS:
-        nodes = warm_nodes(film, (STEEL, STEEL), shear_law(limit), float(slide[-1]))
-        found.append(-warm_forces(nodes, (slide, none, none), none, 0.0)[:, 0] / contact.load)
+        nodes = heated_film(film, (STEEL, STEEL), shear_law(limit), float(slide[-1]))
+        found.append(-heated_forces(nodes, (slide, none, none), none, 0.0)[:, 0] / contact.load)
     return found
 
 

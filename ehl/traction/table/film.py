@@ -10,8 +10,8 @@ from ...oil.rheology import Rheology
 from ...options import SolverOptions
 from ...solution import ContactSolution
 from ...solver import solve_contact
-from ..heated.lines import WarmNodes, warm_forces, warm_nodes
-from ..quadrature import FilmNodes, film_nodes, sliding_forces
+from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
+from ..heated.film import HeatedFilm, heated_film, heated_forces
 from .table import TableContact
 
 Array = NDArray[np.float64]
@@ -19,26 +19,26 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableFilm:
-    """A solved film and its nodes, ready to shear."""
+    """A solved film and its quadrature, ready to shear."""
 
     solution: ContactSolution
-    nodes: FilmNodes | WarmNodes
+    quadrature: FilmQuadrature | HeatedFilm
 
     @property
     def central(self) -> float:
         """Central film [m]: extrapolated; with heat that of the finest grid, as on the others heat
-        is not at rest.
+        is not in equilibrium.
         """
-        found = self.solution.film_central_dimensionless
+        film = self.solution.film_central_dimensionless
         scale = self.solution.film_scale
         assert scale is not None  # of conditions with dimensions
-        return scale * (found.finest if isinstance(self.nodes, WarmNodes) else found.value)
+        return scale * (film.finest if isinstance(self.quadrature, HeatedFilm) else film.value)
 
     def forces(self, slide: tuple[Array, Array, Array], rolling: Array, curvature: float) -> Array:
-        """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, as `quadrature.sliding_forces`."""
-        if isinstance(self.nodes, WarmNodes):
-            return warm_forces(self.nodes, slide, rolling, curvature)
-        return sliding_forces(self.nodes, slide, rolling, curvature)
+        """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, as `sliding_forces`."""
+        if isinstance(self.quadrature, HeatedFilm):
+            return heated_forces(self.quadrature, slide, rolling, curvature)
+        return sliding_forces(self.quadrature, slide, rolling, curvature)
 
 
 def table_film(
@@ -58,27 +58,23 @@ def table_film(
     Raises
     ------
     ValueError
-        If the film has no usable answer: the message names load and speed.
+        If the film cannot be used: the message names load and speed.
     """
     conditions = contact.conditions(load, speed)
-    if contact.solids is None:
+    rheology = contact.rheology
+    temperature = contact.temperature
+    solids = contact.solids
+    if solids is None:
         solution = solve_contact(conditions, options)
         _require_film(solution, load, speed)
-        nodes = film_nodes(
-            solution, contact.rheology, largest_slide, temperature=contact.temperature
-        )
-        return TableFilm(solution=solution, nodes=nodes)
-    warm = solve_generalized(
-        conditions,
-        Rheology(),
-        solids=contact.solids,
-        oil_temperature=contact.temperature,
-        options=options,
+        plain = film_quadrature(solution, rheology, largest_slide, temperature=temperature)
+        return TableFilm(solution=solution, quadrature=plain)
+    thermal = solve_generalized(
+        conditions, Rheology(), solids=solids, oil_temperature=temperature, options=options
     )
-    _require_film(warm.contact, load, speed)
+    _require_film(thermal.contact, load, speed)
     return TableFilm(
-        solution=warm.contact,
-        nodes=warm_nodes(warm, contact.solids, contact.rheology, largest_slide),
+        solution=thermal.contact, quadrature=heated_film(thermal, solids, rheology, largest_slide)
     )
 
 

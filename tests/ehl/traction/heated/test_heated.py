@@ -1,4 +1,4 @@
-"""Films sheared with heat: closed solutions of the parts, kernels against twins, full solves of contacts that slide."""
+"""Films sheared with heat: closed solutions of the parts, kernels against NumPy, full solves of contacts that slide."""
 
 from __future__ import annotations
 
@@ -15,15 +15,17 @@ from ehl.kinematics import ContactKinematics
 from ehl.oil.lubricant import ThermalProperties
 from ehl.oil.rheology import Rheology, ShearLaw, thinning_by_gradient
 from ehl.solid.heat import SolidThermal
+from ehl.traction.film_quadrature import FilmQuadrature, sliding_forces
 from ehl.traction.heated import _kernels
-from ehl.traction.heated.heating import line_history, nahme, thinning_by_heat
-from ehl.traction.heated.lines import warm_forces, warm_forces_twin, warm_nodes
-from ehl.traction.quadrature import FilmNodes, sliding_forces
+from ehl.traction.heated.film import heated_film, heated_forces, line_history
+from ehl.traction.heated.nahme import nahme
 from ehl.traction.shear import integrate_traction
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.film import table_film
 from ehl.traction.table.full_solves import full_solves
 from ehl.traction.table.table import TableContact, TableRange
+
+from ....reference.ehl import heated as reference
 
 OIL = Lubricant(
     viscosity=0.04,
@@ -71,13 +73,13 @@ def test_couette_flow_heated_by_itself():
 
 @pytest.mark.parametrize("fall", [0.0, 0.004, 0.01])
 @pytest.mark.parametrize("wall", [0.0, 30.0])
-def test_thinning_agrees_with_its_twin(fall, wall):
+def test_thinning_agrees_with_its_reference(fall, wall):
     for flux in np.geomspace(1e2, 1e9, 15):
         found = _kernels.thinning_by_heat(wall, flux, 0.7e-6, 0.09, fall, 0.14)
-        twin = thinning_by_heat(
+        expected = reference.thinning_by_heat(
             np.array([wall]), np.array([flux]), np.array([0.7e-6]), (np.array([0.09]), np.array([fall])), 0.14
         )
-        assert_allclose(found, twin[0], rtol=3e-3, atol=1e-5)
+        assert_allclose(found, expected[0], rtol=3e-3, atol=1e-5)
 
 
 @pytest.mark.parametrize("middle", [10.0, 40.0, 90.0])
@@ -100,7 +102,7 @@ def test_softening_that_falls_against_conduction_across_the_film(middle):
     half, mean = found.t[-1], found.y[2, -1] / found.t[-1]
     flux = 4.0 * half**2 * k / gap * mean  # the source is (2 half)^2 k/gap^2 at the wall
     column = (np.zeros(1), np.array([flux]), np.array([gap]), (np.array([soft]), np.array([fall])), k)
-    assert_allclose(thinning_by_heat(*column)[0], np.log(mean), rtol=0.03)
+    assert_allclose(reference.thinning_by_heat(*column)[0], np.log(mean), rtol=0.03)
 
 
 def test_history_of_uniform_and_rising_flux():
@@ -123,14 +125,14 @@ def test_stress_that_rises_across_the_film(stress):
 
 
 @pytest.mark.parametrize("rheology", [LIMITED, EYRING, Rheology(), CARREAU])
-def test_compiled_sums_agree_with_their_twin(rheology):
+def test_compiled_sums_agree_with_their_reference(rheology):
     contact = replace(CONTACT, rheology=rheology)
-    nodes = table_film(contact, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=33)).nodes
-    few = replace(nodes.lines, lines=nodes.lines.lines[4::10].copy(), span=nodes.lines.span[4::10].copy())
-    nodes = replace(nodes, lines=few)
+    heated = table_film(contact, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=33)).quadrature
+    few = replace(heated.lines, lines=heated.lines.lines[4::10].copy(), span=heated.lines.span[4::10].copy())
+    heated = replace(heated, lines=few)
     slide_x, slide_y, spin = motions(3, 90127)
     rolling = np.full(3, SPEED / 8e-3)
-    found = warm_forces(nodes, (slide_x, slide_y, spin), rolling, 50.0)
+    found = heated_forces(heated, (slide_x, slide_y, spin), rolling, 50.0)
     for k in range(3):
         motion = ContactKinematics(
             entrainment_speed=SPEED,
@@ -139,21 +141,23 @@ def test_compiled_sums_agree_with_their_twin(rheology):
             spin=spin[k],
             rolling=rolling[k],
             curvature_radius=0.01,
-            curvature_width=nodes.rest.half_width,
+            curvature_width=heated.low_pressure.half_width,
         )
-        assert_allclose(found[k], warm_forces_twin(nodes, motion), rtol=2e-3)
+        assert_allclose(found[k], reference.heated_forces(heated, motion), rtol=2e-3)
 
 
 def test_bodies_and_oil_that_take_all_heat_leave_the_film_of_rolling(film):
-    lines, endless = film.nodes.lines, replace(STEEL, conductivity=1e18)
-    cold = replace(film.nodes, lines=replace(lines, conductivity=1e9, solids=(endless, endless)))
+    lines, endless = film.quadrature.lines, replace(STEEL, conductivity=1e18)
+    cold = replace(film.quadrature, lines=replace(lines, conductivity=1e9, solids=(endless, endless)))
     x, y, area, gap, eta, pressure, warm, _, _, along, across, _ = np.moveaxis(lines.lines, -1, 0).reshape(12, -1)
     limit = 0.05 * pressure
     rows = np.stack([x, y, area, gap, eta, np.maximum(limit, LIMITED.limiting_minimum), along, across])
-    plain = FilmNodes(nodes=rows, half_width=film.nodes.rest.half_width, rheology=LIMITED)
+    plain = FilmQuadrature(nodes=rows, half_width=film.quadrature.low_pressure.half_width, rheology=LIMITED)
     slide, rolling = motions(8, 41077), np.full(8, SPEED / 8e-3)
-    both = sliding_forces(plain, slide, rolling, 50.0) + sliding_forces(film.nodes.rest, slide, rolling, 50.0)
-    assert_allclose(warm_forces(cold, slide, rolling, 50.0), both, rtol=1e-5)
+    both = sliding_forces(plain, slide, rolling, 50.0) + sliding_forces(
+        film.quadrature.low_pressure, slide, rolling, 50.0
+    )
+    assert_allclose(heated_forces(cold, slide, rolling, 50.0), both, rtol=1e-5)
     assert warm.max() > 315.0  # what rolling warmed stays
 
 
@@ -167,8 +171,8 @@ def test_heat_takes_more_friction_the_faster_it_slides(film):
     assert 5 < top < 24
     assert np.all(np.diff(friction[: top + 1]) > 0.0)
     assert np.all(np.diff(friction[top:]) < 0.0)
-    better = replace(film.nodes.lines, solids=(STEEL, STEEL))
-    steel = -warm_forces(replace(film.nodes, lines=better), slide, rolling, 0.0)[:, 0] / LOAD
+    better = replace(film.quadrature.lines, solids=(STEEL, STEEL))
+    steel = -heated_forces(replace(film.quadrature, lines=better), slide, rolling, 0.0)[:, 0] / LOAD
     assert np.all(steel > friction)
     assert steel[-1] > 1.05 * friction[-1]
 
@@ -199,7 +203,7 @@ def test_traction_of_a_film_solved_with_heat_is_that_of_its_own_stress():
 def test_a_film_without_temperatures_is_refused():
     plain = solve_generalized(CONTACT.conditions(LOAD, SPEED), EYRING, options=SolverOptions(points=33))
     with pytest.raises(ValueError, match="no temperatures"):
-        warm_nodes(plain, (STEEL, STEEL), EYRING, SPEED)
+        heated_film(plain, (STEEL, STEEL), EYRING, SPEED)
 
 
 @pytest.mark.slow

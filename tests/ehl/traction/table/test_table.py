@@ -1,4 +1,4 @@
-"""Traction tables: lookups against their twins and against shear in the films, range, storage, normal response.
+"""Traction tables: lookups against NumPy and against shear in the films, range, storage, normal response.
 
 The four constants follow from (kappa_0, kappa_max at s_max, kappa_inf) = (0, 0.05 at 0.03, 0.03); the line model of
 curvature slip under constant friction as in test_shear.
@@ -17,14 +17,16 @@ import ehl
 from ehl.kinematics import ContactKinematics, contact_kinematics
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
+from ehl.traction.film_quadrature import film_quadrature, sliding_forces
 from ehl.traction.laws import ContactShape, CoulombLaw, FourConstantLaw, four_constants
-from ehl.traction.quadrature import film_nodes, sliding_forces, sliding_forces_twin
 from ehl.traction.response import normal_response
 from ehl.traction.shear import integrate_traction
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.splines import spline_coefficients, spline_weights
 from ehl.traction.table.storage import inputs_digest, load_table, save_table
 from ehl.traction.table.table import FullSolve, TableContact, TableRange
+
+from ....reference.ehl import traction as reference
 
 RHEOLOGY = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=2.0 * 0.047 / 18e-9, limiting_coefficient=0.047)
 CIRCLE = TableContact(
@@ -54,9 +56,9 @@ def motions(count, seed):
         yield load, speed, 0.4 * share[2] ** 3 * speed, 0.3 * share[3] ** 3 * speed, 0.3 * share[4] ** 3 * speed / 10e-3
 
 
-def test_compiled_lookup_agrees_with_its_twin(table):
+def test_compiled_lookup_agrees_with_its_reference(table):
     for motion in motions(40, 71934):
-        assert_allclose(table.forces(*motion)[:8], table.forces_twin(*motion), rtol=1e-9, atol=1e-12)
+        assert_allclose(table.forces(*motion)[:8], reference.table_forces(table, *motion), rtol=1e-9, atol=1e-12)
 
 
 def test_lookup_agrees_with_shear_in_a_film_solved_there(table):
@@ -240,9 +242,9 @@ def test_spline_passes_through_its_values_and_reproduces_cubics():
         assert_allclose(weights @ coefficients[first : first + 4], place**3 - 2.0 * place, atol=1e-10)
 
 
-def test_sums_over_film_nodes(solution):
+def test_sums_over_a_film(solution):
     """The kernel agrees with NumPy, and its thinned nodes with the integrals over the whole grid."""
-    nodes = film_nodes(solution, RHEOLOGY, 30.0)
+    nodes = film_quadrature(solution, RHEOLOGY, 30.0)
     motion = ContactKinematics(
         entrainment_speed=15.08,
         sliding_x=0.15,
@@ -254,7 +256,7 @@ def test_sums_over_film_nodes(solution):
     )
     slide = tuple(np.array([value]) for value in (0.15, 0.05, 50.0))
     found = sliding_forces(nodes, slide, np.array([3142.0]), 0.5 / 6.08e-3)[0]
-    assert_allclose(found, sliding_forces_twin(nodes, motion), rtol=1e-10)
+    assert_allclose(found, reference.sliding_forces(nodes, motion), rtol=1e-10)
     whole = integrate_traction(solution, motion, RHEOLOGY)
     assert_allclose(found[:2], [whole.sliding_force_x, whole.sliding_force_y], atol=3e-3 * 0.047 * 500.0)
 
@@ -315,9 +317,9 @@ def test_four_constants_with_friction_at_no_slide(zero):
     ],
     ids=["coulomb", "four constants"],
 )
-def test_compiled_law_agrees_with_its_twin(law):
+def test_compiled_law_agrees_with_its_reference(law):
     for motion in motions(20, 11773):
-        assert_allclose(law.forces(*motion)[:4], law.forces_twin(*motion), rtol=1e-9, atol=1e-14)
+        assert_allclose(law.forces(*motion)[:4], reference.law_forces(law, *motion), rtol=1e-9, atol=1e-14)
 
 
 def test_coulomb_law_on_the_ellipse():

@@ -1,0 +1,236 @@
+"""Quadrature over a solved film, and its sliding forces for many motions.
+
+Where the pressure is high: lines across the contact and Gauss-Legendre points along each.
+Elsewhere: blocks of the grid.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import RectBivariateSpline
+
+from ..oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
+from ..solution import ContactSolution
+from . import _kernels
+from .shear import Cavitation, dimensional_grid, pressure_viscosity, sheared_width, with_outlet
+
+Array = NDArray[np.float64]
+
+HIGH_PRESSURE = 0.02  # of the largest pressure: what lies above it gets lines
+LINES = 64  # along x there
+# of each: shares from edge to edge, points; the spike is in the last
+PANELS = ((0.0, 0.75, 10), (0.75, 1.0, 14))
+SMALLEST_FILM = 1e-12  # [m] below the size of any molecule: bound of films that did not converge
+BLOCK = 10  # nodes of the grid along x and y that become one elsewhere
+SHARE_LEFT_OUT = 1e-3  # of the friction at the largest sliding, in nodes that are dropped
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmQuadrature:
+    """Nodes of a film: place, area, film, viscosity, limiting stress.
+
+    The rows of `nodes` are x, y [m], area times sheared width [m^2], film [m], viscosity [Pa s],
+    limiting stress [Pa], and a twelfth of the squared size along x and y [m^2]: the mean square of
+    a linear sliding over the node exceeds that at its place by the squared slope times these,
+    which keeps the sums free of steps where sliding changes its sign.
+    """
+
+    nodes: Array  # shape (8, n)
+    half_width: float  # transverse semi-axis, beyond which curvature slip does not grow [m]
+    rheology: Rheology
+
+
+def film_quadrature(
+    solution: ContactSolution,
+    rheology: Rheology,
+    largest_slide: float,
+    *,
+    temperature: float | None = None,
+) -> FilmQuadrature:
+    """Nodes of a film, without the weakest ones.
+
+    Parameters
+    ----------
+    solution : ContactSolution
+        Of dimensional conditions [m], [Pa].
+    rheology : Rheology
+    largest_slide : float
+        Sliding speed [m/s] at which the friction of each node is weighed.
+    temperature : float, optional
+        For the limiting stress [K].
+    """
+    zone = hertz_zone(solution)
+    blocks = low_pressure_blocks(with_outlet(solution))
+    fields = np.concatenate([zone.fields.reshape(7, -1), blocks], axis=1)
+    film = np.maximum(fields[3], SMALLEST_FILM)
+    pressure = fields[4]
+    eta = pressure_viscosity(pressure, solution)
+    limit = limiting_stress(pressure, rheology, temperature)
+    friction = fields[2] * shear_stress(largest_slide / film, eta, pressure, rheology, temperature)
+    counts = strongest(friction, SHARE_LEFT_OUT * float(friction.sum()))
+    return FilmQuadrature(
+        nodes=np.ascontiguousarray(film_quadrature_rows(fields, eta, limit)[:, counts]),
+        half_width=transverse_semi_axis(solution),
+        rheology=rheology,
+    )
+
+
+def strongest(friction: Array, left_out: float) -> NDArray[np.intp]:
+    """Indices of the nodes without the weakest ones, whose sum may be left out [same unit]."""
+    order = np.argsort(friction)
+    counts: NDArray[np.intp] = order[np.cumsum(friction[order]) > left_out]
+    return counts
+
+
+def film_quadrature_rows(fields: Array, viscosity: Array, limit: Array) -> Array:
+    """Rows of `FilmQuadrature.nodes` from those of `HertzZone.fields`, [Pa s] and [Pa]."""
+    x, y, area, gap, _, width, breadth = fields
+    limits = np.broadcast_to(limit, x.shape)
+    film = np.maximum(gap, SMALLEST_FILM)
+    return np.stack([x, y, area, film, viscosity, limits, width**2 / 12.0, breadth**2 / 12.0])
+
+
+def transverse_semi_axis(solution: ContactSolution) -> float:
+    """Of the Hertz ellipse across x [m]."""
+    return float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HertzZone:
+    """Nodes where the pressure is high, on lines along x.
+
+    The rows of `fields` are x, y [m], area [m^2], film [m], pressure [Pa], size along x and y [m].
+    """
+
+    fields: Array  # shape (7, lines, n)
+    gradient: Array  # of the pressure along x and y, shape (2, lines, n) [Pa/m]
+    span: Array  # length of each line from edge to edge, shape (lines,) [m]
+    shares: Array  # places of the nodes from edge to edge, shape (n,) [-]
+
+
+def hertz_zone(solution: ContactSolution) -> HertzZone:
+    """Midpoints of `LINES` lines across, Gauss-Legendre points of `PANELS` along each from edge to
+    edge [m], [Pa].
+    """
+    # 1. splines of film and pressure over the part of the grid where the pressure is high
+    x, y, h = dimensional_grid(solution)
+    p = solution.pressure
+    edge_pressure = HIGH_PRESSURE * p.max()
+    high = p > edge_pressure
+    window = tuple(_around(high.any(axis=1 - axis)) for axis in (0, 1))
+    x, y = x[window[0]], y[window[1]]
+    film = RectBivariateSpline(x, y, h[window])
+    pressure = RectBivariateSpline(x, y, p[window])
+    # 2. lines across, and the edges of each
+    ends = _crossings(y, p[window].max(axis=0) - edge_pressure)
+    width = (ends[1] - ends[0]) / LINES
+    rows = ends[0] + (np.arange(LINES) + 0.5) * width
+    edges = np.array([_crossings(x, line) for line in (pressure(x, rows) - edge_pressure).T])
+    # 3. nodes along each
+    shares, weights = _panels()
+    span = (edges[:, 1] - edges[:, 0])[:, None]
+    along = edges[:, :1] + span * shares
+    across = np.broadcast_to(rows[:, None], along.shape)
+    fields = (
+        along,
+        across,
+        span * weights * width,
+        film(along, across, grid=False),
+        np.maximum(pressure(along, across, grid=False), 0.0),
+        span * weights,
+        np.full_like(along, width),
+    )
+    slopes = (pressure(along, across, dx=1, grid=False), pressure(along, across, dy=1, grid=False))
+    return HertzZone(
+        fields=np.stack(fields), gradient=np.stack(slopes), span=span[:, 0], shares=shares
+    )
+
+
+def _panels() -> tuple[Array, Array]:
+    """Places from edge to edge and their weights [-]."""
+    places = []
+    weights = []
+    for low, high, count in PANELS:
+        nodes, own = np.polynomial.legendre.leggauss(count)
+        places.append(low + 0.5 * (high - low) * (nodes + 1.0))
+        weights.append(0.5 * (high - low) * own)
+    return np.concatenate(places), np.concatenate(weights)
+
+
+def _around(chosen: NDArray[np.bool_]) -> slice:
+    """From a few nodes before the first chosen one to a few after the last."""
+    indices = np.flatnonzero(chosen)
+    return slice(max(int(indices[0]) - 3, 0), int(indices[-1]) + 4)
+
+
+def _crossings(places: Array, values: Array) -> tuple[float, float]:
+    """First and last place where values, interpolated linearly, pass zero; the ends where they do
+    not.
+    """
+    positive = np.flatnonzero(values > 0.0)
+    if positive.size == 0:
+        return float(places[values.argmax()]), float(places[values.argmax()])
+    ends = []
+    for inside, step in ((int(positive[0]), -1), (int(positive[-1]), 1)):
+        end = float(places[inside])
+        outside = inside + step
+        if 0 <= outside < places.size:
+            drop = values[inside] - values[outside]
+            end += (places[outside] - places[inside]) * values[inside] / drop
+        ends.append(float(end))
+    return ends[0], ends[1]
+
+
+def low_pressure_blocks(solution: ContactSolution, *further: Array) -> Array:
+    """Nodes where the pressure is low, blocks of the grid: rows as `HertzZone.fields` and one for
+    each further field.
+
+    They shear a Newtonian oil as all their nodes do under linear sliding: film A/sum(A/h), place,
+    pressure and further fields, of shape (nx, ny) [any unit], weighted by A/h.
+    """
+    x, y, h = dimensional_grid(solution)
+    p = solution.pressure
+    low = p <= HIGH_PRESSURE * p.max()
+    size_x = np.gradient(x)[:, None]
+    size_y = np.gradient(y)[None, :]
+    area = size_x * size_y * sheared_width(h, p, Cavitation.STRIATED) * low
+    block = np.add.outer(np.arange(x.size) // BLOCK * y.size, np.arange(y.size) // BLOCK).ravel()
+
+    def total(values: Array) -> Array:
+        sums: Array = np.bincount(block, values.ravel()).astype(np.float64)
+        return sums
+
+    by_film = area / np.maximum(h, SMALLEST_FILM)
+    sheared = total(area)
+    used = sheared > 0.0
+    sheared = sheared[used]
+    weight = total(by_film)[used]
+    means = [
+        total(by_film * field)[used] / weight for field in (x[:, None], y[None, :], p, *further)
+    ]
+    sizes = [np.full(weight.size, BLOCK * float(np.mean(size))) for size in (size_x, size_y)]
+    return np.stack([*means[:2], sheared, sheared / weight, means[2], *sizes, *means[3:]])
+
+
+def sliding_forces(
+    film: FilmQuadrature, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
+) -> Array:
+    """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
+
+    Parameters
+    ----------
+    film : FilmQuadrature
+    slide : tuple of ndarray, shape (n,)
+        slide_x, slide_y [m/s] and spin [rad/s].
+    rolling : ndarray, shape (n,)
+        Relative rolling speed [rad/s].
+    curvature : float
+        1/(2R) of the loaded surface [1/m].
+    """
+    r = kernel_rheology(film.rheology)
+    out = np.zeros((slide[0].size, _kernels.COLUMNS))
+    law = (r.law, r.stress, r.exponent, r.breadth)
+    surface = (curvature, film.half_width)
+    _kernels.sliding_sums_many(film.nodes, law, (*slide, rolling), surface, out)
+    return out

@@ -1,0 +1,252 @@
+"""A film solved with heat, ready to shear: lines of nodes that sliding heats, and its forces for
+many motions.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.interpolate import RegularGridInterpolator
+
+from ...generalized.section import film_section
+from ...generalized.solver import GeneralizedSolution
+from ...oil.film_state import log_mean_fluidity
+from ...oil.lubricant import Lubricant, density, log_viscosity_ratio
+from ...oil.rheology import (
+    Rheology,
+    kernel_rheology,
+    limiting_stress,
+    shear_stress,
+    thinning_by_gradient,
+)
+from ...solid.heat import SolidThermal, response_factor
+from ..film_quadrature import (
+    SHARE_LEFT_OUT,
+    SMALLEST_FILM,
+    FilmQuadrature,
+    HertzZone,
+    film_quadrature_rows,
+    hertz_zone,
+    low_pressure_blocks,
+    sliding_forces,
+    strongest,
+    transverse_semi_axis,
+)
+from ..shear import OUTLET_NODES, bounded_viscosity, dimensional_conditions, with_outlet
+from . import _kernels
+
+Array = NDArray[np.float64]
+
+SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
+FALL_SPAN = 100.0  # [K] above the film's own temperature, where the fall of the softening is taken
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeatedLines:
+    """Lines of nodes over a film's high pressure, as the kernels take them.
+
+    The columns of `lines` are x, y [m], area [m^2], film [m], viscosity [Pa s], pressure [Pa],
+    temperature [K], softening -d(ln eta)/dT and its fall [1/K], a twelfth of the squared size
+    along x and y [m^2], capacity rho c h u/dx [W/(m^2 K)].
+    """
+
+    lines: Array  # shape (L, N, 12)
+    span: Array  # length of each line, shape (L,) [m]
+    history: Array  # weights of the fluxes over a line of unit length, shape (N, N) [-]
+    conductivity: float  # of the oil [W/(m K)]
+    speed: float  # of entrainment [m/s]
+    solids: tuple[SolidThermal, SolidThermal]  # body 1 and body 2
+    semi_axis: float  # of the contact along the lines [m]
+    rheology: Rheology
+
+    def wall_response(self, slide_x: Array) -> Array:
+        """1/(sqrt(pi u) e) of both bodies at n sliding speeds [m/s], shape (n, 2) [K m^1.5/W]."""
+        speeds = self.speed + 0.5 * slide_x, self.speed - 0.5 * slide_x
+        bodies = zip(speeds, self.solids, strict=True)
+        return np.stack([response_factor(u, solid, self.semi_axis) for u, solid in bodies], axis=1)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeatedFilm:
+    """A film with heat: lines where the pressure is high; elsewhere nodes that keep the
+    temperature of rolling.
+    """
+
+    lines: HeatedLines
+    low_pressure: FilmQuadrature
+
+
+def heated_film(
+    solution: GeneralizedSolution,
+    solids: tuple[SolidThermal, SolidThermal],
+    rheology: Rheology,
+    largest_slide: float,
+) -> HeatedFilm:
+    """Quadrature of a film that was solved with heat and without sliding.
+
+    Parameters
+    ----------
+    solution : GeneralizedSolution
+        Of dimensional conditions, with temperatures [K].
+    solids : tuple of SolidThermal
+        Body 1 and body 2.
+    rheology : Rheology
+        Of the shear.
+    largest_slide : float
+        Sliding speed [m/s] at which the friction of each node is weighed.
+
+    Raises
+    ------
+    ValueError
+        If the solution has no temperatures or no dimensions.
+    """
+    contact = solution.contact
+    conditions = dimensional_conditions(contact)
+    oil = conditions.lubricant
+    if (
+        solution.temperature is None
+        or contact.x is None
+        or contact.y is None
+        or oil.thermal is None
+    ):
+        raise ValueError("solution: no temperatures; solve the film with heat")
+    weights = film_section(solution.nodes.size).weights
+    temperature, fluidity = log_mean_fluidity(solution.temperature, weights, contact.pressure, oil)
+    zone = hertz_zone(contact)
+    at_nodes = _at_nodes(zone, contact.x, contact.y, temperature, fluidity)
+    lines = _lines(zone, at_nodes, oil, rheology, conditions.entrainment_speed)
+    area, film, viscosity, pressure, own_temperature = np.moveaxis(lines[..., 2:7], -1, 0)
+    friction = area * shear_stress(
+        largest_slide / film, viscosity, pressure, rheology, own_temperature
+    )
+    return HeatedFilm(
+        lines=HeatedLines(
+            lines=lines,
+            span=zone.span,
+            history=line_history(zone.shares),
+            conductivity=oil.thermal.conductivity,
+            speed=conditions.entrainment_speed,
+            solids=solids,
+            semi_axis=float(contact.semi_axis_x or 0.0),
+            rheology=rheology,
+        ),
+        low_pressure=_low_pressure(
+            solution, temperature, rheology, largest_slide, float(friction.sum())
+        ),
+    )
+
+
+def _at_nodes(zone: HertzZone, x: Array, y: Array, *fields: Array) -> list[Array]:
+    """Fields of the grid [any unit] at the nodes of a zone, linear between the grid's."""
+    return [
+        RegularGridInterpolator((x, y), field)(np.moveaxis(zone.fields[:2], 0, -1))
+        for field in fields
+    ]
+
+
+def _lines(
+    zone: HertzZone,
+    temperature_and_fluidity: list[Array],
+    oil: Lubricant,
+    rheology: Rheology,
+    speed: float,
+) -> Array:
+    """Rows of `HeatedLines.lines`, from those of `log_mean_fluidity` at the nodes."""
+    temperature, fluidity = temperature_and_fluidity
+    x, y, area, gap, pressure, along, across = zone.fields
+    gap = np.maximum(gap, SMALLEST_FILM)
+
+    def log_viscosity(rise: float) -> Array:
+        return log_viscosity_ratio(pressure, oil, temperature + rise)
+
+    # softening, and its fall from the viscosity FALL_SPAN farther up
+    tiny = np.finfo(np.float64).tiny
+    soft = log_viscosity(-SOFTENING_STEP) - log_viscosity(SOFTENING_STEP)
+    soft = np.maximum(soft / (2.0 * SOFTENING_STEP), tiny)
+    drop = np.maximum(log_viscosity(0.0) - log_viscosity(FALL_SPAN), tiny)
+    fall = np.maximum(soft / drop - 1.0 / FALL_SPAN, 0.0)
+    eta = (
+        bounded_viscosity(pressure, oil, temperature)
+        * np.exp(-fluidity)
+        / thinning_by_gradient(gap * np.hypot(*zone.gradient), rheology)
+    )
+    step = np.maximum(np.diff(zone.shares, prepend=0.0) * zone.span[:, None], SMALLEST_FILM)
+    assert oil.thermal is not None
+    heat_capacity = density(pressure, oil, temperature) * oil.thermal.specific_heat
+    capacity = heat_capacity * gap * abs(speed) / step
+    spread = (along**2 / 12.0, across**2 / 12.0)
+    columns = (x, y, area, gap, eta, pressure, temperature, soft, fall, *spread, capacity)
+    return np.stack(columns, axis=-1)
+
+
+def _low_pressure(
+    solution: GeneralizedSolution,
+    temperature: Array,
+    rheology: Rheology,
+    largest_slide: float,
+    friction: float,
+) -> FilmQuadrature:
+    """Nodes of low pressure at the temperature of rolling; friction [N]: that of the lines, to
+    weigh theirs with.
+    """
+    contact = solution.contact
+    oil = dimensional_conditions(contact).lubricant
+    temperature = np.pad(temperature, ((0, OUTLET_NODES), (0, 0)), mode="edge")
+    *fields, temperature = low_pressure_blocks(with_outlet(contact), temperature)
+    rows = np.stack(fields)
+    film = np.maximum(rows[3], SMALLEST_FILM)
+    pressure = rows[4]
+    eta = bounded_viscosity(pressure, oil, temperature)
+    own = rows[2] * shear_stress(largest_slide / film, eta, pressure, rheology, temperature)
+    counts = strongest(own, SHARE_LEFT_OUT * (friction + float(own.sum())))
+    limit = limiting_stress(pressure, rheology, temperature)
+    return FilmQuadrature(
+        nodes=np.ascontiguousarray(film_quadrature_rows(rows, eta, limit)[:, counts]),
+        half_width=transverse_semi_axis(contact),
+        rheology=rheology,
+    )
+
+
+def line_history(places: Array) -> Array:
+    """Weights of the fluxes at places s along a line from 0 on in int q ds'/sqrt(s - s'), shape
+    (n, n) [m^0.5/m^0.5].
+
+    Product integration, q linear between the places and from zero at 0 on; row j for the place j.
+
+    Parameters
+    ----------
+    places : ndarray, shape (n,)
+        Rising, above zero [-].
+    """
+    nodes = np.concatenate([[0.0], places])
+    weights = np.zeros((places.size, nodes.size))
+    for j, place in enumerate(places):
+        start = place - nodes[: j + 1]
+        end = place - nodes[1 : j + 2]
+        root = 2.0 * (np.sqrt(start) - np.sqrt(end))
+        power = 2.0 / 3.0 * (start**1.5 - end**1.5)
+        weights[j, : j + 1] += (power - end * root) / (start - end)
+        weights[j, 1 : j + 2] += (start * root - power) / (start - end)
+    return np.ascontiguousarray(weights[:, 1:])
+
+
+def heated_forces(
+    film: HeatedFilm, slide: tuple[Array, Array, Array], rolling: Array, curvature: float
+) -> Array:
+    """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
+
+    slide, rolling and curvature as in `film_quadrature.sliding_forces` [m/s], [rad/s], [1/m].
+    """
+    forces = sliding_forces(film.low_pressure, slide, rolling, curvature)
+    lines = film.lines
+    law, *constants = kernel_rheology(lines.rheology)
+    stress, exponent, breadth, *limits = map(float, constants)
+    _kernels.heated_sums_many(
+        (lines.lines, lines.span, lines.history, lines.conductivity),
+        ((law, stress, exponent, breadth), tuple(limits)),
+        lines.wall_response(slide[0]),
+        (*slide, rolling),
+        (curvature, film.low_pressure.half_width),
+        forces,
+    )
+    return forces

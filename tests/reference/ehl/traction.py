@@ -1,0 +1,80 @@
+"""Sliding forces of a film, friction over the Hertz ellipse and lookups in traction tables, in NumPy."""
+
+from __future__ import annotations
+
+from math import asinh, exp, log
+
+import numpy as np
+
+from ehl.oil.rheology import shear_stress
+from ehl.traction.table.splines import spline_weights
+from ehl.traction.table.table import load_place, spinning_scale, vertex_slide
+
+
+def sliding_forces(film, kinematics):
+    """`film_quadrature.sliding_forces` of one motion, shape (4,), [N] and [N m]."""
+    x, y, area, gap, eta, limit, spread_x, spread_y = film.nodes
+    sliding = mean_sliding(kinematics, x, y, (spread_x, spread_y))
+    tau = shear_stress(sliding[2] / gap, eta, 0.0 * eta, film.rheology.unlimited)
+    finite = np.where(np.isfinite(limit), limit, 1.0)
+    tau = np.where(np.isfinite(limit), -finite * np.expm1(-tau / finite), tau)
+    return summed_forces(kinematics, (x, y, area), tau, sliding)
+
+
+def mean_sliding(kinematics, x, y, spread):
+    """Sliding at nodes along x and y, and its root mean square [m/s]; spread: a twelfth of their squared size."""
+    k = kinematics
+    s_x, s_y = k.sliding(x, y)
+    slope = k.spin + 2.0 * k.rolling * k.curvature * np.where(np.abs(y) < k.curvature_width, y, 0.0)
+    return s_x, s_y, np.sqrt(s_x**2 + s_y**2 + slope**2 * spread[1] + k.spin**2 * spread[0])
+
+
+def summed_forces(kinematics, nodes, stress, sliding):
+    """F_x, F_y [N] and M_n, M_y [N m] on body 1, shape (4,), of stresses [Pa] at nodes x, y, area."""
+    (x, y, area), (s_x, s_y, speed) = nodes, sliding
+    pull = area * stress / np.where(speed > 0.0, speed, 1.0)
+    t_x, t_y = pull * s_x, pull * s_y
+    return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), -(kinematics.bow(y) * t_x).sum()])
+
+
+def law_forces(law, load, speed, slide_x, slide_y, spin):
+    """F_x, F_y [N], M_n, M_y [N m] of a coefficient over the Hertz ellipse, as `law.forces`."""
+    a, b, radius, curvature, difference = law.shape.constants
+    x, y, share = law.disc * np.array([[a * np.cbrt(load)], [b * np.cbrt(load)], [load]])
+    rolling = speed / radius - 0.5 * difference * slide_x
+    s_x = slide_x - spin * y - rolling * curvature * y * y
+    s_y = slide_y + spin * x
+    s = np.hypot(s_x, s_y)
+    pull = share * law.coefficient(s, speed) / np.where(s > 0.0, s, 1.0)
+    t_x, t_y = pull * s_x, pull * s_y
+    return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), (curvature * y * y * t_x).sum()])
+
+
+def table_forces(table, load, speed, slide_x, slide_y, spin):
+    """F_x, F_y, M_n, M_y, power, film, stiffness, damping as `table.forces`, within its range."""
+    scalars, values = table.scalars, table.joined_values
+    for axis, place in enumerate((load_place(load), log(speed))):
+        scalars, values = (along_first(part, place, table.axes[axis]) for part in (scalars, values))
+    radius, difference, *limits = table.constants[:5]
+    mirror = 1.0 if slide_y >= 0.0 else -1.0
+    turn = mirror * spin * radius / speed
+    top = slide_x / speed + float(vertex_slide(np.asarray(turn), table.contact, load))
+    scales = np.exp(scalars[:3])
+    scales[0] = spinning_scale(scales[0], np.asarray(turn), table.contact, load)
+    motion = (top, abs(slide_y) / speed, turn)
+    for axis, (part, scale, limit) in enumerate(zip(motion, scales, limits, strict=True)):
+        place = asinh(part / scale) / asinh(limit / scale)
+        values = along_first(values, place, table.axes[2 + axis])
+    hydrodynamic = -exp(scalars[4])
+    force = np.array([values[0], mirror * values[1]]) * exp(scalars[7])
+    force[0] += 0.5 * difference * hydrodynamic
+    moment = np.array([mirror * values[2] * exp(scalars[8]), values[3] * exp(scalars[9]) + hydrodynamic])
+    rolling = speed / radius - 0.5 * difference * slide_x
+    power = -(force @ [slide_x, slide_y] + moment @ [spin, rolling])
+    return np.array([*force, *moment, power, exp(scalars[3]), exp(scalars[5]), exp(scalars[6])])
+
+
+def along_first(coefficients, place, axis):
+    """Spline along the first axis at a place of that axis."""
+    first, weights = spline_weights((place - axis[0]) * axis[1], int(axis[2]))
+    return np.tensordot(weights, coefficients[first : first + 4], axes=1)
