@@ -6,7 +6,8 @@ from pathlib import Path
 
 PACKAGES = ("ehl", "bearing")
 CONSTANTS = (  # modules from which kernels take constants, beside other kernels
-    "bearing/dynamics/problem.py",
+    "bearing/dynamics/arrays.py",
+    "bearing/dynamics/layout.py",
     "ehl/traction/heated/nahme.py",
 )
 

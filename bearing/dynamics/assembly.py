@@ -9,34 +9,48 @@ from ehl.closed_form.hertz import contact_stiffness
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 from ..operation import Operation
 from ..quasistatic.kinematics import ball_mass
+from .arrays import (
+    ACCUMULATORS,
+    BODY_COLUMNS,
+    FILM,
+    FRICTION_COLUMNS,
+    GIVEN_COLUMNS,
+    GUIDED_BY_BALLS,
+    GUIDED_BY_INNER_RING,
+    GUIDED_BY_OUTER_RING,
+    LAND_COLUMNS,
+    LOAD_COLUMNS,
+    MOTION_COLUMNS,
+    OUTER,
+    POCKET_COLUMNS,
+    RACE_COLUMNS,
+    STIFFNESS,
+    TABLE,
+    Array,
+    Constants,
+    EquationData,
+    FrictionData,
+)
 from .bodies import free_coordinates, load_type
 from .films.laws import check_film
 from .inputs import CageBody, DynamicsModel, Guidance, NormalContact, NormalLaw
 from .laws import damping_factor
-from .problem import (
-    ACCUMULATORS,
-    FILM,
-    MOTION_COLUMNS,
-    POCKET_COLUMNS,
-    RACE_COLUMNS,
-    TABLE,
-    Array,
-    Constants,
-    FrictionData,
-    Problem,
-)
 
 HERTZ_EXPONENT = 1.5
 RAMP_PART = 0.01  # of the ramp of the friction that an error of speed may make up [-]
 NO_CAGE = CageBody(
     mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0
 )
-GUIDES = {Guidance.BALLS: 0, Guidance.INNER_RING: 1, Guidance.OUTER_RING: 2}
+GUIDES = {
+    Guidance.BALLS: GUIDED_BY_BALLS,
+    Guidance.INNER_RING: GUIDED_BY_INNER_RING,
+    Guidance.OUTER_RING: GUIDED_BY_OUTER_RING,
+}
 
 
 def assemble(
     bearing: Bearing, operation: Operation, model: DynamicsModel, angles: tuple[float, float]
-) -> Problem:
+) -> EquationData:
     """The problem in numbers.
 
     Parameters
@@ -49,7 +63,7 @@ def assemble(
 
     Returns
     -------
-    Problem
+    EquationData
     """
     cage, n = model.cage, bearing.balls
     kind = model.options.equations or load_type(operation, model)
@@ -60,7 +74,7 @@ def assemble(
     if cage is not None and cage.guidance is Guidance.BALLS and any(free[1][:3]):
         # else nothing would centre the cage
         numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)
-    return Problem(
+    return EquationData(
         constants=numbers,
         normal=laws,
         friction_kind=friction_kind(model, races, laws),
@@ -70,17 +84,18 @@ def assemble(
         pocket_angle=np.asarray(bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)),
         schedule=schedule_rows(operation, model),
         memory=np.full(3 * n + 2, model.normal.impact_floor),
-        bodies=np.zeros((3, 12)),
-        given=np.zeros(32),
+        bodies=np.zeros((3, BODY_COLUMNS)),
+        given=np.zeros(GIVEN_COLUMNS),
+        outer_load=np.zeros(LOAD_COLUMNS),
         motion=np.zeros((2, n, MOTION_COLUMNS)),
-        friction=np.zeros((2, n, 8)),
-        forces=np.zeros((n, 6)),
+        friction=np.zeros((2, n, FRICTION_COLUMNS)),
+        forces=np.zeros((n, LOAD_COLUMNS)),
         race_out=np.zeros((2, n, RACE_COLUMNS)),
         pocket_out=np.zeros((n, POCKET_COLUMNS)),
-        land_out=np.full((2, 2), -1.0),
+        land_out=np.full((2, LAND_COLUMNS), -1.0),
         films=np.zeros((2, n, 2)),
         power=np.zeros(ACCUMULATORS),
-        loads=np.zeros((2, 6)),
+        loads=np.zeros((2, LOAD_COLUMNS)),
     )
 
 
@@ -188,7 +203,7 @@ def schedule_rows(operation: Operation, model: DynamicsModel) -> Array:
     return np.ascontiguousarray(rows, dtype=np.float64)
 
 
-def scales(problem: Problem, load: float, tolerance: float, ramp: float) -> Array:
+def scales(data: EquationData, load: float, tolerance: float, ramp: float) -> Array:
     """Size of a coordinate's and a speed's error that counts as one, shape (mechanical,) [m, rad,
     m/s, rad/s].
 
@@ -198,7 +213,7 @@ def scales(problem: Problem, load: float, tolerance: float, ramp: float) -> Arra
 
     Parameters
     ----------
-    problem : Problem
+    data : EquationData
     load : float
         [N].
     tolerance : float
@@ -210,14 +225,14 @@ def scales(problem: Problem, load: float, tolerance: float, ramp: float) -> Arra
     -------
     ndarray
     """
-    stiffness = float(problem.normal[:2, 0].min())
+    stiffness = float(data.normal[: OUTER + 1, STIFFNESS].min())
     length = (load / stiffness) ** (1.0 / HERTZ_EXPONENT)
-    speed = length * np.sqrt(2.0 * HERTZ_EXPONENT * load / length / problem.constants.ball_mass)
-    pitch = 0.5 * (problem.constants.inner_centre + problem.constants.outer_centre)
-    n = 3 * problem.constants.balls
+    speed = length * np.sqrt(2.0 * HERTZ_EXPONENT * load / length / data.constants.ball_mass)
+    pitch = 0.5 * (data.constants.inner_centre + data.constants.outer_centre)
+    n = 3 * data.constants.balls
     ring, cage = [1.0] * 3 + [1.0 / pitch] * 2, [1.0] * 3 + [1.0 / pitch] * 3
     place = np.array([*ring, *cage, *[1.0] * n])
-    motion = np.array([*ring, *cage, *[1.0] * n, *[1.0 / problem.constants.ball_radius] * n])
+    motion = np.array([*ring, *cage, *[1.0] * n, *[1.0 / data.constants.ball_radius] * n])
     return np.concatenate(
         [tolerance * length * place, min(tolerance * speed, RAMP_PART * ramp) * motion]
     )

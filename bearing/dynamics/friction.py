@@ -15,7 +15,7 @@ from ehl.traction.table.table import TractionTable
 
 from ..contacts.shape import contact_shape
 from ..geometry import Bearing, Race
-from .problem import COEFFICIENT, FRICTIONLESS, TABLE, Array, FrictionData
+from .arrays import COEFFICIENT, FRICTIONLESS, TABLE, Array, FrictionData
 
 if TYPE_CHECKING:
     Law = CoulombLaw | FourConstantLaw

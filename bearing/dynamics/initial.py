@@ -12,10 +12,10 @@ from ..operation import Model, Operation
 from ..quasistatic.kinematics import centrifugal_force
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
+from .arrays import Array, EquationData
 from .bodies import free_coordinates, load_type
 from .inputs import DynamicsModel, LoadType, Start
 from .layout import CAGE_ROTATION, Layout
-from .problem import Array, Problem
 
 # share of the speed at which an equilibrium is sought for a start at rest [-]
 LEAST_CREEP = 1.0e-3
@@ -148,13 +148,15 @@ def kinematic_cage_speed(bearing: Bearing, inner: float, outer: float, angle: fl
     return 0.5 * ((1.0 - gamma) * inner + (1.0 + gamma) * outer)
 
 
-def initial_state(bearing: Bearing, problem: Problem, point: StartingPoint, start: Start) -> Array:
+def initial_state(
+    bearing: Bearing, data: EquationData, point: StartingPoint, start: Start
+) -> Array:
     """State vector at time zero.
 
     Parameters
     ----------
     bearing : Bearing
-    problem : Problem
+    data : EquationData
     point : StartingPoint
     start : Start
 
@@ -165,10 +167,10 @@ def initial_state(bearing: Bearing, problem: Problem, point: StartingPoint, star
     """
     layout = Layout(bearing.balls)
     y = np.zeros(layout.size)
-    inner, outer = problem.schedule[0, 1:3]
-    cosines, sines = np.cos(problem.pocket_angle), np.sin(problem.pocket_angle)
+    inner, outer = data.schedule[0, 1:3]
+    cosines, sines = np.cos(data.pocket_angle), np.sin(data.pocket_angle)
     if point.equilibrium is None or start is Start.ROLLING:
-        axial, radial, orbit, spin = _rolling(bearing, problem, point.angles, (inner, outer))
+        axial, radial, orbit, spin = _rolling(bearing, data, point.angles, (inner, outer))
     else:
         s = point.equilibrium
         y[layout.ring] = np.concatenate([s.displacement, s.tilt])
@@ -180,29 +182,27 @@ def initial_state(bearing: Bearing, problem: Problem, point: StartingPoint, star
         orbit, spin = 0.0 * orbit, 0.0 * spin
     y[layout.ball] = np.stack([axial, radial * cosines, radial * sines], axis=1).ravel()
     speed = orbit * radial
-    free = problem.free[11:]
+    free = data.free[11:]
     y[layout.ball_speed] = (
         np.stack([0.0 * speed, -speed * sines, speed * cosines], axis=1) * free[:3]
     ).ravel()
     turns = np.stack([spin[0], spin[1] * cosines, spin[1] * sines], axis=1)
     y[layout.ball_turn] = (turns * free[3:]).ravel()
-    if problem.constants.cage_mass > 0.0:
+    if data.constants.cage_mass > 0.0:
         y[layout.cage.start] = float(np.mean(axial))
         y[layout.cage_speed.start + CAGE_ROTATION] = float(np.mean(orbit))
     return y
 
 
 def _rolling(
-    bearing: Bearing, problem: Problem, angles: tuple[float, float], speeds: tuple[float, float]
+    bearing: Bearing, data: EquationData, angles: tuple[float, float], speeds: tuple[float, float]
 ) -> Any:
     """Balls on the outer race at the kinematic speed, pressed by their centrifugal force."""
     n = bearing.balls
     orbit = kinematic_cage_speed(bearing, *speeds, angles[1])
     gamma = bearing.ball_diameter / bearing.pitch_diameter * np.cos(angles[1])
-    force = centrifugal_force(
-        problem.constants.ball_mass, bearing.pitch_diameter, np.asarray(orbit)
-    )
-    approach = (float(force) / problem.normal[1, 0]) ** (1.0 / problem.normal[1, 1])
+    force = centrifugal_force(data.constants.ball_mass, bearing.pitch_diameter, np.asarray(orbit))
+    approach = (float(force) / data.normal[1, 0]) ** (1.0 / data.normal[1, 1])
     reach = bearing.outer_groove_radius - 0.5 * bearing.ball_diameter + approach
     axial = reach * np.sin(angles[1])
     radial = bearing.outer_centre_radius + reach * np.cos(angles[1])

@@ -70,8 +70,8 @@ class NormalContact:
     ----------
     law : NormalLaw
     restitution : float
-        e [-]: what the law is given; what comes back from an impact is in
-        `laws.restitution_returned`.
+        e [-], from which the damping follows; what comes back from an impact differs a little
+        (docs/theory/dynamics.md).
     impact_floor : float
         Least v_0, so that a lasting contact that began without an impact is damped as if by this
         speed [m/s].

@@ -1,15 +1,9 @@
-"""Normal contact laws in NumPy: damping factors, force, what an impact returns, and the planar
-stiffness of a race.
-"""
+"""Numbers of the normal contact laws: damping factors, planar stiffness of a race, frequency."""
 
 from math import sqrt
 
-import numpy as np
-from scipy.optimize import brentq
-
 from ..geometry import Race
 from .inputs import NormalLaw
-from .problem import Array
 
 
 def damping_factor(law: NormalLaw, restitution: float) -> float:
@@ -21,51 +15,6 @@ def damping_factor(law: NormalLaw, restitution: float) -> float:
         NormalLaw.FLORES: 1.6 * (1.0 - e) / e,
     }
     return factors.get(law, 0.0)
-
-
-def normal_force(law: Array, approach: Array, speed: Array, impact_speed: Array) -> Array:
-    """K d^n (1 + chi v/v_0), never adhesive; twin of the kernel.
-
-    Parameters
-    ----------
-    law : ndarray, shape (3,)
-        K [N/m^n], n [-], chi [-].
-    approach, speed, impact_speed : ndarray
-        d [m], v and v_0 [m/s].
-
-    Returns
-    -------
-    ndarray
-        [N].
-    """
-    elastic = law[0] * np.maximum(approach, 0.0) ** law[1]
-    return np.maximum(0.0, elastic * (1.0 + law[2] * speed / impact_speed))
-
-
-def restitution_returned(damping: float) -> float:
-    """Speed after over speed before a free impact [-] under K d^n (1 + chi v/v_0).
-
-    With w = v/v_0, m w dw/(1 + chi w) = -K d^n dd integrates to G(w) = w/chi - ln(1 + chi
-    w)/chi^2, and the rebound follows from G(-e) = G(1), whatever n and K are.
-
-    Parameters
-    ----------
-    damping : float
-        chi [-].
-
-    Returns
-    -------
-    float
-        [-]; 0.913 for the law of Lankarani and Nikravesh at e = 0.9.
-    """
-    if damping == 0.0:
-        return 1.0
-
-    def potential(w: float) -> float:
-        return w / damping - np.log1p(damping * w) / damping**2
-
-    lowest = max(-1.0, -(1.0 - 1e-14) / damping)
-    return -float(brentq(lambda w: potential(w) - potential(1.0), lowest, -1e-9, xtol=1e-14))
 
 
 def planar_stiffness(ball_radius: float, race_radius: float, modulus: float, race: Race) -> float:
@@ -100,22 +49,6 @@ def planar_stiffness_as_printed(ball_radius: float, race_radius: float, modulus:
     it [N/m^1.5].
     """
     return planar_stiffness(ball_radius, race_radius, modulus, Race.INNER)
-
-
-def impact_duration(stiffness: float, mass: float, speed: float) -> float:
-    """Duration of an elastic Hertz impact [s], 2.943 d_max/v, d_max = (5 m v^2/(4 K))^(2/5).
-
-    Parameters
-    ----------
-    stiffness, mass, speed : float
-        K [N/m^1.5], [kg], [m/s].
-
-    Returns
-    -------
-    float
-        [s].
-    """
-    return 2.943 * (1.25 * mass * speed**2 / stiffness) ** 0.4 / speed
 
 
 def vibration_frequency(stiffness: float, load: float, mass: float) -> float:

@@ -1,45 +1,45 @@
-"""Where what stands in the state vector: positions, velocities, the ring's angle, and the energy
-accumulators.
+"""The state vector: positions, velocities, angle of the inner ring, energy accumulators.
 
 Positions: ring x, y, z, tilt y, tilt z; cage x, y, z, rotation about x, tilt y, tilt z; x, y, z of
 each ball. Velocities: the same, then the angular velocities of the balls, all along inertial axes.
 A ball's attitude does not enter its equations of motion; it is advanced beside them (`attitude`).
+The kernels find these places by `_state_kernels`.
 """
 
 from dataclasses import dataclass
 
-from .problem import ACCUMULATORS
+from .arrays import ACCUMULATORS
 
-RING = 5
+RING = 5  # coordinates of the ring; also the place of the cage's first
 CAGE = 6
-CAGE_ROTATION = 3  # place of the rotation among the coordinates of the cage
+BODIES = RING + CAGE  # place of the balls' first coordinate
+# places among the coordinates of the ring, and of the cage
+RING_TILT = 3
+CAGE_ROTATION = 3
+CAGE_TILT = 4
+FREE_TURN = BODIES + 3  # in `EquationData.free`, after the positions of a ball
 
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Slices of the state vector of a bearing with so many balls."""
+    """Slices of the state vector of a bearing with so many balls Z."""
 
     balls: int
 
     @property
     def positions(self) -> int:
         """Number of positions, 11 + 3 Z [-]."""
-        return RING + CAGE + 3 * self.balls
+        return BODIES + 3 * self.balls
 
     @property
-    def velocities(self) -> int:
-        """Number of velocities, 11 + 6 Z [-]."""
-        return RING + CAGE + 6 * self.balls
+    def mechanical(self) -> int:
+        """Number of positions and velocities, the part under error control [-]."""
+        return self.positions + BODIES + 6 * self.balls
 
     @property
     def size(self) -> int:
         """Length of the state vector [-]."""
-        return self.positions + self.velocities + 1 + ACCUMULATORS
-
-    @property
-    def mechanical(self) -> int:
-        """Length of its part that the error control looks at [-]."""
-        return self.positions + self.velocities
+        return self.mechanical + 1 + ACCUMULATORS
 
     @property
     def ring(self) -> slice:
@@ -49,12 +49,12 @@ class Layout:
     @property
     def cage(self) -> slice:
         """Position of the cage, 6 entries."""
-        return slice(RING, RING + CAGE)
+        return slice(RING, BODIES)
 
     @property
     def ball(self) -> slice:
         """Positions of the balls, 3 Z entries."""
-        return slice(RING + CAGE, self.positions)
+        return slice(BODIES, self.positions)
 
     @property
     def ring_speed(self) -> slice:
@@ -64,19 +64,17 @@ class Layout:
     @property
     def cage_speed(self) -> slice:
         """Velocity of the cage, 6 entries."""
-        return slice(self.positions + RING, self.positions + RING + CAGE)
+        return slice(self.positions + RING, self.positions + BODIES)
 
     @property
     def ball_speed(self) -> slice:
         """Velocities of the balls, 3 Z entries."""
-        start = self.positions + RING + CAGE
-        return slice(start, start + 3 * self.balls)
+        return slice(self.positions + BODIES, 2 * self.positions)
 
     @property
     def ball_turn(self) -> slice:
         """Angular velocities of the balls, 3 Z entries."""
-        start = self.positions + RING + CAGE + 3 * self.balls
-        return slice(start, start + 3 * self.balls)
+        return slice(2 * self.positions, self.mechanical)
 
     @property
     def ring_angle(self) -> int:

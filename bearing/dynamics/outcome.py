@@ -4,9 +4,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from .arrays import Array
 from .initial import kinematic_cage_speed
 from .layout import CAGE_ROTATION, Layout
-from .problem import Array
 from .record import Record
 from .simulation import Simulation
 from .statistics import batch_interval, whirl_speed
@@ -147,7 +147,7 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
     cage = np.concatenate(tally.cage_rotation)[late]
     orbit, centres = np.concatenate(tally.orbit_speed)[late], np.concatenate(tally.centres)[late]
     span = float(time[late][-1] - time[late][0])
-    has_cage = simulation.problem.constants.cage_mass > 0.0 and span > 0.0
+    has_cage = simulation.data.constants.cage_mass > 0.0 and span > 0.0
     work = state.y[simulation.layout.energy]
     put_in = float(np.sum(work[:INPUTS]))
     lost = float(np.sum(work[LOSSES]))
@@ -173,12 +173,12 @@ def outcome(simulation: Simulation, tally: Tally) -> Outcome | None:
 
 def nominal_angle(simulation: Simulation) -> float:
     """Contact angle of the kinematic speed [rad]: the free one under an axial load, else zero."""
-    axial = np.any(simulation.problem.schedule[:, 3])
+    axial = np.any(simulation.data.schedule[:, 3])
     return simulation.bearing.free_contact_angle if axial else 0.0
 
 
 def _kinematic(simulation: Simulation, times: Array) -> float:
-    rows = simulation.problem.schedule
+    rows = simulation.data.schedule
     inner, outer = (
         float(np.interp(times, rows[:, 0], rows[:, column]).mean()) for column in (1, 2)
     )

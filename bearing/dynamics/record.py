@@ -1,4 +1,4 @@
-"""What a simulation keeps: samples, state to go on from, and the steps it may take."""
+"""What the integrators work on: state, step control, samples; and what a restart needs."""
 
 from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
@@ -6,22 +6,12 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .arrays import LOAD_COLUMNS, POCKET_COLUMNS, RACE_COLUMNS, Array
 from .layout import Layout
-from .problem import POCKET_COLUMNS, RACE_COLUMNS, Array
-
-LEAST_STEP = 1.0e-12  # over the end time, below which a step has failed [-]
-
-
-# of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
-STIFF_STEP = 0.02
-
-
-# longest step times the frequency of a loaded ball: at the limit of stability it would ring [-]
-STEP_ANGLE = 0.8
 
 
 class Record(NamedTuple):
-    """Rows of the history; states [SI], contacts (`problem.RACE_NAMES`), pockets, energies [J],
+    """Rows of the history; states [SI], contacts (`arrays.RACE_NAMES`), pockets, energies [J],
     loads [N, N m].
     """
 
@@ -31,8 +21,25 @@ class Record(NamedTuple):
     pockets: Array  # (m, Z, POCKET_COLUMNS)
     energy: Array  # kinetic, elastic, potential (m, 3) [J]
     loads: Array  # on ring and cage (m, 12) [N], [N m]
-    contact_state: NDArray[np.int8]  # 0 free, 1 contact, 2 impact (m, 2, Z)
+    contact_state: NDArray[np.int8]  # 0 separated, 1 in contact, 2 in an impact (m, 2, Z)
     attitude: Array  # of the balls, quaternion w, x, y, z (m, Z, 4) [-]
+
+
+class StepControl(NamedTuple):
+    """Limits of the steps of the explicit method."""
+
+    shortest: float  # below it a step has failed [s]
+    longest: float  # [s]
+    stiff: float  # a stiff problem with shorter steps goes to LSODA [s]
+
+
+class ContactHistory(NamedTuple):
+    """What the contacts remember, see `SimulationState`."""
+
+    onset: Array
+    states: NDArray[np.int8]
+    shares: Array
+    attitude: Array
 
 
 @dataclass(slots=True, kw_only=True)
@@ -49,7 +56,7 @@ class SimulationState:
         Speeds [m/s] and times [s] of the beginnings of the contacts.
     contact_state : ndarray, shape (2, Z)
     shares : ndarray, shape (2, Z, 3)
-        Time spent free, in contact, in an impact [s].
+        Time spent separated, in contact, in an impact [s].
     attitude : ndarray, shape (Z, 4)
         Quaternions of the balls [-].
     counters : ndarray
@@ -69,12 +76,17 @@ class SimulationState:
     counters: NDArray[np.int64]
     stiff: bool = False
 
-    def put_back(self, other: "SimulationState") -> None:
-        """Take over the values of another state, in the arrays that the equations hold."""
+    @property
+    def history(self) -> ContactHistory:
+        """The arrays that the kernels bring up to date after each step."""
+        return ContactHistory(self.onset, self.contact_state, self.shares, self.attitude)
+
+    def restore(self, snapshot: "SimulationState") -> None:
+        """Take over the values of another state, in the arrays that the equations use."""
         for part in fields(self):
-            mine, value = getattr(self, part.name), getattr(other, part.name)
-            if isinstance(mine, np.ndarray):
-                mine[...] = value
+            own, value = getattr(self, part.name), getattr(snapshot, part.name)
+            if isinstance(own, np.ndarray):
+                own[...] = value
             else:
                 setattr(self, part.name, value)
 
@@ -88,10 +100,16 @@ def empty_record(times: Array, balls: int) -> Record:
         races=np.zeros((m, 2, balls, RACE_COLUMNS)),
         pockets=np.zeros((m, balls, POCKET_COLUMNS)),
         energy=np.zeros((m, 3)),
-        loads=np.zeros((m, 12)),
+        loads=np.zeros((m, 2 * LOAD_COLUMNS)),
         contact_state=np.zeros((m, 2, balls), dtype=np.int8),
         attitude=np.zeros((m, balls, 4)),
     )
+
+
+def first_rows(record: Record, rows: int) -> Record:
+    """The part of a record that was reached."""
+    parts: list[Any] = [part[:rows] for part in record]
+    return Record(*parts)
 
 
 def join(first: Record, second: Record) -> Record:

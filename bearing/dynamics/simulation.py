@@ -10,33 +10,41 @@ import numpy as np
 from ..geometry import Bearing
 from ..operation import Operation
 from ._kernels import derivative, energies
+from .arrays import GIVEN_FORCE, OUTER, SCHEDULED, STIFFNESS, Array, EquationData
 from .assembly import assemble, scales
 from .bodies import equation_counts
 from .initial import StartingPoint, initial_state, starting_point
 from .inputs import DynamicsModel
+from .integration._kernels import COUNTERS, DONE, NOT_FINITE, STIFF, TOO_SMALL
+from .integration.methods import advance_explicit, advance_implicit
 from .laws import vibration_frequency
 from .layout import Layout
-from .problem import Array, Problem
-from .record import Record, SimulationState, empty_record, join
+from .record import Record, SimulationState, StepControl, empty_record, join
 
-PIECE = 128  # samples handed on at a time
-STIFF = 2  # status of the explicit steps where they are given up
+PIECE = 128  # samples of a record
 REFERENCE_LOAD = 10.0  # least load that sets the scale of errors [N]
 HEAVIEST = 5.0  # load of the heaviest ball over the mean one, Stribeck (1901) [-]
-MESSAGES = {
-    1: "dynamics: not converged: the step became too small at t = {t:.6g} s; try a larger tolerance or friction ramp",
-    3: "dynamics: not converged: the state is not finite at t = {t:.6g} s",
+FIRST_STEP = 1.0e-9  # [s]
+SHORTEST_STEP = 1.0e-12  # over the end time, below which a step has failed [-]
+# of the period of contact vibration: a stiff problem with shorter steps goes to LSODA [-]
+STIFF_STEP = 0.02
+# longest step times the frequency of a loaded ball: at the limit of stability it would ring [-]
+STEP_ANGLE = 0.8
+FAILURES = {
+    TOO_SMALL: "the step became too small at t = {t:.6g} s; try a larger tolerance or friction "
+    "ramp",
+    NOT_FINITE: "the state is not finite at t = {t:.6g} s",
 }
 
 
 @dataclass(slots=True, kw_only=True)
 class Simulation:
-    """A bearing in motion: `pieces` moves it on and hands out records."""
+    """A bearing in motion: `pieces` moves it on and yields records."""
 
     bearing: Bearing
     operation: Operation
     model: DynamicsModel
-    problem: Problem
+    data: EquationData
     point: StartingPoint
     state: SimulationState
     start_energy: float  # [J]
@@ -58,20 +66,32 @@ class Simulation:
     def scale(self) -> Array:
         """Errors that count as one, `assembly.scales` [SI]."""
         tolerance = self.model.options.tolerance
-        return scales(self.problem, self.reference_load, tolerance, self.model.friction.ramp)
+        return scales(self.data, self.reference_load, tolerance, self.model.friction.ramp)
 
     @property
     def reference_load(self) -> float:
         """Largest load over the number of balls, at least `REFERENCE_LOAD` [N]."""
-        rows = self.problem.schedule[:, 3:6]
+        first = SCHEDULED + GIVEN_FORCE
+        rows = self.data.schedule[:, first : first + 3]
         return max(REFERENCE_LOAD, float(np.linalg.norm(rows, axis=1).max()) / self.bearing.balls)
 
     @property
     def frequency(self) -> float:
         """Angular frequency of the heaviest loaded ball between the races [rad/s]."""
-        stiffness = float(self.problem.normal[:2, 0].max())
-        mass = self.problem.constants.ball_mass
+        stiffness = float(self.data.normal[: OUTER + 1, STIFFNESS].max())
+        mass = self.data.constants.ball_mass
         return vibration_frequency(stiffness, HEAVIEST * self.reference_load, mass)
+
+    @property
+    def control(self) -> StepControl:
+        """Limits of the steps [s]."""
+        options = self.model.options
+        longest = options.longest_step or STEP_ANGLE / self.frequency
+        return StepControl(
+            shortest=SHORTEST_STEP * options.end_time,
+            longest=min(longest, options.sample_interval),
+            stiff=STIFF_STEP * 2.0 * np.pi / self.frequency,
+        )
 
     def sample_times(self) -> Array:
         """Times of the samples still to come [s]."""
@@ -93,7 +113,7 @@ class Simulation:
             try:
                 record = self._advance(times[first : first + PIECE], before)
             except KeyboardInterrupt:
-                self.state.put_back(before)
+                self.state.restore(before)
                 raise
             self.wall += perf_counter() - began
             if record.time.size:
@@ -102,37 +122,35 @@ class Simulation:
                 return
 
     def _advance(self, times: Array, before: SimulationState) -> Record:
-        """A piece by explicit steps; where they are given up, its rest by LSODA. The next piece
-        tries them anew.
-
-        A trial that fails after LSODA took over is undone, to `before`: LSODA does the whole
-        piece.
-        """
-        from .integration.explicit import advance_explicit
-
-        status, record = advance_explicit(self, times)
-        if before.stiff and status not in (0, STIFF):
-            self.state.put_back(before)
+        """A piece by explicit steps; where they are given up, its rest by LSODA."""
+        method = (self.control, self.scale)
+        # 1. explicit steps, after LSODA too: a stiff start may be over
+        status, record = advance_explicit(self.state, self.data, times, *method)
+        # 2. where they fail after LSODA, undo them: LSODA does the whole piece
+        if before.stiff and status not in (DONE, STIFF):
+            self.state.restore(before)
             status = STIFF
             record = empty_record(times[:0], self.bearing.balls)
+        # 3. LSODA for the rest
         if status == STIFF:
-            from .integration.implicit import advance_implicit
-
-            self._tell(f"dynamics: stiff from t = {self.state.time:.6g} s on; LSODA took over")
+            self._note(f"dynamics: stiff from t = {self.state.time:.6g} s on; LSODA took over")
             self.state.stiff = True
-            status, rest = advance_implicit(self, times[record.time.size :])
-            record = join(record, rest)
-        elif self.state.stiff and status == 0:
-            self._tell(
-                f"dynamics: explicit steps again from t = {before.time:.6g} s on; LSODA where they are given up"
+            rest = times[record.time.size :]
+            status, remainder = advance_implicit(self.state, self.data, rest, *method)
+            record = join(record, remainder)
+        elif self.state.stiff and status == DONE:
+            self._note(
+                f"dynamics: explicit steps again from t = {before.time:.6g} s on; LSODA where "
+                "they are given up"
             )
-        if status != 0:
+        if status != DONE:
             self.converged = False
-            self.messages.append(MESSAGES[status].format(t=self.state.time))
+            failure = FAILURES[status].format(t=self.state.time)
+            self.messages.append(f"dynamics: not converged: {failure}")
         return record
 
-    def _tell(self, text: str) -> None:
-        """Add a message unless one that begins alike was told before."""
+    def _note(self, text: str) -> None:
+        """Add a message unless one that begins alike is there."""
         if not any(message.startswith(text.split(" t = ")[0]) for message in self.messages):
             self.messages.append(text)
 
@@ -152,43 +170,43 @@ def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> 
     Simulation
     """
     point = starting_point(bearing, operation, model)
-    problem = assemble(bearing, operation, model, point.angles)
-    y = initial_state(bearing, problem, point, model.options.start)
-    return from_state(bearing, operation, model, (point, problem, y))
+    data = assemble(bearing, operation, model, point.angles)
+    y = initial_state(bearing, data, point, model.options.start)
+    return from_state(bearing, operation, model, (point, data, y))
 
 
 def from_state(
     bearing: Bearing,
     operation: Operation,
     model: DynamicsModel,
-    start: tuple[StartingPoint, Problem, Array],
+    start: tuple[StartingPoint, EquationData, Array],
 ) -> Simulation:
     """A simulation from a state vector [SI]."""
-    point, problem, y = start
+    point, data, y = start
     n = bearing.balls
     attitude = np.zeros((n, 4))
     attitude[:, 0] = 1.0
     state = SimulationState(
         time=0.0,
-        step=1.0e-9,
+        step=FIRST_STEP,
         y=y,
-        memory=problem.memory,
+        memory=data.memory,
         onset=np.full(3 * n + 2, -np.inf),
         contact_state=np.zeros((2, n), dtype=np.int8),
         shares=np.zeros((2, n, 3)),
         attitude=attitude,
-        counters=np.zeros(5, dtype=np.int64),
+        counters=np.zeros(COUNTERS, dtype=np.int64),
     )
-    out = np.zeros(3)
-    derivative(0.0, y, problem, np.zeros_like(y))
-    energies(y, problem, out)
+    energy = np.zeros(3)
+    derivative(0.0, y, data, np.zeros_like(y))
+    energies(y, data, energy)
     return Simulation(
         bearing=bearing,
         operation=operation,
         model=model,
-        problem=problem,
+        data=data,
         point=point,
         state=state,
-        start_energy=float(out.sum()),
+        start_energy=float(energy.sum()),
         messages=list(point.messages),
     )

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from .problem import Array
+from .arrays import Array
 
 BATCHES = 10  # fewest of the ten to thirty of Schmeiser (1982), Operations Research 30, 556
 STUDENT = 2.2622  # 97.5 % of Student's distribution with BATCHES - 1 degrees of freedom

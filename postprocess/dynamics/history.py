@@ -12,9 +12,9 @@ import numpy as np
 import xarray
 import xarray as xr
 
+from bearing.dynamics.arrays import RACE_NAMES
 from bearing.dynamics.layout import Layout
 from bearing.dynamics.outcome import MECHANISMS
-from bearing.dynamics.problem import RACE_NAMES
 from bearing.dynamics.record import Record
 
 HISTORY_FILE = "history.nc"

@@ -160,7 +160,7 @@ def _energy(found: Outcome) -> dict[str, Any]:
 
 def _frequencies(made: Simulation, found: Outcome) -> dict[str, Any]:
     """Defect frequencies, kinematic and with the cage speed that came out [Hz]."""
-    rows, n = made.problem.schedule, made.bearing.balls
+    rows, n = made.data.schedule, made.bearing.balls
     inner, outer = rows[-1, 1] / (2.0 * np.pi), rows[-1, 2] / (2.0 * np.pi)
     ideal = kinematic_cage_speed(made.bearing, inner, outer, nominal_angle(made))
     pairs = {"kinematic": ideal, "with_slip": found.orbit_speed / (2.0 * np.pi)}
@@ -179,7 +179,7 @@ def _balls(made: Simulation, found: Outcome) -> list[dict[str, Any]]:
     return [
         {
             "ball": j + 1,
-            "start_azimuth_deg": float(np.degrees(made.problem.pocket_angle[j]) % 360.0),
+            "start_azimuth_deg": float(np.degrees(made.data.pocket_angle[j]) % 360.0),
             **{
                 race: {
                     **{state: float(found.shares[r, j, s]) for s, state in enumerate(STATES)},

@@ -27,7 +27,7 @@ def test_steady_dynamics_is_the_traction_equilibrium_with_its_loads():
     )
     friction = four_constant_friction(BEARING, still.point.angles, four_constants(0.05, 0.03, 0.03))
     record, layout, _ = settled(operation, friction)
-    races = record.races[-1, :, 0]  # columns as `bearing.dynamics.problem.RACE_NAMES`
+    races = record.races[-1, :, 0]  # columns as `bearing.dynamics.arrays.RACE_NAMES`
 
     source = LawTraction(laws={Race.INNER: friction.inner, Race.OUTER: friction.outer})
     traction = BallTraction(source=source, lubricant=OIL)

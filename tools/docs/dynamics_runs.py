@@ -37,7 +37,7 @@ class Run:
         """As `slides`, and at a gap that of the nearest points of the surfaces [m/s]."""
         from bearing.dynamics._kernels import derivative
 
-        problem, found = self.simulation.problem, []
+        problem, found = self.simulation.data, []
         for time, state in zip(self.record.time, self.record.state, strict=True):
             derivative(float(time), state, problem, np.zeros_like(state))
             found.append(np.hypot(problem.motion[..., 12], problem.motion[..., 13]))

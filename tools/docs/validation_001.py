@@ -127,7 +127,7 @@ def run_up_series() -> dict[str, Run]:
 def slip_in_time(found: Run) -> tuple[Any, Any]:
     """Times [s] and slip of the cage [-], means of a hundredth of the time each."""
     time, turned = np.concatenate(found.tally.time), np.concatenate(found.tally.cage_rotation)
-    rows = found.simulation.problem.schedule
+    rows = found.simulation.data.schedule
     ring = np.concatenate(
         [[0.0], np.cumsum(np.diff(time) * np.interp(0.5 * (time[1:] + time[:-1]), rows[:, 0], rows[:, 1]))]
     )
@@ -179,7 +179,7 @@ def other_rows(runs: dict[str, Run], ups: dict[str, Run]) -> str:
     ]
     for name, found in runs.items():
         o = found.outcome
-        slip = 100.0 * (1.0 - cage(found) / (NO_SLIP * found.simulation.problem.schedule[-1, 1] / RPM))
+        slip = 100.0 * (1.0 - cage(found) / (NO_SLIP * found.simulation.data.schedule[-1, 1] / RPM))
         impacts = o.shares[:, :, 2].mean(axis=1)
         cells = [
             f"{cage(found):.1f}",
@@ -362,7 +362,7 @@ def stiffnesses() -> dict[str, float]:
         case = start(race_stiffness=name)
         assert case.dynamics is not None
         model = build_model(case, case.dynamics, None, lambda done, total, state: None)
-        laws = simulation(case.bearing, case.operation, model).problem.normal
+        laws = simulation(case.bearing, case.operation, model).data.normal
         found[f"{key}_inner"], found[f"{key}_outer"] = float(laws[0, 0]), float(laws[1, 0])
     for race in ("inner", "outer"):
         found[f"ratio_{race}"] = found[f"hertz_{race}"] / found[f"planar_{race}"]

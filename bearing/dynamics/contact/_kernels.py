@@ -1,30 +1,19 @@
-"""Contacts as compiled functions: what ball and race, ball and pocket, cage and land do to each
-other.
+"""Laws of the contacts, compiled: normal force, friction, motion of a point, films.
 
-A body is a row of numbers: centre, axis, velocity, angular velocity, along x, y, z. Every pair
-gets opposite forces at one point, and the power lost there follows from the velocities of the two
-bodies at that point: the energies close.
+A body is a row of numbers: centre, axis, velocity, angular velocity (`arrays.CENTRE`, ...). Every
+pair gets opposite forces at one point, and the power lost there follows from the velocities of the
+two bodies at that point: the energies close.
 """
 
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.traction._kernels import hertz_friction, table_lookup
 
-from ..films._kernels import elastic_approach, smallest_load
-from ..problem import COEFFICIENT, DAMPING, EXPONENT, FILM, FRICTIONLESS, STIFFNESS
+from .._state_kernels import accumulate, cross, minus, plus, vector
+from ..arrays import CENTRE, DAMPING, EXPONENT, FORCE, MOMENT, STIFFNESS, TURN, VELOCITY
 
-# columns of a motion [m]
-APPROACH = 19
-THICKNESS = 20
-# of the film of a land; nearer, its forces stay and the solid contact takes over [-]
+# of the film of a land; beyond it its forces stay and the solid contact takes over [-]
 ECCENTRICITY_LIMIT = 0.95
-
-
-@compiled
-def cross(a0, a1, a2, b0, b1, b2):
-    """Vector product."""
-    return a1 * b2 - a2 * b1, a2 * b0 - a0 * b2, a0 * b1 - a1 * b0
 
 
 @compiled
@@ -33,6 +22,12 @@ def elastic_force(law, approach):
     if approach <= 0.0:
         return 0.0
     return law[STIFFNESS] * approach ** law[EXPONENT]
+
+
+@compiled
+def elastic_energy(law, approach):
+    """K approach^(n + 1)/(n + 1), stored in a contact."""
+    return elastic_force(law, approach) * max(approach, 0.0) / (law[EXPONENT] + 1.0)
 
 
 @compiled
@@ -57,72 +52,17 @@ def wall_shear(radius, film):
 
 
 @compiled
-def point_velocity(body, x, y, z):
-    """Velocity of the point of a body at x, y, z."""
-    w0, w1, w2 = cross(body[9], body[10], body[11], x - body[0], y - body[1], z - body[2])
-    return body[6] + w0, body[7] + w1, body[8] + w2
+def point_velocity(body, point):
+    """Velocity of a point of a body."""
+    turned = cross(vector(body, TURN), minus(point, vector(body, CENTRE)))
+    return plus(vector(body, VELOCITY), turned)
 
 
 @compiled
-def groove_contact(body, centre_radius, reach, pos, normal):
-    """Ball in a groove: approach, axial and radial part of the normal, radius, direction of the
-    azimuth.
-
-    reach = groove radius less ball radius; the approach is the distance of the ball from the
-    circle of the groove's centres, less the reach. The normal into the race is written to
-    normal[:3].
-    """
-    sx, sy, sz = pos[0] - body[0], pos[1] - body[1], pos[2] - body[2]
-    a0, a1, a2 = body[3], body[4], body[5]
-    axial = sx * a0 + sy * a1 + sz * a2
-    ex, ey, ez = sx - axial * a0, sy - axial * a1, sz - axial * a2
-    rho = np.sqrt(ex * ex + ey * ey + ez * ez)
-    ex, ey, ez = ex / rho, ey / rho, ez / rho
-    radial = rho - centre_radius
-    distance = max(np.sqrt(axial * axial + radial * radial), 1e-12)
-    c, r = axial / distance, radial / distance
-    normal[0], normal[1], normal[2] = c * a0 + r * ex, c * a1 + r * ey, c * a2 + r * ez
-    t0, t1, t2 = cross(a0, a1, a2, ex, ey, ez)
-    return distance - reach, c, r, rho, t0, t1, t2
-
-
-@compiled
-def race_friction(kind, data, normal, motion, friction):
-    """Friction of one race on all balls: F_x, F_y [N], M_n, M_y [N m]; at 6, 7 stiffness and
-    damping of the film.
-
-    Where films part the bodies the approach in the motion becomes that of the elastic bodies, and
-    the damping fades below the table's smallest load as friction does.
-    """
-    for j in range(motion.shape[0]):
-        k, out = motion[j], friction[j]
-        k[THICKNESS] = 0.0
-        if kind == FILM:
-            distance = k[APPROACH]
-            k[APPROACH] = elastic_approach(data.axes, data.scalars, normal, distance, k[16])
-            k[THICKNESS] = k[APPROACH] - distance
-        load = elastic_force(normal, k[APPROACH])
-        if load <= 0.0 or kind == FRICTIONLESS:
-            out[:] = 0.0
-        elif kind == COEFFICIENT:
-            hertz_friction(data.disc, data.law, data.shape, load, k[16], k[12], k[13], k[14], out)
-        else:
-            table_lookup(
-                data.axes,
-                data.constants,
-                data.scalars,
-                data.values,
-                load,
-                k[16],
-                k[12],
-                k[13],
-                k[14],
-                out,
-            )
-            if kind == FILM:
-                out[7] *= min(1.0, load / smallest_load(data.axes))
-            else:
-                k[THICKNESS] = out[5]
+def add_load(load, body, point, force):
+    """Add a force at a point to the force on a body and to the moment about its centre."""
+    accumulate(load, FORCE, force)
+    accumulate(load, MOMENT, cross(minus(point, vector(body, CENTRE)), force))
 
 
 @compiled

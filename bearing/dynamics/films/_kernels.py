@@ -1,4 +1,4 @@
-"""A ball on a race over the film of a traction table, compiled; the NumPy twin stands in `laws`.
+"""A ball on a race over the film of a traction table, compiled; the twin by bracketing stands in `laws`.
 
 Film and elastic bodies lie in series: as if rigid, the bodies approach by delta = w(Q) - h_c(Q,
 u), where w is the elastic approach under the load Q and h_c the table's central film at that load
@@ -10,11 +10,12 @@ import numpy as np
 from ehl.compiled import compiled
 from ehl.traction._kernels import LOAD_POWER
 
-from ..problem import EXPONENT, STIFFNESS
+from ..arrays import EXPONENT, STIFFNESS
 
-FILM = 3  # column of a table's scalars: logarithm of the central film
-MOST = 40  # Newton's steps
-TIGHT = 1.0e-9  # and the last one over the approach: what it leaves is its square [-]
+LOG_FILM = 3  # column of a table's scalars: logarithm of the central film
+NEWTON_STEPS = 40
+# last step of Newton's iteration over the approach; the error left is its square [-]
+STEP_TOLERANCE = 1.0e-9
 
 
 @compiled
@@ -26,7 +27,7 @@ def smallest_load(axes):
 @compiled
 def weights(place, axis):
     """First coefficient, four weights of a uniform cubic B-spline and their slopes, at a place
-    held on its axis.
+    clamped to its axis.
     """
     t = min(max(place - axis[0], 0.0) * axis[1], axis[2] - 1.0)
     i = min(max(int(t), 0), int(axis[2]) - 2)
@@ -51,7 +52,7 @@ def film_and_slope(axes, scalars, load, at_speed, share):
     logarithm = 0.0
     steep = 0.0
     for a in range(4):
-        c = scalars[i + a, j : j + 4, FILM]
+        c = scalars[i + a, j : j + 4, LOG_FILM]
         mean = v[0] * c[0] + v[1] * c[1] + v[2] * c[2] + v[3] * c[3]
         logarithm += w[a] * mean
         steep += d[a] * mean
@@ -80,11 +81,11 @@ def elastic_approach(axes, scalars, law, distance, speed):
         w = least + (distance - least + film) / (1.0 - slope * law[EXPONENT] * lightest / least)
         if w <= least:
             return w
-    for _ in range(MOST):
+    for _ in range(NEWTON_STEPS):
         load = law[STIFFNESS] * w ** law[EXPONENT]
         film, slope = film_and_slope(axes, scalars, load, at_speed, share)
         step = (distance + film - w) / (1.0 - slope * law[EXPONENT] * load / w)
         w = max(w + step, least)
-        if abs(step) <= TIGHT * w:
+        if abs(step) <= STEP_TOLERANCE * w:
             return w
     return np.nan  # no root found: the step in time is refused

@@ -10,18 +10,16 @@ already where the bodies are less than the film apart.
 from math import exp, log
 
 import numpy as np
-from scipy.optimize import brentq
 
 from ehl.traction.table.splines import spline_weights
 from ehl.traction.table.table import LOAD_POWER, load_place
 
-from ..problem import EXPONENT, STIFFNESS, Array, FrictionData
+from ..arrays import EXPONENT, STIFFNESS, Array, FrictionData
 
 FILM = 3  # column of a table's scalars: logarithm of the central film
 # places where a table is looked at before a simulation
 LOADS = 120
 SPEEDS = 13
-STEP = 1.0e-6  # of the load for the film's slope at the table's end [-]
 
 
 def table_loads(data: FrictionData) -> tuple[float, float]:
@@ -65,40 +63,6 @@ def film(data: FrictionData, load: float, speed: float) -> float:
         start, weights = spline_weights((place - first) * density, int(nodes))
         values = np.tensordot(weights, values[start : start + 4], axes=1)
     return exp(float(values)) * min(1.0, speed / slowest)
-
-
-def elastic_approach(data: FrictionData, law: Array, distance: float, speed: float) -> float:
-    """w of w = delta + h_c(K w^n, u) [m], the load being K w^n; twin of the kernel by bracketing.
-
-    Below the smallest load of the table the film goes on linearly in w.
-
-    Parameters
-    ----------
-    data : FrictionData
-        Of a race with a table.
-    law : ndarray, shape (3,)
-        K [N/m^n], n [-], chi [-].
-    distance, speed : float
-        delta, the approach of the bodies as if rigid [m], and u [m/s].
-
-    Returns
-    -------
-    float
-        [m]; negative where the ball does not touch the film.
-    """
-    least = (table_loads(data)[0] / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
-
-    def film_over(w: float) -> float:
-        return film(data, law[STIFFNESS] * w ** law[EXPONENT], speed)
-
-    lowest = film_over(least)
-    slope = (film_over(least * (1.0 + STEP)) - lowest) / (STEP * least)
-    if distance + lowest <= least:
-        return float(least + (distance - least + lowest) / (1.0 - slope))
-    highest = distance + 2.0 * lowest
-    return float(
-        brentq(lambda w: w - distance - film_over(w), least, highest, xtol=1e-18, rtol=1e-14)
-    )
 
 
 def check_film(data: FrictionData, law: Array, name: str) -> None:

@@ -12,8 +12,28 @@ import numpy as np
 from ehl.compiled import compiled
 
 from .._kernels import derivative, energies
+from .._state_kernels import accumulators, ball_turn, plus, times, vector
+from ..arrays import (
+    CAGE_LOAD,
+    EXPONENT,
+    FILM,
+    FILMS,
+    LAND,
+    LAND_APPROACH,
+    LAND_RATE,
+    LOAD_COLUMNS,
+    POCKET,
+    POCKET_APPROACH,
+    POCKET_RATE,
+    RACE_APPROACH,
+    RACE_FILM,
+    RACE_RATE,
+    RING_LOAD,
+    STEP_FILM,
+    STEP_LOAD,
+    STIFFNESS,
+)
 from ..contact._kernels import elastic_force
-from ..problem import APPROACH, EXPONENT, FILM, FILMS, STIFFNESS, THICKNESS
 
 A = np.array(
     [
@@ -27,33 +47,39 @@ A = np.array(
 )
 C = np.array([1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
 E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
+STAGES = 7
+# rows of the stages beside the seven derivatives: states of stage 6 and 7
+STATE_6, STATE_7 = 7, 8
+STAGE_ROWS = 9
+# step control: new step = safety times step times error^(-1/5), between the two limits
 SAFETY = 0.9
-SHRINK = 0.2
-GROW = 5.0
+SMALLEST_FACTOR = 0.2
+LARGEST_FACTOR = 5.0
+# stiff: h |lambda| beyond the edge of the stability region in fifteen steps, fewer than six not
 STIFF_BOUND = 3.25
 STIFF_STEPS = 15
 SOFT_STEPS = 6
 DONE, TOO_SMALL, STIFF, NOT_FINITE = range(4)
 STEPS, REJECTED, STIFF_SEEN, SOFT_SEEN, EVALUATIONS = range(5)  # of the counters
+COUNTERS = 5
+SEPARATED, IN_CONTACT, IN_IMPACT = range(3)  # states of a contact
 # duration of an elastic impact over largest approach by speed, Hertz (1882)
 HERTZ_DURATION = 2.943
 
 
 @compiled
 def stages(t, y, h, p, k, trial):
-    """Stages 2 to 7 from the first one in k[0]; the new state is left in k[8], that of stage 6 in
-    k[7].
-    """
-    for i in range(6):
+    """Stages 2 to 7 from the first one in k[0]; leaves the states of stages 6 and 7 behind them."""
+    for i in range(STAGES - 1):
         for m in range(y.size):
             total = 0.0
             for j in range(i + 1):
                 total += A[i, j] * k[j, m]
             trial[m] = y[m] + h * total
-        if i == 4:
-            k[7, :] = trial
+        if i == STAGES - 3:
+            k[STATE_6, :] = trial
         derivative(t + C[i] * h, trial, p, k[i + 1])
-    k[8, :] = trial
+    k[STATE_7, :] = trial
 
 
 @compiled
@@ -62,7 +88,7 @@ def error_norm(k, h, scale):
     worst = 0.0
     for m in range(scale.size):
         error = 0.0
-        for j in range(7):
+        for j in range(STAGES):
             error += E[j] * k[j, m]
         error = abs(h * error) / scale[m]
         if not error <= worst:
@@ -76,64 +102,60 @@ def stiffness(k, h, scale):
     top = 0.0
     bottom = 0.0
     for m in range(scale.size):
-        top += ((k[6, m] - k[5, m]) / scale[m]) ** 2
-        bottom += ((k[8, m] - k[7, m]) / scale[m]) ** 2
+        top += ((k[STAGES - 1, m] - k[STAGES - 2, m]) / scale[m]) ** 2
+        bottom += ((k[STATE_7, m] - k[STATE_6, m]) / scale[m]) ** 2
     return h * np.sqrt(top / bottom) if bottom > 0.0 else 0.0
 
 
 @compiled
-def duration(stiffness_constant, exponent, mass, speed):
+def duration(law, mass, speed):
     """Duration of an elastic impact [s]."""
-    deepest = (0.5 * (exponent + 1.0) * mass * speed**2 / stiffness_constant) ** (
-        1.0 / (exponent + 1.0)
-    )
+    power = law[EXPONENT] + 1.0
+    deepest = (0.5 * power * mass * speed**2 / law[STIFFNESS]) ** (1.0 / power)
     return HERTZ_DURATION * deepest / speed
 
 
 @compiled
-def remember_one(memory, floor, place, approach, rate, t, onset):
-    """Memory of one contact: speed of the approach and time, kept as they were while the contact
-    lasts.
+def contact_state(c, law, approach, speed, age):
+    """Whether a ball is separated from a race, in contact, or in an impact: within the duration of
+    an elastic one of the speed at which the contact began.
     """
+    if approach <= 0.0:
+        return SEPARATED
+    if speed > c.floor and age < duration(law, c.ball_mass, speed):
+        return IN_IMPACT
+    return IN_CONTACT
+
+
+@compiled
+def remember_onset(memory, onset, place, approach, rate, floor, t):
+    """Speed of approach and time of an open contact; those of a closed one stay as it began."""
     if approach <= 0.0:
         memory[place] = max(floor, rate)
         onset[place] = t
 
 
 @compiled
-def remember(p, t, h, onset, states, shares):
-    """After a step: memory of the impacts, and the time spent free (0), in contact (1), in an
-    impact (2).
-    """
+def after_step(p, t, h, onset, states, shares):
+    """Memory of the impacts, and the time spent separated, in contact and in impacts."""
     c = p.constants
-    n = p.constants.balls
+    memory = p.memory
     for race in range(2):
-        law = p.normal[race]
-        for j in range(n):
-            place = race * n + j
-            approach, rate = p.race_out[race, j, 1], p.race_out[race, j, 2]
-            state = 0
-            if approach > 0.0:
-                state = 1
-                speed = p.memory[place]
-                if speed > c.floor:
-                    age = t - onset[place]
-                    state = (
-                        2
-                        if age < duration(law[STIFFNESS], law[EXPONENT], c.ball_mass, speed)
-                        else 1
-                    )
-            remember_one(p.memory, c.floor, place, approach, rate, t, onset)
+        for j in range(c.balls):
+            place = race * c.balls + j
+            approach = p.race_out[race, j, RACE_APPROACH]
+            rate = p.race_out[race, j, RACE_RATE]
+            age = t - onset[place]
+            state = contact_state(c, p.normal[race], approach, memory[place], age)
             states[race, j] = state
             shares[race, j, state] += h
-    for j in range(n):
-        remember_one(
-            p.memory, c.floor, 2 * n + j, p.pocket_out[j, 1], p.pocket_out[j, 2], t, onset
-        )
+            remember_onset(memory, onset, place, approach, rate, c.floor, t)
+    for j in range(c.balls):
+        approach, rate = p.pocket_out[j, POCKET_APPROACH], p.pocket_out[j, POCKET_RATE]
+        remember_onset(memory, onset, POCKET * c.balls + j, approach, rate, c.floor, t)
     for side in range(2):
-        remember_one(
-            p.memory, c.floor, 3 * n + side, p.land_out[side, 0], p.land_out[side, 1], t, onset
-        )
+        approach, rate = p.land_out[side, LAND_APPROACH], p.land_out[side, LAND_RATE]
+        remember_onset(memory, onset, LAND * c.balls + side, approach, rate, c.floor, t)
 
 
 @compiled
@@ -141,45 +163,39 @@ def mark_films(p):
     """Load and film of the races' contacts as the last `derivative` left them."""
     for race in range(2):
         for j in range(p.constants.balls):
-            p.films[race, j, 0] = elastic_force(p.normal[race], p.race_out[race, j, APPROACH])
-            p.films[race, j, 1] = p.race_out[race, j, THICKNESS]
+            out = p.race_out[race, j]
+            p.films[race, j, STEP_LOAD] = elastic_force(p.normal[race], out[RACE_APPROACH])
+            p.films[race, j, STEP_FILM] = out[RACE_FILM]
 
 
 @compiled
 def add_film_work(p, y):
-    """After a step: what films that part the bodies took up, -integral of Q dh_c by trapezoids,
+    """After a step: energy that separating films took up, -integral of Q dh_c by trapezoids,
     O(h^2).
     """
     if p.friction_kind != FILM:
         return
-    place = 23 + 9 * p.constants.balls + FILMS
+    place = accumulators(p.constants.balls) + FILMS
     for race in range(2):
         for j in range(p.constants.balls):
-            load = elastic_force(p.normal[race], p.race_out[race, j, APPROACH])
-            change = p.race_out[race, j, THICKNESS] - p.films[race, j, 1]
-            y[place] -= 0.5 * (load + p.films[race, j, 0]) * change
+            out = p.race_out[race, j]
+            load = elastic_force(p.normal[race], out[RACE_APPROACH])
+            change = out[RACE_FILM] - p.films[race, j, STEP_FILM]
+            y[place] -= 0.5 * (load + p.films[race, j, STEP_LOAD]) * change
     mark_films(p)
 
 
 @compiled
 def turn_balls(y_before, y_after, h, balls, attitude):
     """Attitudes (w, x, y, z) after a step: the rotation by the mean angular velocity, O(h^2)."""
-    first = 22 + 6 * balls
     for j in range(balls):
-        m = first + 3 * j
-        a = 0.25 * h * (y_before[m] + y_after[m])
-        b = 0.25 * h * (y_before[m + 1] + y_after[m + 1])
-        c = 0.25 * h * (y_before[m + 2] + y_after[m + 2])
+        place = ball_turn(balls, j)
+        a, b, c = times(0.25 * h, plus(vector(y_before, place), vector(y_after, place)))
         half = np.sqrt(a * a + b * b + c * c)
         s = np.sin(half) / half if half > 0.0 else 1.0
         w = np.cos(half)
-        a = a * s
-        b = b * s
-        c = c * s
-        q0 = attitude[j, 0]
-        q1 = attitude[j, 1]
-        q2 = attitude[j, 2]
-        q3 = attitude[j, 3]
+        a, b, c = a * s, b * s, c * s
+        q0, q1, q2, q3 = attitude[j, 0], attitude[j, 1], attitude[j, 2], attitude[j, 3]
         attitude[j, 0] = w * q0 - a * q1 - b * q2 - c * q3
         attitude[j, 1] = w * q1 + a * q0 + b * q3 - c * q2
         attitude[j, 2] = w * q2 - a * q3 + b * q0 + c * q1
@@ -191,43 +207,46 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
     """Steps from t to `end`; y, k[0] (its derivative) and the history are brought up to date.
     Status, time, next step.
 
-    control: least step, longest step [s], step below which a stiff problem is given back [s].
-    history: onset, states, shares, attitude.
+    Automatic step size and detection of stiffness after Hairer, Norsett and Wanner, Solving
+    Ordinary Differential Equations I, section II.4, and II, section IV.2.
     """
-    onset, states, shares, attitude = history
     after_rejection = False
     while t < end:
         rest = end - t
         last = h >= rest * (1.0 - 1e-9)
-        step = rest if last else min(h, control[1])
+        # 1. a trial step and its error
+        step = rest if last else min(h, control.longest)
         stages(t, y, step, p, k, trial)
-        counters[EVALUATIONS] += 6
+        counters[EVALUATIONS] += STAGES - 1
         error = error_norm(k, step, scale)
-        if not np.isfinite(error):
-            factor = SHRINK
-            accepted = False
-        else:
-            factor = min(GROW, max(SHRINK, SAFETY * (1.0 / max(error, 1e-10)) ** 0.2))
-            accepted = error <= 1.0
-        if accepted:
-            turn_balls(y, k[8], step, p.constants.balls, attitude)
-            t = end if last else t + step
-            y[:] = k[8]
-            k[0, :] = k[6]
-            remember(p, t, step, onset, states, shares)
-            add_film_work(p, y)
-            counters[STEPS] += 1
-            grown = step * (min(factor, 1.0) if after_rejection else factor)
-            h = min(max(h, grown) if last else grown, control[1])
-            after_rejection = False
-            if count_stiff(stiffness(k, step, scale), counters) and step < control[2]:
-                return STIFF, t, h
-        else:
+        finite = np.isfinite(error)
+        factor = SMALLEST_FACTOR
+        if finite:
+            growth = SAFETY * (1.0 / max(error, 1e-10)) ** 0.2
+            factor = min(LARGEST_FACTOR, max(SMALLEST_FACTOR, growth))
+        # 2. rejected: again with a smaller step
+        if not finite or error > 1.0:
             counters[REJECTED] += 1
             h = step * min(factor, 1.0)
             after_rejection = True
-            if h < control[0]:
-                return (NOT_FINITE if not np.isfinite(error) else TOO_SMALL), t, h
+            if h < control.shortest:
+                return (TOO_SMALL if finite else NOT_FINITE), t, h
+            continue
+        # 3. accepted: state, attitudes, memory of the impacts, work of the films
+        turn_balls(y, k[STATE_7], step, p.constants.balls, history.attitude)
+        t = end if last else t + step
+        y[:] = k[STATE_7]
+        k[0, :] = k[STAGES - 1]
+        after_step(p, t, step, history.onset, history.states, history.shares)
+        add_film_work(p, y)
+        counters[STEPS] += 1
+        # 4. next step, not longer right after a rejection
+        grown = step * (min(factor, 1.0) if after_rejection else factor)
+        h = min(max(h, grown) if last else grown, control.longest)
+        after_rejection = False
+        # 5. stiff, with steps too short to go on like this
+        if count_stiff(stiffness(k, step, scale), counters) and step < control.stiff:
+            return STIFF, t, h
     return DONE, t, h
 
 
@@ -246,38 +265,36 @@ def count_stiff(value, counters):
 
 @compiled
 def sample(y, p, history, record, row):
-    """One row of the record: state, contacts, pockets, energies, loads, states, attitudes.
+    """One row of a `Record`.
 
     An open contact has no film there; its film goes on over the gap for `add_film_work` alone.
     """
-    states, races, pockets, energy, loads, contact_states, attitudes = record
-    states[row] = y
-    races[row] = p.race_out
+    record.state[row] = y
+    record.races[row] = p.race_out
     for race in range(2):
         for j in range(p.constants.balls):
-            if p.race_out[race, j, APPROACH] <= 0.0:
-                races[row, race, j, THICKNESS] = 0.0
-    pockets[row] = p.pocket_out
-    energies(y, p, energy[row])
-    loads[row, :6] = p.loads[0]
-    loads[row, 6:] = p.loads[1]
-    contact_states[row] = history[1]
-    attitudes[row] = history[3]
+            if p.race_out[race, j, RACE_APPROACH] <= 0.0:
+                record.races[row, race, j, RACE_FILM] = 0.0
+    record.pockets[row] = p.pocket_out
+    energies(y, p, record.energy[row])
+    record.loads[row, :LOAD_COLUMNS] = p.loads[RING_LOAD]
+    record.loads[row, LOAD_COLUMNS:] = p.loads[CAGE_LOAD]
+    record.contact_state[row] = history.states
+    record.attitude[row] = history.attitude
 
 
 @compiled
-def advance_samples(t, y, times, h, p, control, scale, k, trial, history, counters, record):
-    """`advance` to each of the times, with a row of the record at each. Status, rows written,
-    time, next step.
-    """
+def advance_samples(t, y, h, p, control, scale, k, trial, history, counters, record):
+    """`advance` to each time of a record, and its rows. Status, rows written, time, next step."""
     derivative(t, y, p, k[0])
     mark_films(p)
-    for row in range(times.size):
-        status, t, h = advance(t, y, times[row], h, p, control, scale, k, trial, history, counters)
+    for row in range(record.time.size):
+        end = record.time[row]
+        status, t, h = advance(t, y, end, h, p, control, scale, k, trial, history, counters)
         if status != DONE:
             return status, row, t, h
         sample(y, p, history, record, row)
-    return DONE, times.size, t, h
+    return DONE, record.time.size, t, h
 
 
 @compiled

@@ -20,17 +20,17 @@ def displaced(setup, guidance, by):
     y, layout = sim.state.y, sim.layout
     y[layout.cage][1] = by
     balls = y[layout.ball].reshape(-1, 3)
-    radius, angle = np.hypot(balls[:, 1], balls[:, 2]), sim.problem.pocket_angle
+    radius, angle = np.hypot(balls[:, 1], balls[:, 2]), sim.data.pocket_angle
     turned = angle + np.arcsin(-by * np.sin(angle) / radius)  # on the pocket's axis, by the law of sines
     balls[:, 1], balls[:, 2] = radius * np.cos(turned), radius * np.sin(turned)
-    _kernels.derivative(0.0, y, sim.problem, np.zeros_like(y))
+    _kernels.derivative(0.0, y, sim.data, np.zeros_like(y))
     return sim
 
 
 @pytest.mark.parametrize("by", [0.3e-3, -2e-3])
 def test_balls_hold_a_cage_that_they_guide(setup, by):
     """Pockets along the radius would let it go: the balls can make way. Spherical ones push it back."""
-    push = displaced(setup, Guidance.BALLS, by).problem.loads[1]
+    push = displaced(setup, Guidance.BALLS, by).data.loads[1]
     assert push[1] * np.sign(by) < -1.0
     assert abs(push[1]) > 10.0 * abs(push[2])
 
@@ -38,5 +38,5 @@ def test_balls_hold_a_cage_that_they_guide(setup, by):
 def test_pockets_of_a_cage_on_a_land_let_it_move_across(setup):
     """Cylindrical pockets along the radius: the land does the guiding."""
     sim = displaced(setup, Guidance.OUTER_RING, 0.3e-3)
-    assert sim.problem.pocket_out[:, 0].max() == 0.0
-    assert sim.problem.constants.pocket_circle == 0.0
+    assert sim.data.pocket_out[:, 0].max() == 0.0
+    assert sim.data.constants.pocket_circle == 0.0

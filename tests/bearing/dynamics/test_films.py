@@ -11,12 +11,11 @@ from numpy.testing import assert_allclose
 from bearing import Race
 from bearing.dynamics import _kernels
 from bearing.dynamics.films import _kernels as film_kernels
-from bearing.dynamics.films.laws import check_film, elastic_approach, film
+from bearing.dynamics.films.laws import check_film, film
 from bearing.dynamics.friction import RaceFriction
 from bearing.dynamics.inputs import LoadType, NormalContact, NormalLaw, Schedule
-from bearing.dynamics.integration.implicit import advance_implicit
+from bearing.dynamics.integration.methods import advance_implicit
 from bearing.dynamics.outcome import Tally, outcome
-from bearing.dynamics.reference import accelerations
 from bearing.dynamics.simulation import simulation
 from bearing.geometry import contact_modulus, reduced_radii
 from ehl import Lubricant, SolverOptions, solve_contact
@@ -26,6 +25,8 @@ from ehl.oil.rheology import Rheology
 from ehl.traction.response import normal_response
 from ehl.traction.table.splines import spline_coefficients
 from ehl.traction.table.table import LOAD_POWER, TableContact, TableError, TableRange, TractionTable
+
+from ...reference.dynamics import accelerations, elastic_approach
 
 OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)
 LOADS, SPEEDS = (2.0, 800.0), (0.5, 20.0)
@@ -172,7 +173,7 @@ def test_kernel_agrees_with_its_twin(setup):
     model, tables = lubricated(setup, bearing, equations=LoadType.GENERAL, gravity=(0.5, -9.81, 1.0), drag=0.01)
     operation = setup.operation(5000.0, 300.0, 60.0, moment=(0.01, -0.02), tilt=(None, None))
     sim = simulation(bearing, operation, model)
-    random, p, layout = np.random.default_rng(271829), sim.problem, sim.layout
+    random, p, layout = np.random.default_rng(271829), sim.data, sim.layout
     dy, lightest, open_ones = np.zeros(layout.size), np.inf, 0
     for _ in range(20):
         y = sim.state.y.copy()
@@ -208,7 +209,7 @@ def test_films_lift_the_ring(setup):
         )  # fmt: skip
         sim = simulation(bearing, operation, model)
         record = setup.run(sim)
-        places[law] = (record.state[-1, 0], record.races[-1, :, 0], sim.problem.normal[:2, 0])
+        places[law] = (record.state[-1, 0], record.races[-1, :, 0], sim.data.normal[:2, 0])
     axial, races, stiffness = places[NormalLaw.LUBRICATED]
     loads, films = races[:, 0], races[:, 10]
     assert_allclose(loads * np.sin(races[:, 3]), 20.0, rtol=1e-3)  # at rest
@@ -254,7 +255,11 @@ def test_lsoda_counts_the_work_of_films(setup):
     for stiff in (False, True):
         model, _ = lubricated(setup, bearing, end_time=3e-4, sample_interval=1e-4, tolerance=1e-6)
         sim = simulation(bearing, setup.operation(5000.0, 60.0), model)
-        record = advance_implicit(sim, sim.sample_times())[1] if stiff else setup.run(sim)
+        record = (
+            advance_implicit(sim.state, sim.data, sim.sample_times(), sim.control, sim.scale)[1]
+            if stiff
+            else setup.run(sim)
+        )
         assert setup.balance(sim, record) < 1e-3
         ends.append(record)
     layout = sim.layout

@@ -12,8 +12,9 @@ from bearing import Race
 from bearing.dynamics import _kernels
 from bearing.dynamics.friction import coulomb_friction, ellipse_points, four_constant_friction
 from bearing.dynamics.inputs import Guidance, LoadType
-from bearing.dynamics.reference import accelerations
 from bearing.dynamics.simulation import simulation
+
+from ...reference.dynamics import accelerations
 
 LAND = {"land_diameter": 50e-3, "land_width": 4e-3, "land_clearance": 0.1e-3, "land_friction": 0.08}
 
@@ -54,7 +55,7 @@ def test_kernel_agrees_with_its_twin(setup, guidance, law):
     )
     operation = setup.operation(5000.0, 100.0, 60.0, outer_speed=-80.0, moment=(0.01, -0.02), tilt=(None, None))
     sim = simulation(bearing, operation, model)
-    random, p = np.random.default_rng(271828), sim.problem
+    random, p = np.random.default_rng(271828), sim.data
     layout, dy = sim.layout, np.zeros(sim.layout.size)
     for _ in range(20):
         y = shaken(sim, random)
@@ -73,7 +74,7 @@ def test_a_reduced_model_moves_what_it_has(setup):
     dy, layout = np.zeros(sim.layout.size), sim.layout
     y = shaken(sim, np.random.default_rng(9001))
     y[layout.cage][3] = 6e-3  # the pockets push
-    _kernels.derivative(0.0, y, sim.problem, dy)
+    _kernels.derivative(0.0, y, sim.data, dy)
     moving = dy[layout.positions : layout.mechanical] != 0.0
     assert sim.equations["dynamic"] == 1 + 1 + 3 * 5
     assert not moving[[0, 2, 3, 4]].any()  # of the ring only y

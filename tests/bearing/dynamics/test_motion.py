@@ -11,10 +11,12 @@ from numpy.testing import assert_allclose
 
 from bearing.dynamics.friction import coulomb_friction, four_constant_friction
 from bearing.dynamics.inputs import Guidance, LoadType, NormalContact, NormalLaw, Schedule, Start
-from bearing.dynamics.integration.implicit import advance_implicit
-from bearing.dynamics.laws import damping_factor, restitution_returned
+from bearing.dynamics.integration.methods import advance_implicit
+from bearing.dynamics.laws import damping_factor
 from bearing.dynamics.record import empty_record
 from bearing.dynamics.simulation import from_state, simulation
+
+from ...reference.impact import restitution_returned
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # of 0.05, 0.03, 0.03
 
@@ -26,7 +28,12 @@ def flight(setup, law=NormalLaw.LANKARANI_NIKRAVESH, y_change=None, **options):
     model = setup.model(bearing, normal=normal, cage=options.pop("cage", False), start=Start.REST, **options)
     sim = simulation(bearing, setup.operation(0.0, 0.0, 0.0), replace(model, options=replace(model.options)))
     y_change(sim.state.y, sim.layout)
-    return from_state(sim.bearing, sim.operation, model, (sim.point, sim.problem, sim.state.y))
+    return from_state(sim.bearing, sim.operation, model, (sim.point, sim.data, sim.state.y))
+
+
+def by_lsoda(sim):
+    """Record of a simulation that LSODA alone moves to its end."""
+    return advance_implicit(sim.state, sim.data, sim.sample_times(), sim.control, sim.scale)[1]
 
 
 def test_a_free_ball_goes_straight_and_keeps_its_spin(setup):
@@ -78,8 +85,8 @@ def test_momentum_and_angular_momentum_of_ball_and_cage(setup):
 
     options = {"equations": LoadType.GENERAL, "end_time": 4e-4, "sample_interval": 1e-5, "cage": True}
     sim = flight(setup, y_change=change, **options)
-    c, layout = sim.problem.constants, sim.layout
-    sim.problem.normal[:2, 0] = 1e-30  # no races
+    c, layout = sim.data.constants, sim.layout
+    sim.data.normal[:2, 0] = 1e-30  # no races
 
     def momenta(y):
         x, v, w = (y[part].reshape(-1, 3) for part in (layout.ball, layout.ball_speed, layout.ball_turn))
@@ -192,7 +199,7 @@ def test_explicit_steps_return_when_a_stiff_start_is_over(setup):
         sim = simulation(bearing, setup.operation(5000.0, axial), model)
         pieces = sim.pieces()
         next(pieces)
-        record = advance_implicit(sim, sim.sample_times())[1] if stay else next(pieces)
+        record = by_lsoda(sim) if stay else next(pieces)
         assert record.time[-1] == pytest.approx(1.6e-3)
         assert setup.balance(sim, record) < 1e-3
         assert any("LSODA took over" in message for message in sim.messages)
@@ -206,19 +213,19 @@ def test_explicit_steps_return_when_a_stiff_start_is_over(setup):
 def test_lsoda_goes_on_where_a_trial_of_explicit_steps_fails(setup, monkeypatch, failure):
     """The state is put back, and LSODA does the piece as if there had been no trial; without LSODA the run ends."""
 
-    def fail(sim, times):
-        sim.state.y[:] = np.nan
-        sim.state.time = times[1]
+    def fail(state, data, times, control, scale):
+        state.y[:] = np.nan
+        state.time = times[1]
         return failure, empty_record(times[:1], 3)
 
     bearing, ends = setup.bearing_7008(3), []
     friction = four_constant_friction(bearing, (radians(15.0),) * 2, CONSTANTS)
     model = setup.model(bearing, friction, cage=False, end_time=1e-4, sample_interval=2e-5)
-    monkeypatch.setattr("bearing.dynamics.integration.explicit.advance_explicit", fail)
+    monkeypatch.setattr("bearing.dynamics.simulation.advance_explicit", fail)
     for trial in (True, False):
         sim = simulation(bearing, setup.operation(5000.0, 60.0), model)
         sim.state.stiff = True
-        record = setup.run(sim) if trial else advance_implicit(sim, sim.sample_times())[1]
+        record = setup.run(sim) if trial else by_lsoda(sim)
         assert sim.converged
         assert_allclose(record.time, np.arange(1, 6) * 2e-5)
         ends.append(record.state[-1])
@@ -235,6 +242,6 @@ def test_lsoda_agrees_with_the_explicit_method(setup):
     for stiff in (False, True):
         model = setup.model(bearing, friction, end_time=3e-4, sample_interval=1e-4, tolerance=1e-6)
         sim = simulation(bearing, setup.operation(5000.0, 60.0), model)
-        ends.append(advance_implicit(sim, sim.sample_times())[1] if stiff else setup.run(sim))
+        ends.append(by_lsoda(sim) if stiff else setup.run(sim))
     assert_allclose(ends[1].state[-1, sim.layout.ball], ends[0].state[-1, sim.layout.ball], atol=2e-10)
     assert_allclose(ends[1].races[-1, :, :, 0], ends[0].races[-1, :, :, 0], rtol=1e-3)

@@ -7,26 +7,30 @@ Traction tables are looked up by their own twin (`ehl.traction.table.table`), wi
 from typing import NamedTuple
 
 import numpy as np
+from scipy.optimize import brentq
 
-from ehl.traction.table.table import TractionTable
-
-from .films.laws import elastic_approach
-from .laws import normal_force
-from .layout import Layout
-from .problem import (
+from bearing.dynamics.arrays import (
     COEFFICIENT,
+    DAMPING,
+    EXPONENT,
     FILM,
+    GUIDED_BY_INNER_RING,
     LAND,
     POCKET,
+    STIFFNESS,
     TABLE,
     Array,
     Constants,
+    EquationData,
     FrictionData,
-    Problem,
 )
+from bearing.dynamics.films.laws import film, table_loads
+from bearing.dynamics.layout import Layout
+from ehl.traction.table.table import TractionTable
 
 X = np.array([1.0, 0.0, 0.0])
 LIMIT = 0.95  # of the eccentricity of a land's film [-]
+SLOPE_STEP = 1.0e-6  # of the load for the film's slope at the table's end [-]
 
 
 class Body(NamedTuple):
@@ -59,12 +63,63 @@ class Pair(NamedTuple):
     point: Array
 
 
+def normal_force(law: Array, approach: Array, speed: Array, impact_speed: Array) -> Array:
+    """K d^n (1 + chi v/v_0), never adhesive; twin of the kernel.
+
+    Parameters
+    ----------
+    law : ndarray, shape (3,)
+        K [N/m^n], n [-], chi [-].
+    approach, speed, impact_speed : ndarray
+        d [m], v and v_0 [m/s].
+
+    Returns
+    -------
+    ndarray
+        [N].
+    """
+    elastic = law[STIFFNESS] * np.maximum(approach, 0.0) ** law[EXPONENT]
+    return np.maximum(0.0, elastic * (1.0 + law[DAMPING] * speed / impact_speed))
+
+
+def elastic_approach(data: FrictionData, law: Array, distance: float, speed: float) -> float:
+    """w of w = delta + h_c(K w^n, u) [m], the load being K w^n; twin of the kernel by bracketing.
+
+    Below the smallest load of the table the film goes on linearly in w.
+
+    Parameters
+    ----------
+    data : FrictionData
+        Of a race with a table.
+    law : ndarray, shape (3,)
+        K [N/m^n], n [-], chi [-].
+    distance, speed : float
+        delta, the approach of the bodies as if rigid [m], and u [m/s].
+
+    Returns
+    -------
+    float
+        [m]; negative where the ball does not touch the film.
+    """
+    least = (table_loads(data)[0] / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
+
+    def film_over(w: float) -> float:
+        return film(data, law[STIFFNESS] * w ** law[EXPONENT], speed)
+
+    lowest = film_over(least)
+    slope = (film_over(least * (1.0 + SLOPE_STEP)) - lowest) / (SLOPE_STEP * least)
+    if distance + lowest <= least:
+        return float(least + (distance - least + lowest) / (1.0 - slope))
+    highest = distance + 2.0 * lowest
+    return float(brentq(lambda w: w - distance - film_over(w), least, highest, xtol=1e-18, rtol=1e-14))
+
+
 def dots(a: Array, b: Array) -> Array:
     """Scalar products of rows, kept as a column [product of the units]."""
     return np.sum(a * b, axis=-1, keepdims=True)
 
 
-def bodies(problem: Problem, y: Array, inner: float, outer: float) -> tuple[Body, Body, Body]:
+def bodies(problem: EquationData, y: Array, inner: float, outer: float) -> tuple[Body, Body, Body]:
     """Inner ring, outer ring, cage of a state, the rings at speeds [rad/s]."""
     layout = Layout(problem.constants.balls)
     found = []
@@ -80,9 +135,7 @@ def bodies(problem: Problem, y: Array, inner: float, outer: float) -> tuple[Body
     return found[0], Body(np.zeros(3), x, np.zeros(3), outer * x), found[1]
 
 
-def race_pair(
-    problem: Problem, race: int, body: Body, balls: Balls, table: TractionTable | None
-) -> Pair:
+def race_pair(problem: EquationData, race: int, body: Body, balls: Balls, table: TractionTable | None) -> Pair:
     """What a race (0 inner, 1 outer) does to the balls."""
     c = problem.constants
     centre, groove = ((c.inner_centre, c.inner_groove), (c.outer_centre, c.outer_groove))[race]
@@ -109,10 +162,7 @@ def race_pair(
     law = problem.normal[race]
     data = problem.friction_inner if race == 0 else problem.friction_outer
     if problem.friction_kind == FILM:
-        apart = [
-            elastic_approach(data, law, d, s)
-            for d, s in zip(approach[:, 0], abs(u[:, 0]), strict=True)
-        ]
+        apart = [elastic_approach(data, law, d, s) for d, s in zip(approach[:, 0], abs(u[:, 0]), strict=True)]
         approach = np.array(apart)[:, None]
     push = normal_force(law, approach, dots(slide, n), memory)
     elastic = normal_force(law, approach, 0.0 * approach, memory)
@@ -131,10 +181,7 @@ def race_pair(
 
 
 def looked_up(
-    table: TractionTable | None,
-    load_and_speed: tuple[Array, Array],
-    slides: tuple[Array, Array],
-    spin: Array,
+    table: TractionTable | None, load_and_speed: tuple[Array, Array], slides: tuple[Array, Array], spin: Array
 ) -> Array:
     """`TractionTable.forces_twin` of every ball, shape (Z, 8); nothing where there is no load."""
     rows = np.zeros((spin.size, 8))
@@ -145,10 +192,7 @@ def looked_up(
 
 
 def friction(
-    data: FrictionData,
-    load_and_speed: tuple[Array, Array],
-    slides: tuple[Array, Array],
-    spin: Array,
+    data: FrictionData, load_and_speed: tuple[Array, Array], slides: tuple[Array, Array], spin: Array
 ) -> tuple[Array, Array, Array, Array]:
     """F_x, F_y [N], M_n, M_y [N m] on the balls by a coefficient over the ellipse."""
     load, speed = load_and_speed
@@ -172,13 +216,11 @@ def coefficient(law: Array, slide: Array, speed: Array) -> Array:
     if law[0] == 0.0:
         return law[1] * np.clip((slide - law[2]) / (law[3] - law[2]), 0.0, 1.0)
     s = slide / np.maximum(speed, 1e-300)
-    value: Array = np.minimum(s / law[5], 1.0) * (
-        (law[1] + law[2] * s) * np.exp(-law[3] * s) + law[4]
-    )
+    value: Array = np.minimum(s / law[5], 1.0) * ((law[1] + law[2] * s) * np.exp(-law[3] * s) + law[4])
     return value
 
 
-def pocket_pair(problem: Problem, body: Body, rotation: float, balls: Balls) -> Pair:
+def pocket_pair(problem: EquationData, body: Body, rotation: float, balls: Balls) -> Pair:
     """What the pockets of a cage, turned by `rotation` [rad], do to the balls."""
     c = problem.constants
     angle = problem.pocket_angle + rotation
@@ -208,7 +250,7 @@ def pocket_pair(problem: Problem, body: Body, rotation: float, balls: Balls) -> 
     return Pair(force - push * n, 0.0 * n, np.cross(arm, force), balls.position + arm)
 
 
-def land_loads(problem: Problem, side: int, ring: Body, cage: Body) -> tuple[Array, Array]:
+def land_loads(problem: EquationData, side: int, ring: Body, cage: Body) -> tuple[Array, Array]:
     """Force on the cage at one land [N], and moments about the axis on cage and ring [N m], shapes
     (3,), (2,).
     """
@@ -216,38 +258,23 @@ def land_loads(problem: Problem, side: int, ring: Body, cage: Body) -> tuple[Arr
     offset = (2 * side - 1) * c.land_offset
     arm_c, arm_r = offset * cage.axis, offset * ring.axis
     e = (cage.centre + arm_c - ring.centre - arm_r)[1:]
-    v = (cage.velocity + np.cross(cage.turn, arm_c) - ring.velocity - np.cross(ring.turn, arm_r))[
-        1:
-    ]
+    v = (cage.velocity + np.cross(cage.turn, arm_c) - ring.velocity - np.cross(ring.turn, arm_r))[1:]
     apart = cage.turn[0] - ring.turn[0]
     force, factor = film_force(c, e, v, 0.5 * (cage.turn[0] + ring.turn[0]))
-    shear = (
-        -factor
-        * 2.0
-        * np.pi
-        * c.land_viscosity
-        * c.land_radius**3
-        * c.land_width
-        / c.land_clearance
-        * apart
-    )
-    inside = c.guide == 1
+    shear = -factor * 2.0 * np.pi * c.land_viscosity * c.land_radius**3 * c.land_width / c.land_clearance * apart
+    inside = c.guide == GUIDED_BY_INNER_RING
     turning = shear - (e[0] * force[1] - e[1] * force[0] if inside else 0.0)
     size = float(np.hypot(*e))
     u = e / size if size > 0.0 else np.array([1.0, 0.0])
     across = np.array([-u[1], u[0]])
     memory = problem.memory[3 * c.balls + side]
-    push = float(
-        normal_force(problem.normal[LAND], np.array(size - c.land_clearance), np.dot(v, u), memory)
-    )
+    push = float(normal_force(problem.normal[LAND], np.array(size - c.land_clearance), np.dot(v, u), memory))
     side_sign = -1.0 if inside else 1.0
     slide = side_sign * c.land_radius * apart + float(np.dot(v, across))
     grip = -push * c.land_friction * min(abs(slide) / c.friction_ramp, 1.0) * np.sign(slide)
     force = force - push * u + grip * across
     turning += side_sign * c.land_radius * grip
-    return np.array([0.0, *force]), np.array(
-        [turning, -turning - (e[0] * force[1] - e[1] * force[0])]
-    )
+    return np.array([0.0, *force]), np.array([turning, -turning - (e[0] * force[1] - e[1] * force[0])])
 
 
 def film_force(c: Constants, e: Array, v: Array, mean_speed: float) -> tuple[Array, float]:
@@ -265,14 +292,12 @@ def film_force(c: Constants, e: Array, v: Array, mean_speed: float) -> tuple[Arr
     d = 1.0 - eps**2
     scale = c.land_viscosity * c.land_radius * c.land_width**3 / c.land_clearance**2
     radial = -2.0 * eps * abs(turn) / d**2 - 0.5 * np.pi * squeeze * (1.0 + 2.0 * eps**2) / d**2.5
-    around = (
-        0.5 * np.pi * turn / d**1.5 + (1.0 if turn >= 0.0 else -1.0) * 2.0 * eps * squeeze / d**2
-    )
+    around = 0.5 * np.pi * turn / d**1.5 + (1.0 if turn >= 0.0 else -1.0) * 2.0 * eps * squeeze / d**2
     return scale * (radial * u + around * across), d**-0.5
 
 
 def accelerations(
-    problem: Problem,
+    problem: EquationData,
     y: Array,
     given: Array,
     tables: tuple[TractionTable | None, TractionTable | None] = (None, None),
@@ -281,7 +306,7 @@ def accelerations(
 
     Parameters
     ----------
-    problem : Problem
+    problem : EquationData
     y : ndarray
         State vector.
     given : ndarray, shape (7,)
@@ -296,38 +321,27 @@ def accelerations(
     c = problem.constants
     layout = Layout(problem.constants.balls)
     inner, outer, cage = bodies(problem, y, given[0], given[1])
-    shapes = (
-        y[part].reshape(-1, 3) for part in (layout.ball, layout.ball_speed, layout.ball_turn)
-    )
+    shapes = (y[part].reshape(-1, 3) for part in (layout.ball, layout.ball_speed, layout.ball_turn))
     balls = Balls(*shapes)
-    pairs = [
-        race_pair(problem, race, (inner, outer)[race], balls, tables[race]) for race in (0, 1)
-    ]
+    pairs = [race_pair(problem, race, (inner, outer)[race], balls, tables[race]) for race in (0, 1)]
     ring_load = _opposite(pairs[0], inner)
     cage_load = np.zeros(6)
     if c.cage_mass > 0.0:
         pairs.append(pocket_pair(problem, cage, float(y[layout.cage][3]), balls))
         cage_load = _opposite(pairs[2], cage)
         if c.guide:
-            _add_lands(problem, (inner if c.guide == 1 else outer, cage), ring_load, cage_load)
+            _add_lands(problem, (inner if c.guide == GUIDED_BY_INNER_RING else outer, cage), ring_load, cage_load)
     gravity = np.array([c.gravity_x, c.gravity_y, c.gravity_z])
     speed = np.linalg.norm(balls.velocity, axis=1, keepdims=True)
     force = sum(pair.force for pair in pairs) - c.drag * speed * balls.velocity
     ball = (force / c.ball_mass + gravity, sum(pair.moment for pair in pairs) / c.ball_inertia)
-    ring = _rigid(
-        (c.ring_mass, c.ring_transverse, c.ring_polar), ring_load, inner, y[layout.ring_speed][3:]
-    )
+    ring = _rigid((c.ring_mass, c.ring_transverse, c.ring_polar), ring_load, inner, y[layout.ring_speed][3:])
     ring[:3] += (given[2:5] - c.ring_damping * inner.velocity) / c.ring_mass + gravity
     ring[4:] += given[5:7] / c.ring_transverse
     free = problem.free
     parts = [np.concatenate([ring[:3], ring[4:]]) * free[:5], np.zeros(6)]
     if c.cage_mass > 0.0:
-        turning = _rigid(
-            (c.cage_mass, c.cage_transverse, c.cage_polar),
-            cage_load,
-            cage,
-            y[layout.cage_speed][4:],
-        )
+        turning = _rigid((c.cage_mass, c.cage_transverse, c.cage_polar), cage_load, cage, y[layout.cage_speed][4:])
         turning[:3] += gravity
         parts[1] = turning * free[5:11]
     return np.concatenate([*parts, (ball[0] * free[11:14]).ravel(), (ball[1] * free[14:]).ravel()])
@@ -348,13 +362,11 @@ def _rigid(inertia: tuple[float, float, float], load: Array, body: Body, tilts: 
     return np.array([*(load[:3] / mass), about, *gyroscopic])
 
 
-def _add_lands(
-    problem: Problem, pair: tuple[Body, Body], ring_load: Array, cage_load: Array
-) -> None:
+def _add_lands(problem: EquationData, pair: tuple[Body, Body], ring_load: Array, cage_load: Array) -> None:
     ring, cage = pair
     for side in range(2):
         force, moments = land_loads(problem, side, ring, cage)
         arm = (2 * side - 1) * problem.constants.land_offset
         cage_load += np.concatenate([force, np.cross(arm * cage.axis, force) + moments[0] * X])
-        if problem.constants.guide == 1:
+        if problem.constants.guide == GUIDED_BY_INNER_RING:
             ring_load -= np.concatenate([force, np.cross(arm * ring.axis, force) - moments[1] * X])

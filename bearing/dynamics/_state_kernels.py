@@ -1,0 +1,99 @@
+"""Places in the state vector (`layout`) and vectors of three components, for the other kernels."""
+
+import numpy as np
+
+from ehl.compiled import compiled
+
+from .layout import BODIES
+
+
+@compiled
+def velocities(balls):
+    """Place of the first velocity."""
+    return BODIES + 3 * balls
+
+
+@compiled
+def ball_position(ball):
+    """Place of the x coordinate of a ball."""
+    return BODIES + 3 * ball
+
+
+@compiled
+def ball_velocity(balls, ball):
+    """Place of the x velocity of a ball."""
+    return velocities(balls) + BODIES + 3 * ball
+
+
+@compiled
+def ball_turn(balls, ball):
+    """Place of the angular velocity of a ball about x."""
+    return velocities(balls) + BODIES + 3 * balls + 3 * ball
+
+
+@compiled
+def ring_angle(balls):
+    """Place of the rotation of the inner ring."""
+    return velocities(balls) + BODIES + 6 * balls
+
+
+@compiled
+def accumulators(balls):
+    """Place of the first accumulator of energy."""
+    return ring_angle(balls) + 1
+
+
+@compiled
+def vector(row, first):
+    """Three numbers of an array from a place on."""
+    return row[first], row[first + 1], row[first + 2]
+
+
+@compiled
+def write(row, first, a):
+    """Put a vector into an array from a place on."""
+    row[first], row[first + 1], row[first + 2] = a
+
+
+@compiled
+def accumulate(row, first, a):
+    """Add a vector to three numbers of an array from a place on."""
+    row[first] += a[0]
+    row[first + 1] += a[1]
+    row[first + 2] += a[2]
+
+
+@compiled
+def plus(a, b):
+    """a + b."""
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+@compiled
+def minus(a, b):
+    """a - b."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+@compiled
+def times(factor, a):
+    """Vector times a number."""
+    return factor * a[0], factor * a[1], factor * a[2]
+
+
+@compiled
+def dot(a, b):
+    """Scalar product."""
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+
+
+@compiled
+def norm(a):
+    """Length of a vector."""
+    return np.sqrt(dot(a, a))
+
+
+@compiled
+def cross(a, b):
+    """Vector product."""
+    return a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]

@@ -1,0 +1,165 @@
+"""Balls in pockets and the cage on its guiding lands, compiled."""
+
+import numpy as np
+
+from ehl.compiled import compiled
+
+from .._state_kernels import (
+    accumulate,
+    ball_position,
+    ball_turn,
+    ball_velocity,
+    cross,
+    dot,
+    minus,
+    norm,
+    plus,
+    times,
+    vector,
+)
+from ..arrays import (
+    AXIS,
+    CAGE_BODY,
+    CAGE_LOAD,
+    CENTRE,
+    DRIVE_OUTER,
+    FORCE,
+    GUIDED_BY_INNER_RING,
+    INNER,
+    LAND_APPROACH,
+    LAND_FRICTION,
+    LAND_RATE,
+    MOMENT,
+    OUTER,
+    POCKET,
+    POCKET_APPROACH,
+    POCKET_DAMPING,
+    POCKET_FORCE,
+    POCKET_FRICTION,
+    POCKET_RATE,
+    RING_LOAD,
+    TURN,
+)
+from ..layout import CAGE_ROTATION, RING
+from ._kernels import (
+    add_load,
+    elastic_force,
+    land_film,
+    normal_force,
+    point_velocity,
+    ramped,
+    wall_shear,
+)
+
+
+@compiled
+def pocket_motion(c, body, angle, position, velocity, turn):
+    """Where and how a ball meets its pocket: normal, point, slide vector and its size, rate of the
+    approach, approach.
+    """
+    axis = vector(body, AXIS)
+    e1, e2 = np.cos(angle), np.sin(angle)
+    tilted = e1 * axis[1] + e2 * axis[2]
+    outward = (-tilted * axis[0], e1 - tilted * axis[1], e2 - tilted * axis[2])
+    outward = times(1.0 / norm(outward), outward)
+    around = cross(axis, outward)
+    offset = minus(position, vector(body, CENTRE))
+    across = dot(offset, around)
+    axial = dot(offset, axis)
+    radial = dot(offset, outward) - c.pocket_circle if c.pocket_circle > 0.0 else 0.0
+    distance = np.sqrt(across * across + axial * axial + radial * radial)
+    p, q, r = 1.0, 0.0, 0.0
+    if distance > 1e-15:
+        p, q, r = across / distance, axial / distance, radial / distance
+    normal = plus(plus(times(p, around), times(q, axis)), times(r, outward))
+    arm = times(c.ball_radius, normal)
+    point = plus(position, arm)
+    slide = minus(plus(velocity, cross(turn, arm)), point_velocity(body, point))
+    rate = dot(slide, normal)
+    slide = minus(slide, times(rate, normal))
+    return normal, point, slide, norm(slide), rate, distance - c.pocket_play
+
+
+@compiled
+def pocket_forces(c, body, law, memory, angles, y, forces, load, power, pocket_out):
+    """Forces of the pockets on the balls: contact with friction, and the shear of a thin film on
+    the loaded side.
+    """
+    rotation = y[RING + CAGE_ROTATION]
+    for j in range(c.balls):
+        position = vector(y, ball_position(j))
+        velocity = vector(y, ball_velocity(c.balls, j))
+        turn = vector(y, ball_turn(c.balls, j))
+        normal, point, slide, speed, rate, approach = pocket_motion(
+            c, body, angles[j] + rotation, position, velocity, turn
+        )
+        push = normal_force(law, approach, rate, memory[POCKET * c.balls + j])
+        pocket_out[j, POCKET_FORCE] = push
+        pocket_out[j, POCKET_APPROACH] = approach
+        pocket_out[j, POCKET_RATE] = rate
+        pull = c.pocket_shear * wall_shear(c.ball_radius, max(c.film_least, -approach))
+        if speed > 0.0:
+            pull += push * ramped(c.pocket_friction, speed, c.friction_ramp) / speed
+        power[POCKET_DAMPING] += (push - elastic_force(law, approach)) * rate
+        power[POCKET_FRICTION] += pull * speed * speed
+        force = minus(times(-pull, slide), times(push, normal))
+        add_load(load, body, point, times(-1.0, force))
+        accumulate(forces[j], FORCE, force)
+        accumulate(forces[j], MOMENT, cross(times(-c.ball_radius * pull, normal), slide))
+
+
+@compiled
+def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
+    """One land of the guiding ring and the cage: film, its friction, and the solid contact when
+    the gap is used up.
+
+    The friction of the film is the journal's, the couple of its force the sleeve's; the journal is
+    the ring inside the cage (-1) or the cage inside the ring (+1).
+    """
+    inside = c.guide == GUIDED_BY_INNER_RING
+    ring = bodies[INNER] if inside else bodies[OUTER]
+    cage = bodies[CAGE_BODY]
+    journal = -1.0 if inside else 1.0
+    # 1. eccentricity, its rate, and the speeds of the two surfaces
+    offset = (2.0 * side - 1.0) * c.land_offset
+    on_cage = plus(vector(cage, CENTRE), times(offset, vector(cage, AXIS)))
+    on_ring = plus(vector(ring, CENTRE), times(offset, vector(ring, AXIS)))
+    _, ey, ez = minus(on_cage, on_ring)
+    _, vy, vz = minus(point_velocity(cage, on_cage), point_velocity(ring, on_ring))
+    cage_speed, ring_speed = cage[TURN], ring[TURN]
+    speed_difference = cage_speed - ring_speed
+    # 2. film
+    fy, fz, factor = land_film(
+        c.land_radius, c.land_clearance, c.land_width, c.land_viscosity, ey, ez, vy, vz,
+        0.5 * (cage_speed + ring_speed),
+    )  # fmt: skip
+    shear = -factor * 2.0 * np.pi * c.land_viscosity * c.land_radius**3
+    turning = shear * c.land_width / c.land_clearance * speed_difference
+    turning += min(journal, 0.0) * (ey * fz - ez * fy)
+    # 3. solid contact with friction
+    e = np.sqrt(ey * ey + ez * ez)
+    uy, uz = (ey / e, ez / e) if e > 0.0 else (1.0, 0.0)
+    approach = e - c.land_clearance
+    rate = vy * uy + vz * uz
+    land_out[side, LAND_APPROACH] = approach
+    land_out[side, LAND_RATE] = rate
+    push = normal_force(law, approach, rate, impact_speed)
+    slide = journal * c.land_radius * speed_difference + uy * vz - uz * vy
+    grip = -push * ramped(c.land_friction, abs(slide), c.friction_ramp)
+    grip = grip * (1.0 if slide >= 0.0 else -1.0)
+    fy = fy - push * uy - grip * uz
+    fz = fz - push * uz + grip * uy
+    turning += journal * c.land_radius * grip
+    at_ring = -turning - (ey * fz - ez * fy)  # the moments of the pair add up to nothing
+    # 4. loads on cage and ring, power
+    add_load(loads[CAGE_LOAD], cage, on_cage, (0.0, fy, fz))
+    loads[CAGE_LOAD, MOMENT] += turning
+    if inside:
+        add_load(loads[RING_LOAD], ring, on_ring, (0.0, -fy, -fz))
+        loads[RING_LOAD, MOMENT] += at_ring
+    else:
+        power[DRIVE_OUTER] -= ring_speed * at_ring
+    stored_power = elastic_force(law, approach) * rate
+    power[LAND_FRICTION] -= (
+        fy * vy + fz * vz + turning * cage_speed + at_ring * ring_speed + stored_power
+    )
