@@ -36,9 +36,8 @@ TIME, SCHEDULED = 0, 1
 # columns of `motion`: vectors (normal into the race, entrainment, across it, contact point) ...
 NORMAL, X_AXIS, Y_AXIS, POINT = 0, 3, 6, 9
 # ... and what `RACE_NAMES` describes; ROLL: relative turn about the y axis [rad/s]
-SLIDE_X, SLIDE_Y, SPIN, ROLL, ENTRAINMENT, APPROACH_SPEED, ANGLE, APPROACH, THICKNESS = range(
-    12, 21
-)
+SLIDE_X, SLIDE_Y, SPIN, ROLL, ENTRAINMENT = range(12, 17)
+APPROACH_SPEED, ANGLE, APPROACH, THICKNESS = range(17, 21)
 MOTION_COLUMNS = 21
 
 # columns of `friction`, as the kernels of `ehl.traction` write them
@@ -147,7 +146,7 @@ class EquationData(NamedTuple):
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
     # time [s], speeds of inner and outer ring [rad/s], force [N], moment [N m]; shape (n, 8)
     schedule: Array
-    # speed of the impact that began each contact: inner, outer, pocket of each ball, two lands [m/s]
+    # speed of the impact that began each contact [m/s]: inner, outer, pocket of each ball, lands
     memory: Array
     bodies: Array  # scratch: inner ring, outer ring, cage, shape (3, BODY_COLUMNS)
     given: Array  # scratch: speeds, force, moment of the schedule, shape (GIVEN_COLUMNS,)

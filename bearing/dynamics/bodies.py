@@ -1,4 +1,4 @@
-"""Masses and inertias of ring and cage from what a case gives, and the equations its loads need."""
+"""Masses and inertias of ring and cage, and the equations of motion that the loads need."""
 
 from math import pi
 

@@ -54,7 +54,7 @@ class RaceFriction:
 
     @property
     def ramp(self) -> float:
-        """Sliding speed within which the friction turns, infinite where it does so gently [m/s]."""
+        """Sliding speed within which Coulomb friction reverses; infinite for other laws [m/s]."""
         ends = [
             getattr(law, "slide_full", inf) - getattr(law, "slide_none", 0.0)
             for law in (self.inner, self.outer)

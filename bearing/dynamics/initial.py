@@ -69,7 +69,10 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     solution = _solve(bearing, first)
     if solution is None or not solution.converged:
         reason = "no equilibrium" if solution is None else solution.message
-        text = f"dynamics: no quasi-static start ({reason}); started with the balls rolling on the outer race"
+        text = (
+            f"dynamics: no quasi-static start ({reason}); started with the balls rolling on the "
+            "outer race"
+        )
         return StartingPoint(kind=kind, angles=nominal, equilibrium=None, messages=(text,))
     angles = mean_angles(solution, nominal)
     return StartingPoint(kind=kind, angles=angles, equilibrium=solution, messages=())

@@ -238,7 +238,8 @@ class DynamicsOptions:
             _positive(name, getattr(self, name))
         if self.sample_interval > self.end_time:
             raise ValueError(
-                f"sample_interval must not exceed end_time {self.end_time}, got {self.sample_interval}"
+                f"sample_interval must not exceed end_time {self.end_time}, "
+                f"got {self.sample_interval}"
             )
         if not self.drag >= 0.0:
             raise ValueError(f"drag must not be negative, got {self.drag!r}")

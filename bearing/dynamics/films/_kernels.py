@@ -1,4 +1,4 @@
-"""A ball on a race over the film of a traction table, compiled; the twin by bracketing stands in `laws`.
+"""A ball on a race over the film of a traction table, compiled.
 
 Film and elastic bodies lie in series: as if rigid, the bodies approach by delta = w(Q) - h_c(Q,
 u), where w is the elastic approach under the load Q and h_c the table's central film at that load

@@ -90,6 +90,7 @@ def check_film(data: FrictionData, law: Array, name: str) -> None:
         if np.any(np.diff(approach - films) <= 0.0):
             where = loads[int(np.argmin(np.diff(approach - films)))]
             raise ValueError(
-                f"lubricated contact: the film of the {name} race's table rises near {where:.3g} N and {speed:.3g} m/s "
-                "faster than the bodies give way; make a finer table (oilfilm table --points)"
+                f"lubricated contact: the film of the {name} race's table rises near {where:.3g} "
+                f"N and {speed:.3g} m/s faster than the bodies give way; make a finer table "
+                "(oilfilm table --points)"
             )

@@ -69,7 +69,7 @@ HERTZ_DURATION = 2.943
 
 @compiled
 def stages(t, y, h, p, k, trial):
-    """Stages 2 to 7 from the first one in k[0]; leaves the states of stages 6 and 7 behind them."""
+    """Stages 2 to 7 from the first one in k[0]; then the states of stages 6 and 7."""
     for i in range(STAGES - 1):
         for m in range(y.size):
             total = 0.0
@@ -98,7 +98,7 @@ def error_norm(k, h, scale):
 
 @compiled
 def stiffness(k, h, scale):
-    """h times an estimate of the largest eigenvalue, from the two stages at the end of the step."""
+    """h times an estimate of the largest eigenvalue, from the two last stages."""
     top = 0.0
     bottom = 0.0
     for m in range(scale.size):
