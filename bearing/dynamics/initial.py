@@ -15,6 +15,7 @@ from ..quasistatic.solver import solve_quasistatic
 from .arrays import Array, EquationData
 from .bodies import free_coordinates, load_type
 from .inputs import DynamicsModel, LoadType, Start
+from .laws import kinematic_cage_speed
 from .layout import CAGE_ROTATION, Layout
 
 # share of the speed at which an equilibrium is sought for a start at rest [-]
@@ -128,27 +129,6 @@ def mean_angles(
         for angle, load, other in pairs
     ]
     return found[0], found[1]
-
-
-def kinematic_cage_speed(bearing: Bearing, inner: float, outer: float, angle: float) -> float:
-    """Speed of the cage without sliding [rad/s], (1 - g cos a) inner/2 + (1 + g cos a) outer/2, g
-    = D/d_m.
-
-    Parameters
-    ----------
-    bearing : Bearing
-    inner, outer : float
-        Speeds of the rings [rad/s].
-    angle : float
-        Contact angle [rad].
-
-    Returns
-    -------
-    float
-        [rad/s].
-    """
-    gamma = bearing.ball_diameter / bearing.pitch_diameter * float(np.cos(angle))
-    return 0.5 * ((1.0 - gamma) * inner + (1.0 + gamma) * outer)
 
 
 def initial_state(

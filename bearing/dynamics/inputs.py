@@ -2,16 +2,19 @@
 SI.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
-from math import isfinite, pi
+from math import isfinite
 
+import numpy as np
+
+from ..operation import Operation
+from .arrays import GIVEN_COLUMNS, GIVEN_FORCE, INNER_SPEED
 from .friction import RaceFriction
 
 IMPACT_FLOOR = 0.05  # [m/s], see `NormalContact.impact_floor`
 TOLERANCE = 1.0e-4  # of the error of a step in units of `scales` [-]; see docs/theory/dynamics.md
-SPHERE_DRAG = 0.47  # drag coefficient of a smooth sphere, Re 1e3 to 2e5 (Hoerner 1965) [-]
 
 
 class NormalLaw(Enum):
@@ -46,6 +49,16 @@ class Start(Enum):
     QUASI_STATIC = "quasi-static"
     ROLLING = "rolling"
     REST = "rest"
+
+
+class RaceStiffness(Enum):
+    """Stiffness of a ball on a race: Hertz' of the grooved race, or that of spheres of Shan et al.
+    (2023), whose Eq. (12) prints the outer race with the sign of the inner one.
+    """
+
+    HERTZ = "hertz"
+    PLANAR = "planar"
+    PLANAR_AS_PRINTED = "planar as printed"
 
 
 class LoadType(Enum):
@@ -194,11 +207,45 @@ class Schedule:
         if (
             not self.time
             or len(self.time) != len(self.values)
-            or any(len(row) != 7 for row in self.values)
+            or any(len(row) != GIVEN_COLUMNS for row in self.values)
         ):
             raise ValueError("schedule: needs a row of seven values for each time")
         if any(b <= a for a, b in zip(self.time, self.time[1:], strict=False)):
             raise ValueError(f"schedule: times must rise, got {self.time}")
+
+    @classmethod
+    def from_tables(
+        cls,
+        operation: Operation,
+        speeds: Sequence[Sequence[float]] | None,
+        loads: Sequence[Sequence[float]] | None,
+    ) -> "Schedule | None":
+        """Two tables over time on one set of times, None without any; the rest as in operation.
+
+        Parameters
+        ----------
+        operation : Operation
+        speeds : sequence, optional
+            Rows of time [s] and speed of the inner ring [rad/s].
+        loads : sequence, optional
+            Rows of time [s] and force along x, y, z [N].
+        """
+        given = [np.array(table) for table in (speeds, loads) if table is not None]
+        if not given:
+            return None
+        times = np.unique(np.concatenate([table[:, 0] for table in given]))
+        values = np.zeros((times.size, GIVEN_COLUMNS))
+        constant = [0.0 if load is None else load for load in operation.loads]
+        values[:] = [operation.inner_speed, operation.outer_speed, *constant]
+        if speeds is not None:
+            table = np.array(speeds)
+            values[:, INNER_SPEED] = np.interp(times, table[:, 0], table[:, 1])
+        if loads is not None:
+            table = np.array(loads)
+            for axis in range(3):
+                values[:, GIVEN_FORCE + axis] = np.interp(times, table[:, 0], table[:, 1 + axis])
+        rows = tuple(tuple(row) for row in values.tolist())
+        return cls(time=tuple(times.tolist()), values=rows)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -259,28 +306,6 @@ class DynamicsModel:
     # sliding speed up to which friction of pockets and lands rises [m/s]
     friction_ramp: float = 0.01
     notes: Mapping[str, str] = field(default_factory=dict)
-
-
-def drag_of_mixture(
-    density: float, ball_diameter: float, coefficient: float = SPHERE_DRAG
-) -> float:
-    """Drag of a ball over the square of its speed, C_D rho (pi/4) D^2/2 [N s^2/m^2].
-
-    Parameters
-    ----------
-    density : float
-        Of the mixture of oil and air, at rest [kg/m^3].
-    ball_diameter : float
-        [m].
-    coefficient : float
-        C_D [-].
-
-    Returns
-    -------
-    float
-        [N s^2/m^2].
-    """
-    return 0.5 * coefficient * density * 0.25 * pi * ball_diameter**2
 
 
 def _positive(name: str, value: float) -> None:

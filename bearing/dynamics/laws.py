@@ -1,9 +1,14 @@
-"""Numbers of the normal contact laws: damping factors, planar stiffness of a race, frequency."""
+"""Numbers of the model in closed form: normal contact, drag of a ball, speed of the cage."""
 
-from math import sqrt
+from math import pi, sqrt
 
-from ..geometry import Race
-from .inputs import NormalLaw
+import numpy as np
+
+from ..geometry import Bearing, Race, contact_modulus
+from ..operation import Operation
+from .inputs import NormalContact, NormalLaw, RaceStiffness
+
+SPHERE_DRAG = 0.47  # drag coefficient of a smooth sphere, Re 1e3 to 2e5 (Hoerner 1965) [-]
 
 
 def damping_factor(law: NormalLaw, restitution: float) -> float:
@@ -18,25 +23,12 @@ def damping_factor(law: NormalLaw, restitution: float) -> float:
 
 
 def planar_stiffness(ball_radius: float, race_radius: float, modulus: float, race: Race) -> float:
-    """K of a sphere on a sphere or in a spherical hollow [N/m^1.5], Lankarani and Nikravesh
-    (1990).
+    """K of a sphere of radius r on a sphere or in a spherical hollow of radius R [m], with E' of
+    the pair [Pa], in [N/m^1.5]; Lankarani and Nikravesh (1990).
 
     K = 4/(3 pi (h_1 + h_2)) sqrt(r R/(R + r)), h = (1 - nu^2)/(pi E), and R - r at the outer race,
     whose surface is hollow; Shan et al. (2023) Eq. (12) prints the plus sign for both. With E' (2
     E*): K = (2/3) E' sqrt(...).
-
-    Parameters
-    ----------
-    ball_radius, race_radius : float
-        r and R [m].
-    modulus : float
-        E' of the pair [Pa].
-    race : Race
-
-    Returns
-    -------
-    float
-        [N/m^1.5].
     """
     sign = 1.0 if race is Race.INNER else -1.0
     return (
@@ -44,25 +36,84 @@ def planar_stiffness(ball_radius: float, race_radius: float, modulus: float, rac
     )
 
 
-def planar_stiffness_as_printed(ball_radius: float, race_radius: float, modulus: float) -> float:
-    """`planar_stiffness` with the plus sign at both races, as Shan et al. (2023) Eq. (12) prints
-    it [N/m^1.5].
-    """
-    return planar_stiffness(ball_radius, race_radius, modulus, Race.INNER)
+def race_stiffnesses(
+    bearing: Bearing, kind: RaceStiffness
+) -> tuple[float, float] | tuple[None, None]:
+    """K of inner and outer race [N/m^1.5]; None where it is Hertz' of the grooved races."""
+    if kind is RaceStiffness.HERTZ:
+        return None, None
+    ball = 0.5 * bearing.ball_diameter
+    bottom = bearing.inner_centre_radius - bearing.inner_groove_radius
+    top = bearing.outer_centre_radius + bearing.outer_groove_radius
+    surface = Race.INNER if kind is RaceStiffness.PLANAR_AS_PRINTED else Race.OUTER
+    return (
+        planar_stiffness(ball, bottom, contact_modulus(bearing, Race.INNER), Race.INNER),
+        planar_stiffness(ball, top, contact_modulus(bearing, Race.OUTER), surface),
+    )
 
 
-def vibration_frequency(stiffness: float, load: float, mass: float) -> float:
-    """Angular frequency of a ball between two loaded races [rad/s], sqrt(2 k/m) with k = 1.5
-    K^(2/3) Q^(1/3).
+def normal_contact(
+    bearing: Bearing,
+    law: NormalLaw,
+    restitution: float,
+    impact_floor: float,
+    stiffness: RaceStiffness = RaceStiffness.HERTZ,
+) -> NormalContact:
+    """Normal law of all contacts with the stiffness of the races by one of the kinds.
 
     Parameters
     ----------
-    stiffness, load, mass : float
-        K [N/m^1.5], Q [N], [kg].
+    bearing : Bearing
+    law : NormalLaw
+    restitution : float
+        [-].
+    impact_floor : float
+        [m/s].
+    stiffness : RaceStiffness
+    """
+    inner, outer = race_stiffnesses(bearing, stiffness)
+    return NormalContact(
+        law=law,
+        restitution=restitution,
+        impact_floor=impact_floor,
+        inner_stiffness=inner,
+        outer_stiffness=outer,
+    )
 
-    Returns
-    -------
-    float
-        [rad/s].
+
+def vibration_frequency(stiffness: float, load: float, mass: float) -> float:
+    """Angular frequency of a ball between two races of K [N/m^1.5] under Q [N], sqrt(2 k/m) with
+    k = 1.5 K^(2/3) Q^(1/3) [rad/s].
     """
     return sqrt(3.0 * stiffness ** (2.0 / 3.0) * load ** (1.0 / 3.0) / mass)
+
+
+def kinematic_cage_speed(bearing: Bearing, inner: float, outer: float, angle: float) -> float:
+    """Speed of the cage without sliding [rad/s], (1 - g cos a) inner/2 + (1 + g cos a) outer/2, g
+    = D/d_m, from the speeds of the rings [rad/s] and the contact angle [rad].
+    """
+    gamma = bearing.ball_diameter / bearing.pitch_diameter * float(np.cos(angle))
+    return 0.5 * ((1.0 - gamma) * inner + (1.0 + gamma) * outer)
+
+
+def drag_of_mixture(
+    density: float, ball_diameter: float, coefficient: float = SPHERE_DRAG
+) -> float:
+    """Drag of a ball over the square of its speed, C_D rho (pi/4) D^2/2 [N s^2/m^2], in a mixture
+    of oil and air at rest of that density [kg/m^3].
+    """
+    return 0.5 * coefficient * density * 0.25 * pi * ball_diameter**2
+
+
+def drag_of_force(bearing: Bearing, operation: Operation, force: float) -> float:
+    """Drag of a ball over the square of its speed [N s^2/m^2] from its drag [N] at the kinematic
+    speed of the operation.
+    """
+    angle = bearing.free_contact_angle if operation.force[0] else 0.0
+    speed = kinematic_cage_speed(bearing, operation.inner_speed, operation.outer_speed, angle)
+    speed *= 0.5 * bearing.pitch_diameter
+    if speed == 0.0:
+        raise ValueError(
+            "[dynamics] ball_drag_N: counts at the speed of the operation, which is zero"
+        )
+    return force / speed**2

@@ -5,7 +5,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from .arrays import Array
-from .initial import kinematic_cage_speed
+from .laws import kinematic_cage_speed
 from .layout import CAGE_ROTATION, Layout
 from .record import Record
 from .simulation import Simulation

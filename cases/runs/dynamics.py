@@ -3,32 +3,28 @@ if interrupted.
 """
 
 import json
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from time import perf_counter
 
-import numpy as np
-
 from bearing.dynamics.bodies import cage_body, ring_body
 from bearing.dynamics.friction import RaceFriction, coulomb_friction, four_constant_friction
-from bearing.dynamics.initial import kinematic_cage_speed, starting_point
+from bearing.dynamics.initial import starting_point
 from bearing.dynamics.inputs import (
     CageBody,
     DynamicsModel,
     DynamicsOptions,
     LoadType,
-    NormalContact,
     NormalLaw,
+    RaceStiffness,
     Schedule,
     Start,
-    drag_of_mixture,
 )
-from bearing.dynamics.laws import planar_stiffness, planar_stiffness_as_printed
+from bearing.dynamics.laws import drag_of_force, drag_of_mixture, normal_contact
 from bearing.dynamics.outcome import Tally
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
-from bearing.geometry import Race, contact_modulus
+from bearing.geometry import Race
 from bearing.library.names import matching_name
 from bearing.material import Material, list_materials, load_material
 from ehl.traction.laws import four_constants
@@ -212,8 +208,14 @@ def build_model(
         ring=ring_body(case.bearing, plan.ring_mass, plan.ring_damping, plan.unbalance),
         friction=RaceFriction(),
         cage=_cage(case, plan, notes),
-        normal=_normal(case, plan),
-        schedule=_schedule(case, plan),
+        normal=normal_contact(
+            case.bearing,
+            NormalLaw(plan.contact_law),
+            plan.restitution,
+            plan.impact_floor,
+            RaceStiffness(plan.race_stiffness),
+        ),
+        schedule=Schedule.from_tables(case.operation, plan.speed_table, plan.load_table),
         film_viscosity=case.lubricant.viscosity if plan.cage_film else 0.0,
         friction_ramp=plan.friction_ramp,
         notes=notes,
@@ -228,16 +230,7 @@ def _options(case: Case, plan: DynamicsPlan) -> DynamicsOptions:
             plan.mixture_density, case.bearing.ball_diameter, plan.drag_coefficient
         )
     elif plan.ball_drag:
-        angle = case.bearing.free_contact_angle if case.operation.force[0] else 0.0
-        speeds = case.operation.inner_speed, case.operation.outer_speed
-        speed = (
-            kinematic_cage_speed(case.bearing, *speeds, angle) * 0.5 * case.bearing.pitch_diameter
-        )
-        if speed == 0.0:
-            raise ValueError(
-                "[dynamics] ball_drag_N: counts at the speed of the operation, which is zero"
-            )
-        drag = plan.ball_drag / speed**2
+        drag = drag_of_force(case.bearing, case.operation, plan.ball_drag)
     return DynamicsOptions(
         end_time=plan.end_time,
         sample_interval=plan.sample_interval,
@@ -263,56 +256,6 @@ def _cage(case: Case, plan: DynamicsPlan, notes: dict[str, str]) -> CageBody:
             f"cage material {'not given' if name is None else repr(name) + ' unknown'}: {CAGE_MATERIAL}"
         )
     return cage_body(case.bearing, material, **plan.cage)
-
-
-def _normal(case: Case, plan: DynamicsPlan) -> NormalContact:
-    inner = outer = None
-    if plan.race_stiffness != "hertz":
-        bearing = case.bearing
-        ball = 0.5 * bearing.ball_diameter
-        races = {
-            Race.INNER: bearing.inner_centre_radius - bearing.inner_groove_radius,
-            Race.OUTER: bearing.outer_centre_radius + bearing.outer_groove_radius,
-        }
-        stiffness: dict[Race, float] = {}
-        for race, radius in races.items():
-            modulus = contact_modulus(bearing, race)
-            printed = plan.race_stiffness == "planar as printed"
-            one: Callable[..., float] = (
-                planar_stiffness_as_printed if printed else planar_stiffness
-            )
-            stiffness[race] = (
-                one(ball, radius, modulus) if printed else one(ball, radius, modulus, race)
-            )
-        inner, outer = stiffness[Race.INNER], stiffness[Race.OUTER]
-    return NormalContact(
-        law=NormalLaw(plan.contact_law),
-        restitution=plan.restitution,
-        impact_floor=plan.impact_floor,
-        inner_stiffness=inner,
-        outer_stiffness=outer,
-    )
-
-
-def _schedule(case: Case, plan: DynamicsPlan) -> Schedule | None:
-    """Both tables over time on one set of times."""
-    if plan.speed_table is None and plan.load_table is None:
-        return None
-    given = [np.array(table) for table in (plan.speed_table, plan.load_table) if table is not None]
-    times = np.unique(np.concatenate([table[:, 0] for table in given]))
-    values = np.zeros((times.size, 7))
-    loads = [0.0 if load is None else load for load in case.operation.loads]
-    values[:] = [case.operation.inner_speed, case.operation.outer_speed, *loads]
-    if plan.speed_table is not None:
-        table = np.array(plan.speed_table)
-        values[:, 0] = np.interp(times, table[:, 0], table[:, 1])
-    if plan.load_table is not None:
-        table = np.array(plan.load_table)
-        for column in range(3):
-            values[:, 2 + column] = np.interp(times, table[:, 0], table[:, 1 + column])
-    return Schedule(
-        time=tuple(times.tolist()), values=tuple(tuple(row) for row in values.tolist())
-    )
 
 
 def _friction(

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from bearing.dynamics.initial import kinematic_cage_speed
+from bearing.dynamics.laws import kinematic_cage_speed
 from bearing.dynamics.outcome import (
     INPUTS,
     LOSSES,

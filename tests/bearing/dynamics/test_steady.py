@@ -12,8 +12,8 @@ from printed import printed
 from bearing import BallKinematics, Model, Operation, solve_quasistatic
 from bearing.dynamics.bodies import equation_counts, load_type
 from bearing.dynamics.friction import coulomb_friction, four_constant_friction
-from bearing.dynamics.initial import kinematic_cage_speed
 from bearing.dynamics.inputs import LoadType, NormalContact, Schedule
+from bearing.dynamics.laws import kinematic_cage_speed
 from bearing.dynamics.outcome import Tally, outcome
 from bearing.dynamics.simulation import simulation
 
