@@ -1,4 +1,15 @@
-"""Case files, the runs they describe, and the command `oilfilm`."""
+"""Case files, the runs they describe, and the command `oilfilm`.
+
+| module | responsibility |
+|---|---|
+| format | case files: tables, rules, conversion to SI |
+| runs | one case run: bearing, contact, slip, stiffness, tables, dynamics |
+| batch | many points of one case |
+| verification | the verification page of the contact solver |
+| cli | the command line |
+| library | shipped cases, sweeps and printed reference values (TOML, CSV) |
+| version | version of the program |
+"""
 
 import lazy_loader
 

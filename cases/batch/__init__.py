@@ -1,5 +1,19 @@
-"""Many points of one case: sweep files, their plan, execution, and the folder that holds what is
-finished.
+"""Many points of one case.
+
+| module | responsibility |
+|---|---|
+| points | a sweep, its points, tasks and receipts: plain data |
+| blocks | points described by the blocks of a sweep file |
+| plotted | numbers that a sweep file asks to be drawn |
+| sweep | a sweep file read, expanded and checked |
+| contact_cache | solved contacts shared by points |
+| tables | traction tables shared by points |
+| compute | results of one point |
+| store | the folder of a batch |
+| worker | one point computed in a worker |
+| pools | processes of this machine, or a Dask cluster |
+| engine | execution: hand out, keep, resume |
+| results | finished points gathered and written |
 """
 
 import lazy_loader

@@ -10,7 +10,10 @@ from .terminal import print_lines
 app = typer.Typer(
     name="oilfilm",
     help="Oil films in every contact of a ball bearing.",
-    epilog="Exit codes: 0 converged, 1 not converged, 2 bad input, 3 interrupted, 4 failure of the machine.",
+    epilog=(
+        "Exit codes: 0 converged, 1 not converged, 2 bad input, 3 interrupted, "
+        "4 failure of the machine."
+    ),
     add_completion=False,
     rich_markup_mode=None,
     pretty_exceptions_enable=False,

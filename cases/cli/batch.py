@@ -14,7 +14,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from .app import Json, Output, Quiet, app
-from .output import prepare, report
+from .output import report
 from .terminal import FAILED, guarded, progress_bar
 
 if TYPE_CHECKING:
@@ -62,7 +62,6 @@ def batch(  # noqa: PLR0913
     plan = read_sweep(sweep)
     keep = output is not None or resume or not as_json
     with _folder(output or Path(f"{Path(sweep).stem}_results"), keep=keep) as directory:
-        prepare()
         with _kept(directory if keep else None):
             with progress_bar(quiet=quiet) as progress:
                 done = run_batch(

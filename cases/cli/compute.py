@@ -1,4 +1,4 @@
-"""Commands that compute a case: run, contact, slip."""
+"""Commands that compute a case: run, contact, slip, stiffness, table."""
 
 from enum import StrEnum
 from pathlib import Path
@@ -9,8 +9,13 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import CaseName, Json, Output, Quiet, app
-from .output import finish, prepare, report, results_directory, save, save_with
+from .output import finish, load_bearing, report, results_directory, save, save_with
 from .terminal import guarded, progress_bar
+
+TableFile = Annotated[
+    Path | None,
+    typer.Option("--output", "-o", metavar="FILE", help="The table; default CASE_table.zip."),
+]
 
 
 class Method(StrEnum):
@@ -32,13 +37,8 @@ def run(
     quiet: Quiet = False,
 ) -> int:
     """Run a bearing case: loads, film maps, pictures, VTK."""
-    from ..format.case import Case, load_case
-
-    loaded = load_case(case)
-    if not isinstance(loaded, Case):
-        raise CaseError([f"{case}: is a single contact; run it with 'oilfilm contact {case}'"])
+    loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'")
     directory = results_directory(case, output, as_json)
-    prepare()
     from ..runs.bearing import Interrupted, run_case
 
     try:
@@ -70,7 +70,6 @@ def contact(
     if not isinstance(loaded, ContactCase):
         raise CaseError([f"{case}: is a bearing; run it with 'oilfilm run {case}'"])
     directory = results_directory(case, output, as_json)
-    prepare()
     from ..runs.contact import run_contact
     from ..runs.films import cores
 
@@ -95,13 +94,8 @@ def slip(
     quiet: Quiet = False,
 ) -> int:
     """Map gross slip of the balls after Hirano, and the minimum preload, from a [slip] table."""
-    from ..format.case import Case, load_case
-
-    loaded = load_case(case)
-    if not isinstance(loaded, Case):
-        raise CaseError([f"{case}: is a single contact; slip maps need a bearing"])
+    loaded = load_bearing(case, "slip maps need a bearing")
     directory = results_directory(case, output, as_json)
-    prepare()
     from ..runs.slip import run_slip
 
     with progress_bar(quiet=quiet) as progress:
@@ -112,4 +106,112 @@ def slip(
     save_with(lambda folder: write_slip(results, folder), directory)
     return report(
         slip_summary(results), lambda: slip_table(results), directory, as_json=as_json, quiet=quiet
+    )
+
+
+@app.command()
+@guarded
+def stiffness(
+    case: CaseName,
+    output: Output = None,
+    speeds: Annotated[
+        tuple[float, float] | None,
+        typer.Option(
+            metavar="FIRST LAST",
+            help="Speeds of the inner ring [r/min]; default: rest to that of the case.",
+        ),
+    ] = None,
+    points: Annotated[
+        int, typer.Option(min=2, max=1001, metavar="N", help="Speeds, evenly spaced.")
+    ] = 11,
+    damping: Annotated[
+        float, typer.Option(min=0.0, metavar="C", help="Damping handed to the rotor code [N s/m].")
+    ] = 0.0,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Stiffness of a bearing over speed, also as a bearing element for the rotor code ROSS."""
+    from ..convert.units import RPM
+
+    loaded = load_bearing(case, "a stiffness needs a bearing")
+    directory = results_directory(case, output, as_json)
+    from ..runs.stiffness import run_stiffness
+
+    ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
+    results = run_stiffness(loaded, case, ends, points, damping)
+    from postprocess.stiffness.results import stiffness_summary
+    from postprocess.stiffness.table import stiffness_table
+    from postprocess.stiffness.write import write_stiffness
+
+    save_with(lambda folder: write_stiffness(results, folder), directory)
+    return report(
+        stiffness_summary(results),
+        lambda: stiffness_table(results),
+        directory,
+        as_json=as_json,
+        quiet=quiet,
+    )
+
+
+@app.command()
+@guarded
+def table(  # noqa: PLR0913
+    case: CaseName,
+    output: TableFile = None,
+    points: Annotated[
+        int, typer.Option(metavar="N", help="Nodes of each film along x, 2^k + 1.")
+    ] = 257,
+    workers: Annotated[
+        int | None, typer.Option(min=1, metavar="N", help="Films at a time; default: cores.")
+    ] = None,
+    temperatures: Annotated[
+        str | None,
+        typer.Option(
+            metavar="C,C,...", help="Temperatures of the oil, rising; default: the case's only."
+        ),
+    ] = None,
+    full_solves: Annotated[
+        int,
+        typer.Option(
+            min=0,
+            metavar="N",
+            help="Places per race to compare with full solves (shear, heat) that slide.",
+        ),
+    ] = 0,
+    as_json: Json = False,
+    quiet: Quiet = False,
+) -> int:
+    """Tabulate the shear traction of a bearing's contacts over load, speed and sliding; with plots
+    beside the file.
+    """
+    loaded = load_bearing(case, "a traction table needs a bearing")
+    path = (
+        output if output is not None else None if as_json else Path(f"{Path(case).stem}_table.zip")
+    )
+    if path is not None and (path.is_dir() or not path.parent.is_dir()):
+        raise CaseError(
+            [f"{path}: cannot be written; allowed with -o: a file in a folder that exists"]
+        )
+    from ..runs.traction_table import run_table, temperature_axis, with_full_solves
+
+    over = None if temperatures is None else temperature_axis(case, temperatures)
+    with progress_bar(quiet=quiet) as progress:
+        results = run_table(loaded, points, workers, progress, over)
+    from postprocess.traction.results import traction_summary
+    from postprocess.traction.table import traction_table
+    from postprocess.traction.write import save_tables, write_traction
+
+    if path is not None:
+        write_traction(results, path)
+    if full_solves:
+        with progress_bar(quiet=quiet) as progress:
+            results = with_full_solves(results, full_solves, progress)
+        if path is not None:
+            save_tables(results, path)
+    return report(
+        traction_summary(results),
+        lambda: traction_table(results),
+        path,
+        as_json=as_json,
+        quiet=quiet,
     )

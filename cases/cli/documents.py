@@ -13,7 +13,6 @@ from ..format.problems import CaseError
 from ..runs.interrupt import say
 from ..runs.output_directory import add_to_manifest
 from .app import app
-from .output import prepare
 from .terminal import NOT_CONVERGED, guarded, print_lines
 
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
@@ -137,7 +136,6 @@ def interferogram(
     ] = 1.5,
 ) -> None:
     """Draw the film of a contact as an optical interferometer would see it."""
-    prepare()
     from postprocess.contact.interferogram import NANOMETRE, SODIUM, Optics, write_interferogram
 
     with _as_case_errors(directory):

@@ -11,7 +11,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import CaseName, Json, Output, Quiet, app
-from .output import prepare, report, results_directory, save_with
+from .output import load_bearing, report, results_directory, save_with
 from .terminal import guarded, progress_bar
 
 if TYPE_CHECKING:
@@ -55,17 +55,12 @@ def dynamics(
     """Simulate a bearing over time: balls, cage and inner ring under contact, friction, drag and
     impact.
     """
-    from ..format.case import Case, load_case
-
-    loaded = load_case(case)
-    if not isinstance(loaded, Case):
-        raise CaseError([f"{case}: is a single contact; a simulation needs a bearing"])
+    loaded = load_bearing(case, "a simulation needs a bearing")
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
         raise CaseError(
             [f"--animate {animation}: allowed: a .gif file, and results that are written (-o)"]
         )
-    prepare()
     from ..runs.dynamics import Interrupted, run_dynamics
 
     # the history may be large: not in /tmp

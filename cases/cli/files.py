@@ -1,9 +1,11 @@
 """Commands about case files and libraries: list, validate, init, schema."""
 
+from __future__ import annotations
+
 import json
 from enum import StrEnum
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -11,6 +13,10 @@ from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import app
 from .terminal import BAD_INPUT, guarded, print_lines
+
+if TYPE_CHECKING:
+    from bearing.material import Material
+    from ehl import Lubricant
 
 
 class Listing(StrEnum):
@@ -30,8 +36,6 @@ def list_names(
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON.")] = False,
 ) -> None:
     """List shipped cases, sweeps, bearings, materials and lubricants."""
-    from .listing import listing
-
     names = {kind.value: listing(kind.value) for kind in (Listing if what is None else (what,))}
     if as_json:
         print_lines(json.dumps(names, indent=2, ensure_ascii=False))
@@ -130,3 +134,41 @@ def schema() -> None:
     from ..format.case import json_schema
 
     print_lines(json.dumps(json_schema(), indent=2))
+
+
+def listing(kind: str) -> dict[str, str]:
+    """Names and remarks of one kind: cases, bearings, materials or lubricants."""
+    from ..format.shipped import shipped_cases, shipped_sweeps, title
+
+    if kind == "cases":
+        return {name: title(path) for name, path in shipped_cases().items()}
+    if kind == "sweeps":
+        return {name: title(path) for name, path in shipped_sweeps().items()}
+    if kind == "bearings":
+        from bearing.library.bearings import list_bearings, load_catalogue_entry
+
+        return {name: _dimensions(load_catalogue_entry(name)) for name in list_bearings()}
+    if kind == "materials":
+        from bearing.material import list_materials, load_material
+
+        return {name: _properties(load_material(name)) for name in list_materials()}
+    from bearing.library.lubricants import library_lubricant, list_lubricants
+
+    return {name: _oil(library_lubricant(name, 313.15)) for name in list_lubricants()}
+
+
+def _dimensions(entry: dict[str, Any]) -> str:
+    sizes = [entry.get(key) for key in ("bore_mm", "outside_diameter_mm", "width_mm")]
+    boundary = f"{' x '.join(f'{size:g}' for size in sizes)} mm, " if all(sizes) else ""
+    diameters = f"{entry.get('ball_diameter_mm')} mm on {entry.get('pitch_diameter_mm')} mm"
+    balls = f"{entry.get('balls')} balls of {diameters}"
+    return f"{boundary}{balls}{', estimated' if 'balls' in entry.get('estimated', ()) else ''}"
+
+
+def _properties(material: Material) -> str:
+    modulus = f"E {material.youngs_modulus / 1e9:.4g} GPa"
+    return f"{modulus}, nu {material.poisson_ratio:.3g}, {material.density:.4g} kg/m3"
+
+
+def _oil(oil: Lubricant) -> str:
+    return f"{oil.viscosity * 1e3:.3g} mPa s, {oil.pressure_viscosity * 1e9:.3g} 1/GPa at 40 C"

@@ -1,8 +1,15 @@
-"""The command `oilfilm`."""
+"""Entry point of `oilfilm`; importing it registers the commands in the order of the help."""
 
 import sys
 
-from .commands import app
+from .app import app  # isort: skip
+from . import compute  # noqa: F401  # isort: skip
+from . import dynamics  # noqa: F401  # isort: skip
+from . import batch  # noqa: F401  # isort: skip
+from . import view  # noqa: F401  # isort: skip
+from . import documents  # noqa: F401  # isort: skip
+from . import files  # noqa: F401  # isort: skip
+from . import verify  # noqa: F401  # isort: skip
 from .terminal import exit_code, prepare_streams
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 from textwrap import fill
 from typing import TYPE_CHECKING, Any
 
+from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from .terminal import NOT_CONVERGED, print_lines
 
@@ -17,9 +18,20 @@ if TYPE_CHECKING:
 
     from postprocess.results import BearingResults, ContactResults
 
+    from ..format.case import Case
     from ..runs.films import Progress
 
 WIDTH = 80  # of a terminal [characters]
+
+
+def load_bearing(name: str, needed: str) -> Case:
+    """The bearing case of a name; `CaseError` saying what is `needed` for a single contact."""
+    from ..format.case import Case, load_case
+
+    case = load_case(name)
+    if not isinstance(case, Case):
+        raise CaseError([f"{name}: is a single contact; {needed}"])
+    return case
 
 
 def results_directory(case: str, output: Path | None, as_json: bool) -> Path | None:
@@ -33,19 +45,12 @@ def results_directory(case: str, output: Path | None, as_json: bool) -> Path | N
     return directory
 
 
-def prepare() -> None:
-    """What must be set before numba is imported."""
-    from ..runs.kernel_cache import ensure_kernel_cache
-
-    ensure_kernel_cache()
-
-
 def save(
     results: BearingResults | ContactResults,
     directory: Path | None,
     progress: Progress | None = None,
 ) -> None:
-    """Write the results, if a directory is asked for."""
+    """Write the results into a directory, if there is one."""
     if directory is not None and progress is not None:
         progress(0, 1, "pictures and files")
     from postprocess import write_results
@@ -54,7 +59,7 @@ def save(
 
 
 def save_with(write: Callable[[Path], tuple[str, ...]], directory: Path | None) -> None:
-    """Have `write` fill the directory, if one is asked for."""
+    """Let `write` fill the directory, if there is one."""
     if directory is None:
         return
     from ..runs.output_directory import save
@@ -77,9 +82,7 @@ def finish(
 
 
 def say_notes(messages: list[str]) -> None:
-    """Tell estimates, assumptions and what lies outside its data; why values are null is in the
-    summary.
-    """
+    """Print estimates, assumptions and values outside their data; not why values are null."""
     for message in messages:
         if "null" not in message and not _of_failure(message):
             say(
@@ -108,7 +111,7 @@ def report(
     as_json: bool,
     quiet: bool,
 ) -> int:
-    """Print a summary or its table, and tell what did not converge."""
+    """Print a summary or its table, and what did not converge."""
     if directory is not None and not quiet:
         say(f"results in {directory}")
     if not (as_json or quiet):

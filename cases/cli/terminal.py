@@ -17,6 +17,7 @@ import typer
 
 from ..format.problems import CaseError
 from ..runs.interrupt import say
+from ..runs.kernel_cache import ensure_kernel_cache
 
 NOT_CONVERGED = 1
 BAD_INPUT = 2
@@ -34,6 +35,7 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
 
     @functools.wraps(command)
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
+        ensure_kernel_cache()  # before anything imports numba
         code = exit_code(lambda: command(*args, **kwargs))
         if code:
             raise typer.Exit(code)

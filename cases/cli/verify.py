@@ -12,7 +12,6 @@ from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from ..verification.names import SectionName
 from .app import Json, Output, Quiet, app
-from .output import prepare
 from .terminal import NOT_CONVERGED, guarded, print_lines, progress_bar
 
 if TYPE_CHECKING:
@@ -58,7 +57,6 @@ def verify(
         raise CaseError(
             ["--seed: found without --robustness; it is the seed of the random contacts"]
         )
-    prepare()
     if robustness is None:
         directory = None if as_json and output is None else output or DIRECTORY
         sections = _page(list(section or SectionName), directory, quick=quick, quiet=quiet)

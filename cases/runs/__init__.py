@@ -1,1 +1,19 @@
-"""Runs of a case."""
+"""One case run.
+
+| module | responsibility |
+|---|---|
+| films | films of contacts, equal ones solved once, in parallel |
+| traction_films | films behind a traction equilibrium |
+| equilibrium | equilibrium of the bearing, by hypothesis or by traction |
+| heating | temperature by self-heating |
+| bearing | a bearing: equilibrium, films, torque |
+| contact | a single contact |
+| slip | slip maps |
+| stiffness | stiffness over speed |
+| race_tables | traction tables from a file, checked against the case |
+| traction_table | building of traction tables |
+| dynamics | time simulation |
+| output_directory | folders of results: complete or not there |
+| interrupt | messages, and work that an interrupt lets finish |
+| kernel_cache | where compiled kernels are kept |
+"""
