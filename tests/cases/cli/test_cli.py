@@ -16,6 +16,7 @@ from rich.console import Group
 from typer.testing import CliRunner
 
 from cases.cli import compute, output, terminal
+from cases.runs import interrupt
 from cases.cli.main import app
 from cases.format.shipped import find_case, shipped_cases
 
@@ -286,7 +287,7 @@ def test_results_are_finished_before_an_interrupt_is_obeyed():
     steps = []
 
     def work():
-        with terminal.finish_first("results"):
+        with interrupt.finish_first("results"):
             os.kill(os.getpid(), signal.SIGINT)
             steps.append("finished")
         steps.append("not reached")
@@ -295,7 +296,7 @@ def test_results_are_finished_before_an_interrupt_is_obeyed():
     assert steps == ["finished"]
 
     def stubborn():
-        with terminal.finish_first("results"):
+        with interrupt.finish_first("results"):
             os.kill(os.getpid(), signal.SIGINT)
             os.kill(os.getpid(), signal.SIGINT)
             steps.append("not reached")
