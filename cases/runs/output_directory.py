@@ -93,7 +93,7 @@ def _replace(temporary: Path, directory: Path, files: list[str]) -> None:
 
 
 def add_to_manifest(directory: Path, name: str) -> None:
-    """Note a file made of results, so that a later run takes it away with them."""
+    """Record a file derived from results, so that a later run removes it with them."""
     earlier = _earlier_files(directory)
     if earlier and name not in earlier:
         (directory / MANIFEST).write_text(

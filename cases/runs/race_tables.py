@@ -1,6 +1,4 @@
-"""Traction tables of both races from a file, refused unless they were made for the bearing and oil
-that take them.
-"""
+"""Traction tables of both races from a file, refused unless built for this bearing and oil."""
 
 from collections.abc import Callable
 from dataclasses import replace
@@ -28,7 +26,7 @@ def read_race_tables(
     Raises
     ------
     ValueError
-        If the file cannot be read, is damaged, or was made for another bearing or oil; the message
+        If the file cannot be read, is damaged, or was built for another bearing or oil; the message
         begins with its name.
     """
     return made_for(tables_of_file(path)(oil, rheology), str(path), bearing, oil, rheology, solids)
@@ -59,17 +57,17 @@ def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
 
 
 def _at(
-    found: TractionTable | TemperatureTable, oil: Lubricant, rheology: Rheology
+    stored: TractionTable | TemperatureTable, oil: Lubricant, rheology: Rheology
 ) -> TractionTable:
     """The table at the temperature of an oil, with its rheology where that is the tables' own at
     this temperature.
     """
-    if isinstance(found, TractionTable):
-        return found
+    if isinstance(stored, TractionTable):
+        return stored
     if oil.temperature is None:
         raise ValueError("has tables at several temperatures, and the lubricant has none")
-    table = found.at(oil.temperature, oil)
-    if not all(_same_shear(one.contact, oil, rheology) for one in found.tables):
+    table = stored.at(oil.temperature, oil)
+    if not all(_same_shear(one.contact, oil, rheology) for one in stored.tables):
         return table
     return replace(table, contact=replace(table.contact, rheology=rheology))
 
@@ -94,14 +92,14 @@ def made_for(
     rheology: Rheology,
     solids: Solids | None = None,
 ) -> Tables:
-    """The tables themselves, `name` in messages, if they were made for this bearing and oil; else
+    """The tables themselves, `name` in messages, if they were built for this bearing and oil; else
     ValueError.
 
     Tables with heat must be of the ball and race of a case with heat; a case without leaves that
     to its tables.
     """
-    for race, found in tables.items():
-        contact = found.contact
+    for race, table in tables.items():
+        contact = table.contact
         radius_x, radius_y = reduced_radii(bearing, race, bearing.free_contact_angle)
         fitting = {
             "oil": contact.lubricant == oil,

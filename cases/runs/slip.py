@@ -46,7 +46,7 @@ def run_slip(
     workers : int, optional
         Processes [-]; as many as there are cores if left out. With 1 nothing is started.
     progress : callable, optional
-        Called with the rows done, the rows in all, and a word on the state.
+        Called with rows done, rows in all, and the stage.
 
     Returns
     -------
@@ -115,9 +115,7 @@ def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
 def _minimum_loads(
     case: Case, study: SlipStudy, speeds: list[float], mapper: Callable[[str, int], Mapper]
 ) -> MinimumLoads:
-    """Preload that Hirano's criterion asks, as a source printed it if the case says so, and the
-    catalogue's loads.
-    """
+    """Preload by Hirano's criterion, also as printed if the case asks, and SKF's minimum loads."""
     plan, oil = case.slip, case.lubricant
     assert plan is not None  # checked before
     own = case.operation.inner_speed
@@ -145,15 +143,13 @@ def _minimum_loads(
 
 
 def _ignore_interrupts() -> None:
-    """In a worker: Ctrl-C is the parent's to answer."""
+    """In a worker: Ctrl-C is the parent's to handle."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 @contextmanager
 def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Mapper]]:
-    """A function that makes a `map` for a stage: over processes if there are several, telling the
-    progress.
-    """
+    """A `map` for each stage, over processes if there are several, with progress."""
     pool = None
     if workers > 1:
         context = get_context("spawn")

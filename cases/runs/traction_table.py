@@ -54,15 +54,15 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
         )
     path = find_case(name)
     file = validate_text(read_text(path), str(path))
-    assert isinstance(file, BearingFile)  # asked for a bearing before
+    assert isinstance(file, BearingFile)  # checked before
 
     def oil_at(temperature: float) -> tuple[Lubricant, Rheology]:
         operation = file.operation.model_copy(update={"temperature_C": temperature - ZERO_CELSIUS})
-        warm = file.model_copy(update={"operation": operation})
+        heated = file.model_copy(update={"operation": operation})
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # the case told them already
-            oil = lubricant(warm)
-            return oil, rheology(warm, oil)
+            warnings.simplefilter("ignore")  # the case reported them already
+            oil = lubricant(heated)
+            return oil, rheology(heated, oil)
 
     temperatures = tuple(one + ZERO_CELSIUS for one in celsius)
     try:
@@ -104,23 +104,23 @@ def run_table(
     solids = case.films.solids
     try:
         if over is None:
-            warm = None
+            over_temperature = None
             tables = build_race_tables(
                 state, case.lubricant, case.rheology, options, progress, solids
             )
         else:
-            warm = build_temperature_tables(
+            over_temperature = build_temperature_tables(
                 state, over.oil_at, over.temperatures, options, progress, solids
             )
             own = min(max(case.operation.temperature, over.temperatures[0]), over.temperatures[-1])
-            tables = {race: found.at(own) for race, found in warm.items()}
+            tables = {race: table.at(own) for race, table in over_temperature.items()}
     except ValueError as problem:
         raise CaseError([f"no table: {problem}"]) from None
     return TractionResults(
         version=version(),
         case=case.document,
         tables=tables,
-        over_temperature=warm,
+        over_temperature=over_temperature,
         messages=case.warnings,
         timing={"total": perf_counter() - start},
     )
@@ -132,14 +132,14 @@ def with_full_solves(
     """The tables' films beside full solves at so many places each, with heat if the tables have
     it.
     """
-    found = dict(results.tables)
+    compared = dict(results.tables)
     for race, table in results.tables.items():
-        told = race_progress(progress, race)
-        beside = full_solves(table.contact, table.range, count, progress=told)
-        found[race] = replace(table, full_solves=beside)
+        notify = race_progress(progress, race)
+        solves = full_solves(table.contact, table.range, count, progress=notify)
+        compared[race] = replace(table, full_solves=solves)
     if results.over_temperature is None:
-        return replace(results, tables=found)
+        return replace(results, tables=compared)
     over = {
-        race: tables.replaced(found[race]) for race, tables in results.over_temperature.items()
+        race: tables.replaced(compared[race]) for race, tables in results.over_temperature.items()
     }
-    return replace(results, tables=found, over_temperature=over)
+    return replace(results, tables=compared, over_temperature=over)
