@@ -160,15 +160,10 @@ def differences(
 
     Parameters
     ----------
-    table : SensitivityTable
     keys : tuple of str
         To vary.
     values : dict
         Their values in the case as run.
-
-    Returns
-    -------
-    list of Variation, list of str, list of Problem
     """
     variations = [Variation("sensitivity", ())]
     notes = []

@@ -40,8 +40,6 @@ def compute(
 
     Parameters
     ----------
-    case : Case or ContactCase
-    task : Task
     tables : Path or None
         Traction tables, where the point needs them.
     solve : callable or None
@@ -124,7 +122,6 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
 
     Parameters
     ----------
-    case : Case
     tables : dict of TractionTable
         Of both races.
 
@@ -169,7 +166,8 @@ def _notes(contacts: Sequence[BearingContact], tables: Tables) -> tuple[str, ...
             outside += not inside
     worst = max(table.error.quantile for table in tables.values())
     notes = [
-        f"torque: integrated by traction tables; 95 % of their forces within {100.0 * worst:.1f} % of the largest"
+        "torque: integrated by traction tables; 95 % of their forces within "
+        f"{100.0 * worst:.1f} % of the largest"
     ]
     if outside:
         notes.append(f"torque: {outside} contacts {OUTSIDE}; the nearest place counts")

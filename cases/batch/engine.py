@@ -81,7 +81,6 @@ def run_batch(
 
     Parameters
     ----------
-    sweep : Sweep
     directory : Path
         Folder of the batch.
     pool : callable

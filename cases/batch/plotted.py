@@ -36,6 +36,9 @@ def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[Problem]:
             )
     units = [unit_of(name) for name in names]
     if 1 < len(set(units)) and (len(set(units)) < len(units) or len(units) > MOST_PANELS):
-        found = f"found {len(units)} numbers in {', '.join(unit or 'no unit' for unit in dict.fromkeys(units))}"
+        found = (
+            f"found {len(units)} numbers in "
+            f"{', '.join(unit or 'no unit' for unit in dict.fromkeys(units))}"
+        )
         allowed = f"allowed: all in one unit, or up to {MOST_PANELS} in one unit each"
         yield Problem(path=("plot",), found=found, allowed=allowed)

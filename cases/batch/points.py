@@ -9,33 +9,17 @@ from ..version import version
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Point:
-    """One point of a sweep, checked.
+    """One point of a sweep, checked."""
 
-    Attributes
-    ----------
-    number : int
-        Counted from 1, in the order of the file.
-    block : str
-        Block of the sweep file it comes from.
-    values : dict
-        Every key that the sweep varies somewhere, with its value here; None where the case does
-        not have it.
-    document : dict
-        The case with these values, as to be run.
-    resolved : dict
-        The same, defaults and library values filled in.
-    key : str
-        Name in the batch's folder: equal for points whose results are equal.
-    tables : str or None
-        Name of the traction tables it needs; equal for points that share them.
-    """
-
-    number: int
-    block: str
+    number: int  # counted from 1, in the order of the file
+    block: str  # block of the sweep file it comes from
+    # every key that the sweep varies somewhere, with its value here; None where the case does not
+    # have it
     values: dict[str, Any]
-    document: dict[str, Any]
-    resolved: dict[str, Any]
-    key: str
+    document: dict[str, Any]  # the case with these values, as to be run
+    resolved: dict[str, Any]  # the same, defaults and library values filled in
+    key: str  # name in the batch's folder: equal for points whose results are equal
+    # name of the traction tables it needs; equal for points that share them
     tables: str | None = None
 
 

@@ -47,7 +47,9 @@ class Pool(Protocol):
         ...
 
     def rebuild(self) -> bool:
-        """Replace workers that are gone; whether the points they held are to be handed out again."""
+        """Replace workers that are gone; whether the points they held are to be handed out
+        again.
+        """
         ...
 
     def close(self, *, at_once: bool) -> None:

@@ -37,7 +37,8 @@ def open_folder(directory: Path, *, resume: bool) -> None:
     if directory.exists() and any(directory.iterdir()) and not (directory / SWEEP_FILE).exists():
         raise CaseError(
             [
-                f"{directory}: holds other files; allowed with -o: a new directory, or that of a batch"
+                f"{directory}: holds other files; allowed with -o: a new directory, or "
+                "that of a batch"
             ]
         )
     if not resume and any((directory / POINTS).glob("*.json")):

@@ -62,10 +62,6 @@ def read_sweep(name_or_path: str | FilePath) -> Sweep:
     name_or_path : str or Path
         A sweep file, or the name (stem) of a shipped one.
 
-    Returns
-    -------
-    Sweep
-
     Raises
     ------
     CaseError
@@ -131,7 +127,10 @@ def _table_file(
     reason = None
     if not needed:
         reason = "no point needs traction tables"
-        allowed = 'allowed: with compute = "torque" and no law in friction.traction, or dynamics.friction = "table"'
+        allowed = (
+            'allowed: with compute = "torque" and no law in friction.traction, or '
+            'dynamics.friction = "table"'
+        )
     path = (folder or FilePath()) / file.table
     try:
         if reason is None and not path.is_file():

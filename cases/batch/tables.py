@@ -93,17 +93,12 @@ def with_tables(
 
     Parameters
     ----------
-    points : sequence of Point
     common : dict of str
         By the numbers of the points that need tables, what they must have in common.
     given : str or None
         Hash of the tables that the sweep file names.
     nodes : int
         Of the films of tables to be made [-].
-
-    Returns
-    -------
-    tuple of Point
     """
     sharing: dict[str, set[str]] = {}
     for point in points:
@@ -179,7 +174,6 @@ def prepare_tables(
 
     Parameters
     ----------
-    sweep : Sweep
     names : iterable of str
         Names of the points.
     directory : Path

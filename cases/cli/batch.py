@@ -100,7 +100,8 @@ def _kept(directory: Path | None) -> Iterator[None]:
         if directory is not None and any((directory / POINTS).glob("*.json")):
             full = isinstance(stop, OSError) and stop.errno in FULL
             say(
-                f"finished points are kept in {directory}; {'make room, then ' if full else ''}continue with --resume"
+                f"finished points are kept in {directory}; "
+                f"{'make room, then ' if full else ''}continue with --resume"
             )
         raise
 

@@ -112,7 +112,8 @@ def cut(
 
     with _as_case_errors(directory):
         say(
-            f"table in {write_line_cut(directory, output or Path('cut.csv'), contact, axis.value, at)}"
+            "table in "
+            f"{write_line_cut(directory, output or Path('cut.csv'), contact, axis.value, at)}"
         )
 
 
@@ -142,5 +143,6 @@ def interferogram(
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
         optics = Optics(wavelengths=lengths, refractive_index=index)
         say(
-            f"picture in {write_interferogram(directory, output or Path('interferogram.png'), contact, optics)}"
+            "picture in "
+            f"{write_interferogram(directory, output or Path('interferogram.png'), contact, optics)}"
         )

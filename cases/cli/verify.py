@@ -50,7 +50,9 @@ def verify(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
-    """Compute the verification page of the contact solver: orders, limits, converged films, costs."""
+    """Compute the verification page of the contact solver: orders, limits, converged films,
+    costs.
+    """
     if robustness is not None and section:
         raise CaseError(["--robustness, --section: found together; allowed: one of them"])
     if robustness is None and seed is not None:
@@ -95,7 +97,8 @@ def _sweep(draws: int, seed: int, directory: Path, *, quick: bool, quiet: bool) 
             finished = sweep(draws, seed, directory / SWEEP, progress, points)
     except KeyboardInterrupt:
         say(
-            f"finished contacts are kept in {directory / SWEEP}; the same command continues with them"
+            f"finished contacts are kept in {directory / SWEEP}; the same command "
+            "continues with them"
         )
         raise
     section = robustness_section(finished, seed, points)

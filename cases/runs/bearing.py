@@ -46,17 +46,12 @@ def run_case(
 
     Parameters
     ----------
-    case : Case
     workers : int, optional
         Contacts solved at a time [-]; as many as there are cores if left out.
     progress : callable, optional
         Called with the contacts done, the contacts in all, and a word on the state.
     solve : callable, optional
         Takes the place of `ehl.solve_contact`: a batch looks up what it has solved before.
-
-    Returns
-    -------
-    BearingResults
 
     Raises
     ------

@@ -75,7 +75,6 @@ def run_dynamics(
 
     Parameters
     ----------
-    case : Case
     name : str
         Of the case, for messages.
     history : Path
@@ -86,10 +85,6 @@ def run_dynamics(
         Traction tables from `oilfilm table`, instead of new ones.
     progress : callable, optional
         Called with milliseconds done, milliseconds in all, and the time still to go.
-
-    Returns
-    -------
-    DynamicsResults
 
     Raises
     ------
@@ -103,7 +98,8 @@ def run_dynamics(
     if tables is not None and plan.friction != "table":
         raise CaseError(
             [
-                f'{name}: traction tables are for dynamics.friction = "table", found "{plan.friction}"'
+                f'{name}: traction tables are for dynamics.friction = "table", found '
+                f'"{plan.friction}"'
             ]
         )
     try:
@@ -112,7 +108,8 @@ def run_dynamics(
         if restart is not None:
             load_restart(made, restart, case_key(case))
             made.messages.append(
-                f"dynamics: gone on at t = {made.state.time:.6g} s; loads of the summary from there"
+                f"dynamics: gone on at t = {made.state.time:.6g} s; loads of the summary "
+                "from there"
             )
     except ValueError as problem:
         raise CaseError([f"{name}: {problem}"]) from problem
@@ -253,7 +250,8 @@ def _cage(case: Case, plan: DynamicsPlan, notes: dict[str, str]) -> CageBody:
     else:
         material = load_material(CAGE_MATERIAL)
         notes["cage"] = (
-            f"cage material {'not given' if name is None else repr(name) + ' unknown'}: {CAGE_MATERIAL}"
+            f"cage material {'not given' if name is None else repr(name) + ' unknown'}: "
+            f"{CAGE_MATERIAL}"
         )
     return cage_body(case.bearing, material, **plan.cage)
 

@@ -1,4 +1,6 @@
-"""Equilibrium of the bearing of a case: under a hypothesis on the balls, or in traction equilibrium."""
+"""Equilibrium of the bearing of a case: under a hypothesis on the balls, or in traction
+equilibrium.
+"""
 
 from collections.abc import Callable
 from functools import partial

@@ -44,14 +44,8 @@ def wanted_contacts(
 
     Parameters
     ----------
-    case : Case
-    state : QuasistaticSolution
     contacts : sequence of BearingContact
         Inner race then outer, ball by ball.
-
-    Returns
-    -------
-    list of ContactConditions or None, tuple of str
     """
     conditions = [contact.conditions for contact in contacts]
     if not state.converged:

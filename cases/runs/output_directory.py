@@ -1,4 +1,6 @@
-"""The folder of a result: complete or not there, and never at the cost of somebody else's files."""
+"""The folder of a result: complete or not there, and never at the cost of somebody else's
+files.
+"""
 
 import json
 import os
@@ -22,7 +24,8 @@ def check_output(directory: Path) -> None:
     if directory.exists() and not directory.is_dir():
         raise CaseError(
             [
-                f"{directory}: is not a directory; allowed with -o: a new directory, or one of results"
+                f"{directory}: is not a directory; allowed with -o: a new directory, or "
+                "one of results"
             ]
         )
     try:
@@ -74,13 +77,16 @@ def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str
 
 
 def _replace(temporary: Path, directory: Path, files: list[str]) -> None:
-    """Move the new files in, and remove the files of an earlier result that are no longer there."""
+    """Move the new files in, and remove the files of an earlier result that are no longer
+    there.
+    """
     earlier = _earlier_files(directory)
     foreign = [name for name in files if name not in earlier and (directory / name).exists()]
     if foreign:
         raise CaseError(
             [
-                f"{directory / foreign[0]}: not written by oilfilm, will not be replaced; choose another -o"
+                f"{directory / foreign[0]}: not written by oilfilm, will not be replaced; "
+                "choose another -o"
             ]
         )
     (directory / LAST).unlink(missing_ok=True)

@@ -114,6 +114,7 @@ def made_for(
         wrong = [what for what, fits in fitting.items() if not fits]
         if wrong:
             raise ValueError(
-                f"{name} was made for another bearing or oil ({race.value} race: {', '.join(wrong)})"
+                f"{name} was made for another bearing or oil ({race.value} race: "
+                f"{', '.join(wrong)})"
             )
     return tables

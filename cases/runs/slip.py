@@ -48,10 +48,6 @@ def run_slip(
     progress : callable, optional
         Called with rows done, rows in all, and the stage.
 
-    Returns
-    -------
-    SlipResults
-
     Raises
     ------
     CaseError
@@ -97,13 +93,15 @@ def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
         varied = "the axial load" if operation.force[0] is None else "the radial load"
         raise CaseError(
             [
-                f"{name}: [operation] displacement_um: slip maps vary {varied}; allowed: a load there"
+                f"{name}: [operation] displacement_um: slip maps vary {varied}; allowed: a "
+                "load there"
             ]
         )
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         raise CaseError(
             [
-                f"{name}: [model] ball_kinematics: slip maps take a hypothesis; allowed: one of the others"
+                f"{name}: [model] ball_kinematics: slip maps take a hypothesis; allowed: "
+                "one of the others"
             ]
         )
     study = SlipStudy(

@@ -19,7 +19,6 @@ def run_stiffness(
 
     Parameters
     ----------
-    case : Case
     name : str
         Of the case, for messages.
     speeds : tuple of float or None
@@ -28,10 +27,6 @@ def run_stiffness(
         Speeds [-].
     damping : float
         For the rotor code [N s/m].
-
-    Returns
-    -------
-    StiffnessResults
     """
     first, last = speeds or (0.0, case.operation.inner_speed)
     if first == last:

@@ -21,24 +21,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True)
 class FilmSolver:
-    """Solves the films of many contacts, equal ones once.
-
-    Attributes
-    ----------
-    options : SolverOptions
-    films : FilmPhysics
-    workers : int or None
-        Contacts solved at a time [-]; None: as many as there are cores.
-    progress : callable or None
-        As in `run_case`.
-    solve : callable or None
-        Takes the place of `ehl.solve_contact`.
-    """
+    """Solves the films of many contacts, equal ones once."""
 
     options: SolverOptions
     films: FilmPhysics
-    workers: int | None = None
-    progress: Progress | None = None
+    workers: int | None = None  # contacts solved at a time [-]; None: as many as there are cores
+    progress: Progress | None = None  # As in `run_case`
+    # takes the place of `ehl.solve_contact`
     solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None = None
 
     def __call__(
@@ -114,5 +103,6 @@ def _outside(
     first = next(iter(places))
     words = f"traction table: outside its range at {len(places)} of {len(contacts)} contacts, "
     return (
-        f"{words}first the {first} ({places[first]}); the nearest place counts, in proportion to the load",
+        f"{words}first the {first} ({places[first]}); the nearest place counts, in "
+        "proportion to the load",
     )

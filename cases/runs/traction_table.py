@@ -49,7 +49,8 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
     if len(celsius) < 2 or any(not b > a for a, b in pairwise(celsius)):
         raise CaseError(
             [
-                f"--temperatures: {text!r}; allowed: two or more rising numbers of degrees Celsius, 40,60,80"
+                f"--temperatures: {text!r}; allowed: two or more rising numbers of degrees "
+                "Celsius, 40,60,80"
             ]
         )
     path = find_case(name)
@@ -72,7 +73,8 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
     if first.viscosity == last.viscosity:
         raise CaseError(
             [
-                f"--temperatures: {name} gives the viscosity at one temperature only; allowed with an oil of the library"
+                f"--temperatures: {name} gives the viscosity at one temperature only; "
+                "allowed with an oil of the library"
             ]
         )
     return TemperatureAxis(temperatures=temperatures, oil_at=oil_at)
