@@ -1,6 +1,4 @@
-"""The points that the blocks of a sweep file describe: factorial, listed, Latin hypercube, finite
-differences.
-"""
+"""Points of the blocks of a sweep file: factorial, listed, Latin hypercube, differences."""
 
 import random
 from collections.abc import Iterator
@@ -21,9 +19,7 @@ OPTIONS = tuple(HypercubeOptions.model_fields)
 
 @dataclass(frozen=True, slots=True)
 class Setting:
-    """One key of a block: dotted as in the results, its place in the sweep file, and the value or
-    values given.
-    """
+    """One key of a block: dotted name, place in the sweep file, value or values given."""
 
     key: str
     where: Path
@@ -39,9 +35,7 @@ class Variation:
 
 
 def case_path(key: str) -> tuple[str, ...]:
-    """Table and key that a dotted name means; the name of a material or an oil may hold dots
-    itself.
-    """
+    """Table and key of a dotted name; names of materials and oils may hold dots themselves."""
     table, _, rest = key.partition(".")
     if table in NAMED:
         name, _, last = rest.rpartition(".")
@@ -64,9 +58,7 @@ def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
 
 
 def factorial(file: SweepFile) -> tuple[Iterator[Variation], int, list[Problem]]:
-    """All combinations of the lists in [sweep], the last key fastest, their number, and what is
-    wrong with them.
-    """
+    """Combinations of the lists in [sweep], last key fastest, their number, and faults."""
     settings = block_settings(file.sweep, ("sweep",))
     problems = []
     for setting in settings:

@@ -96,9 +96,7 @@ def _table(case: Case, task: Task) -> Computed:
 
 
 def _torque(case: Case, tables: Tables | None) -> Computed:
-    """Equilibrium, life and torque by every model; the integrated one by tables, or the law that
-    the case names.
-    """
+    """Equilibrium, life and torque by every model; integrated by tables or the law of the case."""
     if tables is None:
         return summary(run_case(replace(case, film_maps="none"), 1)), {}
     results, notes = torque_by_tables(case, tables)

@@ -1,6 +1,4 @@
-"""Solved contacts on disk, named after all that they depend on: equal contacts of several points
-are solved once.
-"""
+"""Solved contacts on disk, named after all they depend on: equal ones are solved once."""
 
 import hashlib
 import io
@@ -72,9 +70,7 @@ def cached_solver(folder: Path) -> Callable[[ContactConditions, SolverOptions], 
 
 
 def store(path: Path, solution: ContactSolution) -> None:
-    """Leave a solution at `path`, unless the cache is full or the solution holds what a file
-    cannot.
-    """
+    """Write a solution to `path`, unless the cache is full or a file cannot hold it."""
     arrays: dict[str, Any] = {}
     rest: dict[str, Any] = {}
     for item in fields(solution):

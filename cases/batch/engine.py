@@ -1,6 +1,4 @@
-"""Execution of a sweep: hand out points, keep what is finished, go on where an earlier run was
-stopped.
-"""
+"""Execution of a sweep: hand out points, keep what is finished, resume an earlier run."""
 
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
@@ -25,9 +23,7 @@ WITHOUT_EFFECT = ("surface", "slip", "friction", "cage", "dynamics")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Batch:
-    """What a batch did: points finished before, points computed, those that failed, and the wall
-    time [s].
-    """
+    """What a batch did: points finished before, computed, failed, and the wall time [s]."""
 
     sweep: Sweep
     directory: Path
@@ -140,9 +136,7 @@ def run_batch(
 
 @dataclass(frozen=True, slots=True)
 class _PointTables:
-    """Files of traction tables by the points that take them, and points that have none and are
-    recorded as failed.
-    """
+    """Files of traction tables by point, and points recorded as failed for want of tables."""
 
     files: dict[str, str]
     failed: frozenset[str]
@@ -181,9 +175,7 @@ def _closing(pool: Pool) -> Iterator[Pool]:
 
 
 def _execute(tasks: Iterable[Task], pool: Pool, directory: Path, pace: ProgressEstimate) -> None:
-    """Keep every worker busy; when one is lost, try the points it may have held again, one at a
-    time.
-    """
+    """Keep every worker busy; the points of a lost worker are tried again, one at a time."""
     waiting = deque(tasks)
     running = dict[Future[Receipt], Task]()
     suspects = list[Task]()

@@ -25,9 +25,7 @@ class Point:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Sweep:
-    """A sweep, ready to run; `text` is the file, `case` the name of the case it varies, `table` a
-    file of tables.
-    """
+    """A sweep ready to run: text of the file, name of the case, file of tables, points."""
 
     name: str
     text: str
@@ -61,9 +59,7 @@ class Task:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Receipt:
-    """What a worker answers: how the point ended, its wall time [s], and its files where it did
-    not write them.
-    """
+    """Answer of a worker: status, wall time [s], and files where it did not write them."""
 
     key: str
     status: str

@@ -47,9 +47,7 @@ class Pool(Protocol):
         ...
 
     def rebuild(self) -> bool:
-        """Replace workers that are gone; whether the points they held are to be handed out
-        again.
-        """
+        """Replace lost workers; whether the points they had are to be handed out again."""
         ...
 
     def close(self, *, at_once: bool) -> None:
@@ -58,9 +56,7 @@ class Pool(Protocol):
 
 
 def prepare_worker() -> None:
-    """In a new process: one thread each, Ctrl-C is the parent's to handle, and no life after the
-    parent's.
-    """
+    """In a new process: one thread each; Ctrl-C is left to the parent; ends with the parent."""
     os.environ.update(dict.fromkeys(THREADS, "1"))
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     parent = parent_process()
@@ -138,9 +134,7 @@ class LocalPool:
 
 
 class ClusterPool:
-    """Workers of a running Dask cluster; they send their files back, since they may have no disk
-    in common.
-    """
+    """Workers of a running Dask cluster; without a common disk they send their files back."""
 
     shares_folder = False
 

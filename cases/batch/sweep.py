@@ -1,6 +1,4 @@
-"""A sweep file, read, expanded into points, and every point checked as a case before anything is
-run.
-"""
+"""A sweep file: read, expanded into points, each checked as a case before anything runs."""
 
 import hashlib
 import json
@@ -380,9 +378,7 @@ def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[Probl
 def _located(
     problems: Iterable[Problem], variation: Variation, fixed: Variation, number: int
 ) -> Iterator[Problem]:
-    """Problems of a point as problems of the sweep file: at the key it varies or fixes, or stated
-    with the point.
-    """
+    """Faults of a point at the key of the sweep file that it varies or fixes."""
     settings = (*variation.settings, *fixed.settings)
     for problem in problems:
         setting = next((s for s in settings if _meets(case_path(s.key), problem.path)), None)
@@ -412,9 +408,7 @@ def _meets(path: Path, problem: Path) -> bool:
 
 
 def point_key(resolved: dict[str, Any], file: SweepFile) -> str:
-    """Name of a point in the folder: a hash of all that its results depend on, the program's
-    version included.
-    """
+    """Name of a point: a hash of all its results depend on, the program's version included."""
     unimportant = (*UNIMPORTANT, *TABLES_IGNORE) if file.compute == "table" else UNIMPORTANT
     content = {key: value for key, value in resolved.items() if key not in unimportant}
     whole: dict[str, Any] = {"case": content, "compute": file.compute, "fields": file.fields}

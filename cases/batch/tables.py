@@ -50,9 +50,7 @@ Progress = Callable[[int, int, str], None]
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
-    """Whether a point takes its friction from shared tables; torque does unless the case names a
-    law itself.
-    """
+    """Whether a point uses shared tables; torque does unless the case names a law."""
     if not isinstance(case, Case):
         return False
     if compute == "torque":
@@ -63,9 +61,7 @@ def needs_tables(case: Case | ContactCase, compute: str) -> bool:
 
 
 def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
-    """The document of a point whose torque comes from tables: traction equilibrium, unless it says
-    otherwise itself.
-    """
+    """The document of a torque point: traction equilibrium, unless the case says otherwise."""
     model = document.get("model", {})
     if "bearing" not in document or not isinstance(model, dict) or "ball_kinematics" in model:
         return document
@@ -251,9 +247,7 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
 
 
 def _without_films(case: Case) -> Case:
-    """Half and half in place of an equilibrium by films, which tables are to spare; loads hardly
-    depend on it.
-    """
+    """Half and half instead of an equilibrium by films; loads hardly depend on it."""
     if case.traction is None or not isinstance(case.traction.source, FilmTraction):
         return case
     model = case.model

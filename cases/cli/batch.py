@@ -76,7 +76,7 @@ def batch(  # noqa: PLR0913
                 write_batch(results, directory)
                 if plot:
                     _plot(results, directory)
-        return _tell(results, directory if keep else None, as_json=as_json, quiet=quiet)
+        return _report(results, directory if keep else None, as_json=as_json, quiet=quiet)
 
 
 @contextmanager
@@ -127,10 +127,8 @@ def _plot(results: BatchResults, directory: Path) -> None:
         say(f"oilfilm: {problem}")
 
 
-def _tell(results: BatchResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
-    """The summary or the table, what went wrong, and the exit code: a lost worker is the machine's
-    failure.
-    """
+def _report(results: BatchResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
+    """Print summary or table; exit code, in which a lost worker is a failure of the machine."""
     from postprocess.batch.results import batch_summary
     from postprocess.batch.table import batch_table
 

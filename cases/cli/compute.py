@@ -181,9 +181,7 @@ def table(  # noqa: PLR0913
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
-    """Tabulate the shear traction of a bearing's contacts over load, speed and sliding; with plots
-    beside the file.
-    """
+    """Tabulate shear traction of a bearing's contacts over load, speed and sliding."""
     loaded = load_bearing(case, "a traction table needs a bearing")
     path = (
         output if output is not None else None if as_json else Path(f"{Path(case).stem}_table.zip")

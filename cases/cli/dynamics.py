@@ -52,9 +52,7 @@ def dynamics(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
-    """Simulate a bearing over time: balls, cage and inner ring under contact, friction, drag and
-    impact.
-    """
+    """Simulate a bearing over time: balls, cage and inner ring."""
     loaded = load_bearing(case, "a simulation needs a bearing")
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):

@@ -1,6 +1,4 @@
-"""What a command shows: progress and messages on standard error, results on standard output, exit
-codes.
-"""
+"""What a command shows: progress, messages, results, exit codes."""
 
 import functools
 import os
@@ -29,9 +27,7 @@ P = ParamSpec("P")
 
 
 def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
-    """Turn what a command raises or returns into an exit code and a message; a traceback never
-    reaches the terminal.
-    """
+    """Turn what a command raises or returns into an exit code and a message, no traceback."""
 
     @functools.wraps(command)
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
@@ -44,9 +40,7 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
 
 
 def exit_code(command: Callable[[], int | None]) -> int:
-    """Run a command; 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 the machine failed us
-    [-].
-    """
+    """Run a command: 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 failure [-]."""
     main = threading.current_thread() is threading.main_thread()
     previous = signal.signal(signal.SIGTERM, _interrupt) if main else None
     try:

@@ -50,9 +50,7 @@ def verify(
     as_json: Json = False,
     quiet: Quiet = False,
 ) -> int:
-    """Compute the verification page of the contact solver: orders, limits, converged films,
-    costs.
-    """
+    """Compute the verification page of the contact solver: orders, limits, films, costs."""
     if robustness is not None and section:
         raise CaseError(["--robustness, --section: found together; allowed: one of them"])
     if robustness is None and seed is not None:

@@ -104,9 +104,7 @@ def run_case(
 
 
 def _equilibrium(case: Case) -> QuasistaticSolution:
-    """Loads, angles and motion of the balls; on Ctrl-C, while films are solved for the traction,
-    `Interrupted`.
-    """
+    """Loads, angles and motion of the balls; `Interrupted` on Ctrl-C."""
     try:
         return case_equilibrium(case)
     except KeyboardInterrupt:
@@ -120,9 +118,7 @@ def _friction(
     solutions: Sequence[ContactSolution | None],
     timing: dict[str, float],
 ) -> tuple[tuple[ContactTraction | None, ...], TorqueBreakdown | None]:
-    """Shear of the contacts, with the balls in traction equilibrium where that was found, and the
-    friction torque.
-    """
+    """Shear of the contacts and the friction torque, balls as balanced by the torque."""
     start = perf_counter()
     torque = _torque(case, state, contacts, solutions)
     tractions = _tractions(case, state, contacts, solutions)
@@ -158,9 +154,7 @@ def _torque(
     contacts: Sequence[BearingContact],
     solutions: Sequence[ContactSolution | None],
 ) -> TorqueBreakdown | None:
-    """Friction torque by every model; the integrated one needs a friction law, or the films of all
-    contacts.
-    """
+    """Friction torque by every model; integrated from a friction law or the films."""
     if case.friction is None or not state.converged:
         return None
     shear = None

@@ -59,9 +59,7 @@ def wanted_contacts(
 
 
 def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
-    """Numbers of the balls whose contacts `film_maps` asks for; loaded means that the inner race
-    carries load.
-    """
+    """Balls whose contacts `film_maps` selects; loaded: the inner race carries load."""
     if case.film_maps == "none":
         return set()
     if case.film_maps == "loaded":

@@ -1,6 +1,4 @@
-"""Where the compiled kernels are kept when neither the installation nor the home directory can be
-written.
-"""
+"""Where compiled kernels are kept when installation and home cannot be written."""
 
 import hashlib
 import os
@@ -84,9 +82,7 @@ def _user_cache() -> Path:
 
 
 def _writable(folder: Path) -> bool:
-    """Whether a file can be made; permission bits alone do not tell for read-only file systems and
-    root.
-    """
+    """Whether a file can be made; permission bits are not enough (read-only systems, root)."""
     try:
         with tempfile.TemporaryFile(dir=folder):
             return True

@@ -1,6 +1,4 @@
-"""The folder of a result: complete or not there, and never at the cost of somebody else's
-files.
-"""
+"""The folder of a result: complete or not there; files of others are never replaced."""
 
 import json
 import os
@@ -18,9 +16,7 @@ LAST = "summary.json"
 
 
 def check_output(directory: Path) -> None:
-    """Whether results can be written to `directory`, before anything is computed; `CaseError` if
-    not.
-    """
+    """Whether results can be written to `directory`; `CaseError` before computing if not."""
     if directory.exists() and not directory.is_dir():
         raise CaseError(
             [
@@ -77,9 +73,7 @@ def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str
 
 
 def _replace(temporary: Path, directory: Path, files: list[str]) -> None:
-    """Move the new files in, and remove the files of an earlier result that are no longer
-    there.
-    """
+    """Move the new files in; remove files of an earlier result that have no successor."""
     earlier = _earlier_files(directory)
     foreign = [name for name in files if name not in earlier and (directory / name).exists()]
     if foreign:

@@ -59,9 +59,7 @@ def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
 def _at(
     stored: TractionTable | TemperatureTable, oil: Lubricant, rheology: Rheology
 ) -> TractionTable:
-    """The table at the temperature of an oil, with its rheology where that is the tables' own at
-    this temperature.
-    """
+    """The table at the temperature of an oil, with its rheology where that is the tables' own."""
     if isinstance(stored, TractionTable):
         return stored
     if oil.temperature is None:
@@ -73,9 +71,7 @@ def _at(
 
 
 def _same_shear(contact: TableContact, oil: Lubricant, rheology: Rheology) -> bool:
-    """Whether a table shears by this law; an Eyring stress may go with 1/alpha over temperature,
-    as assumed ones do.
-    """
+    """Whether a table shears by this law; an Eyring stress may scale with 1/alpha."""
     stress = rheology.eyring_stress
     if contact.rheology.eyring_stress != stress and oil.pressure_viscosity > 0.0:
         stress *= oil.pressure_viscosity / contact.lubricant.pressure_viscosity

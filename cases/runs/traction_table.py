@@ -131,9 +131,7 @@ def run_table(
 def with_full_solves(
     results: TractionResults, count: int, progress: Progress | None = None
 ) -> TractionResults:
-    """The tables' films beside full solves at so many places each, with heat if the tables have
-    it.
-    """
+    """Tables compared with full solves at `count` places each, with heat where tables have it."""
     compared = dict(results.tables)
     for race, table in results.tables.items():
         notify = race_progress(progress, race)

@@ -36,9 +36,7 @@ POWER_TOLERANCE = {"RI": 0.1, "EI": 0.05, "RP": 0.1, "EP": 0.05}
 
 
 def asymptotes(m: float, l: float, ratio: float) -> dict[str, float]:  # noqa: E741
-    """The four asymptotes (h/Rx)(2U)^(-1/2) [-], Nijenbanning, Venner and Moes (1994); entrainment
-    along x.
-    """
+    """Four asymptotes (h/Rx)(2U)^(-1/2) [-], Nijenbanning, Venner and Moes (1994)."""
     d = ratio
     q = 1.0 + 0.006 * log(d) + 0.63 * d ** (4 / 7)
     return {

@@ -79,9 +79,7 @@ def from_groups(
 
 
 def race_6208(load: float, outer: bool = False) -> ContactConditions:
-    """Ball on a race of the all-ceramic 6208 at 10 000 r/min under a load [N]; ball 12 mm, pitch
-    60 mm.
-    """
+    """Ball on a race of the all-ceramic 6208 at 10 000 r/min under a load [N]."""
     ball = 6e-3
     race = 36e-3 if outer else 24e-3
     groove = 6.29e-3 if outer else 6.17e-3

@@ -23,9 +23,7 @@ MOST_CYCLES = 12
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConvergedFilms:
-    """Central and minimum film of one grid in units of a^2/Rx, its mesh in semi-axes, change in
-    the last cycle [-].
-    """
+    """Films of one grid [a^2/Rx], mesh in semi-axes, change in the last cycle [-]."""
 
     points: int
     hx: float

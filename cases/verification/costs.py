@@ -1,6 +1,4 @@
-"""Cost of the contact solve: time in deflections of the same run, cycles, memory, from 65 to 2049
-points.
-"""
+"""Cost of the contact solve: time in deflections, cycles and memory, 65 to 2049 points."""
 
 import time
 import tracemalloc

@@ -34,9 +34,7 @@ class Draw:
 
     @property
     def kind(self) -> str:
-        """Of its entrainment: along a principal direction, at an angle, or turning from place to
-        place.
-        """
+        """Of its entrainment: along a principal direction, at an angle, or rotating."""
         if self.rotation:
             return "rotating"
         return "at an angle" if self.groups.entrainment_angle else "straight"

@@ -53,9 +53,7 @@ def named_films(quick: bool = False) -> Section:
 
 
 def _reference_checks(circle: ContactSolution, within: float) -> list[Check]:
-    """M 20, L 10 in its box against values of the team's earlier study by the same family of
-    methods.
-    """
+    """M 20, L 10 in its box against the team's earlier study by the same family of methods."""
     checks = []
     for film, reference in zip(FILMS, REFERENCE, strict=True):
         difference = abs(getattr(circle, film).value / reference - 1.0)

@@ -1,6 +1,4 @@
-"""Limits with a known answer: Hertz, rigid surfaces, a contact turned or given in other units, the
-size of the box.
-"""
+"""Known limits: Hertz' pressure, one contact posed in several ways, the size of the box."""
 
 from dataclasses import replace
 from functools import partial
@@ -118,9 +116,7 @@ def _hertz_checks(resolved: list[ContactSolution], share: float) -> tuple[Check,
 
 
 def approach_formula(m: float, l: float) -> float:  # noqa: E741
-    """Approach of a lubricated circular contact over Hertz' [-], 1 - p M^q, Venner and Lubrecht
-    (2000).
-    """
+    """Approach over Hertz' of a circular contact [-], 1 - p M^q, Venner and Lubrecht (2000)."""
     p = ((4.0 - 0.2 * l) ** 7 + (3.5 + 0.1 * l) ** 7) ** (1 / 7)
     return float(1.0 - p * m ** (-(0.6 + 0.6 / sqrt(l + 3.0))))
 
@@ -247,9 +243,7 @@ BOX_SCALES = ((1.0, 65), (2.0, 129), (4.0, 257))
 
 
 def _boxes() -> tuple[Table, float]:
-    """Central film against the size of the box at one mesh size, and the change from the second to
-    the third.
-    """
+    """Central film over the size of the box at one mesh size, and its last change."""
     jobs = [
         (name, is_open, *scale)
         for name in BOX_CONTACTS

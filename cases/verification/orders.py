@@ -1,6 +1,4 @@
-"""Observed orders: films on a sequence of grids, and the parts of the discretisation by
-themselves.
-"""
+"""Observed orders of films on a sequence of grids and of parts of the discretisation."""
 
 from functools import partial
 from math import log2, pi
@@ -184,9 +182,7 @@ def _hertz_error(ratio: float, cells: int) -> float:
 
 
 def _kapitza_error(rotation: float, cells: int) -> float:
-    """Largest difference of the discrete Poiseuille term of the far field from the Couette term it
-    balances [-].
-    """
+    """Largest difference of the discrete Poiseuille term and the Couette term it balances [-]."""
     contact = scale_contact(
         from_groups(moes(2.0, 1.0, 0.3, 0.4, oil=WATER_LIKE), rotation=rotation)
     )

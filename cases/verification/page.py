@@ -84,9 +84,7 @@ def columns(names: str) -> tuple[str, ...]:
 
 
 def each(function: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
-    """`function` of every item, in order, on all cores: the kernels release the interpreter's
-    lock.
-    """
+    """`function` of every item, in order, on all cores: kernels release the lock."""
     with ThreadPoolExecutor(max_workers=cores()) as pool:
         return list(pool.map(function, items))
 

@@ -1,6 +1,4 @@
-"""Rigid surfaces and isoviscous oil: films beside Kapitza's closed form and a direct solution of
-Reynolds' equation.
-"""
+"""Rigid surfaces, isoviscous oil: films beside Kapitza's form and a direct solution."""
 
 from math import pi, sqrt
 from typing import Any
@@ -132,9 +130,7 @@ def _beyond(reach: float, ratio: float) -> float:
 
 
 def _finite_volumes(x: Array, y: Array, ratio: float) -> tuple[Any, Array, Array]:
-    """Matrix of the left side integrated over the cells around the nodes, the right side, and the
-    cells' areas [-].
-    """
+    """Matrix of the left side, right side and areas of the cells around the nodes [-]."""
     xm, ym = 0.5 * (x[1:] + x[:-1]), 0.5 * (y[1:] + y[:-1])
     west = np.concatenate((x[:1], xm))
     east = np.concatenate((xm, x[-1:]))

@@ -1,6 +1,4 @@
-"""The sweep over random contacts: solved untuned, kept draw by draw, and gone on with after an
-interruption.
-"""
+"""The sweep over random contacts: solved untuned, kept draw by draw, resumable."""
 
 import json
 import threading
@@ -56,9 +54,7 @@ class Finished:
 
     @property
     def resolvable(self) -> bool:
-        """Whether the most points resolve it: it was resolved, its film spans enough meshes, or
-        nothing tells.
-        """
+        """Whether the most points resolve it: resolved, enough meshes in the film, or unknown."""
         return (
             (self.converged and self.resolved)
             or self.fineness is None
@@ -111,9 +107,7 @@ def solve_draw(draw: Draw, points: tuple[int, ...] = POINTS) -> Finished:
 
 
 def _fineness(solution: ContactSolution) -> float | None:
-    """Hmin/(S hx^2) [-] on the finest grid, or of the thin-film extrapolation; None if it is not
-    positive.
-    """
+    """Hmin/(S hx^2) [-] of the finest or the extrapolated film; None if not positive."""
     curvature = scale_contact(solution.conditions).curvature_x
     film = solution.film_minimum_dimensionless
     best = film.value if THIN_FILM in solution.record.fallbacks else film.finest
@@ -161,9 +155,7 @@ def sweep(
 
 
 def _take_over(file: Path, head: dict[str, Any]) -> list[Finished]:
-    """The finished draws of a file, which is begun if there is none; a last line cut short is
-    taken away.
-    """
+    """Finished draws of a file, begun if there is none; a truncated last line is removed."""
     if not file.exists():
         file.parent.mkdir(parents=True, exist_ok=True)
         file.write_text(json.dumps(head) + "\n", encoding="utf-8")

@@ -72,9 +72,7 @@ def check_page(directory: Path, page: str) -> None:
 
 
 def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
-    """Write the page, its pictures and its numbers into a folder; each file appears when it is
-    complete.
-    """
+    """Write the page, its pictures and numbers; each file appears when it is complete."""
     (directory / PICTURES).mkdir(parents=True, exist_ok=True)
     pictures = [
         (picture.stem, picture.draw) for section in sections for picture in section.pictures
