@@ -1,6 +1,6 @@
 from .contacts.contacts import BearingContact, contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
-from .fits.clearance import ClearanceBudget, Fit, Warming, clearance_budget
+from .fits.clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget
 from .friction.equilibrium import solve_traction_equilibrium
 from .friction.sources import BallTraction
 from .geometry import (
@@ -46,7 +46,7 @@ __all__ = [
     "SlipStudy",
     "StiffnessOverSpeed",
     "Truncation",
-    "Warming",
+    "TemperatureRise",
     "bearing_frequencies",
     "bearing_life",
     "clearance_budget",

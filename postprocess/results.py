@@ -7,7 +7,7 @@ from typing import Any
 from bearing.contacts.contacts import BearingContact
 from bearing.contacts.traction import ContactTraction
 from bearing.fits.clearance import ClearanceBudget
-from bearing.heating.self_heating import WarmState
+from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import Frequencies
 from bearing.rating.life import LifeRating
@@ -47,7 +47,7 @@ class BearingResults:
     life : LifeRating or None
     clearance : ClearanceBudget or None
         None where the clearance given is the operating one.
-    heating : WarmState or None
+    heating : SelfHeatingSolution or None
         None where no heat transfer is given.
     """
 
@@ -65,7 +65,7 @@ class BearingResults:
     tractions: tuple[ContactTraction | None, ...] = ()
     life: LifeRating | None = None
     clearance: ClearanceBudget | None = None
-    heating: WarmState | None = None
+    heating: SelfHeatingSolution | None = None
 
     @property
     def converged(self) -> bool:

@@ -158,7 +158,7 @@ def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
 
 
 # ring x, y, z, tilt y, tilt z; cage x, y, z, rotation, tilt y, tilt z; ball x, y, z and turns
-FREE = {
+FREE_COORDINATES = {
     LoadType.RADIAL: ((0, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (0, 1, 1, 1, 0, 0)),
     LoadType.AXIAL: ((1, 0, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 1, 1, 1, 1, 1)),
     LoadType.COMBINED: ((1, 1, 0, 0, 0), (0, 0, 0, 1, 0, 0), (1, 1, 1, 1, 1, 1)),
@@ -173,7 +173,7 @@ def free_coordinates(
     """1 or 0 for each coordinate of ring, cage and a ball [-]; the general ring is held where the
     case holds it.
     """
-    ring, cage, ball = FREE[kind]
+    ring, cage, ball = FREE_COORDINATES[kind]
     held = tuple(0 if load is None else 1 for load in operation.loads)
     return held if kind is LoadType.GENERAL else ring, cage, ball
 

@@ -1,13 +1,208 @@
-"""How well the mean of a history is known, by batch means; whirl of a centre."""
+"""Statistics of a simulation: energies, speeds over its last third with confidence intervals,
+contact states, loads, whirl.
+"""
+
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from .arrays import Array
+from .arrays import (
+    GIVEN_FORCE,
+    INNER_SPEED,
+    OUTER_SPEED,
+    POCKET_FORCE,
+    RACE_FORCE,
+    SCHEDULED,
+    TIME,
+    Array,
+)
+from .laws import kinematic_cage_speed
+from .layout import CAGE_ROTATION, Layout
+from .record import Record
+from .simulation import Simulation
 
 BATCHES = 10  # fewest of the ten to thirty of Schmeiser (1982), Operations Research 30, 556
 STUDENT = 2.2622  # 97.5 % of Student's distribution with BATCHES - 1 degrees of freedom
-LEAST = 2 * BATCHES  # samples, below which no interval is given
-STILL = 1.0e-12  # way of a centre that counts as none [m]
+SMALLEST_SAMPLE = 2 * BATCHES  # values, below which no interval is given
+SMALLEST_ORBIT = 1.0e-12  # of a centre, below which it has no whirl [m]
+AVERAGED_SHARE = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
+MECHANISMS = (
+    "drive_inner",
+    "drive_outer",
+    "loads",
+    "friction_inner",
+    "friction_outer",
+    "race_damping",
+    "pocket_damping",
+    "pocket_friction",
+    "land_friction",
+    "churning",
+    "support",
+    "films",
+)  # in the order of the accumulators; films: taken up, negative where they lift balls
+INPUTS = 3  # of them put energy in
+LOSSES = slice(INPUTS, -1)  # those that dissipate it; the last, the films, gives or takes
+
+
+@dataclass(slots=True)
+class RunningStatistics:
+    """Sums over the records of a simulation, whose history itself goes to disk."""
+
+    balls: int
+    time: list[Array] = field(default_factory=list)
+    cage_rotation: list[Array] = field(default_factory=list)  # [rad]
+    orbit_speed: list[Array] = field(default_factory=list)  # mean of the balls [rad/s]
+    centres: list[Array] = field(default_factory=list)  # y, z of ring and of cage, (m, 4) [m]
+    load_sum: Array = field(default_factory=lambda: np.zeros(0))  # [N]
+    load_largest: Array = field(default_factory=lambda: np.zeros(0))  # [N]
+    pocket_largest: Array = field(default_factory=lambda: np.zeros(0))  # [N]
+    residual: float = 0.0  # largest of the energies [J]
+    rows: int = 0
+
+    def add(self, record: Record, start_energy: float) -> None:
+        """Take a record in; start energy in [J]."""
+        layout = Layout(self.balls)
+        self.time.append(record.time)
+        self.cage_rotation.append(record.state[:, layout.cage][:, CAGE_ROTATION].copy())
+        self.orbit_speed.append(orbit_speeds(record.state, layout).mean(axis=1))
+        self.centres.append(
+            np.hstack([record.state[:, part][:, 1:3] for part in (layout.ring, layout.cage)])
+        )
+        loads, pockets = record.races[..., RACE_FORCE], record.pockets[..., POCKET_FORCE]
+        if not self.rows:
+            self.load_sum, self.load_largest = np.zeros(loads.shape[1:]), np.zeros(loads.shape[1:])
+            self.pocket_largest = np.zeros(self.balls)
+        self.load_sum += loads.sum(axis=0)
+        self.load_largest = np.maximum(self.load_largest, loads.max(axis=0))
+        self.pocket_largest = np.maximum(self.pocket_largest, pockets.max(axis=0))
+        work = record.state[:, layout.energy]
+        change = record.energy.sum(axis=1) - start_energy
+        error = change - work[:, :INPUTS].sum(axis=1) + work[:, INPUTS:].sum(axis=1)
+        self.residual = max(self.residual, float(np.abs(error).max()))
+        self.rows += record.time.size
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SimulationStatistics:
+    """Numbers of a simulation.
+
+    Attributes
+    ----------
+    simulated, wall : float
+        [s].
+    cage_speed, orbit_speed, kinematic_speed : float
+        Means over the last third, of the cage and of the balls, and the kinematic speed of the
+        same time [rad/s].
+    cage_interval, orbit_interval : float or None
+        Half widths of the 95 % confidence intervals of the first two, `batch_interval` [rad/s].
+    ring_whirl, cage_whirl : float or None
+        Of the centres over the last third, `whirl_speed`; None where they stay [rad/s].
+    work : dict of float
+        Put in, lost and taken up by films, by mechanism [J].
+    stored : float
+        Change of kinetic, elastic and potential energy [J].
+    energy_error : float
+        Largest residual over the total input or, where that is less, over what was lost [-].
+    shares : ndarray, shape (2, Z, 3)
+        Of the time free, in contact, in an impact; inner and outer race [-].
+    mean_load, largest_load : ndarray, shape (2, Z)
+        [N].
+    largest_pocket_load : ndarray, shape (Z,)
+        [N].
+    """
+
+    simulated: float
+    wall: float
+    cage_speed: float
+    orbit_speed: float
+    kinematic_speed: float
+    cage_interval: float | None
+    orbit_interval: float | None
+    ring_whirl: float | None
+    cage_whirl: float | None
+    work: dict[str, float]
+    stored: float
+    energy_error: float
+    shares: Array
+    mean_load: Array
+    largest_load: Array
+    largest_pocket_load: Array
+
+
+def orbit_speeds(states: Array, layout: Layout) -> Array:
+    """Angular speeds of the balls' centres about the axis [rad/s], shape (m, Z), from rows of
+    states.
+    """
+    place = states[:, layout.ball].reshape(len(states), -1, 3)
+    speed = states[:, layout.ball_speed].reshape(len(states), -1, 3)
+    turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
+    result: Array = turn / (place[..., 1] ** 2 + place[..., 2] ** 2)
+    return result
+
+
+def simulation_statistics(
+    simulation: Simulation, running: RunningStatistics
+) -> SimulationStatistics | None:
+    """Sum a simulation up; None where not one sample was reached.
+
+    Parameters
+    ----------
+    simulation : Simulation
+    running : RunningStatistics
+
+    Returns
+    -------
+    SimulationStatistics or None
+    """
+    if not running.rows:
+        return None
+    time = np.concatenate(running.time)
+    state = simulation.state
+    late = time >= (1.0 - AVERAGED_SHARE) * time[-1]
+    late[-2:] = True
+    cage = np.concatenate(running.cage_rotation)[late]
+    orbit, centres = (
+        np.concatenate(running.orbit_speed)[late],
+        np.concatenate(running.centres)[late],
+    )
+    span = float(time[late][-1] - time[late][0])
+    has_cage = simulation.data.constants.cage_mass > 0.0 and span > 0.0
+    work = state.y[simulation.layout.energy]
+    put_in = float(np.sum(work[:INPUTS]))
+    lost = float(np.sum(work[LOSSES]))
+    return SimulationStatistics(
+        simulated=state.time,
+        wall=simulation.wall,
+        cage_speed=float(cage[-1] - cage[0]) / span if has_cage else float(orbit.mean()),
+        orbit_speed=float(orbit.mean()),
+        kinematic_speed=_kinematic(simulation, time[late]),
+        cage_interval=batch_interval(np.diff(cage) / np.diff(time[late]) if has_cage else orbit),
+        orbit_interval=batch_interval(orbit),
+        ring_whirl=whirl_speed(time[late], centres[:, :2]),
+        cage_whirl=whirl_speed(time[late], centres[:, 2:]),
+        work=dict(zip(MECHANISMS, work.tolist(), strict=True)),
+        stored=put_in - lost - float(work[-1]),
+        energy_error=running.residual / max(abs(put_in), abs(lost), 1e-300),
+        shares=state.shares / max(state.time, 1e-300),
+        mean_load=running.load_sum / running.rows,
+        largest_load=running.load_largest,
+        largest_pocket_load=running.pocket_largest,
+    )
+
+
+def nominal_angle(simulation: Simulation) -> float:
+    """Contact angle of the kinematic speed [rad]: the free one under an axial load, else zero."""
+    axial = np.any(simulation.data.schedule[:, SCHEDULED + GIVEN_FORCE])
+    return simulation.bearing.free_contact_angle if axial else 0.0
+
+
+def _kinematic(simulation: Simulation, times: Array) -> float:
+    rows = simulation.data.schedule
+    inner, outer = (
+        float(np.interp(times, rows[:, TIME], rows[:, SCHEDULED + ring]).mean())
+        for ring in (INNER_SPEED, OUTER_SPEED)
+    )
+    return kinematic_cage_speed(simulation.bearing, inner, outer, nominal_angle(simulation))
 
 
 def batch_interval(values: Array) -> float | None:
@@ -26,9 +221,9 @@ def batch_interval(values: Array) -> float | None:
     Returns
     -------
     float or None
-        [unit of the values]; None below `LEAST` values.
+        [unit of the values]; None below `SMALLEST_SAMPLE` values.
     """
-    if values.size < LEAST:
+    if values.size < SMALLEST_SAMPLE:
         return None
     size = values.size // BATCHES
     means = values[values.size - size * BATCHES :].reshape(BATCHES, size).mean(axis=1)
@@ -53,7 +248,7 @@ def whirl_speed(time: Array, place: Array) -> float | None:
         samples.
     """
     off = place - place.mean(axis=0)
-    if time.size < 3 or np.abs(off).max() < STILL:
+    if time.size < 3 or np.abs(off).max() < SMALLEST_ORBIT:
         return None
     angle = np.unwrap(np.arctan2(off[:, 1], off[:, 0]))
     return float(angle[-1] - angle[0]) / float(time[-1] - time[0])

@@ -1,1 +1,4 @@
-"""Fits, clearance and the cage's clearance."""
+"""Fits and clearances.
+
+clearance  - clearance in operation by fits, temperature and speed; clearances of the cage
+"""

@@ -1,5 +1,5 @@
-"""Clearance of a mounted, warm, turning bearing: interference fits, thermal growth, centrifugal
-growth of the rings.
+"""Clearance of a mounted, heated, rotating bearing: interference fits, thermal growth, centrifugal
+growth of the rings; clearances of its cage.
 
 Every ring is a cylinder in plane stress: the inner one from the bore to the bottom of its groove,
 the outer one from the bottom of its groove to the outside diameter; shaft and housing likewise.
@@ -16,7 +16,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import isfinite
 
-from ..geometry import Bearing
+from ..geometry import Bearing, Race
 from ..material import Material
 from ..operation import Operation
 
@@ -46,7 +46,7 @@ class Fit:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Warming:
+class TemperatureRise:
     """Temperatures above that at which bearing, shaft and housing were measured [K]."""
 
     inner_ring: float = 0.0
@@ -57,15 +57,23 @@ class Warming:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class CageClearance:
+    """Change of the clearances of a cage by heat, positive where they grow."""
+
+    pocket: float  # diametral, of a ball in its pocket [m]
+    land: float | None = None  # radial, on the guiding land; None where balls guide the cage [m]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ClearanceBudget:
-    """Diametral clearance from the box to operation, and what changes it; all on the diameter.
+    """Diametral clearance from delivery to operation, and what changes it; all on the diameter.
 
     Attributes
     ----------
     initial, mounted, operating : float
-        Clearance [m] as delivered, after mounting, and warm and turning.
+        Clearance as delivered, after mounting, and in operation [m].
     inner_fit, outer_fit : float
-        Change of clearance by the fits in operation [m], never positive.
+        Change of clearance by the fits in operation, never positive [m].
     thermal, centrifugal : float
         Change of clearance by free thermal and centrifugal growth of rings and balls [m].
     inner_interference, outer_interference : float
@@ -89,75 +97,48 @@ class ClearanceBudget:
     inner_pressure: float = 0.0
     outer_pressure: float = 0.0
     messages: tuple[str, ...] = ()
-    cage: "CageClearance | None" = None
+    cage: CageClearance | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Cylinder:
     """A ring, a shaft (inner diameter 0 where it is solid) or a housing: diameters [m], speed
-    [rad/s], warming [K].
+    [rad/s], temperature rise [K].
     """
 
     material: Material
     inner: float
     outer: float
     speed: float = 0.0
-    warming: float = 0.0
+    rise: float = 0.0
 
     def free_growth(self, diameter: float) -> float:
-        """Growth of the inner or outer diameter by temperature and speed, without neighbours [m]."""
-        return thermal_growth(self.material, diameter, self.warming) + self.centrifugal(diameter)
+        """Growth of the inner or outer diameter by temperature and speed, without seats [m]."""
+        return thermal_growth(self.material, diameter, self.rise) + self.centrifugal(diameter)
 
     def centrifugal(self, diameter: float) -> float:
         other = self.outer if diameter == self.inner else self.inner
         return centrifugal_growth(self.material, diameter, other, self.speed)
 
 
-def thermal_growth(material: Material, diameter: float, warming: float) -> float:
-    """Growth of a diameter, alpha D dT [m].
-
-    Parameters
-    ----------
-    material : Material
-        With its thermal expansion [1/K], unless there is no warming.
-    diameter : float
-        [m].
-    warming : float
-        [K].
-
-    Returns
-    -------
-    float
-        [m].
-    """
-    if warming == 0.0:
+def thermal_growth(material: Material, diameter: float, rise: float) -> float:
+    """Growth of a diameter [m] by a temperature rise [K], alpha D dT [m]."""
+    if rise == 0.0:
         return 0.0
     if material.thermal_expansion is None:
         raise ValueError(
-            f"material {material.name!r} has no thermal_expansion, which a change of temperature needs"
+            f"material {material.name!r} has no thermal_expansion, which a change of temperature "
+            "needs"
         )
-    return material.thermal_expansion * diameter * warming
+    return material.thermal_expansion * diameter * rise
 
 
 def centrifugal_growth(material: Material, diameter: float, other: float, speed: float) -> float:
-    """Growth of one diameter of a free turning cylinder, rho omega^2 D [(1 - nu) D^2 + (3 + nu)
-    D_other^2]/(16 E).
+    """Growth of one diameter [m] of a free cylinder at a speed [rad/s], the other diameter 0 where
+    it is solid: rho omega^2 D [(1 - nu) D^2 + (3 + nu) D_other^2]/(16 E) [m].
 
     Lame, plane stress: the hoop stress at the free surface r is rho omega^2 [(1 - nu) r^2 + (3 +
     nu) r_other^2]/4.
-
-    Parameters
-    ----------
-    material : Material
-    diameter, other : float
-        The diameter that grows, and the cylinder's other one (0 where it is solid) [m].
-    speed : float
-        [rad/s].
-
-    Returns
-    -------
-    float
-        [m].
     """
     nu = material.poisson_ratio
     stress = (
@@ -167,24 +148,11 @@ def centrifugal_growth(material: Material, diameter: float, other: float, speed:
 
 
 def fit_pressure(interference: float, diameter: float, hub: _Cylinder, shaft: _Cylinder) -> float:
-    """Pressure of a cylindrical fit [Pa], Lame; 0 where it is loose.
+    """Pressure of a cylindrical fit [Pa], Lame, by its interference [m] on its diameter [m]; 0
+    where it is loose.
 
     delta = p d { [(h^2 + d^2)/(h^2 - d^2) + nu_h]/E_h + [(d^2 + s^2)/(d^2 - s^2) - nu_s]/E_s },
     h the outer diameter of the hub, s the bore of the shaft.
-
-    Parameters
-    ----------
-    interference : float
-        On the diameter [m].
-    diameter : float
-        Of the seat [m].
-    hub, shaft : _Cylinder
-        The outer and the inner part.
-
-    Returns
-    -------
-    float
-        [Pa].
     """
     if interference <= 0.0:
         return 0.0
@@ -197,37 +165,22 @@ def fit_pressure(interference: float, diameter: float, hub: _Cylinder, shaft: _C
 
 
 def far_growth(pressure: float, ring: _Cylinder, *, inside: bool) -> float:
-    """Growth of a ring's far diameter under a pressure on its seat [m], Lame.
+    """Growth of a ring's far diameter under a pressure [Pa] on its seat [m], Lame.
 
     2 p d_in^2 d_out/(E (d_out^2 - d_in^2)) of the outer diameter with the pressure inside, minus 2
     p d_out^2 d_in/(...) of the inner one with the pressure outside.
-
-    Parameters
-    ----------
-    pressure : float
-        [Pa].
-    ring : _Cylinder
-    inside : bool
-        Whether the pressure acts on the inner surface.
-
-    Returns
-    -------
-    float
-        [m].
     """
-    near, far = (ring.inner, ring.outer) if inside else (ring.outer, ring.inner)
-    growth = (
-        2.0
-        * pressure
-        * near**2
-        * far
-        / (ring.material.youngs_modulus * (ring.outer**2 - ring.inner**2))
-    )
+    seat, far = (ring.inner, ring.outer) if inside else (ring.outer, ring.inner)
+    modulus = ring.material.youngs_modulus
+    growth = 2.0 * pressure * seat**2 * far / (modulus * (ring.outer**2 - ring.inner**2))
     return growth if inside else 0.0 - growth
 
 
 def clearance_budget(
-    bearing: Bearing, operation: Operation, fit: Fit | None = None, warming: Warming | None = None
+    bearing: Bearing,
+    operation: Operation,
+    fit: Fit | None = None,
+    rise: TemperatureRise | None = None,
 ) -> ClearanceBudget:
     """Clearance in operation from that of the bearing as delivered.
 
@@ -238,13 +191,9 @@ def clearance_budget(
     operation : Operation
         Speeds of the rings [rad/s]; shaft and housing turn with them.
     fit : Fit, optional
-        Left out, the rings are free.
-    warming : Warming, optional
-        Left out, nothing warms up.
-
-    Returns
-    -------
-    ClearanceBudget
+        None: the rings are free.
+    rise : TemperatureRise, optional
+        None: nothing heats up.
 
     Raises
     ------
@@ -252,23 +201,18 @@ def clearance_budget(
         If a dimension or a thermal expansion that is needed is missing or impossible; the message
         names it.
     """
-    warming = warming or Warming()
-    cold = Warming()
-    at_rest = (0.0, 0.0)
     speeds = (operation.inner_speed, operation.outer_speed)
     if fit is not None:
         _check(bearing, fit)
-    mounted = _state(bearing, fit, cold, at_rest)
-    running = _state(bearing, fit, warming, speeds)
+    mounted = _changes(bearing, fit, TemperatureRise(), (0.0, 0.0))
+    running = _changes(bearing, fit, rise or TemperatureRise(), speeds)
     initial = bearing.diametral_clearance
-    budget = {name: running[name] for name in running if name != "change"}
     return ClearanceBudget(
         initial=initial,
-        mounted=initial + mounted["change"],
-        operating=initial + running["change"],
-        **budget,
+        mounted=initial + mounted.pop("change"),
+        operating=initial + running.pop("change"),
+        **running,
         messages=tuple(_messages(bearing, fit, running, speeds)),
-        cage=None,
     )
 
 
@@ -278,8 +222,8 @@ def groove_diameters(bearing: Bearing) -> tuple[float, float]:
     return bearing.pitch_diameter - reach, bearing.pitch_diameter + reach
 
 
-def _state(
-    bearing: Bearing, fit: Fit | None, warming: Warming, speeds: tuple[float, float]
+def _changes(
+    bearing: Bearing, fit: Fit | None, rise: TemperatureRise, speeds: tuple[float, float]
 ) -> dict[str, float]:
     """Change of clearance and its parts, interferences [m] and pressures [Pa] at given
     temperatures and speeds.
@@ -291,40 +235,38 @@ def _state(
         inner=bore,
         outer=bottom,
         speed=speeds[0],
-        warming=warming.inner_ring,
+        rise=rise.inner_ring,
     )
     outer = _Cylinder(
         material=bearing.outer_ring_material,
         inner=top,
         outer=outside,
         speed=speeds[1],
-        warming=warming.outer_ring,
+        rise=rise.outer_ring,
     )
-    balls = thermal_growth(bearing.ball_material, bearing.ball_diameter, warming.ball)
-    rings = (
-        thermal_growth(inner.material, bottom, inner.warming),
-        thermal_growth(outer.material, top, outer.warming),
-    )
-    centrifugal = (outer.centrifugal(top) if outside else 0.0) - (
-        inner.centrifugal(bottom) if bore else 0.0
-    )
-    found = {"thermal": rings[1] - rings[0] - 2.0 * balls, "centrifugal": centrifugal}
-    if fit is not None:
-        found |= _inner_seat(inner, fit, warming) if bore else {}
-        found |= (
-            _outer_seat(outer, fit, warming) if outside and fit.housing_outside_diameter else {}
-        )
-    changes = ("thermal", "centrifugal", "inner_fit", "outer_fit")
-    return found | {"change": sum(found.get(name, 0.0) for name in changes)}
+    balls = thermal_growth(bearing.ball_material, bearing.ball_diameter, rise.ball)
+    inner_ring = thermal_growth(inner.material, bottom, inner.rise)
+    outer_ring = thermal_growth(outer.material, top, outer.rise)
+    changes = {
+        "thermal": outer_ring - inner_ring - 2.0 * balls,
+        "centrifugal": (outer.centrifugal(top) if outside else 0.0)
+        - (inner.centrifugal(bottom) if bore else 0.0),
+    }
+    if fit is not None and bore:
+        changes |= _inner_seat(inner, fit, rise)
+    if fit is not None and outside and fit.housing_outside_diameter:
+        changes |= _outer_seat(outer, fit, rise)
+    parts = ("thermal", "centrifugal", "inner_fit", "outer_fit")
+    return changes | {"change": sum(changes.get(part, 0.0) for part in parts)}
 
 
-def _inner_seat(ring: _Cylinder, fit: Fit, warming: Warming) -> dict[str, float]:
+def _inner_seat(ring: _Cylinder, fit: Fit, rise: TemperatureRise) -> dict[str, float]:
     shaft = _Cylinder(
         material=fit.shaft_material,
         inner=fit.shaft_bore,
         outer=ring.inner,
         speed=ring.speed,
-        warming=warming.shaft,
+        rise=rise.shaft,
     )
     left = fit.inner_interference + shaft.free_growth(ring.inner) - ring.free_growth(ring.inner)
     pressure = fit_pressure(left, ring.inner, hub=ring, shaft=shaft)
@@ -332,13 +274,13 @@ def _inner_seat(ring: _Cylinder, fit: Fit, warming: Warming) -> dict[str, float]
     return {"inner_interference": left, "inner_pressure": pressure, "inner_fit": change}
 
 
-def _outer_seat(ring: _Cylinder, fit: Fit, warming: Warming) -> dict[str, float]:
+def _outer_seat(ring: _Cylinder, fit: Fit, rise: TemperatureRise) -> dict[str, float]:
     housing = _Cylinder(
         material=fit.housing_material,
         inner=ring.outer,
         outer=fit.housing_outside_diameter or 0.0,
         speed=ring.speed,
-        warming=warming.housing,
+        rise=rise.housing,
     )
     left = fit.outer_interference + ring.free_growth(ring.outer) - housing.free_growth(ring.outer)
     pressure = fit_pressure(left, ring.outer, hub=housing, shaft=ring)
@@ -352,24 +294,24 @@ def _check(bearing: Bearing, fit: Fit) -> None:
         if not isfinite(getattr(fit, field)):
             raise ValueError(f"{field} must be finite, got {getattr(fit, field)!r}")
     bottom, top = groove_diameters(bearing)
-    if bearing.bore is None and fit.inner_interference:
-        raise ValueError("bore is needed with an interference of the inner ring")
-    if bearing.bore is not None and not 0.0 <= fit.shaft_bore < bearing.bore < bottom:
-        found = f"{fit.shaft_bore!r}, {bearing.bore!r} and {bottom!r} m"
-        raise ValueError(f"shaft_bore, bore and groove must grow in this order, got {found}")
+    bore, outside = bearing.bore, bearing.outside_diameter
     housing = fit.housing_outside_diameter
-    if fit.outer_interference and (housing is None or bearing.outside_diameter is None):
+    if bore is None and fit.inner_interference:
+        raise ValueError("bore is needed with an interference of the inner ring")
+    if bore is not None and not 0.0 <= fit.shaft_bore < bore < bottom:
         raise ValueError(
-            "housing_outside_diameter and outside_diameter are needed with an interference of the outer ring"
+            "shaft_bore, bore and groove must grow in this order, got "
+            f"{fit.shaft_bore!r}, {bore!r} and {bottom!r} m"
         )
-    if (
-        housing is not None
-        and bearing.outside_diameter is not None
-        and not top < bearing.outside_diameter < housing
-    ):
-        found = f"{top!r}, {bearing.outside_diameter!r} and {housing!r} m"
+    if fit.outer_interference and (housing is None or outside is None):
         raise ValueError(
-            f"groove, outside_diameter and housing_outside_diameter must grow in this order, got {found}"
+            "housing_outside_diameter and outside_diameter are needed with an interference of "
+            "the outer ring"
+        )
+    if housing is not None and outside is not None and not top < outside < housing:
+        raise ValueError(
+            "groove, outside_diameter and housing_outside_diameter must grow in this order, got "
+            f"{top!r}, {outside!r} and {housing!r} m"
         )
 
 
@@ -384,20 +326,45 @@ def _messages(
             yield f"clearance: centrifugal growth of the {ring} ring left out, no {key} is given"
         tight = fit is not None and getattr(fit, f"{ring}_interference") > 0.0
         if tight and running.get(f"{ring}_interference", 0.0) <= 0.0:
-            yield f"clearance: the {ring} ring comes loose on its seat, the fit is lost in operation"
+            yield (
+                f"clearance: the {ring} ring comes loose on its seat, the fit is lost in operation"
+            )
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class CageClearance:
-    """Change of the clearances of a cage by heat.
+def cage_clearance(
+    bearing: Bearing,
+    material: Material,
+    rise: TemperatureRise,
+    cage_rise: float,
+    land: tuple[Race, float] | None,
+) -> CageClearance:
+    """Thermal growth of cage, balls and guiding ring; every part grows freely, alpha D dT.
 
-    Attributes
+    A pocket grows with the cage around it. On the inner ring the cage's bore grows away from the
+    land, on the outer ring its outside grows towards it. Growth of the rings by fits and speed,
+    some micrometres, is left out.
+
+    Parameters
     ----------
-    pocket : float
-        Change of the diametral clearance of a ball in its pocket [m].
-    land : float or None
-        Change of the radial clearance on the guiding land [m]; None where balls guide the cage.
+    bearing : Bearing
+    material : Material
+        Of the cage, with its thermal expansion [1/K].
+    rise : TemperatureRise
+        Of rings and balls [K].
+    cage_rise : float
+        Of the cage [K].
+    land : tuple of Race and float, or None
+        The guiding ring and the diameter of its land [m]; None where balls guide the cage.
     """
-
-    pocket: float
-    land: float | None = None
+    ball = bearing.ball_diameter
+    ball_growth = thermal_growth(bearing.ball_material, ball, rise.ball)
+    pocket = thermal_growth(material, ball, cage_rise) - ball_growth
+    if land is None:
+        return CageClearance(pocket=pocket)
+    race, diameter = land
+    cage = thermal_growth(material, diameter, cage_rise)
+    if race is Race.INNER:
+        room = cage - thermal_growth(bearing.inner_ring_material, diameter, rise.inner_ring)
+    else:
+        room = thermal_growth(bearing.outer_ring_material, diameter, rise.outer_ring) - cage
+    return CageClearance(pocket=pocket, land=0.5 * room)

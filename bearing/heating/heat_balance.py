@@ -14,31 +14,19 @@ from math import isfinite
 
 from scipy.optimize import brentq
 
-LARGEST_RISE = 300.0  # [K] above the warmer of ambient and supply that is looked at
-FIRST_RISE = 10.0  # first temperature looked at above the rest; doubled until the cooling wins [K]
+LARGEST_RISE = 300.0  # above the equilibrium without friction that is searched [K]
+FIRST_RISE = 10.0  # of the search; doubled until the cooling exceeds the friction [K]
 TOLERANCE = 1.0e-4  # of the temperature [K]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Cooling:
-    """Where the heat goes.
+    """Where the heat goes."""
 
-    Attributes
-    ----------
-    conductance : float
-        h, heat to the surroundings per kelvin [W/K].
-    ambient : float
-        [K].
-    oil_flow : float
-        rho c V of the oil that passes through, per kelvin [W/K].
-    oil_supply : float
-        Temperature of the oil supplied [K].
-    """
-
-    conductance: float
-    ambient: float
-    oil_flow: float = 0.0
-    oil_supply: float = 293.15
+    conductance: float  # h, heat to the surroundings per kelvin [W/K]
+    ambient: float  # [K]
+    oil_flow: float = 0.0  # rho c V of the oil that passes through, per kelvin [W/K]
+    oil_supply: float = 293.15  # temperature of the oil supplied [K]
 
     def __post_init__(self) -> None:
         for field in ("conductance", "oil_flow"):
@@ -55,13 +43,12 @@ class Cooling:
                 raise ValueError(f"{field} must be positive and finite, got {value!r} K")
 
     def heat(self, temperature: float) -> float:
-        """Heat carried away at a temperature [K], in [W]."""
-        return self.conductance * (temperature - self.ambient) + self.oil_flow * (
-            temperature - self.oil_supply
-        )
+        """Heat removed at a temperature [K], in [W]."""
+        to_surroundings = self.conductance * (temperature - self.ambient)
+        return to_surroundings + self.oil_flow * (temperature - self.oil_supply)
 
     @property
-    def rest(self) -> float:
+    def frictionless_temperature(self) -> float:
         """Temperature of a bearing without friction [K]."""
         weighted = self.conductance * self.ambient + self.oil_flow * self.oil_supply
         return weighted / (self.conductance + self.oil_flow)
@@ -69,35 +56,19 @@ class Cooling:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeatBalance:
-    """Temperature at which friction and cooling agree.
+    """Temperature at which friction and cooling agree."""
 
-    Attributes
-    ----------
-    temperature : float
-        [K].
-    torque : float
-        [N m].
-    power : float
-        Friction power [W].
-    evaluations : int
-        Of the torque.
-    residual : float
-        Friction less cooling, over the friction [-].
-    converged : bool
-    message : str
-    """
-
-    temperature: float
-    torque: float
-    power: float
-    evaluations: int
-    residual: float
+    temperature: float  # [K]
+    torque: float  # [N m]
+    power: float  # friction power [W]
+    evaluations: int  # of the torque
+    residual: float  # friction less cooling, over the friction [-]
     converged: bool
     message: str
 
 
 def heat_balance(torque: Callable[[float], float], speed: float, cooling: Cooling) -> HeatBalance:
-    """Temperature of a bearing that warms itself.
+    """Temperature of a bearing that is heated by its own friction.
 
     Parameters
     ----------
@@ -112,39 +83,41 @@ def heat_balance(torque: Callable[[float], float], speed: float, cooling: Coolin
     HeatBalance
         Not `converged` where friction exceeds the cooling up to `LARGEST_RISE`.
     """
-    seen: dict[float, float] = {}
+    torques: dict[float, float] = {}
 
     def surplus(temperature: float) -> float:
-        seen[temperature] = torque(temperature)
-        return seen[temperature] * abs(speed) - cooling.heat(temperature)
+        torques[temperature] = torque(temperature)
+        return torques[temperature] * abs(speed) - cooling.heat(temperature)
 
-    low = high = found = cooling.rest
-    message = "converged"
+    # 1. bracket: from the temperature without friction up, in doubling steps
+    coldest = cooling.frictionless_temperature
+    low = high = temperature = coldest
     rise = FIRST_RISE
-    warmer = surplus(low)
-    if warmer <= 0.0:
-        message = "converged: no friction to speak of"
-    while warmer > 0.0 and high < cooling.rest + LARGEST_RISE:
+    excess = surplus(low)
+    message = "converged" if excess > 0.0 else "converged: no friction to speak of"
+    while excess > 0.0 and high < coldest + LARGEST_RISE:
         low = high
-        high = min(cooling.rest + rise, cooling.rest + LARGEST_RISE)
+        high = min(coldest + rise, coldest + LARGEST_RISE)
         rise = 2.0 * rise
-        warmer = surplus(high)
-    if warmer > 0.0:
-        found = high
+        excess = surplus(high)
+    # 2. root in the bracket, Brent (1973)
+    if excess > 0.0:
+        temperature = high
         message = (
-            f"no balance: friction exceeds the cooling up to {LARGEST_RISE:g} K above the rest"
+            f"no balance: friction exceeds the cooling up to {LARGEST_RISE:g} K above the "
+            "temperature without friction"
         )
     elif high > low:
-        found = float(brentq(surplus, low, high, xtol=TOLERANCE))
-        if found not in seen:
-            surplus(found)
-    power = seen[found] * abs(speed)
+        temperature = float(brentq(surplus, low, high, xtol=TOLERANCE))
+        if temperature not in torques:
+            surplus(temperature)
+    power = torques[temperature] * abs(speed)
     return HeatBalance(
-        temperature=found,
-        torque=seen[found],
+        temperature=temperature,
+        torque=torques[temperature],
         power=power,
-        evaluations=len(seen),
-        residual=(power - cooling.heat(found)) / power if power > 0.0 else 0.0,
+        evaluations=len(torques),
+        residual=(power - cooling.heat(temperature)) / power if power > 0.0 else 0.0,
         converged=message.startswith("converged"),
         message=message,
     )

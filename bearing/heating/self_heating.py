@@ -1,5 +1,5 @@
-"""A bearing that warms itself: torque to temperature, to viscosity and clearance, to loads, and
-back to torque.
+"""A bearing heated by its own friction: torque to temperature, to viscosity and clearance, to
+loads, and back to torque.
 """
 
 from collections.abc import Callable, Sequence
@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from ehl.oil.lubricant import Lubricant
 
 from ..contacts.contacts import BearingContact, contact_conditions
-from ..fits.clearance import Fit, Warming, clearance_budget
+from ..fits.clearance import Fit, TemperatureRise, clearance_budget
 from ..geometry import Bearing
 from ..operation import Model, Operation
 from ..quasistatic.solution import QuasistaticSolution
@@ -19,8 +19,8 @@ TorqueModel = Callable[[QuasistaticSolution, Sequence[BearingContact], Lubricant
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class WarmBearing:
-    """A bearing at a temperature that is not known yet.
+class SelfHeatingProblem:
+    """A bearing whose temperature follows from its friction.
 
     Attributes
     ----------
@@ -51,84 +51,47 @@ class WarmBearing:
     reference: float | None = 293.15
     inner_excess: float = 0.0
 
-    def at(self, temperature: float) -> tuple[QuasistaticSolution, Lubricant]:
-        """Equilibrium with the clearance at a temperature [K], and the oil.
+    def clearance(self, temperature: float) -> float:
+        """Diametral clearance [m] at a temperature [K]."""
+        if self.reference is None:
+            return self.bearing.diametral_clearance
+        ball = temperature - self.reference
+        inner = ball + self.inner_excess
+        outer = ball - self.inner_excess
+        rise = TemperatureRise(
+            inner_ring=inner, shaft=inner, outer_ring=outer, housing=outer, ball=ball
+        )
+        return clearance_budget(self.bearing, self.operation, self.fit, rise).operating
+
+    def torque_at(self, temperature: float) -> float:
+        """Friction torque [N m] at a temperature [K]: of the equilibrium with the clearance and
+        the oil there.
 
         Raises
         ------
         ValueError
             If there is no equilibrium at that temperature [K].
         """
+        # 1. clearance, 2. equilibrium, 3. viscosity, 4. torque
         operation = replace(self.operation, temperature=temperature)
-        warm = replace(self.bearing, diametral_clearance=self.clearance(temperature))
-        solution = solve_quasistatic(warm, operation, self.model)
+        bearing = replace(self.bearing, diametral_clearance=self.clearance(temperature))
+        solution = solve_quasistatic(bearing, operation, self.model)
         if not solution.converged:
             raise ValueError(f"no equilibrium at {temperature:.1f} K: {solution.message}")
-        return solution, self.oil(temperature)
-
-    def clearance(self, temperature: float) -> float:
-        """Diametral clearance [m] at a temperature [K]."""
-        if self.reference is None:
-            return self.bearing.diametral_clearance
-        rise = temperature - self.reference
-        excess = self.inner_excess
-        warming = Warming(
-            inner_ring=rise + excess,
-            shaft=rise + excess,
-            outer_ring=rise - excess,
-            housing=rise - excess,
-            ball=rise,
-        )
-        return clearance_budget(self.bearing, self.operation, self.fit, warming).operating
-
-    def torque_at(self, temperature: float) -> float:
-        """Friction torque [N m] at a temperature [K]."""
-        solution, oil = self.at(temperature)
+        oil = self.oil(temperature)
         return self.torque(solution, contact_conditions(solution, oil), oil)
 
 
-def self_heating(warm: WarmBearing, cooling: Cooling) -> HeatBalance:
-    """Temperature at which the friction of a bearing is what its surroundings and its oil carry
-    away.
-
-    Parameters
-    ----------
-    warm : WarmBearing
-    cooling : Cooling
-        Conductances in [W/K].
-
-    Returns
-    -------
-    HeatBalance
-        Temperature [K], torque [N m], power [W].
-    """
-    speed = abs(warm.operation.inner_speed - warm.operation.outer_speed)
-    return heat_balance(warm.torque_at, speed, cooling)
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
-class WarmState:
-    """What a bearing comes to that warms itself.
+class SelfHeatingSolution:
+    """Temperature of a bearing heated by its own friction, or why there is none."""
 
-    Attributes
-    ----------
-    model : str
-        Of the friction torque.
-    balance : HeatBalance or None
-        None where the torque could not be computed.
-    cooling : Cooling
-    viscosity, clearance : float or None
-        Of the oil [Pa s] and on the diameter [m], at the temperature found.
-    note : str
-        Why there is no balance, or what is to be said of it.
-    """
-
-    model: str
-    balance: HeatBalance | None
+    model: str  # of the friction torque
+    balance: HeatBalance | None  # None where the torque could not be computed
     cooling: Cooling
-    viscosity: float | None = None
-    clearance: float | None = None
-    note: str = ""
+    viscosity: float | None = None  # of the oil at that temperature [Pa s]
+    clearance: float | None = None  # on the diameter at that temperature [m]
+    note: str = ""  # why there is no balance
 
     @property
     def converged(self) -> bool:
@@ -137,23 +100,36 @@ class WarmState:
 
     @property
     def oil_heat(self) -> float | None:
-        """Heat that the oil carries away [W]."""
+        """Heat that the oil removes [W]."""
         if self.balance is None:
             return None
         return self.cooling.oil_flow * (self.balance.temperature - self.cooling.oil_supply)
 
 
-def warm_state(warm: WarmBearing, cooling: Cooling, model: str) -> WarmState:
-    """Temperature [K] that a bearing warms itself to, with its oil and clearance there, or why
-    there is none.
+def self_heating(problem: SelfHeatingProblem, cooling: Cooling) -> HeatBalance:
+    """Temperature [K] at which the friction of a bearing is what its surroundings and its oil
+    remove.
+    """
+    speed = abs(problem.operation.inner_speed - problem.operation.outer_speed)
+    return heat_balance(problem.torque_at, speed, cooling)
+
+
+def solve_self_heating(
+    problem: SelfHeatingProblem, cooling: Cooling, model: str
+) -> SelfHeatingSolution:
+    """`self_heating` with oil and clearance at the temperature [K], or why there is none; `model`
+    names the friction torque.
     """
     try:
-        balance = self_heating(warm, cooling)
+        balance = self_heating(problem, cooling)
         if not balance.converged:
-            return WarmState(model=model, balance=balance, cooling=cooling, note=balance.message)
-        oil, clearance = warm.oil(balance.temperature), warm.clearance(balance.temperature)
-    except ValueError as problem:
-        return WarmState(model=model, balance=None, cooling=cooling, note=str(problem))
-    return WarmState(
+            return SelfHeatingSolution(
+                model=model, balance=balance, cooling=cooling, note=balance.message
+            )
+        oil = problem.oil(balance.temperature)
+        clearance = problem.clearance(balance.temperature)
+    except ValueError as error:
+        return SelfHeatingSolution(model=model, balance=None, cooling=cooling, note=str(error))
+    return SelfHeatingSolution(
         model=model, balance=balance, cooling=cooling, viscosity=oil.viscosity, clearance=clearance
     )

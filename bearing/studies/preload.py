@@ -14,7 +14,7 @@ from ..rows import Row
 
 
 class Arrangement(Enum):
-    """Pairs of rows: lines of force that meet outside (DB, O), inside (DF, X), or run alike (DT)."""
+    """Pairs of rows: lines of force meet outside (DB, O), inside (DF, X), or run alike (DT)."""
 
     BACK_TO_BACK = "back to back"
     FACE_TO_FACE = "face to face"

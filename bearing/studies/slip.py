@@ -58,7 +58,8 @@ class SlipStudy:
     def __post_init__(self) -> None:
         if self.operation.force[0] is None:
             raise ValueError(
-                "operation: slip maps vary the axial load, so x must have a force, not a displacement"
+                "operation: slip maps vary the axial load, so x must have a force, not a "
+                "displacement"
             )
         if not (isfinite(self.limit) and self.limit > 0.0):
             raise ValueError(f"limit must be positive and finite, got {self.limit!r}")
@@ -240,7 +241,8 @@ def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
     """
     if study.operation.force[1] is None:
         raise ValueError(
-            "operation: critical curves vary the radial load, so y must have a force, not a displacement"
+            "operation: critical curves vary the radial load, so y must have a force, not a "
+            "displacement"
         )
     force = (study.operation.force[0], radial_load, study.operation.force[2])
     study = replace(study, operation=replace(study.operation, force=force))

@@ -3,8 +3,14 @@
 from dataclasses import replace
 from math import radians
 
-from bearing.fits.cage import cage_clearance
-from bearing.fits.clearance import CageClearance, ClearanceBudget, Fit, Warming, clearance_budget
+from bearing.fits.clearance import (
+    CageClearance,
+    ClearanceBudget,
+    Fit,
+    TemperatureRise,
+    cage_clearance,
+    clearance_budget,
+)
 from bearing.geometry import Bearing, Race, contact_angle_to_clearance
 from bearing.operation import Operation, RatingInput
 
@@ -78,7 +84,9 @@ def operating_bearing(
             "ball": at.ball_C,
             **mounts,
         }
-        warming = Warming(**{part: value - at.reference_C for part, value in parts.items()})
+        warming = TemperatureRise(
+            **{part: value - at.reference_C for part, value in parts.items()}
+        )
     budget = clearance_budget(given, operation, fit, warming)
     if warming is not None:
         budget = replace(budget, cage=_warm_cage(file, given, warming))
@@ -103,7 +111,9 @@ def seats(file: BearingFile) -> Fit | None:
     )
 
 
-def _warm_cage(file: BearingFile, given: Bearing, warming: Warming) -> CageClearance | None:
+def _warm_cage(
+    file: BearingFile, given: Bearing, warming: TemperatureRise
+) -> CageClearance | None:
     """What heat does to the clearances of the cage [m]; None without its temperature."""
     at, cage = file.temperatures, file.cage
     if at is None or at.cage_C is None:

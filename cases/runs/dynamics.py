@@ -21,7 +21,7 @@ from bearing.dynamics.inputs import (
     Start,
 )
 from bearing.dynamics.laws import drag_of_force, drag_of_mixture, normal_contact
-from bearing.dynamics.outcome import Tally
+from bearing.dynamics.statistics import RunningStatistics
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
 from bearing.geometry import Race
@@ -134,7 +134,7 @@ def case_key(case: Case) -> str:
 def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> DynamicsResults:
     """Step, write, count; on Ctrl-C what there is so far goes up with `Interrupted`."""
     began = perf_counter()
-    tally = Tally(case.bearing.balls)
+    running = RunningStatistics(case.bearing.balls)
     end = made.model.options.end_time
     first = made.state.time
     attributes = _attributes(case)
@@ -144,7 +144,7 @@ def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> Dy
             version=version(),
             case=case.document,
             simulation=made,
-            tally=tally,
+            running=running,
             history=history,
             messages=(*case.warnings, *_assumed(made.model), *made.messages),
             timing={"simulation": made.wall, "total": perf_counter() - began},
@@ -154,12 +154,12 @@ def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> Dy
         try:
             pieces = made.pieces()
             while True:
-                # state, history and tally stay in step
+                # state, history and statistics stay in step
                 with finish_first("the samples under way"):
                     record = next(pieces, None)
                     if record is not None:
                         writer.add(record)
-                        tally.add(record, made.start_energy)
+                        running.add(record, made.start_energy)
                 if record is None:
                     break
                 share = (made.state.time - first) / (end - first)

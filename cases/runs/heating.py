@@ -5,7 +5,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from bearing.contacts.contacts import BearingContact
-from bearing.heating.self_heating import WarmBearing, WarmState, warm_state
+from bearing.heating.self_heating import (
+    SelfHeatingProblem,
+    SelfHeatingSolution,
+    solve_self_heating,
+)
 from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.torque.breakdown import model_torque
@@ -14,7 +18,7 @@ from ehl import Lubricant
 from ..format.case import Case
 
 
-def self_heated(case: Case) -> WarmState | None:
+def self_heated(case: Case) -> SelfHeatingSolution | None:
     """Temperature that the case's bearing warms itself to [K]; None where it is not asked for.
 
     Balls in traction equilibrium are taken as half and half: loads hardly depend on it.
@@ -31,7 +35,7 @@ def self_heated(case: Case) -> WarmState | None:
     ) -> float:
         return _torque(case, plan.model, state, contacts, oil)
 
-    warm = WarmBearing(
+    warm = SelfHeatingProblem(
         bearing=plan.bearing,
         operation=case.operation,
         model=model,
@@ -43,7 +47,7 @@ def self_heated(case: Case) -> WarmState | None:
     )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
-        found = warm_state(warm, plan.cooling, plan.model)
+        found = solve_self_heating(warm, plan.cooling, plan.model)
     if found.balance is None or not found.converged:
         return found
     with warnings.catch_warnings(record=True) as caught:

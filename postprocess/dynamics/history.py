@@ -14,7 +14,7 @@ import xarray as xr
 
 from bearing.dynamics.arrays import RACE_NAMES
 from bearing.dynamics.layout import Layout
-from bearing.dynamics.outcome import MECHANISMS
+from bearing.dynamics.statistics import MECHANISMS
 from bearing.dynamics.record import Record
 
 HISTORY_FILE = "history.nc"

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
-from bearing.dynamics.outcome import INPUTS, LOSSES
+from bearing.dynamics.statistics import INPUTS, LOSSES
 from ehl.units import MICROMETRE, RPM
 
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save

@@ -8,16 +8,16 @@ from typing import Any
 import numpy as np
 
 from bearing.dynamics.laws import kinematic_cage_speed
-from bearing.dynamics.outcome import (
+from bearing.dynamics.simulation import Simulation
+from bearing.dynamics.statistics import (
     INPUTS,
     LOSSES,
     MECHANISMS,
-    Outcome,
-    Tally,
+    RunningStatistics,
+    SimulationStatistics,
     nominal_angle,
-    outcome,
+    simulation_statistics,
 )
-from bearing.dynamics.simulation import Simulation
 from ehl.units import RPM
 
 from ..files import SUMMARY_FILE, write_json
@@ -40,7 +40,7 @@ class DynamicsResults:
         The case document as run.
     simulation : Simulation
         At its end.
-    tally : Tally
+    running : RunningStatistics
         What was kept of its records.
     history : Path
         File with the records themselves.
@@ -52,7 +52,7 @@ class DynamicsResults:
     version: str
     case: dict[str, Any]
     simulation: Simulation
-    tally: Tally
+    running: RunningStatistics
     history: Path
     messages: tuple[str, ...]
     timing: dict[str, float]
@@ -72,7 +72,7 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
         Speeds in [r/min], energies in [J], loads in [N], shares of the time [-].
     """
     made = results.simulation
-    found = outcome(made, results.tally)
+    found = simulation_statistics(made, results.running)
     messages = list(results.messages)
     if found is None:
         messages.append("dynamics: not converged: no sample was reached; all results are null")
@@ -115,7 +115,7 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
     }
 
 
-def _speeds(found: Outcome | None) -> dict[str, float | None]:
+def _speeds(found: SimulationStatistics | None) -> dict[str, float | None]:
     """Means over the last third [r/min] with half widths of their 95 % intervals, and over the
     kinematic speed [-].
     """
@@ -148,7 +148,7 @@ def _rpm(value: float | None) -> float | None:
     return None if value is None else value / RPM
 
 
-def _energy(found: Outcome) -> dict[str, Any]:
+def _energy(found: SimulationStatistics) -> dict[str, Any]:
     """[J]."""
     return {
         "input_J": {name: found.work[name] for name in MECHANISMS[:INPUTS]},
@@ -158,7 +158,7 @@ def _energy(found: Outcome) -> dict[str, Any]:
     }
 
 
-def _frequencies(made: Simulation, found: Outcome) -> dict[str, Any]:
+def _frequencies(made: Simulation, found: SimulationStatistics) -> dict[str, Any]:
     """Defect frequencies, kinematic and with the cage speed that came out [Hz]."""
     rows, n = made.data.schedule, made.bearing.balls
     inner, outer = rows[-1, 1] / (2.0 * np.pi), rows[-1, 2] / (2.0 * np.pi)
@@ -174,7 +174,7 @@ def _frequencies(made: Simulation, found: Outcome) -> dict[str, Any]:
     }
 
 
-def _balls(made: Simulation, found: Outcome) -> list[dict[str, Any]]:
+def _balls(made: Simulation, found: SimulationStatistics) -> list[dict[str, Any]]:
     races = ("inner", "outer")
     return [
         {
@@ -216,6 +216,6 @@ def write_dynamics(
     document = dynamics_summary(results)
     write_json(document, directory / SUMMARY_FILE)
     shutil.move(results.history, directory / HISTORY_FILE)
-    if not pictures or not results.tally.rows:
+    if not pictures or not results.running.rows:
         return ()
     return plot_dynamics(directory, document)

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from bearing.dynamics.outcome import Outcome, Tally, orbit_speeds, outcome
 from bearing.dynamics.record import Record, join
 from bearing.dynamics.simulation import Simulation, simulation
+from bearing.dynamics.statistics import RunningStatistics, SimulationStatistics, orbit_speeds, simulation_statistics
 from cases import Case
 from cases.runs.dynamics import build_model
 
@@ -22,8 +22,8 @@ class Run:
     """A simulation that was run to its end."""
 
     simulation: Simulation
-    outcome: Outcome
-    tally: Tally
+    statistics: SimulationStatistics
+    running: RunningStatistics
     record: Record  # of its last third
 
     @property
@@ -87,14 +87,14 @@ def run(case: Case) -> Run:
     assert case.dynamics is not None
     model = build_model(case, case.dynamics, None, lambda done, total, state: None)
     simulated = simulation(case.bearing, case.operation, model)
-    tally = Tally(case.bearing.balls)
+    running = RunningStatistics(case.bearing.balls)
     last = None
     for record in simulated.pieces():
-        tally.add(record, simulated.start_energy)
+        running.add(record, simulated.start_energy)
         if record.time[-1] > 2.0 / 3.0 * model.options.end_time:
             last = record if last is None else join(last, record)
-    statistics = outcome(simulated, tally)
+    statistics = simulation_statistics(simulated, running)
     assert statistics is not None
     assert last is not None
     assert simulated.converged, simulated.messages
-    return Run(simulated, statistics, tally, last)
+    return Run(simulated, statistics, running, last)

@@ -52,12 +52,12 @@ class Onset:
 
 def cage(found: Run) -> float:
     """Mean speed of the cage over the kinematic one [-]."""
-    return found.outcome.cage_speed / found.outcome.kinematic_speed
+    return found.statistics.cage_speed / found.statistics.kinematic_speed
 
 
 def spread(found: Run) -> float:
     """Half width of the interval of `cage` [-]."""
-    return (found.outcome.cage_interval or 0.0) / found.outcome.kinematic_speed
+    return (found.statistics.cage_interval or 0.0) / found.statistics.kinematic_speed
 
 
 def mean(values: Any, mask: Any) -> float:
@@ -89,7 +89,7 @@ def axial_rows(runs: dict[float, Run]) -> str:
     for load, found in runs.items():
         s, f = averages(found)
         inner = found.record.races[:, 0, :, 0].mean()
-        numbers = f"{s[0]:.3f} | {s[1]:.3f} | {f[0]:.4f} | {f[1]:.4f} | {found.outcome.energy_error:.0e}"
+        numbers = f"{s[0]:.3f} | {s[1]:.3f} | {f[0]:.4f} | {f[1]:.4f} | {found.statistics.energy_error:.0e}"
         lines.append(f"| {load:.0f} | {inner:.2f} | {cage(found):.4f} ± {spread(found):.0e} | {numbers} |")
     return "\n".join(lines)
 
@@ -107,9 +107,9 @@ def radial_rows(runs: dict[float, Run]) -> str:
     lines = []
     for load, found in runs.items():
         words = " | ".join(number(part) for part in zones(found))
-        largest = found.outcome.largest_load[0].max()
+        largest = found.statistics.largest_load[0].max()
         speed = f"{cage(found):.4f} ± {spread(found):.0e}"
-        lines.append(f"| {load:.0f} | {speed} | {words} | {largest:.1f} | {found.outcome.energy_error:.0e} |")
+        lines.append(f"| {load:.0f} | {speed} | {words} | {largest:.1f} | {found.statistics.energy_error:.0e} |")
     return "\n".join(lines)
 
 
@@ -117,9 +117,9 @@ def mixed_rows(runs: dict[float, Run]) -> str:
     """Table of the combined loads."""
     lines = []
     for load, found in runs.items():
-        s, free = found.slides[:, 0], found.outcome.shares[:, :, 0].mean(axis=1)
+        s, free = found.slides[:, 0], found.statistics.shares[:, :, 0].mean(axis=1)
         ends = f"{np.nanpercentile(s, 2):.3f} | {np.nanpercentile(s, 98):.3f} | {np.nanstd(s):.4f}"
-        numbers = f"{ends} | {free[0]:.3f} | {free[1]:.3f} | {found.outcome.energy_error:.0e}"
+        numbers = f"{ends} | {free[0]:.3f} | {free[1]:.3f} | {found.statistics.energy_error:.0e}"
         lines.append(f"| {load:.0f} | {cage(found):.4f} ± {spread(found):.0e} | {numbers} |")
     return "\n".join(lines)
 
@@ -135,7 +135,7 @@ def few(load: float, speed: float, start: str = "quasi-static") -> Run:
 
 def rolls(found: Run) -> bool:
     """Whether the balls keep up."""
-    return bool(found.outcome.orbit_speed > SKIDS * found.outcome.kinematic_speed)
+    return bool(found.statistics.orbit_speed > SKIDS * found.statistics.kinematic_speed)
 
 
 def balance_load(speed: float) -> float:
@@ -166,7 +166,7 @@ def onset(speed: float) -> Onset:
         found = few(middle, speed)
         low, high, last = (low, middle, found) if rolls(found) else (middle, high, last)
     races = last.record.races[-1, :, 0]
-    pulls, drag = np.abs(races[:, 8]), (last.outcome.orbit_speed / last.outcome.kinematic_speed) ** 2
+    pulls, drag = np.abs(races[:, 8]), (last.statistics.orbit_speed / last.statistics.kinematic_speed) ** 2
     study = SlipStudy(
         bearing=case.bearing,
         operation=case.operation,
@@ -382,7 +382,7 @@ def of_mixed(runs: dict[float, Run]) -> list[str]:
     """Section 4.3."""
     inner = [one.slides[:, 0] for one in runs.values()]
     deviation, top = [float(np.nanstd(s)) for s in inner], [float(np.nanpercentile(s, 98)) for s in inner]
-    free = np.array([one.outcome.shares[:, :, 0].mean(axis=1) for one in runs.values()])
+    free = np.array([one.statistics.shares[:, :, 0].mean(axis=1) for one in runs.values()])
     speeds = [cage(one) for one in runs.values()]
     return [
         judged(

@@ -51,7 +51,7 @@ def drag_at(speed: float) -> float:
 
 def cage(found: Run) -> float:
     """Mean speed of the cage [r/min]."""
-    return found.outcome.cage_speed / RPM
+    return found.statistics.cage_speed / RPM
 
 
 def on_plateau(speed: float) -> bool:
@@ -84,7 +84,7 @@ def load_rows(runs: dict[float, dict[float, Run]]) -> str:
     lines = ["| W, N | " + " | ".join(f"{drag:g} N a ball" for drag in runs) + " |", "|---|" + "---|" * len(runs)]
     for w in LOADS:
         cells = [
-            f"{cage(of_drag[w]):.1f} ± {(of_drag[w].outcome.cage_interval or 0.0) / RPM:.1f}"
+            f"{cage(of_drag[w]):.1f} ± {(of_drag[w].statistics.cage_interval or 0.0) / RPM:.1f}"
             for of_drag in runs.values()
         ]
         lines.append(f"| {w:g} | " + " | ".join(cells) + " |")
@@ -126,7 +126,7 @@ def run_up_series() -> dict[str, Run]:
 
 def slip_in_time(found: Run) -> tuple[Any, Any]:
     """Times [s] and slip of the cage [-], means of a hundredth of the time each."""
-    time, turned = np.concatenate(found.tally.time), np.concatenate(found.tally.cage_rotation)
+    time, turned = np.concatenate(found.running.time), np.concatenate(found.running.cage_rotation)
     rows = found.simulation.data.schedule
     ring = np.concatenate(
         [[0.0], np.cumsum(np.diff(time) * np.interp(0.5 * (time[1:] + time[:-1]), rows[:, 0], rows[:, 1]))]
@@ -178,7 +178,7 @@ def other_rows(runs: dict[str, Run], ups: dict[str, Run]) -> str:
         "|---|---|---|---|---|---|---|---|---|---|",
     ]
     for name, found in runs.items():
-        o = found.outcome
+        o = found.statistics
         slip = 100.0 * (1.0 - cage(found) / (NO_SLIP * found.simulation.data.schedule[-1, 1] / RPM))
         impacts = o.shares[:, :, 2].mean(axis=1)
         cells = [
@@ -260,7 +260,7 @@ def of_speeds(runs: dict[str, Run], ups: dict[str, Run]) -> list[str]:
     """Section 4.1."""
     speeds, heavy = [f"{n:.0f} r/min" for n in SPEEDS], [f"{load:.0f} N" for load in HEAVY]
     inner, outer = (np.array([largest(runs[n], race) for n in speeds]) for race in (0, 1))
-    free = [runs[n].outcome.shares[1, :, 0].mean() for n in speeds]
+    free = [runs[n].statistics.shares[1, :, 0].mean() for n in speeds]
     slides = np.array([[mean_slide(runs[n], race) for race in (0, 1)] for n in speeds]).T
     slips = [1.0 - cage(runs[n]) / (NO_SLIP * speed) for n, speed in zip(speeds, SPEEDS, strict=True)]
     of_load = [1.0 - cage(runs[n]) / (NO_SLIP * 8000.0) for n in heavy]
@@ -390,7 +390,7 @@ def main() -> None:
             others=other_rows(others, ups),
             ramp=RAMP,
             statements="\n".join(of_loads(loads) + of_speeds(others, ups) + of_shapes(others, ups)),
-            energies=max(one.outcome.energy_error for one in every),
+            energies=max(one.statistics.energy_error for one in every),
             **stiffnesses(),
         ),
         encoding="utf-8",

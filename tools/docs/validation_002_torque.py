@@ -16,7 +16,7 @@ from matplotlib.figure import Figure
 from printed import printed
 
 from bearing import contact_conditions, load_material, solve_quasistatic
-from bearing.heating.self_heating import WarmState
+from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.starved import StarvedTorque, starved_torque
@@ -93,7 +93,7 @@ def unstarved_minimum(speed: float, load: float) -> float:
 
 
 @cache
-def heat_balances(sweep: str) -> dict[tuple[float, float, float], WarmState]:
+def heat_balances(sweep: str) -> dict[tuple[float, float, float], SelfHeatingSolution]:
     """Heat balances of a sweep, by speed [r/min], load [N] and supply [mL/min]."""
     found = {}
     for point in read_sweep(sweep).points:
@@ -106,13 +106,13 @@ def heat_balances(sweep: str) -> dict[tuple[float, float, float], WarmState]:
     return found
 
 
-def celsius(state: WarmState) -> float:
+def celsius(state: SelfHeatingSolution) -> float:
     """Temperature that the bearing warms itself to [degrees Celsius]."""
     assert state.balance is not None
     return state.balance.temperature - ZERO
 
 
-def temperature_rows(states: dict[tuple[float, float, float], WarmState]) -> str:
+def temperature_rows(states: dict[tuple[float, float, float], SelfHeatingSolution]) -> str:
     """Lines of the table of temperatures."""
     rows = []
     for speed, load in sorted({key[:2] for key in states}):

@@ -15,8 +15,8 @@ from bearing.dynamics.films.laws import check_film, film
 from bearing.dynamics.friction import RaceFriction
 from bearing.dynamics.inputs import LoadType, NormalContact, NormalLaw, Schedule
 from bearing.dynamics.integration.methods import advance_implicit
-from bearing.dynamics.outcome import Tally, outcome
 from bearing.dynamics.simulation import simulation
+from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from bearing.geometry import contact_modulus, reduced_radii
 from ehl import Lubricant, SolverOptions, solve_contact
 from ehl.closed_form.hertz import contact_stiffness
@@ -236,11 +236,11 @@ def test_the_energies_close_with_films(setup):
     assert closed < 1e-3
     work = record.state[-1, sim.layout.energy]
     assert abs(work[-1]) > 3.0 * closed * max(work[:3].sum(), work[3:].sum())  # they count
-    tally = Tally(7)
-    tally.add(record, sim.start_energy)
-    found = outcome(sim, tally)
-    assert found.energy_error == pytest.approx(tally.residual / max(work[:3].sum(), work[3:-1].sum()))
-    assert found.stored == pytest.approx(record.energy[-1].sum() - sim.start_energy, abs=1.001 * tally.residual)
+    running = RunningStatistics(7)
+    running.add(record, sim.start_energy)
+    found = simulation_statistics(sim, running)
+    assert found.energy_error == pytest.approx(running.residual / max(work[:3].sum(), work[3:-1].sum()))
+    assert found.stored == pytest.approx(record.energy[-1].sum() - sim.start_energy, abs=1.001 * running.residual)
     assert record.races[:, 0, :, 0].min() == 0.0
     assert record.races[..., 0].min() >= 0.0
     apart, films = record.races[..., 1] <= 0.0, record.races[..., 10]

@@ -14,8 +14,8 @@ from bearing.dynamics.bodies import equation_counts, load_type
 from bearing.dynamics.friction import coulomb_friction, four_constant_friction
 from bearing.dynamics.inputs import LoadType, NormalContact, Schedule
 from bearing.dynamics.laws import kinematic_cage_speed
-from bearing.dynamics.outcome import Tally, outcome
 from bearing.dynamics.simulation import simulation
+from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # kappa_max 0.05 at s 0.03, 0.03 at large s
 
@@ -135,10 +135,10 @@ def test_finer_tolerance_under_radial_load_stays_within_the_interval(setup):
     found = []
     for tolerance in (1e-4, 1e-5):
         model = setup.model(bearing, friction, end_time=0.06, sample_interval=1e-4, tolerance=tolerance, drag=1e-4)
-        sim, tally = simulation(bearing, setup.operation(8000.0, 0.0, 100.0), model), Tally(bearing.balls)
+        sim, running = simulation(bearing, setup.operation(8000.0, 0.0, 100.0), model), RunningStatistics(bearing.balls)
         for record in sim.pieces():
-            tally.add(record, sim.start_energy)
-        found.append(outcome(sim, tally))
+            running.add(record, sim.start_energy)
+        found.append(simulation_statistics(sim, running))
     rough, fine = found
     width = rough.cage_interval + fine.cage_interval
     assert width < 0.01 * fine.cage_speed

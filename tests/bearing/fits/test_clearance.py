@@ -8,8 +8,14 @@ import numpy as np
 import pytest
 
 from bearing import Operation, Race, load_material
-from bearing.fits.cage import cage_clearance
-from bearing.fits.clearance import Fit, Warming, centrifugal_growth, clearance_budget, groove_diameters
+from bearing.fits.clearance import (
+    Fit,
+    TemperatureRise,
+    cage_clearance,
+    centrifugal_growth,
+    clearance_budget,
+    groove_diameters,
+)
 
 STEEL, CERAMIC = load_material("bearing steel"), load_material("silicon nitride")
 STILL = Operation(inner_speed=0.0)
@@ -92,7 +98,7 @@ def test_hollow_shaft_fast_and_warm_against_one_solution_of_both(b6208):
     bearing = replace(b6208, inner_ring_material=CERAMIC)
     bottom, _ = groove_diameters(bearing)
     operation = Operation(inner_speed=2000.0)
-    warming = Warming(inner_ring=40.0, shaft=35.0)
+    warming = TemperatureRise(inner_ring=40.0, shaft=35.0)
     budget = clearance_budget(bearing, operation, fit(inner_interference=8.0 * UM, shaft_bore=0.02), warming)
     expected = ring_on_shaft(
         (0.01, 0.02, 0.5 * bottom), (STEEL, CERAMIC), 8.0 * UM, operation.inner_speed, (35.0, 40.0)
@@ -107,13 +113,13 @@ def test_signs_of_heat(b6208):
     bottom, top = groove_diameters(b6208)
     alpha = STEEL.thermal_expansion
     for part, expected in (("inner_ring", -bottom), ("outer_ring", top), ("ball", -2.0 * b6208.ball_diameter)):
-        budget = clearance_budget(b6208, STILL, None, Warming(**{part: 30.0}))
+        budget = clearance_budget(b6208, STILL, None, TemperatureRise(**{part: 30.0}))
         assert budget.operating - budget.initial == pytest.approx(alpha * 30.0 * expected, rel=1e-9)
         assert budget.mounted == budget.initial
 
 
 def test_uniform_warming_scales_the_clearance(b6208):
-    warming = Warming(inner_ring=50.0, outer_ring=50.0, ball=50.0, shaft=50.0, housing=50.0)
+    warming = TemperatureRise(inner_ring=50.0, outer_ring=50.0, ball=50.0, shaft=50.0, housing=50.0)
     budget = clearance_budget(b6208, STILL, None, warming)
     factor = 1.0 + STEEL.thermal_expansion * 50.0
     assert budget.operating == pytest.approx(factor * budget.initial, rel=1e-9)
@@ -159,7 +165,7 @@ def test_impossible_fits_are_refused(b6208, fields, changes, match):
 def test_heat_needs_an_expansion(b6208):
     bare = replace(STEEL, name="mystery", thermal_expansion=None)
     with pytest.raises(ValueError, match="'mystery' has no thermal_expansion"):
-        clearance_budget(replace(b6208, ball_material=bare), STILL, None, Warming(ball=1.0))
+        clearance_budget(replace(b6208, ball_material=bare), STILL, None, TemperatureRise(ball=1.0))
 
 
 def test_a_warm_cage(b6208):
@@ -167,7 +173,7 @@ def test_a_warm_cage(b6208):
     cage = replace(load_material("pa66"), thermal_expansion=1e-4)
     steel = replace(STEEL, thermal_expansion=1.2e-5)
     bearing = replace(b6208, ball_material=steel, inner_ring_material=steel, outer_ring_material=steel)
-    warming = Warming(inner_ring=55.0, outer_ring=40.0, ball=50.0)
+    warming = TemperatureRise(inner_ring=55.0, outer_ring=40.0, ball=50.0)
     outer = cage_clearance(bearing, cage, warming, 60.0, (Race.OUTER, 0.069))
     inner = cage_clearance(bearing, cage, warming, 60.0, (Race.INNER, 0.051))
     assert outer.pocket == pytest.approx(12e-3 * (6e-3 - 6e-4), rel=1e-12)
@@ -177,6 +183,6 @@ def test_a_warm_cage(b6208):
 
 
 def test_a_cage_like_its_bearing_keeps_its_clearances(b6208):
-    same = cage_clearance(b6208, STEEL, Warming(inner_ring=30.0, ball=30.0), 30.0, (Race.INNER, 0.051))
+    same = cage_clearance(b6208, STEEL, TemperatureRise(inner_ring=30.0, ball=30.0), 30.0, (Race.INNER, 0.051))
     assert same.pocket == pytest.approx(0.0, abs=1e-15)
     assert same.land == pytest.approx(0.0, abs=1e-15)

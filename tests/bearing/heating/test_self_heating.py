@@ -17,7 +17,7 @@ from bearing import (
 )
 from bearing.friction.resistance import rolling_power
 from bearing.heating.heat_balance import Cooling
-from bearing.heating.self_heating import WarmBearing, self_heating
+from bearing.heating.self_heating import SelfHeatingProblem, self_heating
 from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.models import FrictionInput
 from bearing.torque.sliding import shaft_speed
@@ -46,7 +46,7 @@ def torque(solution, contacts, lubricant):
 
 def warm(bearing, **changes):
     operation = Operation(inner_speed=500.0, force=(0.0, 1000.0, 0.0))
-    study = WarmBearing(bearing=bearing, operation=operation, model=MODEL, oil=oil, torque=torque)
+    study = SelfHeatingProblem(bearing=bearing, operation=operation, model=MODEL, oil=oil, torque=torque)
     return replace(study, **changes)
 
 
@@ -63,13 +63,10 @@ def test_self_heating_balances_friction_and_cooling(bearing):
 
 def test_a_warm_inner_ring_takes_clearance(bearing):
     """Both rings at one temperature leave the clearance of 13 um but for its own growth; 10 K more inside take some."""
-    even, _ = warm(bearing).at(333.15)
-    uneven, lubricant = warm(bearing, inner_excess=5.0).at(333.15)
-    assert even.bearing.diametral_clearance == pytest.approx(13e-6, rel=2e-3)
+    assert warm(bearing).clearance(333.15) == pytest.approx(13e-6, rel=2e-3)
     groove = 0.048
     lost = STEEL.thermal_expansion * 5.0 * (groove + 0.072)
-    assert uneven.bearing.diametral_clearance == pytest.approx(13e-6 - lost, abs=0.2e-6)
-    assert lubricant.viscosity == oil(333.15).viscosity
+    assert warm(bearing, inner_excess=5.0).clearance(333.15) == pytest.approx(13e-6 - lost, abs=0.2e-6)
 
 
 def test_starved_torque_at_its_ends(bearing):
