@@ -11,8 +11,8 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grid:
-    """Equidistant nodes, lengths in units of a [-]; a symmetric grid holds y >= 0 only, its row 0
-    is y = 0.
+    """Equidistant nodes, lengths in units of a [-]; a symmetric grid covers y >= 0 only, its row
+    0 is y = 0.
     """
 
     x_in: float
@@ -32,7 +32,7 @@ class Grid:
 
     @property
     def Y(self) -> Array:
-        """Nodes along y of the rows held, shape (ny,) [-]."""
+        """Nodes along y, shape (ny,) [-]; of a symmetric grid y >= 0."""
         first = 0 if self.symmetric else -(self.ny // 2)
         return self.hy * np.arange(first, first + self.ny, dtype=np.float64)
 
@@ -72,11 +72,10 @@ def grid_hierarchy(
     domain : tuple of float
         x_in, x_out, y_half in units of a [-].
     aspect : float
-        Wanted hy/hx [-]; the nearest smaller one that fits the box is taken.
+        Largest hy/hx [-]; the next smaller one that fits the box is taken.
     levels : int
-        Number of grids.
     symmetric : bool
-        Hold y >= 0 only.
+        Grids of y >= 0 only.
     """
     x_in, x_out, y_half = domain
     hx = (x_out - x_in) / (points - 1)

@@ -1,5 +1,4 @@
-r"""Velocities of two surfaces over their contact: rolling, sliding along both axes, spin, curvature
-of the surface.
+r"""Velocities of two surfaces over their contact: rolling, sliding, spin, curvature slip.
 
 Body 1 lies below the film, body 2 above; n points from 1 into 2, x along the entrainment and y
 across, x cross y = n. Both bodies turn as rigid ones about the contact's centre, where they have
@@ -12,7 +11,7 @@ relative to body 2, omega (about y) and Omega (about n), body 1 slides over body
     s_x = S_x - \Omega y - \omega y^2/(2R), \qquad s_y = S_y + \Omega x .
 
 Off the ellipse the surfaces part and the radius is none of both; a flooded gap sheared by y^2
-there would drag in proportion to the area of the box. So y^2 is not let grow beyond the ellipse's
+there would drag in proportion to the area of the box. So y^2 does not grow beyond the ellipse's
 width (`curvature_width`).
 
 What rolling does in the direction of n closes and opens the gap and is no sliding.
@@ -33,52 +32,27 @@ MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactKinematics:
-    """Motion of the two surfaces of a contact, SI; body 1 is the ball, n points into body 2.
+    """Motion of the two surfaces of a contact, SI; body 1 is the ball, n points into body 2."""
 
-    Attributes
-    ----------
-    entrainment_speed : float
-        Mean surface speed along x at the centre [m/s].
-    sliding_x, sliding_y : float
-        Velocity of body 1 less that of body 2 at the centre, along and across the entrainment, S_x
-        and S_y [m/s].
-    spin : float
-        Angular speed of body 1 relative to body 2 about n [rad/s].
-    rolling : float
-        Angular speed of body 1 relative to body 2 about y [rad/s]; positive when rolling carries
-        oil along x, and then u_m/R_x but for sliding.
-    curvature_radius : float
-        Radius R of the loaded surface in the plane of y and n, positive if body 1 is the convex
-        one [m]; infinite: no curvature slip.
-    curvature_width : float
-        Half the width over which the surface is curved like that, the transverse semi-axis [m];
-        beyond it curvature slip stays what it is at this distance.
-    mean_spin, mean_rolling : float
-        Half the sum of the angular speeds of both bodies about n and y [rad/s].
-    entrainment_lateral : float
-        Mean surface speed along y at the centre, where the grid does not follow the entrainment
-        [m/s].
-    curvature_difference : float
-        1/R_2x - 1/R_1x of the bodies' own curvatures along x [1/m]; zero: the curvature is shared
-        equally. It decides how the horizontal part of the pressure is shared.
-
-    Raises
-    ------
-    ValueError
-        If a value is not finite (the radius may be infinite, not zero); the message names the
-        field.
-    """
-
-    entrainment_speed: float
+    entrainment_speed: float  # mean surface speed along x at the centre [m/s]
+    # velocity of body 1 less that of body 2 at the centre, S_x along the entrainment [m/s]
     sliding_x: float = 0.0
-    sliding_y: float = 0.0
-    spin: float = 0.0
+    sliding_y: float = 0.0  # S_y, across it [m/s]
+    spin: float = 0.0  # angular speed of body 1 relative to body 2 about n [rad/s]
+    # and about y; positive when rolling carries oil along x, then u_m/R_x but for sliding [rad/s]
     rolling: float = 0.0
+    # R of the loaded surface in the plane of y and n, positive if body 1 is the convex one [m];
+    # infinite: no curvature slip
     curvature_radius: float = inf
+    # half the width of that curvature, the transverse semi-axis [m]; beyond it curvature slip
+    # stays what it is at this distance
     curvature_width: float = inf
-    mean_spin: float = 0.0
-    mean_rolling: float = 0.0
+    mean_spin: float = 0.0  # half the sum of both bodies' angular speeds about n [rad/s]
+    mean_rolling: float = 0.0  # and about y [rad/s]
+    # mean surface speed along y at the centre, where the grid is not along the entrainment [m/s]
     entrainment_lateral: float = 0.0
+    # 1/R_2x - 1/R_1x of the bodies' own curvatures along x [1/m]: it decides how the horizontal
+    # part of the pressure is shared; zero: equally
     curvature_difference: float = 0.0
 
     def __post_init__(self) -> None:
@@ -130,23 +104,17 @@ def contact_kinematics(
     curvature_width: float = inf,
     grid_angle: float | None = None,
 ) -> ContactKinematics:
-    """Motion that a contact's conditions describe, in the frame of the grid its film is solved on.
+    """Motion that a contact's conditions describe, in the frame of the grid its film is solved on;
+    rolling is u_m/R_x, with R_x in the direction of the entrainment.
 
     Parameters
     ----------
     conditions : ContactConditions
-    curvature_radius : float
-        Of the loaded surface across the entrainment [m]; infinite: no curvature slip.
-    curvature_width : float
-        Half its width, the transverse semi-axis [m].
+    curvature_radius, curvature_width : float
+        Of the loaded surface across the entrainment, as in `ContactKinematics` [m].
     grid_angle : float, optional
         Direction of the grid's x from the principal direction x, `frame_angle` of a solution
         [rad]; None: that of the entrainment.
-
-    Returns
-    -------
-    ContactKinematics
-        Rolling is u_m/R_x [rad/s], with R_x in the direction of the entrainment.
     """
     c = conditions
     turn = 0.0 if grid_angle is None else c.entrainment_angle - grid_angle

@@ -2,7 +2,7 @@
 
 X = x/a, Y = y/a, P = p/p_h, H = h Rx/a^2; a is the Hertz semi-axis along the principal direction
 x, p_h the Hertz pressure. With M, L and the ratio Rx/Ry the whole problem follows but for the
-scale of pressure (Moes, 1992), so both kinds of conditions go the same way: SI -> (M, L, Rx/Ry,
+scale of pressure (Moes, 1992), so both kinds of conditions are scaled alike: SI -> (M, L, Rx/Ry,
 p_h) -> `ScaledContact`.
 """
 
@@ -24,11 +24,8 @@ from .solid.coating import ScaledCoating, scaled_coating
 # s [(1 + q P)^z - 1]
 CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)
 ALIGNED = 1e-12  # |C| below this is an entrainment along a principal direction
-ROTATION_NOTED = (
-    # speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is left
-    # out
-    1e-3
-)
+# speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is left out
+SMALLEST_ROTATION = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,7 +91,7 @@ def scale_contact(
 
     The grid's X is the principal direction in which the entrainment passes the ellipse sooner;
     with `along_entrainment`, and where no direction is principal, X is the entrainment's. A
-    rotation of the entrainment below `ROTATION_NOTED` at the end of the ellipse is left out.
+    rotation of the entrainment below `SMALLEST_ROTATION` at the end of the ellipse is left out.
 
     Raises
     ------
@@ -103,13 +100,11 @@ def scale_contact(
         coefficient.
     """
     if isinstance(conditions, MoesConditions):
-        m = conditions.load_parameter
-        l = conditions.lubricant_parameter
         d = conditions.radius_ratio
+        groups = (conditions.load_parameter, conditions.lubricant_parameter, d)
         pressure = _pressure_scale(conditions, hertz_coefficients(d)[1])
         frame = _frame(d, conditions.entrainment_angle, 0.0, along_entrainment)
-        return _scaled((m, l, d), pressure, conditions.lubricant, frame, None)
-    m, l = moes_groups(conditions)  # noqa: E741
+        return _scaled(groups, pressure, conditions.lubricant, frame, None)
     d = conditions.radius_x / conditions.radius_y
     f, g, _ = hertz_coefficients(d)
     _, load, _ = speed_load_material(conditions)
@@ -117,7 +112,8 @@ def scale_contact(
     length = (f * load ** (1 / 3) * conditions.radius_x, conditions.radius_x)
     rotation = conditions.rotation * length[0] / conditions.entrainment_speed
     frame = _frame(d, conditions.entrainment_angle, rotation, along_entrainment)
-    scaled = _scaled((m, l, d), pressure, conditions.lubricant, frame, length)
+    groups = (*moes_groups(conditions), d)
+    scaled = _scaled(groups, pressure, conditions.lubricant, frame, length)
     if conditions.coating is None:
         return scaled
     return replace(
@@ -127,7 +123,7 @@ def scale_contact(
 
 def _frame(d: float, angle: float, rotation: float, along_entrainment: bool) -> _Frame:
     """The grid's direction for an entrainment at `angle` [rad]."""
-    if abs(rotation) * max(1.0, ellipse_ratio(d)) < ROTATION_NOTED:
+    if abs(rotation) * max(1.0, ellipse_ratio(d)) < SMALLEST_ROTATION:
         rotation = 0.0
     # direction in which both semi-axes count as one
     crossing = atan2(sin(angle) / ellipse_ratio(d), cos(angle))
@@ -143,7 +139,7 @@ def _frame(d: float, angle: float, rotation: float, along_entrainment: bool) -> 
 
 
 def _pressure_scale(conditions: MoesConditions, g: float) -> float:
-    """p_h [Pa] from alpha p_h = g L M^(1/3); zero at L = 0, the isoviscous incompressible limit."""
+    """p_h [Pa] from alpha p_h = g L M^(1/3); zero at L = 0, isoviscous and incompressible."""
     alpha = conditions.lubricant.pressure_viscosity
     product = g * conditions.lubricant_parameter * conditions.load_parameter ** (1 / 3)
     if product > 0.0 and not alpha > 0.0:

@@ -25,9 +25,7 @@ class FilmValue:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConvergenceRecord:
-    """What the solver did: one entry of each tuple per cycle on the finest level; [-] but for the
-    time.
-    """
+    """History of a solve: one entry of each tuple per cycle on the finest level [-]."""
 
     residual: tuple[float, ...]  # residual over its diagonal, maximum norm [-]
     force_error: tuple[float, ...]  # relative error of the load balance [-]
@@ -35,7 +33,7 @@ class ConvergenceRecord:
     cycles: int
     # deflection FFTs, forward + inverse = 1, by nodes relative to the finest; with pilot
     fft_equivalents: float
-    fallbacks: tuple[str, ...]  # measures of the fallback chain that were taken, in order
+    fallbacks: tuple[str, ...]  # attempts and corrections after the first, in order
     wall_time: float  # of the solve alone [s]
 
 

@@ -47,25 +47,15 @@ def solve_contact(
 ) -> ContactSolution:
     """Pressure and film of a steady, flooded elliptical contact by full multigrid.
 
-    Venner and Lubrecht (2000) with the changes described in `multigrid.py` and `far_field.py`.
-
-    Parameters
-    ----------
-    conditions : ContactConditions or MoesConditions
-        The contact, SI or dimensionless.
-    options : SolverOptions, optional
-        Mesh, box and number of cycles.
-    flow_model : FlowModel, optional
-        Factors of a generalized Reynolds equation; left out, the oil is Newtonian and of uniform
-        temperature.
+    Venner and Lubrecht (2000) with the changes described in `multigrid/cycle.py` and
+    `multigrid/far_field.py`; without a flow model the oil is Newtonian and of uniform temperature.
 
     Returns
     -------
     ContactSolution
-        Fields, film values with uncertainties [-] and, for SI conditions, [m]; `converged` and
-        `message` tell whether to trust them. Failure to converge is a result, not an exception.
-        Films the mesh is too coarse for are extrapolated over the load (`thin_film.py`), told in
-        the message, and stay unresolved.
+        Failure to converge is a result, not an exception: see `converged` and `message`. Films too
+        thin for the mesh are extrapolated over the load (`multigrid/thin_film.py`), as the message
+        says, and stay unresolved.
 
     Raises
     ------
@@ -155,8 +145,8 @@ def _solve_to_tolerance(
     message = solution.message
     if solution.converged and not reached:
         message = (
-            f"tolerance {tolerance:g} not reached at {points} points: error bars {bars[0]:.1e} central, "
-            f"{bars[1]:.1e} minimum film; try more points"
+            f"tolerance {tolerance:g} not reached at {points} points: error bars {bars[0]:.1e} "
+            f"central, {bars[1]:.1e} minimum film; try more points"
         )
     solution = replace(
         solution,
@@ -191,7 +181,7 @@ def _pilot(contact: ScaledContact, progress: Progress) -> tuple[tuple[float, flo
         try:
             full_multigrid(result, options, Progress())
         except DivergedError:
-            progress.fallbacks.append("pilot solve ran away: box from the film formula")
+            progress.fallbacks.append("pilot solve diverged: box from the film formula")
             return _box(contact, contact.film_guess, 1.5), contact.film_guess
         progress.deflected_nodes += result.state.deflected_nodes()
         film = max(result.films[-1][0], 0.1 * contact.film_guess)
@@ -245,7 +235,7 @@ def _solution(
 
 
 def _film(result: AttemptResult, kind: int) -> FilmValue:
-    """Central (0) or minimum (1) film extrapolated; not a number where the iteration ran away."""
+    """Central (0) or minimum (1) film extrapolated; not a number where the iteration diverged."""
     if not result.films:
         return FilmValue(value=nan, uncertainty=nan, finest=nan)
     return extrapolate([film[kind] for film in result.films], result.remaining_error())
@@ -281,8 +271,8 @@ def resolution_message(result: AttemptResult) -> tuple[bool, str]:
 
 
 def _fineness(result: AttemptResult) -> float:
-    """Hmin/(S hx^2): minimum film over twice what the gap rises within a mesh size [-]; zero after
-    a runaway.
+    """Hmin/(S hx^2): minimum film over twice the rise of the gap within a mesh size [-]; zero if
+    the iteration diverged.
     """
     if not result.films:
         return 0.0
@@ -307,14 +297,23 @@ def _film_over_radius(result: AttemptResult) -> float:
 
 def _message(result: AttemptResult, resolved: bool) -> str:
     if not result.films:
-        return "the iteration ran away in spite of stronger damping; try more points or a smaller load"
+        return "the iteration diverged in spite of stronger damping; try more points or less load"
     if not result.converged():
         change, load = result.changes[-1], result.load[-1]
-        return f"not converged: film changed by {change:.1e} in the last cycle, load error {load:.1e}; try more points"
+        return (
+            f"not converged: film changed by {change:.1e} in the last cycle, "
+            f"load error {load:.1e}; try more points"
+        )
     if _film_over_radius(result) > PARABOLIC:
         share = _film_over_radius(result)
-        return f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; an upper bound"
+        return (
+            f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; "
+            "an upper bound"
+        )
     if not resolved:
         ratio = _fineness(result)
-        return f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}; try more points"
+        return (
+            f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, "
+            f"below {RESOLVED:g}; try more points"
+        )
     return "converged"

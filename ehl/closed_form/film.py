@@ -53,23 +53,12 @@ def film_nijenbanning_central(conditions: ContactConditions) -> float:
 def moes_film_nijenbanning(
     load_parameter: float, lubricant_parameter: float, radius_ratio: float
 ) -> float:
-    """Central film of an elliptical contact in Moes' groups, Nijenbanning, Venner and Moes (1994).
-
-    Parameters
-    ----------
-    load_parameter, lubricant_parameter : float
-        M and L [-], with 2U in both.
-    radius_ratio : float
-        Rx/Ry, entrainment along x [-]; fitted for Rx/Ry <= 1.
-
-    Returns
-    -------
-    float
-        (h/Rx) (2U)^(-1/2) [-].
+    """Central film (h/Rx) (2U)^(-1/2) of an elliptical contact in Moes' groups M and L, with 2U in
+    both, and Rx/Ry [-], Nijenbanning, Venner and Moes (1994); fitted for entrainment along x and
+    Rx/Ry <= 1.
     """
-    # noqa: E741
     m = load_parameter
-    l = max(lubricant_parameter, 1e-12)
+    l = max(lubricant_parameter, 1e-12)  # noqa: E741
     d = radius_ratio
     q = 1.0 + 0.006 * log(d) + 0.63 * d ** (4 / 7)
     rigid_isoviscous = 145.0 * (1.0 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2

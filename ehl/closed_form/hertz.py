@@ -14,9 +14,11 @@ taken there.
 """
 
 from dataclasses import dataclass
-from math import cbrt, exp, isfinite, log, pi
+from math import cbrt, exp, log, pi
 
 from scipy.special import elliprd, elliprf
+
+from ..ranges import require_positive
 
 # Rx/Ry and its inverse, ellipticity about 1e5; beyond lies the line contact
 RADIUS_RATIO_LIMIT = 1.0e8
@@ -25,66 +27,25 @@ MAX_NEWTON_STEPS = 60
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HertzContact:
-    """One dry elliptical contact, SI.
+    """One dry elliptical contact, SI."""
 
-    Attributes
-    ----------
-    load : float
-        Normal load F [N].
-    radius_x, radius_y : float
-        Reduced radii of curvature in x and y [m].
-    reduced_modulus : float
-        E' [Pa], 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
-    semi_axis_x, semi_axis_y : float
-        Semi-axes of the contact ellipse along x and y, a and b [m].
-    pressure : float
-        Largest pressure p_h [Pa].
-    approach : float
-        Approach of distant points [m].
-    """
-
-    load: float
-    radius_x: float
-    radius_y: float
-    reduced_modulus: float
-    semi_axis_x: float
-    semi_axis_y: float
-    pressure: float
-    approach: float
-
-
-def radius_ratio_of_ellipse(ratio: float) -> float:
-    """Rx/Ry [-] of the contact whose ellipse has b/a = `ratio` [-], R_D(0, 1, k^2)/R_D(0, k^2, 1).
-
-    Parameters
-    ----------
-    ratio : float
-        Semi-axis along y over semi-axis along x, k = b/a [-].
-
-    Returns
-    -------
-    float
-        Rx/Ry [-]; falls from infinity to zero as `ratio` grows.
-    """
-    return float(elliprd(0.0, 1.0, ratio**2) / elliprd(0.0, ratio**2, 1.0))
+    load: float  # F, normal [N]
+    radius_x: float  # reduced radius of curvature in x [m]
+    radius_y: float  # and in y [m]
+    reduced_modulus: float  # E' [Pa], 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2
+    semi_axis_x: float  # a, semi-axis of the contact ellipse along x [m]
+    semi_axis_y: float  # b, and along y [m]
+    pressure: float  # p_h, largest pressure [Pa]
+    approach: float  # of distant points [m]
 
 
 def ellipse_ratio(radius_ratio: float) -> float:
-    """Ratio of the semi-axes of the contact ellipse, k = b/a [-], Hertz (1882).
+    """Ratio of the semi-axes of the contact ellipse, k = b/a, at a ratio of radii Rx/Ry [-], Hertz
+    (1882): 1 at 1, above 1 where Rx < Ry.
 
     Solves Rx/Ry = R_D(0, 1, k^2)/R_D(0, k^2, 1) by Newton's method in ln k, kept inside a bracket.
-
-    Parameters
-    ----------
-    radius_ratio : float
-        Rx/Ry [-].
-
-    Returns
-    -------
-    float
-        Semi-axis along y over semi-axis along x [-]: 1 at 1, above 1 where Rx < Ry.
     """
-    _require_positive(radius_ratio=radius_ratio)
+    require_positive({"radius_ratio": radius_ratio})
     if not 1.0 / RADIUS_RATIO_LIMIT <= radius_ratio <= RADIUS_RATIO_LIMIT:
         raise ValueError(f"radius_ratio must lie in [1e-8, 1e8], got {radius_ratio!r}")
     if radius_ratio == 1.0:
@@ -105,19 +66,12 @@ def ellipse_ratio(radius_ratio: float) -> float:
 
 
 def hertz_coefficients(radius_ratio: float) -> tuple[float, float, float]:
-    """Dimensionless size, pressure and approach of the contact, functions of Rx/Ry alone.
+    """Dimensionless size f, pressure g and approach d of the contact, functions of D = Rx/Ry
+    alone.
 
-    Parameters
-    ----------
-    radius_ratio : float
-        D = Rx/Ry [-].
-
-    Returns
-    -------
-    f, g, d : float
-        With W = F/(E' Rx^2) [-]: a/Rx = f W^(1/3), p_h/E' = g W^(1/3), approach/Rx = d W^(2/3)
-        [-]. f^3 = (2/pi) R_D(0, k^2, 1), g = 3/(2 pi k f^2), d = (3/pi) R_F(0, 1, k^2)/f; 1.5,
-        3/(2 pi f^2), f^2 at D = 1.
+    With W = F/(E' Rx^2) [-]: a/Rx = f W^(1/3), p_h/E' = g W^(1/3), approach/Rx = d W^(2/3) [-].
+    f^3 = (2/pi) R_D(0, k^2, 1), g = 3/(2 pi k f^2), d = (3/pi) R_F(0, 1, k^2)/f; 1.5, 3/(2 pi
+    f^2), f^2 at D = 1.
     """
     k = ellipse_ratio(radius_ratio)
     f = cbrt(2.0 / pi * float(elliprd(0.0, k**2, 1.0)))
@@ -127,21 +81,12 @@ def hertz_coefficients(radius_ratio: float) -> tuple[float, float, float]:
 
 
 def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) -> float:
-    """K [N/m^1.5] in load = K approach^1.5, Hertz (1882).
-
-    Parameters
-    ----------
-    radius_x, radius_y : float
-        Reduced radii of curvature [m].
-    reduced_modulus : float
-        E' [Pa].
-
-    Returns
-    -------
-    float
-        K = E' sqrt(Rx) d^(-3/2) [N/m^1.5], d from `hertz_coefficients`.
+    """K = E' sqrt(Rx) d^(-3/2) in load = K approach^1.5 [N/m^1.5], Hertz (1882), d from
+    `hertz_coefficients`; reduced radii of curvature [m], E' [Pa].
     """
-    _require_positive(radius_x=radius_x, radius_y=radius_y, reduced_modulus=reduced_modulus)
+    require_positive(
+        {"radius_x": radius_x, "radius_y": radius_y, "reduced_modulus": reduced_modulus}
+    )
     _, _, d = hertz_coefficients(radius_x / radius_y)
     return float(reduced_modulus * (radius_x / d**3) ** 0.5)
 
@@ -149,24 +94,11 @@ def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) 
 def hertz_contact(
     load: float, radius_x: float, radius_y: float, reduced_modulus: float
 ) -> HertzContact:
-    """Ellipse, pressure and approach under a load, Hertz (1882).
-
-    Parameters
-    ----------
-    load : float
-        Normal load [N].
-    radius_x, radius_y : float
-        Reduced radii of curvature in x and y [m].
-    reduced_modulus : float
-        E' [Pa].
-
-    Returns
-    -------
-    HertzContact
+    """Ellipse, pressure and approach under a load [N], Hertz (1882); reduced radii of curvature
+    [m], E' [Pa].
     """
-    _require_positive(
-        load=load, radius_x=radius_x, radius_y=radius_y, reduced_modulus=reduced_modulus
-    )
+    given = {"load": load, "radius_x": radius_x, "radius_y": radius_y}
+    require_positive(given | {"reduced_modulus": reduced_modulus})
     ratio = radius_x / radius_y
     f, g, d = hertz_coefficients(ratio)
     size = cbrt(load / (reduced_modulus * radius_x**2))
@@ -195,9 +127,3 @@ def _log_radius_ratio(t: float) -> tuple[float, float]:
     )
     slope = -3.0 + mixed / along_y + k2 * mixed / along_x
     return log(along_y / along_x), slope
-
-
-def _require_positive(**values: float) -> None:
-    for field, value in values.items():
-        if not (isfinite(value) and value > 0.0):
-            raise ValueError(f"{field} must be positive and finite, got {value!r}")

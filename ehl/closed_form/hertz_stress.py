@@ -1,5 +1,5 @@
-r"""Stress below a dry elliptical contact in closed form: on its axis, and the orthogonal shear that
-rolling makes.
+r"""Stress below a dry elliptical contact in closed form: on its axis, and the orthogonal shear of
+rolling.
 
 The half-space z > 0 carries p = p_h sqrt(1 - x^2/a^2 - y^2/b^2) without friction. With
 Boussinesq's potentials psi = int p/r, chi = int p ln(r + z) (Johnson, Contact Mechanics, 1985,
@@ -21,34 +21,19 @@ from scipy.special import elliprd
 
 Array = NDArray[np.float64]
 # the largest shear lies above this depth, in the smaller semi-axis: 0.48 (circle) to 0.79 (line)
-# [-]
 DEEPEST = 1.5
 
 
 def hertz_axis_stress(
     semi_axes: tuple[float, float], pressure: float, depth: Array, poisson_ratio: float
 ) -> Array:
-    """Principal stresses on the axis of a Hertz contact, Thomas and Hoersch (1930).
+    """Principal stresses sigma_x, sigma_y, sigma_z on the axis of a Hertz contact, shape (3, ...)
+    [Pa], Thomas and Hoersch (1930); semi-axes a along x and b along y [m], p_h [Pa], depth above
+    zero [m].
 
     sigma_x = p_h a b [(1 - nu) z I_x - nu z I_z - (1 - 2 nu)/(A (A + B))], A^2 = a^2 + z^2, B^2 =
     b^2 + z^2, I_x = 2/3 R_D(B^2, z^2, A^2), I_z = 2/3 R_D(A^2, B^2, z^2), likewise sigma_y;
     sigma_z = -p_h a b/(A B).
-
-    Parameters
-    ----------
-    semi_axes : tuple of float
-        a along x and b along y [m].
-    pressure : float
-        p_h [Pa].
-    depth : ndarray
-        Above zero [m].
-    poisson_ratio : float
-        [-].
-
-    Returns
-    -------
-    ndarray, shape (3, ...)
-        sigma_x, sigma_y, sigma_z [Pa].
     """
     a, b = semi_axes
     z2 = np.square(depth)
@@ -70,24 +55,10 @@ def hertz_axis_stress(
 def hertz_maximum_shear(
     semi_axes: tuple[float, float], pressure: float, poisson_ratio: float
 ) -> tuple[float, float]:
-    """Largest principal shear on the axis of a Hertz contact, half the difference of the extreme
-    stresses there.
+    """Largest principal shear on the axis of a Hertz contact [Pa], half the difference of the
+    extreme stresses, and its depth [m]; semi-axes along x and y [m], p_h [Pa].
 
-    Parameters
-    ----------
-    semi_axes : tuple of float
-        a along x and b along y [m].
-    pressure : float
-        p_h [Pa].
-    poisson_ratio : float
-        [-].
-
-    Returns
-    -------
-    shear : float
-        [Pa]; 0.310 p_h for the circle and 0.300 p_h for the line with nu = 0.3.
-    depth : float
-        [m].
+    0.310 p_h for the circle and 0.300 p_h for the line with nu = 0.3.
     """
     small = min(semi_axes)
     unit = (semi_axes[0] / small, semi_axes[1] / small)
@@ -96,35 +67,21 @@ def hertz_maximum_shear(
         stress = hertz_axis_stress(unit, 1.0, np.array(depth), poisson_ratio)
         return -0.5 * float(stress.max() - stress.min())
 
-    found = minimize_scalar(
+    peak = minimize_scalar(
         negative_shear, bounds=(1e-3, DEEPEST), method="bounded", options={"xatol": 1e-9}
     )
-    return -pressure * float(found.fun), small * float(found.x)
+    return -pressure * float(peak.fun), small * float(peak.x)
 
 
 def hertz_orthogonal_shear(
     semi_axis_rolling: float, semi_axis_transverse: float, pressure: float
 ) -> tuple[float, float]:
-    """Amplitude of the shear stress tau_xz of a point that the contact rolls over, Lundberg and
-    Palmgren (1947).
+    """Amplitude tau_0 [Pa] of the shear stress tau_xz of a point that the contact rolls over, and
+    its depth z_0 [m], Lundberg and Palmgren (1947); semi-axes a along the rolling direction and b
+    [m], p_h [Pa].
 
     tau_0 = p_h sqrt(2 t - 1)/(2 t (t + 1)), z_0 = a/[(t + 1) sqrt(2 t - 1)], (t^2 - 1)(2 t - 1) =
-    (a/b)^2, with a along the rolling direction. It swings between -tau_0 and +tau_0; Poisson's
-    ratio has no part in it.
-
-    Parameters
-    ----------
-    semi_axis_rolling, semi_axis_transverse : float
-        a and b [m].
-    pressure : float
-        p_h [Pa].
-
-    Returns
-    -------
-    amplitude : float
-        tau_0 [Pa].
-    depth : float
-        z_0 [m].
+    (a/b)^2. It swings between -tau_0 and +tau_0, whatever Poisson's ratio.
     """
     ratio = (semi_axis_rolling / semi_axis_transverse) ** 2
     t = float(

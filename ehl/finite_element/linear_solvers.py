@@ -27,7 +27,7 @@ def solve_bordered(
     tolerance: float,
 ) -> tuple[Array, float, int]:
     """Solve [A b; w^T 0] [p; h] = [f; g] by GMRES (Saad and Schultz, 1986), A dense but known by
-    its action.
+    its action; p, shape (n,), h and the number of iterations [-].
 
     The preconditioner is the same bordered system with A replaced by its near field, factored
     directly (SuperLU) and bordered by block elimination.
@@ -44,11 +44,6 @@ def solve_bordered(
         f, shape (n,), and g [-].
     tolerance : float
         Relative residual of the preconditioned system [-].
-
-    Returns
-    -------
-    tuple
-        p, shape (n,) [-], h [-] and the number of iterations.
 
     Raises
     ------

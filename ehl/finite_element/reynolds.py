@@ -82,14 +82,7 @@ def coefficients(space: FilmSpace, contact: ScaledContact, P: Array, H: Array) -
 
     delta = hx/2 (coth Pe - 1/Pe), Pe = beta hx/(2 eps), where beta = H rho' + 2 c hx rho is the
     speed at which the wedge term moves the shortest wave: the deflection answers a wave of number
-    k with 2 pi c/k (k = pi/hx).
-
-    Parameters
-    ----------
-    space : FilmSpace
-    contact : ScaledContact
-    P, H : ndarray, shape (nodes,)
-        Pressure and film, both of one sign: P >= 0, H > 0 [-].
+    k with 2 pi c/k (k = pi/hx). Pressure P >= 0 and film H > 0 have the shape (nodes,) [-].
     """
     (p, p_grad), (h, h_grad) = interpolate(space, P), interpolate(space, H)
     c = contact

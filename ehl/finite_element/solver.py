@@ -1,11 +1,10 @@
-"""Solve one lubricated contact by finite elements and Newton's method: a check that shares nothing
-with the multigrid.
+"""One lubricated contact by finite elements and Newton's method: a check of the multigrid.
 
 Unknowns are the nodal pressures on a graded rectangle mesh and the constant H0; equations are the
-weak Reynolds equation with the cavitation condition (`reynolds_fem.py`), the film H = H0 + gap +
-compliance P (`compliance.py`) and the load balance. Cavitation is the semi-smooth equation min(P,
--R/d) = 0, d the diagonal (Hintermueller, Ito and Kunisch, 2002). Three meshes, each twice as fine
-as the one before; the coarsest starts from Hertz.
+weak Reynolds equation with the cavitation condition (`reynolds.py`), the film H = H0 + gap +
+compliance P (`solid/compliance.py`) and the load balance. Cavitation is the semi-smooth equation
+min(P, -R/d) = 0, d the diagonal (Hintermueller, Ito and Kunisch, 2002). Three meshes, each twice
+as fine as the one before; the coarsest starts from Hertz.
 """
 
 import time
@@ -40,13 +39,13 @@ from .reynolds import (
 Array = NDArray[np.float64]
 LEVELS = 3
 # along x: the compliance matrix is dense
-MOST_POINTS = 129
-MOST_POINTS_SKEWED = 65
+MAX_POINTS = 129
+MAX_POINTS_SKEWED = 65
 CELLS_Y = 7 / 16  # cells across half the contact per cell along it
 STEPS = 60  # of Newton on each mesh
 PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]
-FILM_SHARE = 0.7  # of the film that a step may take away
-LEAST_FILM = 1e-3  # of the film guess, where the start has the bodies overlap
+LARGEST_FILM_LOSS = 0.7  # of the film in a step
+SMALLEST_FILM = 1e-3  # of the film guess, where the bodies overlap at the start
 TOLERANCE = 1e-6  # of the last change of pressure [-]
 LINEAR_TOLERANCE = 1e-5  # of each Newton step
 REACH = 2  # lines of nodes whose compliance enters the preconditioner
@@ -100,35 +99,27 @@ def solve_contact_finite_element(
     conditions: ContactConditions | MoesConditions, options: SolverOptions | None = None
 ) -> ContactSolution:
     """Pressure and film of a steady, isothermal, flooded elliptical point contact by finite
-    elements.
+    elements, on the nodes of the finest mesh, which are not equidistant; cycles are Newton steps
+    on all meshes. A rotation of the entrainment is left out.
 
-    Parameters
-    ----------
-    conditions : ContactConditions or MoesConditions
-    options : SolverOptions, optional
-        `points` asks for (points + 1)/2 nodes along x, at most 129 (65 for a skewed entrainment):
-        the mesh is graded. Without `domain` the open box is that of `choose_domain`; `tolerance`
-        and `max_cycles` are not used.
-
-    Returns
-    -------
-    ContactSolution
-        On the nodes of the finest mesh, which are not equidistant; cycles are Newton steps on all
-        meshes. A rotation of the entrainment is left out.
+    `points` of the options asks for (points + 1)/2 nodes along x, at most 129 (65 for a skewed
+    entrainment): the mesh is graded. Without `domain` the open box is that of `choose_domain`;
+    `tolerance` and `max_cycles` are not used.
     """
     options = options or SolverOptions()
     if scale_contact(conditions).oil is not None:
         laws = (conditions.lubricant.viscosity_law.value, conditions.lubricant.density_law.value)
         raise ValueError(
-            f"finite elements know Roelands, Barus, constant viscosity, not the laws {' and '.join(laws)}"
+            "finite elements know Roelands, Barus, constant viscosity, not the laws "
+            + " and ".join(laws)
         )
-    began = time.perf_counter()
+    start = time.perf_counter()
     progress = Progress()
     contact = replace(scale_contact(conditions, along_entrainment=True), rotation=0.0)
     domain = options.domain
     if domain is None:
         domain = choose_domain(contact)
-    most = MOST_POINTS if contact.symmetric else MOST_POINTS_SKEWED
+    most = MAX_POINTS if contact.symmetric else MAX_POINTS_SKEWED
     cells = min(options.points - 1, 2 * (most - 1)) // 2
     level = None
     films = []
@@ -148,7 +139,7 @@ def solve_contact_finite_element(
         cycles=len(progress.residual),
         fft_equivalents=0.0,
         fallbacks=(),
-        wall_time=time.perf_counter() - began,
+        wall_time=time.perf_counter() - start,
     )
     return _solution(
         conditions, options, level, films or [(nan, nan)], (record, converged, message, domain)
@@ -158,7 +149,7 @@ def solve_contact_finite_element(
 def newton(level: Level, progress: Progress) -> tuple[bool, str]:
     """Newton's method on one mesh, in place; whether it converged, and a message."""
     for _ in range(STEPS):
-        H = np.maximum(level.film, LEAST_FILM * level.contact.film_guess)
+        H = np.maximum(level.film, SMALLEST_FILM * level.contact.film_guess)
         try:
             change, rise, inner = _step(level, H, progress)
         except LinearSolverError as error:
@@ -170,7 +161,9 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
         size = float(np.abs(change).max())
         thinner = growth < 0.0
         share = min(
-            1.0, PRESSURE_STEP / max(size, 1e-30), *(FILM_SHARE * H[thinner] / -growth[thinner])
+            1.0,
+            PRESSURE_STEP / max(size, 1e-30),
+            *(LARGEST_FILM_LOSS * H[thinner] / -growth[thinner]),
         )
         level.P += share * change
         level.approach += share * rise
@@ -182,7 +175,8 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
             return True, "converged"
     return (
         False,
-        f"not converged: pressure changed by {size:.1e} in the last of {STEPS} Newton steps; try more points",
+        f"not converged: pressure changed by {size:.1e} in the last of {STEPS} Newton steps; "
+        "try more points",
     )
 
 
@@ -323,7 +317,7 @@ def _share(density: Callable[[Array], Array], first: float, last: float) -> floa
 
 
 def _minimum(level: Level) -> float:
-    """Smallest film [-]: least of the quadratic fitted to a smallest node and its neighbours."""
+    """Smallest film [-]: minimum of a quadratic through the smallest node and its neighbours."""
     X, Y, H = _whole_box(level, level.film)
     i, j = np.unravel_index(H.argmin(), H.shape)
     least = float(H[i, j])
@@ -371,7 +365,10 @@ def _solution(
     ratio = films[-1][1] / float(X[at_minimum + 1] - X[at_minimum]) ** 2
     resolved = converged and ratio >= RESOLVED
     if converged and not resolved:
-        message = f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}"
+        message = (
+            f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, "
+            f"below {RESOLVED:g}"
+        )
     return ContactSolution(
         conditions=conditions,
         options=options,

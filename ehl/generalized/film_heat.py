@@ -129,7 +129,7 @@ class FilmHeat:
         across: tuple[Section, Rheology],
         forward: bool,
     ) -> int:
-        """Columns of all lines one after the other, in place; returns how many did not converge."""
+        """Columns of all lines one after the other, in place; the number of unsolved ones."""
         oil = self.conditions.lubricant
         middle, state = unknowns
         section, rheology = across

@@ -51,7 +51,7 @@ SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as i
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Continuation:
-    """How far rheology and heat act in a cycle, between the Newtonian film and the full problem."""
+    """How far rheology and heat act in a cycle, from the Newtonian film to the full problem."""
 
     # of rheology and heat, in (0, 1]: stresses of the rheology are divided by it, the rise of
     # temperature is multiplied by it [-]

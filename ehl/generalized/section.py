@@ -73,7 +73,7 @@ def film_section(count: int = NODES) -> Section:
 
 
 def wall_slopes(section: Section) -> tuple[Array, Array]:
-    """Weights of dT/d(zeta) at both walls, each on the three nodes nearest to it, shape (n,) [-]."""
+    """Weights of dT/d(z/h) at both walls on the three nodes next to each, shape (n,) [-]."""
     z = section.nodes
     below = np.zeros(section.nodes.size)
     above = np.zeros(section.nodes.size)

@@ -125,7 +125,7 @@ def _first_converged(
     )
     if contact.converged or not alone:
         return contact, state
-    # 2. continuation from the Newtonian film, with a frozen factor and one that follows the pressure
+    # 2. continuation from the Newtonian film, the factor frozen, then following the pressure
     newtonian = solve_contact(conditions, options)
     fallbacks = newtonian.record.fallbacks
     for follows in (False, True) if newtonian.converged else (False,):

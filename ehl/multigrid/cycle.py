@@ -206,7 +206,7 @@ def flow(state: Multigrid, level: Level) -> None:
 
 
 def _oil(state: Multigrid, level: Level) -> None:
-    """eps, and rho and its slope in place of the flow, of a Newtonian oil of uniform temperature."""
+    """eps, and rho and its slope in place of the flow, of a Newtonian isothermal oil."""
     c = state.contact
     out = (level.eps, level.flow_x, level.slope_x)
     if c.oil is None:

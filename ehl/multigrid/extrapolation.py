@@ -1,4 +1,4 @@
-"""Film values of a grid, and grid-converged values with error bars from those of several levels."""
+"""Film values of a grid, and grid-converged values with error bars from several levels."""
 
 from collections.abc import Sequence
 from math import log2

@@ -83,6 +83,7 @@ def exterior_load(field: FarField, grid: Grid, H: Array) -> float:
     from R of r^2/(h + q r^2/2)^2 dr = (4/q^2) [R/(2(R^2 + c)) + tail], tail = atan(sqrt(c)/R)/(2
     sqrt(c)).
     """
+    # 1. rays from the origin to the edge of the box
     angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
     x, y = np.cos(angle), np.sin(angle)
     strength = np.maximum(-(field.pressure_x * x + field.pressure_y * y), 0.0)
@@ -91,11 +92,13 @@ def exterior_load(field: FarField, grid: Grid, H: Array) -> float:
     y_half = grid.Y[-1]
     with np.errstate(divide="ignore"):
         radius = np.minimum(np.where(x < 0.0, x_in / x, x_out / x), y_half / np.abs(y))
+    # 2. gap h + q r^2/2 along each ray, c = 2h/q
     q = field.curvature_x * x * x + field.curvature_y * y * y + 2.0 * field.curvature_xy * x * y
     origin = 0 if grid.symmetric else grid.ny // 2
     c = 2.0 * (H[origin, 0] - 0.5 * field.curvature_x * x_in**2) / q
-    # far inside the Hertz gap: the ray's own edge stays outside the contact
+    # far inside the Hertz gap: the edge of the ray stays outside the contact
     c = np.maximum(c, -0.9 * radius**2)
+    # 3. integral along each ray, and over the angle
     root = np.sqrt(np.maximum(np.abs(c), 1e-12))
     tail = np.where(
         c > 0.0, np.arctan(root / radius), np.arctanh(np.minimum(root / radius, 0.99))

@@ -12,9 +12,9 @@ here, and so do the frozen coefficients of a generalized Reynolds equation (Yang
 grids take them by injection.
 
 The viscosity of a thinned oil follows the pressure less than the Newtonian one does: with the
-share k of the change that it leaves out, a factor f evaluated at P_0 counts as f [eta(P)/eta(P_0)]^k
-while P changes within the cycle. Without that a frozen factor of 1e6 in a sliding contact turns a
-small error of the pressure into a large one of the flow.
+share k of the change that it leaves out, a factor f evaluated at P_0 counts as f
+[eta(P)/eta(P_0)]^k while P changes within the cycle. Without that a frozen factor of 1e6 in a
+sliding contact turns a small error of the pressure into a large one of the flow.
 """
 
 from dataclasses import dataclass, fields

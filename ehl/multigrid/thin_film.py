@@ -5,7 +5,7 @@ At fixed speed, oil and geometry (constant L) the film in proportion to the cent
 Nijenbanning, Venner and Moes (1994) changes slowly with the load: a power of it, to which a
 parabola in the logarithms is the next approximation. The power is fitted to the heaviest loads the
 mesh resolves; the error bar is the difference to the parabola, with the error bars of the fitted
-films and what they amount to at the wanted load.
+films as they act at that load.
 """
 
 from collections.abc import Callable
@@ -20,20 +20,20 @@ from ..solution import ContactSolution, FilmValue
 
 Conditions = ContactConditions | MoesConditions
 
-LOADS = (1.0, 0.5, 0.25)  # of the heaviest load taken as resolved
-MARGIN = 1.6  # wanted fineness over the limit of resolution
+LOADS = (1.0, 0.5, 0.25)  # over the heaviest load taken as resolved
+MARGIN = 1.6  # fineness of the heaviest load over the limit of resolution
 FINENESS_POWER = 0.75  # Hmin/hx^2 falls with this power of the load, nearly
-LIGHTEST = 5.0  # M below which a contact tells nothing about thin films
+SMALLEST_LOAD = 5.0  # M, below which a contact says nothing about thin films
 FALLBACK = "thin film extrapolated over the load"
-TRIALS = 3  # each at half the loads of the one before
-FARTHEST = 100.0  # times the heaviest load resolved: beyond, nothing is extrapolated
+TRIALS = 3  # at most, each at half the loads of the one before
+LARGEST_LOAD_RATIO = 100.0  # of the load to the heaviest resolved one, for an extrapolation
 
 
 def thin_film(
     solution: ContactSolution, fineness: float, solve: Callable[[Conditions], ContactSolution]
 ) -> ContactSolution:
-    """The solution with its film values replaced by extrapolated ones, named in the message;
-    unchanged if none.
+    """The solution with extrapolated film values, named in the message; unchanged if there are
+    none.
 
     Parameters
     ----------
@@ -47,7 +47,7 @@ def thin_film(
     share = min((max(fineness, 1e-6) / MARGIN) ** (1.0 / FINENESS_POWER), 1.0)
     for _ in range(TRIALS):
         loads = [factor * share for factor in LOADS]
-        if 1.0 / loads[0] > FARTHEST or solution.moes_load * loads[-1] < LIGHTEST:
+        if 1.0 / loads[0] > LARGEST_LOAD_RATIO or solution.moes_load * loads[-1] < SMALLEST_LOAD:
             return solution
         solved = [solve(at_load(solution.conditions, factor)) for factor in loads]
         if all(s.converged and s.resolved for s in solved):
@@ -58,9 +58,9 @@ def thin_film(
     names = ("film_central_dimensionless", "film_minimum_dimensionless")
     central, minimum = (_extrapolated(solution, name, loads, solved) for name in names)
     state = "unresolved" if solution.converged else "not converged"
-    told = (
-        f"{state} on this mesh; the film values are thin-film extrapolations from contacts of {loads[-1]:.2g} to "
-        f"{loads[0]:.2g} times the load"
+    message = (
+        f"{state} on this mesh; the film values are thin-film extrapolations from contacts of "
+        f"{loads[-1]:.2g} to {loads[0]:.2g} times the load"
     )
     record = replace(solution.record, fallbacks=(*solution.record.fallbacks, FALLBACK))
     return replace(
@@ -68,7 +68,7 @@ def thin_film(
         record=record,
         film_central_dimensionless=central,
         film_minimum_dimensionless=minimum,
-        message=told,
+        message=message,
     )
 
 
@@ -95,8 +95,8 @@ def _extrapolated(
     )
     weights = [_weights_at_zero(x, degree) for degree in (1, 2)]
     line, parabola = (float(w @ y) for w in weights)
-    doubts = np.array([f.uncertainty / f.value for f in films])
-    error = abs(parabola - line) + float(np.abs(weights[0]) @ doubts)
+    errors = np.array([f.uncertainty / f.value for f in films])
+    error = abs(parabola - line) + float(np.abs(weights[0]) @ errors)
     value = scale_contact(solution.conditions).film_guess * exp(line)
     return FilmValue(value=value, uncertainty=value * error, finest=getattr(solution, name).finest)
 

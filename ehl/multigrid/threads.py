@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
 
 # nodes of the smallest grid that is shared: below, the hand-over costs more than it saves
 SHARED_NODES = 2**15
@@ -25,7 +26,7 @@ class Threads:
         number = self.number_for(nodes)
         cuts = [k * len(lines) // number for k in range(number + 1)]
         parts = [
-            (lines[a], lines[b - 1] + 1) for a, b in zip(cuts[:-1], cuts[1:], strict=True) if b > a
+            (lines[a], lines[b - 1] + 1) for a, b in pairwise(cuts) if b > a
         ]
         jobs = (
             [] if self._pool is None else [self._pool.submit(kernel, *part) for part in parts[1:]]

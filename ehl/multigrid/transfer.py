@@ -12,7 +12,7 @@ def inject(fine: Array) -> Array:
 
 
 def full_weighting(fine: Array, symmetric: bool) -> Array:
-    """Adjoint of bilinear interpolation over four, [1 2 1]/4 in both directions; zero on the edge."""
+    """Adjoint of bilinear interpolation over four, [1 2 1]/4 both ways; zero on the edge."""
     lines = np.zeros((fine.shape[0], (fine.shape[1] + 1) // 2))
     lines[:, 1:-1] = 0.25 * (fine[:, 1:-2:2] + 2.0 * fine[:, 2:-1:2] + fine[:, 3::2])
     coarse = np.zeros(((fine.shape[0] + 1) // 2, lines.shape[1]))

@@ -1,6 +1,4 @@
-"""What a film solved with shear or heat leaves to those who shear it: its temperature, and how
-much thinner it is.
-"""
+"""Temperature and fluidity of a film that was solved with shear or heat."""
 
 from dataclasses import dataclass
 
@@ -15,35 +13,20 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmState:
-    """State of the oil in a film, on the grid of its contact.
+    """State of the oil in a film, on the grid of its contact; arrays of shape (nx, ny)."""
 
-    Attributes
-    ----------
-    temperature : ndarray, shape (nx, ny), or None
-        Mean over the film [K]; None: solved without heat.
-    log_fluidity : ndarray, shape (nx, ny)
-        ln of what the mean fluidity is times that of the unsheared oil at the mean temperature, by
-        the profile of the temperature and by the stress of the pressure's own flow [-].
-    """
-
-    temperature: Array | None
+    temperature: Array | None  # mean over the film [K]; None: solved without heat
+    # ln of the mean fluidity over that of the unsheared oil at the mean temperature, by the
+    # profile of the temperature and by the stress of the pressure gradient [-]
     log_fluidity: Array
 
 
 def log_mean_fluidity(
     temperature: Array, weights: Array, pressure: Array, oil: Lubricant
 ) -> tuple[Array, Array]:
-    """Mean temperature [K] and ln of the mean fluidity over that at it [-].
-
-    Parameters
-    ----------
-    temperature : ndarray, shape (nx, ny, n)
-        At the nodes across the film [K].
-    weights : ndarray, shape (n,)
-        Of the integral over the film [-].
-    pressure : ndarray, shape (nx, ny)
-        [Pa].
-    oil : Lubricant
+    """Mean temperature [K] and ln of the mean fluidity over that at it [-], shapes (nx, ny), from
+    the temperature at the nodes across the film, shape (nx, ny, n) [K], and the weights of the
+    integral over it, shape (n,); pressure [Pa].
     """
     mean = temperature @ weights
     thinner = log_viscosity_ratio(pressure, oil, mean)[..., None]

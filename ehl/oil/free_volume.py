@@ -5,12 +5,14 @@ Each is a frozen set of constants and a function of pressure and temperature; `l
 chooses among the laws. The constants belong to one oil and come with a source: none has a default.
 """
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from enum import Enum
-from math import isfinite, log
+from math import log
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
+
+from ..ranges import require_finite, require_positive
 
 Array = NDArray[np.float64]
 
@@ -19,55 +21,34 @@ Array = NDArray[np.float64]
 class TaitVolume:
     """Constants of Tait's equation of state in the form of Dymond and Malhotra (1988), as used by
     Bair (2007).
-
-    Attributes
-    ----------
-    bulk_modulus : float
-        Isothermal bulk modulus at ambient pressure and the reference temperature, K_0 [Pa].
-    bulk_modulus_derivative : float
-        dK/dp at ambient pressure, K_0' [-].
-    reference_temperature : float
-        T_R [K].
-    bulk_modulus_temperature : float
-        b of K_0(T) = K_0 exp[-b (T - T_R)] [1/K].
-    expansion : float
-        a of V_0(T) = V_R [1 + a (T - T_R)], volume at ambient pressure [1/K].
     """
 
-    bulk_modulus: float
-    bulk_modulus_derivative: float
-    reference_temperature: float
-    bulk_modulus_temperature: float = 0.0
-    expansion: float = 0.0
+    bulk_modulus: float  # K_0, isothermal, at ambient pressure and the reference temperature [Pa]
+    bulk_modulus_derivative: float  # K_0' = dK/dp at ambient pressure [-]
+    reference_temperature: float  # T_R [K]
+    bulk_modulus_temperature: float = 0.0  # b of K_0(T) = K_0 exp[-b (T - T_R)] [1/K]
+    expansion: float = 0.0  # a of V_0(T) = V_R [1 + a (T - T_R)] at ambient pressure [1/K]
 
     def __post_init__(self) -> None:
-        _require_finite(self)
-        _require_positive(self, "bulk_modulus", "bulk_modulus_derivative", "reference_temperature")
+        require_positive(self, "bulk_modulus", "bulk_modulus_derivative", "reference_temperature")
+        require_finite(self, "bulk_modulus_temperature", "expansion")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DoolittleFreeVolume:
-    """Constants of Doolittle's (1951) viscosity by free volume; the volume is Tait's.
+    """Constants of Doolittle's (1951) viscosity by free volume; the volume is Tait's."""
 
-    Attributes
-    ----------
-    factor : float
-        B [-].
-    occupied_share : float
-        R, occupied over total volume at ambient pressure and Tait's reference temperature [-].
-    occupied_expansion : float or None
-        e of V_occ(T) = V_occ [1 + e (T - T_R)] [1/K]; None: the constants hold at the temperature
-        of operation, and temperature enters by the oil's coefficient of viscosity and temperature
-        alone.
-    """
-
-    factor: float
+    factor: float  # B [-]
+    # R, occupied over total volume at ambient pressure and Tait's reference temperature [-]
     occupied_share: float
+    # e of V_occ(T) = V_occ [1 + e (T - T_R)] [1/K]; None: the constants hold at the temperature of
+    # operation, and only the coefficient of viscosity and temperature of the oil varies it
     occupied_expansion: float | None = None
 
     def __post_init__(self) -> None:
-        _require_finite(self)
-        _require_positive(self, "factor")
+        require_positive(self, "factor")
+        if self.occupied_expansion is not None:
+            require_finite(self, "occupied_expansion")
         if not 0.0 < self.occupied_share < 1.0:
             raise ValueError(
                 f"occupied_share must lie between 0 and 1, got {self.occupied_share!r}"
@@ -83,64 +64,25 @@ class ExpansivityForm(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class YasutomiGlass:
-    """Constants of Yasutomi's viscosity by the distance from the glass temperature T_g(p).
+    """Constants of Yasutomi's viscosity by the distance from the glass temperature T_g(p)."""
 
-    Attributes
-    ----------
-    glass_temperature : float
-        T_g at ambient pressure [K].
-    glass_rise : float
-        A1 of T_g(p) = T_g0 + A1 ln(1 + A2 p) [K].
-    glass_pressure_coefficient : float
-        A2 [1/Pa].
-    expansivity_1, expansivity_2 : float
-        B1 [-] and B2 [1/Pa] of the logarithmic form; b1 [1/Pa] and b2 [-] of the power form.
-    slope : float
-        C1 [-].
-    width : float
-        C2 [K].
-    form : ExpansivityForm
-    """
-
-    glass_temperature: float
-    glass_rise: float
-    glass_pressure_coefficient: float
-    expansivity_1: float
-    expansivity_2: float
-    slope: float
-    width: float
+    glass_temperature: float  # T_g0, at ambient pressure [K]
+    glass_rise: float  # A1 of T_g(p) = T_g0 + A1 ln(1 + A2 p) [K]
+    glass_pressure_coefficient: float  # A2 [1/Pa]
+    expansivity_1: float  # B1 [-] of the logarithmic, b1 [1/Pa] of the power form
+    expansivity_2: float  # B2 [1/Pa], b2 [-]
+    slope: float  # C1 [-]
+    width: float  # C2 [K]
     form: ExpansivityForm = ExpansivityForm.POWER
 
     def __post_init__(self) -> None:
-        _require_finite(self)
-        _require_positive(
-            self, "glass_temperature", "glass_pressure_coefficient", "slope", "width"
-        )
-
-
-def _require_finite(constants: object) -> None:
-    for field in fields(constants):  # type: ignore[arg-type]
-        value = getattr(constants, field.name)
-        if isinstance(value, float | int) and not isfinite(value):
-            raise ValueError(f"{field.name} must be finite, got {value!r}")
-
-
-def _require_positive(constants: object, *names: str) -> None:
-    for name in names:
-        if not getattr(constants, name) > 0.0:
-            raise ValueError(f"{name} must be positive, got {getattr(constants, name)!r}")
+        require_positive(self, "glass_temperature", "glass_pressure_coefficient", "slope", "width")
+        require_finite(self, "glass_rise", "expansivity_1", "expansivity_2")
 
 
 def relative_volume(p: ArrayLike, temperature: ArrayLike, tait: TaitVolume) -> Array:
-    """V/V_R = [1 + a (T - T_R)] {1 - ln[1 + p (1 + K_0')/K_0(T)]/(1 + K_0')} [-], Tait.
-
-    Parameters
-    ----------
-    p : array_like
-        Pressure [Pa].
-    temperature : array_like
-        Temperature T [K].
-    tait : TaitVolume
+    """V/V_R = [1 + a (T - T_R)] {1 - ln[1 + p (1 + K_0')/K_0(T)]/(1 + K_0')} [-], Tait, at a
+    pressure [Pa] and temperature [K].
     """
     above = np.asarray(temperature) - tait.reference_temperature
     modulus = tait.bulk_modulus * np.exp(-tait.bulk_modulus_temperature * above)
@@ -152,17 +94,8 @@ def log_viscosity_doolittle(
     p: ArrayLike, temperature: ArrayLike, tait: TaitVolume, doolittle: DoolittleFreeVolume
 ) -> Array:
     """ln(eta/eta_R) = B R {O/[V/V_R - R O] - 1/(1 - R)}, O = 1 + e (T - T_R) [-], Doolittle
-    (1951), Bair (2007).
-
-    Infinite where the occupied volume would fill the whole.
-
-    Parameters
-    ----------
-    p, temperature : array_like
-        Pressure [Pa] and temperature [K]; the latter only counts if an expansion of the occupied
-        volume is given.
-    tait : TaitVolume
-    doolittle : DoolittleFreeVolume
+    (1951), Bair (2007), at a pressure [Pa] and, if e is given, a temperature [K]; infinite where
+    the occupied volume would fill the whole.
     """
     r, expansion = doolittle.occupied_share, doolittle.occupied_expansion
     above = 0.0 if expansion is None else np.asarray(temperature) - tait.reference_temperature
@@ -175,16 +108,8 @@ def log_viscosity_doolittle(
 
 def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: YasutomiGlass) -> Array:
     """ln(eta/eta_g) = -ln(10) C1 D F/(C2 + D F), D = T - T_g(p) [-], Yasutomi, Bair and Winer
-    (1984).
-
-    Below the glass temperature, where the law ends, the viscosity is held at that of the glass,
-    eta_g.
-
-    Parameters
-    ----------
-    p, temperature : array_like
-        Pressure [Pa] and temperature T [K].
-    glass : YasutomiGlass
+    (1984), at a pressure [Pa] and temperature [K]; below the glass temperature, where the law
+    ends, that of the glass.
     """
     p = np.asarray(p, dtype=np.float64)
     glass_temperature = glass.glass_temperature + glass.glass_rise * np.log1p(
@@ -203,14 +128,8 @@ def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: Yasutomi
 def pressure_viscosity_doolittle(
     tait: TaitVolume, doolittle: DoolittleFreeVolume, temperature: float
 ) -> float:
-    """d(ln eta)/dp at ambient pressure [1/Pa]: B R O (V_0/V_R)/{K_0(T) [V_0/V_R - R O]^2}.
-
-    Parameters
-    ----------
-    tait : TaitVolume
-    doolittle : DoolittleFreeVolume
-    temperature : float
-        Temperature T [K].
+    """d(ln eta)/dp at ambient pressure and a temperature [K], B R O (V_0/V_R)/{K_0(T) [V_0/V_R -
+    R O]^2} [1/Pa].
     """
     above = (
         0.0 if doolittle.occupied_expansion is None else temperature - tait.reference_temperature
@@ -223,14 +142,8 @@ def pressure_viscosity_doolittle(
 
 
 def pressure_viscosity_yasutomi(glass: YasutomiGlass, temperature: float) -> float:
-    """d(ln eta)/dp at ambient pressure [1/Pa]: ln(10) C1 C2 [A1 A2 - D F'(0)]/(C2 + D)^2, D = T -
-    T_g0.
-
-    Parameters
-    ----------
-    glass : YasutomiGlass
-    temperature : float
-        Temperature T [K].
+    """d(ln eta)/dp at ambient pressure and a temperature [K], ln(10) C1 C2 [A1 A2 - D F'(0)]/(C2
+    + D)^2, D = T - T_g0 [1/Pa].
     """
     distance = temperature - glass.glass_temperature
     change = glass.expansivity_1 * glass.expansivity_2

@@ -4,11 +4,12 @@ data are given.
 
 from dataclasses import dataclass
 from enum import Enum
-from math import isfinite, log
+from math import log
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..ranges import require_not_negative, require_positive
 from .free_volume import (
     DoolittleFreeVolume,
     TaitVolume,
@@ -52,97 +53,46 @@ class DensityLaw(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ThermalProperties:
-    """What an oil needs beside its isothermal properties to be solved with heat, SI.
+    """What a solve with heat needs beside the isothermal properties of an oil, SI."""
 
-    Attributes
-    ----------
-    conductivity : float
-        Thermal conductivity k [W/(m K)].
-    specific_heat : float
-        Specific heat capacity c [J/(kg K)].
-    viscosity_temperature : float
-        beta = -d(ln eta)/dT at ambient pressure and the temperature of operation [1/K]; not looked
-        at by laws that have their own temperature dependence.
-    expansion : float
-        Thermal expansion -d(ln rho)/dT [1/K].
-    """
-
-    conductivity: float
-    specific_heat: float
+    conductivity: float  # k [W/(m K)]
+    specific_heat: float  # c [J/(kg K)]
+    # beta = -d(ln eta)/dT at ambient pressure and the temperature of operation [1/K]; not used by
+    # laws with a temperature dependence of their own
     viscosity_temperature: float
-    expansion: float = 0.0
+    expansion: float = 0.0  # -d(ln rho)/dT [1/K]
 
     def __post_init__(self) -> None:
-        for field in ("conductivity", "specific_heat"):
-            value = getattr(self, field)
-            if not (isfinite(value) and value > 0.0):
-                raise ValueError(f"{field} must be positive and finite, got {value!r}")
-        for field in ("viscosity_temperature", "expansion"):
-            value = getattr(self, field)
-            if not (isfinite(value) and value >= 0.0):
-                raise ValueError(f"{field} must be zero or positive and finite, got {value!r}")
+        require_positive(self, "conductivity", "specific_heat")
+        require_not_negative(self, "viscosity_temperature", "expansion")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Lubricant:
-    """Oil properties at the temperature of operation, SI.
+    """Oil properties at the temperature of operation, SI."""
 
-    Attributes
-    ----------
-    viscosity : float
-        Dynamic viscosity at ambient pressure, eta_0 [Pa s].
-    pressure_viscosity : float
-        d(ln eta)/dp at ambient pressure [1/Pa].
-    density : float
-        Density at ambient pressure [kg/m^3].
-    viscosity_law, density_law : ViscosityLaw, DensityLaw
-    roelands_z : float or None
-        Roelands' exponent z [-]; None takes it from Roelands' identity.
-    roelands_pressure : float
-        Roelands' reference pressure p_r [Pa].
-    name : str
-    temperature : float or None
-        Temperature of operation, at which the values hold [K]; needed by laws that depend on it
-        and to solve with heat.
-    tait : TaitVolume or None
-        Constants of the density law and of Doolittle's viscosity law.
-    doolittle : DoolittleFreeVolume or None
-        Constants of the viscosity law tait-doolittle.
-    yasutomi : YasutomiGlass or None
-        Constants of the viscosity law yasutomi.
-    thermal : ThermalProperties or None
-        What a solve with heat needs.
-    """
-
-    viscosity: float
-    pressure_viscosity: float
-    density: float = 870.0
+    viscosity: float  # eta_0, dynamic, at ambient pressure [Pa s]
+    pressure_viscosity: float  # d(ln eta)/dp at ambient pressure [1/Pa]
+    density: float = 870.0  # at ambient pressure [kg/m^3]
     viscosity_law: ViscosityLaw = ViscosityLaw.ROELANDS
     density_law: DensityLaw = DensityLaw.DOWSON_HIGGINSON
-    roelands_z: float | None = None
-    roelands_pressure: float = ROELANDS_PRESSURE
+    roelands_z: float | None = None  # exponent z [-]; None: from Roelands' identity
+    roelands_pressure: float = ROELANDS_PRESSURE  # p_r [Pa]
     name: str = ""
+    # of operation, at which the values hold [K]; needed by laws that depend on it and with heat
     temperature: float | None = None
-    tait: TaitVolume | None = None
-    doolittle: DoolittleFreeVolume | None = None
-    yasutomi: YasutomiGlass | None = None
-    thermal: ThermalProperties | None = None
+    tait: TaitVolume | None = None  # of the density law and of Doolittle's viscosity law
+    doolittle: DoolittleFreeVolume | None = None  # of the viscosity law tait-doolittle
+    yasutomi: YasutomiGlass | None = None  # of the viscosity law yasutomi
+    thermal: ThermalProperties | None = None  # for a solve with heat
 
     def __post_init__(self) -> None:
-        for field in ("viscosity", "density", "roelands_pressure"):
-            value = getattr(self, field)
-            if not (isfinite(value) and value > 0.0):
-                raise ValueError(f"{field} must be positive and finite, got {value!r}")
-        if not (isfinite(self.pressure_viscosity) and self.pressure_viscosity >= 0.0):
-            raise ValueError(
-                f"pressure_viscosity must be zero or positive and finite, got {self.pressure_viscosity!r}"
-            )
+        require_positive(self, "viscosity", "density", "roelands_pressure")
+        require_not_negative(self, "pressure_viscosity")
         if self.viscosity_law is ViscosityLaw.ROELANDS and not 0.0 < self.exponent <= 2.0:
             raise ValueError(f"roelands_z must lie in (0, 2], got {self.exponent!r}")
-        if self.temperature is not None and not (
-            isfinite(self.temperature) and self.temperature > 0.0
-        ):
-            raise ValueError(f"temperature must be positive and finite, got {self.temperature!r}")
+        if self.temperature is not None:
+            require_positive(self, "temperature")
         _require_constants(self)
 
     @property
@@ -174,7 +124,8 @@ def _require_constants(lubricant: Lubricant) -> None:
     given = lubricant.pressure_viscosity
     if abs(given - own) > PRESSURE_VISCOSITY_TOLERANCE * own:
         raise ValueError(
-            f"pressure_viscosity must be that of the law's constants, {own:.4e} 1/Pa, got {given!r}"
+            f"pressure_viscosity must be that of the law's constants, {own:.4e} 1/Pa, "
+            f"got {given!r}"
         )
 
 
@@ -194,52 +145,16 @@ def law_pressure_viscosity(lubricant: Lubricant) -> float:
     return oil.pressure_viscosity
 
 
-def viscosity_roelands(p: Array, lubricant: Lubricant) -> Array:
-    """Dynamic viscosity, eta = eta_0 exp{(alpha p_r/z)[(1 + p/p_r)^z - 1]}, Roelands (1966).
-
-    Parameters
-    ----------
-    p : ndarray
-        Pressure [Pa].
-    lubricant : Lubricant
-
-    Returns
-    -------
-    ndarray, shape of `p`
-        Dynamic viscosity [Pa s].
-    """
-    z, p_r = lubricant.exponent, lubricant.roelands_pressure
-    return lubricant.viscosity * np.exp(
-        lubricant.pressure_viscosity * p_r / z * ((1.0 + p / p_r) ** z - 1.0)
-    )
-
-
-def viscosity_barus(p: Array, lubricant: Lubricant) -> Array:
-    """Dynamic viscosity, eta = eta_0 exp(alpha p), Barus (1893); arguments as `viscosity_roelands`
-    ([Pa] to [Pa s]).
-    """
-    return lubricant.viscosity * np.exp(lubricant.pressure_viscosity * p)
-
-
 def log_viscosity_ratio(
     p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None
 ) -> Array:
-    """ln(eta/eta_0) after the lubricant's own law, eta_0 at ambient pressure and the temperature
-    of operation T_0 [-].
+    """ln(eta/eta_0) at a pressure [Pa] after the lubricant's own law, eta_0 at ambient pressure
+    and the temperature of operation T_0 [-].
 
-    With temperature, D = T - T_0: Roelands (1966) s {(1 + p/p_r)^z [(T - 138 K)/(T_0 - 138
-    K)]^(-S) - 1}, S such that -d(ln eta)/dT = beta at T_0 and ambient pressure; Yasutomi, and
-    Doolittle with an expansion of the occupied volume, as their laws say; the others -beta D on
-    top of the isothermal law.
-
-    Parameters
-    ----------
-    p : array_like
-        Pressure [Pa].
-    lubricant : Lubricant
-    temperature : array_like, optional
-        Temperature [K]; None: that of operation. Needs the lubricant's `temperature` and
-        `thermal`.
+    At another temperature [K], D = T - T_0: Roelands (1966) s {(1 + p/p_r)^z [(T - 138 K)/(T_0 -
+    138 K)]^(-S) - 1}, s = alpha p_r/z, S such that -d(ln eta)/dT = beta at T_0 and ambient
+    pressure; Yasutomi, and Doolittle with an expansion of the occupied volume, as their laws say;
+    the others -beta D on top of the isothermal law, Barus (1893) alpha p.
     """
     oil = lubricant
     p = np.asarray(p, dtype=np.float64)
@@ -272,7 +187,8 @@ def _log_roelands(p: Array, oil: Lubricant, above: Array | None) -> Array:
         room = _operation(oil) - ROELANDS_TEMPERATURE
         if room <= 0.0:
             raise ValueError(
-                f"temperature must exceed {ROELANDS_TEMPERATURE:g} K for Roelands' law, got {_operation(oil)}"
+                f"temperature must exceed {ROELANDS_TEMPERATURE:g} K for Roelands' law, "
+                f"got {_operation(oil)}"
             )
         warmth = np.maximum(1.0 + above / room, 1e-3)  # the law ends at 138 K; iterates may not
         rise = rise * warmth ** (-_beta(oil, above) * room / s)

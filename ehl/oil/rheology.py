@@ -13,18 +13,19 @@ composition of ours with that property.
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from math import inf, isfinite
+from math import inf
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ..ranges import require_finite, require_positive
+
 Array = NDArray[np.float64]
 
 SMALLEST_ARGUMENT = 1e-6  # of sinh(b)/b, which is 1 from there on to round-off
-# of exponentials: keeps the rate at absurd stresses, met only while iterating, finite
+# of exponentials: keeps the rate finite at stresses that only occur while iterating
 LARGEST_ARGUMENT = 300.0
-NEWTON_STEPS = 30  # of the inversion of Carreau and Yasuda's law; it takes about five
 
 
 class ShearLaw(Enum):
@@ -40,69 +41,41 @@ LAW_CODES = {ShearLaw.NEWTONIAN: 0, ShearLaw.REE_EYRING: 1, ShearLaw.CARREAU_YAS
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Rheology:
-    """Shear behaviour of an oil; only the constants of its own law are looked at.
-
-    Attributes
-    ----------
-    law : ShearLaw
-        Newtonian unless said otherwise.
-    eyring_stress : float
-        tau_0 of rate = (tau_0/eta) sinh(tau/tau_0), Eyring (1936) [Pa].
-    carreau_modulus : float
-        G of eta* = eta [1 + (eta rate/G)^a]^((n - 1)/a), Carreau (1972), Yasuda (1979) [Pa].
-    carreau_exponent : float
-        n, slope of ln(tau) against ln(rate) at high rates [-].
-    yasuda_exponent : float
-        a, breadth of the transition [-]; 2 is Carreau's law.
-    limiting_coefficient : float or None
-        Lambda of the limiting stress tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)] [-]; None: no
-        limit.
-    limiting_stress : float
-        tau_L0 [Pa]; zero is Bair and Winer's tau_L = Lambda p.
-    limiting_temperature_slope : float
-        s [1/K]; Dyson's law as printed by Zhou and Hoeprich (1991), tau_L = 0.25 [1.2 p/(2.52 +
-        0.024 t) - 1e8 Pa] with t in degrees Celsius, is Lambda = 0.3/2.52, s = 0.024/2.52 /K, T_r
-        = 273.15 K, tau_L0 = -25 MPa.
-    reference_temperature : float
-        T_r [K].
-    limiting_minimum : float
-        Smallest tau_L [Pa]: the linear law vanishes where the pressure does, which an oil does
-        not. A magnitude from memory (unverified), above the stresses of an inlet.
-
-    Raises
-    ------
-    ValueError
-        If a constant of the law in use is out of range; the message names the field.
-    """
+    """Shear behaviour of an oil; only the constants of its own law are used."""
 
     law: ShearLaw = ShearLaw.NEWTONIAN
+    # tau_0 of rate = (tau_0/eta) sinh(tau/tau_0), Eyring (1936) [Pa]
     eyring_stress: float = inf
+    # G of eta* = eta [1 + (eta rate/G)^a]^((n - 1)/a), Carreau (1972), Yasuda (1979) [Pa]
     carreau_modulus: float = inf
-    carreau_exponent: float = 1.0
-    yasuda_exponent: float = 2.0
+    carreau_exponent: float = 1.0  # n, slope of ln(tau) against ln(rate) at high rates [-]
+    yasuda_exponent: float = 2.0  # a, breadth of the transition; 2 is Carreau's law [-]
+    # Lambda of the limiting stress tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)] [-]; None: no limit
     limiting_coefficient: float | None = None
-    limiting_stress: float = 0.0
+    limiting_stress: float = 0.0  # tau_L0 [Pa]; zero is Bair and Winer's tau_L = Lambda p
+    # s [1/K]; Dyson's law as printed by Zhou and Hoeprich (1991), tau_L = 0.25 [1.2 p/(2.52 +
+    # 0.024 t) - 1e8 Pa] with t in degrees Celsius, is Lambda = 0.3/2.52, s = 0.024/2.52 /K,
+    # T_r = 273.15 K, tau_L0 = -25 MPa
     limiting_temperature_slope: float = 0.0
-    reference_temperature: float = 313.15
+    reference_temperature: float = 313.15  # T_r [K]
+    # smallest tau_L: the linear law vanishes with the pressure, which an oil does not; a magnitude
+    # from memory (unverified), above the stresses of an inlet [Pa]
     limiting_minimum: float = 5e6
 
     def __post_init__(self) -> None:
         if self.law is ShearLaw.REE_EYRING:
-            _require_positive("eyring_stress", self.eyring_stress)
+            require_positive(self, "eyring_stress")
         if self.law is ShearLaw.CARREAU_YASUDA:
-            _require_positive("carreau_modulus", self.carreau_modulus)
-            _require_positive("yasuda_exponent", self.yasuda_exponent)
+            require_positive(self, "carreau_modulus", "yasuda_exponent")
             if not 0.0 < self.carreau_exponent <= 1.0:
                 raise ValueError(
                     f"carreau_exponent must lie in (0, 1], got {self.carreau_exponent!r}"
                 )
         if self.limiting_coefficient is not None:
-            _require_positive("limiting_coefficient", self.limiting_coefficient)
-            _require_positive("limiting_minimum", self.limiting_minimum)
-            _require_positive("reference_temperature", self.reference_temperature)
-            for field in ("limiting_stress", "limiting_temperature_slope"):
-                if not isfinite(getattr(self, field)):
-                    raise ValueError(f"{field} must be finite, got {getattr(self, field)!r}")
+            require_positive(
+                self, "limiting_coefficient", "limiting_minimum", "reference_temperature"
+            )
+            require_finite(self, "limiting_stress", "limiting_temperature_slope")
 
     @property
     def newtonian(self) -> bool:
@@ -115,44 +88,32 @@ class Rheology:
         return replace(self, limiting_coefficient=None)
 
 
-def _require_positive(field: str, value: float) -> None:
-    if not (isfinite(value) and value > 0.0):
-        raise ValueError(f"{field} must be positive and finite, got {value!r}")
-
-
 class KernelRheology(NamedTuple):
-    """A rheology as plain numbers, to be unpacked into the arguments of compiled kernels.
+    """A rheology as plain numbers, to be unpacked into the arguments of compiled kernels."""
 
-    `law` is the code of the base law, `stress` tau_0 or G [Pa], `exponent` n and `breadth` a [-];
-    the rest are the constants of the limiting stress, its coefficient infinite where there is none
-    [-], [Pa], [1/K], [K], [Pa].
-    """
-
-    law: int
-    stress: float
-    exponent: float
-    breadth: float
-    limit_coefficient: float
-    limit_stress: float
-    limit_slope: float
-    limit_temperature: float
-    limit_minimum: float
+    law: int  # code of the base law
+    stress: float  # tau_0 or G [Pa]
+    exponent: float  # n [-]
+    breadth: float  # a [-]
+    limit_coefficient: float  # infinite where there is no limiting stress [-]
+    limit_stress: float  # [Pa]
+    limit_slope: float  # [1/K]
+    limit_temperature: float  # [K]
+    limit_minimum: float  # [Pa]
 
 
 def kernel_rheology(rheology: Rheology) -> KernelRheology:
     """Numbers of a rheology for the kernels of `ehl.oil._rheology_kernels`; the one place where a
     law becomes a code.
     """
+    eyring = rheology.law is ShearLaw.REE_EYRING
+    coefficient = rheology.limiting_coefficient
     return KernelRheology(
         law=LAW_CODES[rheology.law],
-        stress=rheology.eyring_stress
-        if rheology.law is ShearLaw.REE_EYRING
-        else rheology.carreau_modulus,
+        stress=rheology.eyring_stress if eyring else rheology.carreau_modulus,
         exponent=rheology.carreau_exponent,
         breadth=rheology.yasuda_exponent,
-        limit_coefficient=inf
-        if rheology.limiting_coefficient is None
-        else rheology.limiting_coefficient,
+        limit_coefficient=inf if coefficient is None else coefficient,
         limit_stress=rheology.limiting_stress,
         limit_slope=rheology.limiting_temperature_slope,
         limit_temperature=rheology.reference_temperature,
@@ -180,16 +141,8 @@ def divide_stresses(rheology: Rheology, divisor: float) -> Rheology:
 def limiting_stress(
     pressure: ArrayLike, rheology: Rheology, temperature: ArrayLike | None = None
 ) -> Array:
-    """tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least `limiting_minimum` [Pa]; infinite if
-    there is no limit.
-
-    Parameters
-    ----------
-    pressure : array_like
-        Pressure p [Pa].
-    rheology : Rheology
-    temperature : array_like, optional
-        Temperature T [K]; None: the reference temperature.
+    """tau_L = tau_L0 + Lambda p/[1 + s (T - T_r)], at least `limiting_minimum` [Pa], at a pressure
+    [Pa] and temperature [K], None: the reference temperature; infinite if there is no limit.
     """
     p = np.asarray(pressure, dtype=np.float64)
     if rheology.limiting_coefficient is None:
@@ -210,24 +163,10 @@ def shear_stress(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> Array:
-    """Shear stress tau at a shear rate [Pa]; odd in the rate.
+    """Shear stress tau [Pa] at a shear rate [1/s] and the low-shear viscosity eta at pressure and
+    temperature [Pa s]; odd in the rate.
 
-    Parameters
-    ----------
-    rate : array_like
-        Shear rate [1/s].
-    viscosity : array_like
-        Low-shear viscosity eta at pressure and temperature [Pa s].
-    pressure : array_like
-        Pressure [Pa], for the limiting stress.
-    rheology : Rheology
-    temperature : array_like, optional
-        Temperature [K], for the limiting stress; None: its reference temperature.
-
-    Returns
-    -------
-    ndarray, shape of the arguments together
-        Shear stress [Pa].
+    Pressure [Pa] and temperature [K] enter the limiting stress only.
     """
     rate, eta = np.asarray(rate, dtype=np.float64), np.asarray(viscosity, dtype=np.float64)
     newtonian = eta * np.abs(rate)
@@ -242,65 +181,6 @@ def shear_stress(
         limit = limiting_stress(pressure, rheology, temperature)
         stress = -limit * np.expm1(-stress / limit)
     return np.copysign(stress, rate)
-
-
-def shear_rate(
-    stress: ArrayLike,
-    viscosity: ArrayLike,
-    pressure: ArrayLike,
-    rheology: Rheology,
-    temperature: ArrayLike | None = None,
-) -> Array:
-    """Shear rate at a shear stress [1/s], the inverse of `shear_stress`; infinite at and beyond
-    the limiting stress.
-
-    Parameters
-    ----------
-    stress : array_like
-        Shear stress [Pa].
-    viscosity, pressure, rheology, temperature
-        As in `shear_stress`.
-
-    Returns
-    -------
-    ndarray, shape of the arguments together
-        Shear rate [1/s].
-    """
-    tau = np.abs(np.asarray(stress, dtype=np.float64))
-    eta = np.asarray(viscosity, dtype=np.float64)
-    if rheology.limiting_coefficient is not None:
-        limit = limiting_stress(pressure, rheology, temperature)
-        with np.errstate(divide="ignore", invalid="ignore"):
-            tau = np.where(tau < limit, -limit * np.log1p(-np.minimum(tau / limit, 1.0)), inf)
-    if rheology.law is ShearLaw.REE_EYRING:
-        tau_0 = rheology.eyring_stress
-        newtonian = np.where(
-            np.isinf(tau), inf, tau_0 * np.sinh(np.minimum(tau / tau_0, LARGEST_ARGUMENT))
-        )
-    elif rheology.law is ShearLaw.CARREAU_YASUDA:
-        newtonian = rheology.carreau_modulus * _carreau_inverse(
-            tau / rheology.carreau_modulus, rheology
-        )
-    else:
-        newtonian = tau
-    return np.copysign(newtonian / eta, stress)
-
-
-def _carreau_inverse(s: Array, rheology: Rheology) -> Array:
-    """x of x [1 + x^a]^((n - 1)/a) = s, x = eta rate/G and s = tau/G, by Newton's method in ln x
-    [-].
-    """
-    n, a = rheology.carreau_exponent, rheology.yasuda_exponent
-    safe = np.where((s > 0.0) & np.isfinite(s), s, 1.0)
-    wanted = np.log(safe)
-    u = np.maximum(wanted, wanted / n)  # the larger of the two asymptotes
-    for _ in range(NEWTON_STEPS):
-        knee = np.logaddexp(0.0, a * u)  # ln(1 + x^a)
-        step = (u + (n - 1.0) / a * knee - wanted) / (1.0 + (n - 1.0) * np.exp(a * u - knee))
-        u = u - step
-        if np.max(np.abs(step), initial=0.0) < 1e-14:
-            break
-    return np.where((s > 0.0) & np.isfinite(s), np.exp(np.minimum(u, LARGEST_ARGUMENT)), s)
 
 
 def effective_viscosity(
@@ -334,41 +214,14 @@ def shear_stress_vector(
     return effective * x, effective * y
 
 
-def shear_rate_vector(
-    stresses: tuple[ArrayLike, ArrayLike],
-    viscosity: ArrayLike,
-    pressure: ArrayLike,
-    rheology: Rheology,
-    temperature: ArrayLike | None = None,
-) -> tuple[Array, Array]:
-    """Rates (rate_x, rate_y) [1/s] at the stresses (tau_x, tau_y) [Pa], the inverse of
-    `shear_stress_vector`.
-    """
-    x, y = (np.asarray(stress, dtype=np.float64) for stress in stresses)
-    magnitude = np.hypot(x, y)
-    rate = shear_rate(magnitude, viscosity, pressure, rheology, temperature)
-    loaded = magnitude > 0.0
-    fluidity = np.where(
-        loaded,
-        rate / np.where(loaded, magnitude, 1.0),
-        1.0 / np.asarray(viscosity, dtype=np.float64),
-    )
-    return fluidity * x, fluidity * y
-
-
 def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
     """Fluidity of a film in which the stress rises across it over that in which it does not [-];
     Ree-Eyring only.
 
     sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano
-    (1987). The direction of the sliding is not looked at. Other laws have no such factor that
-    holds for any sliding: 1.
-
-    Parameters
-    ----------
-    rise : ndarray
-        Of the stress from wall to wall, h times the pressure gradient [Pa].
-    rheology : Rheology
+    (1987); `rise` is h p_x, the rise of the stress from wall to wall [Pa]. The direction of the
+    sliding is not taken into account. Other laws have no such factor that holds for any sliding:
+    1.
     """
     if rheology.law is not ShearLaw.REE_EYRING:
         return np.ones_like(rise)

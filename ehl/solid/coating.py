@@ -1,42 +1,23 @@
-"""A coated body: its surface answers a load as a half space of the coating would, and a smooth
-rest.
-"""
+"""A coated body: its compliance is that of a half space of the coating and a smooth correction."""
 
 from dataclasses import dataclass
-from math import isfinite
+
+from ..ranges import require_positive
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Coating:
-    """Coating of one body of a contact; the contact's E' is that of the coating against the other
-    body.
+    """Coating of one body; the contact's E' is that of the coating against the other body."""
 
-    Attributes
-    ----------
-    thickness : float
-        t [m].
-    youngs_modulus, substrate_youngs_modulus : float
-        E of coating and substrate [Pa]; a substrate a thousand times stiffer is a rigid one.
-    poisson_ratio, substrate_poisson_ratio : float
-        Poisson's ratios [-].
-
-    Raises
-    ------
-    ValueError
-        If a value is out of its range; the message names the field.
-    """
-
-    thickness: float
-    youngs_modulus: float
-    poisson_ratio: float
-    substrate_youngs_modulus: float
-    substrate_poisson_ratio: float
+    thickness: float  # t [m]
+    youngs_modulus: float  # [Pa]
+    poisson_ratio: float  # [-]
+    substrate_youngs_modulus: float  # [Pa]; a thousand times the coating's is a rigid substrate
+    substrate_poisson_ratio: float  # [-]
 
     def __post_init__(self) -> None:
         for field in ("thickness", "youngs_modulus", "substrate_youngs_modulus"):
-            value = getattr(self, field)
-            if not (isfinite(value) and value > 0.0):
-                raise ValueError(f"coating {field} must be positive and finite, got {value!r}")
+            require_positive({f"coating {field}": getattr(self, field)})
         for field in ("poisson_ratio", "substrate_poisson_ratio"):
             if not 0.0 <= getattr(self, field) < 0.49:
                 raise ValueError(

@@ -20,21 +20,8 @@ SAMPLES = 4001  # of the density of nodes
 def graded_nodes(
     ends: tuple[float, float], cells: int, density: Callable[[Array], Array]
 ) -> Array:
-    """Nodes between two ends, spaced by the reciprocal of `density`; twice the cells keep every
-    node.
-
-    Parameters
-    ----------
-    ends : tuple of float
-        First and last node [-].
-    cells : int
-    density : callable
-        Wanted nodes per length, up to a factor, at positions [-].
-
-    Returns
-    -------
-    ndarray, shape (cells + 1,)
-        Nodes [-].
+    """Nodes from the first to the last of `ends`, shape (cells + 1,) [-], spaced by the reciprocal
+    of `density`, nodes per length up to a factor; twice the cells keep every node.
     """
     s = np.linspace(*ends, SAMPLES)
     d = density(s)
@@ -45,16 +32,12 @@ def graded_nodes(
 
 
 def corner_integrals(x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
-    """Integrals of (1, x, y, x y)/r over the rectangle from the origin to (x, y), r^2 = x^2 + y^2.
+    """Integrals of (1, x, y, x y)/r over the rectangle from the origin to (x, y), r^2 = x^2 + y^2
+    [-].
 
     x asinh(y/|x|) + y asinh(x/|y|) (Love, 1929), (y r + x^2 asinh(y/|x|))/2, the same with x and y
     exchanged, r^3/3; each up to functions of x or of y alone, which cancel in differences over the
     corners of a rectangle.
-
-    Parameters
-    ----------
-    x, y : ndarray
-        Corner, of shapes that broadcast [-].
     """
     r = np.hypot(x, y)
     along = np.arcsinh(
@@ -73,19 +56,10 @@ def corner_integrals(x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
 
 def compliance_matrix(x: Array, y: Array, symmetric: bool) -> Array:
     """Double integral of P/r at every node for a unit pressure at each node, bilinear in every
-    cell.
+    cell, shape (nx ny, nx ny): row of the deflection, column of the pressure [-].
 
-    Parameters
-    ----------
-    x, y : ndarray, shape (nx,), (ny,)
-        Lines of nodes; of a symmetric mesh y[0] = 0 [-].
-    symmetric : bool
-        Add the pressures of y < 0.
-
-    Returns
-    -------
-    ndarray, shape (nx ny, nx ny)
-        Row: node of the deflection, column: node of the pressure [-].
+    `x` and `y` are the lines of nodes; a symmetric mesh starts at y = 0, and the pressures of y <
+    0 are added.
     """
     nx, ny = len(x), len(y)
     sources = np.concatenate((-y[:0:-1], y)) if symmetric else y
@@ -130,19 +104,9 @@ def add_coating(
     weights: Array,
     symmetric: bool,
 ) -> None:
-    """Add what a coating changes to a compliance matrix, in place: it is smooth, a nodal
-    quadrature will do.
-
-    Parameters
-    ----------
-    matrix : ndarray, shape (nx ny, nx ny)
-    coating : ScaledCoating
-    lines : tuple of ndarray
-        x and y as in `compliance_matrix` [-].
-    weights : ndarray, shape (nx ny,)
-        Integral of each node's function over the mesh [-].
-    symmetric : bool
-        Add the pressures of y < 0.
+    """Add the contribution of a coating to a compliance matrix, in place: it is smooth, and a
+    nodal quadrature suffices. `lines` are x and y, `weights` the integrals of the nodes'
+    functions, shape (nx ny,) [-].
     """
     x, y = (values.ravel() for values in np.meshgrid(*lines, indexing="ij"))
     for row in range(len(x)):
@@ -152,15 +116,8 @@ def add_coating(
 
 
 def near_field(matrix: Array, shape: tuple[int, int], reach: int) -> sparse.csr_matrix:
-    """Entries of a compliance matrix between nodes at most `reach` lines apart [same unit].
-
-    Parameters
-    ----------
-    matrix : ndarray, shape (nx ny, nx ny)
-    shape : tuple of int
-        (nx, ny).
-    reach : int
-        Lines of nodes [-].
+    """Entries of a compliance matrix of a mesh of (nx, ny) nodes between nodes at most `reach`
+    lines apart [same unit].
     """
     number = np.arange(shape[0] * shape[1]).reshape(shape)
     rows, columns = [], []

@@ -13,7 +13,7 @@ from .coating import ScaledCoating
 from .layered import patch_compliance
 
 Array = NDArray[np.float64]
-# part of the kernel handed to the line relaxation
+# part of the kernel that the line relaxation uses
 LINES = 4
 NEAR = 12
 
@@ -32,38 +32,10 @@ class DeflectionKernel:
     near: Array
 
 
-def patch_integral(x: Array, y: Array, hx: float, hy: float) -> Array:
-    """Integral of 1/r over the patch [-hx/2, hx/2] x [-hy/2, hy/2] seen from (x, y), Love (1929).
-
-    Written with asinh: F(x, y) = x asinh(y/|x|) + y asinh(x/|y|), differenced over the four
-    corners.
-
-    Parameters
-    ----------
-    x, y : ndarray, broadcastable
-        Position relative to the patch centre [-].
-    hx, hy : float
-        Patch sides [-].
-
-    Returns
-    -------
-    ndarray
-        The integral [-].
-    """
-    west = x - 0.5 * hx
-    east = x + 0.5 * hx
-    south = y - 0.5 * hy
-    north = y + 0.5 * hy
-    return (
-        patch_corner(east, north)
-        - patch_corner(west, north)
-        - patch_corner(east, south)
-        + patch_corner(west, south)
-    )
-
-
 def patch_corner(u: Array, v: Array) -> Array:
-    """u asinh(v/|u|) + v asinh(u/|v|) for corners that are not on an axis [-]."""
+    """u asinh(v/|u|) + v asinh(u/|v|) for corners off the axes [-]: differenced over the corners
+    of a rectangle, the integral of 1/r over it seen from the origin, Love (1929).
+    """
     return u * np.arcsinh(v / np.abs(u)) + v * np.arcsinh(u / np.abs(v))
 
 
@@ -75,12 +47,12 @@ def deflection_kernel(
     cells_y = (2 if grid.symmetric else 1) * (grid.ny - 1)
     x = grid.hx * (np.arange(cells_x + 2, dtype=np.float64) - 0.5)
     y = grid.hy * (np.arange(cells_y + 2, dtype=np.float64) - 0.5)
-    # patch_integral
     quarter = deformation * np.diff(np.diff(patch_corner(x[None, :], y[:, None]), axis=0), axis=1)
     if coating is not None:
         centres = (x[1:] - 0.5 * grid.hx, y[1:] - 0.5 * grid.hy)
         quarter += deformation * patch_compliance(coating, *centres, grid.hx, grid.hy)
-    # even in x and y: the cosine transform of the quarter is the real spectrum on the doubled, periodic grid
+    # even in x and y: the cosine transform of the quarter is the real spectrum on the doubled,
+    # periodic grid
     spectrum = fft.dct(fft.dct(quarter, type=1, axis=1), type=1, axis=0)
     if grid.symmetric:
         spectrum = np.repeat(np.concatenate((spectrum[0::2], spectrum[1::2])), 2, axis=1)
@@ -95,20 +67,8 @@ def deflection_kernel(
 
 
 def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Array:
-    """Deflection sum_kl K(i-k, j-l) P_kl, one forward and one inverse FFT.
-
-    Parameters
-    ----------
-    kernel : DeflectionKernel
-    pressure : ndarray, shape (ny, nx)
-        Pressure [-].
-    threads : int
-        Threads of the FFT [-].
-
-    Returns
-    -------
-    ndarray, shape (ny, nx)
-        Deflection [-].
+    """Deflection sum_kl K(i-k, j-l) P_kl of a pressure, shapes (ny, nx) [-], by one forward and
+    one inverse FFT.
     """
     if threads > 1:
         with fft.set_workers(threads):

@@ -12,44 +12,29 @@ of a uniformly heated circle of radius a at rest, q a/k, as well as at speed (as
 """
 
 from dataclasses import dataclass
-from math import isfinite, pi, sqrt
+from math import pi, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
+
+from ..ranges import require_positive
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SolidThermal:
-    """Thermal properties of a body and its temperature away from the contact, SI.
+    """Thermal properties of a body and its temperature away from the contact, SI."""
 
-    Attributes
-    ----------
-    conductivity : float
-        k [W/(m K)].
-    density : float
-        rho [kg/m^3].
-    specific_heat : float
-        c [J/(kg K)].
-    temperature : float or None
-        T_b, away from the contact [K]; None: that of the oil.
-    """
-
-    conductivity: float
-    density: float
-    specific_heat: float
-    temperature: float | None = None
+    conductivity: float  # k [W/(m K)]
+    density: float  # rho [kg/m^3]
+    specific_heat: float  # c [J/(kg K)]
+    temperature: float | None = None  # T_b, away from the contact [K]; None: that of the oil
 
     def __post_init__(self) -> None:
-        for field in ("conductivity", "density", "specific_heat"):
-            value = getattr(self, field)
-            if not (isfinite(value) and value > 0.0):
-                raise ValueError(f"{field} must be positive and finite, got {value!r}")
-        if self.temperature is not None and not (
-            isfinite(self.temperature) and self.temperature > 0.0
-        ):
-            raise ValueError(f"temperature must be positive and finite, got {self.temperature!r}")
+        require_positive(self, "conductivity", "density", "specific_heat")
+        if self.temperature is not None:
+            require_positive(self, "temperature")
 
     @property
     def effusivity(self) -> float:
@@ -63,33 +48,19 @@ class SolidThermal:
 
 
 def response_factor(speed: Array, solid: SolidThermal, radius: float) -> Array:
-    """1/(sqrt(pi u) e), u the speed with the share of a body at rest [K m^1.5/W].
-
-    Parameters
-    ----------
-    speed : ndarray
-        Of the surface along the heat's line [m/s].
-    solid : SolidThermal
-    radius : float
-        Half length of the heated area along it [m].
+    """1/(sqrt(pi u) e) [K m^1.5/W], u the speed of the surface [m/s] with the share of a body at
+    rest; `radius` is half the length of the heated area along it [m].
     """
     moving = np.abs(speed) + 8.0 / pi * solid.diffusivity / radius
     return 1.0 / (np.sqrt(pi * moving) * solid.effusivity)
 
 
 def history_weights(count: int, mesh: float) -> Array:
-    """Weights w_d of int q dx'/sqrt(x - x') = sum of w_d q(x - d mesh), q linear between nodes
-    [m^0.5].
+    """Weights w_d of int q dx'/sqrt(x - x') = sum of w_d q(x - d mesh), q linear between nodes a
+    distance `mesh` [m] apart [m^0.5].
 
     Product integration: w_0 = (4/3) sqrt(mesh), w_d = (4/3) sqrt(mesh) [(d + 1)^1.5 - 2 d^1.5 + (d
     - 1)^1.5].
-
-    Parameters
-    ----------
-    count : int
-        Number of weights.
-    mesh : float
-        Distance of nodes [m].
     """
     d = np.arange(count, dtype=np.float64)
     weights = (d + 1.0) ** 1.5 - 2.0 * d**1.5 + np.abs(d - 1.0) ** 1.5

@@ -1,4 +1,4 @@
-"""Compliance of a contact one body of which is coated: 1/r, and a smooth rest from finite
+"""Compliance of a contact one body of which is coated: 1/r, and a smooth correction from finite
 elements.
 """
 
@@ -14,13 +14,13 @@ from .layered_fem import correction
 
 Array = NDArray[np.float64]
 
-# cells around the load in which the rest is averaged over the cell where the coating is thin
+# cells around the load in which the correction of a thin coating is averaged over the cell
 NEIGHBOURS = 6
-MOST_PARTS = 12  # of such a cell in each direction
+MAX_PARTS = 12  # of such a cell in each direction
 
 
 def point_compliance(coating: ScaledCoating, r: Array) -> Array:
-    """share c(r/t)/t of unit point loads at distance `r`, the rest beside 1/r [-]."""
+    """Correction share c(r/t)/t to the compliance 1/r of a unit point load at distance `r` [-]."""
     spline, reach, far = _table(coating.ratio, coating.poisson)
     s = np.asarray(r, dtype=np.float64) / coating.thickness
     c = np.where(s < reach, spline(np.arcsinh(np.minimum(s, reach))), far / np.maximum(s, reach))
@@ -37,12 +37,12 @@ def _table(ratio: float, poisson: tuple[float, float]) -> tuple[CubicSpline, flo
 
 
 def patch_compliance(coating: ScaledCoating, x: Array, y: Array, hx: float, hy: float) -> Array:
-    """Integral of the rest over patches of sides hx, hy around (x, y), shape (len(y), len(x)) [-].
-
-    Midpoint rule; in the cells around the load with as many parts as a thin coating asks for.
+    """Integral of the correction over patches of sides hx, hy around (x, y), shape (len(y),
+    len(x)) [-]; midpoint rule, in the cells around the load with as many parts as a thin coating
+    needs.
     """
     result = hx * hy * point_compliance(coating, np.hypot(x[None, :], y[:, None]))
-    parts = min(ceil(4.0 * max(hx, hy) / coating.thickness), MOST_PARTS)
+    parts = min(ceil(4.0 * max(hx, hy) / coating.thickness), MAX_PARTS)
     if parts > 1:
         near_x, near_y = x[:NEIGHBOURS], y[:NEIGHBOURS]
         offsets = (np.arange(parts) + 0.5) / parts - 0.5

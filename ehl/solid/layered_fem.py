@@ -1,5 +1,4 @@
-r"""Surface compliance of a coated half space by axisymmetric finite elements, once for each pair of
-materials.
+r"""Surface compliance of a coated half space by axisymmetric finite elements.
 
 The displacement under a point load is that of a half space of the coating, Boussinesq's (1885)
 u_B, and a smooth rest w
@@ -37,19 +36,9 @@ LAYER_CELLS = 10  # across the coating
 
 
 def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array]:
-    """c(r/t) of the surface displacement (1 - nu_c^2)/(pi E_c) [1/r + c(r/t)/t] of a unit load.
-
-    Parameters
-    ----------
-    ratio : float
-        Young's modulus of the substrate over that of the coating [-].
-    poisson : tuple of float
-        Poisson's ratios of coating and substrate [-].
-
-    Returns
-    -------
-    r, c : ndarray, shape (n,)
-        Distance in thicknesses, and the correction [-].
+    """Distances r/t, shape (n,), and c(r/t) of the surface displacement (1 - nu_c^2)/(pi E_c) [1/r
+    + c(r/t)/t] of a unit load [-]; `ratio` is Young's modulus of the substrate over that of the
+    coating, `poisson` the ratios of coating and substrate.
     """
     r = _graded(0.0, FINEST, REACH)
     z = np.concatenate(
@@ -110,7 +99,7 @@ def _source(v, w):  # type: ignore[no-untyped-def]
 
 
 def _boussinesq(basis: Basis, young: float, nu: float) -> Array:
-    """Displacement at the degrees of freedom under a unit load on a half space, Boussinesq (1885)."""
+    """Displacement of the nodes under a unit load on a half space, Boussinesq (1885)."""
     r, z = basis.doflocs
     distance = np.maximum(np.hypot(r, z), 1e-12)
     scale = (1.0 + nu) / (2.0 * np.pi * young)

@@ -25,28 +25,17 @@ from numpy.typing import NDArray
 from scipy.fft import irfft2, next_fast_len, rfft2
 
 Array = NDArray[np.float64]
-COMPONENTS = ("xx", "yy", "zz", "xy", "yz", "xz")
-EVEN = 1e-9  # differences of mesh sizes, relative, below which a grid counts as even [-]
+EVEN_TOLERANCE = 1e-9  # relative difference of mesh sizes of an even grid [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SubsurfaceStress:
-    """Stress below a contact, negative in compression.
+    """Stress below a contact, negative in compression."""
 
-    Attributes
-    ----------
-    x, y : ndarray, shape (nx,) and (ny,)
-        Of the contact plane [m].
-    depth : ndarray, shape (nz,)
-        Into the body [m].
-    stress : ndarray, shape (6, nx, ny, nz)
-        xx, yy, zz, xy, yz, xz [Pa].
-    """
-
-    x: Array
-    y: Array
-    depth: Array
-    stress: Array
+    x: Array  # of the contact plane, shape (nx,) [m]
+    y: Array  # shape (ny,) [m]
+    depth: Array  # into the body, shape (nz,) [m]
+    stress: Array  # xx, yy, zz, xy, yz, xz, shape (6, nx, ny, nz) [Pa]
 
     @property
     def von_mises(self) -> Array:
@@ -73,22 +62,8 @@ class SubsurfaceStress:
 def subsurface_stress(
     pressure: Array, x: Array, y: Array, depth: Array, poisson_ratio: float
 ) -> SubsurfaceStress:
-    """Stress below a pressure on an even grid, zero pressure outside of it, Love (1929).
-
-    Parameters
-    ----------
-    pressure : ndarray, shape (nx, ny)
-        At the middles of the cells [Pa].
-    x, y : ndarray, shape (nx,) and (ny,)
-        Evenly spaced [m].
-    depth : ndarray, shape (nz,)
-        Not negative [m].
-    poisson_ratio : float
-        Of the body [-].
-
-    Returns
-    -------
-    SubsurfaceStress
+    """Stress below a pressure at the middles of the cells of an even grid, shape (nx, ny) [Pa],
+    zero outside of it, Love (1929); x, y and depth in increasing order [m].
     """
     steps = [_even_step(axis, name) for axis, name in ((x, "x"), (y, "y"))]
     depth = np.asarray(depth, dtype=np.float64)
@@ -114,23 +89,9 @@ def subsurface_stress(
 def rectangle_stress(
     points: tuple[int, int], steps: tuple[float, float], depth: float, poisson_ratio: float
 ) -> tuple[Array, ...]:
-    """Stress at one depth around one cell under unit pressure, Love (1929).
-
-    Parameters
-    ----------
-    points : tuple of int
-        nx, ny of the grid [-].
-    steps : tuple of float
-        Sides of the cell [m].
-    depth : float
-        [m].
-    poisson_ratio : float
-        [-].
-
-    Returns
-    -------
-    tuple of ndarray, 6 of shape (2 nx - 1, 2 ny - 1)
-        xx, yy, zz, xy, yz, xz over unit pressure, the cell in the middle [-].
+    """Stress at a depth [m] around one cell under unit pressure, Love (1929): xx, yy, zz, xy, yz,
+    xz of shape (2 nx - 1, 2 ny - 1), the cell in the middle [-]; `points` are nx and ny, `steps`
+    the sides of the cell [m].
     """
     z, nu = depth, poisson_ratio
     u, v = ((np.arange(1 - n, n + 1) - 0.5) * step for n, step in zip(points, steps, strict=True))
@@ -143,7 +104,7 @@ def rectangle_stress(
     chi_xx = _corners(np.arctan(v / u) - np.arctan(v * z / (u * r)))
     chi_yy = _corners(np.arctan(u / v) - np.arctan(u * z / (v * r)))
     other = 1.0 - 2.0 * nu
-    found = (
+    components = (
         2.0 * nu * psi_z - z * psi_xx - other * chi_xx,
         2.0 * nu * psi_z - z * psi_yy - other * chi_yy,
         psi_z + z * (psi_xx + psi_yy),
@@ -152,7 +113,7 @@ def rectangle_stress(
         -z * _corners(z * v / by_u),
     )
     # from source minus field to the reverse
-    return tuple(component[::-1, ::-1] / (2.0 * np.pi) for component in found)
+    return tuple(component[::-1, ::-1] / (2.0 * np.pi) for component in components)
 
 
 def _corners(values: Array) -> Array:
@@ -166,7 +127,7 @@ def _even_step(axis: Array, name: str) -> float:
     if (
         axis.size < 2
         or not (steps > 0.0).all()
-        or np.ptp(steps) > EVEN * float(np.abs(axis).max())
+        or np.ptp(steps) > EVEN_TOLERANCE * float(np.abs(axis).max())
     ):
         raise ValueError(f"{name} must be evenly spaced and increasing")
     return float((axis[-1] - axis[0]) / (axis.size - 1))

@@ -243,7 +243,7 @@ def test_outcomes_are_counted():
         finished(points=513, measures=("cycle undone, damping halved",)),
         finished(points=1025, resolved=False, fineness=2.0, message="converged but unresolved"),
         finished(points=1025, converged=False, fineness=30.0, measures=("some attempt",), message="not converged"),
-        finished(points=1025, converged=False, resolved=False, fineness=None, message="ran away"),
+        finished(points=1025, converged=False, resolved=False, fineness=None, message="diverged"),
         finished(points=1025, converged=False, resolved=False, fineness=3.0, message="not converged"),
     ]
     assert [d.resolvable for d in draws] == [True, True, False, True, True, False]

@@ -18,7 +18,7 @@ from ehl.oil.lubricant import Lubricant, ThermalProperties, ViscosityLaw, densit
 from ehl.oil.numbers import oil_numbers
 from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology
 
-from ...reference.film_columns import FilmColumns, _stresses, flow_integrals, fluidities, mid_stress
+from ...reference.ehl.film_columns import FilmColumns, _stresses, flow_integrals, fluidities, mid_stress
 
 SECTION = film_section()
 NEWTON = Rheology()

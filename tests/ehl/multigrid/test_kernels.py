@@ -15,7 +15,7 @@ from ehl.oil.numbers import oil_numbers
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 from ehl.solid.deformation import deflection_kernel
 
-from ...reference import relaxation, reynolds
+from ...reference.ehl import relaxation, reynolds
 
 ROUND_OFF = 1e-12  # relative; sums of a few terms in another order
 

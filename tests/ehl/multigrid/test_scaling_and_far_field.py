@@ -16,7 +16,7 @@ from ehl.multigrid.far_field import edge_pressure, exterior_load, far_field
 from ehl.oil.lubricant import density, viscosity
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 
-from ...reference.reynolds import poiseuille
+from ...reference.ehl.reynolds import poiseuille
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 INNER = ContactConditions(

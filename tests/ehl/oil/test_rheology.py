@@ -15,11 +15,11 @@ from ehl.oil.rheology import (
     effective_viscosity,
     kernel_rheology,
     limiting_stress,
-    shear_rate,
-    shear_rate_vector,
     shear_stress,
     shear_stress_vector,
 )
+
+from ...reference.ehl.rheology import shear_rate, shear_rate_vector
 
 LAWS = {
     "newtonian": Rheology(),

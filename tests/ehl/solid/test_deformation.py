@@ -8,12 +8,22 @@ from numpy.testing import assert_allclose
 
 from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
 from ehl.grid import Grid
-from ehl.solid.deformation import deflect, deflection_kernel, patch_integral
+from ehl.solid.deformation import deflect, deflection_kernel, patch_corner
 
 
 def make_grid(symmetric, cells=16):
     ny = cells + 1 if symmetric else 2 * cells + 1
     return Grid(x_in=-2.0, hx=4.0 / (2 * cells), hy=2.0 / cells, nx=2 * cells + 1, ny=ny, symmetric=symmetric)
+
+
+def patch_integral(x, y, hx, hy):
+    """Integral of 1/r over the patch [-hx/2, hx/2] x [-hy/2, hy/2] seen from (x, y), Love (1929)."""
+    west, east, south, north = x - 0.5 * hx, x + 0.5 * hx, y - 0.5 * hy, y + 0.5 * hy
+    near, far = (
+        patch_corner(east, south) - patch_corner(west, south),
+        patch_corner(east, north) - patch_corner(west, north),
+    )
+    return far - near
 
 
 def test_patch_integral_far_away_is_the_area_over_the_distance():

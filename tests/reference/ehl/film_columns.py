@@ -25,7 +25,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ehl.generalized.section import Section
-from ehl.oil.rheology import Rheology, ShearLaw, limiting_stress, shear_rate, shear_stress
+from ehl.oil.rheology import Rheology, ShearLaw, limiting_stress, shear_stress
+
+from .rheology import shear_rate
 
 Array = NDArray[np.float64]
 

@@ -1,6 +1,6 @@
 """Closed formulas of heat in the inlet, to compare with."""
 
-from ..conditions import ContactConditions
+from ehl.conditions import ContactConditions
 
 
 def thermal_loading(conditions: ContactConditions) -> float:
@@ -13,9 +13,7 @@ def thermal_loading(conditions: ContactConditions) -> float:
     """
     oil = conditions.lubricant
     if oil.thermal is None:
-        raise ValueError(
-            "thermal properties of the lubricant are needed for the thermal loading parameter"
-        )
+        raise ValueError("thermal properties of the lubricant are needed for the thermal loading parameter")
     slope = oil.thermal.viscosity_temperature
     return oil.viscosity * slope * conditions.entrainment_speed**2 / oil.thermal.conductivity
 
