@@ -1,4 +1,4 @@
-"""Commands that tell about results: report, compare, cut, interferogram."""
+"""Commands on results: report, compare, cut, interferogram."""
 
 import json
 from collections.abc import Iterator
@@ -111,10 +111,8 @@ def cut(
     from postprocess.contact.line_cut import write_line_cut
 
     with _as_case_errors(directory):
-        say(
-            "table in "
-            f"{write_line_cut(directory, output or Path('cut.csv'), contact, axis.value, at)}"
-        )
+        file = output or Path("cut.csv")
+        say(f"table in {write_line_cut(directory, file, contact, axis.value, at)}")
 
 
 @app.command()
@@ -142,7 +140,5 @@ def interferogram(
     with _as_case_errors(directory):
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)
         optics = Optics(wavelengths=lengths, refractive_index=index)
-        say(
-            "picture in "
-            f"{write_interferogram(directory, output or Path('interferogram.png'), contact, optics)}"
-        )
+        file = output or Path("interferogram.png")
+        say(f"picture in {write_interferogram(directory, file, contact, optics)}")

@@ -34,10 +34,7 @@ Tables = Annotated[
 ]
 
 Animation = Annotated[
-    Path | None,
-    typer.Option(
-        "--animate", metavar="FILE", help="The motion as a .gif, and as steps for ParaView."
-    ),
+    Path | None, typer.Option("--animate", metavar="FILE", help="The motion as a .gif, too.")
 ]
 
 
@@ -71,16 +68,30 @@ def dynamics(
         except Interrupted as stop:
             _keep(loaded, stop.results, stop.simulation, directory)
             raise KeyboardInterrupt from None
-        from postprocess.dynamics.results import dynamics_summary, write_dynamics
+        from postprocess.dynamics.results import dynamics_summary
         from postprocess.dynamics.table import dynamics_table
 
-        save_with(lambda target: write_dynamics(results, target), directory)
+        save_with(lambda target: _write(results, target), directory)
         document = dynamics_summary(results)
         if animation is not None and directory is not None:
             _animate(directory, animation)
         return report(
             document, lambda: dynamics_table(document), directory, as_json=as_json, quiet=quiet
         )
+
+
+def _write(results: DynamicsResults, directory: Path) -> tuple[str, ...]:
+    """Write the results and, if there are samples, the motion for ParaView; return problems."""
+    from postprocess.dynamics.results import write_dynamics
+    from postprocess.scene.vtk_history import write_motion
+
+    problems = write_dynamics(results, directory)
+    try:
+        if results.tally.rows:
+            write_motion(directory)
+    except (OSError, ValueError) as error:
+        problems = (*problems, f"motion for ParaView not written: {error}")
+    return problems
 
 
 def _animate(directory: Path, file: Path) -> None:

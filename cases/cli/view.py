@@ -12,8 +12,6 @@ from ..runs.interrupt import say
 from .app import app
 from .terminal import FAILED, guarded
 
-MOVIE_SIZE = (800, 600)  # pixels
-
 
 class Quantity(StrEnum):
     """What the colours of the view show."""
@@ -64,7 +62,8 @@ def view(
         if html is not None:
             say(f"page in {scene.export_html(directory, html, options)}")
         if movie is not None:
-            say(f"movie in {scene.movie(directory, movie, replace(options, size=MOVIE_SIZE))}")
+            small = replace(options, size=scene.MOVIE_SIZE)
+            say(f"movie in {scene.movie(directory, movie, small)}")
         if screenshot is None and html is None and movie is None:
             scene.show(directory, options)
     except ValueError as error:

@@ -1,52 +1,66 @@
-"""Shapes of the pictures: patches placed on their balls, balls and grooved rings; NumPy only, SI,
-bearing's frame.
+"""Shapes of the pictures: patches placed on their balls, balls, cage and grooved rings; NumPy
+only, SI, bearing's frame.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import pi
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bearing.contacts.contacts import BearingContact
 from bearing.geometry import Bearing
 from ehl.solution import Array
 
 from ..contact.frame import within
 
+LENGTHS = (
+    "ball_diameter",
+    "pitch_diameter",
+    "inner_groove_radius",
+    "outer_groove_radius",
+    "diametral_clearance",
+    "bore",
+    "outside_diameter",
+    "width",
+)
 WRAP_LIMIT = 1.35  # a patch reaches this far around its ball at most [rad]
 SHOULDER_HEIGHT = 0.22  # of the ball diameter, for the pictures only
 RING_WIDTH = 1.5  # of the ball diameter
-RING_HEIGHT = 0.83  # where the catalogue gives none: for the pictures only
+RING_HEIGHT = 0.83  # of the ball diameter, where the catalogue gives none: for the pictures only
 # of the ball diameter: balls and raceways stand back by this, so that the patches are seen
 SET_BACK = 0.004
+RIM_WIDTH = 0.18  # of a cage's rims over the ball diameter [-]
+BAR_SHARE = 0.5  # of a cage's bars in the gap between two balls [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactFrame:
-    """Where a contact sits in the bearing's frame.
+    """Where a contact sits in the bearing's frame; the axes are right-handed."""
 
-    Attributes
-    ----------
-    origin : ndarray, shape (3,)
-        Contact point [m].
-    axis_x, axis_y, normal : ndarray, shape (3,)
-        Rolling direction, transverse direction, normal from the ball into the race [-];
-        right-handed.
-    ball_radius : float
-        [m].
-    """
-
-    origin: Array
-    axis_x: Array
-    axis_y: Array
-    normal: Array
-    ball_radius: float
+    origin: Array  # contact point, shape (3,) [m]
+    axis_x: Array  # rolling direction [-]
+    axis_y: Array  # transverse direction [-]
+    normal: Array  # from the ball into the race [-]
+    ball_radius: float  # [m]
 
     @property
     def ball_centre(self) -> Array:
         """Centre of the ball, shape (3,) [m]."""
         return self.origin - self.ball_radius * self.normal
+
+
+def contact_frame(contact: BearingContact, ball_radius: float) -> ContactFrame:
+    """Frame of a contact of a ball of `ball_radius` [m]."""
+    return ContactFrame(
+        origin=np.asarray(contact.origin),
+        axis_x=np.asarray(contact.axis_x),
+        axis_y=np.asarray(contact.axis_y),
+        normal=np.asarray(contact.normal),
+        ball_radius=ball_radius,
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -58,20 +72,24 @@ class Surface:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class RingShape:
+    """Lengths from which one ring is drawn."""
+
+    inner: bool
+    ball_diameter: float  # [m]
+    groove_radius: float  # [m]
+    centre_radius: float  # of the circle of the groove's centres of curvature [m]
+    base_radius: float  # of the bore, or of the outside of the outer ring [m]
+    width: float  # [m]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Placement:
-    """How patches are drawn: true shape is magnification (1, 1) and exaggeration 0.
+    """How patches are drawn: true shape is magnification (1, 1) and exaggeration 0."""
 
-    Attributes
-    ----------
-    rolling, transverse : float
-        Magnification of the patch along and across the rolling direction [-].
-    film : float
-        Film thickness is drawn as height over the ball this many times [-].
-    """
-
-    rolling: float = 1.0
-    transverse: float = 1.0
-    film: float = 0.0
+    rolling: float = 1.0  # magnification of the patch along the rolling direction [-]
+    transverse: float = 1.0  # and across it [-]
+    film: float = 0.0  # film thickness is drawn as height over the ball this many times [-]
 
 
 def place_patch(
@@ -95,14 +113,12 @@ def place_patch(
     ndarray, shape (nx, ny, 3)
         Points in the bearing's frame [m].
     """
-    u, v = placement.rolling * x, placement.transverse * y
-    distance = np.hypot(u, v)
-    turn = distance / frame.ball_radius
-    shrink = np.sinc(turn / pi)  # sin(turn)/turn
+    u = (placement.rolling * x)[..., None]
+    v = (placement.transverse * y)[..., None]
+    turn = np.hypot(u, v) / frame.ball_radius
+    shrink = np.sinc(turn / pi) / frame.ball_radius  # sin(turn)/distance
     radius = frame.ball_radius if height is None else frame.ball_radius + height[..., None]
-    direction = np.cos(turn)[..., None] * frame.normal + (shrink / frame.ball_radius)[
-        ..., None
-    ] * (u[..., None] * frame.axis_x + v[..., None] * frame.axis_y)
+    direction = np.cos(turn) * frame.normal + shrink * (u * frame.axis_x + v * frame.axis_y)
     return np.asarray(frame.ball_centre + radius * direction)
 
 
@@ -113,7 +129,8 @@ def crop_to_ball(
     ball_radius in [m].
     """
     reach = WRAP_LIMIT * ball_radius / np.sqrt(2.0)
-    along, across = reach / placement.rolling, reach / placement.transverse
+    along = reach / placement.rolling
+    across = reach / placement.transverse
     return within(x, -along, along), within(y, -across, across)
 
 
@@ -138,9 +155,7 @@ def merge(surfaces: Sequence[Surface]) -> Surface:
 
 
 def ball_surface(centre: Array, radius: float, rings: int = 24) -> Surface:
-    """Sphere about `centre` [m], shape (3,), of `radius` [m], with its poles on the bearing's
-    axis.
-    """
+    """Sphere about `centre` [m], shape (3,), of `radius` [m], its poles on the bearing's axis."""
     polar = np.linspace(0.0, pi, rings + 1)
     azimuth = np.linspace(0.0, 2.0 * pi, 2 * rings, endpoint=False)
     t, f = np.meshgrid(azimuth, polar, indexing="ij")
@@ -150,47 +165,126 @@ def ball_surface(centre: Array, radius: float, rings: int = 24) -> Surface:
     )
 
 
+def cage_surface(pitch: float, ball: float, balls: int) -> Surface:
+    """A simplified cage in its own frame, from diameters [m]: two rims beside the balls and bars
+    between them.
+    """
+    side = 0.5 * ball * (1.0 + RIM_WIDTH)
+    half_rim = 0.5 * RIM_WIDTH * ball
+    radius = np.full(2, 0.5 * pitch)
+    turn = np.linspace(0.0, 2.0 * pi, 181)
+    rim = np.array([-half_rim, half_rim])
+    parts = [_revolve(axial + rim, radius, turn) for axial in (-side, side)]
+    half_bar = 0.5 * BAR_SHARE * (2.0 * pi / balls - 2.0 * np.arcsin(1.04 * ball / pitch))
+    for k in range(balls):
+        middle = 2.0 * pi * (k + 0.5) / balls
+        bar = np.linspace(middle - half_bar, middle + half_bar, 5)
+        parts.append(_revolve(np.array([-side, side]), radius, bar))
+    return merge(parts)
+
+
+def bearing_lengths(bearing: Bearing) -> dict[str, float]:
+    """The `LENGTHS` of a bearing that are known [m]."""
+    lengths = {name: getattr(bearing, name) for name in LENGTHS}
+    return {name: value for name, value in lengths.items() if value is not None}
+
+
+def ring_shape(lengths: Mapping[str, Any], inner: bool) -> RingShape:
+    """Shape of a ring from `LENGTHS` [m]; bore, outside diameter and width are guessed for the
+    picture where they are not given.
+    """
+    sign = 1.0 if inner else -1.0
+    ball = float(lengths["ball_diameter"])
+    pitch = float(lengths["pitch_diameter"])
+    grooves = (float(lengths["inner_groove_radius"]), float(lengths["outer_groove_radius"]))
+    groove = grooves[0] if inner else grooves[1]
+    cosine = 1.0 - 0.5 * float(lengths["diametral_clearance"]) / (sum(grooves) - ball)
+    guess = max(pitch - sign * 2.0 * RING_HEIGHT * ball, 0.0)
+    return RingShape(
+        inner=inner,
+        ball_diameter=ball,
+        groove_radius=groove,
+        centre_radius=0.5 * pitch + sign * (groove - 0.5 * ball) * cosine,
+        base_radius=0.5 * float(lengths.get("bore" if inner else "outside_diameter", guess)),
+        width=float(lengths.get("width", RING_WIDTH * ball)),
+    )
+
+
 def ring_surface(
-    bearing: Bearing, inner: bool, axial: float, opening: tuple[float, float]
+    shape: RingShape,
+    axial: float,
+    opening: tuple[float, float],
+    resolution: tuple[int, int] = (48, 181),
 ) -> Surface:
     """One ring as a solid of revolution with its groove, cut open over a sector.
 
     Parameters
     ----------
-    bearing : Bearing
-        Bore, outside diameter and width are used where given, otherwise guessed for the picture.
-    inner : bool
-        Inner or outer ring.
+    shape : RingShape
     axial : float
         Position of the groove's centre along the bearing's axis [m].
     opening : tuple of float
         Azimuth at the middle of the cut-away sector and its width [rad]; width 0 leaves the ring
         whole.
+    resolution : tuple of int
+        Points across the groove and around the ring.
 
     Returns
     -------
     Surface
     """
-    profile = groove_profile(bearing, inner)
-    base = _base_radius(bearing, inner)
+    profile = groove_profile(shape, resolution[0])
     middle, width = opening
-    turn = np.linspace(0.5 * width, 2.0 * pi - 0.5 * width, 181) + middle
+    turn = np.linspace(0.5 * width, 2.0 * pi - 0.5 * width, resolution[1]) + middle
     x = profile[:, 0] + axial
     r = profile[:, 1]
+    base = np.full_like(r, shape.base_radius)
     axis = np.eye(3)[0]
-    radial = _radial(turn[0])
-    tangential = _tangential(turn[0])
-    up = np.sign(r[0] - base)
+    up = np.sign(r[0] - base[0]) * _radial(turn[0])
     parts = [
-        _facing(_revolve(x, r, turn), up * radial),
-        _facing(_revolve(x, np.full_like(r, base), turn), -up * radial),
-        _facing(_revolve(x[[0, 0]], np.array([base, r[0]]), turn), -axis),
-        _facing(_revolve(x[[-1, -1]], np.array([base, r[-1]]), turn), axis),
+        _facing(_revolve(x, r, turn), up),
+        _facing(_revolve(x, base, turn), -up),
+        _facing(_revolve(x[[0, 0]], np.array([base[0], r[0]]), turn), -axis),
+        _facing(_revolve(x[[-1, -1]], np.array([base[0], r[-1]]), turn), axis),
     ]
     if width > 0.0:
-        parts.append(_facing(_cap(x, r, base, turn[0]), -tangential))
+        parts.append(_facing(_cap(x, r, base, turn[0]), -_tangential(turn[0])))
         parts.append(_facing(_cap(x, r, base, turn[-1]), _tangential(turn[-1])))
     return merge(parts)
+
+
+def groove_profile(shape: RingShape, points: int) -> Array:
+    """Shoulder, groove, shoulder of one ring, shape (points + 2, 2): axial distance from the
+    groove, radius [m].
+
+    The groove is set back by `SET_BACK` ball diameters.
+    """
+    sign = 1.0 if shape.inner else -1.0
+    groove = shape.groove_radius
+    ball = shape.ball_diameter
+    bottom = shape.centre_radius - sign * (groove + SET_BACK * ball)
+    half = np.arccos(1.0 - SHOULDER_HEIGHT * ball / groove)
+    t = np.linspace(-half, half, points)
+    arc = np.stack([groove * np.sin(t), bottom + sign * groove * (1.0 - np.cos(t))], axis=1)
+    side = max(0.5 * shape.width, arc[-1, 0] + 0.05 * ball)
+    return np.vstack([[-side, arc[0, 1]], arc, [side, arc[-1, 1]]])
+
+
+def rotation(quaternion: Array) -> Array:
+    """Rotation matrix [-], shape (3, 3), of a unit quaternion w, x, y, z [-]."""
+    w, x, y, z = quaternion / np.linalg.norm(quaternion)
+    return np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+            [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+            [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+
+
+def about_axis(angle: float) -> Array:
+    """Rotation about the bearing's axis by an angle [rad], shape (3, 3) [-]."""
+    return np.array([np.eye(3)[0], _radial(angle), _tangential(angle)]).T
 
 
 def _radial(angle: float) -> Array:
@@ -202,55 +296,21 @@ def _tangential(angle: float) -> Array:
 
 
 def _facing(surface: Surface, outward: Array) -> Surface:
-    """Turn the cells, all alike, so that the first one's normal points to the side of `outward`."""
+    """Turn the cells, all alike, so that the first one's normal points to `outward`."""
     a, b, c, _ = surface.points[surface.quads[0]]
     if np.dot(np.cross(b - a, c - a), outward) >= 0.0:
         return surface
     return Surface(points=surface.points, quads=surface.quads[:, ::-1])
 
 
-def groove_profile(bearing: Bearing, inner: bool, points: int = 48) -> Array:
-    """Shoulder, groove, shoulder of one ring, shape (points + 2, 2): axial distance from the
-    groove, radius [m].
-
-    The groove is set back by `SET_BACK` ball diameters.
-    """
-    sign = 1.0 if inner else -1.0
-    groove = bearing.inner_groove_radius if inner else bearing.outer_groove_radius
-    centre = bearing.inner_centre_radius if inner else bearing.outer_centre_radius
-    bottom = centre - sign * (groove + SET_BACK * bearing.ball_diameter)
-    height = SHOULDER_HEIGHT * bearing.ball_diameter
-    half = np.arccos(1.0 - height / groove)
-    t = np.linspace(-half, half, points)
-    arc = np.stack([groove * np.sin(t), bottom + sign * groove * (1.0 - np.cos(t))], axis=1)
-    width = bearing.width if bearing.width is not None else RING_WIDTH * bearing.ball_diameter
-    side = max(0.5 * width, arc[-1, 0] + 0.05 * bearing.ball_diameter)
-    return np.vstack([[-side, arc[0, 1]], arc, [side, arc[-1, 1]]])
-
-
-def _base_radius(bearing: Bearing, inner: bool) -> float:
-    """Radius of the bore, or of the outside of the outer ring [m]."""
-    given = bearing.bore if inner else bearing.outside_diameter
-    if given is not None:
-        return 0.5 * given
-    sign = -1.0 if inner else 1.0
-    return max(0.5 * bearing.pitch_diameter + sign * RING_HEIGHT * bearing.ball_diameter, 0.0)
-
-
 def _revolve(x: Array, r: Array, turn: Array) -> Surface:
-    points = np.stack(
-        [
-            np.broadcast_to(x, (turn.size, x.size)),
-            np.outer(np.cos(turn), r),
-            np.outer(np.sin(turn), r),
-        ],
-        axis=-1,
-    )
+    axial = np.broadcast_to(x, (turn.size, x.size))
+    points = np.stack([axial, np.outer(np.cos(turn), r), np.outer(np.sin(turn), r)], axis=-1)
     return Surface(points=points.reshape(-1, 3), quads=grid_quads(turn.size, x.size))
 
 
-def _cap(x: Array, r: Array, base: float, angle: float) -> Surface:
-    radius = np.stack([np.full_like(r, base), r])
+def _cap(x: Array, r: Array, base: Array, angle: float) -> Surface:
+    radius = np.stack([base, r])
     axial = np.broadcast_to(x, radius.shape)
     points = np.stack([axial, radius * np.cos(angle), radius * np.sin(angle)], axis=-1)
     return Surface(points=points.reshape(-1, 3), quads=grid_quads(2, x.size))

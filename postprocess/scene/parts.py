@@ -1,5 +1,7 @@
 """What a scene is made of: bodies, patches, labels, colour bar, camera."""
 
+from collections.abc import Sequence
+from dataclasses import dataclass
 from math import log10
 from pathlib import Path
 from typing import Any
@@ -7,42 +9,67 @@ from typing import Any
 import numpy as np
 import pyvista as pv
 import xarray
-from numpy.typing import NDArray
 
+from ehl.solution import Array
 from ehl.units import MILLIMETRE
 
 from ..plot_style import COLOUR_MAPS
 from .vtk import COLLECTION_FILE
 
-Array = NDArray[np.float64]
-
 ROUND_OFF = 1e-6  # a radial load below this share of the axial one is noise of the equilibrium
-BODY = "#c9ced6"
+BALL = "#aab4c0"
+RING = "#c9ced6"
 EDGE = "#5b6470"
 INK = "#1b1f24"
 LOAD_COLOUR = "#b3202c"
 
 
-def add_field(
-    plotter: Any, mesh: Any, quantity: str, limits: tuple[float, float], scale: str = "linear"
-) -> Any:
-    """A surface coloured by a quantity between limits, in its unit [um] or [GPa]; the mapper for
-    its colour bar.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ColourScale:
+    """Colours of a quantity, "film" or "pressure"."""
 
-    `scale` is "linear", "logarithmic", or "logarithm": the logarithm itself, for viewers without
-    logarithmic colours.
+    quantity: str
+    label: str  # with the unit
+    limits: tuple[float, float]  # in that unit
+    logarithmic: bool = False
+
+    def height(self, value: float) -> float:
+        """Place of a value on the colour bar, 0 at the bottom, 1 at the top [-]."""
+        low, high = self.limits
+        if self.logarithmic:
+            return log10(value / low) / log10(high / low)
+        return (value - low) / (high - low)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Label:
+    """Text in space: azimuth of a ball or size of the load."""
+
+    place: Array  # [mm]
+    text: str
+    ball_diameter: float  # [mm]
+
+
+def add_field(
+    plotter: Any, mesh: Any, colours: ColourScale, *, logarithm_as_field: bool = False
+) -> Any:
+    """A surface coloured by a quantity in its unit [um] or [GPa], and its mapper for the colour
+    bar; where colours are logarithmic, the logarithm itself may be the coloured field, for viewers
+    without logarithmic scales.
     """
-    scalars = quantity
-    if scale == "logarithm":
+    scalars = colours.quantity
+    limits = colours.limits
+    as_field = colours.logarithmic and logarithm_as_field
+    if as_field:
         scalars = "logarithm"
         limits = (log10(limits[0]), log10(limits[1]))
-        mesh[scalars] = np.log10(np.maximum(mesh[quantity], 1e-3 * 10.0 ** limits[0]))
+        mesh[scalars] = np.log10(np.maximum(mesh[colours.quantity], 1e-3 * colours.limits[0]))
     actor = plotter.add_mesh(
         mesh,
         scalars=scalars,
-        cmap=COLOUR_MAPS[quantity],
+        cmap=COLOUR_MAPS[colours.quantity],
         clim=limits,
-        log_scale=scale == "logarithmic",
+        log_scale=colours.logarithmic and not as_field,
         show_scalar_bar=False,
         ambient=0.6,
         diffuse=0.45,
@@ -58,57 +85,48 @@ def add_bodies(plotter: Any, directory: Path) -> None:
     """
     bodies = pv.get_reader(directory / COLLECTION_FILE).read()[0]["bodies"]
     balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
-    plotter.add_mesh(
-        balls, color="#aab4c0", opacity=0.2, smooth_shading=True, specular=0.5, specular_power=30
-    )
+    glass = {"opacity": 0.2, "specular": 0.5, "specular_power": 30}
+    plotter.add_mesh(balls, color=BALL, smooth_shading=True, **glass)
+    steel = {"specular": 0.2, "ambient": 0.35, "diffuse": 0.7}
     for name in ("inner ring", "outer ring"):
         ring = bodies[name].clean()
         solid = ring.compute_normals(
             consistent_normals=False, split_vertices=True, feature_angle=40.0
         )
-        plotter.add_mesh(
-            solid, color=BODY, smooth_shading=True, specular=0.2, ambient=0.35, diffuse=0.7
-        )
+        plotter.add_mesh(solid, color=RING, smooth_shading=True, **steel)
         edges = ring.extract_feature_edges(feature_angle=50.0)
         plotter.add_mesh(edges, color=EDGE, line_width=1.0)
 
 
-def label_places(tree: xarray.DataTree) -> list[tuple[Array, str]]:
-    """Azimuths beside the balls, and the size of the radial load below its arrow: places [mm] and
-    words.
-    """
+def scene_labels(tree: xarray.DataTree) -> tuple[Label, ...]:
+    """Azimuths beside the balls, and the size of the radial load below its arrow."""
     balls, ring = tree["balls"].to_dataset(), tree["ring"].to_dataset()
     turn = balls["azimuth"].values
     diameter = float(ring.attrs["ball_diameter"]) / MILLIMETRE
     radius = balls["ball_radial"].values / MILLIMETRE + 1.05 * diameter
     points = np.stack([np.zeros_like(turn), radius * np.cos(turn), radius * np.sin(turn)], axis=1)
-    found = [
-        (point, f"{angle % 360.0:.4g}°")
-        for point, angle in zip(points, np.degrees(turn), strict=True)
-    ]
+    angles = (f"{angle % 360.0:.4g}°" for angle in np.degrees(turn))
+    places = list(zip(points, angles, strict=True))
     load = _radial_load(ring)
     if load is not None:
         direction, size = load
-        found.append((-0.78 * _bore(ring) * direction, f"{size:.4g} N"))
-    return found
+        places.append((-0.78 * _bore(ring) * direction, f"{size:.4g} N"))
+    return tuple(Label(place=place, text=text, ball_diameter=diameter) for place, text in places)
 
 
 def _radial_load(ring: xarray.Dataset) -> tuple[Array, float] | None:
     """Direction [-] and size [N] of the radial load on the inner ring; None if there is none."""
     force = ring["force"].values[:3] * np.array([0.0, 1.0, 1.0])
     size = float(np.linalg.norm(force))
-    return (
-        (force / size, size)
-        if size > ROUND_OFF * float(np.abs(ring["force"].values).max())
-        else None
-    )
+    if size <= ROUND_OFF * float(np.abs(ring["force"].values).max()):
+        return None
+    return force / size, size
 
 
 def _bore(ring: xarray.Dataset) -> float:
     """Room for the arrow of the load [mm]."""
-    return (
-        0.5 * float(ring.attrs["pitch_diameter"]) - float(ring.attrs["ball_diameter"])
-    ) / MILLIMETRE
+    room = 0.5 * float(ring.attrs["pitch_diameter"]) - float(ring.attrs["ball_diameter"])
+    return room / MILLIMETRE
 
 
 def add_load(plotter: Any, tree: xarray.DataTree) -> None:
@@ -117,11 +135,10 @@ def add_load(plotter: Any, tree: xarray.DataTree) -> None:
     load = _radial_load(ring)
     if load is None:
         return
-    direction = load[0]
     bore = _bore(ring)
     arrow = pv.Arrow(
-        start=-0.65 * bore * direction,
-        direction=direction,
+        start=-0.65 * bore * load[0],
+        direction=load[0],
         scale=1.3 * bore,
         shaft_radius=0.025,
         tip_radius=0.06,
@@ -130,12 +147,11 @@ def add_load(plotter: Any, tree: xarray.DataTree) -> None:
     plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4)
 
 
-def add_labels(plotter: Any, tree: xarray.DataTree, scale: float) -> None:
-    """Words in space that always face the camera."""
-    places = label_places(tree)
+def add_labels(plotter: Any, labels: Sequence[Label], scale: float) -> None:
+    """Texts in space that always face the camera; `scale` as in `add_colour_bar` [-]."""
     plotter.add_point_labels(
-        np.array([place for place, _ in places]),
-        [words for _, words in places],
+        np.array([label.place for label in labels]),
+        [label.text for label in labels],
         font_size=int(22 * scale),
         text_color=INK,
         shape=None,
@@ -162,10 +178,10 @@ def look_at(plotter: Any, turn: float) -> None:
     plotter.camera.focal_point = (0.0, 0.0, 0.0)
     plotter.camera.position = tuple(direction)
     plotter.camera.up = tuple(radial)
-    frame(plotter)
+    fill_picture(plotter)
 
 
-def frame(plotter: Any, zoom: float = 1.25) -> None:
+def fill_picture(plotter: Any, zoom: float = 1.25) -> None:
     """Fill the picture, with room for the colour bar at the right."""
     plotter.reset_camera()
     plotter.camera.zoom(zoom)

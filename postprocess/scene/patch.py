@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 import xarray
-from numpy.typing import NDArray
 
+from ehl.solution import Array
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
 from ..contact.frame import principal_coordinates
@@ -17,54 +17,48 @@ from ..plot_style import film_range
 from .geometry import ContactFrame, Placement, crop_to_ball, place_patch
 from .vtk import add_point_data, structured_grid
 
-Array = NDArray[np.float64]
 ALL = (slice(None), slice(None))
+UNITS = {"m": MILLIMETRE, "a": 1.0, "Pa": GIGAPASCAL, "p_h": 1.0}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Patch:
-    """The shown part of one contact, read from disk.
+    """The shown part of one contact, read from disk; dimensionless in Moes input."""
 
-    Attributes
-    ----------
-    x, y, film, pressure : ndarray, shape (nx, ny)
-        Principal coordinates [mm], or in semi-axes a; film [um]; pressure [GPa]; dimensionless in
-        Moes input.
-    central, minimum : float
-        Films [um].
-    attributes : dict
-        Of the contact, as written.
-    """
-
-    x: Array
+    x: Array  # principal coordinates, shape (nx, ny) [mm], or in semi-axes a
     y: Array
-    film: Array
-    pressure: Array
-    central: float
-    minimum: float
-    attributes: dict[str, Any]
+    film: Array  # [um]
+    pressure: Array  # [GPa]
+    central: float  # film [um]
+    minimum: float  # film [um]
+    attributes: dict[str, Any]  # of the contact, as written
 
     @classmethod
     def read(cls, data: xarray.Dataset) -> "Patch":
         """Take the shown part of a contact's data set; lengths in [m] there."""
-        facts = data.attrs
-        a, angle = float(facts["semi_axis_x"]), float(facts["frame_angle"])
-        half_x, half_y = half_extents(angle, float(facts["semi_axis_y"]) / a)
+        attributes = data.attrs
+        a = float(attributes["semi_axis_x"])
+        angle = float(attributes["frame_angle"])
+        half_x, half_y = half_extents(angle, float(attributes["semi_axis_y"]) / a)
         x, y, p = data["x"].values, data["y"].values, data["P"].values
         part = shown_part(x, y, p, a * half_x, a * half_y)
-        units = {"m": MILLIMETRE, "a": 1.0, "Pa": GIGAPASCAL, "p_h": 1.0, "a^2/Rx": 1.0}
-        length = units[data["x"].attrs["units"]]
+        length = UNITS[data["x"].attrs["units"]]
         film = MICROMETRE if data["h"].attrs["units"] == "m" else 1.0
         along, across = principal_coordinates(x[part[0]] / length, y[part[1]] / length, angle)
         return cls(
             x=along,
             y=across,
             film=data["h"].values[part] / film,
-            pressure=p[part] / units[data["P"].attrs["units"]],
+            pressure=p[part] / UNITS[data["P"].attrs["units"]],
             central=float(data["film_central"]) / film,
             minimum=float(data["film_minimum"]) / film,
-            attributes=dict(facts),
+            attributes=dict(attributes),
         )
+
+    @property
+    def film_range(self) -> tuple[float, float]:
+        """Films at the ends of the colour scale [um]."""
+        return film_range(self.central, self.minimum)
 
     def levels(self, quantity: str) -> list[float]:
         """Contour lines: shares of the central film [um], or of the largest pressure [GPa]."""
@@ -78,15 +72,12 @@ class Patch:
         With film exaggeration the end of the colour scale lies on the ball and thinner films
         below, where no race hides them.
         """
-        vectors = {
-            name: np.asarray(self.attributes[name])
-            for name in ("origin", "axis_x", "axis_y", "normal")
-        }
+        names = ("origin", "axis_x", "axis_y", "normal")
+        vectors = {name: np.asarray(self.attributes[name]) for name in names}
         frame = ContactFrame(ball_radius=ball_radius, **vectors)
         x, y = self.x * MILLIMETRE, self.y * MILLIMETRE
         part = crop_to_ball(x[:, 0], y[0, :], ball_radius, placement)
-        top = film_range(self.central, self.minimum)[1]
-        depth = np.maximum(top - self.film[part], 0.0) * MICROMETRE
+        depth = np.maximum(self.film_range[1] - self.film[part], 0.0) * MICROMETRE
         points = place_patch(x[part], y[part], frame, placement, -placement.film * depth)
         return self._grid(points / MILLIMETRE, part)
 
@@ -95,9 +86,7 @@ class Patch:
         above.
         """
         field = self.film if quantity == "film" else self.pressure
-        top = (
-            film_range(self.central, self.minimum)[1] if quantity == "film" else float(field.max())
-        )
+        top = self.film_range[1] if quantity == "film" else float(field.max())
         return self._grid(np.stack([self.x, self.y, height * field / top], axis=-1))
 
     def _grid(self, points: Array, part: tuple[slice, slice] = ALL) -> Any:

@@ -1,41 +1,111 @@
-"""Whether this machine can draw, found out without risk: a missing OpenGL library ends the process
-that asks.
+"""Drawing in a process of its own: a missing OpenGL library ends the process that asks for a
+window, and becomes an error here.
 """
 
+import json
 import os
 import subprocess
 import sys
+from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
+
+from PIL import Image
+
+from ..files import atomic_path
 
 WINDOW_VARIABLE = "VTK_DEFAULT_OPENGL_WINDOW"
 WINDOW_WITHOUT_DISPLAY = "vtkEGLRenderWindow"
 PACKAGES = "libegl1 libegl-mesa0 libgl1-mesa-dri"
 PATIENCE = 300.0  # for one picture [s]
+# of a frame; chosen to cover all colours, not by area, so that thin arrows keep theirs
+COLOURS = 128
 
 
 class RenderingError(RuntimeError):
     """No picture can be drawn here; the message says what is missing and what to do."""
 
 
-def run_python(arguments: list[str], patience: float | None) -> None:
-    """Run Python in a process of its own that may die of a missing library; `RenderingError` if it
-    does.
+def with_suffix(file: str | Path, *suffixes: str) -> Path:
+    """The file, if its name ends as it must; ValueError if not."""
+    path = Path(file)
+    if path.suffix.lower() not in suffixes:
+        raise ValueError(f"the file must end in {' or '.join(suffixes)}, got {path.name}")
+    return path
+
+
+def draw(
+    module: str, directory: str | Path, file: Path, options: dict[str, Any], patience: float
+) -> Path:
+    """Have a module of this package draw a file in a process of its own.
 
     Parameters
     ----------
-    arguments : list of str
-        Of the interpreter.
-    patience : float or None
+    module : str
+        Takes a request (`read_request`) as its argument when it is run.
+    directory : str or Path
+        Result directory.
+    file : Path
+    options : dict
+        What JSON can hold.
+    patience : float
         Time allowed [s].
+
+    Returns
+    -------
+    Path
+        The file.
+
+    Raises
+    ------
+    RenderingError
+        If no file was drawn.
+    """
+    with atomic_path(file) as temporary:
+        run_module(module, directory, temporary, options, patience)
+        if not temporary.stat().st_size:
+            raise RenderingError(advice(f"{file.name} was left empty"))
+    return file
+
+
+def run_module(
+    module: str,
+    directory: str | Path,
+    file: Path | None,
+    options: dict[str, Any],
+    patience: float | None,
+) -> None:
+    """Run a module of this package with a request; arguments as `draw`, no file opens a window."""
+    request = {
+        "directory": str(directory),
+        "file": None if file is None else str(file),
+        "options": options,
+    }
+    run_python(["-m", f"{__package__}.{module}", json.dumps(request)], patience)
+
+
+def read_request(text: str) -> tuple[Path, Path | None, dict[str, Any]]:
+    """Directory, file to draw or None for a window, and options of a request."""
+    request = json.loads(text)
+    file = None if request["file"] is None else Path(request["file"])
+    options = {
+        name: tuple(value) if isinstance(value, list) else value
+        for name, value in request["options"].items()
+    }
+    return Path(request["directory"]), file, options
+
+
+def run_python(arguments: list[str], patience: float | None) -> None:
+    """Run Python in a process of its own, for `patience` [s] at most; `RenderingError` if it
+    fails.
     """
     home = str(Path(__file__).resolve().parents[2])
     paths = [home, *filter(None, [os.environ.get("PYTHONPATH")])]
     environment = rendering_environment() | {"PYTHONPATH": os.pathsep.join(paths)}
-    command = [sys.executable, *arguments]
     try:
-        done = subprocess.run(
-            command,
+        process = subprocess.run(
+            [sys.executable, *arguments],
             env=environment,
             capture_output=True,
             text=True,
@@ -45,19 +115,18 @@ def run_python(arguments: list[str], patience: float | None) -> None:
         )
     except subprocess.TimeoutExpired:
         raise RenderingError(advice(f"drawing took more than {patience:.0f} s")) from None
-    if done.returncode != 0:
-        lines = [line for line in done.stderr.splitlines() if line.strip()]
-        crashed = done.returncode < 0 or done.returncode > 128
-        reason = (
-            f"the drawing process ended with code {done.returncode}"
-            if crashed or not lines
-            else lines[-1].strip()
-        )
+    if process.returncode != 0:
+        lines = [line for line in process.stderr.splitlines() if line.strip()]
+        crashed = process.returncode < 0 or process.returncode > 128
+        if crashed or not lines:
+            reason = f"the drawing process ended with code {process.returncode}"
+        else:
+            reason = lines[-1].strip()
         raise RenderingError(advice(reason))
 
 
 def advice(reason: str) -> str:
-    """Say why no picture came out, and what to install."""
+    """Say why no picture was drawn, and what to install."""
     text = f"the scene cannot be drawn: {reason}"
     if not sys.platform.startswith("linux"):
         return text
@@ -79,8 +148,8 @@ def require_rendering() -> None:
     """Try a tiny picture in a process of its own; `RenderingError` if this machine cannot draw.
     For notebooks.
     """
-    code = "import pyvista; p = pyvista.Plotter(off_screen=True, window_size=(16, 16)); p.show(); p.close()"
-    run_python(["-c", code], PATIENCE)
+    plotter = "pyvista.Plotter(off_screen=True, window_size=(16, 16))"
+    run_python(["-c", f"import pyvista; p = {plotter}; p.show(); p.close()"], PATIENCE)
     os.environ.update({k: v for k, v in rendering_environment().items() if k == WINDOW_VARIABLE})
 
 
@@ -88,5 +157,14 @@ def require_display() -> None:
     """`RenderingError` where a window cannot be opened for want of a display."""
     if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
         raise RenderingError(
-            "there is no display to open a window on; a picture can be had with --screenshot FILE.png"
+            "there is no display to open a window on; --screenshot FILE.png writes a picture"
         )
+
+
+def write_gif(frames: Sequence[Image.Image], file: Path, per_frame: int) -> None:
+    """Write pictures as an endless GIF, each shown for `per_frame` [ms]."""
+    method = Image.Quantize.MAXCOVERAGE
+    first, *others = [frame.quantize(COLOURS, method=method) for frame in frames]
+    first.save(
+        file, save_all=True, append_images=others, duration=per_frame, loop=0, optimize=True
+    )

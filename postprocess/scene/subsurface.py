@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 from bearing.contacts.contacts import BearingContact
 from ehl import ContactSolution
 from ehl.solid.subsurface import subsurface_stress
+from ehl.solution import Array
 
 from ..contact.frame import principal_coordinates
-from .geometry import Array, ContactFrame, Placement, place_patch
+from .geometry import Placement, contact_frame, place_patch
 
 CELLS = 81  # each way
 LEFT_OUT = 0.01  # pressure over the largest one below which the box may end [-]
@@ -21,25 +22,14 @@ LEVELS = 26  # depths from the surface to there
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StressVolume:
-    """Stress in the race below one contact.
+    """Stress in the race below one contact."""
 
-    Attributes
-    ----------
-    points : ndarray, shape (nx, ny, nz, 3)
-        In the bearing's frame [m].
-    depth : ndarray, shape (nz,)
-        [m].
-    stress : ndarray, shape (6, nx, ny, nz)
-        xx, yy, zz, xy, yz, xz in the contact's frame, z into the race [Pa].
-    von_mises, maximum_shear : ndarray, shape (nx, ny, nz)
-        [Pa].
-    """
-
-    points: Array
-    depth: Array
+    points: Array  # in the bearing's frame, shape (nx, ny, nz, 3) [m]
+    depth: Array  # shape (nz,) [m]
+    # xx, yy, zz, xy, yz, xz in the contact's frame, z into the race, shape (6, nx, ny, nz) [Pa]
     stress: Array
-    von_mises: Array
-    maximum_shear: Array
+    von_mises: Array  # shape (nx, ny, nz) [Pa]
+    maximum_shear: Array  # shape (nx, ny, nz) [Pa]
 
 
 def stress_volume(
@@ -71,13 +61,7 @@ def stress_volume(
     x, y = _span(long, pressed.any(axis=1), a), _span(wide, pressed.any(axis=0), b)
     depth = np.linspace(0.0, DEEPEST, LEVELS) * 0.5 * min(float(np.ptp(x)), float(np.ptp(y)))
     field = subsurface_stress(_resampled(long, wide, pressure, x, y), x, y, depth, poisson_ratio)
-    frame = ContactFrame(
-        origin=np.asarray(contact.origin),
-        axis_x=np.asarray(contact.axis_x),
-        axis_y=np.asarray(contact.axis_y),
-        normal=np.asarray(contact.normal),
-        ball_radius=ball_radius,
-    )
+    frame = contact_frame(contact, ball_radius)
     along, across = principal_coordinates(x, y, solution.frame_angle)
     levels = [
         place_patch(along, across, frame, Placement(), np.full(along.shape, z)) for z in depth

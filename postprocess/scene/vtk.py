@@ -4,13 +4,13 @@ race.
 Only VTK's data and file modules are used, none that could open a window.
 """
 
+from collections.abc import Iterator
 from math import degrees
 from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import quoteattr
 
 import numpy as np
-from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStructuredGrid
@@ -18,6 +18,7 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLStructuredGridWriter
 
 from bearing.contacts.contacts import BearingContact
 from ehl import ContactSolution
+from ehl.solution import Array
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 from ..contact.frame import principal_coordinates
@@ -25,18 +26,18 @@ from ..files import atomic_path, contact_name
 from ..results import BearingResults, ContactResults
 from .geometry import (
     SET_BACK,
-    ContactFrame,
     Placement,
     Surface,
     ball_surface,
+    bearing_lengths,
+    contact_frame,
     crop_to_ball,
     merge,
     place_patch,
+    ring_shape,
     ring_surface,
 )
 from .subsurface import StressVolume, stress_volume
-
-Array = NDArray[np.float64]
 
 COLLECTION_FILE = "fields.pvd"
 STRESS_FILE = "subsurface.pvd"
@@ -51,7 +52,7 @@ OPENING = np.pi  # sector cut out of the outer ring, about the most loaded ball 
 def write_collection(
     results: BearingResults | ContactResults,
     directory: Path,
-    patch_magnification: float | tuple[float, float] = 1.0,
+    patch_magnification: tuple[float, float] = (1.0, 1.0),
     film_exaggeration: float = 0.0,
 ) -> Path:
     """Write the VTK collection of a run; paths inside are relative, so that the folder can be
@@ -62,9 +63,8 @@ def write_collection(
     results : BearingResults or ContactResults
     directory : Path
         Result directory; the blocks go to its folder `vtk`.
-    patch_magnification : float or tuple of float
-        Patches are drawn this many times larger on their ball, or (along, across) the rolling
-        direction [-].
+    patch_magnification : tuple of float
+        Patches are drawn this many times larger along and across the rolling direction [-].
     film_exaggeration : float
         Film drawn as height, times this [-].
 
@@ -73,32 +73,23 @@ def write_collection(
     Path
         The .pvd file. Lengths in it are in [mm], the factors are field data of each patch.
     """
-    both = (
-        patch_magnification
-        if isinstance(patch_magnification, tuple)
-        else (patch_magnification,) * 2
-    )
-    placement = Placement(rolling=both[0], transverse=both[1], film=film_exaggeration)
     blocks: dict[str, dict[str, str]] = {}
     if isinstance(results, ContactResults):
         grid = flat_patch(results.solution, film_exaggeration)
-        blocks["contact"] = {"contact": _write_grid(grid, directory, "contact")}
+        blocks["contact"] = {"contact": _write(grid, directory, "contact.vts")}
     else:
+        rolling, transverse = patch_magnification
+        placement = Placement(rolling=rolling, transverse=transverse, film=film_exaggeration)
         ball_radius = 0.5 * results.quasistatic.bearing.ball_diameter
-        for contact, solution in zip(results.contacts, results.solutions, strict=True):
-            if solution is not None:
-                grid = placed_patch(contact, solution, ball_radius, placement)
-                ball, race = contact_name(contact.ball, contact.race.value).split("/")
-                blocks.setdefault(ball, {})[race] = _write_grid(grid, directory, f"{ball}_{race}")
+        for contact, solution, ball, race in _solved(results):
+            grid = placed_patch(contact, solution, ball_radius, placement)
+            blocks.setdefault(ball, {})[race] = _write(grid, directory, f"{ball}_{race}.vts")
         blocks["bodies"] = {
-            name: _write_body(surface, directory, name.replace(" ", "_"))
+            name: _write(_body(surface), directory, f"{name.replace(' ', '_')}.vtp")
             for name, surface in bodies(results).items()
         }
         _write_azimuths(results, directory, blocks)
-    _write_text(directory / BLOCK_FOLDER / "fields.vtm", _multiblock(blocks))
-    collection = directory / COLLECTION_FILE
-    _write_text(collection, collection_text({0.0: f"{BLOCK_FOLDER}/fields.vtm"}))
-    return collection
+    return _write_collection(directory, COLLECTION_FILE, blocks)
 
 
 def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
@@ -120,35 +111,33 @@ def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
     if not results.case.get("ehl", {}).get("subsurface_stress"):
         return None
     bearing = results.quasistatic.bearing
+    ball_radius = 0.5 * bearing.ball_diameter
     blocks: dict[str, dict[str, str]] = {}
+    for contact, solution, ball, race in _solved(results):
+        ring = bearing.inner_ring_material if race == "inner" else bearing.outer_ring_material
+        volume = stress_volume(contact, solution, ball_radius, ring.poisson_ratio)
+        name = f"{ball}_{race}_stress.vts"
+        blocks.setdefault(ball, {})[race] = _write(volume_grid(volume), directory, name)
+    return _write_collection(directory, STRESS_FILE, blocks)
+
+
+def _solved(results: BearingResults) -> Iterator[tuple[BearingContact, ContactSolution, str, str]]:
+    """Contacts with a film: contact, solution, names of ball and race."""
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         if solution is not None:
-            race = contact.race.value
-            ring = bearing.inner_ring_material if race == "inner" else bearing.outer_ring_material
-            volume = stress_volume(
-                contact, solution, 0.5 * bearing.ball_diameter, ring.poisson_ratio
-            )
-            ball, _ = contact_name(contact.ball, race).split("/")
-            blocks.setdefault(ball, {})[race] = _write_grid(
-                volume_grid(volume), directory, f"{ball}_{race}_stress"
-            )
-    _write_text(directory / BLOCK_FOLDER / "subsurface.vtm", _multiblock(blocks))
-    _write_text(directory / STRESS_FILE, collection_text({0.0: f"{BLOCK_FOLDER}/subsurface.vtm"}))
-    return directory / STRESS_FILE
+            ball, race = contact_name(contact.ball, contact.race.value).split("/")
+            yield contact, solution, ball, race
 
 
-def volume_grid(volume: StressVolume) -> Any:
-    """The stress below a contact as a vtkStructuredGrid, lengths in [mm], stresses in [GPa]."""
+def volume_grid(volume: StressVolume) -> vtkStructuredGrid:
+    """The stress below a contact, lengths in [mm], stresses in [GPa]."""
     grid = structured_grid(volume.points / MILLIMETRE)
+    depth = np.broadcast_to(volume.depth, volume.maximum_shear.shape)
+    stress = np.stack([part.ravel(order="F") for part in volume.stress], axis=1)
     add_point_data(grid, "largest shear [GPa]", volume.maximum_shear / GIGAPASCAL)
     add_point_data(grid, "von Mises stress [GPa]", volume.von_mises / GIGAPASCAL)
-    add_point_data(
-        grid, "depth [mm]", np.broadcast_to(volume.depth, volume.maximum_shear.shape) / MILLIMETRE
-    )
-    components = np.stack([part.ravel(order="F") for part in volume.stress], axis=1) / GIGAPASCAL
-    tensor = numpy_to_vtk(components.astype(np.float32), deep=True)
-    tensor.SetName("stress xx yy zz xy yz xz [GPa]")
-    grid.GetPointData().AddArray(tensor)
+    add_point_data(grid, "depth [mm]", depth / MILLIMETRE)
+    add_array(grid, "stress xx yy zz xy yz xz [GPa]", stress / GIGAPASCAL)
     grid.GetPointData().SetActiveScalars("largest shear [GPa]")
     add_field_data(grid, "coordinates", "mm")
     return grid
@@ -156,39 +145,25 @@ def volume_grid(volume: StressVolume) -> Any:
 
 def placed_patch(
     contact: BearingContact, solution: ContactSolution, ball_radius: float, placement: Placement
-) -> Any:
-    """One contact as a vtkStructuredGrid on its ball, coordinates in [mm]; `ball_radius` in [m]."""
+) -> vtkStructuredGrid:
+    """One contact on its ball of `ball_radius` [m], coordinates in [mm]."""
     long, wide, film = solution.x, solution.y, solution.film
     if long is None or wide is None or film is None:
         raise ValueError(
             "a contact given by Moes' groups has no lengths and cannot be placed in a bearing"
         )
-    rows, columns = crop_to_ball(long, wide, ball_radius, placement)
-    x, y = principal_coordinates(long[rows], wide[columns], solution.frame_angle)
-    film = film[rows, columns]
-    frame = ContactFrame(
-        origin=np.asarray(contact.origin),
-        axis_x=np.asarray(contact.axis_x),
-        axis_y=np.asarray(contact.axis_y),
-        normal=np.asarray(contact.normal),
-        ball_radius=ball_radius,
-    )
-    grid = structured_grid(place_patch(x, y, frame, placement, placement.film * film) / MILLIMETRE)
-    add_point_data(grid, FILM, film / MICROMETRE)
-    add_point_data(grid, PRESSURE, solution.pressure[rows, columns] / GIGAPASCAL)
+    part = crop_to_ball(long, wide, ball_radius, placement)
+    x, y = principal_coordinates(long[part[0]], wide[part[1]], solution.frame_angle)
+    frame = contact_frame(contact, ball_radius)
+    height = placement.film * film[part]
+    grid = structured_grid(place_patch(x, y, frame, placement, height) / MILLIMETRE)
+    add_point_data(grid, FILM, film[part] / MICROMETRE)
+    add_point_data(grid, PRESSURE, solution.pressure[part] / GIGAPASCAL)
     if solution.state is not None and solution.state.temperature is not None:
-        add_point_data(grid, TEMPERATURE, solution.state.temperature[rows, columns] - ZERO_CELSIUS)
+        add_point_data(grid, TEMPERATURE, solution.state.temperature[part] - ZERO_CELSIUS)
     add_point_data(grid, "rolling [mm]", x / MILLIMETRE)
     add_point_data(grid, "transverse [mm]", y / MILLIMETRE)
-    for name, value in _patch_facts(contact, solution, placement).items():
-        add_field_data(grid, name, value)
-    return grid
-
-
-def _patch_facts(
-    contact: BearingContact, solution: ContactSolution, placement: Placement
-) -> dict[str, float | str]:
-    return {
+    field_data = {
         "ball": float(contact.ball),
         "race": contact.race.value,
         "azimuth [deg]": degrees(contact.azimuth),
@@ -200,29 +175,29 @@ def _patch_facts(
         "patch magnification transverse [-]": placement.transverse,
         "film exaggeration [-]": placement.film,
     }
+    for name, value in field_data.items():
+        add_field_data(grid, name, value)
+    return grid
 
 
-def flat_patch(solution: ContactSolution, film_exaggeration: float) -> Any:
-    """A single contact as a flat vtkStructuredGrid: coordinates in [mm], or in semi-axes a where
-    no length is known.
+def flat_patch(solution: ContactSolution, film_exaggeration: float) -> vtkStructuredGrid:
+    """A single contact in its plane: coordinates in [mm], or in semi-axes a where no length is
+    known.
     """
-    length, film_scale = solution.semi_axis_x, solution.film_scale
-    unit, a = ("a", 1.0) if length is None else ("mm", length / MILLIMETRE)
-    film_name, h = (
-        ("film thickness [a^2/Rx]", 1.0) if film_scale is None else (FILM, film_scale / MICROMETRE)
-    )
-    p_name, p = (
-        ("pressure [p_h]", 1.0)
-        if solution.hertz_pressure <= 0.0
-        else (PRESSURE, solution.hertz_pressure / 1e9)
-    )
+    unit, a = "a", 1.0
+    film_name, h, height = "film thickness [a^2/Rx]", 1.0, film_exaggeration
+    pressure_name, p = "pressure [p_h]", 1.0
+    if solution.semi_axis_x is not None:
+        unit, a = "mm", solution.semi_axis_x / MILLIMETRE
+    if solution.film_scale is not None:
+        film_name, h = FILM, solution.film_scale / MICROMETRE
+        height = film_exaggeration * solution.film_scale / MILLIMETRE
+    if solution.hertz_pressure > 0.0:
+        pressure_name, p = PRESSURE, solution.hertz_pressure / GIGAPASCAL
     x, y = principal_coordinates(solution.X, solution.Y, solution.frame_angle)
-    height = (
-        film_exaggeration * solution.H * (1.0 if film_scale is None else film_scale / MILLIMETRE)
-    )
-    grid = structured_grid(np.stack([a * x, a * y, height], axis=-1))
+    grid = structured_grid(np.stack([a * x, a * y, height * solution.H], axis=-1))
     add_point_data(grid, film_name, h * solution.H)
-    add_point_data(grid, p_name, p * solution.P)
+    add_point_data(grid, pressure_name, p * solution.P)
     if solution.state is not None and solution.state.temperature is not None:
         add_point_data(grid, TEMPERATURE, solution.state.temperature - ZERO_CELSIUS)
     add_field_data(grid, "coordinates", unit)
@@ -234,8 +209,9 @@ def bodies(results: BearingResults) -> dict[str, Surface]:
     """Balls and rings as surfaces [m], set back a little so that the patches are seen; the outer
     ring is cut open.
     """
-    bearing = results.quasistatic.bearing
     state = results.quasistatic
+    bearing = state.bearing
+    lengths = bearing_lengths(bearing)
     radius = (0.5 - SET_BACK) * bearing.ball_diameter
     centres = np.stack(
         [
@@ -245,53 +221,58 @@ def bodies(results: BearingResults) -> dict[str, Surface]:
         ],
         axis=1,
     )
-    middle = float(state.azimuth[int(np.argmax(state.outer_load))])
-    rows = range(1, len(state.rows) + 1)
-    inner = [
-        ring_surface(bearing, True, _groove_axial(results, "inner", row), (middle, 0.0))
-        for row in rows
-    ]
-    outer = [
-        ring_surface(bearing, False, _groove_axial(results, "outer", row), (middle, OPENING))
-        for row in rows
-    ]
-    return {
-        "balls": merge([ball_surface(centre, radius) for centre in centres]),
-        "inner ring": merge(inner),
-        "outer ring": merge(outer),
-    }
+    most_loaded = float(state.azimuth[int(np.argmax(state.outer_load))])
+    surfaces = {"balls": merge([ball_surface(centre, radius) for centre in centres])}
+    for race, opening in (("inner", 0.0), ("outer", OPENING)):
+        shape = ring_shape(lengths, inner=race == "inner")
+        rings = [
+            ring_surface(shape, _groove_axial(results, race, row), (most_loaded, opening))
+            for row in range(1, len(state.rows) + 1)
+        ]
+        surfaces[f"{race} ring"] = merge(rings)
+    return surfaces
 
 
 def _groove_axial(results: BearingResults, race: str, row: int) -> float:
     """Axial position of a race's groove centre [m]: from the contact point one groove radius back
     along the normal.
     """
-    bearing = results.quasistatic.bearing
+    state = results.quasistatic
+    bearing = state.bearing
     radius = bearing.inner_groove_radius if race == "inner" else bearing.outer_groove_radius
-    contacts = [
-        c for c in results.contacts if c.race.value == race and c.row == row and c.load > 0.0
+    positions = [
+        c.origin[0] - radius * c.normal[0]
+        for c in results.contacts
+        if c.race.value == race and c.row == row and c.load > 0.0
     ]
-    found = [c.origin[0] - radius * c.normal[0] for c in contacts]
-    return float(np.mean(found)) if found else results.quasistatic.rows[row - 1].axial_position
+    return float(np.mean(positions)) if positions else state.rows[row - 1].axial_position
 
 
-def structured_grid(points: Array) -> Any:
-    """Build a vtkStructuredGrid of points, shape (nx, ny, 3) or (nx, ny, nz, 3) [mm or a]."""
-    nx, ny, nz = (*points.shape[:-1], 1)[:3]
+def structured_grid(points: Array) -> vtkStructuredGrid:
+    """Build a grid of points, shape (nx, ny, 3) or (nx, ny, nz, 3) [mm or a]."""
     corners = vtkPoints()
     columns = np.stack([points[..., k].ravel(order="F") for k in range(3)], axis=1)
     corners.SetData(numpy_to_vtk(columns.astype(np.float32), deep=True))
     grid = vtkStructuredGrid()
-    grid.SetDimensions(nx, ny, nz)
+    grid.SetDimensions(*(*points.shape[:-1], 1)[:3])
     grid.SetPoints(corners)
     return grid
 
 
-def add_point_data(grid: Any, name: str, values: Array) -> None:
-    """Add a field on the nodes whose unit stands in its name, such as film [um], as float32."""
-    array = numpy_to_vtk(values.T.ravel().astype(np.float32), deep=True)
+def add_array(data: Any, name: str, values: Array) -> None:
+    """Add values at the points, shape (points,) or (points, components), as float32; the unit
+    stands in the name, such as load [N].
+    """
+    array = numpy_to_vtk(values.astype(np.float32), deep=True)
     array.SetName(name)
-    grid.GetPointData().AddArray(array)
+    data.GetPointData().AddArray(array)
+
+
+def add_point_data(grid: Any, name: str, values: Array) -> None:
+    """Add a field on the nodes of a grid, in its shape, whose unit stands in its name, such as
+    film [um].
+    """
+    add_array(grid, name, values.T.ravel())
     grid.GetPointData().SetActiveScalars(FILM)
 
 
@@ -303,7 +284,7 @@ def add_field_data(grid: Any, name: str, value: float | str) -> None:
     grid.GetFieldData().AddArray(array)
 
 
-def poly_data(surface: Surface) -> Any:
+def poly_data(surface: Surface) -> vtkPolyData:
     """Turn a surface [m] into vtkPolyData, coordinates in [mm]."""
     points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
     points.SetData(numpy_to_vtk((surface.points / MILLIMETRE).astype(np.float32), deep=True))
@@ -317,29 +298,41 @@ def poly_data(surface: Surface) -> Any:
     return data
 
 
-def _write_grid(grid: Any, directory: Path, name: str) -> str:
-    return _write_block(vtkXMLStructuredGridWriter(), grid, directory, f"{name}.vts")
-
-
-def _write_body(surface: Surface, directory: Path, name: str) -> str:
+def _body(surface: Surface) -> vtkPolyData:
     data = poly_data(surface)
     add_field_data(data, "coordinates", "mm")
-    return _write_block(vtkXMLPolyDataWriter(), data, directory, f"{name}.vtp")
+    return data
 
 
-def _write_block(writer: Any, data: Any, directory: Path, name: str) -> str:
-    with atomic_path(directory / BLOCK_FOLDER / name) as temporary:
+def write_block(data: Any, path: Path) -> None:
+    """Write a grid (.vts) or a surface (.vtp); the file appears when it is complete."""
+    is_grid = isinstance(data, vtkStructuredGrid)
+    writer: Any = vtkXMLStructuredGridWriter() if is_grid else vtkXMLPolyDataWriter()
+    with atomic_path(path) as temporary:
         writer.SetFileName(str(temporary))
         writer.SetInputData(data)
         writer.SetCompressorTypeToZLib()
         if not writer.Write():
-            raise OSError(f"{directory / BLOCK_FOLDER / name} could not be written")
+            raise OSError(f"{path} could not be written")
+
+
+def write_text(path: Path, text: str) -> None:
+    """Write a small file, which appears when it is complete."""
+    with atomic_path(path) as temporary:
+        temporary.write_text(text, encoding="utf-8")
+
+
+def _write(data: Any, directory: Path, name: str) -> str:
+    write_block(data, directory / BLOCK_FOLDER / name)
     return name
 
 
-def _write_text(path: Path, text: str) -> None:
-    with atomic_path(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
+def _write_collection(directory: Path, name: str, blocks: dict[str, dict[str, str]]) -> Path:
+    """Write a collection of one step, and the groups of blocks that it shows."""
+    groups = f"{BLOCK_FOLDER}/{Path(name).stem}.vtm"
+    write_text(directory / groups, _multiblock(blocks))
+    write_text(directory / name, collection_text({0.0: groups}))
+    return directory / name
 
 
 def _multiblock(blocks: dict[str, dict[str, str]]) -> str:
@@ -360,12 +353,8 @@ def _multiblock(blocks: dict[str, dict[str, str]]) -> str:
 
 
 def collection_text(steps: dict[float, str]) -> str:
-    """XML of a .pvd file: what ParaView shows at each time, or at what else a step is named after.
-
-    Parameters
-    ----------
-    steps : dict
-        Relative path of a file by its step, such as the time [s] or an azimuth [deg].
+    """XML of a .pvd file: relative paths of the files that ParaView shows, by time [s] or by what
+    else the steps are named after, such as an azimuth [deg].
     """
     sets = "".join(
         f'<DataSet timestep="{step!r}" group="" part="0" file={quoteattr(file)}/>\n'
@@ -391,6 +380,6 @@ def _write_azimuths(
     for azimuth, shown in steps.items():
         first = next(name for name in shown if name != "bodies")
         files[azimuth] = f"{BLOCK_FOLDER}/azimuth_{first}.vtm"
-        _write_text(directory / files[azimuth], _multiblock(shown))
+        write_text(directory / files[azimuth], _multiblock(shown))
     if files:
-        _write_text(directory / AZIMUTH_FILE, collection_text(files))
+        write_text(directory / AZIMUTH_FILE, collection_text(files))

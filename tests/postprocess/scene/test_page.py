@@ -64,8 +64,8 @@ def browsed(page, tmp_path):
     return imread(picture)[..., :3]
 
 
-def test_wrong_names_and_missing_packages_are_told(tmp_path, monkeypatch):
-    with pytest.raises(ValueError, match=r"must be an \.html file"):
+def test_wrong_names_and_missing_packages_are_reported(tmp_path, monkeypatch):
+    with pytest.raises(ValueError, match=r"must end in \.html or \.htm"):
         export_html(tmp_path, tmp_path / "scene.txt")
     monkeypatch.setattr("postprocess.scene.scene.find_spec", lambda name: None)
     with pytest.raises(RenderingError, match="pip install"):
@@ -74,11 +74,12 @@ def test_wrong_names_and_missing_packages_are_told(tmp_path, monkeypatch):
 
 def test_the_colour_scale_of_the_page():
     """Logarithmic where the scene's colours are: equal ratios take equal heights."""
-    from postprocess.scene.page import ColourBar, bar_html
+    from postprocess.scene.page import bar_html
+    from postprocess.scene.parts import ColourScale
 
-    bar = ColourBar(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
+    bar = ColourScale(quantity="film", label="film thickness [µm]", limits=(0.5, 2.0), logarithmic=True)
     assert [bar.height(h) for h in (0.5, 1.0, 2.0)] == pytest.approx([0.0, 0.5, 1.0])
-    even = ColourBar(quantity="pressure", label="pressure [GPa]", limits=(0.0, 2.0))
+    even = ColourScale(quantity="pressure", label="pressure [GPa]", limits=(0.0, 2.0))
     assert even.height(1.5) == pytest.approx(0.75)
     html = bar_html(bar)
     assert "film thickness [µm]" in html
@@ -91,10 +92,10 @@ def test_letters_face_the_camera():
     """Flat, across x, upright where the picture's top is; read from the side of +x."""
     import numpy as np
 
-    from postprocess.scene.page import flat_words
+    from postprocess.scene.page import flat_text
 
     up = np.array([0.0, 1.0, 0.0])
-    body = flat_words("120°", np.array([5.0, 30.0, 0.0]), up, 3.0)
+    body = flat_text("120°", np.array([5.0, 30.0, 0.0]), up, 3.0)
     x0, x1, y0, y1, z0, z1 = body.bounds
     assert (x0, x1) == pytest.approx((5.0, 5.0))
     assert y1 - y0 == pytest.approx(3.0, rel=0.2)
@@ -108,19 +109,20 @@ MOTION = """
 import json, sys
 from pathlib import Path
 import numpy as np
-from postprocess.scene import motion, parts, scene
-plotter, *_ = scene._scene(Path(sys.argv[1]), scene.SceneOptions(size=(320, 240)), True)
-motion.add_controls(plotter)
-films = [a.mapper.dataset for a in plotter.actors.values() if motion._facts(motion._dataset(a))]
-motion.show_facts(plotter, films[0])
+from postprocess.scene import controls, drawing, parts
+scene = drawing.build_scene(Path(sys.argv[1]), drawing.SceneOptions(size=(320, 240)), off_screen=True)
+plotter = scene.plotter
+controls.add_controls(plotter)
+films = controls.shown_films(plotter)
+controls.show_numbers(plotter, films[0])
 plotter.slider_widgets[0].GetRepresentation().SetValue(90.0)
 parts.look_at(plotter, np.pi / 2)
-facts, up = motion._facts(films[0]), list(plotter.camera.up)
-print(json.dumps({"facts": facts, "up": up, "words": "picked" in plotter.actors}))
+numbers, up = controls.numbers_of(films[0]), list(plotter.camera.up)
+print(json.dumps({"numbers": numbers, "up": up, "shown": "numbers" in plotter.actors}))
 """
 
 
-def test_a_click_tells_numbers_and_the_slider_turns(page, bearing_results, bearing_folder):
+def test_a_click_shows_numbers_and_the_slider_turns(page, bearing_results, bearing_folder):
     import json
     import sys
 
@@ -135,12 +137,12 @@ def test_a_click_tells_numbers_and_the_slider_turns(page, bearing_results, beari
         check=False,
     )
     assert run.returncode == 0, run.stderr
-    found = json.loads(run.stdout.splitlines()[-1])
+    answer = json.loads(run.stdout.splitlines()[-1])
     load = bearing_results.contacts[0].load
-    assert found["facts"].startswith("ball 1, inner race, azimuth 0 deg")
-    assert f"{load:.5g} N" in found["facts"]
-    assert found["up"] == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)  # azimuth 90 deg is z
-    assert found["words"]
+    assert answer["numbers"].startswith("ball 1, inner race, azimuth 0 deg")
+    assert f"{load:.5g} N" in answer["numbers"]
+    assert answer["up"] == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)  # azimuth 90 deg is z
+    assert answer["shown"]
 
 
 @pytest.mark.slow
@@ -151,5 +153,5 @@ def test_a_movie_has_different_frames(page, contact_folder, tmp_path):
     file = movie(contact_folder, tmp_path / "turn.gif", SceneOptions(size=(160, 120)))
     with image.open(file) as frames:
         assert frames.n_frames > 20
-    with pytest.raises(ValueError, match=r"must be a \.gif file"):
+    with pytest.raises(ValueError, match=r"must end in \.gif"):
         movie(contact_folder, tmp_path / "turn.mp4")

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from postprocess.scene.geometry import ContactFrame, Placement, place_patch, ring_surface
+from postprocess.scene.geometry import ContactFrame, Placement, bearing_lengths, place_patch, ring_shape, ring_surface
 from postprocess.scene.vtk import FILM, PRESSURE, collection_text, write_collection, write_subsurface
 
 pv = pytest.importorskip("pyvista")
@@ -76,14 +76,22 @@ def test_patches_lie_on_their_balls(collection, bearing_results):
 def test_raceways_enclose_the_balls(bearing_results):
     bearing = bearing_results.quasistatic.bearing
     for inner in (True, False):
-        points = ring_surface(bearing, inner, 0.0, (0.0, 0.0)).points
+        points = ring_surface(ring_shape(bearing_lengths(bearing), inner), 0.0, (0.0, 0.0)).points
         centre = np.stack([np.zeros(len(points)), points[:, 1], points[:, 2]])
         centre *= 0.03 / np.hypot(points[:, 1], points[:, 2])
         assert np.linalg.norm(points - centre.T, axis=1).min() > 0.006
 
 
+def test_centres_of_the_grooves_are_those_of_the_bearing(bearing_results):
+    bearing = bearing_results.quasistatic.bearing
+    lengths = bearing_lengths(bearing)
+    assert_allclose(ring_shape(lengths, inner=True).centre_radius, bearing.inner_centre_radius, rtol=1e-14)
+    assert_allclose(ring_shape(lengths, inner=False).centre_radius, bearing.outer_centre_radius, rtol=1e-14)
+
+
 def test_cut_ring_leaves_its_sector_open(bearing_results):
-    points = ring_surface(bearing_results.quasistatic.bearing, False, 0.0, (0.5, np.pi)).points
+    shape = ring_shape(bearing_lengths(bearing_results.quasistatic.bearing), inner=False)
+    points = ring_surface(shape, 0.0, (0.5, np.pi)).points
     turn = np.angle(np.exp(1j * (np.arctan2(points[:, 2], points[:, 1]) - 0.5)))
     assert np.abs(turn).min() >= 0.5 * np.pi - 1e-9
 
@@ -119,7 +127,7 @@ def test_single_contact_is_flat(contact_results, moes_results, tmp_path):
 
 def test_writing_needs_no_rendering_library():
     code = (
-        "import sys, postprocess.scene.vtk, vtkmodules.vtkIOXML; "
+        "import sys, postprocess.scene.vtk, postprocess.scene.vtk_history, vtkmodules.vtkIOXML; "
         "print(any('Rendering' in m or 'pyvista' in m for m in sys.modules))"
     )
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

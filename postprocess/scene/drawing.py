@@ -1,0 +1,267 @@
+"""The scene of a result directory, drawn with pyvista; run as a module it draws what `scene` asks
+for.
+"""
+
+import asyncio
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pyvista as pv
+import xarray
+
+from ehl.solution import Array
+from ehl.units import MILLIMETRE
+
+from ..plot_style import common_film_range, film_range
+from ..reader import open_results
+from .controls import NUMBERS, add_controls, patch_numbers, write_movie
+from .geometry import Placement
+from .page import add_flat_labels, add_overlay
+from .parts import (
+    INK,
+    ColourScale,
+    Label,
+    add_bodies,
+    add_colour_bar,
+    add_field,
+    add_labels,
+    add_load,
+    aim,
+    fill_picture,
+    scene_labels,
+)
+from .patch import Patch
+from .rendering import read_request, require_rendering
+from .scene import LABELS, SceneOptions, check_scene
+
+NICE_FACTORS = (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 15.0, 20.0, 25.0, 30.0)
+PATCH_SIZE = 1.8  # of the largest patch, in ball radii: along the ball to both sides together
+LINE_COLOURS = {"film": "white", "pressure": "black"}
+BACKGROUND = "white"
+
+
+@dataclass(slots=True)
+class Scene:
+    """Bodies and fields of results, and the texts that a picture and a page show in two ways.
+
+    In a page the logarithm of a field is its colour, since vtk.js has no logarithmic scales.
+    """
+
+    plotter: pv.Plotter
+    options: SceneOptions
+    for_page: bool
+    title: str
+    note: str = ""  # states what is magnified
+    colours: ColourScale | None = None  # none without a film
+    mapper: Any = None  # of a coloured surface
+    labels: tuple[Label, ...] = ()
+    up: Array | None = None  # unit vector to the top of the picture [-]
+
+    def add_texts(self) -> None:
+        """Title, note, colour bar and labels of a picture."""
+        scale = self.options.scale
+        for text, corner, size in ((self.title, "upper_left", 17), (self.note, "lower_left", 13)):
+            self.plotter.add_text(text, position=corner, font_size=int(size * scale), color=INK)
+        if self.colours is not None:
+            add_colour_bar(self.plotter, self.mapper, self.colours.label, scale)
+        if self.labels:
+            add_labels(self.plotter, self.labels, scale)
+
+    def write_page(self, file: Path) -> None:
+        """The scene as a page of vtk.js, its texts laid over it."""
+        if self.up is not None:
+            add_flat_labels(self.plotter, self.labels, self.up)
+        asyncio.run(_export(self.plotter, str(file)))
+        add_overlay(file, self.title, self.note, self.colours)
+
+
+def bearing_scene(
+    directory: str | Path, options: SceneOptions | None = None, off_screen: bool = False
+) -> pv.Plotter:
+    """Plotter with the scene of a result directory: a bearing with its patches, or the surface of
+    one contact.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Result directory.
+    options : SceneOptions, optional
+    off_screen : bool
+
+    Returns
+    -------
+    pyvista.Plotter
+        To be shown, or to add to.
+
+    Raises
+    ------
+    ValueError, RenderingError
+        As `screenshot`.
+    """
+    check_scene(directory)
+    require_rendering()
+    scene = build_scene(Path(directory), options or SceneOptions(), off_screen=off_screen)
+    scene.add_texts()
+    return scene.plotter
+
+
+def build_scene(
+    directory: Path, options: SceneOptions, *, off_screen: bool, for_page: bool = False
+) -> Scene:
+    """Bodies, fields and camera of a result directory; the texts are still to be added."""
+    plotter = pv.Plotter(off_screen=off_screen, window_size=list(options.size))
+    plotter.set_background(BACKGROUND)
+    with open_results(directory) as tree:
+        scene = Scene(plotter, options, for_page, str(tree.attrs.get("title", "")))
+        if tree.attrs["kind"] == "contact":
+            _add_contact(scene, tree["contacts/contact"].to_dataset())
+        else:
+            _add_bearing(scene, directory, tree)
+    plotter.enable_anti_aliasing("ssaa")
+    return scene
+
+
+def _add_bearing(scene: Scene, directory: Path, tree: xarray.DataTree) -> None:
+    """Bodies, patches, load, labels, camera."""
+    balls = tree["contacts"].children.values() if "contacts" in tree.children else ()
+    contacts = [node for ball in balls for node in ball.children.values()]
+    patches = [Patch.read(node.to_dataset(inherit=False)) for node in contacts]
+    radius = 0.5 * float(tree["ring"].attrs["ball_diameter"])
+    placement = _placement(patches, radius, scene.options)
+    scene.note = _note(placement) if patches else "no films in these results"
+    add_bodies(scene.plotter, directory)
+    _add_patches(scene, patches, radius, placement)
+    add_load(scene.plotter, tree)
+    scene.labels = scene_labels(tree)
+    scene.up = aim(scene.plotter, tree)
+
+
+def _add_patches(scene: Scene, patches: list[Patch], radius: float, placement: Placement) -> None:
+    """Films or pressures on balls of `radius` [m], in common colours."""
+    quantity = scene.options.quantity
+    limits = _limits(patches, quantity)
+    colours = ColourScale(
+        quantity=quantity,
+        label=LABELS[quantity],
+        limits=limits,
+        logarithmic=quantity == "film" and len(patches) > 1,
+    )
+    for patch in patches:
+        mesh = pv.wrap(patch.mesh(radius, placement))
+        if quantity == "film":
+            mesh = _below(mesh, limits[1])
+        if not mesh.n_points:  # a failed solution may have no film within the scale
+            continue
+        mesh.field_data[NUMBERS] = [patch_numbers(patch)]
+        scene.mapper = add_field(scene.plotter, mesh, colours, logarithm_as_field=scene.for_page)
+        scene.colours = colours
+        lines = mesh.contour(patch.levels(quantity), scalars=quantity)
+        if lines.n_points:
+            scene.plotter.add_mesh(
+                lines, color=LINE_COLOURS[quantity], line_width=1.5, opacity=0.7
+            )
+
+
+def _below(mesh: Any, top: float) -> Any:
+    """The part of a surface where the film is below `top` [um]: the inlet would hide bodies and
+    contact.
+    """
+    return mesh.clip_scalar(scalars="film", value=top, invert=True).extract_surface(algorithm=None)
+
+
+def _note(placement: Placement) -> str:
+    """State the factors of the patches."""
+    rolling, transverse = placement.rolling, placement.transverse
+    note = f"patches magnified {rolling:g}x along and {transverse:g}x across the rolling direction"
+    if rolling == transverse == 1.0:
+        note = "patches in true size"
+    elif rolling == transverse:
+        note = f"patches magnified {rolling:g}x, as far as they fit the balls"
+    return note + (f"; film height exaggerated {placement.film:g}x" if placement.film else "")
+
+
+def _placement(patches: list[Patch], ball_radius: float, options: SceneOptions) -> Placement:
+    """Factors of the patches: as asked for, or so that the largest patch covers a good part of its
+    ball.
+    """
+    if options.magnification is not None:
+        rolling, transverse = options.magnification
+    else:
+        room = PATCH_SIZE * ball_radius / MILLIMETRE
+        rolling = _nice(room / max((float(np.ptp(p.x)) for p in patches), default=room))
+        transverse = _nice(room / max((float(np.ptp(p.y)) for p in patches), default=room))
+    return Placement(rolling=rolling, transverse=transverse, film=options.film_exaggeration)
+
+
+def _nice(factor: float) -> float:
+    """Largest of the round factors below `factor` [-], at least 1."""
+    return max(f for f in NICE_FACTORS if f <= max(factor, 1.0))
+
+
+def _limits(patches: list[Patch], quantity: str) -> tuple[float, float]:
+    """Ends of the common colour scale, in the unit of the quantity."""
+    if quantity == "pressure" or not patches:
+        return 0.0, max((float(p.pressure.max()) for p in patches), default=1.0)
+    if len(patches) == 1:
+        return film_range(patches[0].central, patches[0].minimum)
+    return common_film_range([p.central for p in patches], [p.minimum for p in patches])
+
+
+def _add_contact(scene: Scene, data: xarray.Dataset) -> None:
+    """One contact as a surface whose height is the quantity."""
+    quantity = scene.options.quantity
+    patch = Patch.read(data)
+    limits = _limits([patch], quantity)
+    height = 0.45 * min(float(np.ptp(patch.x)), float(np.ptp(patch.y)))
+    mesh = pv.wrap(patch.relief(quantity, height))
+    if quantity == "film":
+        mesh = _below(mesh, limits[1])
+    unit = data["P" if quantity == "pressure" else "h"].attrs["units"]
+    label = LABELS[quantity] if unit in ("m", "Pa") else f"{quantity} [{unit}]"
+    scene.colours = ColourScale(quantity=quantity, label=label, limits=limits)
+    scene.mapper = add_field(scene.plotter, mesh, scene.colours)
+    camera = scene.plotter.camera
+    camera.position = (-0.75, -1.35, 1.3)
+    camera.focal_point = (0.0, 0.0, 0.0)
+    camera.up = (0.0, 0.0, 1.0)
+    fill_picture(scene.plotter, 1.0)
+    length = data["x"].attrs["units"].replace("m", "mm")
+    extent = " by ".join(f"{c.min():.3g} ... {c.max():.3g}" for c in (patch.x, patch.y))
+    cut = ", cut off at the end of the colour scale" if quantity == "film" else ""
+    scene.note = f"height: {quantity}{cut}; shown: {extent} {length}; oil moves to the right"
+
+
+async def _export(plotter: Any, file: str) -> None:
+    """The page of vtk.js."""
+    from trame_pyvista.jupyter import launch_server
+
+    # of this process only, on the loopback interface: it serialises the scene
+    await launch_server().ready
+    plotter.trame.export_html(file)
+
+
+def draw_scene(directory: Path, file: Path | None, options: SceneOptions) -> None:
+    """Draw into a page, movie or picture, by the file's suffix, or open a window."""
+    suffix = "" if file is None else file.suffix.lower()
+    for_page = suffix.startswith(".htm")
+    scene = build_scene(directory, options, off_screen=file is not None, for_page=for_page)
+    if not for_page:
+        scene.add_texts()
+    if file is None:
+        add_controls(scene.plotter)
+        scene.plotter.show()
+    elif for_page:
+        scene.write_page(file)
+    elif suffix == ".gif":
+        write_movie(scene.plotter, file)
+    else:
+        scene.plotter.screenshot(str(file))
+    scene.plotter.close()
+
+
+if __name__ == "__main__":
+    folder, target, asked = read_request(sys.argv[1])
+    draw_scene(folder, target, SceneOptions(**asked))

@@ -1,0 +1,164 @@
+"""A simulated bearing in motion, read from its history: shapes at a time, steps for ParaView.
+
+Nothing is drawn here; `animation` draws the same shapes.
+"""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import xarray
+from numpy.typing import NDArray
+
+from ehl.solution import Array
+
+from ..dynamics.history import open_history
+from .geometry import (
+    Surface,
+    about_axis,
+    ball_surface,
+    cage_surface,
+    merge,
+    ring_shape,
+    ring_surface,
+    rotation,
+)
+from .vtk import add_array, add_field_data, collection_text, poly_data, write_block, write_text
+
+COLLECTION_FILE = "motion.pvd"
+STEP_FOLDER = "motion"
+RACES = ("inner", "outer")
+BALL_RINGS = 16  # of a ball's mesh
+RING_RESOLUTION = (16, 91)  # each step holds the ring anew
+FRAMES = 72
+TURNS = 0.5  # of the cage at the end of the history that are shown [-]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MovingBearing:
+    """Shapes of a bearing in their own frames [m], and the history that moves them."""
+
+    data: xarray.Dataset  # the rows shown, in memory, SI
+    ball: Surface
+    marks: Array  # at the points of a ball: 1 on dark, 0 on light eighths of it [-]
+    cage: Surface
+    ring: Surface
+
+    @classmethod
+    def read(cls, data: xarray.Dataset, frames: int, turns: float) -> "MovingBearing":
+        """Take evenly spaced rows of a history, over the last turns of the cage [-]."""
+        diameter = float(data.attrs["ball_diameter"])
+        ball, marks = marked_ball(0.5 * diameter)
+        return cls(
+            data=data.isel(time=shown_rows(data, frames, turns)).load(),
+            ball=ball,
+            marks=marks,
+            cage=cage_surface(float(data.attrs["pitch_diameter"]), diameter, data.sizes["ball"]),
+            ring=ring_surface(
+                ring_shape(data.attrs, inner=True), 0.0, (0.0, 0.0), RING_RESOLUTION
+            ),
+        )
+
+    def balls_at(self, row: int) -> Surface:
+        """All balls, at their places and in their attitudes."""
+        one = self.data.isel(time=row)
+        centres = one["ball_position"].to_numpy()
+        attitudes = one["ball_attitude"].to_numpy().astype(np.float64)
+        return merge(
+            [
+                _moved(self.ball, centre, rotation(attitude))
+                for centre, attitude in zip(centres, attitudes, strict=True)
+            ]
+        )
+
+    def cage_at(self, row: int) -> Surface:
+        """The cage."""
+        place = self.data["cage_position"].isel(time=row).to_numpy()
+        angle = float(self.data.attrs["first_ball_azimuth"]) + place[3]
+        return _moved(self.cage, place[:3], about_axis(angle))
+
+    def ring_at(self, row: int) -> Surface:
+        """The inner ring."""
+        one = self.data.isel(time=row)
+        turn = about_axis(float(one["ring_rotation"]))
+        return _moved(self.ring, one["ring_position"].to_numpy()[:3], turn)
+
+    def forces_at(self, row: int, race: str) -> tuple[Array, Array]:
+        """Points where a race pushes on the balls [m], and the forces [N], shapes (Z, 3)."""
+        one = self.data.isel(time=row)
+        centres = one["ball_position"].to_numpy().astype(np.float64)
+        load = one["contact_load"].sel(race=race).to_numpy()[:, None]
+        angle = one["contact_contact_angle"].sel(race=race).to_numpy()[:, None]
+        radial = centres * np.array([0.0, 1.0, 1.0])
+        radial /= np.linalg.norm(radial, axis=1, keepdims=True)
+        out = np.sin(angle) * np.array([1.0, 0.0, 0.0]) + np.cos(angle) * radial
+        normal = out if race == "outer" else -out
+        return centres + 0.5 * self.data.attrs["ball_diameter"] * normal, -load * normal
+
+
+def _moved(surface: Surface, place: Array, turn: Array) -> Surface:
+    return Surface(points=place + surface.points @ turn.T, quads=surface.quads)
+
+
+def marked_ball(radius: float) -> tuple[Surface, Array]:
+    """A ball of `radius` [m] and, at its points, 1 on dark and 0 on light eighths of it [-]."""
+    surface = ball_surface(np.zeros(3), radius, BALL_RINGS)
+    direction = surface.points / radius
+    return surface, (np.prod(np.sign(np.round(direction, 9)), axis=1) > 0.0).astype(np.float64)
+
+
+def shown_rows(data: xarray.Dataset, frames: int, turns: float) -> NDArray[np.int64]:
+    """Rows of the history that are shown, evenly spaced over the last turns of the cage [-]."""
+    place = data["ball_position"].sel(ball=1).to_numpy()
+    turned = np.unwrap(np.arctan2(place[:, 2], place[:, 1]))
+    in_last_turns = np.abs(turned - turned[-1]) < 2.0 * np.pi * turns
+    first = int(np.argmax(in_last_turns))
+    rows = np.linspace(first, turned.size - 1, min(frames, turned.size - first))
+    return np.unique(np.round(rows).astype(np.int64))
+
+
+def write_motion(directory: Path, frames: int = FRAMES, turns: float = TURNS) -> Path:
+    """Write the motion of a simulation for ParaView beside its history, without drawing.
+
+    Parameters
+    ----------
+    directory : Path
+        With `history.nc`.
+    frames : int
+        Steps at most.
+    turns : float
+        Of the cage, at the end of the history [-].
+
+    Returns
+    -------
+    Path
+        The .pvd file. Each step is one file: balls, cage and inner ring, lengths in [mm]; at the
+        points `mark` (0 and 1 on balls, 2 cage, 3 ring) and the loads of the ball there [N].
+    """
+    with open_history(directory) as data:
+        bearing = MovingBearing.read(data, frames, turns)
+    steps = {}
+    for row, time in enumerate(bearing.data["time"].to_numpy()):
+        name = f"{STEP_FOLDER}/step{row:04d}.vtp"
+        write_block(_step(bearing, row), directory / name)
+        steps[float(time)] = name
+    write_text(directory / COLLECTION_FILE, collection_text(steps))
+    return directory / COLLECTION_FILE
+
+
+def _step(bearing: MovingBearing, row: int) -> object:
+    """Balls, cage and ring at one time as vtkPolyData."""
+    bodies = (bearing.balls_at(row), bearing.cage_at(row), bearing.ring_at(row))
+    numbers = np.repeat((0.0, 2.0, 3.0), [len(body.points) for body in bodies])
+    of_balls = numbers == 0.0
+    grid = poly_data(merge(bodies))
+    loads = bearing.data["contact_load"].isel(time=row)
+    for race in RACES:
+        load = np.zeros_like(numbers)
+        load[of_balls] = np.repeat(loads.sel(race=race).to_numpy(), len(bearing.marks))
+        add_array(grid, f"{race} load [N]", load)
+    numbers[of_balls] = np.tile(bearing.marks, loads.sizes["ball"])
+    add_array(grid, "mark", numbers)
+    add_field_data(grid, "time [s]", float(bearing.data["time"][row]))
+    add_field_data(grid, "coordinates", "mm")
+    return grid
