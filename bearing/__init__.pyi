@@ -2,7 +2,7 @@ from .contacts.contacts import BearingContact, contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
 from .fits.clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget
 from .friction.equilibrium import solve_traction_equilibrium
-from .friction.sources import BallTraction
+from .friction.law import BallTraction
 from .geometry import (
     Bearing,
     Race,

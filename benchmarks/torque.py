@@ -7,10 +7,11 @@ from time import process_time
 
 from bearing import Operation, Race, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.friction.coulomb import balanced_friction
+from bearing.friction.law import BallTraction
 from bearing.friction.race_tables import build_race_tables
-from bearing.friction.sources import BallTraction, LawTraction
+from bearing.friction.sources import LawTraction
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.tabulated import law_torque, tabulated_torque
+from bearing.torque.integrated import law_torque
 from cases import Case, load_case
 from ehl.traction.table.build import TableOptions
 from ehl.traction.table.table import TractionTable
@@ -66,15 +67,16 @@ def measure_table(case: Case, laws: dict[Race, TractionTable], axial: float, rad
 
     def point() -> None:
         solved = solve_quasistatic(case.bearing, operation, case.model)
-        tabulated_torque(solved, contact_conditions(solved, case.lubricant), laws)
+        ready = contact_conditions(solved, case.lubricant)
+        law_torque(solved, ready, traction.source.at(solved, ready))
 
     def whole() -> None:
         solved = solve_traction_equilibrium(case.bearing, operation, None, traction)
         ready = contact_conditions(solved, case.lubricant)
-        law_torque(solved, ready, traction.source.prepare(solved, ready).law(solved, ready))
+        law_torque(solved, ready, traction.source.at(solved, ready))
 
     return (
-        spent(lambda: tabulated_torque(state, contacts, laws)),
+        spent(lambda: law_torque(state, contacts, traction.source.at(state, contacts))),
         spent(point),
         spent(lambda: solve_traction_equilibrium(case.bearing, operation, None, traction)),
         spent(whole),

@@ -1,8 +1,8 @@
 """Compiled friction of many contacts and its slope: laws of `ehl.traction`, by difference
 quotients, and Coulomb's; SI.
 
-Everything is arrays and floats. The twins are `tabulated.law_gradient`, contact by contact, and
-`contact_friction.coulomb_dissipation_twin`.
+Everything is arrays and floats; motion k = (S_x, S_y, Omega, omega). The NumPy twins are
+`tables.law_gradient`, contact by contact, and `coulomb_dissipation_twin` of tests/reference.
 """
 
 import numpy as np
@@ -18,7 +18,7 @@ def table_gradients(axes, constants, scalars, values, places, motion, step, grad
     places, shape (n, 3): load, entrainment speed, rolling radius; motion (n, 4); step: of slides
     over the speed and of spin over the speed over the radius.
     """
-    out, moved = np.empty(8), np.empty(3)
+    out, beside = np.empty(8), np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
         table_lookup(
@@ -37,10 +37,10 @@ def table_gradients(axes, constants, scalars, values, places, motion, step, grad
         slope[k] = 0.0
         for j in range(3):
             size = step * speed if j < 2 else step * speed / radius
-            moved[:] = motion[k, :3]
-            moved[j] += size
+            beside[:] = motion[k, :3]
+            beside[j] += size
             table_lookup(
-                axes, constants, scalars, values, load, speed, moved[0], moved[1], moved[2], out
+                axes, constants, scalars, values, load, speed, beside[0], beside[1], beside[2], out
             )
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
 
@@ -50,7 +50,7 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
     """As `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and shapes (n, 5)
     a contact each.
     """
-    out, moved = np.empty(8), np.empty(3)
+    out, beside = np.empty(8), np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
         law, shape = laws[k], shapes[k]
@@ -61,9 +61,9 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
         slope[k] = 0.0
         for j in range(3):
             size = step * speed if j < 2 else step * speed / radius
-            moved[:] = motion[k, :3]
-            moved[j] += size
-            hertz_friction(disc, law, shape, load, speed, moved[0], moved[1], moved[2], out)
+            beside[:] = motion[k, :3]
+            beside[j] += size
+            hertz_friction(disc, law, shape, load, speed, beside[0], beside[1], beside[2], out)
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
 
 
@@ -71,38 +71,41 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
 def coulomb_sums(nodes, ellipses, motion, power, gradient, slope):
     """Power (n,), gradient (n, 4) and slope (n, 4, 4) of Coulomb friction at motions (n, 4).
 
+    phi = mu sum p dA sqrt(s_x^2 + s_y^2 + e^2), s_x = S_x - Omega y - omega y^2/(2R),
+    s_y = S_y + Omega x.
+
     nodes, shape (3, m): x/b, y/a, share of the load; ellipses, shape (n, 5): mu Q, b, a, 1/(2R),
     rounding.
     """
     for n in range(motion.shape[0]):
-        friction, b, a, bend, rounding = ellipses[n]
+        friction, b, a, curvature, rounding = ellipses[n]
         slide_x, slide_y, spin, rolling = motion[n]
         p = g0 = g1 = g2 = g3 = c00 = c01 = c02 = c03 = c11 = c12 = c13 = c22 = c23 = c33 = 0.0
         for k in range(nodes.shape[1]):
             x, y = b * nodes[0, k], a * nodes[1, k]
-            bow = -bend * y * y
-            s0 = slide_x - spin * y + rolling * bow
+            curved = -curvature * y * y
+            s0 = slide_x - spin * y + rolling * curved
             s1 = slide_y + spin * x
             s2 = s1 * x - s0 * y
-            s3 = s0 * bow
+            s3 = s0 * curved
             square = s0 * s0 + s1 * s1 + rounding * rounding
             pull = friction * nodes[2, k] / np.sqrt(square)
-            bent = pull / square
+            stiffness = pull / square
             p += pull * square
             g0 += pull * s0
             g1 += pull * s1
             g2 += pull * s2
             g3 += pull * s3
-            c00 += pull - bent * s0 * s0
-            c01 -= bent * s0 * s1
-            c02 -= pull * y + bent * s0 * s2
-            c03 += pull * bow - bent * s0 * s3
-            c11 += pull - bent * s1 * s1
-            c12 += pull * x - bent * s1 * s2
-            c13 -= bent * s1 * s3
-            c22 += pull * (x * x + y * y) - bent * s2 * s2
-            c23 -= pull * y * bow + bent * s2 * s3
-            c33 += pull * bow * bow - bent * s3 * s3
+            c00 += pull - stiffness * s0 * s0
+            c01 -= stiffness * s0 * s1
+            c02 -= pull * y + stiffness * s0 * s2
+            c03 += pull * curved - stiffness * s0 * s3
+            c11 += pull - stiffness * s1 * s1
+            c12 += pull * x - stiffness * s1 * s2
+            c13 -= stiffness * s1 * s3
+            c22 += pull * (x * x + y * y) - stiffness * s2 * s2
+            c23 -= pull * y * curved + stiffness * s2 * s3
+            c33 += pull * curved * curved - stiffness * s3 * s3
         power[n] = p
         gradient[n] = g0, g1, g2, g3
         slope[n, 0] = c00, c01, c02, c03

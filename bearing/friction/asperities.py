@@ -9,10 +9,6 @@ shears the rest: mu = xi mu_b + (1 - xi) mu_film.
 
 from math import erf
 
-import numpy as np
-
-from ..geometry import Array
-
 
 def asperity_share(lambda_ratio: float) -> float:
     """xi = 1 - erf(lambda): share of the load on asperities, from the film over the rms roughness
@@ -21,24 +17,3 @@ def asperity_share(lambda_ratio: float) -> float:
     if lambda_ratio < 0.0:
         raise ValueError(f"lambda_ratio must not be negative, got {lambda_ratio!r}")
     return 1.0 - erf(lambda_ratio)
-
-
-def mixed_friction(lambda_ratio: Array, film: float, boundary: float) -> Array:
-    """xi mu_b + (1 - xi) mu_film of many contacts.
-
-    Parameters
-    ----------
-    lambda_ratio : ndarray
-        Film over roughness; infinite where there is none [-].
-    film, boundary : float
-        Coefficients of friction of the full film and of asperities [-].
-
-    Returns
-    -------
-    ndarray
-        [-].
-    """
-    share = np.array([asperity_share(float(value)) for value in np.ravel(lambda_ratio)]).reshape(
-        np.shape(lambda_ratio)
-    )
-    return share * boundary + (1.0 - share) * film

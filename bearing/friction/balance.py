@@ -3,7 +3,7 @@ given contact loads.
 
 The unknowns of a ball are its orbit speed and the three components of its rotation, all contacts'
 sliding is linear in them, and the balance is the minimum of the friction power plus that of the
-gyroscopic couple (`contact_friction`): one convex problem a ball, solved for all balls together by
+gyroscopic couple (`coulomb`): one convex problem a ball, solved for all balls together by
 Newton's method. The loads and contact angles are those of the quasi-static solution. A ball
 without load at the inner race rolls on the outer one with the cage, and what this costs the other
 balls push into the cage.
@@ -11,6 +11,7 @@ balls push into the cage.
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,20 +27,18 @@ from ..contacts.motion import (
 from ..geometry import Array
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
-from .ellipse import TINY
-from .newton import BALANCE_TOLERANCE, ContactLaw, MotionProblem, contacts_of, settle
-from .resistance import FREE, Resistance
+from .law import TINY, ContactLaw
+from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, solve_with_couple_steps
+from .resistance import NO_RESISTANCE, Resistance
 
-# sliding over entrainment from which a ball is taken along by the cage instead of driven [-]
-SKID = 0.3
-SKID_ROUNDS = 4  # of taking balls out
-CAGE_STEPS = 20  # rounds of its push
+# sliding over entrainment from which a ball counts as driven by the cage [-]
+SKID_RATIO = 0.3
+SKID_ROUNDS = 4
+CAGE_STEPS = 20  # rounds of the push of the cage
 CAGE_TARGET = 1.0e-8  # change to stop at
 CAGE_TOLERANCE = 1.0e-6  # to accept [-]
-# change of the push that is asked for with the push taken up to which secants go [-]
-STEEPEST = 0.5
-# orbit, rotation about e_x and e_r: all that the line law knows
-PLANE = np.array([True, True, True, False])
+# slope of the required over the applied push beyond which a secant is not taken [-]
+MAX_SECANT_SLOPE = 0.5
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -67,12 +66,12 @@ class BalancedFriction:
         Largest force or moment (over the ball's radius) left on a ball, over the friction mu Q
         [-].
     cage_change : float
-        Push of the cage at the motion found less the push it was found with, over the push [-].
+        Push of the cage that the motion requires less the one applied, over the push [-].
     driven : ndarray of bool, shape (balls,)
-        Balls that the inner race drives; the others go with the cage.
+        Balls that the inner race drives; the others are driven by the cage.
     unknowns, cage : ndarray, shape (balls, 4) and (balls,)
-        Change of the motion, scaled to speeds [m/s], from where another search may begin, and push
-        of the cage [N].
+        Change of the motion, scaled to speeds [m/s], a guess for a similar law, and push of the
+        cage [N].
     converged : bool
     """
 
@@ -119,31 +118,31 @@ def balance_driven_balls(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     law: ContactLaw,
-    resistance: Resistance = FREE,
+    resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
-    """As `balance_balls`, with balls that would skid given to the cage.
+    """As `balance_balls`, with balls that would skid driven by the cage, SI.
 
     Where the oil's resistance asks more traction than a light contact has, the ball would slide at
-    speeds for which its film was not solved; beyond `SKID` of the entrainment it counts as one
-    that the inner race does not drive. So do those that the equilibrium found to be carried. SI.
+    speeds for which its film was not solved; beyond `SKID_RATIO` of the entrainment the inner race
+    counts as not driving it. So it does for balls that are cage-driven in the equilibrium.
     """
-    driven = (solution.inner_load > 0.0) & ~solution.carried
-    found = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
+    driven = (solution.inner_load > 0.0) & ~solution.cage_driven
+    balance = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
     for _ in range(SKID_ROUNDS):
-        skidding = driven & (sliding_ratio(found, contacts) > SKID)
+        skidding = driven & (sliding_ratio(balance, contacts) > SKID_RATIO)
         if not skidding.any():
             break
         driven = driven & ~skidding
-        found = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
-    return found
+        balance = balance_balls(solution, contacts, law, driven=driven, resistance=resistance)
+    return balance
 
 
-def sliding_ratio(found: BalancedFriction, contacts: Sequence[BearingContact]) -> Array:
+def sliding_ratio(balance: BalancedFriction, contacts: Sequence[BearingContact]) -> Array:
     """Larger sliding over entrainment of the two contacts of each ball, shape (balls,) [-]."""
     speed = np.array(
         [np.inf if c.conditions is None else c.conditions.entrainment_speed for c in contacts]
     )
-    slide = np.hypot(found.kinematics[..., 0], found.kinematics[..., 1]) / speed.reshape(-1, 2)
+    slide = np.hypot(balance.kinematics[..., 0], balance.kinematics[..., 1]) / speed.reshape(-1, 2)
     return np.asarray(slide.max(axis=1))
 
 
@@ -154,10 +153,10 @@ def balance_balls(
     *,
     gyroscopic: bool = True,
     driven: NDArray[np.bool_] | None = None,
-    near: BalancedFriction | None = None,
-    resistance: Resistance = FREE,
+    initial_guess: BalancedFriction | None = None,
+    resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
-    """Motion of all balls in which a law of friction balances itself on each of them.
+    """Motion of all balls in which a law of friction balances itself on each of them, SI.
 
     Parameters
     ----------
@@ -168,102 +167,115 @@ def balance_balls(
     gyroscopic : bool
         Whether the contacts have to hold the gyroscopic couple.
     driven : ndarray of bool, shape (balls,), optional
-        Balls that the inner race drives, the others going with the cage; None: those with load
-        there.
-    near : BalancedFriction, optional
-        Of a law nearby with the same balls driven, from where the search begins.
+        Balls that the inner race drives, the others being driven by the cage; None: those with
+        load there.
+    initial_guess : BalancedFriction, optional
+        Of a similar law with the same balls driven.
     resistance : Resistance, optional
         Drag of the oil around the balls and of the cage's guidance.
-
-    Returns
-    -------
-    BalancedFriction
-        Speeds in [rad/s], forces in [N].
     """
     loaded = solution.inner_load > 0.0
-    move = motion_map(solution, contacts)
-    problem = _problem(
-        solution, contacts, law, (loaded if driven is None else driven & loaded, move)
-    )
+    kinematics = motion_map(solution, contacts)
+    race_driven = loaded if driven is None else driven & loaded
+    problem = _problem(solution, contacts, law, race_driven, kinematics)
     problem = replace(problem, drag=resistance.drag(_speeds(solution)))
-    turned = gyroscopic and not law.plane
-    if turned:
-        problem = replace(problem, couple=_couple(solution, problem.driven))
-    z = np.zeros(problem.couple.shape) if near is None else near.unknowns
-    if turned:
-        problem = replace(problem, turning=_turning(solution, problem.driven))
-    return _result(solution, move, _with_push(solution, problem, z, resistance), resistance)
+    if gyroscopic and not law.longitudinal_only:
+        problem = replace(
+            problem,
+            gyroscopic_couple=_gyroscopic_couple(solution, race_driven),
+            gyroscopic_matrix=_gyroscopic_matrix(solution, race_driven),
+        )
+    shape = problem.gyroscopic_couple.shape
+    start = np.zeros(shape) if initial_guess is None else initial_guess.unknowns
+    balance = _balance_cage(solution, problem, start, resistance)
+    return _result(solution, kinematics, balance, resistance)
 
 
-def _with_push(
+class _CageBalance(NamedTuple):
+    """Balance of balls and cage: z [m/s], residual of each ball and change of the cage's push [-]."""
+
+    problem: MotionProblem
+    z: Array
+    residual: Array
+    change: float
+
+
+def _balance_cage(
     solution: QuasistaticSolution, problem: MotionProblem, start: Array, resistance: Resistance
-) -> tuple[MotionProblem, Array, Array, float]:
-    """The problem with the push of the cage, z, the residual of each ball and the change of the
-    push, all that it is.
+) -> _CageBalance:
+    """Balls in balance under the push of the cage that they themselves ask for.
 
-    Balls that the inner race does not drive go with the cage, at a speed that follows from the
-    others' balance under the push; the push that they then ask for is compared with the one taken,
-    and found by secants.
+    Balls that the inner race does not drive move with the cage, at a speed that follows from the
+    others' balance under the push; the push is found by secants.
     """
-    z = _with_the_cage(solution, problem.driven, start)
-    problem = replace(problem, cage=_cage_force(solution, problem, z, resistance))
-    before: tuple[Array, Array] | None = None  # push taken and asked for, of the round before [N]
+    # 1. start with the cage at the mean speed of the balls that drive it
+    z = _cage_driven_motion(solution, problem.driven, start)
+    problem = replace(problem, cage_force=_cage_force(solution, problem, z, resistance))
+    last: tuple[Array, Array] | None = None  # push applied and required in the last round [N]
     for _ in range(CAGE_STEPS):
-        z, residual = settle(problem, z)
-        z = _with_the_cage(solution, problem.driven, z)
-        taken = problem.cage
-        asked = _cage_force(solution, problem, z, resistance)
-        largest = float(max(np.abs(asked).max(), np.abs(taken).max()))
-        change = float(np.abs(asked - taken).max()) / largest if largest > 0.0 else 0.0
-        if change <= CAGE_TARGET or (
-            before is not None and not residual.max() <= BALANCE_TOLERANCE
-        ):
+        # 2. balance of the race-driven balls under the push
+        z, residual = solve_with_couple_steps(problem, z)
+        # 3. motion of the others, and the push that this requires
+        z = _cage_driven_motion(solution, problem.driven, z)
+        applied = problem.cage_force
+        required = _cage_force(solution, problem, z, resistance)
+        largest = float(max(np.abs(required).max(), np.abs(applied).max()))
+        change = float(np.abs(required - applied).max()) / largest if largest > 0.0 else 0.0
+        failed = last is not None and not residual.max() <= BALANCE_TOLERANCE
+        if change <= CAGE_TARGET or failed:
             break
-        problem = replace(problem, cage=_next_push(taken, asked, before))
-        before = taken, asked
-    return replace(problem, cage=taken), z, residual, change
+        # 4. next push by a secant
+        problem = replace(problem, cage_force=_secant_cage_force(applied, required, last))
+        last = applied, required
+    return _CageBalance(replace(problem, cage_force=applied), z, residual, change)
 
 
-def _next_push(taken: Array, asked: Array, before: tuple[Array, Array] | None) -> Array:
-    """The push [N] at which a line through two rounds asks for what is taken; what is asked for
-    where it is steep.
+def _secant_cage_force(applied: Array, required: Array, last: tuple[Array, Array] | None) -> Array:
+    """Push [N] at which the line through two rounds requires what is applied; the required one
+    where the line is steep.
     """
-    if before is None:
-        return asked
-    at = int(np.abs(taken).argmax())  # pushes of all rounds are in one proportion, by the loads
-    step = float(taken[at] - before[0][at])
-    slope = float(asked[at] - before[1][at]) / step if step != 0.0 else np.inf
-    return asked + slope / (1.0 - slope) * (asked - taken) if abs(slope) < STEEPEST else asked
+    if last is None:
+        return required
+    at = int(np.abs(applied).argmax())  # pushes of all rounds are in one proportion, by the loads
+    step = float(applied[at] - last[0][at])
+    slope = float(required[at] - last[1][at]) / step if step != 0.0 else np.inf
+    if abs(slope) >= MAX_SECANT_SLOPE:
+        return required
+    return required + slope / (1.0 - slope) * (required - applied)
 
 
 def _problem(
     solution: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     law: ContactLaw,
-    moved: tuple[NDArray[np.bool_], MotionMap],
+    driven: NDArray[np.bool_],
+    kinematics: MotionMap,
 ) -> MotionProblem:
-    driven, move = moved
     bearing = solution.bearing
     balls = solution.azimuth.size
     scales = np.array([2.0 / bearing.pitch_diameter, *(3 * (2.0 / bearing.ball_diameter,))])
-    start = move.motion(*ball_speeds(solution))
-    slopes = np.concatenate([-move.by_ring[:, :, None], move.by_rotation], axis=2) * scales
-    free = np.tile(PLANE, (balls, 1)) if law.plane else np.ones((balls, 4), dtype=np.bool_)
+    start = kinematics.motion(*ball_speeds(solution))
+    slopes = (
+        np.concatenate([-kinematics.by_ring[:, :, None], kinematics.by_rotation], axis=2) * scales
+    )
+    free = np.ones((balls, 4), dtype=np.bool_)
+    if law.longitudinal_only:
+        free[:, 3] = False  # no rotation about the tangent of the orbit
     free &= driven[:, None]
     shape = (balls, 2)
     return MotionProblem(
         law=law,
         start=start.reshape(*shape, 4),
-        map=slopes.reshape(*shape, 4, 4),
-        couple=np.zeros((balls, 4)),
-        turning=np.zeros((balls, 4, 4)),
-        cage=np.zeros(balls),
+        slopes=slopes.reshape(*shape, 4, 4),
+        gyroscopic_couple=np.zeros((balls, 4)),
+        gyroscopic_matrix=np.zeros((balls, 4, 4)),
+        cage_force=np.zeros(balls),
         drag=np.zeros(balls),
         free=free,
-        reach=curvature_slip(solution, contacts, start).reshape(shape).max(axis=1),
-        strength=law.strength.reshape(shape).max(axis=1),
+        reference_slip=curvature_slip(solution, contacts, start).reshape(shape).max(axis=1),
+        reference_force=law.reference_force.reshape(shape).max(axis=1),
         driven=driven,
-        ring=move.ring.reshape(*shape, 4),
+        ring_motion=kinematics.ring.reshape(*shape, 4),
     )
 
 
@@ -275,27 +287,27 @@ def _inertia(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
         * ball_mass(bearing.ball_diameter, bearing.ball_material.density)
         * bearing.ball_diameter**2
     )
-    found = inertia * solution.orbit_speed * 2.0 / bearing.ball_diameter
-    return np.where(driven, found, 0.0)
+    return np.where(driven, inertia * solution.orbit_speed * 2.0 / bearing.ball_diameter, 0.0)
 
 
-def _couple(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
+def _gyroscopic_couple(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
     """Gyroscopic couple J w_m e_x x w = J w_m (w_r e_t - w_t e_r) at the start, by the scaled
     unknowns [N].
     """
     scale = _inertia(solution, driven)
-    found = np.zeros((solution.azimuth.size, 4))
-    found[:, 3] = scale * solution.spin_speed * np.sin(solution.attitude)
-    found[:, 2] = -scale * solution.pivot_speed
-    return found
+    couple = np.zeros((solution.azimuth.size, 4))
+    couple[:, 3] = scale * solution.spin_speed * np.sin(solution.attitude)
+    couple[:, 2] = -scale * solution.pivot_speed
+    return couple
 
 
-def _turning(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
+def _gyroscopic_matrix(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
     """Change of the gyroscopic couple with the scaled unknowns [N s/m]; skew, hence without power."""
     scale = _inertia(solution, driven) * 2.0 / solution.bearing.ball_diameter
-    found = np.zeros((driven.size, 4, 4))
-    found[:, 3, 2], found[:, 2, 3] = scale, -scale
-    return found
+    matrix = np.zeros((driven.size, 4, 4))
+    matrix[:, 3, 2] = scale
+    matrix[:, 2, 3] = -scale
+    return matrix
 
 
 def _speeds(solution: QuasistaticSolution) -> Array:
@@ -327,18 +339,18 @@ def _cage_force(
     driving = problem.driven
     load = np.where(driving, solution.inner_load, 0.0)
     speed = _speeds(solution) + z[:, 0]
-    pushing = float((load * speed).sum())
-    if pushing == 0.0:
+    driving_power = float((load * speed).sum())
+    if driving_power == 0.0:
         return np.zeros(driving.size)
-    wanted = resistance.cage_power(solution, _cage_speed(solution, load, z))
+    power = resistance.cage_power(solution, _cage_speed(solution, load, z))
     others = np.flatnonzero(~driving)
     if others.size:
-        k = problem.start[others] + np.einsum("bckj,bj->bck", problem.map[others], z[others])
-        found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(others))
-        # less what a ring pays [W]
-        heat = float((found.gradient.reshape(k.shape) * (k - problem.ring[others])).sum())
-        wanted += heat + float((problem.drag * speed)[others].sum())
-    return load * wanted / max(abs(pushing), TINY) * np.sign(pushing)
+        k = problem.start[others] + np.einsum("bckj,bj->bck", problem.slopes[others], z[others])
+        gradient = problem.law.evaluate(k.reshape(-1, 4), contacts_of(others)).gradient
+        # heat less what the rings feed in [W]
+        heat = float((gradient.reshape(k.shape) * (k - problem.ring_motion[others])).sum())
+        power += heat + float((problem.drag * speed)[others].sum())
+    return load * power / max(abs(driving_power), TINY) * np.sign(driving_power)
 
 
 def _cage_speed(solution: QuasistaticSolution, load: Array, z: Array) -> float:
@@ -349,7 +361,9 @@ def _cage_speed(solution: QuasistaticSolution, load: Array, z: Array) -> float:
     )
 
 
-def _with_the_cage(solution: QuasistaticSolution, driving: NDArray[np.bool_], z: Array) -> Array:
+def _cage_driven_motion(
+    solution: QuasistaticSolution, driving: NDArray[np.bool_], z: Array
+) -> Array:
     """The unknowns [m/s] with balls that the inner race does not drive at the mean orbit speed of
     those that do.
     """
@@ -360,15 +374,15 @@ def _with_the_cage(solution: QuasistaticSolution, driving: NDArray[np.bool_], z:
     outer = solution.operation.outer_speed
     radius = 0.5 * bearing.pitch_diameter
     mean = _cage_speed(solution, np.where(driving, load, 0.0), z)
-    moved = z.copy()
+    shifted = z.copy()
     rotation = ball_speeds(solution)[1]
     for i in np.flatnonzero(~driving):
         own = float(solution.orbit_speed[i])
         # rolling goes with the orbit
         faster = (mean - outer) / (own - outer) - 1.0 if own != outer else 0.0
-        moved[i, 0] = radius * (mean - own)
-        moved[i, 1:] = 0.5 * bearing.ball_diameter * faster * rotation[i]
-    return moved
+        shifted[i, 0] = radius * (mean - own)
+        shifted[i, 1:] = 0.5 * bearing.ball_diameter * faster * rotation[i]
+    return shifted
 
 
 def _shifted(solution: QuasistaticSolution, z: Array) -> tuple[Array, Array]:
@@ -381,19 +395,19 @@ def _shifted(solution: QuasistaticSolution, z: Array) -> tuple[Array, Array]:
 
 def _result(
     solution: QuasistaticSolution,
-    move: MotionMap,
-    settled: tuple[MotionProblem, Array, Array, float],
+    kinematics: MotionMap,
+    balance: _CageBalance,
     resistance: Resistance,
 ) -> BalancedFriction:
-    problem, z, residual, change = settled
+    problem, z, residual, change = balance
     shape = problem.start.shape[:2]
-    k = problem.start + np.einsum("bckj,bj->bck", problem.map, z)
-    found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(np.arange(shape[0])))
-    forces = -found.gradient.reshape(*shape, 4)
+    k = problem.start + np.einsum("bckj,bj->bck", problem.slopes, z)
+    friction = problem.law.evaluate(k.reshape(-1, 4), contacts_of(np.arange(shape[0])))
+    forces = -friction.gradient.reshape(*shape, 4)
     power = -np.einsum("bck,bck->bc", forces, k)
     orbit, rotation = _shifted(solution, z)
-    ball_rolling = np.einsum("cj,cj->c", move.by_rotation[:, 3], rotation[move.ball])
-    loaded = problem.strength > 0.0
+    ball_rolling = np.einsum("cj,cj->c", kinematics.by_rotation[:, 3], rotation[kinematics.ball])
+    loaded = problem.reference_force > 0.0
     worst = float(residual[loaded].max(initial=0.0))
     load = np.where(problem.driven, solution.inner_load, 0.0)
     resisted = float((problem.drag * (_speeds(solution) + z[:, 0])).sum())
@@ -408,13 +422,13 @@ def _result(
         forces=forces,
         ball_rolling=ball_rolling.reshape(shape),
         power=power,
-        shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring)),
+        shaft_power=-float(np.einsum("bck,bck->", forces, problem.ring_motion)),
         resisted=resisted,
         residual=worst,
         cage_change=change,
         driven=problem.driven,
         unknowns=z,
-        cage=problem.cage,
+        cage=problem.cage_force,
         converged=bool(
             solution.converged
             and problem.driven.any()

@@ -1,65 +1,182 @@
-"""Balls in balance of Coulomb friction: by the lines of pure rolling, or over the whole ellipse in
-both directions.
+r"""Coulomb friction of ball and race over the Hertz ellipse, a potential of their relative motion.
+
+With the motion k = (S_x, S_y, Omega, omega) of ball against race
+(`ehl.kinematics.ContactKinematics`) the ball slides at
+
+    s_x = S_x - Omega y - omega y^2/(2 R),      s_y = S_y + Omega x,
+
+which is linear in k. Friction mu p against the sliding is then the gradient of the power
+:math:`\phi(k) = \mu \iint p\,|s|\,dA`, a convex function:
+
+    d phi/dk = -(F_x, F_y, M_n, M_y),   forces and moments on the ball about n and y at the
+    contact's centre,
+
+so that the motion in which friction balances itself on the ball is the one of least power. Two
+laws: the full integral over the ellipse, and the one of narrow ellipses, which leaves out s_y
+(lines of pure rolling; Jones, 1959). Array axes: contacts first.
 """
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..contacts.contacts import BearingContact
 from ..contacts.motion import groove_curvature_radius
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
-from .balance import BalancedFriction, ContactLaw, balance_balls, curvature_slip
-from .ellipse import Ellipses, coulomb_dissipation, line_dissipation
+from . import _kernels
+from .balance import BalancedFriction, balance_balls, curvature_slip
+from .law import TINY, ContactLaw, Dissipation
 
-# of Coulomb's law, over the largest sliding that the curvature of the contact makes [-]
+LINE_NODES = 48  # along the transverse axis
+CHORD_NODES = 8  # and along each chord in the rolling direction
+# e of Coulomb's law, over the largest sliding that the curvature of the contact makes [-]
 ROUNDING = 3.0e-3
 
 
-def balanced_friction(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    friction: float | Array,
-    *,
-    lines: bool = False,
-    gyroscopic: bool = True,
-) -> BalancedFriction:
-    """Motion of all balls in balance under Coulomb friction, and what it costs.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Ellipses:
+    """Loaded ellipses of contacts, each of shape (N,).
+
+    Attributes
+    ----------
+    load : ndarray
+        Q [N]; zero where there is no contact.
+    semi_axis_x, semi_axis_y : ndarray
+        Along and across the rolling direction [m]; positive also where unloaded.
+    radius : ndarray
+        R of the loaded surface across the rolling direction [m].
+    friction : ndarray
+        Coulomb's mu [-].
+    rounding : ndarray
+        e, speed of sliding below which friction is rounded off where it is integrated by
+        quadrature [m/s].
+    """
+
+    load: Array
+    semi_axis_x: Array
+    semi_axis_y: Array
+    radius: Array
+    friction: Array
+    rounding: Array
+
+    def take(self, numbers: NDArray[np.int64]) -> "Ellipses":
+        """Those with these numbers [-]."""
+        return Ellipses(
+            load=self.load[numbers],
+            semi_axis_x=self.semi_axis_x[numbers],
+            semi_axis_y=self.semi_axis_y[numbers],
+            radius=self.radius[numbers],
+            friction=self.friction[numbers],
+            rounding=self.rounding[numbers],
+        )
+
+
+def line_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
+    """Friction of narrow ellipses: exact integrals between the lines of pure rolling, the roots of
+    s_x.
 
     Parameters
     ----------
-    solution : QuasistaticSolution
-    contacts : sequence of BearingContact
-        All of its contacts, inner then outer, ball by ball.
-    friction : float or ndarray, shape (contacts,)
-        Coulomb's mu [-].
-    lines : bool
-        Leave out the sliding across the rolling direction, as models by lines of pure rolling do;
-        the gyroscopic couple, which such a model cannot carry, is then left out too.
-    gyroscopic : bool
-        Whether the contacts have to hold the gyroscopic couple.
+    motion : ndarray, shape (N, 4)
+        S_x, S_y [m/s], Omega and omega [rad/s]; S_y is not looked at.
+    ellipses : Ellipses
 
     Returns
     -------
-    BalancedFriction
-        In SI; not `converged` where the friction cannot hold a ball.
+    Dissipation
+        In [W] and its derivatives.
     """
-    found = contact_ellipses(solution, contacts, friction)
-    chosen = line_dissipation if lines else coulomb_dissipation
-    law = ContactLaw(
-        dissipation=lambda motion, numbers: chosen(motion, found.some(numbers)),
-        strength=found.friction * found.load,
-        plane=lines,
+    a = ellipses.semi_axis_y
+    slide = motion[:, 0]
+    tilt = motion[:, 2] * a
+    heathcote = motion[:, 3] * a**2 / (2.0 * ellipses.radius)
+    roots = _roots(slide, tilt, heathcote)
+    signs = np.where(heathcote >= 0.0, 1.0, -1.0)
+    between = np.clip(roots, -1.0, 1.0)
+    moments = [
+        signs * (2.0 * (_moment(between[1], n) - _moment(between[0], n)) - _WHOLE[n])
+        for n in range(3)
+    ]
+    scale = ellipses.friction * ellipses.load
+    arms = np.stack(
+        [np.ones_like(a), np.zeros_like(a), -a, -(a**2) / (2.0 * ellipses.radius)], axis=1
     )
-    return balance_balls(solution, contacts, law, gyroscopic=gyroscopic)
+    gradient = (
+        scale[:, None] * arms * np.stack([moments[0], 0.0 * a, moments[1], moments[2]], axis=1)
+    )
+    curvature = np.zeros((a.size, 4, 4))
+    for u in roots:
+        inside = np.abs(u) < 1.0
+        v = np.where(inside, u, 0.0)
+        slope = np.maximum(
+            np.abs(tilt + 2.0 * heathcote * v), 1e-9 * (np.abs(tilt) + np.abs(heathcote)) + TINY
+        )
+        weight = np.where(inside, scale * 1.5 * (1.0 - v**2) / slope, 0.0)
+        arm = arms * np.stack([np.ones_like(v), np.zeros_like(v), v, v**2], axis=1)
+        curvature += weight[:, None, None] * arm[:, :, None] * arm[:, None, :]
+    return Dissipation(np.einsum("nk,nk->n", gradient, motion), gradient, curvature)
+
+
+_WHOLE = (1.0, 0.0, 0.2)  # integrals of 3/4 (1 - u^2) u^n over the contact
+
+
+def _moment(u: Array, power: int) -> Array:
+    """Integral of 3/4 (1 - u^2) u^n from 0 [-]."""
+    return 0.75 * (u ** (power + 1) / (power + 1) - u ** (power + 3) / (power + 3))
+
+
+def _roots(slide: Array, tilt: Array, heathcote: Array) -> Array:
+    """Roots of heathcote u^2 + tilt u - slide, the lower first, shape (2, N) [-]; both at 2 where there
+    are none.
+    """
+    discriminant = tilt**2 + 4.0 * heathcote * slide
+    with np.errstate(divide="ignore", invalid="ignore"):
+        q = -0.5 * (
+            tilt + np.where(tilt >= 0.0, 1.0, -1.0) * np.sqrt(np.maximum(discriminant, 0.0))
+        )
+        pair = np.stack([q / heathcote, -slide / q])
+    pair = np.nan_to_num(pair, nan=0.0, posinf=1e30, neginf=-1e30)
+    return np.where(discriminant > 0.0, np.sort(pair, axis=0), 2.0)
+
+
+def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
+    """Friction over the whole ellipse, both directions of sliding, by quadrature; motion as in
+    `line_dissipation`.
+
+    |s| is rounded to sqrt(s^2 + e^2) [m/s]. Hertz's pressure is taken into the weights.
+    """
+    e = ellipses
+    n = motion.shape[0]
+    shapes = np.stack(
+        [e.friction * e.load, e.semi_axis_x, e.semi_axis_y, 0.5 / e.radius, e.rounding], axis=1
+    )
+    result = Dissipation(np.empty(n), np.empty((n, 4)), np.empty((n, 4, 4)))
+    _kernels.coulomb_sums(_nodes(), shapes, motion, *result)
+    return result
+
+
+@cache
+def _nodes() -> Array:
+    """Places x/b and y/a, and weights p dA/Q of the quadrature, shape (3, nodes) [-]."""
+    u, along = np.polynomial.legendre.leggauss(LINE_NODES)
+    # Gauss-Chebyshev, second kind
+    angle = np.pi * (np.arange(CHORD_NODES) + 1.0) / (CHORD_NODES + 1.0)
+    t = np.cos(angle)
+    across = 2.0 / (CHORD_NODES + 1.0) * np.sin(angle) ** 2
+    weight = 0.75 * ((1.0 - u**2) * along)[:, None] * across[None, :]
+    chord = np.sqrt(1.0 - u**2)[:, None] * t[None, :]
+    return np.stack([chord.ravel(), np.repeat(u, t.size), weight.ravel()])
 
 
 def contact_ellipses(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
 ) -> Ellipses:
-    """The ellipses of all contacts under Coulomb's mu [-], lengths in [m]; friction rounded as
-    `ROUNDING` says.
+    """The ellipses of all contacts under Coulomb's mu [-], lengths in [m]; friction rounded by
+    `ROUNDING`.
     """
     hertz = [c.hertz for c in contacts]
     radius = np.array([groove_curvature_radius(solution.bearing, c.race) for c in contacts])
@@ -72,3 +189,54 @@ def contact_ellipses(
         friction=np.broadcast_to(np.asarray(friction, dtype=np.float64), radius.shape),
         rounding=ROUNDING * curvature_slip(solution, contacts),
     )
+
+
+def coulomb_law(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
+) -> ContactLaw:
+    """Coulomb's mu [-] over the ellipses of all contacts, one value or one a contact."""
+    ellipses = contact_ellipses(solution, contacts, friction)
+    return ContactLaw(
+        evaluate=lambda motion, numbers: coulomb_dissipation(motion, ellipses.take(numbers)),
+        reference_force=ellipses.friction * ellipses.load,
+        has_rolling_resistance=False,
+    )
+
+
+def line_law(
+    solution: QuasistaticSolution, contacts: Sequence[BearingContact], friction: float | Array
+) -> ContactLaw:
+    """As `coulomb_law` by lines of pure rolling: without sliding across the rolling direction."""
+    ellipses = contact_ellipses(solution, contacts, friction)
+    return ContactLaw(
+        evaluate=lambda motion, numbers: line_dissipation(motion, ellipses.take(numbers)),
+        reference_force=ellipses.friction * ellipses.load,
+        longitudinal_only=True,
+        has_rolling_resistance=False,
+    )
+
+
+def balanced_friction(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    friction: float | Array,
+    *,
+    lines: bool = False,
+    gyroscopic: bool = True,
+) -> BalancedFriction:
+    """Motion of all balls in balance under Coulomb friction, and what it costs, in SI.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+    contacts : sequence of BearingContact
+        All of its contacts, inner then outer, ball by ball.
+    friction : float or ndarray, shape (contacts,)
+        Coulomb's mu [-].
+    lines : bool
+        By lines of pure rolling, which cannot hold the gyroscopic couple: it is left out.
+    gyroscopic : bool
+        Whether the contacts have to hold the gyroscopic couple.
+    """
+    law = (line_law if lines else coulomb_law)(solution, contacts, friction)
+    return balance_balls(solution, contacts, law, gyroscopic=gyroscopic)

@@ -2,13 +2,13 @@
 of a hypothesis.
 
 Two balances are solved in turn until neither changes: ring and balls under the loads, the balls'
-motion and the friction on them held (`solve_held_balls`); and on each ball the force along the
-orbit and the three moments, the contact loads and angles held (`bearing.friction.balance`). What
-goes round is, for each ball, the centrifugal force and the friction at both races across and at
-the inner race along the orbit; Anderson's mixing (1965) speeds it up. Friction is a few hundredths
+motion and the friction on them prescribed (`solve_with_prescribed_balls`); and on each ball the
+force along the orbit and the three moments, at given contact loads and angles (`balance`). Each
+passes the other, ball by ball, the centrifugal force and the friction at both races across and at
+the inner race along the orbit; Anderson's mixing (1965) accelerates this. Friction is a few hundredths
 of the loads, hence each round changes them by a few hundredths of the round before.
 
-A ball that the inner race does not drive rolls on the outer race with the cage about an axis
+A ball that the inner race does not drive is driven by the cage: it rolls on the outer race about an axis
 parallel to the bearing's, without friction across.
 """
 
@@ -22,13 +22,19 @@ from ..contacts.contacts import BearingContact, contact_conditions
 from ..contacts.motion import contact_frames
 from ..geometry import Array, Bearing
 from ..operation import BallKinematics, Model, Operation
-from ..quasistatic.kinematics import HeldBalls, ball_mass
+from ..quasistatic.kinematics import PrescribedBalls, ball_mass
 from ..quasistatic.solution import QuasistaticSolution
-from ..quasistatic.solver import solve_held_balls, solve_quasistatic
+from ..quasistatic.solver import solve_quasistatic, solve_with_prescribed_balls
 from ..rows import SINGLE, Row
-from .balance import SKID, BalancedFriction, balance_balls, balance_driven_balls, sliding_ratio
-from .newton import BALANCE_TOLERANCE, ContactLaw
-from .sources import PREPARED, BallTraction, PreparedTraction
+from .balance import (
+    SKID_RATIO,
+    BalancedFriction,
+    balance_balls,
+    balance_driven_balls,
+    sliding_ratio,
+)
+from .law import BallTraction, ContactLaw, TractionLaw
+from .newton import BALANCE_TOLERANCE
 
 STARTS = (
     BallKinematics.HALF_AND_HALF,
@@ -40,26 +46,24 @@ TARGET = 1.0e-11
 TOLERANCE = 1.0e-8  # change that is accepted [-]
 MAX_ROUNDS = 60
 MEMORY = 4  # rounds that Anderson's mixing looks back
-FILM_ROUNDS = 4  # of solving films anew at the loads found
+FILM_ROUNDS = 4  # of solving films again at the last loads
 FILM_TOLERANCE = 1.0e-3  # change of a load over the largest from which films are solved anew [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _State:
-    """An equilibrium under held motion and friction, and what the balance of the balls there makes
-    of these.
-    """
+    """An equilibrium under prescribed motion and friction of the balls, and their balance there."""
 
     solution: QuasistaticSolution
     balances: tuple[BalancedFriction, ...]  # row by row
     contacts: tuple[tuple[BearingContact, ...], ...]  # row by row
-    carried: NDArray[np.bool_]  # (N,) loaded at the inner race, which cannot drive them
-    held: HeldBalls
-    found: HeldBalls
-    change: float  # of the forces from held to found, over the largest load [-]
+    cage_driven: NDArray[np.bool_]  # (N,) loaded at the inner race, which cannot drive them
+    prescribed: PrescribedBalls
+    balanced: PrescribedBalls  # motion and friction that the balance of the balls gives there
+    change: float  # of the forces from prescribed to balanced, over the largest load [-]
 
     @property
-    def balanced(self) -> bool:
+    def is_balanced(self) -> bool:
         """Whether both balances were found."""
         return self.solution.converged and all(balance.converged for balance in self.balances)
 
@@ -91,7 +95,9 @@ def solve_traction_equilibrium(
     start = _hypothesis(bearing, operation, model, initial_guess, rows)
     if not start.converged:
         return replace(
-            start, model=model, message=f"traction equilibrium: nowhere to begin; {start.message}"
+            start,
+            model=model,
+            message=f"traction equilibrium: no equilibrium to start from; {start.message}",
         )
     if operation.inner_speed == operation.outer_speed:
         return replace(
@@ -103,33 +109,28 @@ def solve_traction_equilibrium(
 
 
 def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSolution:
-    """Equilibria with the friction as it is near one after the other, until the loads stay where
-    they are.
-    """
-    held = _held_of(start)
+    """Equilibria with the friction made ready at the last one, until the loads stay constant."""
+    prescribed = _motion_and_friction(start)
     for films in range(1, FILM_ROUNDS + 1):
+        # 1. friction ready near the last equilibrium: films are solved
         try:
-            prepared = _prepared(start, traction)
+            laws = [traction.source.refresh(contacts) for contacts in _contacts(start, traction)]
         except ValueError as problem:
             return replace(start, converged=False, message=f"no traction equilibrium: {problem}")
-        state = _iterate(start, held, traction, prepared)
+        # 2. both balances in turn with these laws
+        state = _iterate(start, prescribed, traction, laws)
         start = state.solution
-        held = state.found
-        message = _complaint(state)
+        prescribed = state.balanced
+        message = _failure_message(state)
         if message:
             break
-        moved = max(part.change(row) for part, row in zip(prepared, state.contacts, strict=True))
-        if moved <= FILM_TOLERANCE:
-            carried = ", ".join(str(ball + 1) for ball in np.flatnonzero(state.carried))
-            words = f"converged in traction equilibrium, forces to {state.change:.0e} of the largest load"
-            words += (
-                f"; balls {carried} go with the cage, their inner contacts cannot drive them"
-                if carried
-                else ""
-            )
-            return replace(start, message=words, carried=state.carried & (start.inner_load > 0.0))
+        # 3. done if the loads are those that the laws were made ready for
+        change = max(law.load_change(row) for law, row in zip(laws, state.contacts, strict=True))
+        if change <= FILM_TOLERANCE:
+            cage_driven = state.cage_driven & (start.inner_load > 0.0)
+            return replace(start, message=_success_message(state), cage_driven=cage_driven)
         message = (
-            f"films solved {films} times, and a load still changes by {moved:.1e} of the largest"
+            f"films solved {films} times, and a load still changes by {change:.1e} of the largest"
         )
     return replace(start, converged=False, message=f"no traction equilibrium found: {message}")
 
@@ -141,13 +142,13 @@ def _hypothesis(
     initial_guess: QuasistaticSolution | None,
     rows: Sequence[Row],
 ) -> QuasistaticSolution:
-    """Equilibrium under the first hypothesis that has one."""
+    """Equilibrium under the first hypothesis that has one; the last one tried if none has."""
     for kinematics in STARTS:
         assumed = replace(model, ball_kinematics=kinematics)
-        found = solve_quasistatic(bearing, operation, assumed, initial_guess, rows)
-        if found.converged:
+        solution = solve_quasistatic(bearing, operation, assumed, initial_guess, rows)
+        if solution.converged:
             break
-    return found
+    return solution
 
 
 def _contacts(
@@ -159,48 +160,46 @@ def _contacts(
     ]
 
 
-def _prepared(solution: QuasistaticSolution, traction: BallTraction) -> list[PreparedTraction]:
-    source = traction.source
-    if isinstance(source, PREPARED):
-        return [source] * len(solution.rows)
-    return [
-        source.prepare(solution.row(i), part)
-        for i, part in enumerate(_contacts(solution, traction))
-    ]
-
-
 def _iterate(
     start: QuasistaticSolution,
-    held: HeldBalls,
+    prescribed: PrescribedBalls,
     traction: BallTraction,
-    prepared: Sequence[PreparedTraction],
+    laws: Sequence[TractionLaw],
 ) -> _State:
     """Rounds of both balances from a motion; the last state."""
     mixing = _Anderson()
     state = None
     weight = _orbit_weight(start)
     for _ in range(MAX_ROUNDS):
-        state = _round(start, held, traction, prepared, state)
-        if not state.balanced:
+        state = _round(start, prescribed, traction, laws, state)
+        if not state.is_balanced:
             break
         # friction may turn within slides far smaller: the motion is that of the balance
         if state.change <= TARGET:
-            last = solve_held_balls(
-                start.bearing, start.operation, start.model, state.solution, state.found
+            last = solve_with_prescribed_balls(
+                start.bearing, start.operation, start.model, state.solution, state.balanced
             )
             return replace(state, solution=last)
-        mixed = mixing.next(_vector(state.held, weight), _vector(state.found, weight))
+        mixed = mixing.next(_vector(state.prescribed, weight), _vector(state.balanced, weight))
         start = state.solution
-        held = _with_vector(state.found, mixed, weight)
+        prescribed = _with_vector(state.balanced, mixed, weight)
     assert state is not None  # there is a round at least
     return state
 
 
-def _complaint(state: _State) -> str:
+def _success_message(state: _State) -> str:
+    text = f"converged in traction equilibrium, forces to {state.change:.0e} of the largest load"
+    balls = ", ".join(str(ball + 1) for ball in np.flatnonzero(state.cage_driven))
+    if not balls:
+        return text
+    return f"{text}; balls {balls} go with the cage, their inner contacts cannot drive them"
+
+
+def _failure_message(state: _State) -> str:
     """What keeps a state from being an equilibrium; empty if nothing does."""
     if not state.solution.converged:
         return state.solution.message
-    if not state.balanced:
+    if not state.is_balanced:
         if not any(balance.driven.any() for balance in state.balances):
             return "the inner race drives no ball"
         worst = max(balance.residual for balance in state.balances)
@@ -215,48 +214,56 @@ def _complaint(state: _State) -> str:
 
 def _round(
     start: QuasistaticSolution,
-    held: HeldBalls,
+    prescribed: PrescribedBalls,
     traction: BallTraction,
-    prepared: Sequence[PreparedTraction],
+    laws: Sequence[TractionLaw],
     before: _State | None,
 ) -> _State:
-    """Ring and balls under held motion and friction, then the balance of friction on the balls."""
-    solution = solve_held_balls(start.bearing, start.operation, start.model, start, held)
-    carried = np.zeros(solution.azimuth.size, dtype=np.bool_) if before is None else before.carried
+    """Ring and balls under prescribed motion and friction, then the balance of friction on the balls."""
+    solution = solve_with_prescribed_balls(
+        start.bearing, start.operation, start.model, start, prescribed
+    )
+    cage_driven = (
+        np.zeros(solution.azimuth.size, dtype=np.bool_) if before is None else before.cage_driven
+    )
     if not solution.converged:
         return _State(
             solution=solution,
             balances=(),
             contacts=(),
-            carried=carried,
-            held=held,
-            found=held,
+            cage_driven=cage_driven,
+            prescribed=prescribed,
+            balanced=prescribed,
             change=np.inf,
         )
     balances = []
-    carried = carried.copy()
-    found = []
+    cage_driven = cage_driven.copy()
+    balanced = []
     lubricated = _contacts(solution, traction)
     for i, contacts in enumerate(lubricated):
         row = solution.row(i)
         part = slice(i * solution.bearing.balls, (i + 1) * solution.bearing.balls)
-        law = prepared[i].law(row, contacts)
-        balance = _balance(row, contacts, law, traction, None if before is None else carried[part])
+        law = laws[i].at(row, contacts)
+        balance = _balance(
+            row, contacts, law, traction, None if before is None else cage_driven[part]
+        )
         loaded = row.inner_load > 0.0
-        carried[part] |= loaded & (~balance.driven | (sliding_ratio(balance, contacts) > SKID))
+        cage_driven[part] |= loaded & (
+            ~balance.driven | (sliding_ratio(balance, contacts) > SKID_RATIO)
+        )
         balances.append(balance)
-        found.append(_held(row, contacts, balance))
-    joined = _joined(found)
+        balanced.append(_from_balance(row, contacts, balance))
+    joined = _joined(balanced)
     weight = _orbit_weight(solution)
     largest = max(solution.inner_load.max(), solution.outer_load.max())
-    change = float(np.abs(_vector(joined, weight) - _vector(held, weight)).max() / largest)
+    change = float(np.abs(_vector(joined, weight) - _vector(prescribed, weight)).max() / largest)
     return _State(
         solution=solution,
         balances=tuple(balances),
         contacts=tuple(lubricated),
-        carried=carried,
-        held=held,
-        found=joined,
+        cage_driven=cage_driven,
+        prescribed=prescribed,
+        balanced=joined,
         change=change,
     )
 
@@ -266,30 +273,32 @@ def _balance(
     contacts: Sequence[BearingContact],
     law: ContactLaw,
     traction: BallTraction,
-    carried: NDArray[np.bool_] | None,
+    cage_driven: NDArray[np.bool_] | None,
 ) -> BalancedFriction:
     """Balance of the balls of a row, without those that the cage carries; None: which these are is
     not yet known.
     """
-    if carried is None:
+    if cage_driven is None:
         return balance_driven_balls(row, contacts, law, traction.resistance)
     return balance_balls(
         row,
         contacts,
         law,
-        driven=(row.inner_load > 0.0) & ~carried,
+        driven=(row.inner_load > 0.0) & ~cage_driven,
         resistance=traction.resistance,
     )
 
 
-def _held_of(solution: QuasistaticSolution) -> HeldBalls:
+def _motion_and_friction(solution: QuasistaticSolution) -> PrescribedBalls:
     """Motion [rad/s] and friction [N] of an equilibrium."""
-    return HeldBalls(**{field.name: getattr(solution, field.name) for field in fields(HeldBalls)})
+    return PrescribedBalls(
+        **{field.name: getattr(solution, field.name) for field in fields(PrescribedBalls)}
+    )
 
 
-def _held(
+def _from_balance(
     row: QuasistaticSolution, contacts: Sequence[BearingContact], balance: BalancedFriction
-) -> HeldBalls:
+) -> PrescribedBalls:
     """Motion [rad/s] and friction [N] of a row by the balance of its balls."""
     axes = contact_frames(contacts).reshape(-1, 2, 3, 3)
     along, across = balance.forces[:, :, 0], balance.forces[:, :, 1]
@@ -304,7 +313,7 @@ def _held(
     driven = balance.driven
     towards_inner = axes[:, 0, 1, 0] * np.cos(inner) - axes[:, 0, 1, 1] * np.sin(inner)
     towards_outer = axes[:, 1, 1, 1] * np.sin(outer) - axes[:, 1, 1, 0] * np.cos(outer)
-    return HeldBalls(
+    return PrescribedBalls(
         orbit_speed=orbit,
         spin_speed=np.where(driven, sign * np.hypot(turn[:, 0], turn[:, 1]), rolling),
         pivot_speed=np.where(driven, turn[:, 2], 0.0),
@@ -315,10 +324,10 @@ def _held(
     )
 
 
-def _joined(parts: Sequence[HeldBalls]) -> HeldBalls:
+def _joined(parts: Sequence[PrescribedBalls]) -> PrescribedBalls:
     """Those of all rows as one."""
-    names = [field.name for field in fields(HeldBalls)]
-    return HeldBalls(
+    names = [field.name for field in fields(PrescribedBalls)]
+    return PrescribedBalls(
         **{name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
     )
 
@@ -330,19 +339,28 @@ def _orbit_weight(solution: QuasistaticSolution) -> float:
     return float(0.5 * mass * bearing.pitch_diameter * np.abs(solution.orbit_speed).max())
 
 
-def _vector(held: HeldBalls, weight: float) -> Array:
-    """What goes round, as forces, shape (4, N) [N]."""
+def _vector(prescribed: PrescribedBalls, weight: float) -> Array:
+    """What the two balances pass on, as forces, shape (4, N) [N]."""
     return np.stack(
-        [weight * held.orbit_speed, held.inner_friction, held.outer_friction, held.inner_drive]
+        [
+            weight * prescribed.orbit_speed,
+            prescribed.inner_friction,
+            prescribed.outer_friction,
+            prescribed.inner_drive,
+        ]
     )
 
 
-def _with_vector(held: HeldBalls, vector: Array, weight: float) -> HeldBalls:
-    """Motion with other forces [N]."""
+def _with_vector(prescribed: PrescribedBalls, vector: Array, weight: float) -> PrescribedBalls:
+    """The same with other forces [N]; orbit speeds follow from theirs."""
     orbit, inner, outer, drive = vector
-    orbit = orbit / weight if weight > 0.0 else held.orbit_speed
+    orbit = orbit / weight if weight > 0.0 else prescribed.orbit_speed
     return replace(
-        held, orbit_speed=orbit, inner_friction=inner, outer_friction=outer, inner_drive=drive
+        prescribed,
+        orbit_speed=orbit,
+        inner_friction=inner,
+        outer_friction=outer,
+        inner_drive=drive,
     )
 
 

@@ -21,28 +21,19 @@ from ..contacts.motion import bearing_kinematics
 from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .asperities import asperity_share
-from .balance import BalancedFriction, ContactLaw, balance_balls, balance_driven_balls
-from .coulomb import contact_ellipses
-from .ellipse import TINY, Dissipation, coulomb_dissipation
-from .resistance import FREE, Resistance
+from .balance import BalancedFriction, balance_balls, balance_driven_balls
+from .coulomb import contact_ellipses, coulomb_dissipation
+from .law import REFERENCE_TRACTION, TINY, ContactLaw, Dissipation
+from .resistance import NO_RESISTANCE, Resistance
 
 FilmLaw = Callable[[Array, float], tuple[Array, Array]]
 
 
-STRENGTH = 0.05  # traction coefficient that residual forces are measured against [-]
-
-
 SLOPE_STEP = 1.0e-4  # relative change of the shear rate for a difference quotient [-]
-
-
-# part of the shear of a contact in nodes that are left out of a first balance [-]
-NEGLIGIBLE = 1.0e-2
-
-
-LITTLE = 1.0e-2  # sliding over entrainment at which it is weighed [-]
-
-
-STILL = 1.0e-12  # [m/s] sliding below which the stress counts as proportional to it
+# part of the shear of a contact in nodes that a first, coarse balance leaves out [-]
+COARSE_SHARE_LEFT_OUT = 1.0e-2
+REFERENCE_SLIDE_RATIO = 1.0e-2  # sliding over entrainment at which nodes are weighed [-]
+MIN_SLIDING = 1.0e-12  # [m/s] below which the stress counts as proportional to it
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -69,9 +60,9 @@ def film_balance(
     films: Sequence[ContactSolution | None],
     rheology: Rheology,
     asperities: Asperities | None = None,
-    resistance: Resistance = FREE,
+    resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
-    """Motion of all balls in which the shear of their films balances itself, films and loads held.
+    """Motion of all balls in which the shear of their films balances itself, at given films and loads.
 
     Parameters
     ----------
@@ -91,14 +82,20 @@ def film_balance(
     BalancedFriction
         Its forces contain the hydrodynamic rolling moment.
     """
-    first, exact = (
+    # 1. which balls the inner race drives, and their motion, with the nodes that matter most
+    coarse, exact = (
         film_law(solution, contacts, films, rheology, asperities, left_out=left_out)
-        for left_out in (NEGLIGIBLE, 0.0)
+        for left_out in (COARSE_SHARE_LEFT_OUT, 0.0)
     )
-    near = balance_driven_balls(solution, contacts, first, resistance)
-    begin = near if near.converged else None
+    first = balance_driven_balls(solution, contacts, coarse, resistance)
+    # 2. the same balls with all nodes
     return balance_balls(
-        solution, contacts, exact, driven=near.driven, near=begin, resistance=resistance
+        solution,
+        contacts,
+        exact,
+        driven=first.driven,
+        initial_guess=first if first.converged else None,
+        resistance=resistance,
     )
 
 
@@ -132,24 +129,26 @@ def film_law(
     rubbing = contact_ellipses(
         solution, contacts, share * (0.0 if asperities is None else asperities.boundary)
     )
-    times = np.ones(len(laws)) if scale is None else scale
+    load_ratio = np.ones(len(laws)) if scale is None else scale
 
-    def dissipation(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
+    def evaluate(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
         gradient = np.zeros((numbers.size, 4))
         curvature = np.zeros((numbers.size, 4, 4))
         for row, number in enumerate(numbers):
             law = laws[number]
             if law is not None:
                 gradient[row], curvature[row] = law(motion[row], 1.0 - share[number])
-        gradient = gradient * times[numbers, None]
-        curvature = curvature * times[numbers, None, None]
+        gradient = gradient * load_ratio[numbers, None]
+        curvature = curvature * load_ratio[numbers, None, None]
         if share[numbers].any():
-            _, more, steeper = coulomb_dissipation(motion, rubbing.some(numbers))
+            _, more, steeper = coulomb_dissipation(motion, rubbing.take(numbers))
             gradient, curvature = gradient + more, curvature + steeper
         return Dissipation(np.zeros(numbers.size), gradient, curvature)
 
     load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
-    return ContactLaw(dissipation=dissipation, strength=STRENGTH * load, potential=False)
+    return ContactLaw(
+        evaluate=evaluate, reference_force=REFERENCE_TRACTION * load, is_potential=False
+    )
 
 
 def _film_law(
@@ -178,7 +177,11 @@ def _film_law(
     gap = np.maximum(film.film, TINY)
     eta = film_viscosity(film)
     stress = shear_stress(
-        LITTLE * abs(kinematics.entrainment_speed) / gap, eta, film.pressure, rheology, inlet
+        REFERENCE_SLIDE_RATIO * abs(kinematics.entrainment_speed) / gap,
+        eta,
+        film.pressure,
+        rheology,
+        inlet,
     )
     chosen &= _counting(area * width * stress, left_out)
     x = x[chosen]
@@ -188,15 +191,15 @@ def _film_law(
     pressure = film.pressure[chosen]
     eta = eta[chosen]
     temperature = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
-    bow = kinematics.bow(y)
+    curved = kinematics.bow(y)
     pumping = -hydrodynamic * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
     zeros, ones = np.zeros_like(x), np.ones_like(x)
-    along = np.stack([ones, zeros, -y, bow])
+    along = np.stack([ones, zeros, -y, curved])
     across = np.stack([zeros, ones, x, zeros])
 
     def law(motion: Array, oil: float) -> tuple[Array, Array]:
         s_x, s_y = motion @ along, motion @ across
-        speed = np.sqrt(s_x**2 + s_y**2 + STILL**2)
+        speed = np.sqrt(s_x**2 + s_y**2 + MIN_SLIDING**2)
         rate = speed / gap
         stress = shear_stress(rate, eta, pressure, rheology, temperature)
         faster = shear_stress((1.0 + SLOPE_STEP) * rate, eta, pressure, rheology, temperature)

@@ -1,15 +1,16 @@
 """Newton's method for the balance of friction on balls: all balls at once, each by itself."""
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import Array
-from .ellipse import TINY, Dissipation
+from .law import TINY, ContactLaw
 
 MAX_STEPS = 200
+FIRST_DAMPING = 1.0e-6  # over the mean curvature of the power [-]
+MAX_DAMPING = 1.0e12  # at which a ball counts as stuck [-]
 RUNAWAY = 1.0e4  # speeds over those of curvature slip at which a ball counts as not held [-]
 BALANCE_TOLERANCE = 1.0e-6  # residual force over mu Q that is accepted [-]
 COUPLE_STEPS = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0)  # of the gyroscopic couple [-]
@@ -17,48 +18,23 @@ BALANCE_TARGET = 1.0e-10  # residual at which iterating stops [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ContactLaw:
-    """Friction of the contacts of a bearing, numbered inner race then outer, ball by ball.
-
-    Attributes
-    ----------
-    dissipation : callable
-        Takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers (N,), gives a
-        `Dissipation`.
-    strength : ndarray, shape (contacts,)
-        Friction of each contact that residual forces are measured against [N].
-    plane : bool
-        It knows no sliding across the rolling direction: balls then do not turn about the orbit's
-        tangent, and no gyroscopic couple is held.
-    pumps : bool
-        The oil's rolling resistance is in it.
-    potential : bool
-        Whether the power is the potential of the forces; if not, only these are looked at.
+class MotionProblem:
+    """Motions of contacts k = start + slopes z, with the change z of a ball's motion scaled to
+    speeds [m/s].
     """
 
-    dissipation: Callable[[Array, NDArray[np.int64]], Dissipation]
-    strength: Array
-    plane: bool = False
-    pumps: bool = True
-    potential: bool = True
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class MotionProblem:
-    """k = start + map z for all contacts, z scaled to speeds [m/s]."""
-
     law: ContactLaw
-    start: Array  # (balls, 2, 4)
-    map: Array  # (balls, 2, 4, 4)
-    couple: Array  # (balls, 4) gyroscopic one at the start [N]
-    turning: Array  # (balls, 4, 4) its change with z [N s/m]
-    cage: Array  # (balls,) push of the cage against the orbit of balls that drive it [N]
+    start: Array  # (balls, 2, 4) [m/s], [rad/s]
+    slopes: Array  # (balls, 2, 4, 4) of the motions by z [-], [1/m]
+    gyroscopic_couple: Array  # (balls, 4) at the start [N]
+    gyroscopic_matrix: Array  # (balls, 4, 4) its change with z [N s/m]
+    cage_force: Array  # (balls,) push of the cage against the orbit of balls that drive it [N]
     drag: Array  # (balls,) force of the oil against the orbit, along e_t [N]
     free: NDArray[np.bool_]  # (balls, 4)
-    reach: Array  # (balls,) largest sliding that the curvature of a ball's contacts makes [m/s]
-    strength: Array  # (balls,) friction that the residual is measured against [N]
+    reference_slip: Array  # (balls,) largest curvature slip of a ball's contacts [m/s]
+    reference_force: Array  # (balls,) friction that the residual is measured against [N]
     driven: NDArray[np.bool_]  # (balls,) by the inner race
-    ring: Array  # (balls, 2, 4) change of the motion by the rings' speeds [m/s], [rad/s]
+    ring_motion: Array  # (balls, 2, 4) change of the motion by the rings' speeds [m/s], [rad/s]
 
 
 def evaluate(
@@ -67,20 +43,22 @@ def evaluate(
     """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls
     with these numbers.
     """
-    move, free = problem.map[balls], problem.free[balls]
-    k = problem.start[balls] + np.einsum("bckj,bj->bck", move, z)
-    found = problem.law.dissipation(k.reshape(-1, 4), contacts_of(balls))
+    slopes, free = problem.slopes[balls], problem.free[balls]
+    k = problem.start[balls] + np.einsum("bckj,bj->bck", slopes, z)
+    friction = problem.law.evaluate(k.reshape(-1, 4), contacts_of(balls))
     shape = k.shape[:2]
-    fixed = problem.couple[balls] + (problem.cage + problem.drag)[balls, None] * np.eye(4)[0]
-    power = found.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", fixed, z)
-    gradient = np.einsum("bckj,bck->bj", move, found.gradient.reshape(*shape, 4)) + fixed
-    gradient += np.einsum("bij,bj->bi", problem.turning[balls], z)
-    curvature = found.curvature.reshape(*shape, 4, 4)
-    slope = (move.swapaxes(2, 3) @ curvature @ move).sum(axis=1) + problem.turning[balls]
+    along_orbit = (problem.cage_force + problem.drag)[balls, None] * np.eye(4)[0]
+    fixed = problem.gyroscopic_couple[balls] + along_orbit
+    power = friction.power.reshape(shape).sum(axis=1) + np.einsum("bj,bj->b", fixed, z)
+    gradient = np.einsum("bckj,bck->bj", slopes, friction.gradient.reshape(*shape, 4)) + fixed
+    gradient += np.einsum("bij,bj->bi", problem.gyroscopic_matrix[balls], z)
+    curvature = friction.curvature.reshape(*shape, 4, 4)
+    hessian = (slopes.swapaxes(2, 3) @ curvature @ slopes).sum(axis=1)
+    hessian = hessian + problem.gyroscopic_matrix[balls]
     return (
         power,
         np.where(free, gradient, 0.0),
-        np.where(free[:, :, None] & free[:, None, :], slope, 0.0),
+        np.where(free[:, :, None] & free[:, None, :], hessian, 0.0),
     )
 
 
@@ -89,57 +67,66 @@ def contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
     return (2 * balls[:, None] + np.arange(2)).ravel()
 
 
-def settle(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
-    """As `minimise`, and where that fails from friction alone, the gyroscopic couple growing in
-    steps.
+def solve_with_couple_steps(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
+    """As `minimise`; balls for which that fails are solved again with the gyroscopic couple growing
+    in steps (natural continuation, Allgower and Georg, 2003, chapter 2).
     """
+    # 1. the whole couple at once
     z, residual = minimise(problem, start)
-    stuck = problem.driven & ~(residual <= BALANCE_TOLERANCE)
-    if not (stuck.any() and (problem.couple.any() or problem.turning.any())):
+    failed = problem.driven & ~(residual <= BALANCE_TOLERANCE)
+    coupled = problem.gyroscopic_couple.any() or problem.gyroscopic_matrix.any()
+    if not (failed.any() and coupled):
         return z, residual
+    # 2. from friction alone, each share of the couple beginning where the last one ended
     trial = np.zeros_like(z)
-    for part in COUPLE_STEPS:
-        eased = replace(problem, couple=part * problem.couple, turning=part * problem.turning)
-        trial, left = minimise(eased, trial)
-    better = stuck & (left < residual)
-    return np.where(better[:, None], trial, z), np.where(better, left, residual)
+    for share in COUPLE_STEPS:
+        partial = replace(
+            problem,
+            gyroscopic_couple=share * problem.gyroscopic_couple,
+            gyroscopic_matrix=share * problem.gyroscopic_matrix,
+        )
+        trial, trial_residual = minimise(partial, trial)
+    # 3. only balls that failed and got better take it
+    better = failed & (trial_residual < residual)
+    return np.where(better[:, None], trial, z), np.where(better, trial_residual, residual)
 
 
 def minimise(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
-    """Newton with Levenberg's damping, every ball by itself; returns z and the residual of each
-    ball [-].
+    """Newton's method with Levenberg's damping (Levenberg, 1944; Nocedal and Wright, 2006, sec.
+    10.3), every ball by itself; returns z and the residual of each ball [-].
     """
     balls = np.arange(problem.start.shape[0])
-    friction = problem.strength + TINY
+    friction = problem.reference_force + TINY
     z = start.copy()
-    damping = np.full(balls.size, 1e-6)
+    damping = np.full(balls.size, FIRST_DAMPING)
     power, gradient, hessian = evaluate(z, problem, balls)
-    # there is a potential to go down in
-    descent = problem.law.potential and not problem.turning.any()
+    # a skew gyroscopic matrix has no potential: the residual has to fall instead of the power
+    descent = problem.law.is_potential and not problem.gyroscopic_matrix.any()
     for _ in range(MAX_STEPS):
+        # 1. balls that are neither balanced, nor run away, nor stuck
         residual = np.abs(gradient).max(axis=1) / friction
-        going = (
-            (residual > BALANCE_TARGET)
-            & (np.abs(z).max(axis=1) < RUNAWAY * problem.reach)
-            & (damping < 1e12)
-        )
-        at = np.flatnonzero(going)
+        active = residual > BALANCE_TARGET
+        active &= np.abs(z).max(axis=1) < RUNAWAY * problem.reference_slip
+        active &= damping < MAX_DAMPING
+        at = np.flatnonzero(active)
         if at.size == 0:
             break
+        # 2. damped Newton step, the damping scaled by the mean curvature
         size = np.maximum(
-            np.trace(hessian[at], axis1=1, axis2=2), friction[at] / problem.reach[at]
+            np.trace(hessian[at], axis1=1, axis2=2), friction[at] / problem.reference_slip[at]
         )
         damped = hessian[at] + (damping[at] * size)[:, None, None] * np.eye(4)
         trial = z[at] - np.linalg.solve(damped, gradient[at][..., None])[..., 0]
         new = evaluate(trial, problem, at)
+        # 3. accepted where the power falls (at round-off: where the residual does)
         noise = 1e-13 * np.abs(power[at])
         flatter = np.abs(new[1]).max(axis=1) < residual[at] * friction[at]
         lower = (new[0] < power[at] - noise) | ((new[0] <= power[at] + noise) & flatter)
         better = lower if descent else flatter
-        kept = at[better]
-        z[kept], power[kept], gradient[kept], hessian[kept] = (
-            trial[better],
-            *(part[better] for part in new),
-        )
-        damping[at] = np.clip(np.where(better, 0.2, 6.0) * damping[at], 1e-14, 1e13)
+        accepted = at[better]
+        z[accepted] = trial[better]
+        power[accepted], gradient[accepted], hessian[accepted] = (part[better] for part in new)
+        # 4. less damping after a step taken, more after one refused
+        factor = np.where(better, 0.2, 6.0)
+        damping[at] = np.clip(factor * damping[at], 1e-14, 10.0 * MAX_DAMPING)
     return z, np.abs(gradient).max(axis=1) / friction

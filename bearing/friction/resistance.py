@@ -61,7 +61,7 @@ class Resistance:
         return self.land * (cage_speed - ring) * cage_speed
 
 
-FREE = Resistance()
+NO_RESISTANCE = Resistance()
 
 
 def resistance_of(

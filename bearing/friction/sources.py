@@ -1,19 +1,12 @@
-"""Where the friction of balls on races comes from in traction equilibrium: a law of each race,
-Coulomb, solved films.
-
-A source is asked once near an equilibrium what it needs there (`prepare`), which for films is to
-solve them; what it gives then makes the friction of all contacts (`law`) for equilibria nearby,
-and tells how far the loads have moved.
-"""
+"""The laws of friction of balls on races that a case can name: tables, coefficients, solved films."""
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
-from typing import Protocol
+from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 
 from ehl.conditions import ContactConditions
-from ehl.oil.lubricant import Lubricant
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 from ehl.traction.laws import FourConstantLaw, FrictionLaw
@@ -22,102 +15,33 @@ from ..contacts.contacts import BearingContact
 from ..contacts.shape import contact_shape
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
-from .coulomb import contact_ellipses
-from .ellipse import coulomb_dissipation
+from .coulomb import coulomb_law
 from .films import Asperities, film_law
-from .newton import ContactLaw
-from .resistance import FREE, Resistance
+from .law import ContactLaw, TractionLaw
 from .tables import contact_law
 
 SolveFilms = Callable[[Sequence[ContactConditions | None]], Sequence[ContactSolution | None]]
 
 
-class PreparedTraction(Protocol):
-    """Friction of all contacts of a row of balls near one equilibrium."""
-
-    def law(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
-        """Friction at the loads of an equilibrium [N]."""
-        ...
-
-    def change(self, contacts: Sequence[BearingContact]) -> float:
-        """Largest relative change of a load since it was prepared, over the largest load [-]."""
-        ...
-
-
-class TractionSource(Protocol):
-    """What traction equilibrium asks of the friction."""
-
-    @property
-    def words(self) -> str:
-        """Where it comes from, for messages."""
-        ...
-
-    def prepare(
-        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
-    ) -> PreparedTraction:
-        """What is needed near an equilibrium [N], [m/s]."""
-        ...
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class BallTraction:
-    """Friction of balls on races and what holds the balls back.
-
-    Attributes
-    ----------
-    source : TractionSource
-    lubricant : Lubricant
-        Of the contacts.
-    resistance : Resistance
-        Drag of the oil around the balls and of the cage's guidance.
-    """
-
-    source: TractionSource
-    lubricant: Lubricant
-    resistance: Resistance = FREE
-
-
-class _Everywhere:
-    """A source that needs no preparing."""
-
-    def change(self, contacts: Sequence[BearingContact]) -> float:
-        """None [-]."""
-        del contacts
-        return 0.0
-
-
 @dataclass(frozen=True, kw_only=True)
-class LawTraction(_Everywhere):
-    """A friction law for each race: traction tables, or any other of `ehl.traction`.
-
-    Attributes
-    ----------
-    laws : mapping of Race to FrictionLaw
-        Forces in [N].
-    """
+class LawTraction(TractionLaw):
+    """A friction law for each race: traction tables, or any other of `ehl.traction`."""
 
     laws: Mapping[Race, FrictionLaw]
 
     @property
-    def words(self) -> str:
-        """Where it comes from, for messages."""
+    def description(self) -> str:
+        """Where the friction comes from, for messages."""
         return "a law of each race (traction tables)"
 
-    def prepare(
-        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
-    ) -> PreparedTraction:
-        """Itself, for loads [N] of any size."""
-        del solution, contacts
-        return self
-
-    def law(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
         """The laws at the loads of an equilibrium [N]."""
         del solution
         return contact_law(contacts, [self.laws[contact.race] for contact in contacts])
 
 
 @dataclass(frozen=True, kw_only=True)
-class FourConstantTraction(_Everywhere):
+class FourConstantTraction(TractionLaw):
     """mu = (A + B s) exp(-C s) + D over the ellipse of every contact, s the local slide over the
     entrainment speed.
 
@@ -130,20 +54,12 @@ class FourConstantTraction(_Everywhere):
     constants: tuple[float, float, float, float]
 
     @property
-    def words(self) -> str:
-        """Where it comes from, for messages."""
-        return "law of four constants, (A + B s) exp(-C s) + D with " + ", ".join(
-            f"{c:.4g}" for c in self.constants
-        )
+    def description(self) -> str:
+        """Where the friction comes from, for messages."""
+        values = ", ".join(f"{constant:.4g}" for constant in self.constants)
+        return f"law of four constants, (A + B s) exp(-C s) + D with {values}"
 
-    def prepare(
-        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
-    ) -> PreparedTraction:
-        """Itself, for loads [N] of any size."""
-        del solution, contacts
-        return self
-
-    def law(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
         """The law at the loads [N] and contact angles of an equilibrium."""
         a, b, c, d = self.constants
         laws = []
@@ -154,9 +70,8 @@ class FourConstantTraction(_Everywhere):
 
 
 @dataclass(frozen=True, kw_only=True)
-class CoulombTraction(_Everywhere):
-    """Coulomb's friction over the ellipse, rounded off where nearly nothing slides
-    (`contact_ellipses`).
+class CoulombTraction(TractionLaw):
+    """Coulomb's friction over the ellipse, rounded at small sliding (`contact_ellipses`).
 
     Attributes
     ----------
@@ -167,34 +82,19 @@ class CoulombTraction(_Everywhere):
     friction: float
 
     @property
-    def words(self) -> str:
-        """Where it comes from, for messages."""
+    def description(self) -> str:
+        """Where the friction comes from, for messages."""
         return f"Coulomb's law, mu = {self.friction:g}"
 
-    def prepare(
-        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
-    ) -> PreparedTraction:
-        """Itself, for loads [N] of any size."""
-        del solution, contacts
-        return self
-
-    def law(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
         """Friction at the loads of an equilibrium [N]."""
-        found = contact_ellipses(solution, contacts, self.friction)
-        return ContactLaw(
-            dissipation=lambda motion, numbers: coulomb_dissipation(motion, found.some(numbers)),
-            strength=found.friction * found.load,
-            pumps=False,
-        )
-
-
-# sources that are their own preparation
-PREPARED = LawTraction | FourConstantTraction | CoulombTraction
+        return coulomb_law(solution, contacts, self.friction)
 
 
 @dataclass(frozen=True, kw_only=True)
-class FilmTraction:
-    """Shear of films that are solved for the contacts of the bearing.
+class FilmTraction(TractionLaw):
+    """Shear of films solved for the contacts of the bearing, between two solves in proportion to
+    the load.
 
     Attributes
     ----------
@@ -204,62 +104,47 @@ class FilmTraction:
     rheology : Rheology
     asperities : Asperities or None
         What carries part of the loads [N] where the films are thin; None: full films.
+    films, loads : tuple
+        Of the contacts, and the loads they were solved at [N]; empty before `refresh`.
     """
 
     solve: SolveFilms
     rheology: Rheology
     asperities: Asperities | None = None
+    films: tuple[ContactSolution | None, ...] = ()
+    loads: tuple[float, ...] = ()
 
     @property
-    def words(self) -> str:
-        """Where it comes from, for messages."""
-        return "shear of the solved films, in proportion to the load between two rounds of solving them"
+    def description(self) -> str:
+        """Where the friction comes from, for messages."""
+        return (
+            "shear of the solved films, in proportion to the load between two rounds of solving "
+            "them"
+        )
 
-    def prepare(
-        self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]
-    ) -> PreparedTraction:
-        """Films at the loads of an equilibrium [N].
-
-        Raises
-        ------
-        ValueError
-            If a film did not converge; the message names its contact.
+    def refresh(self, contacts: Sequence[BearingContact]) -> Self:
+        """With films solved at the loads of contacts [N]; ValueError names the contact whose film
+        did not converge.
         """
         films = self.solve([contact.conditions for contact in contacts])
         for contact, film in zip(contacts, films, strict=True):
             if film is not None and not film.converged:
                 raise ValueError(
-                    f"the film of ball {contact.ball} at the {contact.race.value} race did not converge"
+                    f"the film of ball {contact.ball} at the {contact.race.value} race did not "
+                    "converge"
                 )
-        return SolvedTraction(
-            source=self, films=tuple(films), loads=tuple(contact.load for contact in contacts)
-        )
+        loads = tuple(contact.load for contact in contacts)
+        return replace(self, films=tuple(films), loads=loads)
 
-
-@dataclass(frozen=True, kw_only=True)
-class SolvedTraction:
-    """Shear of films solved at loads nearby, in proportion to the load; `loads` in [N]."""
-
-    source: FilmTraction
-    films: tuple[ContactSolution | None, ...]
-    loads: tuple[float, ...]
-
-    def law(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
-        """Friction at the loads of an equilibrium [N], the traction coefficients being those of
-        the films.
-        """
+    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+        """Friction at the loads of an equilibrium [N], with the traction coefficients of the films."""
         pairs = zip(contacts, self.loads, strict=True)
         scale = np.array([contact.load / load if load > 0.0 else 0.0 for contact, load in pairs])
         return film_law(
-            solution,
-            contacts,
-            self.films,
-            self.source.rheology,
-            self.source.asperities,
-            scale=scale,
+            solution, contacts, self.films, self.rheology, self.asperities, scale=scale
         )
 
-    def change(self, contacts: Sequence[BearingContact]) -> float:
+    def load_change(self, contacts: Sequence[BearingContact]) -> float:
         """Largest change of a load since the films were solved, over the largest load [-]."""
-        now = np.array([contact.load for contact in contacts])
-        return float(np.abs(now - np.array(self.loads)).max() / max(float(now.max()), 1e-300))
+        load = np.array([contact.load for contact in contacts])
+        return float(np.abs(load - np.array(self.loads)).max() / max(float(load.max()), 1e-300))

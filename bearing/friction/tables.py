@@ -1,6 +1,6 @@
-"""Friction law of traction tables, and the balance of balls under it."""
+"""Friction of contacts by a law of `ehl.traction` each: traction tables and coefficients."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,29 +9,14 @@ from ehl.traction.laws import CoulombLaw, FourConstantLaw, FrictionLaw
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.contacts import BearingContact
-from ..friction import _kernels
-from ..geometry import Array, Race
-from ..quasistatic.solution import QuasistaticSolution
-from .balance import BalancedFriction, ContactLaw, balance_driven_balls
-from .ellipse import Dissipation
-from .films import STRENGTH
+from ..geometry import Array
+from . import _kernels
+from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 
-
+COEFFICIENT_LAWS = (CoulombLaw, FourConstantLaw)
 STEP = 1.0e-5  # of slides over u, and spin over u/R_x, for difference quotients [-]
-
-
-def law_balance(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    laws: Mapping[Race, FrictionLaw],
-) -> BalancedFriction:
-    """Motion of all balls in which the laws' forces balance themselves; arguments as in
-    `tabulated_torque`, SI.
-    """
-    law = contact_law(contacts, [laws[contact.race] for contact in contacts])
-    return balance_driven_balls(solution, contacts, law)
 
 
 def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]) -> ContactLaw:
@@ -39,13 +24,13 @@ def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw])
     groups = _groups(contacts, laws)
     places = np.array([_place(contact) for contact in contacts])
 
-    def law(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
+    def evaluate(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
         gradient = np.zeros((numbers.size, 4))
         slope = np.zeros((numbers.size, 4, 4))
-        for members, evaluate in groups:
+        for members, evaluate_group in groups:
             rows = np.flatnonzero(members[numbers])
             if rows.size:
-                gradient[rows], slope[rows] = evaluate(
+                gradient[rows], slope[rows] = evaluate_group(
                     numbers[rows], places[numbers[rows]], motion[rows]
                 )
         return Dissipation(np.zeros(numbers.size), gradient, slope)
@@ -53,8 +38,12 @@ def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw])
     load = np.array(
         [contact.load if contact.conditions is not None else 0.0 for contact in contacts]
     )
-    pumps = not all(isinstance(one, CoulombLaw | FourConstantLaw) for one in laws)
-    return ContactLaw(dissipation=law, strength=STRENGTH * load, potential=False, pumps=pumps)
+    return ContactLaw(
+        evaluate=evaluate,
+        reference_force=REFERENCE_TRACTION * load,
+        is_potential=False,
+        has_rolling_resistance=not all(isinstance(law, COEFFICIENT_LAWS) for law in laws),
+    )
 
 
 def _place(contact: BearingContact) -> tuple[float, float, float]:
@@ -72,7 +61,7 @@ def _groups(
     kinds: dict[object, list[int]] = {}
     for number, (contact, law) in enumerate(zip(contacts, laws, strict=True)):
         if contact.conditions is not None:
-            alike = type(law) if isinstance(law, CoulombLaw | FourConstantLaw) else id(law)
+            alike = type(law) if isinstance(law, COEFFICIENT_LAWS) else id(law)
             kinds.setdefault(alike, []).append(number)
     groups = []
     for numbers in kinds.values():
@@ -86,7 +75,7 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
     """Minus the forces and their slopes of some contacts, by number, place and motion, for laws
     like the first.
     """
-    if isinstance(first, CoulombLaw | FourConstantLaw):
+    if isinstance(first, COEFFICIENT_LAWS):
         disc = first.disc
         blank = (first.kernel_law(), first.shape.constants)
         alike = [law if isinstance(law, type(first)) else None for law in laws]
@@ -96,30 +85,29 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
         def coefficients(
             numbers: NDArray[np.int64], places: Array, motion: Array
         ) -> tuple[Array, Array]:
-            found = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
+            result = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
             _kernels.hertz_gradients(
-                disc, constants[numbers], shapes[numbers], places, motion, STEP, *found
+                disc, constants[numbers], shapes[numbers], places, motion, STEP, *result
             )
-            return found
+            return result
 
         return coefficients
     if isinstance(first, TractionTable):
         arguments = first.kernel_arguments()
 
         def table(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
-            found = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
-            _kernels.table_gradients(*arguments, places, motion, STEP, *found)
-            return found
+            result = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
+            _kernels.table_gradients(*arguments, places, motion, STEP, *result)
+            return result
 
         return table
 
     def one_by_one(
         numbers: NDArray[np.int64], places: Array, motion: Array
     ) -> tuple[Array, Array]:
-        found = [law_gradient(first, place, k) for place, k in zip(places, motion, strict=True)]
-        return np.array([gradient for gradient, _ in found]), np.array(
-            [slope for _, slope in found]
-        )
+        pairs = [law_gradient(first, place, k) for place, k in zip(places, motion, strict=True)]
+        gradients, slopes = zip(*pairs, strict=True)
+        return np.array(gradients), np.array(slopes)
 
     return one_by_one
 
@@ -141,10 +129,8 @@ def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, 
     here = np.array(law.forces(load, speed, *(float(part) for part in motion[:3]))[:4])
     slope = np.zeros((4, 4))
     for j, step in enumerate((STEP * speed, STEP * speed, STEP * speed / radius)):
-        moved = motion[:3].copy()
-        moved[j] += step
-        slope[:, j] = (
-            -(np.array(law.forces(load, speed, *(float(part) for part in moved))[:4]) - here)
-            / step
-        )
+        beside = motion[:3].copy()
+        beside[j] += step
+        forces = np.array(law.forces(load, speed, *(float(part) for part in beside))[:4])
+        slope[:, j] = -(forces - here) / step
     return -here, slope

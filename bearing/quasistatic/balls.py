@@ -30,9 +30,9 @@ from .contact_stiffness import stiffness_at, stiffness_series
 from .kinematics import (
     INNER_PART,
     Direction,
-    HeldBalls,
     Motion,
     Numbers,
+    PrescribedBalls,
     attitude,
     ball_mass,
     blend,
@@ -76,7 +76,7 @@ class BallProblem:
     nominal_force: float  # centrifugal force at the free contact angle [N]
     nominal_couple: float  # largest gyroscopic couple, J w_m w_R, at the free contact angle [N m]
     # motion and friction that are known; None: those of the hypothesis
-    held: HeldBalls | None = None
+    prescribed: PrescribedBalls | None = None
 
     @property
     def gamma(self) -> float:
@@ -100,7 +100,7 @@ class BallState(NamedTuple):
     outer_friction: Numbers
 
 
-class BallRow(NamedTuple):
+class BallsEquilibrium(NamedTuple):
     """Equilibrium of all balls at one ring position.
 
     u (2, Z) [m]; values (5, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on
@@ -174,21 +174,24 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
         np.where(near, inner_distance, 0.0) - problem.inner_length
     )
     inner_load = inner_load * _smooth_step(inner.cos, EDGE_COSINE)
-    held = problem.held
-    if held is None:
+    prescribed = problem.prescribed
+    if prescribed is None:
         share, motion = _shared_motion(outer, inner, (inner_load, outer_load), problem)
     else:
-        motion = held.motion
+        motion = prescribed.motion
     force = centrifugal_force(problem.mass, problem.pitch_diameter, motion.orbit_speed)
     moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
-    if held is None:
+    if prescribed is None:
         inner_part = INNER_PART[problem.kinematics] * share
         friction = (
             inner_part * moment / problem.ball_diameter,
             (2.0 - inner_part) * moment / problem.ball_diameter,
         )
     else:
-        friction = (held.inner_friction + 0.0 * inner_load, held.outer_friction + 0.0 * inner_load)
+        friction = (
+            prescribed.inner_friction + 0.0 * inner_load,
+            prescribed.outer_friction + 0.0 * inner_load,
+        )
     return BallState(inner_load, outer_load, inner, outer, motion, force, moment, *friction)
 
 
@@ -253,7 +256,7 @@ def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
     )
 
 
-def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallRow:
+def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsEquilibrium:
     """Equilibrium of all balls at a given position of the inner ring.
 
     Parameters
@@ -267,7 +270,7 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallRo
 
     Returns
     -------
-    BallRow
+    BallsEquilibrium
         Its `residual` tells whether each ball was brought to equilibrium.
     """
     u = _start(V, u_start, problem)
@@ -319,7 +322,7 @@ def _round_off(current: _Evaluation, problem: BallProblem) -> Array:
     return ROUND_OFF * (problem.inner_length + problem.outer_length) * stiffness
 
 
-def _row(current: _Evaluation, problem: BallProblem) -> BallRow:
+def _row(current: _Evaluation, problem: BallProblem) -> BallsEquilibrium:
     """Condense: du/dV from the ball equilibrium, then the change of the forces on the ring with V."""
     u, values, size, jacobian = current
     by_w = jacobian[:, 2:]
@@ -329,7 +332,7 @@ def _row(current: _Evaluation, problem: BallProblem) -> BallRow:
     norm = np.hypot(values[0], values[1])
     scale = np.maximum(size, LIGHT * size.max())
     scale = np.where(scale > 0.0, scale, 1.0)
-    return BallRow(
+    return BallsEquilibrium(
         u,
         values,
         du_dV,

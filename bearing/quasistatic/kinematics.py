@@ -42,7 +42,7 @@ class Motion(NamedTuple):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class HeldBalls:
+class PrescribedBalls:
     """Motion of the balls and friction on them as a balance of traction gives them; each of shape
     (Z,).
 

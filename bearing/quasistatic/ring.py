@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ..geometry import Array, Bearing
 from ..operation import Operation
 from ..rows import SINGLE, Row, per_ball, row_directions
-from .balls import ROUND_OFF, BallProblem, BallRow, solve_balls
+from .balls import ROUND_OFF, BallProblem, BallsEquilibrium, solve_balls
 from .contact_stiffness import stiffness_at
 
 RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
@@ -57,11 +57,11 @@ class Ring(NamedTuple):
         V[1] += self.facing
         return V
 
-    def loads(self, row: BallRow, balls: int) -> Array:
-        """Load of the balls on the ring, row of `balls` by row of balls, shape (rows, 5) [N],
+    def loads(self, equilibrium: BallsEquilibrium, balls: int) -> Array:
+        """Load of the balls on the ring by rows of `balls` balls, shape (rows, 5) [N],
         moments over R_i.
         """
-        each = np.einsum("qfz,fz->qz", self.gather, row.values[2:])
+        each = np.einsum("qfz,fz->qz", self.gather, equilibrium.values[2:])
         return each.reshape(5, -1, balls).sum(axis=2).T
 
 
@@ -71,7 +71,7 @@ class RingPoint(NamedTuple):
     """
 
     q: Array
-    row: BallRow
+    balls: BallsEquilibrium
     force: Array
     stiffness: Array
     residual: float
@@ -137,7 +137,7 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
             return point, iteration
         point = _search(point, _step(point, ring, problem), ring, problem)
         lost = bool(
-            point.row.residual.max() > max(RESIDUAL_TOLERANCE, point.noise)
+            point.balls.residual.max() > max(RESIDUAL_TOLERANCE, point.noise)
         )  # no step leaves every ball in equilibrium
         stalled = point.residual >= 0.5 * best.residual
         if point.residual < best.residual:
@@ -152,13 +152,13 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
 
 
 def _point(q: Array, u_start: Array | None, ring: Ring, problem: BallProblem) -> RingPoint:
-    row = solve_balls(ring.position(q), u_start, problem)
-    force = np.einsum("qfz,fz->q", ring.gather, row.values[2:])
+    balls = solve_balls(ring.position(q), u_start, problem)
+    force = np.einsum("qfz,fz->q", ring.gather, balls.values[2:])
     stiffness = -np.einsum(
-        "qfz,fpz->qp", ring.gather, np.einsum("fvz,vpz->fpz", row.ring_dV, ring.movement)
+        "qfz,fpz->qp", ring.gather, np.einsum("fvz,vpz->fpz", balls.ring_dV, ring.movement)
     )
     unbalance = np.abs(force + ring.load)[ring.free]
-    largest = max(np.abs(ring.load).max(), np.hypot(row.values[2], row.values[3]).max())
+    largest = max(np.abs(ring.load).max(), np.hypot(balls.values[2], balls.values[3]).max())
     residual = float(unbalance.max() / largest) if unbalance.size and largest > 0.0 else 0.0
     noise = (
         ROUND_OFF * ring.distance * float(np.abs(stiffness).max()) / largest
@@ -166,7 +166,12 @@ def _point(q: Array, u_start: Array | None, ring: Ring, problem: BallProblem) ->
         else 0.0
     )
     return RingPoint(
-        q, row, force, stiffness, max(residual, float(row.residual.max())), max(noise, row.noise)
+        q,
+        balls,
+        force,
+        stiffness,
+        max(residual, float(balls.residual.max())),
+        max(noise, balls.noise),
     )
 
 
@@ -202,9 +207,9 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
     factor = 1.0
     for _ in range(MAX_CUTS):
         moved = np.einsum("vqz,q->vz", ring.movement, factor * step)
-        predicted = point.row.u + np.einsum("uvz,vz->uz", point.row.du_dV, moved)
+        predicted = point.balls.u + np.einsum("uvz,vz->uz", point.balls.du_dV, moved)
         trial = _point(point.q + factor * step, predicted, ring, problem)
-        if trial.row.residual.max() <= max(RESIDUAL_TOLERANCE, trial.noise):
+        if trial.balls.residual.max() <= max(RESIDUAL_TOLERANCE, trial.noise):
             if norm(trial) < (1.0 - 1e-4 * factor) * size or along(trial) > 0.0:
                 return trial
             factor *= min(max(slope / (slope - along(trial)), 0.1), 0.7)

@@ -52,9 +52,9 @@ class QuasistaticSolution:
     inner_drive : ndarray
         Friction of the ball on the inner ring along the tangent of the orbit; not asked for under
         a hypothesis [N].
-    carried : ndarray of bool
-        In traction equilibrium: loaded at the inner race, which cannot drive it, so that it goes
-        with the cage.
+    cage_driven : ndarray of bool
+        In traction equilibrium: loaded at the inner race, which cannot drive it, so that the cage
+        does.
     cage_speed : float
         Mean orbit speed of the balls loaded at the inner race, of all balls where there are none
         [rad/s].
@@ -92,7 +92,7 @@ class QuasistaticSolution:
     inner_friction: Array
     outer_friction: Array
     inner_drive: Array
-    carried: NDArray[np.bool_]
+    cage_driven: NDArray[np.bool_]
     cage_speed: float
     residual: float
     iterations: int
@@ -140,7 +140,7 @@ BALL_ARRAYS = (
     "inner_friction",
     "outer_friction",
     "inner_drive",
-    "carried",
+    "cage_driven",
 )
 
 

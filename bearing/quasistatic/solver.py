@@ -2,7 +2,7 @@
 Harris.
 
 The inner ring, with one row of balls or several, moves by (x, y, z, tilt y, tilt z); every ball is
-in equilibrium with it (`ball_equilibrium`), and Newton's method with the condensed tangent brings
+in equilibrium with it (`balls`), and Newton's method with the condensed tangent brings
 the ring to balance. Small rotations: the grooves' centres move linearly with the five unknowns,
 the error being half the square of the tilt times their radius.
 """
@@ -17,17 +17,17 @@ from ehl.closed_form.hertz import hertz_contact
 from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from ..operation import DEGREES_OF_FREEDOM, BallKinematics, Model, Operation
 from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
-from .balls import EDGE_COSINE, BallProblem, BallRow, BallState, ball_problem, ball_state
+from .balls import EDGE_COSINE, BallProblem, BallsEquilibrium, BallState, ball_problem, ball_state
 from .contact_stiffness import stiffness_at
-from .kinematics import HeldBalls
+from .kinematics import PrescribedBalls
 from .ring import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring
 from .solution import QuasistaticSolution, _cage_speed
 
 SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct solve fails [-]
 # load over the centrifugal forces of all balls below which these may leave no equilibrium [-]
-LIGHT_LOAD = 0.1
+LIGHT_LOAD_RATIO = 0.1
 # smallest over largest stiffness below which a direction counts as undetermined [-]
-SINGULAR = 1.0e-9
+SINGULAR_RATIO = 1.0e-9
 
 
 def solve_quasistatic(
@@ -72,7 +72,7 @@ def solve_quasistatic(
     inputs = (bearing, operation, model, tuple(rows))
     ring = ring_of(bearing, operation, inputs[3])
     problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
-    point, iterations = _from_near(ring, problem, initial_guess)
+    point, iterations = _from_guess(ring, problem, initial_guess)
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         start = None
         for factor in SPEED_STEPS:
@@ -80,7 +80,7 @@ def solve_quasistatic(
                 bearing, factor * operation.inner_speed, factor * operation.outer_speed, model
             )
             start, more = solve_ring(
-                ring, slower, None if start is None else RingStart(start.q, start.row.u)
+                ring, slower, None if start is None else RingStart(start.q, start.balls.u)
             )
             iterations += more
             if start.residual > max(RESIDUAL_TOLERANCE, start.noise):
@@ -90,49 +90,39 @@ def solve_quasistatic(
     return _solution(inputs, ring, problem, point, iterations)
 
 
-def solve_held_balls(
+def solve_with_prescribed_balls(
     bearing: Bearing,
     operation: Operation,
     model: Model,
-    near: QuasistaticSolution,
-    held: HeldBalls,
+    start: QuasistaticSolution,
+    prescribed: PrescribedBalls,
 ) -> QuasistaticSolution:
-    """Equilibrium of balls and inner ring with motion and friction of the balls given, and what
-    these do to the ring.
+    """Equilibrium with the speeds [rad/s] of the balls and the friction [N] on them prescribed.
 
-    Parameters
-    ----------
-    bearing, operation, model
-        As in `solve_quasistatic`.
-    near : QuasistaticSolution
-        From where the search begins; the friction along the orbit acts at its inner contacts
-        [rad].
-    held : HeldBalls
-        Speeds in [rad/s], forces in [N].
-
-    Returns
-    -------
-    QuasistaticSolution
+    The search begins at `start`, at whose inner contacts [rad] the friction along the orbit acts;
+    otherwise as `solve_quasistatic`.
     """
-    inputs = (bearing, operation, model, near.rows)
-    ring = ring_of(bearing, operation, near.rows)
-    drive = _drive_loads(ring, near, held.inner_drive)
+    inputs = (bearing, operation, model, start.rows)
+    ring = ring_of(bearing, operation, start.rows)
+    drive = _drive_loads(ring, start, prescribed.inner_drive)
     ring = ring._replace(load=ring.load + drive.sum(axis=0), drive=drive)
     problem = replace(
-        ball_problem(bearing, operation.inner_speed, operation.outer_speed, model), held=held
+        ball_problem(bearing, operation.inner_speed, operation.outer_speed, model),
+        prescribed=prescribed,
     )
-    point, iterations = _from_near(ring, problem, near)
+    point, iterations = _from_guess(ring, problem, start)
     return _solution(inputs, ring, problem, point, iterations)
 
 
-def _from_near(
-    ring: Ring, problem: BallProblem, near: QuasistaticSolution | None
+def _from_guess(
+    ring: Ring, problem: BallProblem, guess: QuasistaticSolution | None
 ) -> tuple[RingPoint, int]:
-    """Balance from a solution nearby, and from a guess where there is none or it does not help."""
-    point, iterations = solve_ring(ring, problem, None if near is None else _near(near, ring))
-    if near is not None and point.residual > max(RESIDUAL_TOLERANCE, point.noise):
-        return solve_ring(ring, problem, None)
-    return point, iterations
+    """Balance from a similar solution; from the loads where there is none or it fails."""
+    if guess is not None:
+        point, iterations = solve_ring(ring, problem, _start_at(guess, ring))
+        if point.residual <= max(RESIDUAL_TOLERANCE, point.noise):
+            return point, iterations
+    return solve_ring(ring, problem, None)
 
 
 def _drive_loads(ring: Ring, at: QuasistaticSolution, drive: Array) -> Array:
@@ -150,8 +140,8 @@ def _drive_loads(ring: Ring, at: QuasistaticSolution, drive: Array) -> Array:
     return each.reshape(5, -1, at.bearing.balls).sum(axis=2).T
 
 
-def _near(solution: QuasistaticSolution, ring: Ring) -> RingStart:
-    """Ring and balls where another solution has them; what is prescribed is prescribed."""
+def _start_at(solution: QuasistaticSolution, ring: Ring) -> RingStart:
+    """Ring and balls where a solution has them, but for prescribed displacements."""
     q = np.concatenate([solution.displacement, solution.tilt]) * ring.scale
     planes = per_ball(solution.bearing, [row.outer_plane for row in solution.rows])
     u = np.stack(
@@ -160,7 +150,7 @@ def _near(solution: QuasistaticSolution, ring: Ring) -> RingStart:
     return RingStart(np.where(ring.free, q, ring.prescribed), u)
 
 
-def _verdict(
+def _convergence(
     problem: BallProblem,
     bearing: Bearing,
     ring: Ring,
@@ -168,7 +158,7 @@ def _verdict(
     state: BallState,
     iterations: int,
 ) -> tuple[bool, str]:
-    """Whether the point is an equilibrium, and in words why not or what is left undetermined."""
+    """Whether the point is an equilibrium, and a message: why not, or what is undetermined."""
     loaded = state.inner_load > 0.0
     beyond = (loaded & (state.inner.cos < EDGE_COSINE)) | (state.outer.cos < EDGE_COSINE)
     if beyond.any():
@@ -177,7 +167,7 @@ def _verdict(
             "no equilibrium: a contact angle passes 80 degrees, the balls leave the grooves",
         )
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
-        worst = float(np.max(point.row.residual))
+        worst = float(np.max(point.balls.residual))
         advice = _advice(problem, bearing, ring, state)
         return False, (
             f"no equilibrium found in {iterations} iterations: relative residual {point.residual:.1e} "
@@ -196,8 +186,11 @@ def _verdict(
         )
     undetermined = _undetermined(ring, point)
     if undetermined:
-        words = f"without stiffness, hence arbitrary: {', '.join(undetermined)}"
-        return True, f"converged in {iterations} iterations; {words}"
+        names_text = ", ".join(undetermined)
+        return (
+            True,
+            f"converged in {iterations} iterations; without stiffness, hence arbitrary: {names_text}",
+        )
     return True, f"converged in {iterations} iterations"
 
 
@@ -208,7 +201,7 @@ def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState
     share = float(np.linalg.norm(ring.load[:3])) / max(
         state.inner_load.size * problem.nominal_force, 1e-300
     )
-    if problem.nominal_force > 0.0 and share < LIGHT_LOAD and ring.free[0]:
+    if problem.nominal_force > 0.0 and share < LIGHT_LOAD_RATIO and ring.free[0]:
         return (
             f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to hold them in the grooves "
             "under this hypothesis: take more thrust or less speed"
@@ -251,7 +244,7 @@ def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
         return []
     tangent = point.stiffness[np.ix_(indices, indices)]
     _, values, vectors = np.linalg.svd(tangent)
-    null = vectors[values < SINGULAR * values[0]]
+    null = vectors[values < SINGULAR_RATIO * values[0]]
     return [
         DEGREES_OF_FREEDOM[k]
         for k, part in zip(indices, np.abs(null).T, strict=True)
@@ -267,14 +260,14 @@ def _solution(
     iterations: int,
 ) -> QuasistaticSolution:
     bearing, operation, model, rows = inputs
-    row: BallRow = point.row
-    state = ball_state(row.u, ring.position(point.q) - row.u, problem)
-    converged, message = _verdict(problem, bearing, ring, point, state, iterations)
+    balls: BallsEquilibrium = point.balls
+    state = ball_state(balls.u, ring.position(point.q) - balls.u, problem)
+    converged, message = _convergence(problem, bearing, ring, point, state, iterations)
     scale = ring.scale
     movement = point.q / ring.scale
-    row_load = -(ring.loads(row, bearing.balls) + ring.drive) * scale
-    held = problem.held
-    none = np.zeros(row.u.shape[1])
+    row_load = -(ring.loads(balls, bearing.balls) + ring.drive) * scale
+    prescribed = problem.prescribed
+    none = np.zeros(balls.u.shape[1])
     load = -(point.force + ring.drive.sum(axis=0)) * scale
     return QuasistaticSolution(
         bearing=bearing,
@@ -287,11 +280,11 @@ def _solution(
         stiffness=point.stiffness * np.outer(scale, scale),
         azimuth=row_azimuths(bearing, rows),
         **_ball_arrays(state),
-        ball_axial=row.u[0] + per_ball(bearing, [part.outer_plane for part in rows]),
-        ball_radial=bearing.outer_centre_radius + row.u[1],
-        pivot_speed=none if held is None else held.pivot_speed,
-        inner_drive=none if held is None else held.inner_drive,
-        carried=np.zeros(none.size, dtype=np.bool_),
+        ball_axial=balls.u[0] + per_ball(bearing, [part.outer_plane for part in rows]),
+        ball_radial=bearing.outer_centre_radius + balls.u[1],
+        pivot_speed=none if prescribed is None else prescribed.pivot_speed,
+        inner_drive=none if prescribed is None else prescribed.inner_drive,
+        cage_driven=np.zeros(none.size, dtype=np.bool_),
         cage_speed=_cage_speed(state.motion.orbit_speed, state.inner_load),
         residual=point.residual,
         iterations=iterations,

@@ -1,9 +1,8 @@
 from .breakdown import TorqueBreakdown, torque_breakdown
-from .integrated import solved_shear
+from .integrated import law_torque, solved_shear
 from .models import FrictionInput, ModelTorque
 from .shear_torque import IntegratedTorque, SolvedShear
 from .starved import StarvedTorque
-from .tabulated import tabulated_torque
 
 __all__ = [
     "FrictionInput",
@@ -12,7 +11,7 @@ __all__ = [
     "SolvedShear",
     "StarvedTorque",
     "TorqueBreakdown",
+    "law_torque",
     "solved_shear",
-    "tabulated_torque",
     "torque_breakdown",
 ]

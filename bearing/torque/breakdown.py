@@ -6,12 +6,10 @@ from dataclasses import dataclass
 from ehl import ContactSolution, Lubricant
 
 from ..contacts.contacts import BearingContact
-from ..contacts.traction import ContactTraction
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.starved_films import StarvedFilm, starved_films
 from ..supply.supply import Supply
 from . import sliding
-from .integrated import integrated_torque
 from .models import (
     FrictionInput,
     ModelTorque,
@@ -78,7 +76,6 @@ def torque_breakdown(
     contacts: Sequence[BearingContact],
     lubricant: Lubricant,
     friction: FrictionInput,
-    tractions: Sequence[ContactTraction] | None = None,
     shear: SolvedShear | None = None,
     solutions: Sequence[ContactSolution | None] | None = None,
 ) -> TorqueBreakdown:
@@ -92,11 +89,8 @@ def torque_breakdown(
     lubricant : Lubricant
         Viscosity [Pa s], density [kg/m^3].
     friction : FrictionInput
-    tractions : sequence of ContactTraction, optional
-        Shear of every lubricated contact at one motion of the balls, integrated.
     shear : SolvedShear, optional
-        Shear of every lubricated contact with the balls in balance; goes before `tractions`.
-        Without both there is no integrated model.
+        Shear of every lubricated contact; without it there is no integrated model.
     solutions : sequence of ContactSolution or None, optional
         Flooded films that a supply takes its share of; formulas where one is missing.
 
@@ -110,8 +104,6 @@ def torque_breakdown(
         rest = ModelTorque(note="the rings do not turn against each other")
         return TorqueBreakdown(models=dict.fromkeys(NAMES, rest), coefficient=0.0)
     mu = coulomb_coefficient(solution, lubricant, friction)
-    if shear is None and tractions is not None:
-        shear = SolvedShear(hypothesis=integrated_torque(solution, tractions))
     models = {
         INTEGRATED: _integrated(solution, lubricant, friction, shear, speed),
         **line_models(solution, contacts, mu, speed),
@@ -121,7 +113,7 @@ def torque_breakdown(
         "palmgren": palmgren_model(solution, lubricant, friction),
         "yao": yao_model(solution, contacts, lubricant, friction, mu),
     }
-    lacking = {} if shear is None or friction.roughness is None else shear.untold
+    lacking = {} if shear is None or friction.roughness is None else shear.missing_components
     lambda_note = lacking.get("asperity", "needs the films and their roughness, [surface]")
     models.setdefault("skf_lambda", ModelTorque(note=lambda_note))
     models[STARVED], starved = _starved(solution, contacts, lubricant, friction, solutions)

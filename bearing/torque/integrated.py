@@ -1,15 +1,11 @@
-"""Friction torque from the shear of the solved films, and the balls' motion in which that shear
-balances itself.
+"""Friction torque from the shear of all contacts: of solved films, or of a law or table of each race.
 
-The forces and moments of a contact f = (F_x, F_y, M_n, M_y) on the ball
-(`ehl.traction.integrate_traction`) belong to the relative motion k = (S_x, S_y, Omega, omega) of
-ball and race, and -f k is the power turned into heat. Divided by the speed of the shaft, it is the
-torque, exactly so where the forces balance on every ball (traction equilibrium): then the rings'
-power is the heat. Under a hypothesis such as race control they do not, and `imbalance` tells by
-how much.
-
-The films are those solved without sliding at the contacts' centres; how much sliding thins them is
-left out.
+Heat is the power of friction against the sliding at the contact's centre, the spin and the rolling
+of the curved surfaces, of asperities, and of the oil that the pressure pumps; the torque is heat
+over the shaft's speed. Motion and forces are those under the hypothesis of the balls' motion, and
+those in traction equilibrium. A table and a law have one moment about the transverse axis, which
+is the rolling resistance with the curvature slip or the slip alone, and no minimum film, from
+which a share of asperities would follow.
 """
 
 from collections.abc import Sequence
@@ -21,15 +17,34 @@ from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 
 from ..contacts.contacts import BearingContact
+from ..contacts.motion import MotionMap, ball_speeds, motion_map
 from ..contacts.traction import ContactTraction, contact_traction
-from ..friction.balance import BalancedFriction, resisted_power, ring_power
-from ..friction.coulomb import contact_ellipses
-from ..friction.ellipse import coulomb_dissipation
+from ..friction.balance import BalancedFriction, balance_driven_balls, resisted_power
+from ..friction.coulomb import contact_ellipses, coulomb_dissipation
 from ..friction.films import Asperities, film_balance
-from ..friction.resistance import FREE, Resistance
+from ..friction.law import ContactLaw
+from ..friction.resistance import NO_RESISTANCE, Resistance
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
-from .shear_torque import IntegratedTorque, SolvedShear, carried_balls, not_balanced, not_closed
+from .shear_torque import (
+    IntegratedTorque,
+    SolvedShear,
+    cage_driven_balls,
+    imbalance_message,
+    no_balance_message,
+)
+
+ONE_MOMENT = {
+    "curvature": "the friction law has one moment about the transverse axis: "
+    "rolling holds the curvature slip"
+}
+NO_ROLLING_RESISTANCE = {
+    "rolling": "the friction law is a coefficient over the ellipse and knows no rolling resistance "
+    "of the oil"
+}
+NO_ASPERITIES = {
+    "asperity": "the friction law holds no minimum film, from which the share of asperities follows"
+}
 
 
 def solved_shear(
@@ -38,9 +53,9 @@ def solved_shear(
     films: Sequence[ContactSolution | None],
     rheology: Rheology,
     asperities: Asperities | None = None,
-    resistance: Resistance = FREE,
+    resistance: Resistance = NO_RESISTANCE,
 ) -> SolvedShear:
-    """Integrated torque under the hypothesis and in traction equilibrium.
+    """Torque [N m] of solved films under the hypothesis and in traction equilibrium.
 
     Parameters
     ----------
@@ -50,11 +65,6 @@ def solved_shear(
         None: full films.
     resistance : Resistance, optional
         What holds the balls back beside the races.
-
-    Returns
-    -------
-    SolvedShear
-        [N m].
     """
     pairs = [(c, film) for c, film in zip(contacts, films, strict=True) if film is not None]
     shares = [
@@ -65,27 +75,98 @@ def solved_shear(
     mean = None
     if asperities is not None and loads > 0.0:
         mean = sum(s * contact.load for s, (contact, _) in zip(shares, pairs, strict=True)) / loads
-    assumed = [contact_traction(solution, contact, film, rheology) for contact, film in pairs]
-    hypothesis = integrated_torque(solution, assumed, shares, boundary)
-    hypothesis = replace(hypothesis, resisted=resisted_power(solution, resistance))
+    assumed = tuple(contact_traction(solution, c, film, rheology) for c, film in pairs)
+    hypothesis = replace(
+        integrated_torque(solution, assumed, shares, boundary),
+        resisted=resisted_power(solution, resistance),
+    )
     balance = film_balance(solution, contacts, films, rheology, asperities, resistance)
     if not balance.converged:
-        note = not_balanced(balance)
         return SolvedShear(
-            hypothesis=hypothesis, asperity_share=mean, tractions=tuple(assumed), note=note
+            hypothesis=hypothesis,
+            asperity_share=mean,
+            tractions=assumed,
+            note=no_balance_message(balance),
         )
-    found = balanced_tractions(solution, contacts, films, rheology, balance)
-    balanced = replace(
-        integrated_torque(solution, found, shares, boundary), resisted=balance.resisted
+    tractions = tuple(
+        contact_traction(solution, c, film, rheology, balance.motions[c.ball - 1])
+        for c, film in pairs
     )
+    torque = integrated_torque(solution, tractions, shares, boundary)
+    shear = _balanced_shear(solution, hypothesis, torque, balance)
+    return replace(shear, asperity_share=mean, tractions=tractions)
+
+
+def law_torque(
+    solution: QuasistaticSolution,
+    contacts: Sequence[BearingContact],
+    law: ContactLaw,
+    resistance: Resistance = NO_RESISTANCE,
+) -> SolvedShear:
+    """Torque [N m] by the friction of all contacts, under the hypothesis and in balance.
+
+    Parameters
+    ----------
+    solution : QuasistaticSolution
+        With rings that turn against each other [rad/s].
+    contacts : sequence of BearingContact
+        All of its contacts, inner then outer, ball by ball.
+    law : ContactLaw
+        Friction in [N], [N m].
+    resistance : Resistance, optional
+        What holds the balls back beside the races.
+    """
+    kinematics = motion_map(solution, contacts)
+    motion = kinematics.motion(*ball_speeds(solution))
+    forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
+    hypothesis = replace(
+        _law_torque(solution, kinematics, law, motion, forces),
+        resisted=resisted_power(solution, resistance),
+    )
+    missing = (ONE_MOMENT if law.has_rolling_resistance else NO_ROLLING_RESISTANCE) | NO_ASPERITIES
+    balance = balance_driven_balls(solution, contacts, law, resistance)
+    if not balance.converged:
+        note = no_balance_message(balance)
+        return SolvedShear(hypothesis=hypothesis, note=note, missing_components=missing)
+    motion, forces = balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4)
+    torque = _law_torque(solution, kinematics, law, motion, forces)
+    shear = _balanced_shear(solution, hypothesis, torque, balance)
+    return replace(shear, missing_components=missing)
+
+
+def _balanced_shear(
+    solution: QuasistaticSolution,
+    hypothesis: IntegratedTorque,
+    torque: IntegratedTorque,
+    balance: BalancedFriction,
+) -> SolvedShear:
+    """Both torques, with what the drag takes from the balls in balance."""
+    balanced = replace(torque, resisted=balance.resisted)
     return SolvedShear(
         hypothesis=hypothesis,
         balanced=balanced,
-        asperity_share=mean,
-        carried=carried_balls(solution, balance),
-        tractions=found,
-        note=not_closed(balanced),
+        cage_driven=cage_driven_balls(solution, balance),
+        note=imbalance_message(balanced),
     )
+
+
+def _law_torque(
+    solution: QuasistaticSolution,
+    kinematics: MotionMap,
+    law: ContactLaw,
+    motion: Array,
+    forces: Array,
+) -> IntegratedTorque:
+    """Torque of motions and forces (contacts, 4) [m/s], [rad/s], [N], [N m]; the parts that the law
+    does not distinguish are None.
+    """
+    x, y, spin, transverse = (-forces * motion).T
+    none = np.zeros_like(x)
+    powers = np.stack([none, x + y, spin, transverse, none], axis=1)
+    torque = _torque_of_powers(solution, kinematics, powers, forces)
+    if law.has_rolling_resistance:
+        return replace(torque, rolling=torque.curvature, curvature=None, asperity=None)
+    return replace(torque, rolling=None, asperity=None)
 
 
 def integrated_torque(
@@ -94,8 +175,7 @@ def integrated_torque(
     shares: Sequence[float] | None = None,
     boundary: float = 0.0,
 ) -> IntegratedTorque:
-    """Torque of the shear of all lubricated contacts, at the motion the tractions were integrated
-    for.
+    """Torque [N m] of the shear of all lubricated contacts at the motion of their tractions.
 
     Parameters
     ----------
@@ -108,68 +188,63 @@ def integrated_torque(
         rest.
     boundary : float
         Friction of the asperities, mu_b [-].
+    """
+    pairs = zip(tractions, shares or [0.0] * len(tractions), strict=True)
+    rows = [_film_powers(solution, traction, share, boundary) for traction, share in pairs]
+    powers = np.array([power for power, _ in rows]).reshape(-1, 5)
+    forces = np.array([force for _, force in rows]).reshape(-1, 4)
+    kinematics = motion_map(solution, [traction.contact for traction in tractions])
+    return _torque_of_powers(solution, kinematics, powers, forces)
 
-    Returns
-    -------
-    IntegratedTorque
-        [N m], [W].
+
+def _film_powers(
+    solution: QuasistaticSolution, traction: ContactTraction, share: float, boundary: float
+) -> tuple[Array, Array]:
+    """Powers (5,) [W] of pumping, sliding, spin, curvature and asperities, and all forces (4,) on
+    the ball [N], [N m].
+    """
+    k, r = traction.kinematics, traction.result
+    motion = np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
+    shear = np.array([r.sliding_force_x, r.sliding_force_y, r.spin_moment, r.curvature_moment])
+    force = (1.0 - share) * shear
+    asperity = _asperity_force(solution, traction.contact, motion, share * boundary)
+    pumped = np.array([0.5 * k.curvature_difference, 0.0, 0.0, 1.0]) * r.hydrodynamic_moment
+    slide = -force[:2] @ motion[:2]
+    rubbed = -asperity @ motion
+    powers = np.array([r.pumping_loss, slide, -force[2] * k.spin, -force[3] * k.rolling, rubbed])
+    return powers, force + asperity + pumped
+
+
+def _asperity_force(
+    solution: QuasistaticSolution, contact: BearingContact, motion: Array, friction: float
+) -> Array:
+    """Forces and moments (4,) on the ball by Coulomb's mu [-] at a motion (4,)."""
+    if friction == 0.0:
+        return np.zeros(4)
+    ellipse = contact_ellipses(solution, [contact], friction)
+    return -coulomb_dissipation(motion[None, :], ellipse).gradient[0]
+
+
+def _torque_of_powers(
+    solution: QuasistaticSolution, kinematics: MotionMap, powers: Array, forces: Array
+) -> IntegratedTorque:
+    """Sums over contacts of powers (contacts, 5) [W] as in `_film_powers` and of what the rings
+    feed in against all forces (contacts, 4).
     """
     speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
-    parts = np.zeros(5)
-    balls = np.zeros(solution.azimuth.size)
-    shaft = 0.0
-    for part, share in zip(tractions, shares or [0.0] * len(tractions), strict=True):
-        k, r = part.kinematics, part.result
-        oil = 1.0 - share
-        force = oil * np.array(
-            [r.sliding_force_x, r.sliding_force_y, r.spin_moment, r.curvature_moment]
-        )
-        asperity = _asperity_force(solution, part, share * boundary)
-        motion = np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
-        slid = np.array([-force[:2] @ motion[:2], -force[2] * k.spin, -force[3] * k.rolling])
-        powers = np.array([r.pumping_loss, *slid, -asperity @ motion])
-        parts += powers
-        balls[part.contact.ball - 1] += powers.sum() / speed
-        pumped = np.array([0.5 * k.curvature_difference, 0.0, 0.0, 1.0]) * r.hydrodynamic_moment
-        shaft += ring_power(solution, part.contact, force + asperity + pumped)
-    rolling, sliding, spin, curvature, rubbed = (float(power) / speed for power in parts)
+    shaft = -(forces * kinematics.ring).sum(axis=1)
+    sums = np.column_stack([powers, shaft]).sum(axis=0)
+    rolling, sliding, spin, curvature, asperity = (float(power) / speed for power in sums[:5])
+    per_ball = np.bincount(
+        kinematics.ball, powers.sum(axis=1) / speed, minlength=solution.azimuth.size
+    )
     return IntegratedTorque(
         rolling=rolling,
         sliding=sliding,
         spin=spin,
         curvature=curvature,
-        asperity=rubbed,
-        shaft_power=shaft,
-        heat=float(parts.sum()),
-        per_ball=balls,
-    )
-
-
-def _asperity_force(
-    solution: QuasistaticSolution, traction: ContactTraction, friction: float
-) -> Array:
-    """Forces and moments (4,) on the ball by Coulomb's mu [-] at the traction's motion."""
-    if friction == 0.0:
-        return np.zeros(4)
-    k = traction.kinematics
-    motion = np.array([[k.sliding_x, k.sliding_y, k.spin, k.rolling]])
-    return -coulomb_dissipation(
-        motion, contact_ellipses(solution, [traction.contact], friction)
-    ).gradient[0]
-
-
-def balanced_tractions(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    films: Sequence[ContactSolution | None],
-    rheology: Rheology,
-    balance: BalancedFriction,
-) -> tuple[ContactTraction, ...]:
-    """Tractions of all contacts with a film at balanced motions; arguments as in `film_balance`,
-    forces in [N].
-    """
-    return tuple(
-        contact_traction(solution, contact, film, rheology, balance.motions[contact.ball - 1])
-        for contact, film in zip(contacts, films, strict=True)
-        if film is not None
+        asperity=asperity,
+        shaft_power=float(sums[5]),
+        heat=float(sums[:5].sum()),
+        per_ball=per_ball,
     )

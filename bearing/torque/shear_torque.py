@@ -24,8 +24,8 @@ class IntegratedTorque:
     ----------
     rolling, sliding, spin, curvature : float
         Of the pressure flow, of sliding at the centres, of spin, of the surfaces' curvature [N m].
-        Rolling or curvature is None where the friction does not tell them apart; the other then
-        holds both.
+        Rolling or curvature is None where the friction has no such part of its own; the other
+        then holds both.
     asperity : float or None
         Of asperities that touch [N m]; the oil's shear is then the rest. None where the friction
         has no share of them.
@@ -57,7 +57,7 @@ class IntegratedTorque:
 
     @property
     def parts(self) -> dict[str, float]:
-        """Those of the five that are told apart, by name [N m]."""
+        """Those of the five that the friction distinguishes, by name [N m]."""
         five = {
             name: getattr(self, name)
             for name in ("rolling", "sliding", "spin", "curvature", "asperity")
@@ -84,27 +84,27 @@ class SolvedShear:
     hypothesis : IntegratedTorque
         At the motion that the equilibrium of the loads assumed.
     balanced : IntegratedTorque or None
-        In traction equilibrium; None where it was not looked for or not found.
+        In traction equilibrium; None where it was not sought or not found.
     asperity_share : float or None
         Part of the sum of all loads on asperities [-]; None without roughness.
-    carried : tuple of int
-        Numbers of balls, from 1, that go with the cage although their inner race carries load: it
-        cannot drive them.
+    cage_driven : tuple of int
+        Numbers of balls, from 1, loaded at the inner race, which cannot drive them, so that the
+        cage does.
     tractions : tuple of ContactTraction
         Of every contact with a film, at the motion of `torque`.
     note : str
         Why there is no balanced one, or why it does not count as one.
-    untold : dict of str to str
+    missing_components : dict of str to str
         Why parts of the torque are None, by name.
     """
 
     hypothesis: IntegratedTorque
     balanced: IntegratedTorque | None = None
     asperity_share: float | None = None
-    carried: tuple[int, ...] = ()
+    cage_driven: tuple[int, ...] = ()
     tractions: tuple[ContactTraction, ...] = ()
     note: str = ""
-    untold: dict[str, str] = field(default_factory=dict)
+    missing_components: dict[str, str] = field(default_factory=dict)
 
     @property
     def torque(self) -> IntegratedTorque:
@@ -119,23 +119,28 @@ class SolvedShear:
         return self.balanced is not None and abs(self.balanced.imbalance) <= POWER_TOLERANCE
 
 
-def not_balanced(balance: BalancedFriction) -> str:
+def no_balance_message(balance: BalancedFriction) -> str:
     """Why a search for the motion of the balls does not count: force left on a ball, push of the
     cage [-].
     """
-    left = f"residual {balance.residual:.1e}, push of the cage known to {balance.cage_change:.1e} of it"
-    return f"no traction equilibrium found ({left}), the hypothesis of the motion is kept"
+    return (
+        f"no traction equilibrium found (residual {balance.residual:.1e}, push of the cage known "
+        f"to {balance.cage_change:.1e} of it), the hypothesis of the motion is kept"
+    )
 
 
-def not_closed(torque: IntegratedTorque) -> str:
+def imbalance_message(torque: IntegratedTorque) -> str:
     """Why the torque at the motion found does not count as that of balanced balls; empty if it
     does [-].
     """
     if abs(torque.imbalance) <= POWER_TOLERANCE:
         return ""
-    return f"balls nearly balanced, the rings' power misses heat and drag by {torque.imbalance:.1e} of the heat"
+    return (
+        "balls nearly balanced, the rings' power misses heat and drag by "
+        f"{torque.imbalance:.1e} of the heat"
+    )
 
 
-def carried_balls(solution: QuasistaticSolution, balance: BalancedFriction) -> tuple[int, ...]:
+def cage_driven_balls(solution: QuasistaticSolution, balance: BalancedFriction) -> tuple[int, ...]:
     """Numbers of balls, from 1, loaded at the inner race but not driven by it [-]."""
     return tuple(int(i) + 1 for i in np.flatnonzero((solution.inner_load > 0.0) & ~balance.driven))

@@ -7,9 +7,10 @@ from pathlib import Path
 from typing import Any
 
 from bearing.contacts.contacts import BearingContact
+from bearing.friction.law import BallTraction
 from bearing.friction.race_tables import Tables
-from bearing.friction.resistance import FREE
-from bearing.friction.sources import BallTraction, LawTraction
+from bearing.friction.resistance import NO_RESISTANCE
+from bearing.friction.sources import LawTraction
 from bearing.friction.table_files import save_race_tables
 from postprocess import summary
 from postprocess.batch.results import OUTSIDE
@@ -142,7 +143,7 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
         case.rheology,
         case.films.solids,
     )
-    resistance = FREE if case.traction is None else case.traction.resistance
+    resistance = NO_RESISTANCE if case.traction is None else case.traction.resistance
     traction = BallTraction(
         source=LawTraction(laws=dict(tables)), lubricant=case.lubricant, resistance=resistance
     )

@@ -4,14 +4,13 @@ from dataclasses import replace
 from pathlib import Path
 
 from bearing.friction.films import Asperities
+from bearing.friction.law import BallTraction, TractionLaw
 from bearing.friction.resistance import resistance_of
 from bearing.friction.sources import (
-    BallTraction,
     CoulombTraction,
     FilmTraction,
     FourConstantTraction,
     LawTraction,
-    TractionSource,
 )
 from bearing.geometry import Bearing
 from ehl import Lubricant
@@ -50,7 +49,7 @@ def ball_traction(
 
 def _source(
     file: BearingFile, bearing: Bearing, oil: Lubricant, rheology: Rheology, films: FilmPhysics
-) -> TractionSource:
+) -> TractionLaw:
     table = file.friction
     if table.traction == "coulomb":
         assert table.coefficient is not None  # checked before

@@ -13,7 +13,7 @@ from typing import Any
 from pydantic import TypeAdapter, ValidationError
 
 from bearing.fits.clearance import ClearanceBudget
-from bearing.friction.sources import BallTraction
+from bearing.friction.law import BallTraction
 from bearing.geometry import Bearing
 from bearing.library.bearings import list_bearings, load_catalogue_entry, warn_of_estimates
 from bearing.library.lubricants import list_lubricants

@@ -7,15 +7,14 @@ from time import perf_counter
 from bearing.contacts.contacts import BearingContact, contact_conditions
 from bearing.contacts.traction import ContactTraction, contact_traction
 from bearing.friction.films import Asperities
-from bearing.friction.resistance import FREE
+from bearing.friction.resistance import NO_RESISTANCE
 from bearing.friction.sources import FilmTraction
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies
 from bearing.rating.life import bearing_life
 from bearing.torque.breakdown import TorqueBreakdown, torque_breakdown
-from bearing.torque.integrated import solved_shear
+from bearing.torque.integrated import law_torque, solved_shear
 from bearing.torque.shear_torque import SolvedShear
-from bearing.torque.tabulated import law_torque
 from ehl import ContactSolution
 from postprocess.results import BearingResults
 
@@ -172,7 +171,7 @@ def _law_shear(
     traction = case.traction
     if traction is None or isinstance(traction.source, FilmTraction):
         return None
-    law = traction.source.prepare(state, contacts).law(state, contacts)
+    law = traction.source.at(state, contacts)
     return law_torque(state, contacts, law, traction.resistance)
 
 
@@ -195,5 +194,5 @@ def _film_shear(
         asperities = Asperities(
             inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary
         )
-    resistance = FREE if case.traction is None else case.traction.resistance
+    resistance = NO_RESISTANCE if case.traction is None else case.traction.resistance
     return solved_shear(state, contacts, solutions, case.rheology, asperities, resistance)

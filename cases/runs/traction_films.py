@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 from bearing.contacts.contacts import BearingContact
 from bearing.contacts.motion import bearing_kinematics
-from bearing.friction.sources import BallTraction, FilmTraction, LawTraction
+from bearing.friction.law import BallTraction
+from bearing.friction.sources import FilmTraction, LawTraction
 from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution, SolverOptions
@@ -72,7 +73,7 @@ def traction_messages(
     """
     if traction is None:
         return ()
-    words = f"friction of balls on races: {traction.source.words}"
+    words = f"friction of balls on races: {traction.source.description}"
     if state.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         words = f"balls in traction equilibrium; {words}"
         words += f"; {state.message}" if state.converged else ""

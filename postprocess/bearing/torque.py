@@ -113,7 +113,7 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
     for name in MODELS:
         if torque.models[name].total is None:
             yield f"torque_N_mm.models.{name}: null, {torque.models[name].note}"
-    for part, why in ({} if torque.shear is None else torque.shear.untold).items():
+    for part, why in ({} if torque.shear is None else torque.shear.missing_components).items():
         yield f"torque_N_mm.models.integrated.{part}: null, {why}"
     if torque.chosen == "integrated" and torque.shear is not None:
         yield f"torque_N_mm.total: the integrated model{_balance_words(results)}"
@@ -138,7 +138,7 @@ def _balance_words(results: BearingResults) -> str:
     if shear.balanced is None:
         return f"; {shear.note}: the rings' power differs from the heat by {shear.torque.imbalance:.0%} of it"
     kinematics = results.quasistatic.model.ball_kinematics
-    carried = ", ".join(str(ball) for ball in shear.carried)
+    carried = ", ".join(str(ball) for ball in shear.cage_driven)
     words = (
         ", balls in traction equilibrium, as traction of the contacts"
         if shear.closed

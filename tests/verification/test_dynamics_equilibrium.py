@@ -27,9 +27,10 @@ from bearing.dynamics.friction import RaceFriction, four_constant_friction
 from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from bearing.dynamics.record import join
 from bearing.dynamics.simulation import simulation
+from bearing.friction.balance import balance_driven_balls
+from bearing.friction.law import BallTraction
 from bearing.friction.race_tables import build_race_tables
-from bearing.friction.sources import BallTraction, LawTraction
-from bearing.friction.tables import law_balance
+from bearing.friction.sources import LawTraction
 from cases import load_case
 from ehl import Lubricant
 from ehl.traction.laws import four_constants
@@ -80,7 +81,8 @@ def balanced(operation, laws):
     traction = BallTraction(source=LawTraction(laws=laws), lubricant=OIL)
     state = solve_traction_equilibrium(BEARING, operation, None, traction)
     assert state.converged
-    friction = law_balance(state, contact_conditions(state, OIL), laws)
+    contacts = contact_conditions(state, OIL)
+    friction = balance_driven_balls(state, contacts, traction.source.at(state, contacts))
     assert friction.converged
     return state, friction
 

@@ -12,7 +12,8 @@ from bearing.dynamics.bodies import ring_body
 from bearing.dynamics.friction import RaceFriction, four_constant_friction
 from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from bearing.dynamics.simulation import simulation
-from bearing.friction.sources import BallTraction, LawTraction
+from bearing.friction.law import BallTraction
+from bearing.friction.sources import LawTraction
 from ehl.traction.laws import four_constants
 
 from .test_dynamics_equilibrium import BEARING, OIL, motion, settled

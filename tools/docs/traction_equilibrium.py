@@ -14,7 +14,8 @@ from matplotlib.figure import Figure
 from bearing import BallKinematics, Model, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.contacts.motion import bearing_kinematics
 from bearing.friction.balance import ring_power
-from bearing.friction.sources import BallTraction, CoulombTraction, FilmTraction, FourConstantTraction, TractionSource
+from bearing.friction.law import BallTraction, TractionLaw
+from bearing.friction.sources import CoulombTraction, FilmTraction, FourConstantTraction
 from bearing.quasistatic.solution import QuasistaticSolution
 from cases import load_case
 from cases.format.case import Case
@@ -58,7 +59,7 @@ class Row:
     imbalance: float | None
 
 
-def sources(case: Case) -> dict[str, TractionSource]:
+def sources(case: Case) -> dict[str, TractionLaw]:
     """Ways to the friction of the balls."""
     assert case.rheology is not None
     solver = FilmSolver(options=SolverOptions(points=POINTS), films=NEWTONIAN)
@@ -69,19 +70,19 @@ def sources(case: Case) -> dict[str, TractionSource]:
     }
 
 
-def imbalance(state: QuasistaticSolution, source: TractionSource, case: Case) -> float:
+def imbalance(state: QuasistaticSolution, source: TractionLaw, case: Case) -> float:
     """Power of the rings less the heat, over the heat [-]."""
     contacts = contact_conditions(state, case.lubricant)
     kinematics = [bearing_kinematics(state, contact) for contact in contacts]
     motion = np.array([[k.sliding_x, k.sliding_y, k.spin, k.rolling] for k in kinematics])
-    law = source.prepare(state, contacts).law(state, contacts)
-    forces = -law.dissipation(motion, np.arange(len(contacts))).gradient
+    law = source.at(state, contacts)
+    forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
     heat = -float((forces * motion).sum())
     shaft = sum(ring_power(state, contact, force) for contact, force in zip(contacts, forces, strict=True))
     return (shaft - heat) / heat
 
 
-def row(case: Case, model: Model, source: TractionSource | None) -> Row:
+def row(case: Case, model: Model, source: TractionLaw | None) -> Row:
     """Ball 1 of the case under a model; in traction equilibrium where there is a source of friction."""
     if source is None:
         state = solve_quasistatic(case.bearing, case.operation, model)

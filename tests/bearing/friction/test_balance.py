@@ -10,11 +10,12 @@ from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
 from bearing import BallKinematics, Bearing, Material, Model, Operation, contact_conditions, solve_quasistatic
-from bearing.friction.coulomb import balanced_friction
-from bearing.friction.ellipse import Ellipses, coulomb_dissipation, coulomb_dissipation_twin, line_dissipation
+from bearing.friction.coulomb import Ellipses, balanced_friction, coulomb_dissipation, line_dissipation
 from bearing.torque.pure_rolling_lines import rolling_lines
 from bearing.torque.sliding import shaft_speed
 from ehl import Lubricant
+
+from ...reference.coulomb import coulomb_dissipation_twin as reference
 
 OIL = Lubricant(viscosity=0.0174, pressure_viscosity=18e-9)
 STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0, source="test")
@@ -89,7 +90,7 @@ def test_compiled_coulomb_friction_agrees_with_its_twin():
         rounding=np.array([1e-4, 1e-300, 1e-3]),
     )
     motion = rng.normal(size=(3, 4)) * [0.05, 0.05, 50.0, 500.0]
-    found, twin = coulomb_dissipation(motion, contacts), coulomb_dissipation_twin(motion, contacts)
+    found, twin = coulomb_dissipation(motion, contacts), reference(motion, contacts)
     for part, other in zip(found, twin, strict=True):
         assert_allclose(part, other, rtol=1e-11, atol=1e-13 * np.abs(other[0]).max())
         assert np.abs(part[[0, 2]]).min(axis=0).max() > 0.0

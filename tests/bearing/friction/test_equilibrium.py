@@ -22,8 +22,9 @@ from bearing import (
 from bearing.contacts.motion import bearing_kinematics
 from bearing.contacts.shape import contact_shape
 from bearing.friction.balance import balance_driven_balls, curvature_slip, ring_power
+from bearing.friction.law import BallTraction
 from bearing.friction.resistance import Cage, Resistance, resistance_of
-from bearing.friction.sources import BallTraction, CoulombTraction, FourConstantTraction, LawTraction
+from bearing.friction.sources import CoulombTraction, FourConstantTraction, LawTraction
 from ehl import Lubricant
 from ehl.traction.laws import CoulombLaw, four_constants
 
@@ -45,8 +46,8 @@ def friction(state, source):
     contacts = contact_conditions(state, OIL)
     kinematics = [bearing_kinematics(state, contact) for contact in contacts]
     motion = np.array([[k.sliding_x, k.sliding_y, k.spin, k.rolling] for k in kinematics])
-    law = source.prepare(state, contacts).law(state, contacts)
-    return contacts, motion, -law.dissipation(motion, np.arange(len(contacts))).gradient
+    law = source.at(state, contacts)
+    return contacts, motion, -law.evaluate(motion, np.arange(len(contacts))).gradient
 
 
 def left_over(state, source):
@@ -190,11 +191,11 @@ def test_the_torque_takes_the_balance_of_the_equilibrium(bearings):
     source = LawTraction(laws={race: RollingResistance(shape) for race, shape in shapes.items()})
     state = solved(bearings.b6208, Operation(inner_speed=500.0, force=(400.0, 1500.0, 0.0)), source)
     assert state.converged, state.message
-    assert state.carried.any() and (state.inner_load[state.carried] > 0.0).all()
+    assert state.cage_driven.any() and (state.inner_load[state.cage_driven] > 0.0).all()
     contacts = contact_conditions(state, OIL)
-    balance = balance_driven_balls(state, contacts, source.law(state, contacts))
+    balance = balance_driven_balls(state, contacts, source.at(state, contacts))
     assert balance.converged
-    assert (balance.driven == ((state.inner_load > 0.0) & ~state.carried)).all()
+    assert (balance.driven == ((state.inner_load > 0.0) & ~state.cage_driven)).all()
     speeds = np.array([motion.orbit_speed for motion in balance.motions])
     assert_allclose(speeds, state.orbit_speed, rtol=1e-9)
     assert balance.energy_error == pytest.approx(0.0, abs=1e-6)

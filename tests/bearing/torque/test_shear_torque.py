@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose
 
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.friction import balance as balancing
-from bearing.friction.films import NEGLIGIBLE, Asperities, film_balance, film_law
-from bearing.friction.resistance import FREE, Cage, resistance_of
+from bearing.friction.films import COARSE_SHARE_LEFT_OUT, Asperities, film_balance, film_law
+from bearing.friction.resistance import NO_RESISTANCE, Cage, resistance_of
 from bearing.torque.integrated import solved_shear
 from bearing.torque.shear_torque import POWER_TOLERANCE, SolvedShear
 from ehl import Lubricant, SolverOptions, solve_contact
@@ -49,7 +49,7 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
         Cage(pocket_friction=0.0, land_diameter=0.068, land_width=6e-3, land_clearance=2e-4),
         state.bearing, OIL.viscosity, OIL.density, 0.02,
     )  # fmt: skip
-    for resistance, asperities in ((FREE, ROUGH), (land, None)):
+    for resistance, asperities in ((NO_RESISTANCE, ROUGH), (land, None)):
         shear = solved_shear(state, contacts, films, rheology, asperities, resistance)
         assert shear.closed and not shear.note
         assert shear.torque.imbalance == pytest.approx(0.0, abs=1e-8)
@@ -59,9 +59,9 @@ def test_power_balances_where_the_cage_takes_balls_along(light):
 def test_push_is_that_of_the_motion_found_from_a_law_nearby_too(light):
     """Started from the balance without the weakest nodes, or from none, the push and the motion are the same."""
     state, contacts, films, rheology = light
-    exact, first = (film_law(state, contacts, films, rheology, left_out=part) for part in (0.0, NEGLIGIBLE))
+    exact, first = (film_law(state, contacts, films, rheology, left_out=part) for part in (0.0, COARSE_SHARE_LEFT_OUT))
     near = balancing.balance_driven_balls(state, contacts, first)
-    begun = balancing.balance_balls(state, contacts, exact, driven=near.driven, near=near)
+    begun = balancing.balance_balls(state, contacts, exact, driven=near.driven, initial_guess=near)
     fresh = balancing.balance_balls(state, contacts, exact, driven=near.driven)
     assert begun.motions[0].orbit_speed != near.motions[0].orbit_speed
     for found in (near, begun, fresh):

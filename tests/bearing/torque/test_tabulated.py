@@ -11,12 +11,13 @@ import pytest
 from bearing import Operation, Race, contact_conditions, reduced_radii, solve_quasistatic
 from bearing.contacts.motion import bearing_kinematics
 from bearing.friction.coulomb import balanced_friction
+from bearing.friction.sources import LawTraction
 from bearing.friction.tables import contact_law, law_gradient
 from bearing.geometry import contact_modulus
 from bearing.torque.breakdown import torque_breakdown
+from bearing.torque.integrated import law_torque
 from bearing.torque.models import FrictionInput
 from bearing.torque.sliding import shaft_speed
-from bearing.torque.tabulated import tabulated_torque
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.rheology import Rheology
@@ -44,6 +45,10 @@ def coulomb_laws(state, contacts, ramp):
         )
         laws[race] = CoulombLaw(shape=shape, friction=MU, slide_full=ramp)
     return laws
+
+
+def tabulated_torque(state, contacts, laws):
+    return law_torque(state, contacts, LawTraction(laws=laws).at(state, contacts))
 
 
 @pytest.fixture(scope="module")
@@ -94,13 +99,13 @@ def test_what_a_law_does_not_tell_apart_is_none_with_a_reason(axial):
     for missing, law in laws.items():
         shear = tabulated_torque(state, contacts, law)
         parts = shear.torque.parts
-        assert set(shear.untold) == {missing, "asperity"}
+        assert set(shear.missing_components) == {missing, "asperity"}
         assert set(parts) == {"rolling", "sliding", "spin", "curvature"} - {missing}
         assert sum(parts.values()) == pytest.approx(shear.torque.heat / shaft_speed(state), rel=1e-12)
         models = torque_breakdown(state, contacts, OIL, rough, shear=shear).models
-        assert not set(shear.untold) & set(models["integrated"].components)
+        assert not set(shear.missing_components) & set(models["integrated"].components)
         assert models["skf_lambda"].total is None
-        assert models["skf_lambda"].note == shear.untold["asperity"]
+        assert models["skf_lambda"].note == shear.missing_components["asperity"]
 
 
 def random_table(rng):
@@ -143,7 +148,7 @@ def test_compiled_friction_of_many_contacts_is_that_of_each_law(axial, kind):
         laws = [SimpleNamespace(forces=law.forces) for law in laws]
     numbers = np.array([0, 3, 4, 17, 8])
     motion = rng.normal(size=(numbers.size, 4)) * [0.05, 0.05, 50.0, 500.0]
-    found = contact_law(contacts, laws).dissipation(motion, numbers)
+    found = contact_law(contacts, laws).evaluate(motion, numbers)
     for row, number in enumerate(numbers):
         c = contacts[number].conditions
         gradient, slope = law_gradient(laws[number], np.array([c.load, c.entrainment_speed, c.radius_x]), motion[row])
@@ -158,13 +163,13 @@ def test_slopes_are_derivatives(axial):
     laws = coulomb_laws(state, contacts, 0.5)  # a ramp wide enough to be smooth
     law = contact_law(contacts, [laws[contact.race] for contact in contacts])
     motion, numbers = np.array([[0.02, 0.01, 30.0, 400.0]]), np.array([2])
-    slope = law.dissipation(motion, numbers).curvature[0]
+    slope = law.evaluate(motion, numbers).curvature[0]
     for j, step in enumerate((1e-5, 1e-5, 1e-2)):
         ends = []
         for sign in (1.0, -1.0):
             moved = motion.copy()
             moved[0, j] += sign * step
-            ends.append(law.dissipation(moved, numbers).gradient[0])
+            ends.append(law.evaluate(moved, numbers).gradient[0])
         np.testing.assert_allclose(
             slope[:, j], (ends[0] - ends[1]) / (2.0 * step), rtol=1e-3, atol=1e-4 * abs(slope[j, j])
         )

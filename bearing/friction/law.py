@@ -1,0 +1,105 @@
+"""The contract of every law of the friction of balls on races.
+
+Torque models, traction equilibrium and the equations of motion take friction in one form: the
+forces and moments (F_x, F_y, M_n, M_y) on the ball at a contact's centre, as a function of the
+motion k = (S_x, S_y, Omega, omega) of ball against race (`contacts.motion`). A `TractionLaw` is
+made ready near an equilibrium (`refresh`: only films have to be solved) and bound to its contacts
+(`at`), which gives a `ContactLaw`. To add a law is to write one class like those in `sources`.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, Self
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ehl.oil.lubricant import Lubricant
+
+from ..contacts.contacts import BearingContact
+from ..geometry import Array
+from ..quasistatic.solution import QuasistaticSolution
+from .resistance import NO_RESISTANCE, Resistance
+
+TINY = 1.0e-300  # keeps quotients finite
+# traction coefficient of films and tables that residual forces are measured against [-]
+REFERENCE_TRACTION = 0.05
+
+
+class Dissipation(NamedTuple):
+    """Power phi (N,) [W], its gradient -(F_x, F_y, M_n, M_y) (N, 4) and its curvature (N, 4, 4) by
+    the motion k, SI.
+    """
+
+    power: Array
+    gradient: Array
+    curvature: Array
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactLaw:
+    """Friction of the contacts of an equilibrium, numbered inner race then outer, ball by ball.
+
+    Attributes
+    ----------
+    evaluate : callable
+        Takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers (N,), gives a
+        `Dissipation`.
+    reference_force : ndarray, shape (contacts,)
+        Friction of each contact that residual forces are measured against [N].
+    longitudinal_only : bool
+        It knows no sliding across the rolling direction: balls then do not turn about the orbit's
+        tangent, and no gyroscopic couple is held.
+    has_rolling_resistance : bool
+        The oil's rolling resistance is in it.
+    is_potential : bool
+        Whether the power is the potential of the forces; if not, it is left zero.
+    """
+
+    evaluate: Callable[[Array, NDArray[np.int64]], Dissipation]
+    reference_force: Array
+    longitudinal_only: bool = False
+    has_rolling_resistance: bool = True
+    is_potential: bool = True
+
+
+class TractionLaw(ABC):
+    """Friction of balls on races as a case names it."""
+
+    @property
+    @abstractmethod
+    def description(self) -> str:
+        """Where the friction comes from, for messages."""
+
+    @abstractmethod
+    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+        """Friction of the contacts of an equilibrium, at its loads [N] and contact angles."""
+
+    def refresh(self, contacts: Sequence[BearingContact]) -> Self:
+        """The law ready for equilibria with nearly these contacts; ValueError where that fails."""
+        del contacts
+        return self
+
+    def load_change(self, contacts: Sequence[BearingContact]) -> float:
+        """Largest change of a load since `refresh`, over the largest load [-]."""
+        del contacts
+        return 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BallTraction:
+    """Friction of balls on races and what holds the balls back.
+
+    Attributes
+    ----------
+    source : TractionLaw
+    lubricant : Lubricant
+        Of the contacts.
+    resistance : Resistance
+        Drag of the oil around the balls and of the cage's guidance.
+    """
+
+    source: TractionLaw
+    lubricant: Lubricant
+    resistance: Resistance = NO_RESISTANCE
