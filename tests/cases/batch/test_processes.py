@@ -29,6 +29,7 @@ case = "6208_full_ceramic"
 "ehl.points" = [65]
 """
 QUICK = SWEEP.replace('"ehl.points" = [65]', '"ehl.film_maps" = ["none"]')
+ONE_BALL = '[fixed]\n"ehl.film_maps" = [0.0]\n'
 OILFILM = [sys.executable, "-m", "cases.cli"]
 
 
@@ -57,7 +58,7 @@ def children(pid):
 @pytest.mark.slow
 @pytest.mark.skipif(not os.path.isdir("/proc"), reason="looks for left workers in /proc")
 def test_a_batch_killed_ten_times_ends_like_an_undisturbed_one(tmp_path):
-    (tmp_path / "sweep.toml").write_text(SWEEP + '[fixed]\n"ehl.film_maps" = [0.0]\n')
+    (tmp_path / "sweep.toml").write_text(SWEEP + ONE_BALL)
     words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-q", "--workers", "2"]
     start = time.monotonic()
     subprocess.run([*words, "-o", "calm"], cwd=tmp_path, check=True)
@@ -158,7 +159,7 @@ def test_kernels_are_compiled_by_one_worker(tmp_path):
 
 
 def test_an_interrupt_ends_the_workers_and_keeps_the_points(tmp_path):
-    (tmp_path / "sweep.toml").write_text(SWEEP)
+    (tmp_path / "sweep.toml").write_text(SWEEP + ONE_BALL)
     words = [*OILFILM, "batch", str(tmp_path / "sweep.toml"), "-o", "out", "--workers", "1"]
     process = subprocess.Popen(words, cwd=tmp_path, stderr=subprocess.PIPE, text=True)
     deadline = time.monotonic() + 240.0
