@@ -1,5 +1,22 @@
 """Ball bearings: geometry, materials, quasi-static equilibrium, and the lubricated contacts it
 yields.
+
+contacts          - the lubricated contacts that follow from an equilibrium: shape, motion, stress
+dynamics          - time simulation of a ball bearing
+fits              - fits and clearances
+friction          - friction of balls on races: laws, balance of the balls, traction equilibrium
+geometry          - internal geometry of a ball bearing
+geometry_estimate - internal geometry estimated from catalogue data
+heating           - temperature of a bearing from its friction
+library           - bearings, materials and lubricants by name, with sources
+material          - solid bodies: moduli, densities, thermal properties, and the reduced modulus
+operation         - speeds, loads and temperatures, and the assumptions of the model
+quasistatic       - quasi-static equilibrium of rings and balls
+rating            - rating life, load ratings and defect frequencies
+rows              - rows of balls on one inner ring: where they sit
+studies           - studies over load and speed: slip, stiffness, preload
+supply            - oil supply and starved films
+torque            - friction torque of a ball bearing, by several models side by side
 """
 
 import lazy_loader

@@ -1,1 +1,9 @@
-"""Quasi-static equilibrium of rings and balls."""
+"""Quasi-static equilibrium of rings and balls.
+
+balls             - balls between the races: forces at given ring position, equilibrium
+contact_stiffness - Hertz stiffness of ball and race as a smooth function of the contact angle
+kinematics        - rolling of a ball between two races, and the body forces of its motion
+ring              - balance of the inner ring on its balls: Newton's method
+solution          - result of the quasi-static equilibrium of a bearing
+solver            - quasi-static equilibrium of a ball bearing in five degrees of freedom
+"""

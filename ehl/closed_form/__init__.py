@@ -1,1 +1,6 @@
-"""Closed-form references: Hertz contact and stress, film formulas, thermal reduction."""
+"""Closed-form references: Hertz contact and stress, film formulas, thermal reduction.
+
+film         - film thickness formulas from curve fits
+hertz        - dry elastic contact of two quadratic surfaces, Hertz (1882)
+hertz_stress - stress below a dry elliptical contact, on its axis and beside it
+"""

@@ -1,5 +1,14 @@
 """Traction of a lubricated contact: sliding inside the ellipse, shear on both surfaces, forces,
 moments, tables.
+
+_kernels        - sums over the nodes of a film, and lookups in a table, compiled
+film_quadrature - quadrature over a solved film, and its sliding forces for many motions
+heated          - shear of films that sliding heats
+laws            - friction of a rolling contact as a law: Coulomb, four constants
+response        - stiffness and damping of a lubricated contact
+rolling_moment  - hydrodynamic rolling moment of a contact's oil, in the box and beyond
+shear           - shear stress on both surfaces of a solved contact, and its integrals
+table           - traction tables: films, sampling, storage, interpolation
 """
 
 import lazy_loader

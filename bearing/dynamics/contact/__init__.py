@@ -1,1 +1,6 @@
-"""Forces between two bodies of a bearing: normal laws, friction, lubricated lands."""
+"""Forces between two bodies of a bearing: normal laws, friction, lubricated lands.
+
+_cage_kernels - balls in pockets and the cage on its guiding lands, compiled
+_kernels      - laws of the contacts, compiled: normal force, friction, motion of a point, films
+_race_kernels - balls on races, compiled: where and how they meet, friction, forces
+"""

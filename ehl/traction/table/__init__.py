@@ -1,1 +1,10 @@
-"""Traction tables: films, sampling, storage, interpolation."""
+"""Traction tables: films, sampling, storage, interpolation.
+
+build       - films over load and speed, sheared over motions until a check is passed
+film        - the film that a table shears: Newtonian, without sliding
+full_solves - full solves beside a table: what its films leave out
+splines     - uniform cubic B-splines through values on a grid
+storage     - traction tables on disk
+table       - a contact's traction over load, entrainment speed, sliding and spin
+temperature - traction tables over the temperature of the oil at the inlet
+"""
