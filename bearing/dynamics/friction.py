@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ehl.traction.laws import CoulombLaw, FourConstantLaw
+from ehl.traction.quadrature import ellipse_rings
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.shape import contact_shape
@@ -67,7 +68,9 @@ class RaceFriction:
         empty = np.zeros(1)
         grid = np.zeros((1, 1, 1))
         values = np.zeros((1, 1, 1, 1, 1, 1))
-        disc = np.array([[0.0], [0.0], [1.0]]) if self.at_centre else ellipse_points(RINGS, RAYS)
+        disc = ellipse_rings(RINGS, RAYS, staggered=True)
+        if self.at_centre:
+            disc = np.array([[0.0], [0.0], [1.0]])
         if law is None:
             return FrictionData(disc, empty, np.zeros(5), np.zeros((5, 3)), empty, grid, values)
         if self.kind == COEFFICIENT:
@@ -76,21 +79,6 @@ class RaceFriction:
             return FrictionData(disc, found, shape, np.zeros((5, 3)), empty, grid, values)
         table: TractionTable = law  # type: ignore[assignment]
         return FrictionData(disc, empty, np.zeros(5), *table.kernel_arguments())
-
-
-def ellipse_points(rings: int, rays: int) -> Array:
-    """x/a, y/b and share of the load of quadrature points over an ellipse with Hertz' pressure,
-    shape (3, n) [-].
-
-    Gauss-Legendre in the share of the load outside a radius, t = (1 - r^2)^(3/2), evenly spaced
-    around, each ring turned by half a step against the next.
-    """
-    nodes, weights = np.polynomial.legendre.leggauss(rings)
-    radius = np.sqrt(1.0 - (0.5 * (nodes + 1.0)) ** (2.0 / 3.0))[:, None]
-    turn = 0.5 * (np.arange(rings) % 2)[:, None] + 0.25
-    angle = 2.0 * np.pi * (np.arange(rays)[None, :] + turn) / rays
-    share = np.repeat(0.5 * weights / rays, rays)
-    return np.stack([(radius * np.cos(angle)).ravel(), (radius * np.sin(angle)).ravel(), share])
 
 
 def coulomb_friction(

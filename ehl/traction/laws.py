@@ -1,8 +1,7 @@
-"""Friction of a rolling contact as a law: from a table of solved films, or of a coefficient over
-the Hertz ellipse.
+"""Friction of a rolling contact as a law: `FrictionLaw`, and coefficients over the Hertz ellipse.
 
-All laws answer the same call, `forces(load, speed, slide_x, slide_y, spin)`, and carry the arrays
-with which compiled code does the same (`_kernels.table_lookup`, `_kernels.hertz_friction`).
+All laws have the same method `forces(load, speed, slide_x, slide_y, spin)` and the arrays with
+which compiled code does the same (`_kernels.table_lookup`, `_kernels.hertz_friction`).
 """
 
 from dataclasses import dataclass
@@ -15,44 +14,28 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from . import _kernels
+from .quadrature import ellipse_rings
 
 Array = NDArray[np.float64]
 
-# of the quadrature over the ellipse
-RINGS = 16
-RAYS = 32
-# slide over entrainment speed up to which a four-constant law rises from zero [-]; a
-# regularisation
+RINGS, RAYS = 16, 32  # of the quadrature over the ellipse: force to 0.5 % of mu Q, see there
+# slide over entrainment speed up to which a four-constant law rises from zero [-]: a
+# regularisation, far below the slide of the largest coefficient (about 0.03)
 DEAD_BAND = 1e-4
 
 
 class TractionForces(NamedTuple):
-    """Traction on body 1, the ball, at a contact's centre; SI.
+    """Traction on body 1, the ball, at a contact's centre; SI."""
 
-    force_x, force_y [N], spin_moment, rolling_moment [N m], power_loss [W], film [m], stiffness
-    [N/m], damping [N s/m] (zero where a law knows none), and in words what lay outside the law's
-    range.
-    """
-
-    force_x: float
-    force_y: float
-    spin_moment: float
-    rolling_moment: float
-    power_loss: float
-    film: float
-    stiffness: float
-    damping: float
-    outside: tuple[str, ...]
-
-
-def traction_forces(out: Array, outside: tuple[str, ...] = ()) -> TractionForces:
-    """The 8 numbers of a kernel [N], [N m], [W], [m], [N/m], [N s/m] as a result."""
-    force_x, force_y, spin, rolling, power, film, stiffness, damping = (
-        float(value) for value in out
-    )
-    return TractionForces(
-        force_x, force_y, spin, rolling, power, film, stiffness, damping, outside
-    )
+    force_x: float  # [N]
+    force_y: float  # [N]
+    spin_moment: float  # [N m]
+    rolling_moment: float  # [N m]
+    power_loss: float  # [W]
+    film: float  # zero, as what follows, where a law has none [m]
+    stiffness: float  # [N/m]
+    damping: float  # [N s/m]
+    outside: tuple[str, ...] = ()  # what lay outside the range of the law
 
 
 class FrictionLaw(Protocol):
@@ -80,31 +63,9 @@ class ContactShape:
     @property
     def constants(self) -> Array:
         """As the kernel takes them, shape (5,) [m], [1/m]."""
-        curvature = 0.5 / self.curvature_radius
-        return np.array(
-            [
-                self.semi_axis_x,
-                self.semi_axis_y,
-                self.radius_x,
-                curvature,
-                self.curvature_difference,
-            ]
-        )
-
-
-def hertz_disc() -> Array:
-    """x/a, y/b and share of the load of quadrature points over an ellipse with Hertz' pressure,
-    shape (3, n) [-].
-
-    Gauss-Legendre in t = (1 - r^2)^(3/2), the share of the load outside the radius r, evenly
-    spaced around.
-    """
-    nodes, weights = np.polynomial.legendre.leggauss(RINGS)
-    radius = np.sqrt(1.0 - (0.5 * (nodes + 1.0)) ** (2.0 / 3.0))
-    angle = 2.0 * np.pi * (np.arange(RAYS) + 0.5) / RAYS
-    x, y = radius[:, None] * np.cos(angle), radius[:, None] * np.sin(angle)
-    share = np.broadcast_to(0.5 * weights[:, None] / RAYS, x.shape)
-    return np.stack([x.ravel(), y.ravel(), share.ravel()])
+        axes = (self.semi_axis_x, self.semi_axis_y)
+        curvatures = (0.5 / self.curvature_radius, self.curvature_difference)
+        return np.array([*axes, self.radius_x, *curvatures])
 
 
 @dataclass(frozen=True)
@@ -115,8 +76,8 @@ class _HertzLaw:
 
     @cached_property
     def disc(self) -> Array:
-        """Points of the quadrature, see `hertz_disc` [-]."""
-        return hertz_disc()
+        """Places x/a, y/b and shares of the load of the quadrature [-]."""
+        return ellipse_rings(RINGS, RAYS)
 
     def kernel_law(self) -> Array:
         """Kind and constants as the kernel takes them, [-] and [m/s]."""
@@ -131,30 +92,18 @@ class _HertzLaw:
     ) -> TractionForces:
         """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s]."""
         out = np.empty(8)
-        law = self.kernel_law()
-        constants = self.shape.constants
-        _kernels.hertz_friction(
-            self.disc, law, constants, load, speed, slide_x, slide_y, spin, out
-        )
-        return traction_forces(out)
+        law = (self.disc, self.kernel_law(), self.shape.constants)
+        _kernels.hertz_friction(*law, load, speed, slide_x, slide_y, spin, out)
+        return TractionForces(*map(float, out))
 
 
 @dataclass(frozen=True)
 class CoulombLaw(_HertzLaw):
-    """Coulomb friction with dead band and ramp (Ambrosio): zero to v_0, full from v_1 on.
+    """Coulomb friction with dead band and ramp (Ambrosio): zero to v_0, full from v_1 on."""
 
-    Attributes
-    ----------
-    shape : ContactShape
-    friction : float
-        Coefficient mu [-].
-    slide_none, slide_full : float
-        v_0 and v_1, sliding speeds [m/s].
-    """
-
-    friction: float = 0.1
-    slide_none: float = 0.0
-    slide_full: float = 1e-3
+    friction: float = 0.1  # mu [-]
+    slide_none: float = 0.0  # v_0, sliding speed [m/s]
+    slide_full: float = 1e-3  # v_1, sliding speed [m/s]
 
     def __post_init__(self) -> None:
         if not (isfinite(self.friction) and self.friction >= 0.0):
@@ -183,21 +132,13 @@ class FourConstantLaw(_HertzLaw):
 
     Below `dead_band` the coefficient rises linearly from zero, for friction has no direction where
     nothing slides.
-
-    Attributes
-    ----------
-    shape : ContactShape
-    a, b, c, d : float
-        A to D [-].
-    dead_band : float
-        s up to which the coefficient is ramped [-].
     """
 
-    a: float = 0.0
-    b: float = 0.0
-    c: float = 1.0
-    d: float = 0.0
-    dead_band: float = DEAD_BAND
+    a: float = 0.0  # A [-]
+    b: float = 0.0  # B [-]
+    c: float = 1.0  # C [-]
+    d: float = 0.0  # D [-]
+    dead_band: float = DEAD_BAND  # s up to which the coefficient is ramped [-]
 
     def __post_init__(self) -> None:
         if not all(isfinite(value) for value in (self.a, self.b, self.c, self.d)):

@@ -1,7 +1,5 @@
 """The equations of motion once more, by vector algebra in NumPy: the twin that the compiled
-kernels are tested against.
-
-Traction tables are looked up by their own twin (`ehl.traction.table.table`), within their range.
+kernels are tested against. Traction tables are looked up within their range.
 """
 
 from typing import NamedTuple
@@ -27,6 +25,8 @@ from bearing.dynamics.arrays import (
 from bearing.dynamics.films.laws import film, table_loads
 from bearing.dynamics.layout import Layout
 from ehl.traction.table.table import TractionTable
+
+from .ehl.traction import table_forces
 
 X = np.array([1.0, 0.0, 0.0])
 LIMIT = 0.95  # of the eccentricity of a land's film [-]
@@ -183,11 +183,11 @@ def race_pair(problem: EquationData, race: int, body: Body, balls: Balls, table:
 def looked_up(
     table: TractionTable | None, load_and_speed: tuple[Array, Array], slides: tuple[Array, Array], spin: Array
 ) -> Array:
-    """`TractionTable.forces_twin` of every ball, shape (Z, 8); nothing where there is no load."""
+    """`table_forces` of every ball, shape (Z, 8); nothing where there is no load."""
     rows = np.zeros((spin.size, 8))
     for row, values in zip(rows, np.hstack([*load_and_speed, *slides, spin]), strict=True):
         if values[0] > 0.0 and table is not None:
-            row[:] = table.forces_twin(*(float(value) for value in values))
+            row[:] = table_forces(table, *(float(value) for value in values))
     return rows
 
 

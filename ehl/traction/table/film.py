@@ -1,4 +1,4 @@
-"""The film that a table shears: Newtonian, without sliding, with its heat where the table has it."""
+"""The film that a table shears: Newtonian, without sliding, with heat where the table has it."""
 
 from dataclasses import dataclass
 

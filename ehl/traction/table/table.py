@@ -1,10 +1,10 @@
 """Table of a contact's traction over load, entrainment speed, sliding along both axes, and spin.
 
-What is named an approximation: the film is that of the Newtonian oil without sliding, solved at
-each load and speed, isothermal or, with the thermal properties of both bodies, with its heat; the
-shear of the rheology is evaluated in it at each motion, then with the heat of sliding
-(`warm.heating`). Coordinates make few nodes enough: minus load^(-1/5), as light contacts change
-more with the load, ln(speed), and for a slide S over the speed u
+The approximation: the film is that of the Newtonian oil without sliding, solved at each load and
+speed, isothermal or, with the thermal properties of both bodies, with its heat; the shear of the
+rheology is evaluated in it at each motion, then with the heat of sliding (`ehl.traction.heated`).
+Coordinates keep the nodes few: minus load^(-1/5), as light contacts change more with the load,
+ln(speed), and for a slide S over the speed u
 
     X = asinh(S/(u s))/asinh(L/s) in [-1, 1],
 
@@ -18,7 +18,7 @@ are. All are cubic B-splines.
 
 from dataclasses import dataclass
 from functools import cached_property
-from math import asinh, exp, inf, isfinite, log
+from math import inf, isfinite, log
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,12 +29,11 @@ from ...oil.lubricant import Lubricant
 from ...oil.rheology import Rheology
 from ...solid.heat import SolidThermal
 from .. import _kernels
-from ..laws import TractionForces, traction_forces
+from ..laws import TractionForces
 from .splines import spline_weights
 
 Array = NDArray[np.float64]
 
-AXES = ("load", "speed", "slide_x", "slide_y", "spin")
 LOAD_POWER = -0.2  # of the load in its coordinate
 SPIN_SHARE = 0.3  # of the sliding by spin at the end of the ellipse in the scale of slide_x
 MIRROR = (1.0, -1.0, -1.0, 1.0)  # signs of F_x, F_y, M_n, M_y where slide_y and spin change theirs
@@ -44,34 +43,18 @@ FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "s
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableContact:
-    """What a table is made for: the pair of bodies, the oil, its rheology and temperature.
+    """What a table is built for: the pair of bodies, the oil, its rheology and temperature."""
 
-    Attributes
-    ----------
-    radius_x, radius_y : float
-        Reduced radii of curvature along and across the entrainment [m].
-    reduced_modulus : float
-        E' [Pa].
-    lubricant : Lubricant
-    rheology : Rheology
-    temperature : float
-        Of the oil at the inlet [K].
-    curvature_radius : float
-        Of the loaded surface across the entrainment [m]; infinite: no curvature slip.
-    curvature_difference : float
-        1/R_2x - 1/R_1x of the bodies [1/m].
-    solids : tuple of SolidThermal or None
-        Body 1, the ball, and body 2; None: the oil stays at its temperature.
-    """
-
-    radius_x: float
-    radius_y: float
-    reduced_modulus: float
+    radius_x: float  # reduced radius of curvature along the entrainment [m]
+    radius_y: float  # and across [m]
+    reduced_modulus: float  # E' [Pa]
     lubricant: Lubricant
     rheology: Rheology
-    temperature: float
+    temperature: float  # of the oil at the inlet [K]
+    # of the loaded surface across the entrainment; infinite: no curvature slip [m]
     curvature_radius: float = inf
-    curvature_difference: float = 0.0
+    curvature_difference: float = 0.0  # 1/R_2x - 1/R_1x of the bodies [1/m]
+    # body 1, the ball, and body 2; None: the oil stays at its temperature
     solids: tuple[SolidThermal, SolidThermal] | None = None
 
     def conditions(self, load: float, speed: float) -> ContactConditions:
@@ -93,24 +76,13 @@ class TableContact:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableRange:
-    """Range of a table.
+    """Range of a table."""
 
-    Attributes
-    ----------
-    load, speed : tuple of float
-        Smallest and largest load [N] and entrainment speed [m/s].
-    slide_x, slide_y : float
-        Largest sliding along and across over the entrainment speed [-]; 2 along is one surface at
-        rest.
-    spin : float
-        Largest spin over u_m/R_x, the relative rolling speed [-].
-    """
-
-    load: tuple[float, float]
-    speed: tuple[float, float]
-    slide_x: float = 2.0
-    slide_y: float = 1.0
-    spin: float = 0.6
+    load: tuple[float, float]  # smallest and largest [N]
+    speed: tuple[float, float]  # of entrainment [m/s]
+    slide_x: float = 2.0  # largest, over the speed; 2: one surface at rest [-]
+    slide_y: float = 1.0  # largest, over the speed [-]
+    spin: float = 0.6  # largest, over the relative rolling speed u_m/R_x [-]
 
     def __post_init__(self) -> None:
         for field in ("load", "speed"):
@@ -118,10 +90,9 @@ class TableRange:
             if not (isfinite(high) and 0.0 < low < high):
                 raise ValueError(f"{field} must be a range of positive numbers, got {(low, high)}")
         for field in ("slide_x", "slide_y", "spin"):
-            if not (isfinite(getattr(self, field)) and getattr(self, field) > 0.0):
-                raise ValueError(
-                    f"{field} must be positive and finite, got {getattr(self, field)!r}"
-                )
+            value = getattr(self, field)
+            if not (isfinite(value) and value > 0.0):
+                raise ValueError(f"{field} must be positive and finite, got {value!r}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -143,38 +114,23 @@ class TableError:
 
     @property
     def reached(self) -> bool:
-        """Whether every point looked at is within the tolerance."""
+        """Whether every point of the check is within the tolerance."""
         return self.largest <= self.tolerance
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FullSolve:
-    """One contact both ways.
-
-    Attributes
-    ----------
-    load : float
-        [N].
-    speed : float
-        Entrainment speed [m/s].
-    slide_ratio : float
-        Sliding over the entrainment speed [-].
-    by_film, in_full : float
-        Force of sliding over the load, sheared on the table's film and in the full solve [-]; not
-        a number where the solve ran away.
-    film_ratio : float
-        Central film of the full solve over that of the table's film [-]; likewise.
-    converged : bool
-        Whether both solves did.
+    """Traction of one contact on the table's film and in a full solve; not a number where that ran
+    away.
     """
 
-    load: float
-    speed: float
-    slide_ratio: float
-    by_film: float
-    in_full: float
-    film_ratio: float
-    converged: bool
+    load: float  # [N]
+    speed: float  # of entrainment [m/s]
+    slide_ratio: float  # sliding over the entrainment speed [-]
+    by_film: float  # force of sliding over the load, sheared on the table's film [-]
+    in_full: float  # the same in the full solve [-]
+    film_ratio: float  # central film of the full solve over that of the table's film [-]
+    converged: bool  # both solves
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -182,61 +138,35 @@ class TractionTable:
     """Traction of one contact over load, speed and motion: a friction law with the film, stiffness
     and damping.
 
-    Attributes
-    ----------
-    contact : TableContact
-    range : TableRange
-    points : int
-        Of the films along x.
-    axes : ndarray, shape (5, 3)
-        Start, nodes per unit, nodes of load_place(load), ln(speed), and the scaled motions; of
-        slide_y the half above zero.
-    scalars : ndarray, shape (nQ + 2, nU + 2, 10)
-        Spline coefficients of the logarithms of the scales of slide_x, slide_y, spin [-], of the
-        central film [m], the hydrodynamic moment [N m], stiffness [N/m], damping [N s/m], and the
-        largest force [N] and moments about n and y [N m] of sliding.
-    values : ndarray, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
-        Spline coefficients of the sliding forces and moments over the largest ones [-].
-    kappa_max : float
-        Largest coefficient of sliding of all films, that of the smallest loads [-].
-    error : TableError
-    films : int
-        Films solved in all, with those of the check.
-    converged : bool
-        Whether every film and every stiffness and damping did, and the tolerance is reached.
-    message : str
-    full_solves : tuple of FullSolve
-        The films' approximation beside full solves, where it was asked for.
+    `scalars` holds spline coefficients of the logarithms of the scales of slide_x, slide_y, spin
+    [-], the central film [m], the hydrodynamic moment [N m], stiffness [N/m], damping [N s/m], and
+    the largest force [N] and moments about n and y [N m] of sliding; `values` those of the sliding
+    forces and moments over the largest ones [-].
     """
 
     contact: TableContact
     range: TableRange
-    points: int
+    points: int  # of the films along x
+    # start, nodes per unit, nodes of load_place(load), ln(speed), and the scaled motions, of
+    # slide_y the half above zero; shape (5, 3)
     axes: Array
-    scalars: Array
-    values: Array
-    kappa_max: float
+    scalars: Array  # shape (nQ + 2, nU + 2, 10)
+    values: Array  # shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
+    kappa_max: float  # largest coefficient of sliding of all films, at the smallest loads [-]
     error: TableError
-    films: int
-    converged: bool
+    films: int  # solved in all, with those of the check
+    converged: bool  # every film, stiffness and damping, and the tolerance is reached
     message: str
-    full_solves: tuple[FullSolve, ...] = ()
+    full_solves: tuple[FullSolve, ...] = ()  # beside films of the table, where requested
 
     @cached_property
     def constants(self) -> Array:
         """As the kernel takes them, shape (7,): see `_kernels.table_lookup`."""
-        contact, limits = self.contact, self.range
-        motion = (limits.slide_x, limits.slide_y, limits.spin)
-        curvature = 0.5 / contact.curvature_radius
-        return np.array(
-            [
-                contact.radius_x,
-                contact.curvature_difference,
-                *motion,
-                contact.unit_semi_axis,
-                curvature,
-            ]
-        )
+        contact = self.contact
+        bodies = (contact.radius_x, contact.curvature_difference)
+        motion = (self.range.slide_x, self.range.slide_y, self.range.spin)
+        ellipse = (contact.unit_semi_axis, 0.5 / contact.curvature_radius)
+        return np.array([*bodies, *motion, *ellipse])
 
     @cached_property
     def joined_values(self) -> Array:
@@ -261,48 +191,17 @@ class TractionTable:
         flag = _kernels.table_lookup(
             *self.kernel_arguments(), load, speed, slide_x, slide_y, spin, out
         )
-        return traction_forces(out, flag_names(flag))
-
-    def forces_twin(
-        self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
-    ) -> Array:
-        """F_x, F_y, M_n, M_y, power, film, stiffness, damping as `forces`, in NumPy and within the
-        range.
-        """
-        places = (load_place(load), log(speed))
-        scalars, values = self.scalars, self.joined_values
-        for axis, place in enumerate(places):
-            scalars, values = (
-                _along_first(part, place, self.axes[axis]) for part in (scalars, values)
-            )
-        radius, difference, *limits = self.constants[:5]
-        mirror = 1.0 if slide_y >= 0.0 else -1.0
-        turn = mirror * spin * radius / speed
-        top = slide_x / speed + float(vertex_slide(np.asarray(turn), self.contact, load))
-        motion = (top, abs(slide_y) / speed, turn)
-        scales = np.exp(scalars[:3])
-        scales[0] = spinning_scale(scales[0], np.asarray(turn), self.contact, load)
-        for axis, (part, scale, limit) in enumerate(zip(motion, scales, limits, strict=True)):
-            values = _along_first(values, scaled_motion(part, scale, limit), self.axes[2 + axis])
-        hydrodynamic = -exp(scalars[4])
-        force = np.array([values[0], mirror * values[1]]) * exp(scalars[7])
-        force[0] += 0.5 * difference * hydrodynamic
-        moment = np.array(
-            [mirror * values[2] * exp(scalars[8]), values[3] * exp(scalars[9]) + hydrodynamic]
-        )
-        rolling = speed / radius - 0.5 * difference * slide_x
-        power = -(force @ [slide_x, slide_y] + moment @ [spin, rolling])
-        return np.array(
-            [*force, *moment, power, exp(scalars[3]), exp(scalars[5]), exp(scalars[6])]
-        )
+        outside = tuple(name for bit, name in enumerate(FLAGS) if flag >> bit & 1)
+        return TractionForces(*map(float, out), outside=outside)
 
     def largest(self, load: float, speed: float) -> Array:
         """Largest force [N] and moments about n and y [N m] by sliding at a load [N] and
         entrainment speed [m/s].
         """
         scalars = self.scalars
-        for axis, place in enumerate((load_place(load), log(speed))):
-            scalars = _along_first(scalars, place, self.axes[axis])
+        for axis, place in zip(self.axes, (load_place(load), log(speed)), strict=False):
+            first, weights = spline_weights((place - axis[0]) * axis[1], int(axis[2]))
+            scalars = np.tensordot(weights, scalars[first : first + 4], axes=1)
         return np.exp(scalars[7:10])
 
 
@@ -330,14 +229,10 @@ def mirrored_seam(values: Array) -> Array:
     at = (0.5 * (at + values[:, :, :, 1])).astype(np.float32)
     if np.array_equal(before, values[:, :, :, 0]) and np.array_equal(at, values[:, :, :, 1]):
         return values
-    found = values.copy()
-    found[:, :, :, 0], found[:, :, :, 1] = before, at
-    return found
-
-
-def scaled_motion(motion: float, scale: float, limit: float) -> float:
-    """X = asinh(motion/scale)/asinh(limit/scale) [-]."""
-    return asinh(motion / scale) / asinh(limit / scale)
+    joined = values.copy()
+    joined[:, :, :, 0] = before
+    joined[:, :, :, 1] = at
+    return joined
 
 
 def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
@@ -381,17 +276,6 @@ def spinning_scale(scale: float, spin: Array, contact: TableContact, load: float
 
 
 def motion_of(place: Array, scale: Array | float, limit: float) -> Array:
-    """The inverse of `scaled_motion` [-]."""
+    """S/u of X = asinh(S/(u s))/asinh(L/s), s the scale and L the limit [-]."""
     motion: Array = scale * np.sinh(place * np.arcsinh(limit / scale))
     return motion
-
-
-def flag_names(flag: int) -> tuple[str, ...]:
-    """What a lookup's flag says lay outside the range."""
-    return tuple(name for bit, name in enumerate(FLAGS) if flag >> bit & 1)
-
-
-def _along_first(coefficients: Array, place: float, axis: Array) -> Array:
-    """Spline along the first axis at a place of that axis [same unit]."""
-    first, weights = spline_weights((place - axis[0]) * axis[1], int(axis[2]))
-    return np.tensordot(weights, coefficients[first : first + 4], axes=1)

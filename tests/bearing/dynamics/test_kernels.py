@@ -10,9 +10,11 @@ from numpy.testing import assert_allclose
 
 from bearing import Race
 from bearing.dynamics import _kernels
-from bearing.dynamics.friction import coulomb_friction, ellipse_points, four_constant_friction
+from bearing.dynamics.friction import coulomb_friction, four_constant_friction
 from bearing.dynamics.inputs import Guidance, LoadType
 from bearing.dynamics.simulation import simulation
+from ehl.traction._kernels import hertz_friction
+from ehl.traction.quadrature import ellipse_rings
 
 from ...reference.dynamics import accelerations
 
@@ -94,14 +96,11 @@ def test_schedule_is_linear_between_its_rows():
 
 def test_the_light_quadrature_holds_the_full_one(setup):
     """48 points over the ellipse against 512: force within 1 % of mu Q, spin moment within 2 % of mu Q b."""
-    from ehl.traction._kernels import hertz_friction
-    from ehl.traction.laws import hertz_disc
-
     bearing = setup.bearing_7008()
     data = four_constant_friction(bearing, (radians(15.0),) * 2, (-0.03, 3.6, 46.0, 0.03)).data(Race.INNER)
     for slide_x, slide_y, spin in ((0.1, 0.0, 0.0), (0.02, 0.05, 400.0), (0.0, 0.0, 800.0), (2.0, 0.1, 200.0)):
         found = np.zeros((2, 8))
-        for row, disc in enumerate((ellipse_points(4, 12), hertz_disc())):
+        for row, disc in enumerate((ellipse_rings(4, 12, staggered=True), ellipse_rings(16, 32))):
             hertz_friction(disc, data.law, data.shape, 20.0, 6.0, slide_x, slide_y, spin, found[row])
         assert_allclose(found[0, :2], found[1, :2], atol=0.01 * 0.05 * 20.0)
         assert_allclose(found[0, 2], found[1, 2], atol=0.02 * 0.05 * 20.0 * data.shape[1] * 20.0 ** (1 / 3))
