@@ -21,7 +21,7 @@ from .rating.life import LifeRating, bearing_life
 from .rows import Row
 from .studies.preload import Arrangement, duplex, preload_offset, preloaded_row
 from .studies.slip import SlipStudy, critical_curves, minimum_preload, slip_factors, slip_surface
-from .studies.stiffness import StiffnessOverSpeed, ross_table, stiffness_over_speed
+from .studies.stiffness import StiffnessOverSpeed, stiffness_over_speed
 
 __all__ = [
     "Arrangement",
@@ -68,7 +68,6 @@ __all__ = [
     "preloaded_row",
     "reduced_modulus",
     "reduced_radii",
-    "ross_table",
     "slip_factors",
     "slip_surface",
     "solve_quasistatic",

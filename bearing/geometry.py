@@ -83,8 +83,8 @@ class Bearing:
         a, clearance = self.curvature_centre_distance, self.diametral_clearance
         if not (isfinite(clearance) and -a < clearance < 2.0 * a):
             raise ValueError(
-                f"diametral_clearance must lie between {-a:.6g} and {2.0 * a:.6g} m, where the free contact angle "
-                f"reaches 90 degrees, got {clearance!r}"
+                f"diametral_clearance must lie between {-a:.6g} and {2.0 * a:.6g} m, where the "
+                f"free contact angle reaches 90 degrees, got {clearance!r}"
             )
         if not isfinite(self.first_ball_azimuth):
             raise ValueError(f"first_ball_azimuth must be finite, got {self.first_ball_azimuth!r}")
@@ -174,13 +174,15 @@ def _check_lengths(bearing: Bearing) -> None:
             raise ValueError(f"{field} must be positive and finite, got {value!r} m")
     if bearing.pitch_diameter <= bearing.ball_diameter:
         raise ValueError(
-            f"pitch_diameter must exceed ball_diameter {bearing.ball_diameter} m, got {bearing.pitch_diameter}"
+            f"pitch_diameter must exceed ball_diameter {bearing.ball_diameter} m, "
+            f"got {bearing.pitch_diameter}"
         )
     for field in ("inner_groove_radius", "outer_groove_radius"):
         value = getattr(bearing, field)
         if value <= 0.5 * bearing.ball_diameter:
             raise ValueError(
-                f"{field} must exceed the ball radius {0.5 * bearing.ball_diameter:.6g} m, got {value!r} m"
+                f"{field} must exceed the ball radius {0.5 * bearing.ball_diameter:.6g} m, "
+                f"got {value!r} m"
             )
     for field in ("bore", "outside_diameter", "width"):
         value = getattr(bearing, field)
@@ -205,17 +207,8 @@ def clearance_to_contact_angle(
 ) -> float:
     """Free contact angle [rad], cos = 1 - Pd/(2 A), Harris and Kotzalas; zero with interference.
 
-    Parameters
-    ----------
-    clearance : float
-        Diametral clearance Pd [m].
-    inner_groove_radius, outer_groove_radius, ball_diameter : float
-        [m].
-
-    Returns
-    -------
-    float
-        Free contact angle [rad].
+    `clearance`: diametral clearance Pd [m]; `inner_groove_radius`, `outer_groove_radius`,
+    `ball_diameter` [m].
     """
     distance = inner_groove_radius + outer_groove_radius - ball_diameter
     if clearance > 2.0 * distance:
@@ -233,12 +226,8 @@ def contact_angle_to_clearance(
 ) -> float:
     """Diametral clearance [m], Pd = 2 A (1 - cos), the inverse of `clearance_to_contact_angle`.
 
-    Parameters
-    ----------
-    contact_angle : float
-        Free contact angle [rad].
-    inner_groove_radius, outer_groove_radius, ball_diameter : float
-        [m].
+    `contact_angle`: free contact angle [rad]; `inner_groove_radius`, `outer_groove_radius`,
+    `ball_diameter` [m].
 
     Returns
     -------
@@ -254,12 +243,7 @@ def contact_angle_to_clearance(
 def reduced_radii(bearing: Bearing, race: Race, contact_angle: float) -> tuple[float, float]:
     """Reduced radii of curvature of the contact of a ball with a race.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    race : Race
-    contact_angle : float
-        [rad].
+    `contact_angle` [rad].
 
     Returns
     -------

@@ -1,15 +1,13 @@
 """Solid bodies: moduli, densities, thermal properties, and the reduced modulus of a pair."""
 
-import tomllib
 from dataclasses import dataclass
 from enum import Enum
-from functools import cache
-from importlib import resources
 from math import isfinite
 from typing import Any
 
-from .library.names import matching_name
+from .library.names import library_data, matching_name
 
+DATA = "materials.toml"
 FIELDS = {  # field of Material: key of the data file and its unit in SI
     "youngs_modulus": ("youngs_modulus_GPa", 1e9),
     "poisson_ratio": ("poisson_ratio", 1.0),
@@ -21,7 +19,7 @@ FIELDS = {  # field of Material: key of the data file and its unit in SI
 
 
 class MaterialKind(Enum):
-    """What rating standards distinguish: hardened bearing steel, silicon nitride, anything else."""
+    """What rating standards distinguish."""
 
     BEARING_STEEL = "bearing steel"
     SILICON_NITRIDE = "silicon nitride"
@@ -79,17 +77,7 @@ class Material:
 
 
 def reduced_modulus(material_1: Material, material_2: Material) -> float:
-    """E' [Pa], 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 (twice the E* of Johnson, 1985).
-
-    Parameters
-    ----------
-    material_1, material_2 : Material
-
-    Returns
-    -------
-    float
-        Reduced modulus E' [Pa].
-    """
+    """E' [Pa], 2/E' = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2 (twice the E* of Johnson, 1985)."""
     compliance = sum(
         (1.0 - m.poisson_ratio**2) / m.youngs_modulus for m in (material_1, material_2)
     )
@@ -98,27 +86,20 @@ def reduced_modulus(material_1: Material, material_2: Material) -> float:
 
 def list_materials() -> tuple[str, ...]:
     """Names of the shipped materials, in the order of the data file."""
-    return tuple(_table())
+    return tuple(library_data(DATA))
 
 
 def load_material(name: str) -> Material:
     """Shipped material of this name, at room temperature.
 
-    Parameters
-    ----------
-    name : str
-        One of `list_materials()`; case, spaces and hyphens do not matter.
-
-    Returns
-    -------
-    Material
+    `name`: one of `list_materials()`; case, spaces and hyphens do not matter.
 
     Raises
     ------
     ValueError
         If there is none of this name.
     """
-    table = _table()
+    table = library_data(DATA)
     key = matching_name(name, table)
     if key is None:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
@@ -147,10 +128,7 @@ def material_data(name: str) -> dict[str, Any]:
     """What the data file says of a material: per number its value, range and source, in the units
     of its key.
 
-    Parameters
-    ----------
-    name : str
-        One of `list_materials()`.
+    `name`: one of `list_materials()`.
 
     Returns
     -------
@@ -158,15 +136,5 @@ def material_data(name: str) -> dict[str, Any]:
         `kind`, and per number a dict of `value`, `range`, `source` and, where no source was read,
         `verified` false.
     """
-    entry = _table()[name]
-    return _table()[str(entry["same_as"])] if "same_as" in entry else entry
-
-
-@cache
-def _table() -> dict[str, dict[str, Any]]:
-    text = (
-        resources.files("bearing.library")
-        .joinpath("data/materials.toml")
-        .read_text(encoding="utf-8")
-    )
-    return tomllib.loads(text)
+    entry = library_data(DATA)[name]
+    return library_data(DATA)[str(entry["same_as"])] if "same_as" in entry else entry

@@ -1,7 +1,7 @@
 """Write bearing/library/data/estimated_bearings.toml from catalogue_ratings.csv.
 
 Run it with `python tools/estimated_bearings.py`. Each row of the table is a bearing of a maker's
-catalogue; `bearing.geometry_estimate` determines the ball and the number of balls that explain its
+catalogue; `geometry_estimate` determines the ball and the number of balls that explain its
 ratings. Bearings whose geometry has a source (bearing/library/data/bearings.toml) are left out.
 """
 
@@ -11,9 +11,9 @@ import csv
 from math import radians
 from pathlib import Path
 
-from bearing.geometry_estimate import CatalogueData, GeometryEstimate, estimate_geometry, normal_clearance
 from bearing.library.bearings import published_bearings
 from bearing.library.names import plain_name
+from geometry_estimate import CatalogueData, GeometryEstimate, estimate_geometry, normal_clearance
 
 DATA = Path(__file__).parents[1] / "bearing" / "library" / "data"
 RATINGS, TARGET = DATA / "catalogue_ratings.csv", DATA / "estimated_bearings.toml"

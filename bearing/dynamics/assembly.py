@@ -53,17 +53,7 @@ def assemble(
 ) -> EquationData:
     """The problem in numbers.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    operation : Operation
-    model : DynamicsModel
-    angles : tuple of float
-        Contact angles, inner and outer, at which stiffnesses are taken [rad].
-
-    Returns
-    -------
-    EquationData
+    `angles`: contact angles, inner and outer, at which stiffnesses are taken [rad].
     """
     cage, n = model.cage, bearing.balls
     kind = model.options.equations or load_type(operation, model)
@@ -211,19 +201,8 @@ def scales(data: EquationData, load: float, tolerance: float, ramp: float) -> Ar
     of the vibration with this amplitude, but no more than a part of the ramp of the friction;
     angles of bodies: over the pitch radius, of balls: over their radius.
 
-    Parameters
-    ----------
-    data : EquationData
-    load : float
-        [N].
-    tolerance : float
-        The part of approach and speed [-].
-    ramp : float
-        Sliding speed within which friction turns [m/s].
-
-    Returns
-    -------
-    ndarray
+    `load` [N]; `tolerance`: the part of approach and speed [-]; `ramp`: sliding speed within which
+    friction turns [m/s].
     """
     stiffness = float(data.normal[: OUTER + 1, STIFFNESS].min())
     length = (load / stiffness) ** (1.0 / HERTZ_EXPONENT)

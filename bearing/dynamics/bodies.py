@@ -27,20 +27,8 @@ def ring_body(
 ) -> RingBody:
     """The inner ring as a hollow cylinder from its bore to the bottom of its groove.
 
-    Parameters
-    ----------
-    bearing : Bearing
-        With bore and width.
-    mass : float, optional
-        Of ring and what turns with it [kg]; None: of the cylinder.
-    damping : float
-        Of the support [N s/m].
-    unbalance : tuple of float
-        [kg m], and its phase from +y [rad].
-
-    Returns
-    -------
-    RingBody
+    `bearing`: with bore and width; `mass`: of ring and what turns with it [kg]; None: of the
+    cylinder; `damping`: of the support [N s/m]; `unbalance` [kg m], and its phase from +y [rad].
 
     Raises
     ------
@@ -71,7 +59,6 @@ def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | 
 
     Parameters
     ----------
-    bearing : Bearing
     material : Material
         Of the cage.
     **given
@@ -79,10 +66,6 @@ def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | 
         `pocket_clearance` (diametral) [m], `pocket_friction` [-], `film_least` [m], `guidance`,
         `land_diameter`, `land_width` (both lands together), `land_clearance` (radial) [m],
         `land_friction` [-]. What is left out is estimated, and named so.
-
-    Returns
-    -------
-    CageBody
     """
     values = {name: value for name, value in given.items() if value is not None}
     ball = bearing.ball_diameter

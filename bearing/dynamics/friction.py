@@ -91,21 +91,8 @@ def coulomb_friction(
 ) -> RaceFriction:
     """Coulomb friction with dead band and ramp (Ambrosio 2003) on both races.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    angles : tuple of float
-        Contact angles, inner and outer [rad].
-    coefficient : float
-        mu [-].
-    ramp : tuple of float
-        v_0 and v_1: none below, all of it above [m/s].
-    at_centre : bool
-        See `RaceFriction`.
-
-    Returns
-    -------
-    RaceFriction
+    `angles`: contact angles, inner and outer [rad]; `coefficient`: mu [-]; `ramp`: v_0 and v_1:
+    none below, all of it above [m/s]; `at_centre`: see `RaceFriction`.
     """
     laws = [
         CoulombLaw(

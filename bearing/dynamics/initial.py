@@ -46,12 +46,6 @@ class StartingPoint:
 def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel) -> StartingPoint:
     """Equations, contact angles and equilibrium of the schedule's first row.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    operation : Operation
-    model : DynamicsModel
-
     Returns
     -------
     StartingPoint
@@ -135,13 +129,6 @@ def initial_state(
     bearing: Bearing, data: EquationData, point: StartingPoint, start: Start
 ) -> Array:
     """State vector at time zero.
-
-    Parameters
-    ----------
-    bearing : Bearing
-    data : EquationData
-    point : StartingPoint
-    start : Start
 
     Returns
     -------

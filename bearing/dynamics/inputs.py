@@ -222,13 +222,8 @@ class Schedule:
     ) -> "Schedule | None":
         """Two tables over time on one set of times, None without any; the rest as in operation.
 
-        Parameters
-        ----------
-        operation : Operation
-        speeds : sequence, optional
-            Rows of time [s] and speed of the inner ring [rad/s].
-        loads : sequence, optional
-            Rows of time [s] and force along x, y, z [N].
+        `speeds`: rows of time [s] and speed of the inner ring [rad/s]; `loads`: rows of time [s]
+        and force along x, y, z [N].
         """
         given = [np.array(table) for table in (speeds, loads) if table is not None]
         if not given:

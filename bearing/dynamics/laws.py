@@ -61,15 +61,7 @@ def normal_contact(
 ) -> NormalContact:
     """Normal law of all contacts with the stiffness of the races by one of the kinds.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    law : NormalLaw
-    restitution : float
-        [-].
-    impact_floor : float
-        [m/s].
-    stiffness : RaceStiffness
+    `restitution` [-]; `impact_floor` [m/s].
     """
     inner, outer = race_stiffnesses(bearing, stiffness)
     return NormalContact(

@@ -17,12 +17,7 @@ ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counte
 def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
     """Write the state of a simulation; the file appears under its name when it is complete.
 
-    Parameters
-    ----------
-    simulation : Simulation
-    path : Path
-    case : str
-        What the simulation was made from, compared when it is read.
+    `case`: what the simulation was made from, compared when it is read.
     """
     state = simulation.state
     head = {
@@ -45,13 +40,7 @@ def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
 def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
     """Put a simulation where a file left it.
 
-    Parameters
-    ----------
-    simulation : Simulation
-        Freshly made from the same case.
-    path : Path
-    case : str
-        What it was made from.
+    `simulation`: freshly made from the same case; `case`: what it was made from.
 
     Raises
     ------

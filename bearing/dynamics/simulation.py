@@ -158,16 +158,7 @@ class Simulation:
 def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> Simulation:
     """A simulation at its start.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    operation : Operation
-        Speeds [rad/s], loads [N, N m] of the inner ring.
-    model : DynamicsModel
-
-    Returns
-    -------
-    Simulation
+    `operation`: speeds [rad/s], loads [N, N m] of the inner ring.
     """
     point = starting_point(bearing, operation, model)
     data = assemble(bearing, operation, model, point.angles)

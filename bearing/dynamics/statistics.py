@@ -143,17 +143,7 @@ def orbit_speeds(states: Array, layout: Layout) -> Array:
 def simulation_statistics(
     simulation: Simulation, running: RunningStatistics
 ) -> SimulationStatistics | None:
-    """Sum a simulation up; None where not one sample was reached.
-
-    Parameters
-    ----------
-    simulation : Simulation
-    running : RunningStatistics
-
-    Returns
-    -------
-    SimulationStatistics or None
-    """
+    """Sum a simulation up; None where not one sample was reached."""
     if not running.rows:
         return None
     time = np.concatenate(running.time)
@@ -213,10 +203,7 @@ def batch_interval(values: Array) -> float | None:
     where a piece is longer than the slowest motion, so what goes round with the cage needs ten
     turns of it. A trend widens the interval.
 
-    Parameters
-    ----------
-    values : ndarray, shape (m,)
-        [unit of the values].
+    `values`, shape (m,) [unit of the values].
 
     Returns
     -------
@@ -234,12 +221,7 @@ def whirl_speed(time: Array, place: Array) -> float | None:
     """Mean angular speed of a centre's path about its own mean, positive as the axis turns
     [rad/s].
 
-    Parameters
-    ----------
-    time : ndarray, shape (m,)
-        [s].
-    place : ndarray, shape (m, 2)
-        y and z of the centre [m].
+    `time`, shape (m,) [s]; `place`, shape (m, 2): y and z of the centre [m].
 
     Returns
     -------

@@ -184,16 +184,9 @@ def clearance_budget(
 ) -> ClearanceBudget:
     """Clearance in operation from that of the bearing as delivered.
 
-    Parameters
-    ----------
-    bearing : Bearing
-        With its initial `diametral_clearance`, bore and outside diameter [m] where fits need them.
-    operation : Operation
-        Speeds of the rings [rad/s]; shaft and housing turn with them.
-    fit : Fit, optional
-        None: the rings are free.
-    rise : TemperatureRise, optional
-        None: nothing heats up.
+    `bearing`: with its initial `diametral_clearance`, bore and outside diameter [m] where fits
+    need them; `operation`: speeds of the rings [rad/s]; shaft and housing turn with them; `fit`:
+    None: the rings are free; `rise`: None: nothing heats up.
 
     Raises
     ------
@@ -344,17 +337,9 @@ def cage_clearance(
     land, on the outer ring its outside grows towards it. Growth of the rings by fits and speed,
     some micrometres, is left out.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    material : Material
-        Of the cage, with its thermal expansion [1/K].
-    rise : TemperatureRise
-        Of rings and balls [K].
-    cage_rise : float
-        Of the cage [K].
-    land : tuple of Race and float, or None
-        The guiding ring and the diameter of its land [m]; None where balls guide the cage.
+    `material`: of the cage, with its thermal expansion [1/K]; `rise`: of rings and balls [K];
+    `cage_rise`: of the cage [K]; `land`: the guiding ring and the diameter of its land [m]; None
+    where balls guide the cage.
     """
     ball = bearing.ball_diameter
     ball_growth = thermal_growth(bearing.ball_material, ball, rise.ball)

@@ -70,13 +70,7 @@ class HeatBalance:
 def heat_balance(torque: Callable[[float], float], speed: float, cooling: Cooling) -> HeatBalance:
     """Temperature of a bearing that is heated by its own friction.
 
-    Parameters
-    ----------
-    torque : callable
-        Friction torque [N m] at a temperature [K].
-    speed : float
-        Of the shaft [rad/s].
-    cooling : Cooling
+    `torque`: friction torque [N m] at a temperature [K]; `speed`: of the shaft [rad/s].
 
     Returns
     -------

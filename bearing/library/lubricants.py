@@ -2,11 +2,8 @@
 a temperature.
 """
 
-import tomllib
 import warnings
 from collections.abc import Callable
-from functools import cache
-from importlib import resources
 from itertools import pairwise
 from math import exp, log, log10
 from typing import Any
@@ -15,8 +12,9 @@ from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscos
 from ehl.oil.lubricant import ROELANDS_LOG_OFFSET, Lubricant, ThermalProperties, ViscosityLaw
 from ehl.units import ZERO_CELSIUS
 
-from .names import matching_name
+from .names import library_data, matching_name
 
+DATA = "lubricants.toml"
 PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
 STEP = 0.5  # of the differences that give the temperature coefficients [K]
 CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
@@ -24,17 +22,14 @@ CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
 
 def list_lubricants() -> tuple[str, ...]:
     """Names of the shipped lubricants, in the order of the data file."""
-    return tuple(_table())
+    return tuple(library_data(DATA))
 
 
 def lubricant_data(name: str) -> dict[str, Any]:
     """What the data file says of an oil: range [degrees Celsius], and per property its law,
     constants and source.
 
-    Parameters
-    ----------
-    name : str
-        One of `list_lubricants()`.
+    `name`: one of `list_lubricants()`.
 
     Returns
     -------
@@ -42,22 +37,16 @@ def lubricant_data(name: str) -> dict[str, Any]:
         `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units,
         `source`, and `verified` false where the number was not read in a source.
     """
-    return _table()[name]
+    return library_data(DATA)[name]
 
 
 def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     """Lubricant of the library at a temperature; the laws of viscosity and density are the
     caller's.
 
-    Parameters
-    ----------
-    name : str
-        One of `list_lubricants()`; case, spaces and hyphens do not matter.
-    temperature : float
-        Temperature of the oil in the contact inlet [K].
-    **laws
-        Further fields of `ehl.Lubricant` (viscosity_law, density_law, roelands_z [-],
-        roelands_pressure [Pa]).
+    `name`: one of `list_lubricants()`; case, spaces and hyphens do not matter; `temperature`:
+    temperature of the oil in the contact inlet [K]; `laws`: further fields of `ehl.Lubricant`
+    (viscosity_law, density_law, roelands_z [-], roelands_pressure [Pa]).
 
     Returns
     -------
@@ -75,7 +64,7 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     UserWarning
         If the temperature lies outside the range of the data.
     """
-    table = _table()
+    table = library_data(DATA)
     key = matching_name(name, table)
     if key is None:
         raise ValueError(f"lubricant {name!r} is unknown; known: {', '.join(table)}")
@@ -153,19 +142,7 @@ def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -
     """Dynamic viscosity [Pa s], rho a exp(b/(t + c)) with a in mm^2/s, t in degrees Celsius, Vogel
     (1921).
 
-    Parameters
-    ----------
-    entry : dict
-        a [mm^2/s], b [K], c [K].
-    temperature : float
-        Temperature [K].
-    density : float
-        Density [kg/m^3].
-
-    Returns
-    -------
-    float
-        Dynamic viscosity [Pa s].
+    `entry`: a [mm^2/s], b [K], c [K]; `temperature`: temperature [K]; `density`: density [kg/m^3].
     """
     return float(
         1e-6
@@ -176,7 +153,7 @@ def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -
 
 
 def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], eta_0 exp(a D + b D^2), D = 1/T - 1/T_0; the temperature in [K]."""
+    """Dynamic viscosity [Pa s], eta_0 exp(a D + b D^2), D = 1/T - 1/T_0, at T [K]."""
     delta = 1.0 / temperature - 1.0 / entry["reference_K"]
     return float(entry["eta_Pa_s"] * exp(entry["a_K"] * delta + entry["b_K2"] * delta**2))
 
@@ -194,19 +171,8 @@ def viscosity_astm_d341(entry: dict[str, Any], temperature: float, density: floa
     """Dynamic viscosity [Pa s], rho nu, log10 log10(nu + 0.7) = A - B log10 T, nu in mm^2/s: ASTM
     D341.
 
-    Parameters
-    ----------
-    entry : dict
-        Two temperatures [K] and kinematic viscosities there [mm^2/s], through which A and B go.
-    temperature : float
-        Temperature [K].
-    density : float
-        Density [kg/m^3].
-
-    Returns
-    -------
-    float
-        Dynamic viscosity [Pa s].
+    `entry`: two temperatures [K] and kinematic viscosities there [mm^2/s], through which A and B
+    go; `temperature`: temperature [K]; `density`: density [kg/m^3].
     """
     return 1e-6 * density * _d341(entry["temperature_K"], entry["value_mm2_s"], temperature)
 
@@ -243,12 +209,7 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
     held beyond its ends; roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), which is Roelands'
     (1966) identity with z held.
 
-    Parameters
-    ----------
-    entry : dict
-        Data of the oil, `lubricant_data`.
-    temperature : float
-        Temperature [K].
+    `entry`: data of the oil, `lubricant_data`; `temperature`: temperature [K].
 
     Returns
     -------
@@ -274,12 +235,7 @@ def oil_density(entry: dict[str, Any], temperature: float) -> float:
 
     table: linear in T, continued beyond its ends; expansion: rho_r exp[-e (T - T_r)].
 
-    Parameters
-    ----------
-    entry : dict
-        Data of the oil, `lubricant_data`.
-    temperature : float
-        Temperature [K].
+    `entry`: data of the oil, `lubricant_data`; `temperature`: temperature [K].
 
     Returns
     -------
@@ -311,11 +267,3 @@ def _interpolate(entry: dict[str, Any], temperature: float) -> float:
         if temperature <= t1:
             return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
     return float(points[-1][1])
-
-
-@cache
-def _table() -> dict[str, dict[str, Any]]:
-    text = (
-        resources.files(__package__).joinpath("data/lubricants.toml").read_text(encoding="utf-8")
-    )
-    return tomllib.loads(text)

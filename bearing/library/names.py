@@ -1,6 +1,12 @@
-"""Names of catalogue and libraries, matched without regard to case, spaces and hyphens."""
+"""Names of catalogue and libraries, matched without regard to case, spaces and hyphens, and their
+data files.
+"""
 
+import tomllib
 from collections.abc import Iterable
+from functools import cache
+from importlib import resources
+from typing import Any
 
 IGNORED = " -_\t"
 
@@ -18,3 +24,10 @@ def matching_name(name: str, names: Iterable[str]) -> str | None:
     if name in names:
         return name
     return {plain_name(own): own for own in reversed(names)}.get(plain_name(name))
+
+
+@cache
+def library_data(file: str) -> dict[str, dict[str, Any]]:
+    """Tables of a data file of the library by name."""
+    text = resources.files(__package__).joinpath("data", file).read_text(encoding="utf-8")
+    return tomllib.loads(text)

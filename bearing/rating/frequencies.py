@@ -33,10 +33,7 @@ class Frequencies:
 def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
     """Frequencies at the operating contact angles, Harris and Kotzalas (Essential Concepts).
 
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Speeds in [rad/s].
+    `solution`: speeds in [rad/s].
 
     Returns
     -------
@@ -66,13 +63,7 @@ def kinematic_frequencies(
     g^2)/2. These are the values of catalogues; `bearing_frequencies` differs from them as the
     contact angles do in operation.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    operation : Operation
-        Speeds of the rings in [rad/s].
-    contact_angle : float
-        Nominal [rad].
+    `operation`: speeds of the rings in [rad/s]; `contact_angle`: nominal [rad].
 
     Returns
     -------

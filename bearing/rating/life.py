@@ -33,21 +33,21 @@ from .load_rating import (
     wide_grooves,
 )
 
-STEEPEST = radians(45.0)  # a steeper bearing is a thrust bearing in the standards
+LARGEST_CONTACT_ANGLE = radians(45.0)  # a steeper bearing is a thrust bearing in the standards
 LIFE_EXPONENT = 3.0  # of point contact [-]
 ROWS_EXPONENT = 0.7  # of the number of rows in C_r, ISO 281 [-]
 ROTATING = 3.0  # exponents of the equivalent ball load of a ring
 STATIONARY = 10.0 / 3.0  # relative to the load [-]
 # [-]
-KAPPA_LEAST = 0.1
-KAPPA_MOST = 4.0
-A_ISO_MOST = 50.0
+SMALLEST_KAPPA = 0.1
+LARGEST_KAPPA = 4.0
+LARGEST_A_ISO = 50.0
 A_ISO_PIECES = (  # kappa up to, constant, exponent [-]; continuous at 0.4 and 1
     (0.4, 2.2649, 0.054381),
     (1.0, 1.9987, 0.19087),
-    (KAPPA_MOST, 1.9987, 0.071739),
+    (LARGEST_KAPPA, 1.9987, 0.071739),
 )
-LIGHT_ENOUGH = 0.5  # P/C_r up to which the life formula holds [-]
+LARGEST_LOAD_SHARE = 0.5  # P/C_r up to which the life formula holds [-]
 # in SI
 MM = 1e-3
 
@@ -100,17 +100,8 @@ def bearing_life(
 ) -> LifeRating:
     """Basic and modified reference rating life, ISO 16281, from the ball loads of an equilibrium.
 
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Ball loads [N].
-    lubricant : Lubricant
-        Viscosity [Pa s] and density [kg/m^3] at the temperature of operation.
-    rating : RatingInput
-
-    Returns
-    -------
-    LifeRating
+    `solution`: ball loads [N]; `lubricant`: viscosity [Pa s] and density [kg/m^3] at the
+    temperature of operation.
     """
     bearing = solution.bearing
     reason = _not_covered(bearing) or ("" if solution.converged else "there is no equilibrium")
@@ -134,7 +125,8 @@ def bearing_life(
     limit = rows * fatigue_load_limit(bearing, rating.nominal_contact_angle)
     if rows > 1:
         messages.append(
-            f"life: C_r, P and C_u are those of the {rows} rows together, C_r {rows}^0.7 times that of one"
+            f"life: C_r, P and C_u are those of the {rows} rows together, C_r {rows}^0.7 times "
+            "that of one"
         )
     assert kappa is not None  # without rotation there is a reason above
     factor = _life_factor(kappa, limit / load, rating.contamination_factor)
@@ -159,7 +151,10 @@ def _not_covered(bearing: Bearing) -> str:
             return f"the standards rate rings of hardened bearing steel only, not of {found}"
     ball = bearing.ball_material
     if ball.kind is MaterialKind.OTHER:
-        return f"the standards rate balls of bearing steel or silicon nitride only, not of {ball.name!r}"
+        return (
+            "the standards rate balls of bearing steel or silicon nitride only, not of "
+            f"{ball.name!r}"
+        )
     return ""
 
 
@@ -194,7 +189,8 @@ def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRatin
     load = max((found for found in loads if found is not None), default=None)
     if load is None:
         messages.append(
-            "life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 to 40 deg"
+            "life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 "
+            "to 40 deg"
         )
     factor = capacity / load if capacity is not None and load else None
     return replace(
@@ -208,53 +204,56 @@ def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -
     if not (solution.inner_load > 0.0).any():
         return "no ball loads the inner ring"
     angle = rating.nominal_contact_angle
-    if angle > STEEPEST:
+    if angle > LARGEST_CONTACT_ANGLE:
         return f"a nominal contact angle of {degrees(angle):.4g} deg is that of a thrust bearing"
     return "" if rating.dynamic_rating is not None else geometry_not_rated(solution.bearing, angle)
 
 
 def _remarks(bearing: Bearing, rating: RatingInput, kappa: float, share: float) -> Iterator[str]:
     if rating.dynamic_rating is None:
-        yield "life: dynamic rating computed from the geometry, no basic_dynamic_rating_kN was given"
+        yield (
+            "life: dynamic rating computed from the geometry, no basic_dynamic_rating_kN was given"
+        )
         if wide_grooves(bearing):
-            yield "life: dynamic rating lowered for grooves wider than 0.52 (inner) or 0.53 (outer) ball diameters"
+            yield (
+                "life: dynamic rating lowered for grooves wider than 0.52 (inner) or 0.53 "
+                "(outer) ball diameters"
+            )
     yield "life: kappa from the viscosity alone"
     if rating.contamination_factor is None:
-        yield "life: a_iso and modified rating null, the case gives no [lubricant] contamination_factor"
-    elif kappa < KAPPA_LEAST:
-        yield f"life: a_iso and modified rating null, ISO 281 has no factor below kappa {KAPPA_LEAST}"
-    if share > LIGHT_ENOUGH:
-        yield f"life: the equivalent load is {share:.2f} of the dynamic rating, more than the {LIGHT_ENOUGH} of ISO 281"
+        yield (
+            "life: a_iso and modified rating null, the case gives no [lubricant] "
+            "contamination_factor"
+        )
+    elif kappa < SMALLEST_KAPPA:
+        yield (
+            "life: a_iso and modified rating null, ISO 281 has no factor below kappa "
+            f"{SMALLEST_KAPPA}"
+        )
+    if share > LARGEST_LOAD_SHARE:
+        yield (
+            f"life: the equivalent load is {share:.2f} of the dynamic rating, more than the "
+            f"{LARGEST_LOAD_SHARE} of ISO 281"
+        )
 
 
 def _life_factor(
     kappa: float, limit_over_load: float, contamination: float | None
 ) -> float | None:
-    if contamination is None or kappa < KAPPA_LEAST:
+    if contamination is None or kappa < SMALLEST_KAPPA:
         return None
     return life_factor(kappa, contamination * limit_over_load)
 
 
 def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle: float) -> float:
-    """Basic reference rating life [10^6 revolutions], ISO 16281.
+    """Basic reference rating life, ISO 16281 [10^6 revolutions of one ring against the other].
 
     L_10r = [sum over rows of (Q_ci/Q_ei)^(-10/3) + (Q_ce/Q_ee)^(-10/3)]^(-9/10), Q_e = (sum
     Q_j^p/Z)^(1/p), p = 3 for a ring that turns relative to the load and 10/3 for one that stands.
     The load stands in space.
 
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Ball loads [N].
-    capacity : float
-        C_r of one row [N].
-    contact_angle : float
-        Nominal contact angle [rad].
-
-    Returns
-    -------
-    float
-        [10^6 revolutions of one ring against the other].
+    `solution`: ball loads [N]; `capacity`: C_r of one row [N]; `contact_angle`: nominal contact
+    angle [rad].
     """
     ratings = ball_ratings(solution.bearing, capacity, contact_angle)
     speeds = (solution.operation.inner_speed, solution.operation.outer_speed)
@@ -280,19 +279,8 @@ def viscosity_ratio(kinematic_viscosity: float, speed: float, pitch_diameter: fl
     nu_1 = 45000 n^-0.83 d_m^-0.5 below 1000 r/min, 4500 n^-0.5 d_m^-0.5 from there, in mm^2/s with
     d_m in mm.
 
-    Parameters
-    ----------
-    kinematic_viscosity : float
-        At the temperature of operation [m^2/s].
-    speed : float
-        Of one ring against the other, positive [rad/s].
-    pitch_diameter : float
-        [m].
-
-    Returns
-    -------
-    float
-        kappa [-].
+    `kinematic_viscosity`: at the temperature of operation [m^2/s]; `speed`: of one ring against
+    the other, positive [rad/s]; `pitch_diameter` [m].
     """
     n = speed / RPM
     reference = (45000.0 * n**-0.83 if n < 1000.0 else 4500.0 * n**-0.5) * (
@@ -308,24 +296,14 @@ def life_factor(kappa: float, limit: float) -> float:
     most 4; (c, e) = (2.2649, 0.054381) below 0.4, (1.9987, 0.19087) up to 1, (1.9987, 0.071739) up
     to 4.
 
-    Parameters
-    ----------
-    kappa : float
-        Viscosity ratio, from 0.1 [-].
-    limit : float
-        e_C C_u/P [-].
-
-    Returns
-    -------
-    float
-        a_ISO [-].
+    `kappa`: viscosity ratio, from 0.1 [-]; `limit`: e_C C_u/P [-].
     """
-    if kappa < KAPPA_LEAST:
-        raise ValueError(f"kappa must be at least {KAPPA_LEAST}, got {kappa!r}")
-    kappa = min(kappa, KAPPA_MOST)
+    if kappa < SMALLEST_KAPPA:
+        raise ValueError(f"kappa must be at least {SMALLEST_KAPPA}, got {kappa!r}")
+    kappa = min(kappa, LARGEST_KAPPA)
     constant, exponent = next((c, e) for most, c, e in A_ISO_PIECES if kappa <= most)
     base = 1.0 - (2.5671 - constant / kappa**exponent) ** 0.83 * limit ** (1.0 / 3.0)
-    return min(A_ISO_MOST, 0.1 * base**-9.3) if base > 0.0 else A_ISO_MOST
+    return min(LARGEST_A_ISO, 0.1 * base**-9.3) if base > 0.0 else LARGEST_A_ISO
 
 
 def _largest_pressure(solution: QuasistaticSolution) -> float:

@@ -40,12 +40,15 @@ def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
     """
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
     if not SMALLEST_GAMMA <= gamma <= LARGEST_GAMMA:
-        return f"D cos(alpha)/d_m = {gamma:.3g} lies outside the factors f_c at hand: give basic_dynamic_rating_kN"
+        return (
+            f"D cos(alpha)/d_m = {gamma:.3g} lies outside the factors f_c at hand: give "
+            "basic_dynamic_rating_kN"
+        )
     return ""
 
 
 def wide_grooves(bearing: Bearing) -> bool:
-    """Whether a groove is wider than those f_c is for, so that the rating is lowered for it [-]."""
+    """Whether a groove is wider than those f_c is for, which lowers the rating."""
     conformities = (bearing.inner_conformity, bearing.outer_conformity)
     return any(
         found > most + ROUNDED
@@ -60,10 +63,7 @@ def factor_f_c(gamma: float) -> float:
     Their form with both grooves 0.52 D wide and one scale passes the five points of the standard's
     table at hand within their rounding.
 
-    Parameters
-    ----------
-    gamma : float
-        D cos(alpha)/d_m, 0.01 to 0.40 [-].
+    `gamma`: D cos(alpha)/d_m, 0.01 to 0.40 [-].
 
     Returns
     -------
@@ -79,17 +79,8 @@ def lundberg_palmgren(gamma: float, inner: float, outer: float) -> float:
     [1 + T^(10/3)]^-0.3 g^0.3 (1 - g)^1.39/(1 + g)^(1/3) [2 f_i/(2 f_i - 1)]^0.41 with
     T = 1.04 [(1 - g)/(1 + g)]^1.72 [f_i (2 f_e - 1)/(f_e (2 f_i - 1))]^0.41.
 
-    Parameters
-    ----------
-    gamma : float
-        g = D cos(alpha)/d_m [-].
-    inner, outer : float
-        Conformities of the grooves, radius over ball diameter [-].
-
-    Returns
-    -------
-    float
-        [-].
+    `gamma`: g = D cos(alpha)/d_m [-]; `inner`, `outer`: conformities of the grooves, radius over
+    ball diameter [-].
     """
     grooves = inner * (2.0 * outer - 1.0) / (outer * (2.0 * inner - 1.0))
     ratio = 1.04 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves**0.41
@@ -103,16 +94,7 @@ def groove_factor(bearing: Bearing, contact_angle: float) -> float:
     """Capacity with the bearing's grooves over that with the widest f_c is for, 1 unless they are
     wider [-].
 
-    Parameters
-    ----------
-    bearing : Bearing
-    contact_angle : float
-        Nominal contact angle [rad].
-
-    Returns
-    -------
-    float
-        [-].
+    `contact_angle`: nominal contact angle [rad].
     """
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
     found = (bearing.inner_conformity, bearing.outer_conformity)
@@ -127,17 +109,8 @@ def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
     For grooves wider than f_c is for it is lowered as the theory behind f_c says
     (`groove_factor`).
 
-    Parameters
-    ----------
-    bearing : Bearing
-        Lengths in [m]; above a ball diameter of 25.4 mm, 3.647 D^1.4 instead of D^1.8 (in mm).
-    contact_angle : float
-        Nominal contact angle [rad].
-
-    Returns
-    -------
-    float
-        C_r [N].
+    `bearing`: lengths in [m]; above a ball diameter of 25.4 mm, 3.647 D^1.4 instead of D^1.8 (in
+    mm); `contact_angle`: nominal contact angle [rad].
     """
     diameter = bearing.ball_diameter / MM
     power = diameter**1.8 if bearing.ball_diameter <= LARGE_BALL else 3.647 * diameter**1.4
@@ -154,13 +127,7 @@ def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tup
     D cos alpha/d_m. One transcription has (cos alpha)^0.7; the theory of Lundberg and Palmgren
     supports the first power.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    capacity : float
-        C_r [N].
-    contact_angle : float
-        Nominal contact angle [rad].
+    `capacity`: C_r [N]; `contact_angle`: nominal contact angle [rad].
 
     Returns
     -------
@@ -185,16 +152,7 @@ def fatigue_load_limit(bearing: Bearing, contact_angle: float) -> float:
     Q_u is the ball load at a Hertz pressure of 1500 MPa, with the moduli of the bearing's own
     materials.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    contact_angle : float
-        Nominal contact angle [rad].
-
-    Returns
-    -------
-    float
-        C_u [N].
+    `contact_angle`: nominal contact angle [rad].
     """
     limits = load_at_pressure(bearing, contact_angle, FATIGUE_PRESSURE)
     size = min(1.0, (0.1 / bearing.pitch_diameter) ** 0.5)
@@ -209,16 +167,7 @@ def static_rating(bearing: Bearing, contact_angle: float) -> float:
     and 0.53 D (outer) or wider, 5 the heaviest over the mean ball load after Stribeck. The
     standard's table of f_0 was not read.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    contact_angle : float
-        Nominal contact angle [rad].
-
-    Returns
-    -------
-    float
-        C_0r [N].
+    `contact_angle`: nominal contact angle [rad].
     """
     diameter = bearing.ball_diameter
     grooves = (bearing.inner_groove_radius, bearing.outer_groove_radius)
@@ -254,12 +203,7 @@ def static_equivalent_load(radial: float, axial: float, contact_angle: float) ->
     X_0, Y_0 are 0.6, 0.5 at zero contact angle (SKF, deep groove ball bearings); X_0 = 0.5 and Y_0
     = 0.46, 0.38, 0.26 at 15, 25, 40 degrees (LYC, angular contact ball bearings), linear between.
 
-    Parameters
-    ----------
-    radial, axial : float
-        Magnitudes of the loads [N].
-    contact_angle : float
-        Nominal contact angle [rad].
+    `radial`, `axial`: magnitudes of the loads [N]; `contact_angle`: nominal contact angle [rad].
 
     Returns
     -------

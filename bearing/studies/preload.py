@@ -31,12 +31,7 @@ SENSES = {
 def preload_offset(bearing: Bearing, preload_force: float, model: Model | None = None) -> float:
     """Axial distance of the grooves' middles at which one row at rest carries a force [m].
 
-    Parameters
-    ----------
-    bearing : Bearing
-    preload_force : float
-        Not negative [N].
-    model : Model, optional
+    `preload_force`: not negative [N].
 
     Returns
     -------
@@ -65,23 +60,9 @@ def preloaded_row(
 ) -> Row:
     """A row with a preload, as a force or as a displacement beyond first touch.
 
-    Parameters
-    ----------
-    bearing : Bearing
-        With the clearance it is set with.
-    axial_position : float
-        [m].
-    sense : int
-        1 if a push of the inner ring to +x loads the row, else -1 [-].
-    preload_force : float
-        [N].
-    preload_displacement : float
-        [m]; negative leaves play.
-    model : Model, optional
-
-    Returns
-    -------
-    Row
+    `bearing`: with the clearance it is set with; `axial_position` [m]; `sense`: 1 if a push of the
+    inner ring to +x loads the row, else -1 [-]; `preload_force` [N]; `preload_displacement` [m];
+    negative leaves play.
     """
     if sense not in (1, -1):
         raise ValueError(f"sense must be 1 or -1, got {sense!r}")
@@ -101,17 +82,9 @@ def duplex(
 ) -> tuple[Row, Row]:
     """Two equal rows about the origin.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    arrangement : Arrangement
-    distance : float
-        Between the middles of the rows [m].
-    preload_force : float
-        In each row at rest [N].
-    preload_displacement : float
-        Of each row beyond first touch [m]; the gap that mounting closes is twice that.
-    model : Model, optional
+    `distance`: between the middles of the rows [m]; `preload_force`: in each row at rest [N];
+    `preload_displacement`: of each row beyond first touch [m]; the gap that mounting closes is
+    twice that.
 
     Returns
     -------

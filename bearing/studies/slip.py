@@ -120,10 +120,7 @@ class CriticalCurves:
 def slip_factors(solution: QuasistaticSolution) -> Array:
     """SF = Qi |sin ai|/Fc of every ball [-], Hirano (1965); infinite at rest.
 
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Loads in [N], angles in [rad].
+    `solution`: loads in [N], angles in [rad].
 
     Returns
     -------
@@ -139,13 +136,7 @@ def slip_factors(solution: QuasistaticSolution) -> Array:
 def slip_row(study: SlipStudy, axial_loads: Sequence[float], speed: float) -> Array:
     """Slip factors at one speed, each solution the start of the next.
 
-    Parameters
-    ----------
-    study : SlipStudy
-    axial_loads : sequence of float
-        [N].
-    speed : float
-        Of the inner ring [rad/s].
+    `axial_loads` [N]; `speed`: of the inner ring [rad/s].
 
     Returns
     -------
@@ -167,15 +158,8 @@ def slip_surface(
 ) -> SlipSurface:
     """Slip factors of every ball over speed and axial load.
 
-    Parameters
-    ----------
-    study : SlipStudy
-    speeds : sequence of float
-        Of the inner ring [rad/s].
-    axial_loads : sequence of float
-        [N].
-    mapper : callable
-        `map`, or the map of a pool that shares the rows.
+    `speeds`: of the inner ring [rad/s]; `axial_loads` [N]; `mapper`: `map`, or the map of a pool
+    that shares the rows.
 
     Returns
     -------
@@ -191,11 +175,7 @@ def slip_surface(
 def minimum_preload(study: SlipStudy, speed: float) -> float:
     """Least axial load with which no ball slips at a given speed, radial load and tilt.
 
-    Parameters
-    ----------
-    study : SlipStudy
-    speed : float
-        Of the inner ring [rad/s].
+    `speed`: of the inner ring [rad/s].
 
     Returns
     -------
@@ -224,14 +204,8 @@ def minimum_preloads(study: SlipStudy, speeds: Sequence[float], mapper: Mapper =
 def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
     """Axial load at which the factor of each ball passes the limit, under one radial load.
 
-    Parameters
-    ----------
-    study : SlipStudy
-        Its radial load is replaced.
-    speed : float
-        Of the inner ring [rad/s].
-    radial_load : float
-        Along +y [N].
+    `study`: its radial load is replaced; `speed`: of the inner ring [rad/s]; `radial_load`: along
+    +y [N].
 
     Returns
     -------
@@ -276,19 +250,9 @@ def critical_curves(
 
 
 def minimum_axial_load_skf(factor: float, speed: float) -> float:
-    """Catalogue minimum axial load F_am = A (n/1000)^2, SKF Rolling bearings catalogue.
+    """Catalogue minimum axial load F_am = A (n/1000)^2, SKF Rolling bearings catalogue [N].
 
-    Parameters
-    ----------
-    factor : float
-        A of the product table, there in kN; here [N].
-    speed : float
-        [rad/s]; n is in r/min.
-
-    Returns
-    -------
-    float
-        [N].
+    `factor`: A of the product table, there in kN; here [N]; `speed` [rad/s]; n is in r/min.
     """
     return factor * (_rpm(speed) / 1000.0) ** 2
 
@@ -297,23 +261,11 @@ def minimum_radial_load_skf(
     factor: float, speed: float, kinematic_viscosity: float, pitch_diameter: float
 ) -> float:
     """Catalogue minimum radial load F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2, SKF Rolling bearings
-    catalogue.
+    catalogue [N].
 
-    Parameters
-    ----------
-    factor : float
-        k_r of the product table, there in kN; here [N].
-    speed : float
-        [rad/s]; n is in r/min.
-    kinematic_viscosity : float
-        At operating temperature [m^2/s]; nu is in mm^2/s.
-    pitch_diameter : float
-        [m]; d_m is in mm.
-
-    Returns
-    -------
-    float
-        [N].
+    `factor`: k_r of the product table, there in kN; here [N]; `speed` [rad/s]; n is in r/min;
+    `kinematic_viscosity`: at operating temperature [m^2/s]; nu is in mm^2/s; `pitch_diameter` [m];
+    d_m is in mm.
     """
     flow = 1.0e6 * kinematic_viscosity * abs(_rpm(speed)) / 1000.0
     return float(factor * flow ** (2.0 / 3.0) * (1000.0 * pitch_diameter / 100.0) ** 2)

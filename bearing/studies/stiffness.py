@@ -1,4 +1,4 @@
-"""Tangent stiffness of a bearing over speed, and as a bearing element of the rotor code ROSS.
+"""Tangent stiffness of a bearing over speed.
 
 The stiffness is that of the equilibrium at each speed: contact angles, ball loads and gyroscopic
 friction change with it.
@@ -15,9 +15,6 @@ from ..operation import Model, Operation
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
 from ..rows import SINGLE, Row
-
-# ROSS' x, y, z (z along the shaft) in ours
-ROSS_AXES = np.array([[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,21 +54,8 @@ def stiffness_over_speed(
 ) -> StiffnessOverSpeed:
     """Stiffness at several speeds of the inner ring, all else as in the operation.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    operation : Operation
-        Loads [N] or displacements [m]; its inner speed is replaced.
-    speeds : sequence of float
-        [rad/s].
-    model : Model, optional
-    rows : sequence of Row, optional
-    solve : callable, optional
-        Finds the equilibrium; called as `solve_quasistatic`.
-
-    Returns
-    -------
-    StiffnessOverSpeed
+    `operation`: loads [N] or displacements [m]; its inner speed is replaced; `speeds` [rad/s];
+    `solve`: finds the equilibrium; called as `solve_quasistatic`.
     """
     matrices = np.full((len(speeds), 5, 5), np.nan)
     places = np.full((len(speeds), 5), np.nan)
@@ -92,37 +76,3 @@ def stiffness_over_speed(
         displacements=places,
         messages=tuple(messages),
     )
-
-
-def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Array]:
-    """Keyword arguments of ROSS' BearingElement over speed, but for its node n.
-
-    ROSS has z along the shaft; its x and y are our -z and y (a turn of the frame, right-handed in
-    both). Its element has the 2 x 2 block of the lateral directions and the axial stiffness; tilt
-    and what couples axial to lateral are left out: the block is the stiffness with x and the tilts
-    held.
-
-    Parameters
-    ----------
-    study : StiffnessOverSpeed
-        Speeds without an equilibrium are left out.
-    damping : float
-        Viscous, in x, y and z alike, which the equilibrium does not know [N s/m].
-
-    Returns
-    -------
-    dict of ndarray, shape (n,)
-        frequency [rad/s]; kxx, kxy, kyx, kyy, kzz [N/m]; cxx, cxy, cyx, cyy, czz [N s/m].
-    """
-    if not damping >= 0.0:
-        raise ValueError(f"damping must not be negative, got {damping!r} N s/m")
-    kept = study.converged
-    turned = ROSS_AXES @ study.matrices[kept][:, :3, :3] @ ROSS_AXES.T
-    size = int(kept.sum())
-    stiffness = {"kxx": (0, 0), "kxy": (0, 1), "kyx": (1, 0), "kyy": (1, 1), "kzz": (2, 2)}
-    table = {"frequency": study.speeds[kept]}
-    table |= {name: turned[:, i, j] for name, (i, j) in stiffness.items()}
-    return table | {
-        name.replace("k", "c"): np.full(size, damping if i == j else 0.0)
-        for name, (i, j) in stiffness.items()
-    }

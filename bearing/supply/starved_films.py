@@ -68,20 +68,8 @@ def starved_films(
 
     The minimum film is taken to keep the share of the central one.
 
-    Parameters
-    ----------
-    contacts : sequence of BearingContact
-    supply : Supply or InletFilm
-    balls : int
-        In one row [-].
-    roughness : tuple of float, optional
-        Root mean square of inner race and balls, outer race and balls [m].
-    solutions : sequence of ContactSolution or None, optional
-        Flooded films; formulas where one is missing or did not converge.
-
-    Returns
-    -------
-    tuple of StarvedFilm or None
+    `balls`: in one row [-]; `roughness`: root mean square of inner race and balls, outer race and
+    balls [m]; `solutions`: flooded films; formulas where one is missing or did not converge.
     """
     solved = [None] * len(contacts) if solutions is None else solutions
     flooded = [_flooded(contact, film) for contact, film in zip(contacts, solved, strict=True)]

@@ -99,11 +99,8 @@ def starvation_exponent(ellipse_ratio: float) -> float:
     """gamma of a starved film: 3 (circular) to 15 (wide), in proportion to the ratio's logarithm
     between [-].
 
-    Parameters
-    ----------
-    ellipse_ratio : float
-        Semi-axis across the entrainment over that along it [-]. The ends are Damiens et al.'s
-        (2004), second hand; the interpolation is ours.
+    `ellipse_ratio`: Semi-axis across the entrainment over that along it [-]. The ends are Damiens
+    et al.'s (2004), second hand; the interpolation is ours.
     """
     share = min(max(log(max(ellipse_ratio, 1.0)) / log(WIDE), 0.0), 1.0)
     return EXPONENTS[0] * exp(share * log(EXPONENTS[1] / EXPONENTS[0]))
@@ -111,19 +108,10 @@ def starvation_exponent(ellipse_ratio: float) -> float:
 
 def starved_share(inlet_ratio: float, exponent: float) -> float:
     """Central film of a starved contact over the flooded one, r/(1 + r^g)^(1/g), Chevalier et al.
-    (1998).
+    (1998) [-].
 
-    Parameters
-    ----------
-    inlet_ratio : float
-        r, oil layer at the inlet over the compressed flooded film [-].
-    exponent : float
-        g [-].
-
-    Returns
-    -------
-    float
-        [-].
+    `inlet_ratio`: r, oil layer at the inlet over the compressed flooded film [-]; `exponent`: g
+    [-].
     """
     if inlet_ratio > 1.0:  # the same, so that ample oil leaves exactly 1
         return float((1.0 + inlet_ratio**-exponent) ** (-1.0 / exponent))
@@ -134,14 +122,8 @@ def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> floa
     """Film over the flooded one where every ball finds what is left of the last one's and what was
     added.
 
-    Parameters
-    ----------
-    added_ratio : float
-        Layer added between two balls over the compressed flooded film [-].
-    exponent : float
-        g [-].
-    loss : float
-        Share of the layer lost between two balls [-].
+    `added_ratio`: layer added between two balls over the compressed flooded film [-]; `exponent`:
+    g [-]; `loss`: share of the layer lost between two balls [-].
 
     Returns
     -------
@@ -170,15 +152,8 @@ def supplied_films(
     """Central film over the flooded one of every contact, shape (contacts,) [-]; 1 where there is
     no film.
 
-    Parameters
-    ----------
-    contacts : sequence of BearingContact
-    flooded : sequence of float or None
-        Flooded central films, solved or from a formula [m].
-    supply : Supply or InletFilm
-        A layer that is ample leaves every film as it was, to the last digit.
-    balls : int
-        In one row [-].
+    `flooded`: flooded central films, solved or from a formula [m]; `supply`: A layer that is ample
+    leaves every film as it was, to the last digit; `balls`: in one row [-].
     """
     shares = np.ones(len(contacts))
     for i, (contact, film) in enumerate(zip(contacts, flooded, strict=True)):
@@ -244,32 +219,5 @@ def _between(inner: float, outer: float, pitch: float, ball: float) -> float:
 
 
 def oil_fraction(supply: Supply, cavity: float) -> float:
-    """Share of the cavity [m^3] that is oil, flow times residence time over volume, at most 1 [-]."""
+    """Oil in the cavity [m^3], flow times residence time over volume, at most 1 [-]."""
     return min(supply.flow * supply.residence_time / cavity, 1.0) if cavity > 0.0 else inf
-
-
-def oil_fraction_parker(flow: float, speed: float, pitch_diameter: float) -> float:
-    """Share of the cavity that is oil with jets, X% = 1e5 W^0.37/(n d_m^1.7), Parker (NASA
-    TP-2275), unverified.
-
-    W in cm^3/min, n in r/min, d_m in mm; the constants are from memory. A regression of
-    jet-lubricated engine bearings.
-
-    Parameters
-    ----------
-    flow : float
-        [m^3/s].
-    speed : float
-        Of the inner ring [rad/s].
-    pitch_diameter : float
-        [m].
-
-    Returns
-    -------
-    float
-        [-].
-    """
-    w = 60.0e6 * flow
-    n = abs(speed) * 30.0 / pi
-    d = 1e3 * pitch_diameter
-    return float(min(1e3 * w**0.37 / (n * d**1.7), 1.0)) if n > 0.0 else 1.0

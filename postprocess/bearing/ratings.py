@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import degrees
 from typing import Any
 
-from bearing.rating.life import KAPPA_LEAST, life_factor
+from bearing.rating.life import SMALLEST_KAPPA, life_factor
 
 from ..contact.messages import lambda_ratio
 from ..results import BearingResults
@@ -82,7 +82,7 @@ def film_life(results: BearingResults) -> dict[str, float | None]:
     found["kappa_film"] = kappa
     cleanliness = life.rating.contamination_factor
     limit = life.fatigue_load_limit
-    if cleanliness is None or limit is None or life.basic_life is None or kappa < KAPPA_LEAST:
+    if cleanliness is None or limit is None or life.basic_life is None or kappa < SMALLEST_KAPPA:
         return found
     assert life.equivalent_load is not None  # where there is a life
     factor = life_factor(kappa, cleanliness * limit / life.equivalent_load)

@@ -7,11 +7,12 @@ from typing import Any
 
 import numpy as np
 
-from bearing.studies.stiffness import StiffnessOverSpeed, ross_table
+from bearing.studies.stiffness import StiffnessOverSpeed
 from ehl.units import MICROMETRE, MILLIRADIAN, RPM
 
 from ..bearing.summary import STIFFNESS_ORDER
 from ..files import Variables, root_attributes, write_dataset
+from .ross import ross_table
 
 ORDER = ("x", "y", "z", "ty", "tz")
 UNITS = ("N/m", "N/rad", "N m/rad")

@@ -7,7 +7,6 @@ from typing import Any
 
 import numpy as np
 
-from bearing.studies.stiffness import ross_table
 from ehl.units import RPM
 
 from ..files import FIELDS_FILE, SUMMARY_FILE, atomic_path, write_json
@@ -21,6 +20,7 @@ from .results import (
     stiffness_summary,
     write_stiffness_netcdf,
 )
+from .ross import ross_table
 
 
 def write_stiffness(results: StiffnessResults, directory: Path) -> tuple[str, ...]:

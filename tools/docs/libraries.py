@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import importlib.util
+import importlib
+import sys
 from collections.abc import Iterator, Sequence
 from math import radians
 from pathlib import Path
 from typing import Any
 
 from bearing import library_lubricant, list_bearings, list_lubricants, list_materials, load_catalogue_entry
-from bearing.geometry_estimate import GeometryEstimate, typical_geometry
 from bearing.library.bearings import published_bearings
 from bearing.library.lubricants import PROPERTIES, lubricant_data
 from bearing.material import FIELDS, material_data
@@ -33,14 +33,12 @@ KNOWN = (  # row of the ratings, balls, ball and pitch diameter [mm], where from
 )  # fmt: skip
 
 
-def ratings() -> Any:
-    """The script that estimates."""
-    path = Path(__file__).parents[1] / "estimated_bearings.py"
-    spec = importlib.util.spec_from_file_location("estimated_bearings", path)
-    assert spec is not None and spec.loader is not None
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+def tool(name: str) -> Any:
+    """A module of tools/, which is not on the path of a script in tools/docs."""
+    folder = str(Path(__file__).parents[1])
+    if folder not in sys.path:
+        sys.path.append(folder)
+    return importlib.import_module(name)
 
 
 def table(header: Sequence[str], rows: Iterator[Sequence[str]]) -> str:
@@ -51,9 +49,9 @@ def table(header: Sequence[str], rows: Iterator[Sequence[str]]) -> str:
 
 def checks() -> Iterator[Sequence[str]]:
     """Estimates beside known geometries."""
-    script = ratings()
+    script = tool("estimated_bearings")
     for name, balls, ball, pitch, source in KNOWN:
-        found: GeometryEstimate = script.estimate(script.rows()[name])
+        found = script.estimate(script.rows()[name])
         own, pitch_found = 1e3 * found.ball_diameter, 1e3 * found.pitch_diameter
         errors = f"{100 * (own / ball - 1):+.1f} %", f"{100 * (pitch_found / pitch - 1):+.1f} %"
         yield (
@@ -67,7 +65,7 @@ def checks() -> Iterator[Sequence[str]]:
 
 def fit() -> Iterator[Sequence[str]]:
     """How well the ratings are met, and what the guess without ratings misses."""
-    script = ratings()
+    script = tool("estimated_bearings")
     for title, angle in (("deep groove", "0"), ("15° (C)", "15"), ("40° (B)", "40")):
         rows = [r for r in script.rows().values() if r["contact_angle_deg"] == angle and r["dynamic_rating_kN"]]
         found = [script.estimate(row) for row in rows]
@@ -90,7 +88,7 @@ def fit() -> Iterator[Sequence[str]]:
 def guess(row: dict[str, str]) -> tuple[float, float, int]:
     """Geometry from the boundary dimensions alone [m]."""
     bore, outside = 1e-3 * float(row["bore_mm"]), 1e-3 * float(row["outside_diameter_mm"])
-    return typical_geometry(bore, outside, radians(float(row["contact_angle_deg"])))
+    return tool("geometry_estimate").typical_geometry(bore, outside, radians(float(row["contact_angle_deg"])))
 
 
 def bearings() -> Iterator[Sequence[str]]:

@@ -41,17 +41,7 @@ def film(data: FrictionData, load: float, speed: float) -> float:
     """Central film of a table [m]; beyond its ends that at the end, but in proportion to slower
     speeds.
 
-    Parameters
-    ----------
-    data : FrictionData
-        Of a race with a table.
-    load, speed : float
-        Q [N] and entrainment speed u [m/s].
-
-    Returns
-    -------
-    float
-        [m].
+    `data`: of a race with a table; `load`, `speed`: Q [N] and entrainment speed u [m/s].
     """
     slowest, fastest = table_speeds(data)
     places = (
@@ -69,14 +59,8 @@ def check_film(data: FrictionData, law: Array, name: str) -> None:
     """See that the load rises with the approach over a whole table: no film thickens faster than
     the bodies give way.
 
-    Parameters
-    ----------
-    data : FrictionData
-        Of a race with a table.
-    law : ndarray, shape (3,)
-        K [N/m^n], n [-], chi [-].
-    name : str
-        Of the race.
+    `data`: of a race with a table; `law`, shape (3,): K [N/m^n], n [-], chi [-]; `name`: of the
+    race.
 
     Raises
     ------

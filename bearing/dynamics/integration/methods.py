@@ -24,16 +24,8 @@ def advance_explicit(
 ) -> tuple[int, Record]:
     """Move a state on to the given times [s]; the kernel's status, and the rows reached.
 
-    Parameters
-    ----------
-    state : SimulationState
-        Brought up to date.
-    data : EquationData
-    times : ndarray, shape (m,)
-        [s].
-    control : StepControl
-    scale : ndarray, shape (mechanical,)
-        Errors that count as one [SI].
+    `state`: brought up to date; `times`, shape (m,) [s]; `scale`, shape (mechanical,): errors that
+    count as one [SI].
     """
     record = empty_record(times, data.constants.balls)
     status, rows, state.time, state.step = _kernels.advance_samples(

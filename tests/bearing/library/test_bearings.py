@@ -7,9 +7,7 @@ from math import cos, pi, radians
 
 import estimated_bearings
 import pytest
-
-from bearing import list_bearings, load_catalogue_entry
-from bearing.geometry_estimate import (
+from geometry_estimate import (
     CatalogueData,
     ball_sizes,
     estimate_geometry,
@@ -17,6 +15,8 @@ from bearing.geometry_estimate import (
     normal_clearance,
     typical_geometry,
 )
+
+from bearing import list_bearings, load_catalogue_entry
 from bearing.library.bearings import published_bearings, warn_of_estimates
 from bearing.library.names import matching_name, plain_name
 

@@ -18,7 +18,6 @@ from bearing.supply.supply import (
     cavity_volume,
     compression,
     oil_fraction,
-    oil_fraction_parker,
     starvation_exponent,
     starved_share,
     steady_share,
@@ -127,16 +126,13 @@ def test_a_layer_is_a_length(layer):
 
 
 def test_cavity_and_oil_in_it(bearings):
-    """Without balls a plain ring; Parker's regression by hand; a fraction never beyond 1."""
+    """Without balls a plain ring; a fraction never beyond 1."""
     bearing = replace(bearings.b6208, width=0.018)
     ring = 0.25 * pi * (0.068**2 - 0.052**2) * 0.018
     assert 0.6 * ring < cavity_volume(bearing) < ring
     supply = Supply(flow=1e-8, track_share=0.5, residence_time=60.0)
     assert oil_fraction(supply, 2e-5) == pytest.approx(0.03)
     assert oil_fraction(replace(supply, flow=1.0), 2e-5) == 1.0
-    assert oil_fraction_parker(1000 * ML_MIN, 10000 * bearings.rpm, 0.06) == pytest.approx(
-        1e3 * 1000**0.37 / (1e4 * 60**1.7), rel=1e-9
-    )
     with pytest.raises(ValueError, match="width"):
         cavity_volume(bearings.b6208)
     with pytest.raises(ValueError, match="track_share"):

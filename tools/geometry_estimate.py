@@ -11,9 +11,9 @@ the next best pair misses by some percent. docs/user/libraries.md has the errors
 from dataclasses import dataclass
 from math import asin, floor, hypot, isfinite, log, pi
 
-from .geometry import Bearing, contact_angle_to_clearance
-from .material import Material, load_material
-from .rating.load_rating import dynamic_rating, static_rating
+from bearing.geometry import Bearing, contact_angle_to_clearance
+from bearing.material import Material, load_material
+from bearing.rating.load_rating import dynamic_rating, static_rating
 
 INCH = 25.4e-3  # [m]
 # between ball sizes below and above FINE_LARGEST [m]
@@ -77,13 +77,9 @@ class CatalogueData:
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
         if self.outside_diameter <= self.bore:
-            raise ValueError(
-                f"outside_diameter must exceed the bore, {self.bore!r} m, got {self.outside_diameter!r}"
-            )
+            raise ValueError(f"outside_diameter must exceed the bore, {self.bore!r} m, got {self.outside_diameter!r}")
         if not 0.0 <= self.contact_angle < 0.5 * pi:
-            raise ValueError(
-                f"contact_angle must lie in [0, pi/2), got {self.contact_angle!r} rad"
-            )
+            raise ValueError(f"contact_angle must lie in [0, pi/2), got {self.contact_angle!r} rad")
 
     @property
     def pitch(self) -> float:
@@ -129,14 +125,8 @@ class GeometryEstimate:
             "ball_diameter": (ball * (1.0 - BALL_RANGE), ball * (1.0 + BALL_RANGE)),
             "pitch_diameter": (pitch * (1.0 - PITCH_RANGE), pitch * (1.0 + PITCH_RANGE)),
             "balls": (self.balls - BALLS_RANGE, self.balls + BALLS_RANGE),
-            "inner_groove_radius": (
-                ball * INNER_CONFORMITY_RANGE[0],
-                ball * INNER_CONFORMITY_RANGE[1],
-            ),
-            "outer_groove_radius": (
-                ball * OUTER_CONFORMITY_RANGE[0],
-                ball * OUTER_CONFORMITY_RANGE[1],
-            ),
+            "inner_groove_radius": (ball * INNER_CONFORMITY_RANGE[0], ball * INNER_CONFORMITY_RANGE[1]),
+            "outer_groove_radius": (ball * OUTER_CONFORMITY_RANGE[0], ball * OUTER_CONFORMITY_RANGE[1]),
         }
 
 
@@ -155,10 +145,7 @@ def ball_sizes(smallest: float, largest: float) -> tuple[float, ...]:
         [m].
     """
     fine = [i * FINE_STEP for i in range(1, round(FINE_LARGEST / FINE_STEP) + 1)]
-    coarse = [
-        i * COARSE_STEP
-        for i in range(round(FINE_LARGEST / COARSE_STEP) + 1, floor(largest / COARSE_STEP) + 2)
-    ]
+    coarse = [i * COARSE_STEP for i in range(round(FINE_LARGEST / COARSE_STEP) + 1, floor(largest / COARSE_STEP) + 2)]
     return tuple(size for size in (*fine, *coarse) if smallest <= size <= largest)
 
 
@@ -194,13 +181,9 @@ def estimate_geometry(data: CatalogueData) -> GeometryEstimate:
             bearing = _bearing(data, ball, balls, steel)
             dynamic = dynamic_rating(bearing, data.contact_angle) / data.dynamic_rating
             static = static_rating(bearing, data.contact_angle) / data.static_rating
-            found.append(
-                (hypot(log(dynamic), log(static)), ball, balls, dynamic - 1.0, static - 1.0)
-            )
+            found.append((hypot(log(dynamic), log(static)), ball, balls, dynamic - 1.0, static - 1.0))
     if len(found) < 2:
-        raise ValueError(
-            f"outside_diameter and bore leave no room for standard balls, section {section!r} m"
-        )
+        raise ValueError(f"outside_diameter and bore leave no room for standard balls, section {section!r} m")
     (misfit, ball, balls, dynamic, static), (next_misfit, *_), *_ = sorted(found)
     return GeometryEstimate(
         ball_diameter=ball,
@@ -232,9 +215,7 @@ def _bearing(data: CatalogueData, ball: float, balls: int, steel: Material) -> B
     )
 
 
-def typical_geometry(
-    bore: float, outside_diameter: float, contact_angle: float
-) -> tuple[float, float, int]:
+def typical_geometry(bore: float, outside_diameter: float, contact_angle: float) -> tuple[float, float, int]:
     """Ball diameter [m], pitch diameter [m] and number of balls [-] from the boundary dimensions
     alone: a rough guess.
 
@@ -257,11 +238,7 @@ def typical_geometry(
     wanted = TYPICAL_BALL * (outside_diameter - bore)
     pitch = 0.5 * (bore + outside_diameter)
     ball = min(ball_sizes(0.9 * wanted, 1.1 * wanted), key=lambda size: abs(size - wanted))
-    return (
-        ball,
-        pitch,
-        max(FEWEST_BALLS, round(_fill(contact_angle * 180.0 / pi) * pi / asin(ball / pitch))),
-    )
+    return (ball, pitch, max(FEWEST_BALLS, round(_fill(contact_angle * 180.0 / pi) * pi / asin(ball / pitch))))
 
 
 def _fill(angle: float) -> float:
@@ -291,6 +268,4 @@ def normal_clearance(bore: float) -> tuple[float, float]:
     for largest, low, high in NORMAL_CLEARANCE:
         if 2.5e-3 <= bore <= largest * 1e-3 * (1.0 + 1e-9):
             return low * 1e-6, high * 1e-6
-    raise ValueError(
-        f"bore must lie between 2.5 and {NORMAL_CLEARANCE[-1][0]:g} mm, got {bore!r} m"
-    )
+    raise ValueError(f"bore must lie between 2.5 and {NORMAL_CLEARANCE[-1][0]:g} mm, got {bore!r} m")
