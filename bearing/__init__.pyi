@@ -1,4 +1,5 @@
-from .contacts.contacts import BearingContact, contact_conditions
+from .contacts.contact import BearingContact
+from .contacts.contacts import contact_conditions
 from .contacts.stress import ContactStress, Truncation, contact_stress
 from .fits.clearance import ClearanceBudget, Fit, TemperatureRise, clearance_budget
 from .friction.equilibrium import solve_traction_equilibrium

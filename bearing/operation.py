@@ -99,7 +99,8 @@ class Operation:
                 )
                 found = "neither" if load is None else "both"
                 raise ValueError(
-                    f"{load_field} and {displacement_field}: degree of freedom {name} needs exactly one, has {found}"
+                    f"{load_field} and {displacement_field}: degree of freedom {name} needs "
+                    f"exactly one, has {found}"
                 )
 
     @property
@@ -141,7 +142,8 @@ class RatingInput:
                 raise ValueError(f"{field} must be positive, got {value!r} N")
         if not 0.0 <= self.nominal_contact_angle < 0.5 * pi:
             raise ValueError(
-                f"nominal_contact_angle must lie in [0, pi/2), got {self.nominal_contact_angle!r} rad"
+                "nominal_contact_angle must lie in [0, pi/2), got "
+                f"{self.nominal_contact_angle!r} rad"
             )
         if self.contamination_factor is not None and not 0.0 <= self.contamination_factor <= 1.0:
             raise ValueError(

@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from math import degrees
 from typing import Any
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from bearing.contacts.traction import ContactTraction
 from bearing.fits.clearance import ClearanceBudget
 from bearing.heating.self_heating import SelfHeatingSolution

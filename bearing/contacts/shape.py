@@ -1,14 +1,33 @@
-"""Shape of a contact between ball and race, as the laws of friction take it."""
+"""Shape of a contact between ball and race: curvatures, and the ellipse as friction laws take
+it.
+"""
 
 from ehl.closed_form.hertz import hertz_contact
 from ehl.traction.laws import ContactShape
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
-from .motion import groove_curvature_radius
+
+
+def groove_radius(bearing: Bearing, race: Race) -> float:
+    """Radius r of a race's groove in section [m]."""
+    return bearing.inner_groove_radius if race is Race.INNER else bearing.outer_groove_radius
+
+
+def groove_curvature_radius(bearing: Bearing, race: Race) -> float:
+    """Radius of the loaded surface across the rolling direction, 2 r D/(2 r + D) [m], Harris and
+    Kotzalas.
+
+    The mean of the curvatures of ball and groove, as two equal half spaces under the same pressure
+    deform alike.
+    """
+    groove = groove_radius(bearing, race)
+    return 2.0 * groove * bearing.ball_diameter / (2.0 * groove + bearing.ball_diameter)
 
 
 def contact_shape(bearing: Bearing, race: Race, contact_angle: float) -> ContactShape:
-    """Ellipse at 1 N and curvatures of the contact of a ball with a race at a contact angle [rad]."""
+    """Ellipse at 1 N and curvatures of the contact of a ball with a race at a contact angle
+    [rad].
+    """
     radius_x, radius_y = reduced_radii(bearing, race, contact_angle)
     hertz = hertz_contact(1.0, radius_x, radius_y, contact_modulus(bearing, race))
     return ContactShape(

@@ -16,10 +16,13 @@ from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_s
 
 from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
-from .contacts import BearingContact, rolling_and_spin
+from .contact import BearingContact
+from .motion import bearing_kinematics
+from .shape import groove_radius
 
-ANGLES = 180  # points at which pressure times sliding is looked at
-RINGS = 40  # round and across half the ellipse
+# points at which pressure times sliding is evaluated, around and across half the ellipse
+ANGLES = 180
+RINGS = 40
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -75,19 +78,7 @@ class ContactStress:
 
 
 def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> ContactStress | None:
-    """Stress, sliding and truncation of a contact; None where it is unloaded.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Loads [N], speeds [rad/s].
-    contact : BearingContact
-        One of its contacts.
-
-    Returns
-    -------
-    ContactStress or None
-    """
+    """Stress, sliding and truncation of a contact of an equilibrium; None where it is unloaded."""
     hertz = contact.hertz
     if hertz is None:
         return None
@@ -96,10 +87,8 @@ def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> Co
     axes = (hertz.semi_axis_x, hertz.semi_axis_y)
     shear = hertz_maximum_shear(axes, hertz.pressure, ring.poisson_ratio)
     orthogonal = hertz_orthogonal_shear(*axes, hertz.pressure)
-    _, rolling, spin = rolling_and_spin(solution, contact.ball - 1, race)
-    groove = groove_radius(bearing, race)
-    common = 2.0 * groove * bearing.ball_diameter / (2.0 * groove + bearing.ball_diameter)
-    sliding = largest_sliding(hertz, spin, rolling, common)
+    motion = bearing_kinematics(solution, contact)
+    sliding = largest_sliding(hertz, motion.spin, motion.rolling, motion.curvature_radius)
     return ContactStress(
         mean_pressure=2.0 / 3.0 * hertz.pressure,
         shear_maximum=shear[0],
@@ -110,11 +99,6 @@ def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> Co
         pressure_sliding=sliding[1],
         truncation=truncation(bearing, race, contact.contact_angle, hertz),
     )
-
-
-def groove_radius(bearing: Bearing, race: Race) -> float:
-    """Radius of a race's groove in section [m]."""
-    return bearing.inner_groove_radius if race is Race.INNER else bearing.outer_groove_radius
 
 
 def largest_sliding(
@@ -137,10 +121,8 @@ def largest_sliding(
 
     Returns
     -------
-    speed : float
-        [m/s].
-    product : float
-        [W/m^2].
+    speed, product : float
+        [m/s], [W/m^2].
     """
     angle = np.linspace(0.0, 2.0 * pi, ANGLES, endpoint=False)[:, None]
     share = np.linspace(0.0, 1.0, RINGS + 1)[None, :]
@@ -156,28 +138,14 @@ def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
 
     cos = (R_i - d_s/2)/r_i at the inner ring, (d_s/2 - R_o)/r_o at the outer one, R the radius of
     the centres of curvature.
-
-    Parameters
-    ----------
-    bearing : Bearing
-    race : Race
-
-    Returns
-    -------
-    float or None
-        [rad].
     """
     if race is Race.INNER:
-        shoulder, height = bearing.inner_shoulder_diameter, bearing.inner_centre_radius
-        return (
-            None
-            if shoulder is None
-            else acos((height - 0.5 * shoulder) / bearing.inner_groove_radius)
-        )
-    shoulder, height = bearing.outer_shoulder_diameter, bearing.outer_centre_radius
-    return (
-        None if shoulder is None else acos((0.5 * shoulder - height) / bearing.outer_groove_radius)
-    )
+        shoulder, centre, side = bearing.inner_shoulder_diameter, bearing.inner_centre_radius, -1.0
+    else:
+        shoulder, centre, side = bearing.outer_shoulder_diameter, bearing.outer_centre_radius, 1.0
+    if shoulder is None:
+        return None
+    return acos(side * (0.5 * shoulder - centre) / groove_radius(bearing, race))
 
 
 def truncation(
@@ -189,18 +157,7 @@ def truncation(
     of the groove. With s that distance over the semi-axis, the semi-ellipsoid has (1 - s)^2 (2 +
     s)/4 of its load beyond.
 
-    Parameters
-    ----------
-    bearing : Bearing
-    race : Race
-    contact_angle : float
-        [rad].
-    hertz : HertzContact
-
-    Returns
-    -------
-    Truncation or None
-        None without a shoulder diameter; lengths [m], pressure [Pa].
+    None without a shoulder diameter; the contact angle in [rad].
     """
     angle = shoulder_angle(bearing, race)
     if angle is None:

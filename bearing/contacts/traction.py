@@ -16,7 +16,7 @@ from ehl.solution import ContactSolution
 from ehl.traction.shear import TractionResult, integrate_traction
 
 from ..quasistatic.solution import QuasistaticSolution
-from .contacts import BearingContact
+from .contact import BearingContact
 from .motion import BallMotion, bearing_kinematics
 
 

@@ -16,14 +16,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contacts.contacts import BearingContact
-from ..contacts.motion import (
-    BallMotion,
-    MotionMap,
-    ball_speeds,
-    groove_curvature_radius,
-    motion_map,
-)
+from ..contacts.contact import BearingContact
+from ..contacts.motion import BallMotion, MotionMap, ball_speeds, motion_map
+from ..contacts.shape import groove_curvature_radius
 from ..geometry import Array
 from ..quasistatic.kinematics import ball_mass
 from ..quasistatic.solution import QuasistaticSolution
@@ -192,7 +187,9 @@ def balance_balls(
 
 
 class _CageBalance(NamedTuple):
-    """Balance of balls and cage: z [m/s], residual of each ball and change of the cage's push [-]."""
+    """Balance of balls and cage: z [m/s], residual of each ball and change of the cage's push
+    [-].
+    """
 
     problem: MotionProblem
     z: Array
@@ -302,7 +299,9 @@ def _gyroscopic_couple(solution: QuasistaticSolution, driven: NDArray[np.bool_])
 
 
 def _gyroscopic_matrix(solution: QuasistaticSolution, driven: NDArray[np.bool_]) -> Array:
-    """Change of the gyroscopic couple with the scaled unknowns [N s/m]; skew, hence without power."""
+    """Change of the gyroscopic couple with the scaled unknowns [N s/m]; skew, hence without
+    power.
+    """
     scale = _inertia(solution, driven) * 2.0 / solution.bearing.ball_diameter
     matrix = np.zeros((driven.size, 4, 4))
     matrix[:, 3, 2] = scale

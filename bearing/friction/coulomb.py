@@ -23,8 +23,8 @@ from functools import cache
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contacts.contacts import BearingContact
-from ..contacts.motion import groove_curvature_radius
+from ..contacts.contact import BearingContact
+from ..contacts.shape import groove_curvature_radius
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from . import _kernels
@@ -130,8 +130,8 @@ def _moment(u: Array, power: int) -> Array:
 
 
 def _roots(slide: Array, tilt: Array, heathcote: Array) -> Array:
-    """Roots of heathcote u^2 + tilt u - slide, the lower first, shape (2, N) [-]; both at 2 where there
-    are none.
+    """Roots of heathcote u^2 + tilt u - slide, the lower first, shape (2, N) [-]; both at 2 where
+    there are none.
     """
     discriminant = tilt**2 + 4.0 * heathcote * slide
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -5,11 +5,11 @@ Two balances are solved in turn until neither changes: ring and balls under the 
 motion and the friction on them prescribed (`solve_with_prescribed_balls`); and on each ball the
 force along the orbit and the three moments, at given contact loads and angles (`balance`). Each
 passes the other, ball by ball, the centrifugal force and the friction at both races across and at
-the inner race along the orbit; Anderson's mixing (1965) accelerates this. Friction is a few hundredths
-of the loads, hence each round changes them by a few hundredths of the round before.
+the inner race along the orbit; Anderson's mixing (1965) accelerates this. Friction is a few
+hundredths of the loads, hence each round changes them by a few hundredths of the round before.
 
-A ball that the inner race does not drive is driven by the cage: it rolls on the outer race about an axis
-parallel to the bearing's, without friction across.
+A ball that the inner race does not drive is driven by the cage: it rolls on the outer race about
+an axis parallel to the bearing's, without friction across.
 """
 
 from collections.abc import Sequence
@@ -18,7 +18,8 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from ..contacts.contacts import BearingContact, contact_conditions
+from ..contacts.contact import BearingContact
+from ..contacts.contacts import contact_conditions
 from ..contacts.motion import contact_frames
 from ..geometry import Array, Bearing
 from ..operation import BallKinematics, Model, Operation
@@ -52,7 +53,9 @@ FILM_TOLERANCE = 1.0e-3  # change of a load over the largest from which films ar
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _State:
-    """An equilibrium under prescribed motion and friction of the balls, and their balance there."""
+    """An equilibrium under prescribed motion and friction of the balls, and their balance
+    there.
+    """
 
     solution: QuasistaticSolution
     balances: tuple[BalancedFriction, ...]  # row by row
@@ -205,10 +208,19 @@ def _failure_message(state: _State) -> str:
         worst = max(balance.residual for balance in state.balances)
         pushed = max(balance.cage_change for balance in state.balances)
         if worst <= BALANCE_TOLERANCE:
-            return f"balls and cage find no common speed (the push of the cage still changes by {pushed:.1e} of it)"
-        return f"friction cannot balance a ball (force left {worst:.1e} of the friction that counts as large)"
+            return (
+                "balls and cage find no common speed (the push of the cage still changes by "
+                f"{pushed:.1e} of it)"
+            )
+        return (
+            f"friction cannot balance a ball (force left {worst:.1e} of the friction that counts "
+            "as large)"
+        )
     if state.change > TOLERANCE:
-        return f"forces still change by {state.change:.1e} of the largest load after {MAX_ROUNDS} rounds"
+        return (
+            f"forces still change by {state.change:.1e} of the largest load after {MAX_ROUNDS} "
+            "rounds"
+        )
     return ""
 
 
@@ -219,7 +231,9 @@ def _round(
     laws: Sequence[TractionLaw],
     before: _State | None,
 ) -> _State:
-    """Ring and balls under prescribed motion and friction, then the balance of friction on the balls."""
+    """Ring and balls under prescribed motion and friction, then the balance of friction on the
+    balls.
+    """
     solution = solve_with_prescribed_balls(
         start.bearing, start.operation, start.model, start, prescribed
     )

@@ -16,7 +16,7 @@ from ehl.traction.shear import (
     with_outlet,
 )
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..contacts.motion import bearing_kinematics
 from ..geometry import Array, Race
 from ..quasistatic.solution import QuasistaticSolution
@@ -62,7 +62,8 @@ def film_balance(
     asperities: Asperities | None = None,
     resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
-    """Motion of all balls in which the shear of their films balances itself, at given films and loads.
+    """Motion of all balls in which the shear of their films balances itself, at given films and
+    loads.
 
     Parameters
     ----------

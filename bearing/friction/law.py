@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from ehl.oil.lubricant import Lubricant
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..geometry import Array
 from ..quasistatic.solution import QuasistaticSolution
 from .resistance import NO_RESISTANCE, Resistance

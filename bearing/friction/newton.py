@@ -68,8 +68,8 @@ def contacts_of(balls: NDArray[np.int64]) -> NDArray[np.int64]:
 
 
 def solve_with_couple_steps(problem: MotionProblem, start: Array) -> tuple[Array, Array]:
-    """As `minimise`; balls for which that fails are solved again with the gyroscopic couple growing
-    in steps (natural continuation, Allgower and Georg, 2003, chapter 2).
+    """As `minimise`; balls for which that fails are solved again with the gyroscopic couple
+    growing in steps (natural continuation, Allgower and Georg, 2003, chapter 2).
     """
     # 1. the whole couple at once
     z, residual = minimise(problem, start)

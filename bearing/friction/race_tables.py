@@ -15,7 +15,8 @@ from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.table import TableContact, TableRange, TractionTable
 from ehl.traction.table.temperature import TemperatureTable, build_temperature_table
 
-from ..contacts.contacts import BearingContact, contact_conditions
+from ..contacts.contact import BearingContact
+from ..contacts.contacts import contact_conditions
 from ..contacts.motion import bearing_kinematics
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution

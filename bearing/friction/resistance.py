@@ -11,7 +11,7 @@ from scipy.special import ellipe
 
 from ehl import ContactConditions
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 

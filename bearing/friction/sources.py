@@ -1,4 +1,6 @@
-"""The laws of friction of balls on races that a case can name: tables, coefficients, solved films."""
+"""The laws of friction of balls on races that a case can name: tables, coefficients, solved
+films.
+"""
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -11,7 +13,7 @@ from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 from ehl.traction.laws import FourConstantLaw, FrictionLaw
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..contacts.shape import contact_shape
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
@@ -137,7 +139,9 @@ class FilmTraction(TractionLaw):
         return replace(self, films=tuple(films), loads=loads)
 
     def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
-        """Friction at the loads of an equilibrium [N], with the traction coefficients of the films."""
+        """Friction at the loads of an equilibrium [N], with the traction coefficients of the
+        films.
+        """
         pairs = zip(contacts, self.loads, strict=True)
         scale = np.array([contact.load / load if load > 0.0 else 0.0 for contact, load in pairs])
         return film_law(

@@ -77,7 +77,8 @@ def load_race_tables(path: Path) -> Tables:
     for race, table in load_tables(path).items():
         if isinstance(table, TemperatureTable):
             raise ValueError(
-                f"{path}: has tables at several temperatures; one of a single temperature is needed "
+                f"{path}: has tables at several temperatures; one of a single temperature is "
+                "needed "
                 "here"
             )
         tables[race] = table

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from ehl.traction.laws import CoulombLaw, FourConstantLaw, FrictionLaw
 from ehl.traction.table.table import TractionTable
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..geometry import Array
 from . import _kernels
 from .law import REFERENCE_TRACTION, ContactLaw, Dissipation

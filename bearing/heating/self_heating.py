@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 from ehl.oil.lubricant import Lubricant
 
-from ..contacts.contacts import BearingContact, contact_conditions
+from ..contacts.contact import BearingContact
+from ..contacts.contacts import contact_conditions
 from ..fits.clearance import Fit, TemperatureRise, clearance_budget
 from ..geometry import Bearing
 from ..operation import Model, Operation

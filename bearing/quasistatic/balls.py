@@ -323,7 +323,9 @@ def _round_off(current: _Evaluation, problem: BallProblem) -> Array:
 
 
 def _row(current: _Evaluation, problem: BallProblem) -> BallsEquilibrium:
-    """Condense: du/dV from the ball equilibrium, then the change of the forces on the ring with V."""
+    """Condense: du/dV from the ball equilibrium, then the change of the forces on the ring
+    with V.
+    """
     u, values, size, jacobian = current
     by_w = jacobian[:, 2:]
     by_u = jacobian[:, :2] - by_w

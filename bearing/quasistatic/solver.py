@@ -66,7 +66,8 @@ def solve_quasistatic(
     model = model or Model()
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         raise ValueError(
-            "ball_kinematics: solve_quasistatic takes a hypothesis; traction equilibrium needs the "
+            "ball_kinematics: solve_quasistatic takes a hypothesis; traction equilibrium "
+            "needs the "
             "friction of ball on race, see solve_traction_equilibrium"
         )
     inputs = (bearing, operation, model, tuple(rows))
@@ -170,7 +171,8 @@ def _convergence(
         worst = float(np.max(point.balls.residual))
         advice = _advice(problem, bearing, ring, state)
         return False, (
-            f"no equilibrium found in {iterations} iterations: relative residual {point.residual:.1e} "
+            f"no equilibrium found in {iterations} iterations: relative residual "
+            f"{point.residual:.1e} "
             f"(balls {worst:.1e}); {advice}"
         )
     if _too_wide(bearing, problem, state):
@@ -189,7 +191,8 @@ def _convergence(
         names_text = ", ".join(undetermined)
         return (
             True,
-            f"converged in {iterations} iterations; without stiffness, hence arbitrary: {names_text}",
+            f"converged in {iterations} iterations; without stiffness, hence arbitrary: "
+            f"{names_text}",
         )
     return True, f"converged in {iterations} iterations"
 
@@ -203,12 +206,14 @@ def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState
     )
     if problem.nominal_force > 0.0 and share < LIGHT_LOAD_RATIO and ring.free[0]:
         return (
-            f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to hold them in the grooves "
+            f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to "
+            "hold them in the grooves "
             "under this hypothesis: take more thrust or less speed"
         )
     if problem.inner_speed * problem.outer_speed < 0.0:
         return (
-            "rings turning against each other make the balls spin fast, and this ball hypothesis may have no steady "
+            "rings turning against each other make the balls spin fast, and this ball "
+            "hypothesis may have no steady "
             "state: try another one, or less speed"
         )
     return "check the loads for a direction in which nothing holds the ring"

@@ -11,7 +11,7 @@ import numpy as np
 from ehl import ContactSolution, ViscosityLaw
 from ehl.closed_form.film import film_hamrock_dowson_minimum, film_nijenbanning_central
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
 from .supply import InletFilm, Supply, supplied_films

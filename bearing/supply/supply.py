@@ -30,7 +30,7 @@ from scipy.optimize import brentq
 
 from ehl.oil.lubricant import Lubricant, density
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..geometry import Array, Bearing
 
 EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more

@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from ehl import ContactSolution, Lubricant
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.starved_films import StarvedFilm, starved_films
 from ..supply.supply import Supply

@@ -1,4 +1,5 @@
-"""Friction torque from the shear of all contacts: of solved films, or of a law or table of each race.
+"""Friction torque from the shear of all contacts: of solved films, or of a law or table of each
+race.
 
 Heat is the power of friction against the sliding at the contact's centre, the spin and the rolling
 of the curved surfaces, of asperities, and of the oil that the pressure pumps; the torque is heat
@@ -16,7 +17,7 @@ import numpy as np
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..contacts.motion import MotionMap, ball_speeds, motion_map
 from ..contacts.traction import ContactTraction, contact_traction
 from ..friction.balance import BalancedFriction, balance_driven_balls, resisted_power
@@ -39,11 +40,12 @@ ONE_MOMENT = {
     "rolling holds the curvature slip"
 }
 NO_ROLLING_RESISTANCE = {
-    "rolling": "the friction law is a coefficient over the ellipse and knows no rolling resistance "
-    "of the oil"
+    "rolling": "the friction law is a coefficient over the ellipse and knows no rolling "
+    "resistance of the oil"
 }
 NO_ASPERITIES = {
-    "asperity": "the friction law holds no minimum film, from which the share of asperities follows"
+    "asperity": "the friction law holds no minimum film, from which the share of asperities "
+    "follows"
 }
 
 
@@ -157,8 +159,8 @@ def _law_torque(
     motion: Array,
     forces: Array,
 ) -> IntegratedTorque:
-    """Torque of motions and forces (contacts, 4) [m/s], [rad/s], [N], [N m]; the parts that the law
-    does not distinguish are None.
+    """Torque of motions and forces (contacts, 4) [m/s], [rad/s], [N], [N m]; the parts that the
+    law does not distinguish are None.
     """
     x, y, spin, transverse = (-forces * motion).T
     none = np.zeros_like(x)

@@ -8,7 +8,7 @@ from math import cos, hypot, pi, sin
 
 from ehl import Lubricant
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..friction.coulomb import balanced_friction
 from ..friction.resistance import (
     Cage,
@@ -197,7 +197,10 @@ def _coulomb(
     found = balanced_friction(solution, contacts, mu)
     if not found.converged:
         return ModelTorque(
-            note=f"Coulomb friction of {mu:.3g} does not hold the balls (residual {found.residual:.1e} of mu Q)"
+            note=(
+                f"Coulomb friction of {mu:.3g} does not hold the balls (residual "
+                f"{found.residual:.1e} of mu Q)"
+            )
         )
     k, f = found.kinematics, found.forces
     spin, curvature = (-float((f[..., j] * k[..., j]).sum()) / speed for j in (2, 3))

@@ -205,7 +205,9 @@ def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
 
 
 def boundary_share(speed: float, viscosity: float, mean_diameter: float) -> float:
-    """phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m), share of boundary friction [-]; [rad/s], [m^2/s], [m]."""
+    """phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m), share of boundary friction [-]; [rad/s], [m^2/s],
+    [m].
+    """
     return exp(-2.6e-8 * (abs(speed) / RPM * viscosity / MM2_S) ** 1.4 * mean_diameter / MM)
 
 

@@ -6,32 +6,30 @@ over the speed of the inner ring relative to the outer. All moments act between 
 against the spin, m_r against the rolling.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from math import cos, pi, sin
+from math import sin
 
 import numpy as np
-from scipy.optimize import minimize_scalar
 from scipy.special import ellipe
 
-from ..contacts.contacts import BearingContact
-from ..contacts.motion import bearing_kinematics
+from ..contacts.contact import BearingContact
+from ..contacts.motion import ball_speeds, motion_map
+from ..contacts.shape import groove_curvature_radius
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
 from .pure_rolling_lines import rolling_lines
 
 SYMMETRIC_CURVATURE = 0.161142  # S of two lines at c = 0.347296, no spin
-# f_c and f_p of Houpert (1999) over the spin ratio E, as quoted in an open code; the fit holds from 0 to 1
+# f_c and f_p of Houpert (1999) over the spin ratio E, as quoted in an open code; fitted for E in
+# [0, 1]
 HOUPERT_CURVATURE = (1.0026, -0.1653, -0.2638, -2.5521, 1.9749)
 HOUPERT_SPIN = (0.0042, 1.1045, 0.4625, -0.5648)
-# of the quadrature over the ellipse
-RADII = 24
-ANGLES = 64
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SlidingContact:
-    """What sliding friction asks of a contact, SI."""
+    """A contact as models of sliding friction take it, SI."""
 
     load: float  # Q [N]
     semi_axis: float  # a, transverse [m]
@@ -80,35 +78,27 @@ def shaft_speed(solution: QuasistaticSolution) -> float:
 def sliding_contacts(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact]
 ) -> tuple[SlidingContact, ...]:
-    """The loaded contacts of a bearing, as sliding friction sees them; SI."""
-    return tuple(_sliding_contacts(solution, contacts))
-
-
-def _sliding_contacts(
-    solution: QuasistaticSolution, contacts: Sequence[BearingContact]
-) -> Iterator[SlidingContact]:
-    for contact in contacts:
-        if contact.hertz is None:
-            continue
-        k = contact.ball - 1
-        motion = bearing_kinematics(solution, contact)
-        inner = contact.race is Race.INNER
-        ball = abs(
-            float(solution.spin_speed[k])
-            * cos(float(solution.attitude[k]) - contact.contact_angle)
-        )
-        total = abs(motion.rolling)
-        yield SlidingContact(
+    """The loaded contacts of a bearing as sliding friction takes them; SI."""
+    loaded = [(contact, contact.hertz) for contact in contacts if contact.hertz is not None]
+    kinematics = motion_map(solution, [contact for contact, _ in loaded])
+    balls, races = kinematics.bodies(*ball_speeds(solution))
+    spin = np.abs(balls[:, 2] - races[:, 2])
+    ball_rolling = np.abs(balls[:, 3])
+    rolling = np.abs(balls[:, 3] - races[:, 3])
+    return tuple(
+        SlidingContact(
             load=contact.load,
-            semi_axis=contact.hertz.semi_axis_y,
-            semi_axis_rolling=contact.hertz.semi_axis_x,
-            radius=motion.curvature_radius,
-            spin=abs(motion.spin),
-            ball_rolling=ball,
-            orbit_rolling=total - ball,
+            semi_axis=hertz.semi_axis_y,
+            semi_axis_rolling=hertz.semi_axis_x,
+            radius=groove_curvature_radius(solution.bearing, contact.race),
+            spin=float(spin[n]),
+            ball_rolling=float(ball_rolling[n]),
+            orbit_rolling=float(rolling[n] - ball_rolling[n]),
             angle=contact.contact_angle,
-            inner=inner,
+            inner=contact.race is Race.INNER,
         )
+        for n, (contact, hertz) in enumerate(loaded)
+    )
 
 
 def pure_rolling_line_torque(
@@ -158,7 +148,9 @@ def kakuta_torque(
 
 
 def spin_moment(contact: SlidingContact, friction: float) -> float:
-    """Moment of pure spin, 3/8 mu Q a E(k), k^2 = 1 - (b/a)^2, Harris and Kotzalas [N m]; mu [-]."""
+    """Moment of pure spin, 3/8 mu Q a E(k), k^2 = 1 - (b/a)^2, Harris and Kotzalas [N m]; mu
+    [-].
+    """
     longer = max(contact.semi_axis, contact.semi_axis_rolling)
     ratio = min(contact.semi_axis, contact.semi_axis_rolling) / longer
     return float(0.375 * friction * contact.load * longer * ellipe(1.0 - ratio**2))
@@ -185,47 +177,3 @@ def houpert_torque(
         rotation += moment * c.ball_rolling
         orbit += moment * c.orbit_rolling
     return SlidingTorque(spin=spin / speed, rotation=rotation / speed, orbit=orbit / speed)
-
-
-def coulomb_power(contact: SlidingContact, friction: float) -> float:
-    """Friction power of a contact under Coulomb's law, integrated over the ellipse in both
-    directions [W].
-
-    The sliding of the centre along the rolling direction is that for which no net force is left.
-    The friction force is the derivative of the power by it, so that it is the one of least power;
-    mu [-].
-    """
-    area, x, y = _quadrature(contact)
-    curved = contact.rolling * (y * y - 0.25 * contact.semi_axis**2) / (2.0 * contact.radius)
-    across = (contact.spin * x) ** 2
-
-    def power(slide: float) -> float:
-        along = slide - contact.spin * y - curved
-        return float(np.sum(area * np.sqrt(along * along + across)))
-
-    bound = contact.spin * contact.semi_axis + contact.rolling * contact.semi_axis**2 / (
-        2.0 * contact.radius
-    )
-    if bound == 0.0:
-        return 0.0
-    found = minimize_scalar(
-        power, bounds=(-bound, bound), method="bounded", options={"xatol": 1e-9 * bound}
-    )
-    return friction * contact.load * float(found.fun)
-
-
-def _quadrature(contact: SlidingContact) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Weights p dA/Q with Hertz's pressure, and places x, y of the nodes [m]."""
-    nodes, weights = np.polynomial.legendre.leggauss(RADII)
-    t = 0.25 * pi * (nodes + 1.0)  # r = sin t takes the root out of the pressure
-    angle = (np.arange(ANGLES) + 0.5) * 2.0 * pi / ANGLES
-    r = np.sin(t)[:, None]
-    f = angle[None, :]
-    weight = 0.25 * pi * weights * 1.5 * np.cos(t) ** 2 * np.sin(t) / pi
-    area = np.broadcast_to(weight[:, None] * 2.0 * pi / ANGLES, (RADII, ANGLES))
-    return area, contact.semi_axis_rolling * r * np.cos(f), contact.semi_axis * r * np.sin(f)
-
-
-def coulomb_torque(contacts: Sequence[SlidingContact], speed: float, friction: float) -> float:
-    """Torque under Coulomb's law, both directions of sliding [N m]; speed [rad/s], mu [-]."""
-    return sum(coulomb_power(c, friction) for c in contacts) / speed

@@ -15,7 +15,7 @@ from typing import NamedTuple
 from ehl import ContactSolution
 from ehl.oil.lubricant import Lubricant
 
-from ..contacts.contacts import BearingContact
+from ..contacts.contact import BearingContact
 from ..friction.asperities import asperity_share
 from ..friction.resistance import churning_power, rolling_moment
 from ..quasistatic.solution import QuasistaticSolution
@@ -146,7 +146,9 @@ def _of_films(
     friction: FrictionInput,
     films: Sequence[StarvedFilm | None],
 ) -> _OfFilms:
-    """Rolling resistance, and the lines of pure rolling as films and asperities share them [N m]."""
+    """Rolling resistance, and the lines of pure rolling as films and asperities share them [N
+    m].
+    """
     speed = shaft_speed(solution)
     of_film = friction.film_friction if friction.coefficient is None else friction.coefficient
     rolling = film = asperity = 0.0

@@ -6,7 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from bearing.friction.law import BallTraction
 from bearing.friction.race_tables import Tables
 from bearing.friction.resistance import NO_RESISTANCE

@@ -4,7 +4,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from time import perf_counter
 
-from bearing.contacts.contacts import BearingContact, contact_conditions
+from bearing.contacts.contact import BearingContact
+from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.traction import ContactTraction, contact_traction
 from bearing.friction.films import Asperities
 from bearing.friction.resistance import NO_RESISTANCE

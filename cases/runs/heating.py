@@ -4,7 +4,7 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import replace
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from bearing.heating.self_heating import (
     SelfHeatingProblem,
     SelfHeatingSolution,

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from bearing.contacts.motion import bearing_kinematics
 from bearing.friction.law import BallTraction
 from bearing.friction.sources import FilmTraction, LawTraction

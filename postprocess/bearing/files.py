@@ -8,7 +8,7 @@ import numpy as np
 import xarray
 import xarray as xr
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from ehl import ContactSolution
 
 from ..files import Variables, atomic_path, contact_name, root_attributes

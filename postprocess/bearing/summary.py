@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from math import degrees
 from typing import Any
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, MILLIRADIAN, NEWTON_MILLIMETRE, RPM

@@ -7,7 +7,7 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from ehl import ContactSolution
 from ehl.units import GIGAPASCAL, MICROMETRE, RPM
 

@@ -5,7 +5,7 @@ is wide.
 from collections.abc import Iterator
 from math import hypot
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from ehl import ContactSolution
 
 from ..results import BearingResults

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from bearing.contacts.stress import contact_stress
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl.units import GIGAPASCAL, MILLIMETRE

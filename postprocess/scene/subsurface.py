@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearing.contacts.contacts import BearingContact
+from bearing.contacts.contact import BearingContact
 from ehl import ContactSolution
 from ehl.solid.subsurface import subsurface_stress
 from ehl.solution import Array

@@ -18,8 +18,9 @@ from bearing import (
     kinematic_frequencies,
     solve_quasistatic,
 )
-from bearing.contacts.contacts import rolling_and_spin
 from ehl import Lubricant
+
+from ...reference.rolling import rolling_and_spin
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 

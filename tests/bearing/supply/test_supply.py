@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
-from bearing.friction.asperities import asperity_share, mixed_friction
+from bearing.friction.asperities import asperity_share
 from bearing.heating.heat_balance import LARGEST_RISE, Cooling, heat_balance
 from bearing.supply.starved_films import least_lambda, mean_share, of_driven_balls, starved_films
 from bearing.supply.supply import (
@@ -143,7 +143,6 @@ def test_asperities():
     assert asperity_share(0.0) == 1.0
     assert asperity_share(1.0) == pytest.approx(erfc(1.0))
     assert asperity_share(5.0) < 1e-11
-    assert mixed_friction(np.array([0.0, np.inf]), 0.05, 0.12) == pytest.approx([0.12, 0.05])
 
 
 def test_heat_balance_of_a_law_with_a_closed_form():

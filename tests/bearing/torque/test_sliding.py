@@ -20,8 +20,6 @@ from bearing.friction.resistance import (
 from bearing.torque.pure_rolling_lines import rolling_lines
 from bearing.torque.sliding import (
     SlidingContact,
-    coulomb_power,
-    coulomb_torque,
     houpert_torque,
     kakuta_torque,
     pure_rolling_line_torque,
@@ -30,6 +28,8 @@ from bearing.torque.sliding import (
     spin_moment,
 )
 from ehl import ContactConditions, Lubricant
+
+from ...reference.coulomb import coulomb_power, coulomb_torque
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
 STEEL = Material(name="steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0, source="test")
