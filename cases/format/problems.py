@@ -21,7 +21,7 @@ LONGEST_VALUE = 60  # characters of a found value that are shown
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Problem:
+class CaseFault:
     """One error: the key it belongs to, what was found there and what is allowed."""
 
     path: Path
@@ -48,7 +48,7 @@ class UnfitKey(ValueError):  # noqa: N818
     """
 
     def __init__(self, path: Path, found: str, allowed: str = "") -> None:
-        self.problem = Problem(path=path, found=found, allowed=allowed)
+        self.problem = CaseFault(path=path, found=found, allowed=allowed)
         super().__init__(f"{dotted(path)}: {found}")
 
 
@@ -57,7 +57,7 @@ class CaseError(ValueError):
     their keys.
     """
 
-    def __init__(self, messages: Iterable[str], problems: Iterable[Problem] = ()) -> None:
+    def __init__(self, messages: Iterable[str], problems: Iterable[CaseFault] = ()) -> None:
         self.messages, self.problems = tuple(messages), tuple(problems)
         super().__init__("\n".join(self.messages))
 
@@ -101,54 +101,54 @@ def nearest_name(name: str, names: Iterable[str]) -> str | None:
     return plain[close[0]] if close else None
 
 
-def schema_problems(errors: Iterable[Mapping[str, Any]], schema: dict[str, Any]) -> list[Problem]:
+def schema_faults(errors: Iterable[Mapping[str, Any]], schema: dict[str, Any]) -> list[CaseFault]:
     """The errors of pydantic as problems; `schema` is the JSON Schema of the file."""
-    return [_problem(error, schema) for error in errors]
+    return [_fault(error, schema) for error in errors]
 
 
-def _problem(error: Mapping[str, Any], schema: dict[str, Any]) -> Problem:
+def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseFault:
     path: Path = tuple(error["loc"])
     found = f"found {shown(error['input'])}"
     if error["type"] == "extra_forbidden":
         return _unknown(path, schema)
     if error["type"] == "missing":
-        return Problem(
+        return CaseFault(
             path=path,
             found=MISSING,
             allowed=f"needed: {allowed_values(schema_node(schema, path))}",
         )
     if error["type"] == "choice":
-        return Problem(path=path, found=found, allowed=f"allowed: {error['msg']}")
+        return CaseFault(path=path, found=found, allowed=f"allowed: {error['msg']}")
     node = schema_node(schema, path)
     nearest = (
         nearest_name(error["input"], node.get("enum", ()))
         if isinstance(error["input"], str)
         else None
     )
-    return Problem(
+    return CaseFault(
         path=path, found=found, allowed=f"allowed: {allowed_values(node)}", nearest=nearest
     )
 
 
-def _unknown(path: Path, schema: dict[str, Any]) -> Problem:
+def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
     """A key the table does not have: its nearest name, or the table it belongs to, or all names."""
     key = str(path[-1])
     parent = path[:-1]
     if "contact" in schema["properties"] and path in OF_BEARINGS:
-        return Problem(
+        return CaseFault(
             path=path, found="not used by a single contact", allowed="allowed in a bearing case"
         )
     names = list(schema_node(schema, parent).get("properties", ()))
     for table, node in schema["properties"].items():
         if table != (parent or ("",))[0] and key in resolved(schema, node).get("properties", ()):
-            return Problem(path=path, found="unknown key", allowed=f"{key} belongs in [{table}]")
+            return CaseFault(path=path, found="unknown key", allowed=f"{key} belongs in [{table}]")
     if parent and schema_node(schema, (key,)).get("type") not in (None, "object"):
-        return Problem(
+        return CaseFault(
             path=path, found="unknown key", allowed=f"{key} belongs at the top of the file"
         )
     nearest = nearest_name(key, names)
     if nearest and nearest.startswith(key + "_"):
-        return Problem(
+        return CaseFault(
             path=path, found="unknown key", allowed="keys end in their unit", nearest=nearest
         )
     shortened = (
@@ -157,7 +157,7 @@ def _unknown(path: Path, schema: dict[str, Any]) -> Problem:
         else names
     )
     listed = "" if nearest else "allowed: " + ", ".join(shortened)
-    return Problem(
+    return CaseFault(
         path=path,
         found="unknown key" if parent else "unknown name",
         allowed=listed,

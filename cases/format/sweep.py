@@ -36,39 +36,34 @@ _KEYS_SCHEMA = WithJsonSchema(
 class HypercubeOptions(Table):
     """Options of [latin_hypercube], beside the keys it samples."""
 
-    samples: int = Field(ge=1, le=100_000, description="points")
-    seed: int = Field(
-        58_201,
-        ge=0,
-        le=2**63 - 1,
-        description="of the random numbers; another one gives other points",
+    samples: int = between(1, 100_000, "points", default=...)
+    seed: int = between(
+        0, 2**63 - 1, "of the random numbers; another one gives other points", default=58_201
     )
 
 
 class SensitivityTable(Table):
     """Finite differences about the case: each key by itself, up and down."""
 
-    keys: Annotated[Any, BeforeValidator(_check_keys), _KEYS_SCHEMA] = Field(
-        "assumed", description="keys to vary; those the case marks assumed if left out"
+    keys: Annotated[Any, BeforeValidator(_check_keys), _KEYS_SCHEMA] = key(
+        "assumed", "keys to vary; those the case marks assumed if left out"
     )
-    step: float = Field(
-        0.02, gt=0.0, le=0.5, description="relative change of each key up and down"
-    )
+    step: float = above(0.0, 0.5, "relative change of each key up and down", default=0.02)
 
 
 class SweepFile(Table):
     """A sweep: `oilfilm batch`."""
 
-    schema_version: int = Field(1, ge=1, le=1, description="version of this format")
-    title: str = Field("", description="one line for tables and plots")
+    schema_version: int = between(1, 1, "version of this format", default=1)
+    title: str = key("", "one line for tables and plots")
     case: Name = Field(
         description="a case file, relative to this file, or the name of a shipped case"
     )
-    compute: Literal["run", "torque", "slip", "dynamics", "table"] = Field(
-        "run", description="what is computed at every point"
+    compute: Literal["run", "torque", "slip", "dynamics", "table"] = key(
+        "run", "what is computed at every point"
     )
-    fields: bool = Field(
-        False, description="whether film maps or histories of every point are kept, too (netCDF)"
+    fields: bool = key(
+        False, "whether film maps or histories of every point are kept, too (netCDF)"
     )
     table: str | None = Field(
         None,
@@ -84,12 +79,8 @@ class SweepFile(Table):
         max_length=8,
         description="numbers of batch.csv that --plot draws; left out, the main results",
     )
-    fixed: dict[str, Any] = Field(
-        {}, description="values by key that every point has in place of the case's"
-    )
-    sweep: dict[str, Any] = Field(
-        {}, description="lists of values by key; all their combinations are points"
-    )
+    fixed: dict[str, Any] = key({}, "values by key that every point has in place of the case's")
+    sweep: dict[str, Any] = key({}, "lists of values by key; all their combinations are points")
     combinations: tuple[dict[str, Any], ...] = Field(
         (), strict=False, description="single points, one table each"
     )

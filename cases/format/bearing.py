@@ -1,0 +1,283 @@
+"""[bearing] and [surface]: geometry and materials of the bearing."""
+
+from collections.abc import Iterator
+from math import acos, asin, cos, degrees, floor, hypot, pi, radians
+from typing import Any
+
+from bearing.geometry import Bearing, contact_angle_to_clearance
+from bearing.material import Material
+from bearing.operation import RatingInput
+from bearing.torque.skf import Series, skf_series
+from ehl.units import MICROMETRE, MILLIMETRE, to_si
+
+from .fields import Name, Table, above, between, key, length
+from .problems import MISSING, CaseFault, shown
+from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
+
+
+class BearingTable(Table):
+    """Geometry and materials of the bearing."""
+
+    name: Name | None = key(None, "entry of the catalogue; the keys below override it")
+    ball_diameter_mm: float | None = length("diameter of the balls")
+    pitch_diameter_mm: float | None = length("diameter of the circle of the ball centres")
+    balls: int | None = between(3, 1000, "number of balls")
+    inner_groove_radius_mm: float | None = length(
+        "radius of the inner raceway's groove in section"
+    )
+    outer_groove_radius_mm: float | None = length(
+        "radius of the outer raceway's groove in section"
+    )
+    diametral_clearance_um: float | None = between(
+        -1.0e3, 1.0e4, "radial internal clearance on the diameter; or free_contact_angle_deg"
+    )
+    free_contact_angle_deg: float | None = between(
+        0.0, 80.0, "contact angle without load; or diametral_clearance_um"
+    )
+    ring_material: Name | None = key(None, "material of both rings")
+    inner_ring_material: Name | None = key(None, "material of the inner ring where it differs")
+    outer_ring_material: Name | None = key(None, "material of the outer ring where it differs")
+    ball_material: Name | None = key(None, "material of the balls")
+    cage_material: Name | None = key(None, "for the dynamics, and for the growth of a warm cage")
+    first_ball_azimuth_deg: float = between(
+        -360.0, 360.0, "azimuth of ball 1 from the load line", default=0.0
+    )
+    bore_mm: float | None = length("bore diameter")
+    outside_diameter_mm: float | None = length("outside diameter")
+    width_mm: float | None = length("width of the rings")
+    inner_shoulder_diameter_mm: float | None = length(
+        "of the lands beside the inner groove, for the cut of ellipses"
+    )
+    outer_shoulder_diameter_mm: float | None = length(
+        "of the lands beside the outer groove, for the cut of ellipses"
+    )
+    nominal_contact_angle_deg: float | None = between(
+        0.0, 80.0, "of the rating life; left out, free_contact_angle_deg, or 0 without that"
+    )
+    basic_dynamic_rating_kN: float | None = above(
+        0.0, 1.0e6, "C_r of the catalogue for the rating life; left out, from the geometry"
+    )
+    basic_static_rating_kN: float | None = above(
+        0.0, 1.0e6, "C_0 of the catalogue for the static safety; left out, from the geometry"
+    )
+    skf_series: Name | None = key(
+        None, "of SKF's friction constants; left out, from the designation in name"
+    )
+
+
+class SurfaceTable(Table):
+    """Root-mean-square roughness, for the lambda ratio."""
+
+    inner_ring_roughness_um: float = between(
+        0.0, 100.0, "rms roughness of the inner raceway", default=...
+    )
+    outer_ring_roughness_um: float = between(
+        0.0, 100.0, "rms roughness of the outer raceway", default=...
+    )
+    ball_roughness_um: float = between(0.0, 100.0, "rms roughness of the balls", default=...)
+    kappa_exponent: float = above(
+        0.0, 5.0, "kappa of the solved film, lambda to this power; 1.3 is unverified", default=1.3
+    )
+
+
+GEOMETRY = (
+    "ball_diameter_mm",
+    "pitch_diameter_mm",
+    "balls",
+    "inner_groove_radius_mm",
+    "outer_groove_radius_mm",
+)
+RING_MATERIALS = ("inner_ring_material", "outer_ring_material")
+CLEARANCE = ("diametral_clearance_um", "free_contact_angle_deg")
+# bearing.torque.models.ANGULAR_CONTACT, which is not imported here: validation stays quick
+DEEP_GROOVE_DEG = 10.0
+CLEARANCE_AGREEMENT_UM = 0.5  # clearance and contact angle agree within this, or within 1 %
+RELATIONS = (
+    *(
+        Needs(f"bearing.{name}", Where("bearing"), "needed unless the catalogue entry has it")
+        for name in (*GEOMETRY, "ball_material")
+    ),
+    Needs("bearing.cage_material", Where("temperatures.cage_C")),
+)
+
+
+def bearing_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
+    """What the relations of [bearing] do not say: parts that fit into each other, names."""
+    yield from _required(values)
+    yield from _clearance_faults(values)
+    yield from _dimension_faults(values)
+    yield from _series_faults(values)
+    for name in ("ring_material", *RING_MATERIALS, "ball_material"):
+        yield from known(("bearing", name), values.get("bearing", name), names.materials)
+    if values.given("temperatures", "cage_C"):
+        material = values.get("bearing", "cage_material")
+        yield from known(("bearing", "cage_material"), material, names.materials)
+
+
+def _required(values: CaseValues) -> Iterator[CaseFault]:
+    """A material of both rings; a clearance or a contact angle."""
+
+    def given(name: str) -> bool:
+        return values.given("bearing", name)
+
+    if values.get("bearing") is None:
+        return
+    if not given("ring_material") and not all(map(given, RING_MATERIALS)):
+        path = ("bearing", "ring_material")
+        yield CaseFault(path=path, found=MISSING, allowed="needed: a material")
+    if not any(map(given, CLEARANCE)):
+        allowed = f"needed: {' or '.join(CLEARANCE)}"
+        yield CaseFault(path=("bearing", CLEARANCE[0]), found=MISSING, allowed=allowed)
+
+
+def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """Groove radii between ball radius and ball diameter; balls that fit on the pitch circle; bore
+    and outside diameter beyond the raceways, shoulders between raceway and pitch circle.
+    """
+    diameter = values.get("bearing", "ball_diameter_mm")
+    pitch = values.get("bearing", "pitch_diameter_mm")
+    if diameter is None:
+        return
+    for ring in ("inner", "outer"):
+        allowed = f"above the ball radius, {0.5 * diameter:g} mm, up to the ball diameter, {diameter:g} mm"
+        path = ("bearing", f"{ring}_groove_radius_mm")
+        yield from bounded(values, path, lambda x: 0.5 * diameter < x <= diameter, allowed)
+    if pitch is None:
+        return
+    allowed = f"more than the ball diameter, {diameter:g} mm"
+    path = ("bearing", "pitch_diameter_mm")
+    yield from bounded(values, path, lambda x: x > diameter, allowed)
+    inner, outer = pitch - diameter, pitch + diameter  # diameters of the raceways
+    if inner > 0.0:
+        most = floor(pi / asin(diameter / pitch) + 1e-9)
+        allowed = f"at most {most} balls of {diameter:g} mm on a pitch circle of {pitch:g} mm"
+        yield from bounded(values, ("bearing", "balls"), lambda x: x <= most, allowed)
+        allowed = f"less than the inner raceway's diameter, {inner:g} mm"
+        yield from bounded(values, ("bearing", "bore_mm"), lambda x: x < inner, allowed)
+        for ring, low, high in (("inner", inner, pitch), ("outer", pitch, outer)):
+            allowed = f"between {low:g} and {high:g} mm, raceway and pitch circle"
+            path = ("bearing", f"{ring}_shoulder_diameter_mm")
+            yield from bounded(values, path, lambda x: low < x < high, allowed)  # noqa: B023
+    allowed = f"more than the outer raceway's diameter, {outer:g} mm"
+    path = ("bearing", "outside_diameter_mm")
+    yield from bounded(values, path, lambda x: x > outer, allowed)
+
+
+def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """cos(alpha_0) = 1 - P_d/(2 A), A = r_i + r_o - D: one derives the other, both only if they
+    agree.
+    """
+    distance = _groove_distance(values)
+    clearance, angle = (values.get("bearing", name) for name in CLEARANCE)
+    if distance is None or distance <= 0.0 or clearance is None:
+        return
+    if not -distance < clearance < 2.0 * distance:
+        allowed = f"allowed: from {-distance:.6g} to {2 * distance:.6g} um with these grooves, ends excluded"
+        found = f"found {shown(clearance)}"
+        yield CaseFault(path=("bearing", CLEARANCE[0]), found=found, allowed=allowed)
+    elif angle is not None:
+        expected = 2.0 * distance * (1.0 - cos(radians(angle)))
+        if abs(clearance - expected) > max(CLEARANCE_AGREEMENT_UM, 0.01 * abs(expected)):
+            derived = degrees(acos(min(1.0, 1.0 - 0.5 * clearance / distance)))
+            found = f"found {shown(angle)} together with {CLEARANCE[0]} = {shown(clearance)}"
+            allowed = f"allowed: one of them, or {derived:.4g} deg with this clearance, {expected:.5g} um with this angle"
+            yield CaseFault(path=("bearing", CLEARANCE[1]), found=found, allowed=allowed)
+
+
+def _groove_distance(values: CaseValues) -> float | None:
+    """Distance of the grooves' centres of curvature, r_i + r_o - D [um]; None where not known."""
+    keys = ("ball_diameter_mm", "inner_groove_radius_mm", "outer_groove_radius_mm")
+    ball, inner, outer = (values.get("bearing", name) for name in keys)
+    if None in (ball, inner, outer):
+        return None
+    return float(1e3 * (inner + outer - ball))
+
+
+def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """A series of SKF's friction model, of angular contact only where the free contact angle makes
+    it such a bearing.
+
+    Deep groove bearings of large clearance may pass that angle; the results report what the model
+    cannot do with them.
+    """
+    given = values.get("bearing", "skf_series")
+    if given is None:
+        return
+    angle = _free_angle(values)
+    found = f"found {shown(given)}"
+    allowed = [name for kind in Series for name in skf_series(kind)]
+    deep = angle is not None and angle <= DEEP_GROOVE_DEG
+    # fits and temperatures change the clearance
+    if deep and not any(values.given(table) for table in ("fit", "temperatures")):
+        found += f" for a deep groove bearing, its free contact angle being {angle:.4g} deg"
+        allowed = list(skf_series(Series.DEEP_GROOVE))
+    if given not in allowed:
+        listed = f"allowed: {', '.join(allowed)}"
+        yield CaseFault(path=("bearing", "skf_series"), found=found, allowed=listed)
+
+
+def _free_angle(values: CaseValues) -> float | None:
+    """Free contact angle [deg], as given or from the clearance; None where that is not known."""
+    clearance, angle = (values.get("bearing", name) for name in CLEARANCE)
+    distance = _groove_distance(values)
+    if angle is not None or distance is None or clearance is None:
+        return angle
+    cosine = 1.0 - 0.5 * clearance / max(distance, 1e-6)
+    return degrees(acos(min(1.0, cosine))) if cosine > -1.0 else None
+
+
+def material_names(table: BearingTable) -> tuple[str, str, str]:
+    """Names of the materials of balls, inner ring and outer ring [-]."""
+    inner = table.inner_ring_material or table.ring_material
+    outer = table.outer_ring_material or table.ring_material
+    assert table.ball_material and inner and outer  # checked before
+    return table.ball_material, inner, outer
+
+
+def bearing(table: BearingTable, materials: dict[str, Material], title: str) -> Bearing:
+    """Geometry [m, rad] and materials of the bearing; `title` stands in for its name."""
+    ball, inner, outer = material_names(table)
+    si = table.si()
+    same = (
+        "ball_diameter pitch_diameter balls inner_groove_radius outer_groove_radius bore width "
+        "outside_diameter inner_shoulder_diameter outer_shoulder_diameter first_ball_azimuth"
+    )
+    return Bearing(
+        name=table.name or title or "bearing",
+        diametral_clearance=_clearance(si),
+        ball_material=materials[ball],
+        inner_ring_material=materials[inner],
+        outer_ring_material=materials[outer],
+        **{name: si[name] for name in same.split()},
+    )
+
+
+def _clearance(si: dict[str, Any]) -> float:
+    """The diametral clearance, or that of the free contact angle [m]."""
+    if si["diametral_clearance"] is not None:
+        return float(si["diametral_clearance"])
+    lengths = ("inner_groove_radius", "outer_groove_radius", "ball_diameter")
+    return contact_angle_to_clearance(si["free_contact_angle"], *(si[name] for name in lengths))
+
+
+def rating(table: BearingTable, contamination_factor: float | None) -> RatingInput:
+    """What the rating life needs beyond the loads: C_r, C_0 [N], nominal contact angle [rad], e_C
+    [-].
+    """
+    si = table.si()
+    nominal = si["nominal_contact_angle"]
+    return RatingInput(
+        dynamic_rating=si["basic_dynamic_rating"],
+        static_rating=si["basic_static_rating"],
+        nominal_contact_angle=si["free_contact_angle"] or 0.0 if nominal is None else nominal,
+        contamination_factor=contamination_factor,
+    )
+
+
+def roughness(table: SurfaceTable | None) -> tuple[float, float] | None:
+    """Root mean square of race and balls together, inner and outer [m]."""
+    if table is None:
+        return None
+    rings = (table.inner_ring_roughness_um, table.outer_ring_roughness_um)
+    inner, outer = (hypot(ring, table.ball_roughness_um) * MICROMETRE for ring in rings)
+    return inner, outer

@@ -1,0 +1,222 @@
+"""Types, ranges and checks of single values, from which the tables of a case file are made."""
+
+from collections.abc import Callable
+from math import isfinite
+from typing import Annotated, Any
+
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    StringConstraints,
+    WithJsonSchema,
+)
+from pydantic_core import PydanticCustomError
+
+from ehl.units import to_si, without_unit
+
+FREE_WORD = "free"
+# [mm]
+LENGTH_MINIMUM = 1.0e-3
+LENGTH_MAXIMUM = 1.0e4
+FORCE_MAXIMUM = 1.0e8  # [N]
+SPEED_MAXIMUM = 1.0e6  # [rpm]
+ROWS_MAXIMUM = 10000  # of a table over time
+DIGITS = 12  # of library values written back into the document; more is noise of the conversion
+
+
+class Table(BaseModel):
+    """A table of a case file: frozen, no unknown keys, no silent conversion of types, finite
+    numbers only.
+    """
+
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
+
+    def si(self) -> dict[str, Any]:
+        """Values in SI, by their keys without units."""
+        return {without_unit(key).replace(" ", "_"): _si(key, value) for key, value in self}
+
+
+def _si(key: str, value: Any) -> Any:
+    if isinstance(value, tuple):
+        return tuple(_si(key, entry) for entry in value)
+    return to_si(key, value) if is_number(value) else value
+
+
+def is_number(value: object) -> bool:
+    """Whether `value` is a finite number [-]; a bool is none, nor is an integer beyond the floats."""
+    try:
+        return not isinstance(value, bool) and isinstance(value, int | float) and isfinite(value)
+    except OverflowError:
+        return False
+
+
+def rounded(value: float) -> float:
+    """`value` without the noise of a conversion of units [-]."""
+    return float(f"{value:.{DIGITS}g}")
+
+
+def above(low: float, high: float, description: str, default: Any = None) -> Any:
+    """A number above `low`, up to `high`."""
+    return Field(default, gt=low, le=high, description=description)
+
+
+def between(low: float, high: float, description: str, default: Any = None) -> Any:
+    """A number from `low` to `high`."""
+    return Field(default, ge=low, le=high, description=description)
+
+
+def length(description: str) -> Any:
+    """An optional length of a part [mm]."""
+    return between(LENGTH_MINIMUM, LENGTH_MAXIMUM, description)
+
+
+def key(default: Any, description: str) -> Any:
+    """A value whose type says what is allowed."""
+    return Field(default, description=description)
+
+
+def checked(parse: Callable[[object], object], allowed: str) -> BeforeValidator:
+    """A check by a function that gives the value, or None where it is not `allowed`."""
+
+    def check(value: object) -> object:
+        parsed = parse(value)
+        if parsed is None:
+            raise PydanticCustomError("choice", "{allowed}", {"allowed": allowed})
+        return parsed
+
+    return BeforeValidator(check)
+
+
+def list_schema(length: int, *, free: bool = False) -> WithJsonSchema:
+    """JSON Schema of a list of numbers, or of the word "free"."""
+    number: dict[str, Any] = {"type": "number"}
+    items = {"anyOf": [number, {"const": FREE_WORD}]} if free else number
+    return WithJsonSchema(
+        {"type": "array", "items": items, "minItems": length, "maxItems": length}
+    )
+
+
+def numbers(value: object, length: int, limit: float) -> tuple[float, ...] | None:
+    """A list of so many numbers within +-`limit`; None if `value` is none."""
+    entries = value if isinstance(value, list | tuple) else ()
+    fine = len(entries) == length and all(is_number(x) and abs(x) <= limit for x in entries)
+    return tuple(float(x) for x in entries) if fine else None
+
+
+def vector(length: int, limit: float) -> BeforeValidator:
+    """A list of numbers within +-`limit`."""
+    allowed = f"a list of {length} numbers from {-limit:g} to {limit:g}"
+    return checked(lambda value: numbers(value, length, limit), allowed)
+
+
+def _free_vector(length: int, limit: float) -> BeforeValidator:
+    """Likewise, with the word "free" for any of them."""
+
+    def parse(value: object) -> tuple[float | str, ...] | None:
+        entries = value if isinstance(value, list | tuple) else ()
+        fixed = numbers([0.0 if x == FREE_WORD else x for x in entries], length, limit)
+        if fixed is None:
+            return None
+        return tuple(
+            FREE_WORD if x == FREE_WORD else number
+            for x, number in zip(entries, fixed, strict=True)
+        )
+
+    allowed = f'a list of {length} numbers from {-limit:g} to {limit:g} or the word "free"'
+    return checked(parse, allowed)
+
+
+def _range(limit: float, sign: str) -> BeforeValidator:
+    def parse(value: object) -> tuple[float, ...] | None:
+        ends = numbers(value, 2, limit)
+        if ends is None or not ends[0] < ends[1] or (sign == "<" and ends[0] == 0.0):
+            return None
+        return ends if ends[0] >= 0.0 else None
+
+    return checked(parse, f"two numbers, [first, last], 0 {sign} first < last <= {limit:g}")
+
+
+def _over_time(columns: int, limit: float) -> BeforeValidator:
+    def parse(value: object) -> tuple[tuple[float, ...], ...] | None:
+        entries = value if isinstance(value, list | tuple) else ()
+        if not 0 < len(entries) <= ROWS_MAXIMUM:
+            return None
+        rows = [numbers(row, columns, float("inf")) for row in entries]
+        table = tuple(row for row in rows if row is not None)
+        if len(table) < len(rows) or any(abs(x) > limit for row in table for x in row[1:]):
+            return None
+        times = [row[0] for row in table]
+        rising = all(a < b for a, b in zip(times, times[1:], strict=False))
+        return table if rising and times[0] == 0.0 else None
+
+    allowed = (
+        f"rows of {columns} numbers, the first a rising time [s] from 0, "
+        f"the others from {-limit:g} to {limit:g}"
+    )
+    return checked(parse, allowed)
+
+
+def _over_time_schema(columns: int) -> WithJsonSchema:
+    row = {"type": "array", "items": {"type": "number"}, "minItems": columns, "maxItems": columns}
+    return WithJsonSchema({"type": "array", "items": row, "minItems": 1})
+
+
+def _points(value: object) -> object:
+    cells = value - 1 if isinstance(value, int) and not isinstance(value, bool) else 0
+    return None if not 32 <= cells <= 4096 or cells & (cells - 1) else value
+
+
+def _domain(value: object) -> tuple[float, ...] | None:
+    box = numbers(value, 3, 1e4)
+    return box if box and box[0] < -1.0 and box[1] > 1.0 and box[2] > 1.0 else None
+
+
+def _film_maps(value: object) -> object:
+    if isinstance(value, str) and value in ("all", "loaded", "none"):
+        return value
+    return numbers(value, len(value), 360.0) if isinstance(value, list | tuple) and value else None
+
+
+Name = Annotated[str, StringConstraints(min_length=1, max_length=200)]
+Points = Annotated[
+    int,
+    checked(_points, "2^k + 1: 33, 65, 129, 257, 513, 1025, 2049 or 4097"),
+    WithJsonSchema({"type": "integer", "minimum": 33}),
+]
+Domain = Annotated[
+    Any,
+    checked(
+        _domain,
+        "[x_in, x_out, y_half] in Hertz semi-axes with x_in < -1, x_out > 1, y_half > 1",
+    ),
+    list_schema(3),
+]
+FilmMaps = Annotated[
+    Any,
+    checked(_film_maps, '"all", "loaded", "none", or a list of azimuths of balls in degrees'),
+    WithJsonSchema(
+        {
+            "anyOf": [
+                {"enum": ["all", "loaded", "none"]},
+                {"type": "array", "items": {"type": "number"}},
+            ]
+        }
+    ),
+]
+SpeedRange = Annotated[Any, _range(SPEED_MAXIMUM, "<"), list_schema(2)]
+AxialRange = Annotated[Any, _range(FORCE_MAXIMUM, "<"), list_schema(2)]
+RadialRange = Annotated[Any, _range(FORCE_MAXIMUM, "<="), list_schema(2)]
+CriticalSpeed = Annotated[float, Field(gt=0.0, le=SPEED_MAXIMUM)]
+Force = Annotated[Any, vector(3, FORCE_MAXIMUM), list_schema(3)]
+Moment = Annotated[Any, vector(2, 1.0e10), list_schema(2)]
+Gravity = Annotated[
+    Any,
+    checked(lambda value: numbers(value, 3, 1e6), "three numbers, [x, y, z]"),
+    list_schema(3),
+]
+Displacement = Annotated[Any, _free_vector(3, 1.0e5), list_schema(3, free=True)]
+Tilt = Annotated[Any, _free_vector(2, 100.0), list_schema(2, free=True)]
+SpeedTable = Annotated[Any, _over_time(2, SPEED_MAXIMUM), _over_time_schema(2)]
+LoadTable = Annotated[Any, _over_time(4, FORCE_MAXIMUM), _over_time_schema(4)]

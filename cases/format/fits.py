@@ -1,0 +1,142 @@
+"""[fit] and [temperatures]: seats of the rings, and the clearance in operation."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+
+from bearing.fits.cage import cage_clearance
+from bearing.fits.clearance import CageClearance, ClearanceBudget, Fit, Warming, clearance_budget
+from bearing.geometry import Bearing, Race
+from bearing.material import Material
+from bearing.operation import Operation
+
+from .fields import LENGTH_MAXIMUM, Name, Table, between, key, length
+from .problems import CaseFault
+from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
+
+
+class FitTable(Table):
+    """Seats of the rings; the clearance of [bearing] is then the one before mounting."""
+
+    inner_ring_interference_um: float = between(
+        -1.0e3,
+        1.0e3,
+        "on the diameter, at rest and at reference_C; negative is loose",
+        default=0.0,
+    )
+    outer_ring_interference_um: float = between(
+        -1.0e3, 1.0e3, "likewise, in the housing", default=0.0
+    )
+    shaft_bore_mm: float = between(
+        0.0, LENGTH_MAXIMUM, "inner diameter of a hollow shaft", default=0.0
+    )
+    housing_outside_diameter_mm: float | None = length(
+        "outside of the housing; left out, the outer ring is free"
+    )
+    shaft_material: Name = key("bearing steel", "material of the shaft")
+    housing_material: Name = key("bearing steel", "material of the housing")
+
+
+class TemperaturesTable(Table):
+    """Temperatures in operation, for the clearance; that of the oil in the contacts is
+    operation.temperature_C.
+    """
+
+    inner_ring_C: float = between(-200.0, 1000.0, "inner ring", default=...)
+    outer_ring_C: float = between(-200.0, 1000.0, "outer ring", default=...)
+    ball_C: float = between(-200.0, 1000.0, "balls", default=...)
+    shaft_C: float | None = between(-200.0, 1000.0, "shaft; left out, as the inner ring")
+    housing_C: float | None = between(-200.0, 1000.0, "housing; left out, as the outer ring")
+    cage_C: float | None = between(
+        -200.0, 1000.0, "cage, of bearing.cage_material; tells the change of its clearances"
+    )
+    oil_inlet_C: float | None = between(-200.0, 1000.0, "recorded only")
+    reference_C: float = between(
+        -200.0, 1000.0, "at which clearance and fits were measured", default=20.0
+    )
+
+
+INNER = Where("fit.inner_ring_interference_um", nonzero=True)
+OUTER = Where("fit.outer_ring_interference_um", nonzero=True)
+RELATIONS = (
+    Needs("bearing.bore_mm", INNER),
+    Needs("bearing.outside_diameter_mm", OUTER),
+    Needs("fit.housing_outside_diameter_mm", OUTER),
+)
+
+
+def fit_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
+    """Shaft and housing around the bearing, their materials."""
+    bore = values.get("bearing", "bore_mm")
+    if bore is not None:
+        allowed = f"less than the bore of the bearing, {bore:g} mm"
+        yield from bounded(values, ("fit", "shaft_bore_mm"), lambda x: x < bore, allowed)
+    outside = values.get("bearing", "outside_diameter_mm")
+    if outside is not None:
+        allowed = f"more than the outside diameter of the bearing, {outside:g} mm"
+        path = ("fit", "housing_outside_diameter_mm")
+        yield from bounded(values, path, lambda x: x > outside, allowed)
+    for name in ("shaft_material", "housing_material"):
+        yield from known(("fit", name), values.get("fit", name), names.materials)
+
+
+def fit(table: FitTable | None, materials: Mapping[str, Material]) -> Fit | None:
+    """Fits of the rings [m]; None where the case gives none."""
+    if table is None:
+        return None
+    si = table.si()
+    return Fit(
+        shaft_material=materials[table.shaft_material],
+        housing_material=materials[table.housing_material],
+        inner_interference=si["inner_ring_interference"],
+        outer_interference=si["outer_ring_interference"],
+        shaft_bore=si["shaft_bore"],
+        housing_outside_diameter=si["housing_outside_diameter"],
+    )
+
+
+def warming(table: TemperaturesTable | None) -> Warming | None:
+    """Rise of the parts above the temperature of measurement [K]."""
+    if table is None:
+        return None
+    parts = {
+        "inner_ring": table.inner_ring_C,
+        "outer_ring": table.outer_ring_C,
+        "ball": table.ball_C,
+        "shaft": table.inner_ring_C if table.shaft_C is None else table.shaft_C,
+        "housing": table.outer_ring_C if table.housing_C is None else table.housing_C,
+    }
+    return Warming(**{part: value - table.reference_C for part, value in parts.items()})
+
+
+def in_operation(
+    given: Bearing,
+    operation: Operation,
+    seats: Fit | None,
+    temperatures: TemperaturesTable | None,
+    cage: CageClearance | None,
+) -> tuple[Bearing, ClearanceBudget | None]:
+    """The bearing with its clearance in operation [m], and its budget; None without [fit] and
+    [temperatures].
+    """
+    if seats is None and temperatures is None:
+        return given, None
+    budget = clearance_budget(given, operation, seats, warming(temperatures))
+    if temperatures is not None:
+        budget = replace(budget, cage=cage)
+    return replace(given, diametral_clearance=budget.operating), budget
+
+
+def heated_cage(
+    given: Bearing,
+    temperatures: TemperaturesTable | None,
+    material: Material | None,
+    land: tuple[Race, float] | None,
+) -> CageClearance | None:
+    """Thermal change of the clearances of the cage [m], with its guiding race and land diameter
+    [m]; None without its temperature.
+    """
+    rises = warming(temperatures)
+    if temperatures is None or rises is None or temperatures.cage_C is None or material is None:
+        return None
+    rise = temperatures.cage_C - temperatures.reference_C
+    return cage_clearance(given, material, rises, rise, land)

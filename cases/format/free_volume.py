@@ -1,0 +1,253 @@
+"""Constants of Tait, Doolittle and Yasutomi of an oil, complete and with a law that takes them,
+and the pressure-viscosity coefficient that follows.
+"""
+
+import warnings
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+from bearing.library.lubricants import list_lubricants, lubricant_data
+from ehl import DensityLaw, Lubricant, ViscosityLaw
+from ehl.oil.free_volume import (
+    DoolittleFreeVolume,
+    ExpansivityForm,
+    TaitVolume,
+    YasutomiGlass,
+    pressure_viscosity_doolittle,
+    pressure_viscosity_yasutomi,
+)
+from ehl.oil.lubricant import PRESSURE_VISCOSITY_TOLERANCE
+from ehl.units import GIGAPASCAL, ZERO_CELSIUS
+
+from .problems import MISSING, CaseFault, UnfitKey, shown
+from .rules import CaseValues
+from .toml_lines import Path
+
+TAIT = ("tait_bulk_modulus_GPa", "tait_bulk_modulus_derivative")
+DOOLITTLE = ("doolittle_factor", "doolittle_occupied_share")
+YASUTOMI = (
+    "yasutomi_glass_temperature_C",
+    "yasutomi_glass_rise_K",
+    "yasutomi_glass_pressure_1_GPa",
+    "yasutomi_expansivity_1_GPa",
+    "yasutomi_slope",
+    "yasutomi_width_K",
+)
+EXPANSIVITY = ("yasutomi_expansivity_exponent", "yasutomi_expansivity_factor")  # one of them
+OVER_TEMPERATURE = (
+    "tait_bulk_modulus_temperature_1_K",
+    "tait_expansion_1_K",
+    "doolittle_occupied_expansion_1_K",
+)
+TEMPERATURE = "tait_temperature_C"
+KEYS = (*TAIT, TEMPERATURE, *DOOLITTLE, *OVER_TEMPERATURE, *YASUTOMI, *EXPANSIVITY)
+FAMILIES = {  # first word of a key: constants needed with it
+    "tait": TAIT,
+    "doolittle": (*DOOLITTLE, *TAIT),
+    "yasutomi": YASUTOMI,
+}
+LAWS = {  # constants that a law takes
+    ("viscosity_law", "tait-doolittle"): (*TAIT, *DOOLITTLE),
+    ("viscosity_law", "yasutomi"): YASUTOMI,
+    ("density_law", "tait"): TAIT,
+}
+# laws whose constants give the pressure-viscosity coefficient
+LAWS_WITH_CONSTANTS = ("tait-doolittle", "yasutomi")
+SAME_TEMPERATURE = 0.5  # difference up to which constants count as those of a temperature [K]
+
+
+@dataclass(frozen=True, slots=True)
+class _OilFile:
+    """Keys of the oil, and the document they stand in."""
+
+    keys: dict[str, Any]
+    values: CaseValues
+
+    def place(self, key: str) -> Path:
+        """Table and key: [lubricant] where it is given there, else the case's named oil, if there
+        is one.
+        """
+        name = str(self.keys.get("name"))
+        if self.values.given("lubricant", key) or not self.values.given("lubricants", name):
+            return ("lubricant", key)
+        return ("lubricants", name, key)
+
+
+def free_volume_faults(
+    keys: dict[str, Any], values: CaseValues, *, of_library: bool
+) -> Iterator[CaseFault]:
+    """A law has its constants, from the case or the library; constants in [lubricant] have their
+    law.
+    """
+    oil = _OilFile(keys, values)
+    given = [key for key in KEYS if key in keys]
+    chosen = [law for law in LAWS if keys.get(law[0]) == law[1]]
+    for law in chosen:
+        if not any(key in keys for key in LAWS[law]):
+            yield from _no_constants(oil, law, of_library=of_library)
+    for key, reason in _needed(keys, given, chosen).items():
+        if key not in keys:
+            yield CaseFault(path=oil.place(key), found=MISSING, allowed=f"needed with {reason}")
+    yield from _expansivity_faults(oil, given)
+    yield from _without_law(oil, given, chosen)
+
+
+def _needed(
+    keys: dict[str, Any], given: list[str], chosen: list[tuple[str, str]]
+) -> dict[str, str]:
+    """Keys that others, or a law for which some are given, need; and which these are."""
+    needed: dict[str, str] = {}
+    for law in chosen:
+        if any(key in keys for key in LAWS[law]):
+            needed |= dict.fromkeys(LAWS[law], f"{law[0]} = {shown(law[1])}")
+    for family, constants in FAMILIES.items():
+        first = next((key for key in given if key.startswith(f"{family}_")), None)
+        if first is not None:
+            needed = dict.fromkeys(constants, first) | needed
+    follows = next((key for key in given if key in OVER_TEMPERATURE), None)
+    return needed if follows is None else needed | {TEMPERATURE: follows}
+
+
+def _no_constants(
+    oil: _OilFile, law: tuple[str, str], *, of_library: bool
+) -> Iterator[CaseFault]:
+    name = oil.keys.get("name")
+    names = list_lubricants()
+    suitable = [one for one in names if "doolittle" in lubricant_data(one)]
+    if law[1] == "yasutomi":
+        suitable = []
+    # an unknown name is a fault of its own
+    if of_library and (name in suitable or name not in names):
+        return
+    subject = "an oil without a name in the library" if name is None else f"the oil {shown(name)}"
+    ways = [f"with the oils {', '.join(suitable)}"] if suitable else []
+    ways += [f"with {', '.join(LAWS[law])}", "another law"]
+    found = f"found {shown(law[1])}, for which {subject} has no constants"
+    allowed = f"allowed: {'; or '.join(ways)}"
+    yield CaseFault(path=oil.place(law[0]), found=found, allowed=allowed)
+
+
+def _expansivity_faults(oil: _OilFile, given: list[str]) -> Iterator[CaseFault]:
+    """One form of Yasutomi's law."""
+    forms = [key for key in EXPANSIVITY if key in given]
+    if len(forms) == len(EXPANSIVITY):
+        found = f"found together with {forms[0]}"
+        yield CaseFault(path=oil.place(forms[1]), found=found, allowed="allowed: one of them")
+    elif not forms and any(key in YASUTOMI for key in given):
+        allowed = f"needed: {' or '.join(EXPANSIVITY)}"
+        yield CaseFault(path=oil.place(EXPANSIVITY[0]), found=MISSING, allowed=allowed)
+
+
+def _without_law(
+    oil: _OilFile, given: list[str], chosen: list[tuple[str, str]]
+) -> Iterator[CaseFault]:
+    """In [lubricant] only constants that a law takes; an oil of [lubricants] may have more."""
+    for key in given:
+        family = key.partition("_")[0]
+        if oil.place(key)[0] == "lubricant" and not any(family in law for _, law in chosen):
+            laws = [f'{name} = "{law}"' for name, law in LAWS if family in law]
+            allowed = f"allowed: {' or '.join(laws)}"
+            found = "found without its law"
+            yield CaseFault(path=("lubricant", key), found=found, allowed=allowed)
+
+
+def free_volume(keys: dict[str, Any], temperature: float) -> dict[str, Any]:
+    """Constants that the keys of an oil give: fields of `Lubricant`, SI; temperature of operation
+    [K].
+    """
+    constants: dict[str, Any] = {}
+    if TAIT[0] in keys:
+        celsius = keys.get(TEMPERATURE)
+        constants["tait"] = TaitVolume(
+            bulk_modulus=keys["tait_bulk_modulus_GPa"] * GIGAPASCAL,
+            bulk_modulus_derivative=keys["tait_bulk_modulus_derivative"],
+            reference_temperature=temperature if celsius is None else celsius + ZERO_CELSIUS,
+            bulk_modulus_temperature=keys.get("tait_bulk_modulus_temperature_1_K", 0.0),
+            expansion=keys.get("tait_expansion_1_K", 0.0),
+        )
+    if DOOLITTLE[0] in keys:
+        constants["doolittle"] = DoolittleFreeVolume(
+            factor=keys["doolittle_factor"],
+            occupied_share=keys["doolittle_occupied_share"],
+            occupied_expansion=keys.get("doolittle_occupied_expansion_1_K"),
+        )
+    if "yasutomi_slope" in keys:
+        constants["yasutomi"] = _yasutomi(keys)
+    return constants
+
+
+def _yasutomi(keys: dict[str, Any]) -> YasutomiGlass:
+    """The improved law with an exponent, the first one with a factor."""
+    coefficient = keys["yasutomi_expansivity_1_GPa"] / GIGAPASCAL
+    form = ExpansivityForm.LOGARITHMIC
+    expansivity = (keys.get("yasutomi_expansivity_factor"), coefficient)
+    if "yasutomi_expansivity_exponent" in keys:
+        form = ExpansivityForm.POWER
+        expansivity = (coefficient, keys["yasutomi_expansivity_exponent"])
+    return YasutomiGlass(
+        glass_temperature=keys["yasutomi_glass_temperature_C"] + ZERO_CELSIUS,
+        glass_rise=keys["yasutomi_glass_rise_K"],
+        glass_pressure_coefficient=keys["yasutomi_glass_pressure_1_GPa"] / GIGAPASCAL,
+        expansivity_1=expansivity[0],
+        expansivity_2=expansivity[1],
+        slope=keys["yasutomi_slope"],
+        width=keys["yasutomi_width_K"],
+        form=form,
+    )
+
+
+def _coefficient(given: dict[str, Any]) -> float | None:
+    """d(ln eta)/dp at ambient pressure that the constants of the viscosity law give [1/Pa]; None
+    for other laws.
+    """
+    law = given.get("viscosity_law")
+    temperature = given["temperature"]
+    if law is ViscosityLaw.TAIT_DOOLITTLE:
+        return pressure_viscosity_doolittle(given["tait"], given["doolittle"], temperature)
+    if law is ViscosityLaw.YASUTOMI:
+        return pressure_viscosity_yasutomi(given["yasutomi"], temperature)
+    return None
+
+
+def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, Any]:
+    """Fields of `Lubricant` with the coefficient of the law's constants; one that the case gives
+    must agree with it.
+
+    Raises
+    ------
+    UnfitKey
+        If it does not, or the law does not hold at the temperature.
+    """
+    of_constants = _coefficient(given)
+    key = "pressure_viscosity_1_GPa"
+    if of_constants is None:
+        return given
+    if of_constants <= 0.0:
+        found = "its constants give no viscosity that rises with pressure"
+        raise UnfitKey(("lubricant", "viscosity_law"), found)
+    if key not in keys:
+        return {**given, "pressure_viscosity": of_constants}
+    difference = abs(keys[key] / GIGAPASCAL - of_constants)
+    if difference > PRESSURE_VISCOSITY_TOLERANCE * of_constants:
+        found = f"found {keys[key]:g}, and the constants of the law give {of_constants * GIGAPASCAL:.4g}"
+        raise UnfitKey(("lubricant", key), found, "allowed: left out, or that of the constants")
+    return given
+
+
+def warn_of_temperature(oil: Lubricant, measured_at: float | None) -> None:
+    """Warn where constants are taken at another temperature [K] than that they hold at, and do not
+    follow it.
+    """
+    doolittle = oil.doolittle if oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE else None
+    used = oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE or oil.density_law is DensityLaw.TAIT
+    if measured_at is None or not used or oil.temperature is None or oil.tait is None:
+        return
+    expansion = None if doolittle is None else doolittle.occupied_expansion
+    follows = oil.tait.bulk_modulus_temperature > 0.0 or expansion is not None
+    if abs(oil.temperature - measured_at) > SAME_TEMPERATURE and not follows:
+        warnings.warn(
+            f"lubricant {oil.name!r}: constants of Tait and Doolittle of {measured_at - ZERO_CELSIUS:g} C are "
+            f"taken at {oil.temperature - ZERO_CELSIUS:g} C; only viscosity and density at ambient pressure follow it",
+            stacklevel=2,
+        )

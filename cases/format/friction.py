@@ -1,0 +1,308 @@
+"""[friction], the shear law of the oil, and what heats the bearing."""
+
+import re
+import warnings
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, Literal
+
+from pydantic import Field
+
+from bearing.friction.resistance import Cage
+from bearing.supply.supply import InletFilm, Supply
+from bearing.torque.models import FrictionInput
+from bearing.torque.skf import Lubrication
+from ehl import Lubricant
+from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.units import MEGAPASCAL, to_si
+
+from .bearing import BearingTable, SurfaceTable, roughness
+from .fields import LENGTH_MAXIMUM, Table, above, between, key
+from .lubricant import LubricantTable, Oil
+from .problems import MISSING, CaseFault, shown
+from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
+
+
+class FrictionTable(Table):
+    """Friction torque; every key may be left out, and leaves out the models that need it."""
+
+    coefficient: float | None = above(
+        0.0, 1.0, "Coulomb's mu of the sliding models; left out, SKF's mu_sl"
+    )
+    traction: Literal["films", "table", "four constants", "coulomb"] | None = key(
+        None,
+        "friction of balls on races in traction equilibrium; left out, that of the case's films",
+    )
+    traction_table: str | None = Field(
+        None, min_length=1, description="file of `oilfilm table`, with traction table"
+    )
+    traction_maximum: float | None = above(
+        0.0, 1.0, "four constants: largest coefficient kappa_max"
+    )
+    traction_maximum_slide: float | None = above(
+        0.0, 10.0, "four constants: slide-roll ratio of it"
+    )
+    traction_limit: float | None = between(0.0, 1.0, "four constants: coefficient at large slide")
+    models: Literal["main", "all"] = key(
+        "main",
+        "torque models shown: main are integrated, skf, palmgren and coulomb; all adds those of single papers",
+    )
+    lubrication: Literal["oil bath", "low oil bath", "oil jet", "grease", "oil air"] = key(
+        "low oil bath", "how the oil comes to the bearing, for SKF's model and Palmgren's"
+    )
+    oil: Literal["mineral", "synthetic", "transmission fluid"] = key(
+        "mineral", "kind of base oil, for SKF's mu_EHL"
+    )
+    boundary_coefficient: float = above(
+        0.0,
+        1.0,
+        "of asperities that touch: SKF's mu_bl, and of the films with [surface]",
+        default=0.12,
+    )
+    full_film_coefficient: float | None = above(
+        0.0, 1.0, "SKF's mu_EHL; left out, by the kind of oil"
+    )
+    oil_level_mm: float = between(
+        0.0,
+        LENGTH_MAXIMUM,
+        "above the lowest contact point of the outer raceway; SKF's drag",
+        default=0.0,
+    )
+    drag_factor: float | None = between(
+        0.0, 1.0, "SKF's V_M; left out, from a third party's digitised diagram (unverified)"
+    )
+    sealed: bool = key(False, "contact seals on both sides, for SKF's model")
+    seal_diameter_mm: float | None = above(
+        0.0, LENGTH_MAXIMUM, "of the seal's lip; left out, the bore"
+    )
+    hysteresis_loss: float | None = between(
+        0.0, 1.0, "share of the elastic energy lost in rolling, beta_a; for the model yao"
+    )
+    oil_fraction: float | None = between(
+        0.0, 1.0, "share of the cavity filled with oil, for the drag of the balls"
+    )
+    supply_mL_min: float | None = between(
+        0.0,
+        1.0e6,
+        "oil supplied, for the model starved, with [surface] and bearing.width_mm; or inlet_film_um",
+    )
+    supply_track_share: float = above(
+        0.0,
+        1.0,
+        "share of it that lands on the tracks; an assumption without a source",
+        default=0.5,
+    )
+    supply_loss: float = between(
+        0.0,
+        1.0,
+        "share of the layer on a track lost between two balls; an assumption, likewise",
+        default=0.05,
+    )
+    supply_residence_s: float = between(
+        0.0,
+        1.0e6,
+        "mean time that oil stays in the bearing; an assumption, likewise",
+        default=20.0,
+    )
+    heat_transfer_W_K: float | None = above(
+        0.0, 1.0e5, "heat to the surroundings per kelvin; asks for the block self_heating"
+    )
+    ambient_C: float = between(-100.0, 300.0, "temperature of the surroundings", default=20.0)
+    cooling_oil_mL_min: float | None = between(
+        0.0, 1.0e7, "oil that carries heat away; left out, supply_mL_min"
+    )
+    cooling_oil_C: float | None = between(
+        -100.0, 300.0, "temperature at which it comes; left out, ambient_C"
+    )
+    heating_torque: Literal[
+        "skf", "palmgren", "houpert", "yao", "starved", "pure_rolling_lines", "coulomb"
+    ] = key("skf", "torque model that heats the bearing")
+    palmgren_viscous_factor: float | None = between(
+        0.0, 100.0, "f_0; left out, by bearing and lubrication"
+    )
+    palmgren_load_factor: float | None = between(
+        0.0, 1.0, "f_1; left out, from the load with unverified constants"
+    )
+    as_printed: bool = key(
+        False,
+        "SKF's sliding moment also with half of its radial part, as one paper's tables have it",
+    )
+
+
+FOUR_CONSTANTS = ("traction_maximum", "traction_maximum_slide", "traction_limit")
+FOUR = Where("friction.traction", "four constants")
+SIMULATED_FOUR = Where("dynamics.friction", "four constants", default="four constants")
+# defaults of the four constants and of Coulomb's mu, for a simulation [-]
+SIMULATED = {
+    "traction_maximum": 0.05,
+    "traction_maximum_slide": 0.03,
+    "traction_limit": 0.03,
+    "coefficient": 0.05,
+}
+HEATED = Where("friction.heat_transfer_W_K")
+STARVED = 'with heating_torque = "starved"'
+# tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
+LIMITING_COEFFICIENT = 0.047
+OTHER_ANGULAR = "other single row"
+
+
+def _only_with(where: Where, *names: str) -> Iterator[Relation]:
+    """Keys of [friction] without effect but with another one; their defaults may stay."""
+    for name in names:
+        default = FrictionTable.model_fields[name].default
+        yield OnlyWith(f"friction.{name}", (where,), default)
+
+
+RELATIONS: tuple[Relation, ...] = (
+    Needs("friction.coefficient", Where("friction.traction", "coulomb")),
+    Needs("friction.traction_table", Where("friction.traction", "table")),
+    OnlyWith("friction.traction_table", (Where("friction.traction", "table"),)),
+    *(Needs(f"friction.{name}", FOUR) for name in FOUR_CONSTANTS),
+    *(OnlyWith(f"friction.{name}", (FOUR, SIMULATED_FOUR)) for name in FOUR_CONSTANTS),
+    Below(
+        "friction.traction_limit",
+        "friction.traction_maximum",
+        "friction.traction_limit",
+        high_default=SIMULATED["traction_maximum"],
+    ),
+    *_only_with(HEATED, "ambient_C", "cooling_oil_mL_min", "cooling_oil_C", "heating_torque"),
+    *_only_with(
+        Where("friction.supply_mL_min"), "supply_track_share", "supply_loss", "supply_residence_s"
+    ),
+    Needs(
+        "lubricant.name",
+        HEATED,
+        f"needed with {HEATED.key}: an oil with its viscosity over temperature",
+    ),
+    *(
+        Excludes(f"lubricant.{name}", HEATED.key, "left out, the oil's own over temperature")
+        for name in ("viscosity_mPa_s", "kinematic_viscosity_mm2_s")
+    ),
+)
+
+
+def friction_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """A file of traction tables that is there; the supply that heats a starved bearing."""
+    name = values.get("friction", "traction_table")
+    if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
+        found = f"{shown(name)} cannot be read: there is no such file from the working directory"
+        allowed = "allowed: a file that `oilfilm table` wrote"
+        path = ("friction", "traction_table")
+        yield CaseFault(path=path, found=found, allowed=allowed)
+    heated = HEATED.holds(values) and values.get("lubricant") is not None
+    if heated and values.get("friction", "heating_torque") == "starved":
+        yield from _starved_faults(values)
+
+
+def _is_file(name: str) -> bool:
+    try:
+        return Path(name).is_file()
+    except (OSError, ValueError):
+        return False
+
+
+def _starved_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """The torque model starved has the supply, the roughness, and of a flow the width it spreads
+    over.
+    """
+    flow = values.given("friction", "supply_mL_min")
+    if not flow and not values.given("lubricant", "inlet_film_um"):
+        allowed = f"needed, or lubricant.inlet_film_um, {STARVED}"
+        yield CaseFault(path=("friction", "supply_mL_min"), found=MISSING, allowed=allowed)
+    if not values.given("surface"):
+        yield CaseFault(path=("surface",), found=MISSING, allowed=f"needed {STARVED}")
+    if flow and not values.given("bearing", "width_mm"):
+        yield CaseFault(path=("bearing", "width_mm"), found=MISSING, allowed=f"needed {STARVED}")
+
+
+def friction(
+    table: FrictionTable,
+    bearing: BearingTable,
+    lubricant: LubricantTable,
+    cage: Cage | None,
+    surface: SurfaceTable | None,
+) -> FrictionInput:
+    """What the friction models take: ratings [N], lengths [m]."""
+    si = table.si()
+    return FrictionInput(
+        coefficient=table.coefficient,
+        lubrication=Lubrication(table.lubrication),
+        oil=table.oil,
+        oil_level=si["oil_level"],
+        sealed=table.sealed,
+        seal_diameter=si["seal_diameter"],
+        series=bearing.skf_series or series_of(bearing.name or ""),
+        static_rating=bearing.si()["basic_static_rating"],
+        hysteresis=table.hysteresis_loss,
+        cage=cage,
+        oil_fraction=table.oil_fraction,
+        boundary=table.boundary_coefficient,
+        full_film=table.full_film_coefficient,
+        drag_factor=table.drag_factor,
+        viscous_factor=table.palmgren_viscous_factor,
+        load_factor=table.palmgren_load_factor,
+        roughness=roughness(surface),
+        supply=_supply(table, lubricant),
+        flooded=lubricant.supply == "flooded",
+        as_printed=table.as_printed,
+        all_models=table.models == "all",
+    )
+
+
+def _supply(table: FrictionTable, lubricant: LubricantTable) -> Supply | InletFilm | None:
+    """Layer of oil at the inlets [m], or flow [m^3/s] and what is assumed of it; None: flooded."""
+    if lubricant.inlet_film_um is not None:
+        return InletFilm(layer=lubricant.si()["inlet_film"])
+    si = table.si()
+    if si["supply"] is None:
+        return None
+    return Supply(
+        flow=si["supply"],
+        track_share=si["supply_track_share"],
+        loss=si["supply_loss"],
+        residence_time=si["supply_residence"],
+    )
+
+
+def series_of(name: str) -> str | None:
+    """SKF's series by the designation of a bearing, None where there is none in it [-]."""
+    match = re.match(
+        r"^(6[0-4]|7[0-3]|16[01]|61[789])\d{2}\s*(AC|B|C|CD|ACD)?", name.strip().upper()
+    )
+    if match is None:
+        return None
+    series, suffix = match.groups()
+    if series.startswith(("6", "16")):
+        return str(series)
+    special = series in ("72", "73") and suffix in ("B", "AC")
+    return f"{series} {suffix}" if special else OTHER_ANGULAR
+
+
+def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
+    """How the oil shears: stresses [Pa]; what the case leaves out is assumed, with a warning."""
+    keys = oil.keys
+    law = ShearLaw(keys.get("rheology", "ree-eyring"))
+    coefficient = keys.get("limiting_stress_coefficient")
+    assumed = []
+    eyring = keys.get("eyring_stress_MPa")
+    if law is ShearLaw.REE_EYRING and eyring is None and lubricant.pressure_viscosity == 0.0:
+        law = ShearLaw.NEWTONIAN  # nothing to take a stress from, nor a need of one
+    if coefficient is None and law is not ShearLaw.NEWTONIAN:
+        coefficient = LIMITING_COEFFICIENT
+        assumed.append(
+            f"limiting_stress_coefficient = {coefficient:g} (paraffinic mineral oil, Arana et al., 2019)"
+        )
+    if law is ShearLaw.REE_EYRING and eyring is None:
+        eyring = 2.0 * LIMITING_COEFFICIENT / lubricant.pressure_viscosity / MEGAPASCAL
+        assumed.append(f"eyring_stress_MPa = {eyring:.3g} (2 Lambda/alpha, Arana et al., 2019)")
+    if assumed:
+        text = f"lubricant: the shear of the oil is assumed: {', '.join(assumed)}"
+        warnings.warn(text, stacklevel=2)
+    constants: dict[str, Any] = {"limiting_coefficient": coefficient}
+    if eyring is not None and law is ShearLaw.REE_EYRING:
+        constants["eyring_stress"] = eyring * MEGAPASCAL
+    if law is ShearLaw.CARREAU_YASUDA:
+        constants["carreau_modulus"] = to_si("carreau_modulus_MPa", keys["carreau_modulus_MPa"])
+        constants["carreau_exponent"] = keys["carreau_exponent"]
+        constants["yasuda_exponent"] = keys.get("yasuda_exponent", 2.0)
+    return Rheology(law=law, **constants)

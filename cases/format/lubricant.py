@@ -1,0 +1,385 @@
+"""[lubricant] and [lubricants.NAME]: the oil at the temperature of operation."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import log
+from typing import Any, Literal
+
+from pydantic import Field
+
+from bearing.library.lubricants import library_lubricant, lubricant_data
+from ehl import DensityLaw, Lubricant, ViscosityLaw
+from ehl.oil.lubricant import ThermalProperties
+from ehl.units import from_si, to_si
+
+from .fields import Name, Table, above, between, key, rounded
+from .free_volume import (
+    LAWS_WITH_CONSTANTS,
+    free_volume,
+    free_volume_faults,
+    warn_of_temperature,
+    with_coefficient,
+)
+from .problems import MISSING, CaseFault, shown
+from .rules import CaseValues, Excludes, KnownNames, Where, bounded, known
+from .toml_lines import Path
+
+
+class OilTable(Table):
+    """An oil of the case's own, by its properties at the temperature of operation."""
+
+    viscosity_mPa_s: float | None = above(
+        0.0, 1.0e6, "dynamic viscosity at ambient pressure; or kinematic_viscosity_mm2_s"
+    )
+    kinematic_viscosity_mm2_s: float | None = above(
+        0.0, 1.0e6, "kinematic viscosity at ambient pressure; or viscosity_mPa_s"
+    )
+    pressure_viscosity_1_GPa: float | None = between(
+        0.0, 100.0, "d(ln eta)/dp at ambient pressure"
+    )
+    density_kg_m3: float | None = above(0.0, 2.0e4, "density at ambient pressure")
+    viscosity_law: (
+        Literal["roelands", "barus", "isoviscous", "tait-doolittle", "yasutomi"] | None
+    ) = key(
+        None, "pressure dependence of the viscosity; the last two for oils with their constants"
+    )
+    roelands_z: float | None = above(
+        0.0, 2.0, "Roelands' exponent; left out, from Roelands' identity"
+    )
+    roelands_pressure_MPa: float | None = above(0.0, 1.0e4, "Roelands' reference pressure")
+    density_law: Literal["dowson-higginson", "incompressible", "tait"] | None = key(
+        None, "pressure dependence of the density; tait for oils with its constants"
+    )
+    tait_bulk_modulus_GPa: float | None = above(
+        0.0, 100.0, "Tait's K_0, at ambient pressure and tait_temperature_C"
+    )
+    tait_bulk_modulus_derivative: float | None = above(0.0, 100.0, "Tait's K_0' = dK/dp")
+    tait_temperature_C: float | None = between(
+        -200.0, 500.0, "of Tait's and Doolittle's constants; left out, that of operation"
+    )
+    tait_bulk_modulus_temperature_1_K: float | None = between(
+        0.0, 1.0, "b of K_0 exp[-b (T - T_R)]; 0 if left out"
+    )
+    tait_expansion_1_K: float | None = between(
+        0.0, 0.1, "a of V_R [1 + a (T - T_R)], volume at ambient pressure; 0 if left out"
+    )
+    doolittle_factor: float | None = above(0.0, 100.0, "Doolittle's B")
+    doolittle_occupied_share: float | None = Field(
+        None,
+        gt=0.0,
+        lt=1.0,
+        description="Doolittle's R, occupied over total volume at tait_temperature_C",
+    )
+    doolittle_occupied_expansion_1_K: float | None = between(
+        -0.1, 0.1, "of the occupied volume; left out, the constants hold at every temperature"
+    )
+    yasutomi_glass_temperature_C: float | None = above(-273.15, 500.0, "T_g at ambient pressure")
+    yasutomi_glass_rise_K: float | None = above(0.0, 1.0e4, "A_1 of T_g + A_1 ln(1 + A_2 p)")
+    yasutomi_glass_pressure_1_GPa: float | None = above(0.0, 1.0e3, "A_2 of it")
+    yasutomi_expansivity_1_GPa: float | None = above(
+        0.0, 1.0e3, "b_1 of (1 + b_1 p)^b_2, or B_2 of 1 - B_1 ln(1 + B_2 p)"
+    )
+    yasutomi_expansivity_exponent: float | None = between(
+        -10.0, 0.0, "b_2, of the improved law; or yasutomi_expansivity_factor"
+    )
+    yasutomi_expansivity_factor: float | None = above(
+        0.0, 100.0, "B_1, of the first law; or yasutomi_expansivity_exponent"
+    )
+    yasutomi_slope: float | None = above(0.0, 100.0, "C_1")
+    yasutomi_width_K: float | None = above(0.0, 1.0e4, "C_2")
+    thermal_conductivity_W_m_K: float | None = above(0.0, 10.0, "for film_model thermal")
+    specific_heat_J_kg_K: float | None = above(0.0, 1.0e4, "for film_model thermal")
+    viscosity_temperature_1_K: float | None = between(
+        0.0, 1.0, "-d(ln eta)/dT, for film_model thermal"
+    )
+    thermal_expansion_1_K: float | None = between(0.0, 0.01, "for film_model thermal")
+    rheology: Literal["newtonian", "ree-eyring", "carreau-yasuda"] | None = key(
+        None, "shear law of the friction; left out, Ree-Eyring with assumed constants"
+    )
+    eyring_stress_MPa: float | None = above(
+        0.0, 1.0e3, "Eyring's stress; left out, 2 Lambda/alpha, assumed"
+    )
+    limiting_stress_coefficient: float | None = above(
+        0.0, 1.0, "Lambda of the limiting stress Lambda p; left out, assumed but for Newton's law"
+    )
+    carreau_modulus_MPa: float | None = above(0.0, 1.0e3, "G of Carreau's law")
+    carreau_exponent: float | None = above(0.0, 1.0, "n of Carreau's law")
+    yasuda_exponent: float | None = above(
+        0.0, 10.0, "a of Carreau and Yasuda's law; 2 if left out"
+    )
+
+
+class LubricantTable(OilTable):
+    """The lubricant: a name, or its properties at the temperature of operation."""
+
+    name: Name | None = key(
+        None, "oil of [lubricants] or of the library; the keys here override it"
+    )
+    supply: Literal["flooded", "starved"] | None = key(
+        None,
+        "what the total of the torque is for; left out, starved with inlet_film_um or supply_mL_min",
+    )
+    inlet_film_um: float | None = between(
+        0.0,
+        1.0e4,
+        "layer of oil that every contact finds at its inlet, on both surfaces together; or supply_mL_min",
+    )
+    contamination_factor: float | None = between(
+        0.0, 1.0, "e_C of ISO 281, 1 clean; left out, no modified life is computed"
+    )
+
+
+VISCOSITIES = ("viscosity_mPa_s", "kinematic_viscosity_mm2_s")
+# 700 K, below which bearing.library.lubricants has its laws; the tables keep the lower end
+LIBRARY_TEMPERATURE_C = 426.85
+PRESSURE_VISCOSITY = "pressure_viscosity_1_GPa"
+NUMBERS = {  # field of `Lubricant`: its key
+    "pressure_viscosity": PRESSURE_VISCOSITY,
+    "roelands_pressure": "roelands_pressure_MPa",
+    "roelands_z": "roelands_z",
+    "density": "density_kg_m3",
+}
+DENSITY = 870.0  # of an oil whose density is not given [kg/m^3]
+# stands in where only Moes' groups and a Roelands exponent are given [Pa s]
+VISCOSITY_UNUSED = 1.0
+SHEAR_KEYS = {  # constants of a shear law
+    "eyring_stress_MPa": "ree-eyring",
+    "carreau_modulus_MPa": "carreau-yasuda",
+    "carreau_exponent": "carreau-yasuda",
+    "yasuda_exponent": "carreau-yasuda",
+}
+SHEAR_LAWS = ("newtonian", "ree-eyring", "carreau-yasuda")
+HEAT_KEYS = ("thermal_conductivity_W_m_K", "specific_heat_J_kg_K", "viscosity_temperature_1_K")
+SUPPLIED = (Where("lubricant.inlet_film_um"), Where("friction.supply_mL_min"))
+RELATIONS = (
+    Excludes("lubricant.kinematic_viscosity_mm2_s", "lubricant.viscosity_mPa_s"),
+    Excludes("lubricant.inlet_film_um", "friction.supply_mL_min"),
+    Excludes("lubricant.inlet_film_um", "contact.moes_M", "with dimensions"),
+)
+
+
+@dataclass(frozen=True, slots=True)
+class Oil:
+    """Keys of the oil of a case, in the units of the file, and whether its name is one of the
+    library's.
+    """
+
+    keys: dict[str, Any]
+    of_library: bool
+
+
+def oil_of(lubricant: dict[str, Any], lubricants: object) -> Oil:
+    """The keys of [lubricant], with those of [lubricants.NAME] filled in."""
+    own = lubricants.get(str(lubricant.get("name"))) if isinstance(lubricants, dict) else None
+    if not isinstance(own, dict):
+        return Oil(dict(lubricant), "name" in lubricant)
+    if any(key in lubricant for key in VISCOSITIES):
+        own = {key: value for key, value in own.items() if key not in VISCOSITIES}
+    return Oil({**own, **lubricant}, of_library=False)
+
+
+def lubricant_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
+    """The oil by name or by its properties, complete, and its laws."""
+    yield from known(("lubricant", "name"), values.get("lubricant", "name"), names.lubricants)
+    starved = values.get("lubricant", "supply") == "starved"
+    if starved and not any(where.holds(values) for where in SUPPLIED):
+        allowed = "allowed: with inlet_film_um, or friction.supply_mL_min of a bearing"
+        yield CaseFault(path=("lubricant", "supply"), found='found "starved"', allowed=allowed)
+    for name in values.get("lubricants") or ():
+        first, second = (("lubricants", name, key) for key in VISCOSITIES)
+        if values.given(*first) and values.given(*second):
+            found = f"found together with {VISCOSITIES[0]}"
+            yield CaseFault(path=second, found=found, allowed="allowed: one of them")
+    without_oils = values.given("lubricants") and not values.get("lubricants")
+    if values.get("lubricant") is None or without_oils:
+        return
+    oil = oil_of(values.document["lubricant"], values.document.get("lubricants"))
+    if oil.of_library:
+        yield from _library_temperature(values)
+    else:
+        yield from _incomplete(oil.keys, moes=values.given("contact", "moes_M"))
+    yield from _roelands_faults(oil.keys, values)
+    yield from _shear_faults(oil.keys, values)
+    yield from free_volume_faults(oil.keys, values, of_library=oil.of_library)
+    yield from _moes_pressure_scale(oil.keys, values)
+    yield from _heat_faults(oil.keys, values)
+
+
+def _library_temperature(values: CaseValues) -> Iterator[CaseFault]:
+    """The laws of the library's oils end at a temperature."""
+    for table in ("operation", "contact"):
+        given = values.get(table, "temperature_C")
+        if given is not None and given >= LIBRARY_TEMPERATURE_C:
+            allowed = f"allowed with an oil of the library: below {LIBRARY_TEMPERATURE_C:g}"
+            path = (table, "temperature_C")
+            yield CaseFault(path=path, found=f"found {shown(given)}", allowed=allowed)
+
+
+def _incomplete(oil: dict[str, Any], *, moes: bool) -> Iterator[CaseFault]:
+    """Viscosity and pressure-viscosity coefficient that the oil's law needs."""
+    law = oil.get("viscosity_law", "roelands")
+    viscosity = any(key in oil for key in VISCOSITIES)
+    if not viscosity and not (moes and (law != "roelands" or "roelands_z" in oil)):
+        allowed = f"needed: {', '.join(VISCOSITIES)}, or the name of a lubricant"
+        allowed = "needed: roelands_z, or a viscosity that gives it" if moes else allowed
+        yield CaseFault(path=("lubricant", "viscosity_mPa_s"), found=MISSING, allowed=allowed)
+    if law not in ("isoviscous", *LAWS_WITH_CONSTANTS) and PRESSURE_VISCOSITY not in oil:
+        allowed = 'needed, unless viscosity_law = "isoviscous"'
+        yield CaseFault(path=("lubricant", PRESSURE_VISCOSITY), found=MISSING, allowed=allowed)
+
+
+def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
+    """Roelands' constants stand with his law, whose exponent must lie in its range."""
+    law = oil.get("viscosity_law", "roelands")
+    if law != "roelands":
+        for key in ("roelands_z", "roelands_pressure_MPa"):
+            if values.given("lubricant", key):
+                yield _foreign_constant(("lubricant", key), "viscosity_law", law, "roelands")
+        return
+    eta, alpha = (values.get("lubricant", key) for key in (VISCOSITIES[0], PRESSURE_VISCOSITY))
+    pressure = values.get("lubricant", "roelands_pressure_MPa") or 196.0
+    if eta is None or alpha is None or "roelands_z" in oil:
+        return
+    scale = log(1e-3 * eta) + 9.67
+    exponent = alpha * pressure * 1e-3 / scale if scale > 0.0 else -1.0
+    if not 0.0 < exponent <= 2.0:
+        found = f"found {shown(alpha)}, with which Roelands' identity gives z = {exponent:.3g}"
+        allowed = "allowed: a viscosity and coefficient with 0 < z <= 2, a roelands_z, or another viscosity_law"
+        key = PRESSURE_VISCOSITY
+        if scale <= 0.0:
+            key, found = VISCOSITIES[0], f"found {shown(eta)}"
+        yield CaseFault(path=("lubricant", key), found=found, allowed=allowed)
+
+
+def _foreign_constant(path: Path, choice: str, law: object, own: str) -> CaseFault:
+    """A constant of the law `own` where another one is chosen."""
+    found = f"found together with {choice} = {shown(law)}"
+    return CaseFault(path=path, found=found, allowed=f'allowed with "{own}" only')
+
+
+def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
+    """Constants of a shear law stand with that law; those of a named oil may belong to the law of
+    that oil.
+    """
+    law = oil.get("rheology", "ree-eyring")
+    if law not in SHEAR_LAWS:
+        return
+    named = ("lubricants", str(oil.get("name")))
+    law_of_named = values.get(*named, "rheology") or "ree-eyring"
+    for key, own in SHEAR_KEYS.items():
+        places = [("lubricant", key)] if values.given("lubricant", key) else []
+        if values.given(*named, key) and law_of_named != own:
+            places.append((*named, key))
+        if law != own and places:
+            fault = _foreign_constant(places[0], "rheology", law, own)
+            if "rheology" not in oil:
+                found = f'found without rheology = "{own}"'
+                fault = CaseFault(path=places[0], found=found, allowed=fault.allowed)
+            yield fault
+    if law == "carreau-yasuda":
+        for key in ("carreau_modulus_MPa", "carreau_exponent"):
+            if key not in oil:
+                allowed = 'needed with rheology = "carreau-yasuda"'
+                yield CaseFault(path=("lubricant", key), found=MISSING, allowed=allowed)
+
+
+def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
+    """Moes' L > 0 gives the scale of pressure in units of the coefficient, which there must be."""
+    number = values.get("contact", "moes_L")
+    alpha = oil.get(PRESSURE_VISCOSITY)
+    isoviscous = alpha is None and oil.get("viscosity_law") == "isoviscous"
+    if number and (alpha == 0.0 or isoviscous):
+        found = f"found {shown(number)} without a {PRESSURE_VISCOSITY} above 0"
+        allowed = "allowed: 0, or an oil with such a coefficient"
+        yield CaseFault(path=("contact", "moes_L"), found=found, allowed=allowed)
+
+
+def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
+    """Thermal properties of the oil, all or none; all for a film with heat."""
+    reasons = [key for key in HEAT_KEYS if key in oil]
+    if values.get("ehl", "film_model") == "thermal" and "name" not in oil and not reasons:
+        reasons = ['ehl.film_model = "thermal"']
+    for key in HEAT_KEYS:
+        if reasons and key not in oil:
+            path = ("lubricant", key)
+            yield CaseFault(path=path, found=MISSING, allowed=f"needed with {reasons[0]}")
+
+
+def lubricant(oil: Oil, temperature: float) -> Lubricant:
+    """The oil at a temperature [K]: viscosity [Pa s], pressure-viscosity [1/Pa], density
+    [kg/m^3].
+    """
+    keys = oil.keys
+    given: dict[str, Any] = {"name": keys.get("name", "")}
+    for field, key in NUMBERS.items():
+        if key in keys:
+            given[field] = to_si(key, keys[key])
+    if "viscosity_law" in keys:
+        given["viscosity_law"] = ViscosityLaw(keys["viscosity_law"])
+    if "density_law" in keys:
+        given["density_law"] = DensityLaw(keys["density_law"])
+    constants = free_volume(keys, temperature)
+    measured_at = to_si("tait_temperature_C", keys.get("tait_temperature_C"))
+    if oil.of_library:
+        base, of_library = _of_library(given, temperature, own=bool(constants))
+        measured_at = measured_at if constants else of_library
+        given = {field: getattr(base, field) for field in Lubricant.__dataclass_fields__} | given
+    given.setdefault("temperature", temperature)
+    if HEAT_KEYS[0] in keys:
+        given["thermal"] = ThermalProperties(
+            conductivity=keys["thermal_conductivity_W_m_K"],
+            specific_heat=keys["specific_heat_J_kg_K"],
+            viscosity_temperature=keys["viscosity_temperature_1_K"],
+            expansion=keys.get("thermal_expansion_1_K", 0.0),
+        )
+    given |= constants
+    _set_viscosity(given, keys)
+    result = Lubricant(**with_coefficient(given, keys))
+    warn_of_temperature(result, measured_at)
+    return result
+
+
+def _of_library(
+    given: dict[str, Any], temperature: float, *, own: bool
+) -> tuple[Lubricant, float | None]:
+    """The library's oil at a temperature [K], and that at which its constants of free volume were
+    measured [K].
+
+    With the case's `own` constants it comes with the library's laws.
+    """
+    asked = ("viscosity_law", "density_law")
+    laws = {} if own else {key: given[key] for key in asked if key in given}
+    base = library_lubricant(given.pop("name"), temperature, **laws)
+    return base, lubricant_data(base.name).get("doolittle", {}).get("reference_K")
+
+
+def _set_viscosity(given: dict[str, Any], keys: dict[str, Any]) -> None:
+    """Fill in the dynamic viscosity [Pa s], from the kinematic one and the density where that is
+    given.
+    """
+    given.setdefault("density", DENSITY)
+    given.setdefault("pressure_viscosity", 0.0)  # checked before: the isoviscous law needs none
+    dynamic, kinematic = VISCOSITIES
+    if dynamic in keys:
+        given["viscosity"] = to_si(dynamic, keys[dynamic])
+    elif kinematic in keys:
+        given["viscosity"] = to_si(kinematic, keys[kinematic]) * given["density"]
+    given.setdefault("viscosity", VISCOSITY_UNUSED)
+
+
+def lubricant_keys(oil: Lubricant, *, moes: bool) -> dict[str, Any]:
+    """A lubricant as keys of [lubricant]: viscosity [mPa s], pressure-viscosity [1/GPa], density
+    [kg/m^3].
+    """
+    numbers = {
+        "viscosity_mPa_s": oil.viscosity,
+        PRESSURE_VISCOSITY: oil.pressure_viscosity,
+        "density_kg_m3": oil.density,
+    }
+    if moes:
+        del numbers["viscosity_mPa_s"]
+    return {
+        **{key: rounded(from_si(key, value)) for key, value in numbers.items()},
+        "viscosity_law": oil.viscosity_law.value,
+        "density_law": oil.density_law.value,
+    }

@@ -1,0 +1,84 @@
+"""[materials.NAME]: materials of the case and of the library."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Literal
+
+from pydantic import Field
+
+from bearing.library.names import matching_name
+from bearing.material import Material, MaterialKind, list_materials, load_material
+from ehl.units import from_si
+
+from .fields import Table, above, between, key, rounded
+
+THERMAL = {  # field: key of [materials.NAME]
+    "thermal_expansion": "thermal_expansion_um_m_K",
+    "thermal_conductivity": "thermal_conductivity_W_m_K",
+    "specific_heat": "specific_heat_J_kg_K",
+}
+
+
+class MaterialTable(Table):
+    """A material of the case's own, before those of the library."""
+
+    youngs_modulus_GPa: float = above(0.0, 2.0e3, "Young's modulus", default=...)
+    poisson_ratio: float = Field(ge=0.0, lt=0.5, description="Poisson's ratio")
+    density_kg_m3: float = above(0.0, 3.0e4, "density", default=...)
+    thermal_expansion_um_m_K: float | None = between(
+        -100.0, 1.0e3, "linear thermal expansion; left out, that of the library's of this name"
+    )
+    thermal_conductivity_W_m_K: float | None = above(
+        0.0, 1.0e4, "thermal conductivity; left out, that of the library's of this name"
+    )
+    specific_heat_J_kg_K: float | None = above(
+        0.0, 1.0e5, "specific heat capacity; left out, that of the library's of this name"
+    )
+    kind: Literal["bearing steel", "silicon nitride", "other"] | None = Field(
+        None,
+        description='for the rating life; left out, that of the library\'s of this name, or "other"',
+    )
+    source: str = key("case file", "where the numbers come from")
+
+
+def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[str, Material]:
+    """The named materials, the case's own before those of the library; modulus [Pa], density
+    [kg/m^3].
+    """
+    return {
+        name: _material(name, own[name]) if name in own else load_material(name) for name in names
+    }
+
+
+def _material(name: str, table: MaterialTable) -> Material:
+    """A material of the case; kind and thermal data of the library's where it has the name of one
+    [1/K, SI].
+    """
+    library = load_material(name) if matching_name(name, list_materials()) else None
+    si = table.si()
+    thermal = {
+        field: getattr(library, field) if library and si[field] is None else si[field]
+        for field in THERMAL
+    }
+    kind = library.kind if library else MaterialKind.OTHER
+    return Material(
+        name=name,
+        youngs_modulus=si["youngs_modulus"],
+        poisson_ratio=table.poisson_ratio,
+        density=table.density_kg_m3,
+        source=table.source,
+        kind=MaterialKind(table.kind) if table.kind else kind,
+        **thermal,
+    )
+
+
+def material_table(material: Material) -> dict[str, Any]:
+    """A material as a [materials.NAME] table: youngs_modulus_GPa [GPa], density_kg_m3 [kg/m^3]."""
+    keys = {
+        "youngs_modulus": "youngs_modulus_GPa",
+        "poisson_ratio": "poisson_ratio",
+        "density": "density_kg_m3",
+        **THERMAL,
+    }
+    numbers = {key: from_si(key, getattr(material, field)) for field, key in keys.items()}
+    given = {key: rounded(value) for key, value in numbers.items() if value is not None}
+    return {**given, "kind": material.kind.value, "source": material.source}

@@ -1,0 +1,141 @@
+"""[operation] and [model]: speeds, loads, displacements, and assumptions of the bearing model."""
+
+from collections.abc import Iterator
+from typing import Any, Literal
+
+from bearing.operation import BallKinematics, Curvature, Model, Operation
+
+from .fields import (
+    FORCE_MAXIMUM,
+    FREE_WORD,
+    SPEED_MAXIMUM,
+    Displacement,
+    Force,
+    Moment,
+    Table,
+    Tilt,
+    between,
+    key,
+)
+from .friction import FrictionTable
+from .problems import CaseFault, shown
+from .rules import CaseValues, Excludes
+
+
+class OperationTable(Table):
+    """Speeds, loads or displacements of the inner ring, temperature."""
+
+    inner_speed_rpm: float = between(
+        -SPEED_MAXIMUM, SPEED_MAXIMUM, "speed of the inner ring", default=0.0
+    )
+    outer_speed_rpm: float = between(
+        -SPEED_MAXIMUM, SPEED_MAXIMUM, "speed of the outer ring", default=0.0
+    )
+    radial_load_N: float | None = between(
+        -FORCE_MAXIMUM, FORCE_MAXIMUM, "force on the inner ring along +y, the load line"
+    )
+    axial_load_N: float | None = between(
+        -FORCE_MAXIMUM, FORCE_MAXIMUM, "force on the inner ring along +x"
+    )
+    force_N: Force | None = key(None, "[fx, fy, fz] instead of radial and axial load")
+    moment_N_mm: Moment | None = key(None, "[my, mz]; the ring is then free to tilt")
+    displacement_um: Displacement | None = key(
+        None, '[x, y, z] of the inner ring instead of a load; "free" where the load decides'
+    )
+    tilt_mrad: Tilt | None = key(
+        None, '[about y, about z] of the inner ring; "free" where the moment decides'
+    )
+    tilt: Literal["held", "free"] | None = key(None, "without tilt_mrad: held at zero, or free")
+    temperature_C: float = between(
+        -100.0, 500.0, "temperature of the oil in the contacts", default=40.0
+    )
+
+
+class ModelTable(Table):
+    """Assumptions of the bearing model."""
+
+    ball_kinematics: Literal[
+        "half and half", "outer race control", "inner race control", "traction equilibrium"
+    ] = key(
+        "half and half",
+        "what fixes the balls' axis of rotation; left out with friction.traction, traction equilibrium",
+    )
+    curvature: Literal["operating", "free"] = key(
+        "operating", "contact angle at which the curvatures of the contacts are taken"
+    )
+
+
+RELATIONS = (
+    Excludes("operation.radial_load_N", "operation.force_N"),
+    Excludes("operation.axial_load_N", "operation.force_N"),
+    Excludes("operation.tilt", "operation.tilt_mrad"),
+)
+
+
+def operation_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """A load or a displacement for each direction, a moment or a tilt about each axis, once."""
+    force = values.get("operation", "force_N") or (
+        values.get("operation", "axial_load_N"),
+        values.get("operation", "radial_load_N"),
+        None,
+    )
+    displacement = values.get("operation", "displacement_um") or ()
+    for direction, fixed, load in zip("xyz", displacement, force, strict=False):
+        if fixed != FREE_WORD and load:
+            found = f"found a displacement along {direction} together with a load of {shown(load)} N along {direction}"
+            yield _given_twice("displacement_um", found, "load")
+    moment = values.get("operation", "moment_N_mm") or ()
+    if values.get("operation", "tilt") == "held" and any(moment):
+        found = 'found "held" together with a moment'
+        allowed = 'allowed: "free", or no moment'
+        yield CaseFault(path=("operation", "tilt"), found=found, allowed=allowed)
+    angles = values.get("operation", "tilt_mrad") or ()
+    for axis, angle, load in zip("yz", angles, moment, strict=False):
+        if angle != FREE_WORD and load:
+            found = f"found a tilt about {axis} together with a moment of {shown(load)} N mm about {axis}"
+            yield _given_twice("tilt_mrad", found, "moment")
+
+
+def _given_twice(name: str, found: str, load: str) -> CaseFault:
+    allowed = f'allowed: one of them; "{FREE_WORD}" in {name} where the {load} decides'
+    return CaseFault(path=("operation", name), found=found, allowed=allowed)
+
+
+def operation(table: OperationTable) -> Operation:
+    """Speeds [rad/s], temperature [K], and per degree of freedom a load [N, N m] or a displacement
+    [m, rad].
+    """
+    si = table.si()
+    free = table.tilt == FREE_WORD or table.moment_N_mm is not None
+    displacement = _fixed(si["displacement"] or (FREE_WORD,) * 3)
+    tilt = _fixed(si["tilt_mrad"] or ((FREE_WORD,) * 2 if free else (0.0,) * 2))
+    force = si["force"] or (si["axial_load"] or 0.0, si["radial_load"] or 0.0, 0.0)
+    return Operation(
+        inner_speed=si["inner_speed"],
+        outer_speed=si["outer_speed"],
+        temperature=si["temperature"],
+        force=_loads(force, displacement),
+        moment=_loads(si["moment"] or (0.0, 0.0), tilt),
+        displacement=displacement,
+        tilt=tilt,
+    )
+
+
+def _fixed(entries: tuple[Any, ...]) -> Any:
+    """Displacements, None where the load decides."""
+    return tuple(None if entry == FREE_WORD else entry for entry in entries)
+
+
+def _loads(loads: tuple[float, ...], fixed: tuple[float | None, ...]) -> Any:
+    """Loads, None where the displacement is given."""
+    return tuple(load if at is None else None for load, at in zip(loads, fixed, strict=True))
+
+
+def model(table: ModelTable, friction: FrictionTable) -> Model:
+    """Assumptions of the bearing model [-]; traction equilibrium where only a traction is given."""
+    named = friction.traction is not None and "ball_kinematics" not in table.model_fields_set
+    kinematics = BallKinematics(table.ball_kinematics)
+    return Model(
+        ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM if named else kinematics,
+        curvature=Curvature(table.curvature),
+    )

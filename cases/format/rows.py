@@ -1,0 +1,132 @@
+"""[[rows]]: rows of balls on one inner ring, and the balls whose films are wanted."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import combinations
+from typing import Any, Literal
+
+from pydantic import Field
+
+from bearing.geometry import Bearing
+from bearing.operation import Curvature, Model
+from bearing.rows import Row
+from bearing.studies.preload import preloaded_row
+from ehl.units import to_si
+
+from .fields import FORCE_MAXIMUM, LENGTH_MAXIMUM, Table, between, is_number
+from .problems import CaseFault, shown
+from .rules import CaseValues
+
+
+class RowTable(Table):
+    """One row of balls, all like [bearing]; left out there is one. Pairs: back to back, face to
+    face, tandem.
+    """
+
+    axial_position_mm: float = between(
+        -LENGTH_MAXIMUM,
+        LENGTH_MAXIMUM,
+        "middle of the row from the point where loads act",
+        default=...,
+    )
+    loaded_by: Literal["+x", "-x"] = Field(description="push of the inner ring that loads the row")
+    preload_N: float | None = between(
+        0.0, FORCE_MAXIMUM, "axial force of the row at rest, inner ring in its place"
+    )
+    preload_um: float | None = between(
+        -1.0e4, 1.0e4, "or displacement beyond first touch; negative leaves play"
+    )
+    first_ball_azimuth_deg: float | None = between(
+        -360.0, 360.0, "azimuth of its first ball; left out, that of [bearing]"
+    )
+
+
+AZIMUTH_AGREEMENT_DEG = 0.05  # a ball's azimuth in film_maps may be rounded to a tenth
+
+
+def _row_tables(values: CaseValues) -> list[dict[str, Any]]:
+    """The tables of [[rows]], none if there are none or the list is faulty."""
+    tables = values.get("rows")
+    tables = tables if isinstance(tables, list) else []
+    return [table for table in tables if isinstance(table, dict)]
+
+
+def row_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """One preload a row; rows at least a ball diameter apart; no slip maps of several rows."""
+    tables = _row_tables(values)
+    for index, table in enumerate(tables):
+        if "preload_N" in table and "preload_um" in table:
+            path = ("rows", index, "preload_um")
+            found = "found together with preload_N"
+            yield CaseFault(path=path, found=found, allowed="allowed: one of them")
+    diameter = values.get("bearing", "ball_diameter_mm")
+    for (_, one), (index, other) in combinations(enumerate(tables), 2):
+        there, here = (table.get("axial_position_mm") for table in (one, other))
+        if diameter is None or not all(isinstance(x, int | float) for x in (here, there)):
+            continue
+        if abs(here - there) < diameter:
+            path = ("rows", index, "axial_position_mm")
+            allowed = f"allowed: at least a ball diameter, {diameter:g} mm, from every other row"
+            yield CaseFault(path=path, found=f"found {shown(here)}", allowed=allowed)
+    if tables and values.given("slip"):
+        found = "found together with [[rows]]"
+        yield CaseFault(path=("slip",), found=found, allowed="allowed: slip maps of a single row")
+    yield from _film_map_faults(values)
+
+
+def _film_map_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """Azimuths at which there are balls."""
+    wanted, balls = values.get("ehl", "film_maps"), values.get("bearing", "balls")
+    name = "first_ball_azimuth_deg"
+    first = values.get("bearing", name) if values.given("bearing", name) else 0.0
+    if wanted is None or isinstance(wanted, str) or balls is None or first is None:
+        return
+    starts = [table.get(name, first) for table in _row_tables(values)] or [first]
+    azimuths = tuple(x for start in starts if is_number(start) for x in ball_azimuths(balls, start))
+    for azimuth in wanted:
+        if ball_at(azimuth, azimuths) is None:
+            nearest = min(azimuths, key=lambda other: _apart(azimuth, other))  # noqa: B023
+            found = f"found {shown(azimuth)}, where no ball is"
+            allowed = f"allowed: azimuths of balls; the nearest is {nearest:.6g}"
+            yield CaseFault(path=("ehl", "film_maps"), found=found, allowed=allowed)
+
+
+def ball_azimuths(balls: int, first: float) -> tuple[float, ...]:
+    """Azimuths of the balls from the load line [deg], 0 to 360."""
+    return tuple((first + 360.0 * k / balls) % 360.0 for k in range(balls))
+
+
+def ball_at(azimuth: float, azimuths: tuple[float, ...]) -> int | None:
+    """Index [-] of the ball at `azimuth` [deg], None if there is none."""
+    for index, other in enumerate(azimuths):
+        if _apart(azimuth, other) <= AZIMUTH_AGREEMENT_DEG:
+            return index
+    return None
+
+
+def _apart(first: float, second: float) -> float:
+    return abs((first - second + 180.0) % 360.0 - 180.0)
+
+
+def rows(
+    tables: tuple[RowTable, ...] | None, delivered: Bearing, curvature: Curvature
+) -> tuple[Row, ...] | None:
+    """Rows with positions and offsets [m], set with the clearance as delivered; None without
+    [[rows]].
+    """
+    if tables is None:
+        return None
+    at_rest = Model(curvature=curvature)  # where nothing turns, no kinematics counts
+    result = []
+    for table in tables:
+        azimuth = table.si()["first_ball_azimuth"]
+        row = preloaded_row(
+            delivered,
+            table.si()["axial_position"],
+            1 if table.loaded_by == "+x" else -1,
+            preload_force=table.preload_N or 0.0,
+            preload_displacement=to_si("preload_um", table.preload_um or 0.0),
+            model=at_rest,
+        )
+        result.append(row if azimuth is None else replace(row, first_ball_azimuth=azimuth))
+    return tuple(result)

@@ -1,0 +1,191 @@
+"""Relations between the keys of a case file, as data, and their one checker.
+
+A rule looks only at values that are valid by themselves, so that every error of a file is found at
+once.
+"""
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+from .problems import MISSING, CaseFault, nearest_name, shown
+from .toml_lines import Path
+
+
+@dataclass(frozen=True, slots=True)
+class CaseValues:
+    """The values of a document that are valid by themselves."""
+
+    document: dict[str, Any]
+    faulty: frozenset[Path] = frozenset()
+
+    def get(self, *path: str) -> Any:
+        """The value at `path`; None if it is left out or faulty."""
+        node: Any = self.document
+        for depth, key in enumerate(path, 1):
+            if path[:depth] in self.faulty or not isinstance(node, dict) or key not in node:
+                return None
+            node = node[key]
+        return node
+
+    def given(self, *path: str) -> bool:
+        """Whether the key stands in the document, valid or not."""
+        node: Any = self.document
+        for key in path:
+            if not isinstance(node, dict) or key not in node:
+                return False
+            node = node[key]
+        return True
+
+
+@dataclass(frozen=True, slots=True)
+class KnownNames:
+    """The names a case may use."""
+
+    materials: tuple[str, ...]
+    lubricants: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Where:
+    """A key that is given, or has a value; with `nonzero`, a number other than zero."""
+
+    key: str
+    value: str | None = None
+    nonzero: bool = False
+    default: str | None = None  # value of a key that is left out of a table that is given
+
+    def holds(self, values: CaseValues) -> bool:
+        """Whether a document is like this."""
+        path = _path(self.key)
+        if self.value is not None:
+            found = values.get(*path)
+            left_out = values.given(path[0]) and not values.given(*path)
+            return bool((self.default if left_out else found) == self.value)
+        return bool(values.get(*path)) if self.nonzero else values.given(*path)
+
+    def text(self, table: str = "") -> str:
+        """The condition in words, without the name of the table it is read in."""
+        key = self.key.removeprefix(f"{table}.")
+        return key if self.value is None else f"{key} = {shown(self.value)}"
+
+
+class Relation(Protocol):
+    """Something that keys must satisfy together."""
+
+    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
+        """The faults of a document."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Excludes:
+    """Two keys of which a file gives one at most; the fault stands at the first."""
+
+    key: str
+    other: str
+    allowed: str = "one of them"
+
+    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
+        """At the first key, where both are given."""
+        path = _path(self.key)
+        if values.given(*path) and values.given(*_path(self.other)):
+            found = f"found together with {self.other.removeprefix(f'{path[0]}.')}"
+            yield CaseFault(path=path, found=found, allowed=f"allowed: {self.allowed}")
+
+
+@dataclass(frozen=True, slots=True)
+class Needs:
+    """A key, or a table, that must be given where another one is."""
+
+    key: str
+    where: Where
+    allowed: str = ""
+
+    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
+        """At the key, where it is left out."""
+        path = _path(self.key)
+        if self.where.holds(values) and not values.given(*path):
+            allowed = self.allowed or f"needed with {self.where.text(path[0])}"
+            yield CaseFault(path=path, found=MISSING, allowed=allowed)
+
+
+@dataclass(frozen=True, slots=True)
+class OnlyWith:
+    """A key without effect but where one of the others is given; its `default` may stay."""
+
+    key: str
+    wheres: tuple[Where, ...]
+    default: Any = None
+
+    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
+        """At the key, where it is given without the others."""
+        path = _path(self.key)
+        value = values.get(*path)
+        if value in (None, self.default) or any(where.holds(values) for where in self.wheres):
+            return
+        found = f"found without {' or '.join(where.text(path[0]) for where in self.wheres)}"
+        allowed = f"allowed: with {' or '.join(where.text() for where in self.wheres)}"
+        yield CaseFault(path=path, found=found, allowed=allowed)
+
+
+@dataclass(frozen=True, slots=True)
+class Below:
+    """A number below another one; `fault_at` names the key that the fault stands at."""
+
+    low: str
+    high: str
+    fault_at: str
+    low_default: float | None = None
+    high_default: float | None = None
+
+    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
+        """At one of the keys, where the first is not below the second."""
+        low = _number(values, self.low, self.low_default)
+        high = _number(values, self.high, self.high_default)
+        if low is None or high is None or low < high:
+            return
+        side, other = ("below", self.high) if self.fault_at == self.low else ("above", self.low)
+        value, bound = (low, high) if side == "below" else (high, low)
+        path = _path(self.fault_at)
+        if values.get(*path) is not None:
+            allowed = f"allowed: {side} {other.removeprefix(f'{path[0]}.')} = {bound:g}"
+            yield CaseFault(path=path, found=f"found {value:g}", allowed=allowed)
+
+
+def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterator[CaseFault]:
+    """The faults of all relations; of a missing key the first reason."""
+    missing: set[Path] = set()
+    for relation in relations:
+        for fault in relation.faults(values):
+            if fault.found != MISSING or fault.path not in missing:
+                yield fault
+            if fault.found == MISSING:
+                missing.add(fault.path)
+
+
+def bounded(
+    values: CaseValues, path: tuple[str, ...], fits: Callable[[Any], bool], allowed: str
+) -> Iterator[CaseFault]:
+    """A fault where the value at `path` is given and does not fit."""
+    value = values.get(*path)
+    if value is not None and not fits(value):
+        yield CaseFault(path=path, found=f"found {shown(value)}", allowed=f"allowed: {allowed}")
+
+
+def known(path: Path, name: object, names: tuple[str, ...]) -> Iterator[CaseFault]:
+    """A fault where a name is none of those known."""
+    if isinstance(name, str) and name not in names:
+        nearest = nearest_name(name, names)
+        allowed = "" if nearest else f"allowed: {', '.join(names)}"
+        found = f"unknown name {shown(name)}"
+        yield CaseFault(path=path, found=found, allowed=allowed, nearest=nearest)
+
+
+def _path(key: str) -> tuple[str, ...]:
+    return tuple(key.split("."))
+
+
+def _number(values: CaseValues, key: str, default: float | None) -> float | None:
+    path = _path(key)
+    return values.get(*path) if values.given(*path) else default
