@@ -8,7 +8,7 @@ from bearing.geometry import Bearing, contact_angle_to_clearance
 from bearing.material import Material
 from bearing.operation import RatingInput
 from bearing.torque.skf import Series, skf_series
-from ehl.units import MICROMETRE, MILLIMETRE, to_si
+from ehl.units import MICROMETRE
 
 from .fields import Name, Table, above, between, key, length
 from .problems import MISSING, CaseFault, shown
@@ -109,7 +109,7 @@ def bearing_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]
     yield from _series_faults(values)
     for name in ("ring_material", *RING_MATERIALS, "ball_material"):
         yield from known(("bearing", name), values.get("bearing", name), names.materials)
-    if values.given("temperatures", "cage_C"):
+    if values.given("temperatures", "cage_C") or values.given("dynamics"):
         material = values.get("bearing", "cage_material")
         yield from known(("bearing", "cage_material"), material, names.materials)
 

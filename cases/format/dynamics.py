@@ -1,58 +1,12 @@
 """[dynamics]: the time simulation."""
 
-from typing import Annotated, Any, Literal
+from collections.abc import Iterator
+from typing import Literal
 
-from pydantic import BeforeValidator, Field, WithJsonSchema
-from pydantic_core import PydanticCustomError
-
-from .fields import FORCE_MAXIMUM, SPEED_MAXIMUM, Table, is_number
-
-ROWS_MAXIMUM = 10000  # of a table over time
-
-
-def _over_time(columns: int, limit: float) -> BeforeValidator:
-    allowed = f"rows of {columns} numbers, the first a rising time [s] from 0, the others from {-limit:g} to {limit:g}"
-
-    def check(value: object) -> tuple[tuple[float, ...], ...]:
-        rows = tuple(value) if isinstance(value, list | tuple) else ()
-        fine = 0 < len(rows) <= ROWS_MAXIMUM and all(
-            isinstance(row, list | tuple)
-            and len(row) == columns
-            and all(is_number(x) for x in row)
-            for row in rows
-        )
-        times = [row[0] for row in rows] if fine else []
-        rising = (
-            bool(times)
-            and times[0] == 0.0
-            and all(a < b for a, b in zip(times, times[1:], strict=False))
-        )
-        if not rising or any(abs(x) > limit for row in rows for x in row[1:]):
-            raise PydanticCustomError("choice", "{allowed}", {"allowed": allowed})
-        return tuple(tuple(float(x) for x in row) for row in rows)
-
-    return BeforeValidator(check)
-
-
-def _check_gravity(value: object) -> tuple[float, ...]:
-    parts = tuple(value) if isinstance(value, list | tuple) else ()
-    if len(parts) != 3 or not all(is_number(x) and abs(x) <= 1e6 for x in parts):
-        raise PydanticCustomError("choice", "three numbers, [x, y, z]")
-    return tuple(float(x) for x in parts)
-
-
-def _schema(columns: int) -> WithJsonSchema:
-    row = {"type": "array", "items": {"type": "number"}, "minItems": columns, "maxItems": columns}
-    return WithJsonSchema({"type": "array", "items": row, "minItems": 1})
-
-
-SpeedTable = Annotated[Any, _over_time(2, SPEED_MAXIMUM), _schema(2)]
-LoadTable = Annotated[Any, _over_time(4, FORCE_MAXIMUM), _schema(4)]
-Vector = Annotated[
-    Any,
-    BeforeValidator(_check_gravity),
-    WithJsonSchema({"type": "array", "items": {"type": "number"}, "minItems": 3, "maxItems": 3}),
-]
+from .fields import Gravity, LoadTable, SpeedTable, Table, above, between, key
+from .friction import SIMULATED, FrictionTable
+from .problems import CaseFault
+from .rules import Below, CaseValues, Excludes
 
 
 class DynamicsTable(Table):
@@ -98,16 +52,6 @@ class DynamicsTable(Table):
     friction_on: Literal["ellipse", "centre"] = key(
         "ellipse", "a coefficient counts over the Hertz ellipse, or at its centre alone"
     )
-    friction_maximum: float = above(
-        0.0, 1.0, "four constants: largest coefficient kappa_max", default=0.05
-    )
-    friction_maximum_slide: float = above(
-        0.0, 10.0, "four constants: slide-roll ratio of it", default=0.03
-    )
-    friction_limit: float = between(
-        0.0, 1.0, "four constants: coefficient at large slide", default=0.03
-    )
-    friction_coefficient: float = between(0.0, 1.0, "coulomb: mu", default=0.05)
     friction_dead_band_m_s: float = between(
         0.0, 100.0, "coulomb: v0, no friction below", default=0.0
     )
@@ -119,7 +63,7 @@ class DynamicsTable(Table):
         0.0, 2.0e4, "of oil and air, for the drag of the balls instead of ball_drag_N"
     )
     drag_coefficient: float = between(0.0, 10.0, "of a ball in the mixture", default=0.47)
-    gravity_m_s2: Vector = key((0.0, 0.0, 0.0), "[x, y, z]")
+    gravity_m_s2: Gravity = key((0.0, 0.0, 0.0), "[x, y, z]")
     ring_mass_kg: float | None = above(
         0.0, 1.0e6, "inner ring and what turns with it; left out, of the ring alone"
     )
@@ -135,3 +79,52 @@ class DynamicsTable(Table):
     tolerance: float = between(
         1.0e-8, 1.0e-2, "of a step, in units of contact approach", default=1.0e-4
     )
+
+
+LARGEST_HISTORY = 2_000_000  # rows
+SAMPLES = 2000  # of a history by default
+RENAMED = {  # earlier keys, accepted for one version, and those of [friction] in their place
+    "friction_maximum": "traction_maximum",
+    "friction_maximum_slide": "traction_maximum_slide",
+    "friction_limit": "traction_limit",
+    "friction_coefficient": "coefficient",
+}
+LAW_OF = {name: "coulomb" if name == "coefficient" else "four constants" for name in SIMULATED}
+RELATIONS = (
+    Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),
+    Below(
+        "dynamics.friction_dead_band_m_s",
+        "dynamics.friction_full_m_s",
+        "dynamics.friction_full_m_s",
+        low_default=0.0,
+    ),
+)
+
+
+def dynamics_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """A history of bearable length; tables for a lubricated contact."""
+    end = values.get("dynamics", "end_time_s")
+    interval = values.get("dynamics", "output_interval_us")
+    if end is not None and interval is not None and end > LARGEST_HISTORY * interval * 1e-6:
+        path = ("dynamics", "output_interval_us")
+        allowed = f"allowed: at least {end / LARGEST_HISTORY * 1e6:.3g}, {LARGEST_HISTORY} rows"
+        yield CaseFault(path=path, found=f"found {interval:g}", allowed=allowed)
+    lubricated = values.get("dynamics", "contact_law") == "lubricated"
+    if lubricated and values.get("dynamics", "friction") != "table":
+        path = ("dynamics", "contact_law")
+        allowed = 'needed: friction = "table", which holds film and damping'
+        yield CaseFault(path=path, found='found "lubricated"', allowed=allowed)
+
+
+def sample_interval(table: DynamicsTable) -> float:
+    """Time between rows of the history [s]."""
+    interval = table.si()["output_interval"]
+    if interval is None:
+        return table.end_time_s / SAMPLES
+    return float(min(interval, table.end_time_s))
+
+
+def simulated_friction(table: FrictionTable) -> dict[str, float]:
+    """The four constants and Coulomb's mu of a simulation [-], by their keys in [friction]."""
+    given = {name: getattr(table, name) for name in SIMULATED}
+    return {name: SIMULATED[name] if x is None else x for name, x in given.items()}

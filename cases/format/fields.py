@@ -1,6 +1,7 @@
 """Types, ranges and checks of single values, from which the tables of a case file are made."""
 
 from collections.abc import Callable
+from functools import cache
 from math import isfinite
 from typing import Annotated, Any
 
@@ -34,8 +35,17 @@ class Table(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
 
     def si(self) -> dict[str, Any]:
-        """Values in SI, by their keys without units."""
-        return {without_unit(key).replace(" ", "_"): _si(key, value) for key, value in self}
+        """Values in SI, by their keys without units; keys that differ in the unit only stay whole."""
+        names = [_without_unit(key) for key, _ in self]
+        return {
+            name if names.count(name) == 1 else key: _si(key, value)
+            for name, (key, value) in zip(names, self, strict=True)
+        }
+
+
+@cache
+def _without_unit(key: str) -> str:
+    return without_unit(key).replace(" ", "_")
 
 
 def _si(key: str, value: Any) -> Any:

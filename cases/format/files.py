@@ -1,15 +1,26 @@
-"""A case file as a whole: which tables it has."""
+"""A case file as a whole: its tables, and all their rules."""
 
-from pydantic import Field
+from collections.abc import Callable, Iterator
+from itertools import chain
+from typing import Any
 
-from .bearing import BearingTable, FitTable, MaterialTable, SurfaceTable, TemperaturesTable
+from pydantic import Field, PrivateAttr
+
+from . import bearing, cage, contact, dynamics, fits, friction, lubricant, operation, rows
+from .bearing import BearingTable, SurfaceTable
+from .cage import CageTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .dynamics import DynamicsTable
 from .fields import Table
-from .friction import CageTable, FrictionTable
+from .fits import FitTable, TemperaturesTable
+from .friction import FrictionTable
 from .lubricant import LubricantTable, OilTable
-from .operation import ModelTable, OperationTable, SlipTable
+from .materials import MaterialTable
+from .operation import ModelTable, OperationTable
+from .problems import CaseFault
 from .rows import RowTable
+from .rules import CaseValues, KnownNames, Relation, relation_faults
+from .slip import SlipTable
 
 
 class CaseFile(Table):
@@ -23,6 +34,16 @@ class CaseFile(Table):
     )
     lubricant: LubricantTable
     materials: dict[str, MaterialTable] = Field({}, description="materials by name")
+    _notes: tuple[str, ...] = PrivateAttr(())  # on keys of an older version
+
+    def model_post_init(self, context: Any) -> None:
+        """Keep the notes that the file was read with."""
+        self._notes = tuple(context or ())
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was read in another way than it is written."""
+        return self._notes
 
 
 class BearingFile(CaseFile):
@@ -55,3 +76,37 @@ class ContactFile(CaseFile):
     contact: ContactTable
     ehl: ContactEhlTable = ContactEhlTable()
     lubricants: dict[str, OilTable] = Field({}, description="oils by name")
+
+
+OF_BOTH: tuple[Relation, ...] = lubricant.RELATIONS
+OF_BEARINGS: tuple[Relation, ...] = (
+    *bearing.RELATIONS,
+    *fits.RELATIONS,
+    *operation.RELATIONS,
+    *friction.RELATIONS,
+    *dynamics.RELATIONS,
+)
+BEARING_FAULTS: tuple[Callable[[CaseValues], Iterator[CaseFault]], ...] = (
+    operation.operation_faults,
+    rows.row_faults,
+    cage.cage_faults,
+    friction.friction_faults,
+    dynamics.dynamics_faults,
+)
+
+
+def bearing_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
+    """Every conflict within a bearing case."""
+    yield from relation_faults((*OF_BOTH, *OF_BEARINGS), values)
+    yield from bearing.bearing_faults(values, names)
+    yield from fits.fit_faults(values, names)
+    yield from lubricant.lubricant_faults(values, names)
+    yield from chain.from_iterable(faults(values) for faults in BEARING_FAULTS)
+
+
+def contact_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
+    """Every conflict within a single-contact case."""
+    yield from relation_faults((*OF_BOTH, *contact.RELATIONS), values)
+    yield from contact.contact_faults(values, names)
+    yield from lubricant.lubricant_faults(values, names)
+    yield from contact.film_model_faults(values)

@@ -2,9 +2,11 @@
 heat.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 
+from bearing.material import Material
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from ehl.generalized.solver import solve_generalized
 from ehl.oil.rheology import Rheology
@@ -53,3 +55,33 @@ class FilmPhysics:
 
 
 NEWTONIAN = FilmPhysics()
+
+
+def film_physics(
+    name: str, shear: Rheology | None, bodies: Sequence[Material] = ()
+) -> FilmPhysics:
+    """Film model, with the thermal properties of ball and race where it needs them, SI.
+
+    Raises
+    ------
+    ValueError
+        If the film has heat and a body has no thermal properties.
+    """
+    model = FilmModel(name)
+    if model is not FilmModel.THERMAL:
+        return FilmPhysics(model=model, rheology=shear)
+    ball, race = map(_solid, bodies)
+    return FilmPhysics(model=model, rheology=shear, solids=(ball, race))
+
+
+def _solid(body: Material) -> SolidThermal:
+    if body.thermal_conductivity is None or body.specific_heat is None:
+        raise ValueError(
+            f"materials.{body.name}: thermal_conductivity_W_m_K and specific_heat_J_kg_K are needed with "
+            'ehl.film_model = "thermal"'
+        )
+    return SolidThermal(
+        conductivity=body.thermal_conductivity,
+        density=body.density,
+        specific_heat=body.specific_heat,
+    )

@@ -3,8 +3,14 @@
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from bearing.fits.cage import cage_clearance
-from bearing.fits.clearance import CageClearance, ClearanceBudget, Fit, Warming, clearance_budget
+from bearing.fits.clearance import (
+    CageClearance,
+    ClearanceBudget,
+    Fit,
+    TemperatureRise,
+    cage_clearance,
+    clearance_budget,
+)
 from bearing.geometry import Bearing, Race
 from bearing.material import Material
 from bearing.operation import Operation
@@ -94,7 +100,7 @@ def fit(table: FitTable | None, materials: Mapping[str, Material]) -> Fit | None
     )
 
 
-def warming(table: TemperaturesTable | None) -> Warming | None:
+def temperature_rise(table: TemperaturesTable | None) -> TemperatureRise | None:
     """Rise of the parts above the temperature of measurement [K]."""
     if table is None:
         return None
@@ -105,7 +111,7 @@ def warming(table: TemperaturesTable | None) -> Warming | None:
         "shaft": table.inner_ring_C if table.shaft_C is None else table.shaft_C,
         "housing": table.outer_ring_C if table.housing_C is None else table.housing_C,
     }
-    return Warming(**{part: value - table.reference_C for part, value in parts.items()})
+    return TemperatureRise(**{part: value - table.reference_C for part, value in parts.items()})
 
 
 def in_operation(
@@ -120,7 +126,7 @@ def in_operation(
     """
     if seats is None and temperatures is None:
         return given, None
-    budget = clearance_budget(given, operation, seats, warming(temperatures))
+    budget = clearance_budget(given, operation, seats, temperature_rise(temperatures))
     if temperatures is not None:
         budget = replace(budget, cage=cage)
     return replace(given, diametral_clearance=budget.operating), budget
@@ -135,7 +141,7 @@ def heated_cage(
     """Thermal change of the clearances of the cage [m], with its guiding race and land diameter
     [m]; None without its temperature.
     """
-    rises = warming(temperatures)
+    rises = temperature_rise(temperatures)
     if temperatures is None or rises is None or temperatures.cage_C is None or material is None:
         return None
     rise = temperatures.cage_C - temperatures.reference_C

@@ -48,7 +48,7 @@ class UnfitKey(ValueError):  # noqa: N818
     """
 
     def __init__(self, path: Path, found: str, allowed: str = "") -> None:
-        self.problem = CaseFault(path=path, found=found, allowed=allowed)
+        self.fault = CaseFault(path=path, found=found, allowed=allowed)
         super().__init__(f"{dotted(path)}: {found}")
 
 

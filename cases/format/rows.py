@@ -11,7 +11,6 @@ from bearing.geometry import Bearing
 from bearing.operation import Curvature, Model
 from bearing.rows import Row
 from bearing.studies.preload import preloaded_row
-from ehl.units import to_si
 
 from .fields import FORCE_MAXIMUM, LENGTH_MAXIMUM, Table, between, is_number
 from .problems import CaseFault, shown
@@ -119,13 +118,14 @@ def rows(
     at_rest = Model(curvature=curvature)  # where nothing turns, no kinematics counts
     result = []
     for table in tables:
-        azimuth = table.si()["first_ball_azimuth"]
+        si = table.si()
+        azimuth = si["first_ball_azimuth"]
         row = preloaded_row(
             delivered,
-            table.si()["axial_position"],
+            si["axial_position"],
             1 if table.loaded_by == "+x" else -1,
             preload_force=table.preload_N or 0.0,
-            preload_displacement=to_si("preload_um", table.preload_um or 0.0),
+            preload_displacement=si["preload_um"] or 0.0,
             model=at_rest,
         )
         result.append(row if azimuth is None else replace(row, first_ball_azimuth=azimuth))
