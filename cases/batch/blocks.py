@@ -7,10 +7,10 @@ from itertools import product
 from math import prod
 from typing import Any
 
-from ..format.problems import Problem, shown
+from ..format.fields import is_number
+from ..format.problems import CaseFault, shown
+from ..format.sweep import HypercubeOptions, SensitivityTable, SweepFile
 from ..format.toml_lines import Path
-from ..schema.fields import is_number
-from ..schema.sweep import HypercubeOptions, SensitivityTable, SweepFile
 
 MOST_POINTS = 100_000
 NAMED = ("materials", "lubricants")  # tables whose keys stand below a name
@@ -57,7 +57,7 @@ def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
     return settings
 
 
-def factorial(file: SweepFile) -> tuple[Iterator[Variation], int, list[Problem]]:
+def factorial(file: SweepFile) -> tuple[Iterator[Variation], int, list[CaseFault]]:
     """Combinations of the lists in [sweep], last key fastest, their number, and faults."""
     settings = block_settings(file.sweep, ("sweep",))
     problems = []
@@ -65,7 +65,7 @@ def factorial(file: SweepFile) -> tuple[Iterator[Variation], int, list[Problem]]
         if not isinstance(setting.value, list) or not setting.value:
             found = f"found {shown(setting.value)}"
             problems.append(
-                Problem(path=setting.where, found=found, allowed="allowed: a list of values")
+                CaseFault(path=setting.where, found=found, allowed="allowed: a list of values")
             )
     if problems or not settings:
         return iter(()), 0, problems
@@ -88,7 +88,7 @@ def listed(file: SweepFile) -> list[Variation]:
 
 def hypercube(
     table: dict[str, Any], options: HypercubeOptions, where: Path
-) -> tuple[list[Variation], list[Problem]]:
+) -> tuple[list[Variation], list[CaseFault]]:
     """Latin hypercube, McKay, Beckman and Conover (1979): each key takes each of its n strata
     once.
 
@@ -98,7 +98,7 @@ def hypercube(
         {key: value for key, value in table.items() if key not in OPTIONS}, where
     )
     problems = [
-        Problem(
+        CaseFault(
             path=s.where,
             found=f"found {shown(s.value)}",
             allowed="allowed: [first, last], two numbers, first < last",
@@ -108,7 +108,7 @@ def hypercube(
     ]
     if not settings:
         problems.append(
-            Problem(path=where, found="no keys", allowed="needed: keys with their [first, last]")
+            CaseFault(path=where, found="no keys", allowed="needed: keys with their [first, last]")
         )
     if problems:
         return [], problems
@@ -147,7 +147,7 @@ def _scaled(ends: list[float], share: float) -> float:
 
 def differences(
     table: SensitivityTable, keys: tuple[str, ...], values: dict[str, Any]
-) -> tuple[list[Variation], list[str], list[Problem]]:
+) -> tuple[list[Variation], list[str], list[CaseFault]]:
     """The case itself, and each key by itself down and up; what was left out, and what is wrong.
 
     Parameters
@@ -171,9 +171,11 @@ def differences(
             notes.append(f"sensitivity: {key} left out, {reason}")
         else:
             allowed = "allowed: keys of the case with a number that is not 0"
-            problems.append(Problem(path=where, found=f"{key} = {shown(value)}", allowed=allowed))
+            problems.append(
+                CaseFault(path=where, found=f"{key} = {shown(value)}", allowed=allowed)
+            )
     if len(variations) == 1 and not problems:
         problems.append(
-            Problem(path=where, found="no key to vary", allowed="needed: a list of keys")
+            CaseFault(path=where, found="no key to vary", allowed="needed: a list of keys")
         )
     return variations, notes, problems

@@ -21,11 +21,11 @@ from postprocess.slip.results import slip_summary
 from postprocess.traction.results import traction_summary
 
 from ..format.case import Case, ContactCase
+from ..format.race_tables import made_for
 from ..runs.bearing import run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics
 from ..runs.films import Solve
-from ..runs.race_tables import made_for
 from ..runs.slip import run_slip
 from ..runs.traction_table import run_table
 from .points import Task

@@ -5,12 +5,12 @@ from collections.abc import Iterator
 from ehl.units import unit_of
 from postprocess.main_results import result_names
 
-from ..format.problems import Problem, nearest_name, shown
+from ..format.problems import CaseFault, nearest_name, shown
 
 MOST_PANELS = 3  # of a figure
 
 
-def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[Problem]:
+def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseFault]:
     """What is wrong with the names of numbers to draw.
 
     Parameters
@@ -27,11 +27,11 @@ def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[Problem]:
             nearest = next(
                 (whole for whole in known if whole.endswith(f".{name}")), nearest_name(name, known)
             )
-            yield Problem(
+            yield CaseFault(
                 path=("plot", k), found=f"found {shown(name)}", allowed=allowed, nearest=nearest
             )
         elif name in names[:k]:
-            yield Problem(
+            yield CaseFault(
                 path=("plot", k), found=f"found {shown(name)} twice", allowed="allowed: once"
             )
     units = [unit_of(name) for name in names]
@@ -41,4 +41,4 @@ def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[Problem]:
             f"{', '.join(unit or 'no unit' for unit in dict.fromkeys(units))}"
         )
         allowed = f"allowed: all in one unit, or up to {MOST_PANELS} in one unit each"
-        yield Problem(path=("plot",), found=found, allowed=allowed)
+        yield CaseFault(path=("plot",), found=found, allowed=allowed)

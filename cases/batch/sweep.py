@@ -8,11 +8,12 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from ..format.case import Case, ContactCase, case_of_file, check_document, parse, read_text
-from ..format.problems import CaseError, Problem, schema_problems, shown
+from ..format.case import Case, ContactCase, case_of_file
+from ..format.document import check_document, parse, read_text
+from ..format.problems import CaseError, CaseFault, schema_faults, shown
 from ..format.shipped import find_case, find_sweep
+from ..format.sweep import HypercubeOptions, SweepFile
 from ..format.toml_lines import Path, key_lines
-from ..schema.sweep import HypercubeOptions, SweepFile
 from ..version import version
 from .blocks import (
     MOST_POINTS,
@@ -77,7 +78,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         file = SweepFile.model_validate(document)
     except ValidationError as error:
         raise _error(
-            name, lines, schema_problems(error.errors(include_url=False), _schema())
+            name, lines, schema_faults(error.errors(include_url=False), _schema())
         ) from None
     case_file = _case_file(file.case, folder, name, lines)
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
@@ -138,17 +139,19 @@ def _table_file(
         reason = f"{file.table!r}: {error}"
         allowed = "allowed: a file that `oilfilm table` wrote"
     if reason is not None:
-        raise _error(*place, [Problem(path=("table",), found=reason, allowed=allowed)])
+        raise _error(*place, [CaseFault(path=("table",), found=reason, allowed=allowed)])
     return path
 
 
-def _foreign(reason: str, numbers: Sequence[int]) -> Problem:
+def _foreign(reason: str, numbers: Sequence[int]) -> CaseFault:
     """Tables of other bodies or another oil than some points have."""
     others = f" and {len(numbers) - 1} others" if len(numbers) > 1 else ""
     allowed = (
         "allowed: tables that `oilfilm table` made of the same bearing and oil, or table left out"
     )
-    return Problem(path=("table",), found=f"{reason}: point {numbers[0]}{others}", allowed=allowed)
+    return CaseFault(
+        path=("table",), found=f"{reason}: point {numbers[0]}{others}", allowed=allowed
+    )
 
 
 def _title(case: str, keys: tuple[str, ...]) -> str:
@@ -161,7 +164,7 @@ def _schema() -> dict[str, Any]:
     return SweepFile.model_json_schema()
 
 
-def _error(name: str, lines: dict[Path, int], problems: Iterable[Problem]) -> CaseError:
+def _error(name: str, lines: dict[Path, int], problems: Iterable[CaseFault]) -> CaseError:
     ordered = sorted(problems, key=lambda problem: problem.line_in(lines))
     return CaseError(dict.fromkeys(problem.text(name, lines) for problem in ordered))
 
@@ -174,13 +177,13 @@ def _case_file(case: str, folder: FilePath | None, name: str, lines: dict[Path, 
             return beside
         return find_case(case)
     except (CaseError, OSError, ValueError) as error:
-        problem = Problem(path=("case",), found=str(error).partition("\n")[0])
+        problem = CaseFault(path=("case",), found=str(error).partition("\n")[0])
         raise _error(name, lines, [problem]) from None
 
 
 def _variations(
     file: SweepFile, base: dict[str, Any]
-) -> tuple[list[Variation], list[str], list[Problem]]:
+) -> tuple[list[Variation], list[str], list[CaseFault]]:
     """The variations of all blocks, in the order of the format's description."""
     combinations, count, problems = factorial(file)
     cubes: list[tuple[dict[str, Any], HypercubeOptions, Path]] = []
@@ -194,11 +197,11 @@ def _variations(
                 {key: table[key] for key in OPTIONS if key in table}
             )
         except ValidationError as error:
-            wrong = schema_problems(
+            wrong = schema_faults(
                 error.errors(include_url=False), HypercubeOptions.model_json_schema()
             )
             problems += [
-                Problem(path=(*where, *p.path), found=p.found, allowed=p.allowed) for p in wrong
+                CaseFault(path=(*where, *p.path), found=p.found, allowed=p.allowed) for p in wrong
             ]
             continue
         cubes.append((table, options, where))
@@ -206,7 +209,7 @@ def _variations(
     count += len(file.combinations)
     if count > MOST_POINTS:
         problems.append(
-            Problem(
+            CaseFault(
                 path=(), line=1, found=f"{count} points", allowed=f"allowed: at most {MOST_POINTS}"
             )
         )
@@ -223,13 +226,13 @@ def _variations(
         problems += faults
     if not variations and not problems:
         allowed = "needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys"
-        problems.append(Problem(path=(), line=1, found="no points", allowed=allowed))
+        problems.append(CaseFault(path=(), line=1, found="no points", allowed=allowed))
     return variations, notes, problems
 
 
 def _sensitivity(
     file: SweepFile, base: dict[str, Any]
-) -> tuple[list[Variation], list[str], list[Problem]]:
+) -> tuple[list[Variation], list[str], list[CaseFault]]:
     assert file.sensitivity is not None  # checked before
     case, problems = _checked(base, "case")
     if case is None:
@@ -237,7 +240,7 @@ def _sensitivity(
             [],
             [],
             [
-                Problem(
+                CaseFault(
                     path=("sensitivity",),
                     found="the case itself cannot be run",
                     allowed=problems[0].found,
@@ -258,7 +261,7 @@ def _value(document: dict[str, Any], key: str) -> Any:
 
 def _checked(
     document: dict[str, Any], name: str
-) -> tuple[Case | ContactCase | None, list[Problem]]:
+) -> tuple[Case | ContactCase | None, list[CaseFault]]:
     """A document as a case, or what is wrong with it."""
     file, problems = check_document(document)
     if file is None or problems:
@@ -267,7 +270,7 @@ def _checked(
         return case_of_file(file, name), []
     except CaseError as error:
         return None, [*error.problems] or [
-            Problem(path=(), line=1, found=message) for message in error.messages
+            CaseFault(path=(), line=1, found=message) for message in error.messages
         ]
 
 
@@ -333,7 +336,7 @@ def _points(
     return tuple(points), common, examples
 
 
-def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Problem]:
+def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[CaseFault]:
     """Whether what is to be computed can be computed of this case."""
     wrong = None
     if file.compute != "run" and not isinstance(case, Case):
@@ -349,12 +352,12 @@ def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Pr
     ):
         wrong = "the case has several rows of balls"
     if wrong is not None:
-        yield Problem(
+        yield CaseFault(
             path=("compute",), found=f"point {number}: {wrong}", allowed='allowed: "run"'
         )
 
 
-def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[Problem]:
+def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseFault]:
     """A catalogue bearing or an oil varied by name, whose values the case itself overrides."""
     for variation in variations[:1] + variations[-1:]:
         for setting in variation.settings:
@@ -368,7 +371,7 @@ def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[Probl
             )
             if given:
                 found = f"the case itself gives {given[0]}, which overrides the library's"
-                yield Problem(
+                yield CaseFault(
                     path=setting.where,
                     found=found,
                     allowed=f"allowed with a case that names a {table} only",
@@ -376,8 +379,8 @@ def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[Probl
 
 
 def _located(
-    problems: Iterable[Problem], variation: Variation, fixed: Variation, number: int
-) -> Iterator[Problem]:
+    problems: Iterable[CaseFault], variation: Variation, fixed: Variation, number: int
+) -> Iterator[CaseFault]:
     """Faults of a point at the key of the sweep file that it varies or fixes."""
     settings = (*variation.settings, *fixed.settings)
     for problem in problems:
@@ -389,14 +392,14 @@ def _located(
                 if same or not problem.path
                 else f"{'.'.join(map(str, problem.path))}: {problem.found}"
             )
-            yield Problem(
+            yield CaseFault(
                 path=setting.where, found=found, allowed=problem.allowed, nearest=problem.nearest
             )
         else:
             values = ", ".join(f"{s.key} = {shown(s.value)}" for s in variation.settings)
             place = f"{'.'.join(map(str, problem.path))}: " if problem.path else ""
             found = f"point {number} ({values}): {place}{problem.found}"
-            yield Problem(
+            yield CaseFault(
                 path=("case",), found=found, allowed=problem.allowed, nearest=problem.nearest
             )
 

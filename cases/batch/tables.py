@@ -24,12 +24,12 @@ from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.table import TableRange
 
-from ..convert.operation import TRACTION_EQUILIBRIUM
-from ..format.case import Case, ContactCase, case_of_file, check_document
+from ..format.case import Case, ContactCase, case_of_file
+from ..format.document import check_document
 from ..format.problems import CaseError
+from ..format.race_tables import made_for, tables_of_file
 from ..runs.equilibrium import case_equilibrium
 from ..runs.films import cores
-from ..runs.race_tables import made_for, tables_of_file
 from ..version import version
 from .contact_cache import content_key
 from .points import Point, Sweep
@@ -56,7 +56,9 @@ def needs_tables(case: Case | ContactCase, compute: str) -> bool:
     if compute == "torque":
         return case.traction is None or isinstance(case.traction.source, FilmTraction)
     return (
-        compute == "dynamics" and case.dynamics is not None and case.dynamics.friction == "table"
+        compute == "dynamics"
+        and case.file.dynamics is not None
+        and case.file.dynamics.friction == "table"
     )
 
 
@@ -65,7 +67,10 @@ def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
     model = document.get("model", {})
     if "bearing" not in document or not isinstance(model, dict) or "ball_kinematics" in model:
         return document
-    return {**document, "model": {**model, "ball_kinematics": TRACTION_EQUILIBRIUM}}
+    return {
+        **document,
+        "model": {**model, "ball_kinematics": BallKinematics.TRACTION_EQUILIBRIUM.value},
+    }
 
 
 def bodies_and_oil(case: Case) -> str:

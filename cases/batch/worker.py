@@ -9,7 +9,8 @@ from pathlib import Path
 from time import perf_counter
 from typing import Any
 
-from ..format.case import case_of_file, check_document
+from ..format.case import case_of_file
+from ..format.document import check_document
 from ..format.problems import CaseError
 from ..version import version
 from .compute import Computed, compute

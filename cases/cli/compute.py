@@ -131,7 +131,7 @@ def stiffness(
     quiet: Quiet = False,
 ) -> int:
     """Stiffness of a bearing over speed, also as a bearing element for the rotor code ROSS."""
-    from ..convert.units import RPM
+    from ehl.units import RPM
 
     loaded = load_bearing(case, "a stiffness needs a bearing")
     directory = results_directory(case, output, as_json)

@@ -89,7 +89,7 @@ def _file(name: str) -> Path:
 
 def _check(name: str) -> None:
     """Check a case or a sweep; `CaseError` tells what is wrong."""
-    from ..format.case import SWEEP_TABLES, parse, read_text, validate_text
+    from ..format.document import SWEEP_TABLES, parse, read_text, validate_text
 
     path = _file(name)
     text = read_text(path)
@@ -111,7 +111,7 @@ def init(
     ] = "6208_full_ceramic",
 ) -> None:
     """Write a new case file to start from."""
-    from ..format.case import read_text
+    from ..format.document import read_text
 
     path = Path(name if name.endswith(".toml") else f"{name}.toml")
     text = read_text(_file(template))
@@ -131,7 +131,7 @@ def init(
 @guarded
 def schema() -> None:
     """Print the JSON Schema of case files, for editors."""
-    from ..format.case import json_schema
+    from ..format.document import json_schema
 
     print_lines(json.dumps(json_schema(), indent=2))
 

@@ -10,7 +10,7 @@ from bearing.operation import RatingInput
 from bearing.torque.skf import Series, skf_series
 from ehl.units import MICROMETRE
 
-from .fields import Name, Table, above, between, key, length
+from .fields import Name, Table, above, between, described, length
 from .problems import MISSING, CaseFault, shown
 from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
 
@@ -18,7 +18,7 @@ from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
 class BearingTable(Table):
     """Geometry and materials of the bearing."""
 
-    name: Name | None = key(None, "entry of the catalogue; the keys below override it")
+    name: Name | None = described(None, "entry of the catalogue; the keys below override it")
     ball_diameter_mm: float | None = length("diameter of the balls")
     pitch_diameter_mm: float | None = length("diameter of the circle of the ball centres")
     balls: int | None = between(3, 1000, "number of balls")
@@ -34,11 +34,17 @@ class BearingTable(Table):
     free_contact_angle_deg: float | None = between(
         0.0, 80.0, "contact angle without load; or diametral_clearance_um"
     )
-    ring_material: Name | None = key(None, "material of both rings")
-    inner_ring_material: Name | None = key(None, "material of the inner ring where it differs")
-    outer_ring_material: Name | None = key(None, "material of the outer ring where it differs")
-    ball_material: Name | None = key(None, "material of the balls")
-    cage_material: Name | None = key(None, "for the dynamics, and for the growth of a warm cage")
+    ring_material: Name | None = described(None, "material of both rings")
+    inner_ring_material: Name | None = described(
+        None, "material of the inner ring where it differs"
+    )
+    outer_ring_material: Name | None = described(
+        None, "material of the outer ring where it differs"
+    )
+    ball_material: Name | None = described(None, "material of the balls")
+    cage_material: Name | None = described(
+        None, "for the dynamics, and for the growth of a warm cage"
+    )
     first_ball_azimuth_deg: float = between(
         -360.0, 360.0, "azimuth of ball 1 from the load line", default=0.0
     )
@@ -60,7 +66,7 @@ class BearingTable(Table):
     basic_static_rating_kN: float | None = above(
         0.0, 1.0e6, "C_0 of the catalogue for the static safety; left out, from the geometry"
     )
-    skf_series: Name | None = key(
+    skf_series: Name | None = described(
         None, "of SKF's friction constants; left out, from the designation in name"
     )
 

@@ -7,7 +7,7 @@ from bearing.dynamics.inputs import Guidance
 from bearing.friction.resistance import Cage
 from bearing.geometry import Race
 
-from .fields import LENGTH_MAXIMUM, Table, above, between, key
+from .fields import LENGTH_MAXIMUM, Table, above, between, described
 from .problems import MISSING, CaseFault
 from .rules import CaseValues
 
@@ -18,7 +18,9 @@ class CageTable(Table):
     pocket_friction: float | None = between(
         0.0, 1.0, "Coulomb's mu of ball against pocket; left out, no friction of the cage"
     )
-    guided_by: Literal["balls", "inner ring", "outer ring"] = key("balls", "what the cage runs on")
+    guided_by: Literal["balls", "inner ring", "outer ring"] = described(
+        "balls", "what the cage runs on"
+    )
     land_diameter_mm: float | None = above(0.0, LENGTH_MAXIMUM, "of the guiding land")
     land_width_mm: float | None = above(0.0, LENGTH_MAXIMUM, "of both lands together")
     land_clearance_um: float | None = above(0.0, 1.0e4, "radial, between cage and land")

@@ -11,7 +11,7 @@ from bearing.friction.law import BallTraction
 from bearing.geometry import Bearing
 from bearing.library.bearings import warn_of_estimates
 from bearing.material import Material
-from bearing.operation import Model, Operation, RatingInput
+from bearing.operation import BallKinematics, Model, Operation, RatingInput
 from bearing.rows import Row
 from bearing.torque.models import FrictionInput
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
@@ -23,7 +23,7 @@ from . import fits
 from .cage import cage_friction, guiding_land
 from .document import read_text, validate_text
 from .files import BearingFile, ContactFile
-from .film_model import NEWTONIAN, FilmPhysics, film_physics
+from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, film_physics
 from .friction import friction, rheology
 from .heating import HeatingInput, heating
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
@@ -118,9 +118,7 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
         try:
             case = _bearing_case(file) if isinstance(file, BearingFile) else _contact_case(file)
         except UnfitKey as error:
-            raise CaseError(
-                [error.fault.text(name, key_lines(text))], [error.fault]
-            ) from error
+            raise CaseError([error.fault.text(name, key_lines(text))], [error.fault]) from error
         except ValueError as error:  # a bound of the physics that no table knows
             raise CaseError([f"{name}: {error}"]) from error
     return replace(case, warnings=tuple(str(warning.message) for warning in caught))
@@ -152,10 +150,18 @@ def _bearing_case(file: BearingFile) -> Case:
     bearing, clearance = fits.in_operation(delivered, at, seats, file.temperatures, cage)
     # 3. the models
     assumptions = model(file.model, file.friction)
-    films = film_physics(file.ehl.film_model, shear, (bearing.ball_material, bearing.inner_ring_material))
+    films = film_physics(
+        file.ehl.film_model, shear, (bearing.ball_material, bearing.inner_ring_material)
+    )
     torque = friction(
         file.friction, file.bearing, file.lubricant, cage_friction(file.cage), file.surface
     )
+    solver = contacts.solver_options(file.ehl)
+    traction = None
+    balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
+    if balanced or file.friction.traction is not None:
+        case_films = CaseFilms(options=solver, films=films)
+        traction = ball_traction(file.friction, torque, bearing, fluid, case_films)
     maps = file.ehl.film_maps
     return Case(
         title=file.title,
@@ -165,8 +171,8 @@ def _bearing_case(file: BearingFile) -> Case:
         lubricant=fluid,
         operation=at,
         model=assumptions,
-        traction=ball_traction(file.friction, solver, torque, assumptions.ball_kinematics, bearing, fluid, shear, films),
-        solver=contacts.solver_options(file.ehl),
+        traction=traction,
+        solver=solver,
         film_maps=maps if isinstance(maps, str) else tuple(radians(azimuth) for azimuth in maps),
         document=_bearing_document(file, fluid, library, assumptions),
         file=file,
@@ -226,9 +232,7 @@ def _bearing_document(
 ) -> dict[str, Any]:
     """The file as run, with the values of the libraries."""
     document = _document(file)
-    document["materials"] = {
-        name: material_table(library[name]) for name in _material_names(file)
-    }
+    document["materials"] = {name: material_table(library[name]) for name in _material_names(file)}
     document["lubricant"] = _lubricant_document(document, lubricant_keys(oil, moes=False))
     document["model"]["ball_kinematics"] = assumptions.ball_kinematics.value
     return document

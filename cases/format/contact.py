@@ -19,7 +19,7 @@ from .fields import (
     Table,
     above,
     between,
-    key,
+    described,
 )
 from .problems import MISSING, CaseFault, shown
 from .rules import CaseValues, KnownNames, Needs, Where, known
@@ -36,12 +36,12 @@ class ContactEhlTable(Table):
         0.5,
         "wanted relative error bar of the films; `points`, 1025 if left out, is then the most taken",
     )
-    domain: Domain | None = key(
+    domain: Domain | None = described(
         None,
         "[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses",
     )
 
-    film_model: Literal["newtonian", "shear-thinning", "thermal"] = key(
+    film_model: Literal["newtonian", "shear-thinning", "thermal"] = described(
         "newtonian", "physics of the film: oil by [lubricant] rheology, and with heat"
     )
 
@@ -61,8 +61,8 @@ class ContactEhlTable(Table):
 class EhlTable(ContactEhlTable):
     """Grid of the contacts, and which of them are solved."""
 
-    film_maps: FilmMaps = key("all", "balls whose films are solved")
-    subsurface_stress: bool = key(
+    film_maps: FilmMaps = described("all", "balls whose films are solved")
+    subsurface_stress: bool = described(
         False, "also write the stress in the races below every solved pressure, for ParaView"
     )
 
@@ -80,12 +80,12 @@ class ContactTable(Table):
     reduced_modulus_GPa: float | None = above(
         0.0, 5.0e3, "E', 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2; or material_1 and material_2"
     )
-    material_1: Name | None = key(None, "material of body 1, the ball")
-    material_2: Name | None = key(None, "material of body 2, the race")
+    material_1: Name | None = described(None, "material of body 1, the ball")
+    material_2: Name | None = described(None, "material of body 2, the race")
     coating_thickness_um: float | None = above(
         0.0, 1.0e5, "of body 1, whose material_1 is that of the coating; 0 if left out"
     )
-    substrate_material: Name | None = key(
+    substrate_material: Name | None = described(
         None, "material below the coating; needs coating_thickness_um"
     )
     entrainment_speed_m_s: float | None = above(0.0, 1.0e4, "u_m = (u1 + u2)/2")

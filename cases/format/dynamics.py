@@ -3,7 +3,9 @@
 from collections.abc import Iterator
 from typing import Literal
 
-from .fields import Gravity, LoadTable, SpeedTable, Table, above, between, key
+from ehl.units import RPM
+
+from .fields import Gravity, LoadTable, SpeedTable, Table, above, between, described
 from .friction import SIMULATED, FrictionTable
 from .problems import CaseFault
 from .rules import Below, CaseValues, Excludes
@@ -16,22 +18,22 @@ class DynamicsTable(Table):
     output_interval_us: float | None = above(
         0.0, 1.0e9, "between rows of the history; left out, a 2000th of the simulated time"
     )
-    start: Literal["quasi-static", "rolling", "rest"] = key(
+    start: Literal["quasi-static", "rolling", "rest"] = described(
         "quasi-static", "equilibrium; balls rolling on the outer race; or at rest there"
     )
-    equations: Literal["by load", "radial", "axial", "combined", "planar", "general"] = key(
+    equations: Literal["by load", "radial", "axial", "combined", "planar", "general"] = described(
         "by load", "the fewest that the loads allow, or those named"
     )
-    speed_table_rpm: SpeedTable | None = key(
+    speed_table_rpm: SpeedTable | None = described(
         None,
         "[[time in s, speed of the inner ring], ...], linear between, instead of a constant speed",
     )
-    load_table_N: LoadTable | None = key(
+    load_table_N: LoadTable | None = described(
         None, "[[time in s, fx, fy, fz], ...], linear between, instead of a constant load"
     )
     contact_law: Literal[
         "hertz", "lankarani-nikravesh", "hunt-crossley", "flores", "lubricated"
-    ] = key(
+    ] = described(
         "lankarani-nikravesh",
         "normal force; lubricated: the traction table's film between ball and race",
     )
@@ -42,14 +44,14 @@ class DynamicsTable(Table):
         "least speed that counts as that of an impact; damps lasting contacts",
         default=0.05,
     )
-    race_stiffness: Literal["hertz", "planar", "planar as printed"] = key(
+    race_stiffness: Literal["hertz", "planar", "planar as printed"] = described(
         "hertz",
         "of the grooved race, or of a sphere on the race's circle as in Shan et al. (2023)",
     )
-    friction: Literal["four constants", "coulomb", "table", "none"] = key(
+    friction: Literal["four constants", "coulomb", "table", "none"] = described(
         "four constants", "of ball on race; table: from films solved before the run"
     )
-    friction_on: Literal["ellipse", "centre"] = key(
+    friction_on: Literal["ellipse", "centre"] = described(
         "ellipse", "a coefficient counts over the Hertz ellipse, or at its centre alone"
     )
     friction_dead_band_m_s: float = between(
@@ -63,7 +65,7 @@ class DynamicsTable(Table):
         0.0, 2.0e4, "of oil and air, for the drag of the balls instead of ball_drag_N"
     )
     drag_coefficient: float = between(0.0, 10.0, "of a ball in the mixture", default=0.47)
-    gravity_m_s2: Gravity = key((0.0, 0.0, 0.0), "[x, y, z]")
+    gravity_m_s2: Gravity = described((0.0, 0.0, 0.0), "[x, y, z]")
     ring_mass_kg: float | None = above(
         0.0, 1.0e6, "inner ring and what turns with it; left out, of the ring alone"
     )
@@ -72,7 +74,7 @@ class DynamicsTable(Table):
     )
     unbalance_g_mm: float = between(0.0, 1.0e9, "of the inner ring", default=0.0)
     unbalance_phase_deg: float = between(-360.0, 360.0, "from +y at time zero", default=0.0)
-    cage_film: bool = key(True, "oil film in the pockets and lands of the cage")
+    cage_film: bool = described(True, "oil film in the pockets and lands of the cage")
     cage_friction_ramp_m_s: float = above(
         0.0, 100.0, "sliding speed up to which friction of pockets and lands rises", default=0.01
     )
@@ -114,6 +116,12 @@ def dynamics_faults(values: CaseValues) -> Iterator[CaseFault]:
         path = ("dynamics", "contact_law")
         allowed = 'needed: friction = "table", which holds film and damping'
         yield CaseFault(path=path, found='found "lubricated"', allowed=allowed)
+
+
+def speed_table(table: DynamicsTable) -> tuple[tuple[float, float], ...] | None:
+    """Rows of time [s] and speed of the inner ring [rad/s]."""
+    rows = table.speed_table_rpm
+    return None if rows is None else tuple((time, speed * RPM) for time, speed in rows)
 
 
 def sample_interval(table: DynamicsTable) -> float:

@@ -82,7 +82,7 @@ def length(description: str) -> Any:
     return between(LENGTH_MINIMUM, LENGTH_MAXIMUM, description)
 
 
-def key(default: Any, description: str) -> Any:
+def described(default: Any, description: str) -> Any:
     """A value whose type says what is allowed."""
     return Field(default, description=description)
 
@@ -198,8 +198,7 @@ Points = Annotated[
 Domain = Annotated[
     Any,
     checked(
-        _domain,
-        "[x_in, x_out, y_half] in Hertz semi-axes with x_in < -1, x_out > 1, y_half > 1",
+        _domain, "[x_in, x_out, y_half] in Hertz semi-axes with x_in < -1, x_out > 1, y_half > 1"
     ),
     list_schema(3),
 ]
@@ -222,9 +221,7 @@ CriticalSpeed = Annotated[float, Field(gt=0.0, le=SPEED_MAXIMUM)]
 Force = Annotated[Any, vector(3, FORCE_MAXIMUM), list_schema(3)]
 Moment = Annotated[Any, vector(2, 1.0e10), list_schema(2)]
 Gravity = Annotated[
-    Any,
-    checked(lambda value: numbers(value, 3, 1e6), "three numbers, [x, y, z]"),
-    list_schema(3),
+    Any, checked(lambda value: numbers(value, 3, 1e6), "three numbers, [x, y, z]"), list_schema(3)
 ]
 Displacement = Annotated[Any, _free_vector(3, 1.0e5), list_schema(3, free=True)]
 Tilt = Annotated[Any, _free_vector(2, 100.0), list_schema(2, free=True)]

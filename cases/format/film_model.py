@@ -57,6 +57,21 @@ class FilmPhysics:
 NEWTONIAN = FilmPhysics()
 
 
+@dataclass(frozen=True, kw_only=True)
+class CaseFilms:
+    """Solves the films of many contacts, one after the other."""
+
+    options: SolverOptions
+    films: FilmPhysics
+
+    def __call__(
+        self, conditions: Sequence[ContactConditions | None]
+    ) -> Sequence[ContactSolution | None]:
+        """Films [m] of the contacts that have conditions."""
+        solve = self.films.solve
+        return [None if one is None else solve(one, self.options) for one in conditions]
+
+
 def film_physics(
     name: str, shear: Rheology | None, bodies: Sequence[Material] = ()
 ) -> FilmPhysics:

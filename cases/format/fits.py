@@ -15,7 +15,7 @@ from bearing.geometry import Bearing, Race
 from bearing.material import Material
 from bearing.operation import Operation
 
-from .fields import LENGTH_MAXIMUM, Name, Table, between, key, length
+from .fields import LENGTH_MAXIMUM, Name, Table, between, described, length
 from .problems import CaseFault
 from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
 
@@ -38,8 +38,8 @@ class FitTable(Table):
     housing_outside_diameter_mm: float | None = length(
         "outside of the housing; left out, the outer ring is free"
     )
-    shaft_material: Name = key("bearing steel", "material of the shaft")
-    housing_material: Name = key("bearing steel", "material of the housing")
+    shaft_material: Name = described("bearing steel", "material of the shaft")
+    housing_material: Name = described("bearing steel", "material of the housing")
 
 
 class TemperaturesTable(Table):

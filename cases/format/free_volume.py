@@ -109,9 +109,7 @@ def _needed(
     return needed if follows is None else needed | {TEMPERATURE: follows}
 
 
-def _no_constants(
-    oil: _OilFile, law: tuple[str, str], *, of_library: bool
-) -> Iterator[CaseFault]:
+def _no_constants(oil: _OilFile, law: tuple[str, str], *, of_library: bool) -> Iterator[CaseFault]:
     name = oil.keys.get("name")
     names = list_lubricants()
     suitable = [one for one in names if "doolittle" in lubricant_data(one)]

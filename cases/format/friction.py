@@ -17,7 +17,7 @@ from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.units import MEGAPASCAL, to_si
 
 from .bearing import BearingTable, SurfaceTable, roughness
-from .fields import LENGTH_MAXIMUM, Table, above, between, key
+from .fields import LENGTH_MAXIMUM, Table, above, between, described
 from .lubricant import LubricantTable, Oil
 from .problems import MISSING, CaseFault, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
@@ -29,7 +29,7 @@ class FrictionTable(Table):
     coefficient: float | None = above(
         0.0, 1.0, "Coulomb's mu of the sliding models; left out, SKF's mu_sl"
     )
-    traction: Literal["films", "table", "four constants", "coulomb"] | None = key(
+    traction: Literal["films", "table", "four constants", "coulomb"] | None = described(
         None,
         "friction of balls on races in traction equilibrium; left out, that of the case's films",
     )
@@ -43,14 +43,14 @@ class FrictionTable(Table):
         0.0, 10.0, "four constants: slide-roll ratio of it"
     )
     traction_limit: float | None = between(0.0, 1.0, "four constants: coefficient at large slide")
-    models: Literal["main", "all"] = key(
+    models: Literal["main", "all"] = described(
         "main",
         "torque models shown: main are integrated, skf, palmgren and coulomb; all adds those of single papers",
     )
-    lubrication: Literal["oil bath", "low oil bath", "oil jet", "grease", "oil air"] = key(
+    lubrication: Literal["oil bath", "low oil bath", "oil jet", "grease", "oil air"] = described(
         "low oil bath", "how the oil comes to the bearing, for SKF's model and Palmgren's"
     )
-    oil: Literal["mineral", "synthetic", "transmission fluid"] = key(
+    oil: Literal["mineral", "synthetic", "transmission fluid"] = described(
         "mineral", "kind of base oil, for SKF's mu_EHL"
     )
     boundary_coefficient: float = above(
@@ -71,7 +71,7 @@ class FrictionTable(Table):
     drag_factor: float | None = between(
         0.0, 1.0, "SKF's V_M; left out, from a third party's digitised diagram (unverified)"
     )
-    sealed: bool = key(False, "contact seals on both sides, for SKF's model")
+    sealed: bool = described(False, "contact seals on both sides, for SKF's model")
     seal_diameter_mm: float | None = above(
         0.0, LENGTH_MAXIMUM, "of the seal's lip; left out, the bore"
     )
@@ -116,14 +116,14 @@ class FrictionTable(Table):
     )
     heating_torque: Literal[
         "skf", "palmgren", "houpert", "yao", "starved", "pure_rolling_lines", "coulomb"
-    ] = key("skf", "torque model that heats the bearing")
+    ] = described("skf", "torque model that heats the bearing")
     palmgren_viscous_factor: float | None = between(
         0.0, 100.0, "f_0; left out, by bearing and lubrication"
     )
     palmgren_load_factor: float | None = between(
         0.0, 1.0, "f_1; left out, from the load with unverified constants"
     )
-    as_printed: bool = key(
+    as_printed: bool = described(
         False,
         "SKF's sliding moment also with half of its radial part, as one paper's tables have it",
     )

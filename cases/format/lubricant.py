@@ -12,7 +12,7 @@ from ehl import DensityLaw, Lubricant, ViscosityLaw
 from ehl.oil.lubricant import ThermalProperties
 from ehl.units import from_si, to_si
 
-from .fields import Name, Table, above, between, key, rounded
+from .fields import Name, Table, above, between, described, rounded
 from .free_volume import (
     LAWS_WITH_CONSTANTS,
     free_volume,
@@ -21,7 +21,7 @@ from .free_volume import (
     with_coefficient,
 )
 from .problems import MISSING, CaseFault, shown
-from .rules import CaseValues, Excludes, KnownNames, Where, bounded, known
+from .rules import CaseValues, Excludes, KnownNames, Where, known
 from .toml_lines import Path
 
 
@@ -40,14 +40,14 @@ class OilTable(Table):
     density_kg_m3: float | None = above(0.0, 2.0e4, "density at ambient pressure")
     viscosity_law: (
         Literal["roelands", "barus", "isoviscous", "tait-doolittle", "yasutomi"] | None
-    ) = key(
+    ) = described(
         None, "pressure dependence of the viscosity; the last two for oils with their constants"
     )
     roelands_z: float | None = above(
         0.0, 2.0, "Roelands' exponent; left out, from Roelands' identity"
     )
     roelands_pressure_MPa: float | None = above(0.0, 1.0e4, "Roelands' reference pressure")
-    density_law: Literal["dowson-higginson", "incompressible", "tait"] | None = key(
+    density_law: Literal["dowson-higginson", "incompressible", "tait"] | None = described(
         None, "pressure dependence of the density; tait for oils with its constants"
     )
     tait_bulk_modulus_GPa: float | None = above(
@@ -93,7 +93,7 @@ class OilTable(Table):
         0.0, 1.0, "-d(ln eta)/dT, for film_model thermal"
     )
     thermal_expansion_1_K: float | None = between(0.0, 0.01, "for film_model thermal")
-    rheology: Literal["newtonian", "ree-eyring", "carreau-yasuda"] | None = key(
+    rheology: Literal["newtonian", "ree-eyring", "carreau-yasuda"] | None = described(
         None, "shear law of the friction; left out, Ree-Eyring with assumed constants"
     )
     eyring_stress_MPa: float | None = above(
@@ -112,10 +112,10 @@ class OilTable(Table):
 class LubricantTable(OilTable):
     """The lubricant: a name, or its properties at the temperature of operation."""
 
-    name: Name | None = key(
+    name: Name | None = described(
         None, "oil of [lubricants] or of the library; the keys here override it"
     )
-    supply: Literal["flooded", "starved"] | None = key(
+    supply: Literal["flooded", "starved"] | None = described(
         None,
         "what the total of the torque is for; left out, starved with inlet_film_um or supply_mL_min",
     )

@@ -9,7 +9,7 @@ from bearing.library.names import matching_name
 from bearing.material import Material, MaterialKind, list_materials, load_material
 from ehl.units import from_si
 
-from .fields import Table, above, between, key, rounded
+from .fields import Table, above, between, described, rounded
 
 THERMAL = {  # field: key of [materials.NAME]
     "thermal_expansion": "thermal_expansion_um_m_K",
@@ -37,7 +37,7 @@ class MaterialTable(Table):
         None,
         description='for the rating life; left out, that of the library\'s of this name, or "other"',
     )
-    source: str = key("case file", "where the numbers come from")
+    source: str = described("case file", "where the numbers come from")
 
 
 def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[str, Material]:

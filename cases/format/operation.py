@@ -15,7 +15,7 @@ from .fields import (
     Table,
     Tilt,
     between,
-    key,
+    described,
 )
 from .friction import FrictionTable
 from .problems import CaseFault, shown
@@ -37,15 +37,17 @@ class OperationTable(Table):
     axial_load_N: float | None = between(
         -FORCE_MAXIMUM, FORCE_MAXIMUM, "force on the inner ring along +x"
     )
-    force_N: Force | None = key(None, "[fx, fy, fz] instead of radial and axial load")
-    moment_N_mm: Moment | None = key(None, "[my, mz]; the ring is then free to tilt")
-    displacement_um: Displacement | None = key(
+    force_N: Force | None = described(None, "[fx, fy, fz] instead of radial and axial load")
+    moment_N_mm: Moment | None = described(None, "[my, mz]; the ring is then free to tilt")
+    displacement_um: Displacement | None = described(
         None, '[x, y, z] of the inner ring instead of a load; "free" where the load decides'
     )
-    tilt_mrad: Tilt | None = key(
+    tilt_mrad: Tilt | None = described(
         None, '[about y, about z] of the inner ring; "free" where the moment decides'
     )
-    tilt: Literal["held", "free"] | None = key(None, "without tilt_mrad: held at zero, or free")
+    tilt: Literal["held", "free"] | None = described(
+        None, "without tilt_mrad: held at zero, or free"
+    )
     temperature_C: float = between(
         -100.0, 500.0, "temperature of the oil in the contacts", default=40.0
     )
@@ -56,11 +58,11 @@ class ModelTable(Table):
 
     ball_kinematics: Literal[
         "half and half", "outer race control", "inner race control", "traction equilibrium"
-    ] = key(
+    ] = described(
         "half and half",
         "what fixes the balls' axis of rotation; left out with friction.traction, traction equilibrium",
     )
-    curvature: Literal["operating", "free"] = key(
+    curvature: Literal["operating", "free"] = described(
         "operating", "contact angle at which the curvatures of the contacts are taken"
     )
 

@@ -81,10 +81,12 @@ def _film_map_faults(values: CaseValues) -> Iterator[CaseFault]:
     if wanted is None or isinstance(wanted, str) or balls is None or first is None:
         return
     starts = [table.get(name, first) for table in _row_tables(values)] or [first]
-    azimuths = tuple(x for start in starts if is_number(start) for x in ball_azimuths(balls, start))
+    azimuths = tuple(
+        x for start in starts if is_number(start) for x in ball_azimuths(balls, start)
+    )
     for azimuth in wanted:
         if ball_at(azimuth, azimuths) is None:
-            nearest = min(azimuths, key=lambda other: _apart(azimuth, other))  # noqa: B023
+            nearest = min(azimuths, key=lambda other: _apart(azimuth, other))
             found = f"found {shown(azimuth)}, where no ball is"
             allowed = f"allowed: azimuths of balls; the nearest is {nearest:.6g}"
             yield CaseFault(path=("ehl", "film_maps"), found=found, allowed=allowed)

@@ -154,14 +154,13 @@ class Below:
 
 
 def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterator[CaseFault]:
-    """The faults of all relations; of a missing key the first reason."""
-    missing: set[Path] = set()
+    """The faults of all relations, the first of each key."""
+    seen: set[Path] = set()
     for relation in relations:
         for fault in relation.faults(values):
-            if fault.found != MISSING or fault.path not in missing:
+            if fault.path not in seen:
                 yield fault
-            if fault.found == MISSING:
-                missing.add(fault.path)
+            seen.add(fault.path)
 
 
 def bounded(

@@ -4,7 +4,16 @@ from typing import Literal
 
 from pydantic import Field
 
-from .fields import AxialRange, CriticalSpeed, RadialRange, SpeedRange, Table, above, between, key
+from .fields import (
+    AxialRange,
+    CriticalSpeed,
+    RadialRange,
+    SpeedRange,
+    Table,
+    above,
+    between,
+    described,
+)
 
 
 class SlipTable(Table):
@@ -23,14 +32,14 @@ class SlipTable(Table):
         max_length=6,
         description="speeds at which the critical loads of each ball are computed",
     )
-    critical_radial_loads_N: RadialRange = key(
+    critical_radial_loads_N: RadialRange = described(
         (0.0, 200.0), "[first, last] radial load of the critical curves"
     )
     critical_points: int = between(
         2, 201, "radial loads of the critical curves, evenly spaced", default=21
     )
     limit: float = above(0.0, 1.0e3, "slip factor below which a ball slips", default=10.0)
-    as_printed: Literal["half centrifugal force"] | None = key(
+    as_printed: Literal["half centrifugal force"] | None = described(
         None, "a slip of a source to be shown beside ours; the maps stay right"
     )
     minimum_axial_load_factor_kN: float | None = above(

@@ -5,7 +5,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
-from .fields import Name, Points, Table
+from .fields import Name, Points, Table, above, between, described
 
 
 def _check_keys(value: object) -> object:
@@ -45,7 +45,7 @@ class HypercubeOptions(Table):
 class SensitivityTable(Table):
     """Finite differences about the case: each key by itself, up and down."""
 
-    keys: Annotated[Any, BeforeValidator(_check_keys), _KEYS_SCHEMA] = key(
+    keys: Annotated[Any, BeforeValidator(_check_keys), _KEYS_SCHEMA] = described(
         "assumed", "keys to vary; those the case marks assumed if left out"
     )
     step: float = above(0.0, 0.5, "relative change of each key up and down", default=0.02)
@@ -55,14 +55,14 @@ class SweepFile(Table):
     """A sweep: `oilfilm batch`."""
 
     schema_version: int = between(1, 1, "version of this format", default=1)
-    title: str = key("", "one line for tables and plots")
+    title: str = described("", "one line for tables and plots")
     case: Name = Field(
         description="a case file, relative to this file, or the name of a shipped case"
     )
-    compute: Literal["run", "torque", "slip", "dynamics", "table"] = key(
+    compute: Literal["run", "torque", "slip", "dynamics", "table"] = described(
         "run", "what is computed at every point"
     )
-    fields: bool = key(
+    fields: bool = described(
         False, "whether film maps or histories of every point are kept, too (netCDF)"
     )
     table: str | None = Field(
@@ -79,8 +79,12 @@ class SweepFile(Table):
         max_length=8,
         description="numbers of batch.csv that --plot draws; left out, the main results",
     )
-    fixed: dict[str, Any] = key({}, "values by key that every point has in place of the case's")
-    sweep: dict[str, Any] = key({}, "lists of values by key; all their combinations are points")
+    fixed: dict[str, Any] = described(
+        {}, "values by key that every point has in place of the case's"
+    )
+    sweep: dict[str, Any] = described(
+        {}, "lists of values by key; all their combinations are points"
+    )
     combinations: tuple[dict[str, Any], ...] = Field(
         (), strict=False, description="single points, one table each"
     )

@@ -1,4 +1,4 @@
-"""[friction] traction: where traction equilibrium takes the friction of balls on races from."""
+"""[friction] traction: friction of balls on races in traction equilibrium."""
 
 from dataclasses import replace
 from pathlib import Path
@@ -13,73 +13,71 @@ from bearing.friction.sources import (
     LawTraction,
 )
 from bearing.geometry import Bearing
+from bearing.torque.models import FrictionInput
 from ehl import Lubricant
-from ehl.oil.rheology import Rheology
 from ehl.traction.laws import four_constants
 
-from ..format.film_model import FilmPhysics
-from ..format.problems import UnfitKey
-from ..runs.race_tables import read_race_tables
-from ..schema.files import BearingFile
-from .contact import solver_options
-from .friction import friction
-from .operation import TRACTION_EQUILIBRIUM, kinematics_name
+from .film_model import CaseFilms, FilmPhysics
+from .friction import FOUR_CONSTANTS, FrictionTable
+from .problems import UnfitKey
+from .race_tables import read_race_tables
 
 FILM_POINTS = 129  # along x of the films that traction is taken from, at most [-]
 
 
 def ball_traction(
-    file: BearingFile, bearing: Bearing, oil: Lubricant, rheology: Rheology, films: FilmPhysics
-) -> BallTraction | None:
-    """Friction of balls on races and drag on the balls, SI; None where the case asks for neither.
+    table: FrictionTable,
+    friction: FrictionInput,
+    bearing: Bearing,
+    oil: Lubricant,
+    films: CaseFilms,
+) -> BallTraction:
+    """Friction of balls on races and drag on the balls, SI.
 
     Raises
     ------
     ValueError
         If the file of a table cannot be read, or was made for another bearing or oil.
     """
-    if file.friction.traction is None and kinematics_name(file) != TRACTION_EQUILIBRIUM:
-        return None
-    asked = friction(file)
-    resistance = resistance_of(asked.cage, bearing, oil.viscosity, oil.density, asked.oil_fraction)
-    return BallTraction(
-        source=_source(file, bearing, oil, rheology, films), lubricant=oil, resistance=resistance
+    resistance = resistance_of(
+        friction.cage, bearing, oil.viscosity, oil.density, friction.oil_fraction
     )
+    source = _law(table, bearing, oil, films.films) or _films(friction, films)
+    return BallTraction(source=source, lubricant=oil, resistance=resistance)
 
 
-def _source(
-    file: BearingFile, bearing: Bearing, oil: Lubricant, rheology: Rheology, films: FilmPhysics
-) -> TractionLaw:
-    table = file.friction
+def _law(
+    table: FrictionTable, bearing: Bearing, oil: Lubricant, films: FilmPhysics
+) -> TractionLaw | None:
+    """The law that [friction] names; None where it takes films."""
     if table.traction == "coulomb":
         assert table.coefficient is not None  # checked before
         return CoulombTraction(friction=table.coefficient)
     if table.traction == "four constants":
-        largest = table.traction_maximum
-        slide = table.traction_maximum_slide
-        limit = table.traction_limit
-        assert largest is not None and slide is not None and limit is not None  # checked before
-        return FourConstantTraction(constants=four_constants(largest, slide, limit))
+        constants = (getattr(table, name) for name in FOUR_CONSTANTS)
+        return FourConstantTraction(constants=four_constants(*constants))
     if table.traction == "table":
-        assert table.traction_table is not None  # checked before
+        assert table.traction_table is not None and films.rheology is not None  # checked before
+        path = Path(table.traction_table)
         try:
-            tables = read_race_tables(
-                Path(table.traction_table), bearing, oil, rheology, films.solids
-            )
-        except ValueError as problem:
-            raise UnfitKey(("friction", "traction_table"), str(problem)) from None
+            tables = read_race_tables(path, bearing, oil, films.rheology, films.solids)
+        except ValueError as error:
+            raise UnfitKey(("friction", "traction_table"), str(error)) from None
         return LawTraction(laws=dict(tables))
-    from ..runs.traction_films import FilmSolver
+    return None
 
-    options = solver_options(file.ehl)
-    options = replace(options, points=min(options.points, FILM_POINTS), tolerance=None)
-    asked = friction(file)
+
+def _films(friction: FrictionInput, films: CaseFilms) -> FilmTraction:
+    """Films on a coarser grid than those of the results."""
+    points = min(films.options.points, FILM_POINTS)
+    options = replace(films.options, points=points, tolerance=None)
     asperities = None
-    if asked.roughness is not None:
-        inner, outer = asked.roughness
+    if friction.roughness is not None:
+        inner, outer = friction.roughness
         asperities = Asperities(
-            inner_roughness=inner, outer_roughness=outer, boundary=asked.boundary
+            inner_roughness=inner, outer_roughness=outer, boundary=friction.boundary
         )
+    assert films.films.rheology is not None  # of every bearing case
     return FilmTraction(
-        solve=FilmSolver(options=options, films=films), rheology=rheology, asperities=asperities
+        solve=replace(films, options=options), rheology=films.films.rheology, asperities=asperities
     )

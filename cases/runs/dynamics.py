@@ -21,23 +21,24 @@ from bearing.dynamics.inputs import (
     Start,
 )
 from bearing.dynamics.laws import drag_of_force, drag_of_mixture, normal_contact
-from bearing.dynamics.statistics import RunningStatistics
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
+from bearing.dynamics.statistics import RunningStatistics
 from bearing.geometry import Race
-from bearing.library.names import matching_name
-from bearing.material import Material, list_materials, load_material
 from ehl.traction.laws import four_constants
 from postprocess.dynamics.history import HistoryWriter
 from postprocess.dynamics.results import DynamicsResults
 
-from ..dynamics_plan import DynamicsPlan
+from ..format.cage import cage_arguments
 from ..format.case import Case
+from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction, speed_table
+from ..format.friction import FOUR_CONSTANTS
+from ..format.materials import materials
 from ..format.problems import CaseError
+from ..format.race_tables import read_race_tables
 from ..version import version
 from .films import Progress
 from .interrupt import finish_first
-from .race_tables import read_race_tables
 from .traction_table import run_table
 
 CAGE_MATERIAL = "pa66"  # where a case names none
@@ -94,16 +95,16 @@ def run_dynamics(
         With what there is so far, on Ctrl-C.
     """
     notify = progress or (lambda done, total, state: None)
-    plan = _plan(case, name)
-    if tables is not None and plan.friction != "table":
+    table = _table(case, name)
+    if tables is not None and table.friction != "table":
         raise CaseError(
             [
                 f'{name}: traction tables are for dynamics.friction = "table", found '
-                f'"{plan.friction}"'
+                f'"{table.friction}"'
             ]
         )
     try:
-        model = build_model(case, plan, tables, notify)
+        model = build_model(case, table, tables, notify)
         made = simulation(case.bearing, case.operation, model)
         if restart is not None:
             load_restart(made, restart, case_key(case))
@@ -116,14 +117,14 @@ def run_dynamics(
     return _stream(case, made, history, notify)
 
 
-def _plan(case: Case, name: str) -> DynamicsPlan:
-    if case.dynamics is None:
+def _table(case: Case, name: str) -> DynamicsTable:
+    if case.file.dynamics is None:
         raise CaseError(
             [f"{name}: has no table [dynamics]; it needs end_time_s, see docs/reference/cases.md"]
         )
     if case.rows is not None and len(case.rows) > 1:
         raise CaseError([f"{name}: [[rows]]: a simulation takes one row of balls"])
-    return case.dynamics
+    return case.file.dynamics
 
 
 def case_key(case: Case) -> str:
@@ -194,80 +195,78 @@ def _assumed(model: DynamicsModel) -> tuple[str, ...]:
 
 
 def build_model(
-    case: Case, plan: DynamicsPlan, tables: Path | None, notify: Progress
+    case: Case, table: DynamicsTable, tables: Path | None, notify: Progress
 ) -> DynamicsModel:
     """Model of the simulation from a case: options, ring, cage, contact laws, friction, schedule
     [SI].
     """
+    si = table.si()
     notes: dict[str, str] = {}
+    unbalance = (si["unbalance"], si["unbalance_phase"])
     model = DynamicsModel(
-        options=_options(case, plan),
-        ring=ring_body(case.bearing, plan.ring_mass, plan.ring_damping, plan.unbalance),
+        options=_options(case, table),
+        ring=ring_body(case.bearing, si["ring_mass"], si["ring_damping"], unbalance),
         friction=RaceFriction(),
-        cage=_cage(case, plan, notes),
+        cage=_cage(case, notes),
         normal=normal_contact(
             case.bearing,
-            NormalLaw(plan.contact_law),
-            plan.restitution,
-            plan.impact_floor,
-            RaceStiffness(plan.race_stiffness),
+            NormalLaw(table.contact_law),
+            table.restitution,
+            si["impact_speed_floor"],
+            RaceStiffness(table.race_stiffness),
         ),
-        schedule=Schedule.from_tables(case.operation, plan.speed_table, plan.load_table),
-        film_viscosity=case.lubricant.viscosity if plan.cage_film else 0.0,
-        friction_ramp=plan.friction_ramp,
+        schedule=Schedule.from_tables(case.operation, speed_table(table), table.load_table_N),
+        film_viscosity=case.lubricant.viscosity if table.cage_film else 0.0,
+        friction_ramp=si["cage_friction_ramp"],
         notes=notes,
     )
-    return replace(model, friction=_friction(case, plan, model, (tables, notify)))
+    return replace(model, friction=_friction(case, table, model, (tables, notify)))
 
 
-def _options(case: Case, plan: DynamicsPlan) -> DynamicsOptions:
+def _options(case: Case, table: DynamicsTable) -> DynamicsOptions:
+    si = table.si()
     drag = 0.0
-    if plan.mixture_density is not None:
+    if si["mixture_density"] is not None:
         drag = drag_of_mixture(
-            plan.mixture_density, case.bearing.ball_diameter, plan.drag_coefficient
+            si["mixture_density"], case.bearing.ball_diameter, table.drag_coefficient
         )
-    elif plan.ball_drag:
-        drag = drag_of_force(case.bearing, case.operation, plan.ball_drag)
+    elif si["ball_drag"]:
+        drag = drag_of_force(case.bearing, case.operation, si["ball_drag"])
     return DynamicsOptions(
-        end_time=plan.end_time,
-        sample_interval=plan.sample_interval,
-        start=Start(plan.start),
-        equations=None if plan.equations == "by load" else LoadType(plan.equations),
-        tolerance=plan.tolerance,
-        gravity=plan.gravity,
+        end_time=si["end_time"],
+        sample_interval=sample_interval(table),
+        start=Start(table.start),
+        equations=None if table.equations == "by load" else LoadType(table.equations),
+        tolerance=table.tolerance,
+        gravity=si["gravity"],
         drag=drag,
     )
 
 
-def _cage(case: Case, plan: DynamicsPlan, notes: dict[str, str]) -> CageBody:
-    name = plan.cage_material
-    known = name is not None and (
-        name in plan.materials or matching_name(name, list_materials()) is not None
-    )
-    material: Material
-    if known and name is not None:
-        material = plan.materials[name] if name in plan.materials else load_material(name)
-    else:
-        material = load_material(CAGE_MATERIAL)
-        notes["cage"] = (
-            f"cage material {'not given' if name is None else repr(name) + ' unknown'}: "
-            f"{CAGE_MATERIAL}"
-        )
-    return cage_body(case.bearing, material, **plan.cage)
+def _cage(case: Case, notes: dict[str, str]) -> CageBody:
+    name = case.file.bearing.cage_material
+    if name is None:
+        notes["cage"] = f"cage material not given: {CAGE_MATERIAL}"
+    material = materials(case.file.materials, [name or CAGE_MATERIAL])[name or CAGE_MATERIAL]
+    return cage_body(case.bearing, material, **cage_arguments(case.file.cage))
 
 
 def _friction(
-    case: Case, plan: DynamicsPlan, model: DynamicsModel, source: tuple[Path | None, Progress]
+    case: Case, table: DynamicsTable, model: DynamicsModel, source: tuple[Path | None, Progress]
 ) -> RaceFriction:
-    if plan.friction == "none":
+    if table.friction == "none":
         return RaceFriction()
     angles = starting_point(case.bearing, case.operation, model).angles
-    if plan.friction == "coulomb":
-        mu, low, high = plan.coulomb
-        return coulomb_friction(case.bearing, angles, mu, (low, high), at_centre=plan.at_centre)
-    if plan.friction == "four constants":
-        constants = four_constants(*plan.four_constants)
-        return four_constant_friction(case.bearing, angles, constants, at_centre=plan.at_centre)
+    law = simulated_friction(case.file.friction)
+    at_centre = table.friction_on == "centre"
+    if table.friction == "coulomb":
+        ramp = (table.friction_dead_band_m_s, table.friction_full_m_s)
+        return coulomb_friction(
+            case.bearing, angles, law["coefficient"], ramp, at_centre=at_centre
+        )
+    if table.friction == "four constants":
+        constants = four_constants(*(law[name] for name in FOUR_CONSTANTS))
+        return four_constant_friction(case.bearing, angles, constants, at_centre=at_centre)
     return _tables(case, *source)
 
 

@@ -12,6 +12,7 @@ from bearing.quasistatic.solver import solve_quasistatic
 from bearing.rows import SINGLE
 
 from ..format.case import Case
+from .traction_films import with_workers
 
 
 def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
@@ -20,7 +21,7 @@ def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
         return solve_quasistatic
     if case.traction is None:
         raise ValueError("traction equilibrium needs the friction of ball on race, found none")
-    return partial(solve_traction_equilibrium, traction=case.traction)
+    return partial(solve_traction_equilibrium, traction=with_workers(case.traction))
 
 
 def case_equilibrium(case: Case) -> QuasistaticSolution:

@@ -10,8 +10,8 @@ from bearing.contacts.contact import BearingContact
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 
-from ..checks.operation import ball_at
 from ..format.case import Case
+from ..format.rows import ball_at
 
 LARGE_CONTACT = 513  # points from which several threads solve one contact faster than one does [-]
 

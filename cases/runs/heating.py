@@ -23,8 +23,8 @@ def self_heated(case: Case) -> SelfHeatingSolution | None:
 
     Balls in traction equilibrium are taken as half and half: loads hardly depend on it.
     """
-    plan = case.heating
-    if plan is None or case.operation.inner_speed == case.operation.outer_speed:
+    given = case.heating
+    if given is None or case.operation.inner_speed == case.operation.outer_speed:
         return None
     model = case.model
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
@@ -33,26 +33,26 @@ def self_heated(case: Case) -> SelfHeatingSolution | None:
     def torque(
         state: QuasistaticSolution, contacts: Sequence[BearingContact], oil: Lubricant
     ) -> float:
-        return _torque(case, plan.model, state, contacts, oil)
+        return _torque(case, given.model, state, contacts, oil)
 
     warm = SelfHeatingProblem(
-        bearing=plan.bearing,
+        bearing=given.delivered,
         operation=case.operation,
         model=model,
-        oil=plan.oil,
+        oil=given.oil,
         torque=torque,
-        fit=plan.fit,
-        reference=plan.reference,
-        inner_excess=plan.inner_excess,
+        fit=given.fit,
+        reference=given.reference,
+        inner_excess=given.inner_excess,
     )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
-        found = solve_self_heating(warm, plan.cooling, plan.model)
+        found = solve_self_heating(warm, given.cooling, given.model)
     if found.balance is None or not found.converged:
         return found
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        plan.oil(found.balance.temperature)
+        given.oil(found.balance.temperature)
     return replace(found, note="; ".join(str(warning.message) for warning in caught))
 
 

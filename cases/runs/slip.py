@@ -26,9 +26,12 @@ from postprocess.slip.results import MinimumLoads, SlipResults
 
 from ..format.case import Case
 from ..format.problems import CaseError
-from ..slip_plan import PRINTED_FORCE, SlipPlan
+from ..format.slip import SlipTable
 from ..version import version
 from .films import Progress, cores
+
+# centrifugal force a source evidently used, over the true one [-]
+PRINTED_FORCE = {"half centrifugal force": 0.5}
 
 
 def run_slip(
@@ -40,7 +43,6 @@ def run_slip(
     Parameters
     ----------
     case : Case
-        With a plan of its slip maps.
     name : str
         Of the case, for messages.
     workers : int, optional
@@ -54,27 +56,29 @@ def run_slip(
         If the case has no [slip], or prescribes a displacement where the maps vary the load.
     """
     start = perf_counter()
-    study, plan = _study(case, name)
-    speeds, loads = _range(plan.speeds, plan.points), _range(plan.axial_loads, plan.points)
-    radial = _range(plan.critical_radial_loads, plan.critical_points)
+    study, table = _study(case, name)
+    si = table.si()
+    speeds = _range(si["speeds"], table.points)
+    loads = _range(si["axial_loads"], table.points)
+    radial = _range(si["critical_radial_loads"], table.critical_points)
     with _mapper(workers or cores(), progress or (lambda done, total, state: None)) as mapper:
-        surface = slip_surface(study, speeds, loads, mapper("slip factors", plan.points))
+        surface = slip_surface(study, speeds, loads, mapper("slip factors", table.points))
         timing = {"surface": perf_counter() - start}
         curves = tuple(
-            critical_curves(study, speed, radial, mapper("critical curves", plan.critical_points))
-            for speed in plan.critical_speeds
+            critical_curves(study, speed, radial, mapper("critical curves", table.critical_points))
+            for speed in si["critical_speeds"]
         )
-        minimum = _minimum_loads(case, study, speeds, mapper)
+        minimum = _minimum_loads(case, study, table, speeds, mapper)
     timing["total"] = perf_counter() - start
     return SlipResults(
         version=version(),
         case=case.document,
-        limit=plan.limit,
+        limit=table.limit,
         state=solve_quasistatic(case.bearing, case.operation, case.model),
         surface=surface,
         curves=curves,
         minimum=minimum,
-        printed_force=PRINTED_FORCE[plan.as_printed] if plan.as_printed else None,
+        printed_force=PRINTED_FORCE[table.as_printed] if table.as_printed else None,
         messages=case.warnings,
         timing=timing,
     )
@@ -84,12 +88,13 @@ def _range(ends: tuple[float, float], points: int) -> list[float]:
     return [ends[0] + (ends[1] - ends[0]) * k / (points - 1) for k in range(points)]
 
 
-def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
-    if case.slip is None:
+def _study(case: Case, name: str) -> tuple[SlipStudy, SlipTable]:
+    table = case.file.slip
+    if table is None:
         needs = "it needs speeds_rpm and axial_loads_N, see docs/reference/cases.md"
         raise CaseError([f"{name}: has no table [slip]; {needs}"])
     operation = case.operation
-    if operation.force[0] is None or (case.slip.critical_speeds and operation.force[1] is None):
+    if operation.force[0] is None or (table.critical_speeds_rpm and operation.force[1] is None):
         varied = "the axial load" if operation.force[0] is None else "the radial load"
         raise CaseError(
             [
@@ -105,25 +110,29 @@ def _study(case: Case, name: str) -> tuple[SlipStudy, SlipPlan]:
             ]
         )
     study = SlipStudy(
-        bearing=case.bearing, operation=operation, model=case.model, limit=case.slip.limit
+        bearing=case.bearing, operation=operation, model=case.model, limit=table.limit
     )
-    return study, case.slip
+    return study, table
 
 
 def _minimum_loads(
-    case: Case, study: SlipStudy, speeds: list[float], mapper: Callable[[str, int], Mapper]
+    case: Case,
+    study: SlipStudy,
+    table: SlipTable,
+    speeds: list[float],
+    mapper: Callable[[str, int], Mapper],
 ) -> MinimumLoads:
     """Preload by Hirano's criterion, also as printed if the case asks, and SKF's minimum loads."""
-    plan, oil = case.slip, case.lubricant
-    assert plan is not None  # checked before
+    oil = case.lubricant
     own = case.operation.inner_speed
     every = [*speeds, abs(own)] if own else [*speeds]
     hirano = minimum_preloads(study, every, mapper("minimum preload", len(every)))
     printed = None
-    if plan.as_printed:
-        as_printed = replace(study, limit=plan.limit * PRINTED_FORCE[plan.as_printed])
+    if table.as_printed:
+        as_printed = replace(study, limit=table.limit * PRINTED_FORCE[table.as_printed])
         printed = minimum_preloads(as_printed, every, mapper("as printed", len(every)))
-    axial, radial = plan.minimum_axial_load_factor, plan.minimum_radial_load_factor
+    si = table.si()
+    axial, radial = si["minimum_axial_load_factor"], si["minimum_radial_load_factor"]
     nu = oil.viscosity / oil.density
     pitch = case.bearing.pitch_diameter
     return MinimumLoads(

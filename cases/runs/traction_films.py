@@ -1,10 +1,7 @@
 """Films that traction equilibrium takes its friction from: those of a run, on a coarser grid."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.motion import bearing_kinematics
@@ -14,20 +11,17 @@ from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution, SolverOptions
 
-from ..format.film_model import FilmModel, FilmPhysics
-
-if TYPE_CHECKING:
-    from .films import Progress
+from ..format.film_model import CaseFilms, FilmModel
+from .films import Progress, solve_contacts
 
 
 @dataclass(frozen=True, kw_only=True)
-class FilmSolver:
-    """Solves the films of many contacts, equal ones once."""
+class PooledFilms:
+    """Solves the films of many contacts side by side, equal ones once."""
 
-    options: SolverOptions
-    films: FilmPhysics
+    case: CaseFilms
     workers: int | None = None  # contacts solved at a time [-]; None: as many as there are cores
-    progress: Progress | None = None  # As in `run_case`
+    progress: Progress | None = None  # as in `run_case`
     # takes the place of `ehl.solve_contact`
     solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None = None
 
@@ -35,34 +29,36 @@ class FilmSolver:
         self, conditions: Sequence[ContactConditions | None]
     ) -> Sequence[ContactSolution | None]:
         """Films [m] of the contacts that have conditions; KeyboardInterrupt on Ctrl-C."""
-        from .films import solve_contacts
-
-        solver = self.solve if self.films.model is FilmModel.NEWTONIAN else self.films.solve
+        films = self.case.films
+        solver = self.solve if films.model is FilmModel.NEWTONIAN else films.solve
         notify = self.progress or (lambda done, total, state: None)
-        found, interrupted = solve_contacts(conditions, self.options, self.workers, notify, solver)
+        solutions, interrupted = solve_contacts(
+            conditions, self.case.options, self.workers, notify, solver
+        )
         if interrupted:
             raise KeyboardInterrupt
-        return found
+        return solutions
 
 
 def with_workers(
     traction: BallTraction | None,
-    workers: int | None,
-    progress: Progress,
-    solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None,
+    workers: int | None = None,
+    progress: Progress | None = None,
+    solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None = None,
 ) -> BallTraction | None:
     """The friction with its films, if it takes any, solved by so many workers [-]."""
     if traction is None or not isinstance(traction.source, FilmTraction):
         return traction
     source = traction.source
-    if not isinstance(source.solve, FilmSolver):
+    if not isinstance(source.solve, CaseFilms):
         return traction
 
-    def told(done: int, total: int, state: str) -> None:
-        progress(done, total, f"{state} for the traction")
+    def notify(done: int, total: int, state: str) -> None:
+        if progress is not None:
+            progress(done, total, f"{state} for the traction")
 
-    solver = replace(source.solve, workers=workers, progress=told, solve=solve)
-    return replace(traction, source=replace(source, solve=solver))
+    pooled = PooledFilms(case=source.solve, workers=workers, progress=notify, solve=solve)
+    return replace(traction, source=replace(source, solve=pooled))
 
 
 def traction_messages(

@@ -11,15 +11,16 @@ from ehl import Lubricant, SolverOptions
 from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions
 from ehl.traction.table.full_solves import full_solves
+from ehl.units import ZERO_CELSIUS
 from postprocess.traction.results import TractionResults
 
-from ..convert.friction import rheology
-from ..convert.lubricant import lubricant
-from ..convert.units import ZERO_CELSIUS
-from ..format.case import Case, read_text, validate_text
+from ..format.case import Case, oil_of_file
+from ..format.document import read_text, validate_text
+from ..format.files import BearingFile
+from ..format.friction import rheology
+from ..format.lubricant import lubricant
 from ..format.problems import CaseError
 from ..format.shipped import find_case
-from ..schema.files import BearingFile
 from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, cores
@@ -57,13 +58,13 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
     file = validate_text(read_text(path), str(path))
     assert isinstance(file, BearingFile)  # checked before
 
+    oil = oil_of_file(file)
+
     def oil_at(temperature: float) -> tuple[Lubricant, Rheology]:
-        operation = file.operation.model_copy(update={"temperature_C": temperature - ZERO_CELSIUS})
-        heated = file.model_copy(update={"operation": operation})
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # the case reported them already
-            oil = lubricant(heated)
-            return oil, rheology(heated, oil)
+            heated = lubricant(oil, temperature)
+            return heated, rheology(oil, heated)
 
     temperatures = tuple(one + ZERO_CELSIUS for one in celsius)
     try:

@@ -6,8 +6,8 @@ import re
 from pathlib import Path
 from typing import Any
 
+from cases.format.files import BearingFile, ContactFile
 from cases.format.problems import allowed_values, resolved
-from cases.schema.files import BearingFile, ContactFile
 from ehl.units import unit_of
 
 DOCS = Path(__file__).parents[2] / "docs"

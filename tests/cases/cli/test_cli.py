@@ -16,9 +16,9 @@ from rich.console import Group
 from typer.testing import CliRunner
 
 from cases.cli import compute, output, terminal
-from cases.runs import interrupt
 from cases.cli.main import app
 from cases.format.shipped import find_case, shipped_cases
+from cases.runs import interrupt
 
 AT_REST = "209_radial_8900N"  # no films: quick
 OILFILM = [sys.executable, "-m", "cases.cli"]
@@ -42,7 +42,7 @@ def test_version():
 
 def test_validation_imports_no_solver():
     code = (
-        "import sys; from cases.format.case import validate_text; from cases.format.shipped import shipped_cases\n"
+        "import sys; from cases.format.document import validate_text; from cases.format.shipped import shipped_cases\n"
         "for p in shipped_cases().values(): validate_text(p.read_text(), p.name)\n"
         "print([m for m in sys.argv[1:] if m in sys.modules])"
     )
@@ -93,7 +93,7 @@ def test_notes_tell_what_bears_on_the_numbers(tmp_path):
 
 def test_the_case_of_a_result_is_a_case(tmp_path):
     """The document as run, defaults filled in, describes the same case."""
-    from cases.format.case import check_document
+    from cases.format.document import check_document
 
     document = json.loads(oilfilm("run", AT_REST, "--json").stdout)["case"]
     file, problems = check_document(document)

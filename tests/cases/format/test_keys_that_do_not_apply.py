@@ -10,9 +10,10 @@ from typer.testing import CliRunner
 from bearing.torque.models import ANGULAR_CONTACT
 from cases import CaseError
 from cases.batch.sweep import sweep_from_text
-from cases.checks.bearing import DEEP_GROOVE_DEG
 from cases.cli.main import app
-from cases.format.case import case_from_text, validate_text
+from cases.format.bearing import DEEP_GROOVE_DEG
+from cases.format.case import case_from_text
+from cases.format.document import validate_text
 
 from ..made_up_tables import made_up_tables
 

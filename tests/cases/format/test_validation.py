@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from cases import CaseError
-from cases.format.case import validate_text
+from cases.format.document import validate_text
 
 BEARING = """\
 schema_version = 1
@@ -127,7 +127,7 @@ def test_minimum_dissipation_is_refused_with_the_reason():
 
 
 ADDED_BEARING_ERRORS = [
-    ("[operation]", "force_N = [0.0, 3000.0, 0.0]", "radial_load_N", "found radial_load_N together with force_N"),
+    ("[operation]", "force_N = [0.0, 3000.0, 0.0]", "radial_load_N", "found together with force_N"),
     ("[operation]", "displacement_um = [0, 5, 0]", "displacement_um", "together with a load of 3000.0 N along y"),
     ("[operation]", 'tilt = "held"\nmoment_N_mm = [1.0, 0.0]', "tilt", "together with a moment"),
     ("[operation]", "tilt_mrad = [1, 0]\nmoment_N_mm = [2.0, 0.0]", "tilt_mrad", "a moment of 2.0 N mm about y"),

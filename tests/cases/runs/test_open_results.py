@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 import postprocess
 from cases.cli.main import app
-from cases.format.case import read_text
+from cases.format.document import read_text
 from cases.format.shipped import find_case
 
 CHANGES = {

@@ -10,7 +10,7 @@ import pytest
 from typer.testing import CliRunner
 
 from cases.cli.main import app
-from cases.format.case import read_text
+from cases.format.document import read_text
 from cases.format.shipped import find_case
 
 FEW = "points = 3\ncritical_points = 2\n"
