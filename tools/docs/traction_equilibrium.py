@@ -19,8 +19,8 @@ from bearing.friction.sources import CoulombTraction, FilmTraction, FourConstant
 from bearing.quasistatic.solution import QuasistaticSolution
 from cases import load_case
 from cases.format.case import Case
-from cases.format.film_model import NEWTONIAN
-from cases.runs.traction_films import FilmSolver
+from cases.format.film_model import NEWTONIAN, CaseFilms
+from cases.runs.traction_films import PooledFilms
 from ehl import SolverOptions
 from ehl.traction.laws import four_constants
 from postprocess.plot_style import PAGE_WIDTH, RC, save
@@ -62,7 +62,7 @@ class Row:
 def sources(case: Case) -> dict[str, TractionLaw]:
     """Ways to the friction of the balls."""
     assert case.rheology is not None
-    solver = FilmSolver(options=SolverOptions(points=POINTS), films=NEWTONIAN)
+    solver = PooledFilms(case=CaseFilms(options=SolverOptions(points=POINTS), films=NEWTONIAN))
     return {
         FILMS: FilmTraction(solve=solver, rheology=case.rheology),
         FOUR: FourConstantTraction(constants=four_constants(0.05, 0.03, 0.03)),
