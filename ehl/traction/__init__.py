@@ -5,6 +5,7 @@ _kernels        - sums over the nodes of a film, and lookups in a table, compile
 film_quadrature - quadrature over a solved film, and its sliding forces for many motions
 heated          - shear of films that sliding heats
 laws            - friction of a rolling contact as a law: Coulomb, four constants
+quadrature      - rings and lines of nodes over the ellipse of Hertz
 response        - stiffness and damping of a lubricated contact
 rolling_moment  - hydrodynamic rolling moment of a contact's oil, in the box and beyond
 shear           - shear stress on both surfaces of a solved contact, and its integrals

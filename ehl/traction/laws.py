@@ -35,7 +35,7 @@ class TractionForces(NamedTuple):
     film: float  # zero, as what follows, where a law has none [m]
     stiffness: float  # [N/m]
     damping: float  # [N s/m]
-    outside: tuple[str, ...] = ()  # what lay outside the range of the law
+    outside: tuple[str, ...]  # what lay outside the range of the law
 
 
 class FrictionLaw(Protocol):
@@ -94,7 +94,7 @@ class _HertzLaw:
         out = np.empty(8)
         law = (self.disc, self.kernel_law(), self.shape.constants)
         _kernels.hertz_friction(*law, load, speed, slide_x, slide_y, spin, out)
-        return TractionForces(*map(float, out))
+        return TractionForces._make((*map(float, out), ()))
 
 
 @dataclass(frozen=True)

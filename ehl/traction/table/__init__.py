@@ -1,7 +1,7 @@
 """Traction tables: films, sampling, storage, interpolation.
 
 build       - films over load and speed, sheared over motions until a check is passed
-film        - the film that a table shears: Newtonian, without sliding
+film        - the film that a table shears, and what it takes from it at a load and a speed
 full_solves - full solves beside a table: what its films leave out
 splines     - uniform cubic B-splines through values on a grid
 storage     - traction tables on disk

@@ -1,6 +1,9 @@
-"""The film that a table shears: Newtonian, without sliding, with heat where the table has it."""
+"""The film that a table shears: Newtonian, without sliding, with heat where the table has it; what
+a table takes from it at a load and a speed.
+"""
 
 from dataclasses import dataclass
+from math import exp
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,9 +15,16 @@ from ...solution import ContactSolution
 from ...solver import solve_contact
 from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
 from ..heated.film import HeatedFilm, heated_film, heated_forces
-from .table import TableContact
+from ..response import NormalResponse, normal_response
+from .table import TableContact, TableRange
 
 Array = NDArray[np.float64]
+
+# of the motion where the traction has risen by half, along, across and of spin: the scale there
+SCALE_SHARE = (0.02, 0.04, 1.6)
+# motions over the largest ones, among which that one is looked for
+SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 57)
+RESPONSE_POINTS = 129  # of the films that stiffness and damping are taken from
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,3 +98,90 @@ def _require_film(solution: ContactSolution, load: float, speed: float) -> None:
         raise ValueError(
             f"no film at a load of {load:.4g} N and {speed:.4g} m/s: {solution.message}"
         )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmSample:
+    """A film of a table at a load and a speed, and what splines over both need of it."""
+
+    place: tuple[float, float]  # ln load, ln speed
+    film: TableFilm
+    scales: tuple[float, float, float]  # of slide_x/u, slide_y/u, spin R_x/u [-]
+    moment: float  # hydrodynamic, positive [N m]
+    response: NormalResponse  # stiffness and damping
+
+    @property
+    def load(self) -> float:
+        """[N]."""
+        return exp(self.place[0])
+
+    @property
+    def speed(self) -> float:
+        """Of entrainment [m/s]."""
+        return exp(self.place[1])
+
+
+def film_sample(
+    contact: TableContact, limits: TableRange, place: tuple[float, float], points: int
+) -> FilmSample:
+    """Solve the film at a place (ln load, ln speed), of so many points along x."""
+    load = exp(place[0])
+    speed = exp(place[1])
+    film = table_film(contact, load, speed, limits.slide_x * speed, SolverOptions(points=points))
+    solution = film.solution
+    x, y = solution.x, solution.y
+    assert x is not None and y is not None  # `table_film`
+    moment = np.trapezoid(np.trapezoid(solution.pressure * x[:, None], y, axis=1), x)
+    return FilmSample(
+        place=place,
+        film=film,
+        scales=_scales(contact, limits, film, speed),
+        moment=-float(moment),
+        response=_response(contact, solution, (load, speed), points),
+    )
+
+
+def _response(
+    contact: TableContact, solution: ContactSolution, place: tuple[float, float], points: int
+) -> NormalResponse:
+    """Of the isothermal film at a load [N] and speed [m/s], on few points where that converges."""
+    for count in sorted({min(points, RESPONSE_POINTS), points}):
+        isothermal = solution
+        if contact.solids is not None or count != points:
+            isothermal = solve_contact(contact.conditions(*place), SolverOptions(points=count))
+        response = normal_response(isothermal)
+        if response.converged:
+            break
+    return response
+
+
+def _scales(
+    contact: TableContact, limits: TableRange, film: TableFilm, speed: float
+) -> tuple[float, float, float]:
+    """Motions, over u or u/R_x, at a share of those where traction or spin moment has risen by
+    half.
+    """
+    none = np.zeros(SCALE_SAMPLES.size)
+    scales = []
+    for axis, (limit, share) in enumerate(zip(limits.motions, SCALE_SHARE, strict=True)):
+        motion = limit * SCALE_SAMPLES
+        motions = [motion if axis == k else none for k in range(3)]
+        values = relative_forces(contact, film, speed, motions)[:, axis]
+        start = relative_forces(contact, film, speed, [none[:1]] * 3)[0, axis]
+        rise = np.abs(values - start) / np.abs(values - start).max()
+        k = max(int(np.argmax(rise >= 0.5)), 1)
+        between = (0.5 - rise[k - 1]) / (rise[k] - rise[k - 1])
+        scales.append(share * float(motion[k - 1] + between * (motion[k] - motion[k - 1])))
+    return scales[0], scales[1], scales[2]
+
+
+def relative_forces(
+    contact: TableContact, film: TableFilm, speed: float, motions: list[Array]
+) -> Array:
+    """F_x, F_y, M_n, M_y by sliding, shape (n, 4) [N], [N m], at slides over u and spin over u/R_x
+    [-].
+    """
+    slide_x = motions[0] * speed
+    slide = (slide_x, motions[1] * speed, motions[2] * speed / contact.radius_x)
+    rolling = speed / contact.radius_x - 0.5 * contact.curvature_difference * slide_x
+    return film.forces(slide, rolling, 0.5 / contact.curvature_radius)

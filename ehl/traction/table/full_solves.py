@@ -1,10 +1,10 @@
-"""What the films of a traction table leave out: their traction beside that of full solves of
+"""What the films of a traction table leave out: their traction compared with full solves of
 contacts that slide.
 
 A table shears films that were solved Newtonian and without sliding. In a full solve the oil's
 rheology, and heat where the table has it, act in film and flow, at the sliding of the contact
 (`solve_generalized`). Both without spin and curvature slip. The limiting stress has no finite
-tangent for the flow: the full solve goes without, and it is put on top of the stress in the middle
+tangent for the flow: the full solve leaves it out, and it is applied to the stress in the middle
 of the film.
 """
 
@@ -18,7 +18,7 @@ from ...generalized.solver import solve_generalized
 from ...oil.rheology import limiting_stress
 from ...options import SolverOptions
 from .film import table_film
-from .table import FullSolve, TableContact, TableRange
+from .table import FullSolve, TableContact, TableRange, latin_hypercube
 
 Array = NDArray[np.float64]
 
@@ -35,7 +35,7 @@ def full_solves(
     options: SolverOptions | None = None,
     progress: Progress | None = None,
 ) -> tuple[FullSolve, ...]:
-    """The approximation of a table beside full solves at random places of its range.
+    """Traction of a table's films and of full solves at random places of its range.
 
     Parameters
     ----------
@@ -45,13 +45,9 @@ def full_solves(
     count : int
         Of the places: a Latin hypercube in the logarithms of load, speed and slide-roll ratio.
     options : SolverOptions, optional
-        Of both solves; 129 points unless told.
+        Of both solves; 129 points by default.
     progress : callable, optional
         Called with the solve begun, solves in all, and a word.
-
-    Returns
-    -------
-    tuple of FullSolve
 
     Raises
     ------
@@ -59,31 +55,25 @@ def full_solves(
         If properties that heat needs are missing; the message names them.
     """
     options = options or SolverOptions(points=POINTS)
-    found = []
-    for number, (load, speed, ratio) in enumerate(_places(limits, count)):
+    solves = []
+    for number, place in enumerate(_places(limits, count)):
         if progress is not None:
             progress(number + 1, count, "full solves")
-        found.append(_both(contact, (float(load), float(speed), float(ratio)), options))
-    return tuple(found)
+        solves.append(_both(contact, (float(place[0]), float(place[1]), float(place[2])), options))
+    return tuple(solves)
 
 
 def _places(limits: TableRange, count: int) -> Array:
     """Loads [N], speeds [m/s] and slide-roll ratios [-], shape (count, 3)."""
-    rng = np.random.default_rng(SEED)
-    ends = np.log(
-        [limits.load, limits.speed, (SLIDE_RATIOS[0], min(SLIDE_RATIOS[1], limits.slide_x))]
-    )
-    shares = (
-        np.stack([rng.permutation(count) for _ in range(3)]) + rng.random((3, count))
-    ) / count
-    return np.asarray(
-        np.exp(ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * shares).T, dtype=np.float64
-    )
+    ratios = (SLIDE_RATIOS[0], min(SLIDE_RATIOS[1], limits.slide_x))
+    ends = np.log([limits.load, limits.speed, ratios])
+    return np.exp(latin_hypercube(ends, count, np.random.default_rng(SEED))).T
 
 
 def _both(
     contact: TableContact, place: tuple[float, float, float], options: SolverOptions
 ) -> FullSolve:
+    """At a load [N], speed [m/s] and slide-roll ratio [-]."""
     load, speed, ratio = place
     film = table_film(contact, load, speed, ratio * speed, options)
     rolling = np.array([speed / contact.radius_x])
@@ -128,9 +118,7 @@ def _both(
 def _limited(
     stress: Array, pressure: Array, temperature: Array | None, contact: TableContact
 ) -> Array:
-    """A stress of the base law with the limiting one on top, tau_L [1 - exp(-tau/tau_L)] [Pa];
-    temperature [K].
-    """
+    """A stress of the base law bounded by the limiting one, tau_L [1 - exp(-tau/tau_L)] [Pa]."""
     if contact.rheology.limiting_coefficient is None:
         return stress
     limit = limiting_stress(

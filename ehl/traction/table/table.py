@@ -94,6 +94,20 @@ class TableRange:
             if not (isfinite(value) and value > 0.0):
                 raise ValueError(f"{field} must be positive and finite, got {value!r}")
 
+    @property
+    def motions(self) -> tuple[float, float, float]:
+        """Largest slide_x, slide_y and spin, over u and u/R_x [-]."""
+        return self.slide_x, self.slide_y, self.spin
+
+
+def latin_hypercube(ends: Array, count: int, rng: np.random.Generator) -> Array:
+    """Random places between ends of shape (d, 2), one in each of `count` layers along every axis,
+    shape (d, count) [same unit].
+    """
+    layers = np.stack([rng.permutation(count) for _ in ends])
+    shares = (layers + rng.random(layers.shape)) / count
+    return np.asarray(ends[:, :1] + (ends[:, 1:] - ends[:, :1]) * shares)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TableError:
@@ -164,9 +178,8 @@ class TractionTable:
         """As the kernel takes them, shape (7,): see `_kernels.table_lookup`."""
         contact = self.contact
         bodies = (contact.radius_x, contact.curvature_difference)
-        motion = (self.range.slide_x, self.range.slide_y, self.range.spin)
         ellipse = (contact.unit_semi_axis, 0.5 / contact.curvature_radius)
-        return np.array([*bodies, *motion, *ellipse])
+        return np.array([*bodies, *self.range.motions, *ellipse])
 
     @cached_property
     def joined_values(self) -> Array:
@@ -192,7 +205,7 @@ class TractionTable:
             *self.kernel_arguments(), load, speed, slide_x, slide_y, spin, out
         )
         outside = tuple(name for bit, name in enumerate(FLAGS) if flag >> bit & 1)
-        return TractionForces(*map(float, out), outside=outside)
+        return TractionForces._make((*map(float, out), outside))
 
     def largest(self, load: float, speed: float) -> Array:
         """Largest force [N] and moments about n and y [N m] by sliding at a load [N] and

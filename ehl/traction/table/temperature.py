@@ -3,7 +3,7 @@ and between them.
 
 Scales, films and forces between the temperatures are those of the polynomial in T through the
 nearest tables, up to four. All tables have the same nodes, so that one at any temperature between
-is the weighted sum of their coefficients: it is made once, and a lookup in it costs what one in a
+is the weighted sum of their coefficients, computed once: a lookup in it costs what one in a
 table of a single temperature does.
 """
 
@@ -17,24 +17,17 @@ from ...oil.lubricant import Lubricant
 from .build import Progress, TableOptions, build_table, check_table
 from .table import Array, TableContact, TableError, TableRange, TractionTable
 
-NEAREST = 4  # tables that a place between them is made of
-OIL_TOLERANCE = 0.03  # relative; what interpolation over the temperature may be off by
+NEAREST = 4  # tables whose polynomial gives those between
+OIL_TOLERANCE = 0.03  # relative, of an oil's viscosities against those between the tables
 SIMILAR = 1e-12  # relative difference of the axes of tables of the same nodes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TemperatureTable:
-    """Traction of one contact at several temperatures of its oil.
+    """Traction of one contact at several temperatures of its oil."""
 
-    Attributes
-    ----------
-    tables : tuple of TractionTable
-        Of the same range and nodes, at rising temperatures.
-    errors : tuple of TableError
-        Of the tables half-way between neighbours, against films and shear at that temperature.
-    """
-
-    tables: tuple[TractionTable, ...]
+    tables: tuple[TractionTable, ...]  # of the same range and nodes, at rising temperatures
+    # of the tables half-way between neighbours, against films and shear at that temperature
     errors: tuple[TableError, ...] = ()
 
     def __post_init__(self) -> None:
@@ -89,8 +82,8 @@ class TemperatureTable:
         known = np.array(self.temperatures)
         if not known[0] <= temperature <= known[-1]:
             raise ValueError(
-                f"temperature must lie within {known[0]:.2f} to {known[-1]:.2f} K, those of the table, "
-                f"got {temperature:.2f} K"
+                f"temperature must lie within {known[0]:.2f} to {known[-1]:.2f} K, those of the "
+                f"table, got {temperature:.2f} K"
             )
         order = np.argsort(np.abs(known - temperature), kind="stable")
         nearest = self.tables[int(order[0])]
@@ -114,7 +107,7 @@ class TemperatureTable:
             values=_sum(weights, [table.values for table in tables]),
             kappa_max=max(table.kappa_max for table in tables),
             converged=self.converged,
-            message=f"between tables at {', '.join(f'{table.contact.temperature:.2f}' for table in tables)} K",
+            message=f"between tables at {', '.join(f'{kelvin:.2f}' for kelvin in known[chosen])} K",
         )
 
 
@@ -137,10 +130,6 @@ def build_temperature_table(
     options : TableOptions, optional
     progress : callable, optional
         Called with films done, films wanted so far, and a word.
-
-    Returns
-    -------
-    TemperatureTable
     """
     options = options or TableOptions()
     tables = [build_table(contact_at(one), limits, options, progress) for one in temperatures]
@@ -153,12 +142,10 @@ def build_temperature_table(
         else build_table(table.contact, limits, same, progress)
         for table in tables
     ]
-    found = TemperatureTable(tables=tuple(tables))
-    middles = [0.5 * (a + b) for a, b in pairwise(found.temperatures)]
-    return replace(
-        found,
-        errors=tuple(check_table(found.at(one), contact_at(one), options) for one in middles),
-    )
+    built = TemperatureTable(tables=tuple(tables))
+    middles = [0.5 * (a + b) for a, b in pairwise(built.temperatures)]
+    errors = [check_table(built.at(middle), contact_at(middle), options) for middle in middles]
+    return replace(built, errors=tuple(errors))
 
 
 def lagrange_weights(places: Array, place: float) -> Array:
@@ -174,7 +161,8 @@ def _require_same(expected: Lubricant, given: Lubricant | None) -> None:
         wanted = getattr(expected, field)
         if given is not None and abs(getattr(given, field) - wanted) > OIL_TOLERANCE * wanted:
             raise ValueError(
-                f"made for another oil: its {field} is {wanted:.4g}, not {getattr(given, field):.4g}"
+                f"made for another oil: its {field} is {wanted:.4g}, "
+                f"not {getattr(given, field):.4g}"
             )
 
 
