@@ -1,4 +1,4 @@
-"""Commands on results: report, compare, cut, interferogram."""
+"""Commands on results: report, compare, cut, interferogram, export."""
 
 import json
 from collections.abc import Iterator
@@ -21,6 +21,15 @@ Contact = Annotated[
     str | None,
     typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film."),
 ]
+
+
+class MeshFormat(StrEnum):
+    """Formats of meshes."""
+
+    XDMF = "xdmf"
+    INP = "inp"
+    MSH = "msh"
+    VTU = "vtu"
 
 
 class Axis(StrEnum):
@@ -142,3 +151,26 @@ def interferogram(
         optics = Optics(wavelengths=lengths, refractive_index=index)
         file = output or Path("interferogram.png")
         say(f"picture in {write_interferogram(directory, file, contact, optics)}")
+
+
+@app.command()
+@guarded
+def export(
+    directory: Directory,
+    mesh_format: Annotated[MeshFormat, typer.Option("--format", help="Format of the mesh.")],
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE", help="Default: films.FORMAT.")
+    ] = None,
+    quiet: Errors = False,
+) -> None:
+    """Write films and finite elements as meshes for other programs."""
+    file = output or Path(f"films.{mesh_format}")
+    if file.suffix.lower() != f".{mesh_format}":
+        raise CaseError([f"--output {file}: allowed: a .{mesh_format} file, as --format says"])
+    from ..runs.export import export_meshes
+
+    with _as_case_errors(directory):
+        files = export_meshes(directory, file)
+    if not quiet:
+        for path in files:
+            say(f"{'mesh' if path.suffix == file.suffix else 'values'} in {path}")

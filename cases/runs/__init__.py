@@ -13,6 +13,7 @@
 | race_tables | traction tables from a file, checked against the case |
 | traction_table | building of traction tables |
 | dynamics | time simulation |
+| export | meshes of results for other programs |
 | output_directory | folders of results: complete or not there |
 | interrupt | messages, and work that an interrupt lets finish |
 | kernel_cache | where compiled kernels are kept |

@@ -33,7 +33,11 @@ class Named:
 
 
 def moes(
-    m: float, l: float, ratio: float = 1.0, angle: float = 0.0, oil: Lubricant = MINERAL_OIL  # noqa: E741
+    m: float,
+    l: float,
+    ratio: float = 1.0,
+    angle: float = 0.0,
+    oil: Lubricant = MINERAL_OIL,  # noqa: E741
 ) -> MoesConditions:
     """A contact by M, L, Rx/Ry [-] and the angle of its entrainment [rad]."""
     return MoesConditions(

@@ -40,11 +40,7 @@ def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array
     + c(r/t)/t] of a unit load [-]; `ratio` is Young's modulus of the substrate over that of the
     coating, `poisson` the ratios of coating and substrate.
     """
-    r = _graded(0.0, FINEST, REACH)
-    z = np.concatenate(
-        (np.linspace(0.0, 1.0, LAYER_CELLS + 1), _graded(1.0, 1.0 / LAYER_CELLS, REACH)[1:])
-    )
-    mesh = MeshQuad.init_tensor(r, z)
+    mesh = _mesh()
     basis = Basis(mesh, ElementVector(ElementQuad2()), intorder=5)
     below = np.nonzero(mesh.p[1][mesh.t].mean(axis=0) > 1.0)[0]
     matrix = asm(_stiffness, basis, young=_by_cell(mesh, 1.0, ratio), nu=_by_cell(mesh, *poisson))
@@ -62,6 +58,21 @@ def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array
     surface = basis.get_dofs(lambda x: x[1] < 1e-12).all("u^2")
     order = np.argsort(basis.doflocs[0][surface])
     return basis.doflocs[0][surface][order], w[surface][order] * np.pi / (1.0 - poisson[0] ** 2)
+
+
+def layered_mesh() -> tuple[Array, NDArray[np.int64], NDArray[np.bool_]]:
+    """Nodes (r, z) in thicknesses, shape (n, 2), corners of the cells, shape (m, 4), and whether a
+    cell lies in the coating [-].
+    """
+    mesh = _mesh()
+    return mesh.p.T, mesh.t.T.astype(np.int64), _by_cell(mesh, 1.0, 0.0)[:, 0] > 0.5
+
+
+def _mesh() -> MeshQuad:
+    r = _graded(0.0, FINEST, REACH)
+    coating = np.linspace(0.0, 1.0, LAYER_CELLS + 1)
+    substrate = _graded(1.0, 1.0 / LAYER_CELLS, REACH)
+    return MeshQuad.init_tensor(r, np.concatenate((coating, substrate[1:])))
 
 
 def _graded(start: float, first: float, end: float) -> Array:

@@ -1,0 +1,27 @@
+"""Meshes of results, with the finite elements that their case asks for."""
+
+import json
+from pathlib import Path
+
+from ehl import ContactConditions
+from ehl.solid.coating import Coating
+from postprocess.reader import open_results
+from postprocess.scene.export import export_results
+
+from ..format.case import ContactCase, case_of_file, check_document
+
+
+def export_meshes(directory: Path, file: Path) -> tuple[Path, ...]:
+    """Write films as a mesh, and the elements of a coating beside it; the files."""
+    return export_results(directory, file, _coating(directory))
+
+
+def _coating(directory: Path) -> Coating | None:
+    """The coating of a single contact, from the case that its results hold."""
+    with open_results(directory) as tree:
+        document = json.loads(tree.attrs["case"])
+    file, problems = check_document(document) if "contact" in document else (None, [])
+    case = None if file is None or problems else case_of_file(file, "case")
+    if isinstance(case, ContactCase) and isinstance(case.conditions, ContactConditions):
+        return case.conditions.coating
+    return None

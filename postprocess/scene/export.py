@@ -1,0 +1,250 @@
+"""Meshes of results for other programs, written by meshio: the film of every contact on its patch,
+and the finite elements of a coating.
+"""
+
+import csv
+import os
+import tempfile
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+import meshio
+import numpy as np
+import xarray
+from numpy.typing import NDArray
+
+from ehl.solid.coating import Coating
+from ehl.solid.layered_fem import layered_mesh
+from ehl.solution import Array
+from ehl.units import GIGAPASCAL, MILLIMETRE, ZERO_CELSIUS
+
+from ..contact.frame import principal_coordinates
+from ..reader import open_results
+from .geometry import ContactFrame, Placement, crop_to_ball, grid_quads, place_patch
+from .vtk import FILM, PRESSURE, TEMPERATURE
+
+KINDS = ("bearing", "contact")  # of results that hold films
+# name, unit and zero of a variable of `results.nc`, by its own name and unit
+FIELDS = {
+    ("h", "m"): (FILM, 1e-6, 0.0),
+    ("h", "a^2/Rx"): ("film thickness [a^2/Rx]", 1.0, 0.0),
+    ("P", "Pa"): (PRESSURE, GIGAPASCAL, 0.0),
+    ("P", "p_h"): ("pressure [p_h]", 1.0, 0.0),
+    ("T", "K"): (TEMPERATURE, 1.0, ZERO_CELSIUS),
+}
+RACES = ("inner", "outer")
+SHELL, AXISYMMETRIC = "S4", "CAX4"  # quadrilaterals of Abaqus
+ABAQUS_QUAD = "CAX4P"  # what meshio writes for any of them
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PatchMesh:
+    """Quadrilaterals with values at their nodes and cells; lengths and units in the names."""
+
+    points: Array  # shape (nodes, 3) [mm or a]
+    quads: NDArray[np.int64]  # corner numbers, shape (cells, 4)
+    fields: dict[str, Array]  # at the nodes
+    cells: dict[str, Array]  # at the cells
+    groups: dict[str, NDArray[np.int64]]  # numbers of cells by the name of their group
+    abaqus: str = SHELL
+
+
+def export_results(
+    directory: str | Path, file: str | Path, coating: Coating | None = None
+) -> tuple[Path, ...]:
+    """Write the fields of a result directory as a mesh, and beside it the mesh of a coating.
+
+    Parameters
+    ----------
+    directory : str or Path
+        Results of a bearing or a contact.
+    file : str or Path
+        Its suffix names the format, one of `WRITERS`; files of these names are replaced.
+    coating : Coating, optional
+        Of the contact: the finite elements of its compliance are written, too.
+
+    Returns
+    -------
+    tuple of Path
+        The meshes, and the files of values that belong to them.
+
+    Raises
+    ------
+    ValueError
+        If there are no results with films, or the format is not known.
+    """
+    path = Path(file)
+    extension = path.suffix.lower().removeprefix(".")
+    if extension not in WRITERS:
+        allowed = ", ".join(WRITERS)
+        raise ValueError(f"{path.name}: unknown mesh format {extension!r}; allowed: {allowed}")
+    meshes = {path.name: contact_meshes(directory)}
+    if coating is not None:
+        meshes[f"{path.stem}_coating{path.suffix}"] = coating_mesh(coating)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    # files of one mesh name each other: they are written under their names elsewhere, and moved
+    with tempfile.TemporaryDirectory(dir=path.parent, prefix=f".{path.stem}-") as folder:
+        for name, mesh in meshes.items():
+            WRITERS[extension](mesh, Path(folder) / name)
+        others = sorted({part.name for part in Path(folder).iterdir()} - meshes.keys())
+        for name in (*others, *reversed(meshes)):
+            os.replace(Path(folder) / name, path.with_name(name))
+    return tuple(path.with_name(name) for name in (*meshes, *others))
+
+
+def contact_meshes(directory: str | Path) -> PatchMesh:
+    """All contacts with a film as one mesh: on their balls in the bearing's frame [mm], a single
+    contact in its plane [mm], or in semi-axes a where no length is known.
+    """
+    with open_results(directory) as tree:
+        kind = tree.attrs["kind"]
+        if kind not in KINDS:
+            raise ValueError(
+                f"{directory} holds results of kind {kind}, which have no films to export; "
+                f"allowed: {', '.join(KINDS)}"
+            )
+        leaves = tree["contacts"].leaves if "contacts" in tree.children else ()
+        films = {
+            leaf.path.removeprefix("/contacts/"): leaf.to_dataset(inherit=False).load()
+            for leaf in leaves
+            if "h" in leaf.data_vars
+        }
+        if not films:
+            raise ValueError(f"{directory} holds no film maps")
+        diameter = tree["ring"].attrs["ball_diameter"] if kind == "bearing" else 0.0
+    return merged([patch_mesh(name, data, 0.5 * diameter) for name, data in films.items()])
+
+
+def patch_mesh(name: str, data: xarray.Dataset, ball_radius: float) -> PatchMesh:
+    """One contact: cells between the nodes of its grid, on its ball of `ball_radius` [m]."""
+    attributes = data.attrs
+    x, y = data["x"].values, data["y"].values
+    unit, scale = ("mm", MILLIMETRE) if data["x"].attrs["units"] == "m" else ("a", 1.0)
+    part = (slice(None), slice(None))
+    if "origin" in attributes:
+        part = crop_to_ball(x, y, ball_radius, Placement())
+    angle = float(attributes["frame_angle"])
+    along, across = principal_coordinates(x[part[0]], y[part[1]], angle)
+    points = np.stack([along, across, np.zeros_like(along)], axis=-1)
+    if "origin" in attributes:
+        names = ("origin", "axis_x", "axis_y", "normal")
+        vectors = {key: np.asarray(attributes[key]) for key in names}
+        frame = ContactFrame(ball_radius=ball_radius, **vectors)
+        points = place_patch(along, across, frame, Placement())
+    fields = {f"rolling [{unit}]": along / scale, f"transverse [{unit}]": across / scale}
+    for key in ("P", "h", "T"):
+        if key in data:
+            title, size, zero = FIELDS[key, data[key].attrs["units"]]
+            fields[title] = data[key].values[part].astype(np.float64) / size - zero
+    quads = grid_quads(*along.shape)
+    cells = {}
+    if "ball" in attributes:
+        cells["ball"] = np.full(len(quads), int(attributes["ball"]))
+        cells["race, 1 inner, 2 outer"] = np.full(len(quads), 1 + RACES.index(attributes["race"]))
+    return PatchMesh(
+        points=points.reshape(-1, 3) / scale,
+        quads=quads,
+        fields={title: values.ravel() for title, values in fields.items()},
+        cells=cells,
+        groups={name: np.arange(len(quads))},
+    )
+
+
+def merged(meshes: Sequence[PatchMesh]) -> PatchMesh:
+    """One mesh of several; NaN where one lacks a field, such as a temperature."""
+    nodes = np.cumsum([0] + [len(mesh.points) for mesh in meshes])
+    cells = np.cumsum([0] + [len(mesh.quads) for mesh in meshes])
+    fields = {}
+    for title in dict.fromkeys(title for mesh in meshes for title in mesh.fields):
+        missing = [np.full(len(mesh.points), np.nan) for mesh in meshes]
+        parts = [mesh.fields.get(title, nan) for mesh, nan in zip(meshes, missing, strict=True)]
+        fields[title] = np.concatenate(parts)
+    return PatchMesh(
+        points=np.concatenate([mesh.points for mesh in meshes]),
+        quads=np.concatenate([m.quads + n for m, n in zip(meshes, nodes[:-1], strict=True)]),
+        fields=fields,
+        cells={key: np.concatenate([m.cells[key] for m in meshes]) for key in meshes[0].cells},
+        groups={
+            name: numbers + first
+            for mesh, first in zip(meshes, cells[:-1], strict=True)
+            for name, numbers in mesh.groups.items()
+        },
+    )
+
+
+def coating_mesh(coating: Coating) -> PatchMesh:
+    """The axisymmetric elements from which the compliance of a coated body is computed: radius as
+    x, and -depth as y [mm].
+    """
+    nodes, quads, in_coating = layered_mesh()
+    r, z = nodes.T * coating.thickness / MILLIMETRE
+    young = (coating.youngs_modulus, coating.substrate_youngs_modulus)
+    poisson = (coating.poisson_ratio, coating.substrate_poisson_ratio)
+    return PatchMesh(
+        points=np.stack([r, -z, np.zeros_like(r)], axis=1),
+        quads=quads,  # counter-clockwise, as y points up
+        fields={},
+        cells={
+            "Young's modulus [GPa]": np.where(in_coating, *young) / GIGAPASCAL,
+            "Poisson's ratio [-]": np.where(in_coating, *poisson),
+        },
+        groups={"coating": np.flatnonzero(in_coating), "substrate": np.flatnonzero(~in_coating)},
+        abaqus=AXISYMMETRIC,
+    )
+
+
+def _group_numbers(mesh: PatchMesh) -> NDArray[np.int32]:
+    """Number of the group of each cell, from 1."""
+    numbers = np.zeros(len(mesh.quads), dtype=np.int32)
+    for number, cells in enumerate(mesh.groups.values(), start=1):
+        numbers[cells] = number
+    return numbers
+
+
+def _write_fields(mesh: PatchMesh, path: Path) -> None:
+    """VTU, and XDMF with its numbers in an HDF5 file beside it."""
+    cell_data = {"group": [_group_numbers(mesh)]} | {k: [v] for k, v in mesh.cells.items()}
+    meshio.Mesh(
+        mesh.points, [("quad", mesh.quads)], point_data=mesh.fields, cell_data=cell_data
+    ).write(path)
+
+
+def _write_msh(mesh: PatchMesh, path: Path) -> None:
+    """Gmsh 2.2, binary: groups of cells are physical surfaces."""
+    numbers = _group_numbers(mesh)
+    tags = {"gmsh:physical": [numbers], "gmsh:geometrical": [numbers]}
+    names = {name: np.array([k, 2]) for k, name in enumerate(mesh.groups, start=1)}
+    meshio.Mesh(
+        mesh.points,
+        [("quad", mesh.quads)],
+        point_data=mesh.fields,
+        cell_data=tags | {key: [values] for key, values in mesh.cells.items()},
+        field_data=names,
+    ).write(path, file_format="gmsh22")
+
+
+def _write_inp(mesh: PatchMesh, path: Path) -> None:
+    """Abaqus: nodes, elements and sets; a table by node numbers has the fields."""
+    sets = {name.replace("/", "_").upper(): [cells] for name, cells in mesh.groups.items()}
+    meshio.Mesh(mesh.points, [("quad", mesh.quads)], cell_sets=sets).write(path)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(
+        text.replace(f"TYPE={ABAQUS_QUAD}\n", f"TYPE={mesh.abaqus}\n", 1), encoding="utf-8"
+    )
+    if not mesh.fields:
+        return
+    table = path.with_name(f"{path.stem}_fields.csv")
+    with table.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(["node", *mesh.fields])
+        columns = [values.tolist() for values in mesh.fields.values()]
+        writer.writerows(zip(range(1, len(mesh.points) + 1), *columns, strict=True))
+
+
+WRITERS: dict[str, Callable[[PatchMesh, Path], None]] = {
+    "xdmf": _write_fields,
+    "inp": _write_inp,
+    "msh": _write_msh,
+    "vtu": _write_fields,
+}
