@@ -6,7 +6,6 @@ dynamics          - time simulation of a ball bearing
 fits              - fits and clearances
 friction          - friction of balls on races: laws, balance of the balls, traction equilibrium
 geometry          - internal geometry of a ball bearing
-geometry_estimate - internal geometry estimated from catalogue data
 heating           - temperature of a bearing from its friction
 library           - bearings, materials and lubricants by name, with sources
 material          - solid bodies: moduli, densities, thermal properties, and the reduced modulus

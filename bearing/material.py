@@ -104,7 +104,7 @@ def load_material(name: str) -> Material:
     if key is None:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
     entry = material_data(key)
-    found = {
+    numbers = {
         field: entry[data]["value"] * unit
         for field, (data, unit) in FIELDS.items()
         if data in entry
@@ -120,7 +120,7 @@ def load_material(name: str) -> Material:
             for field, (data, _) in FIELDS.items()
             if not entry.get(data, {}).get("verified", True)
         ),
-        **found,
+        **numbers,
     )
 
 

@@ -115,7 +115,7 @@ def place_bodies(balls, y, inner_speed, outer_speed, bodies):
 @compiled
 def ball_equations(c, free, y, forces, power, dy):
     """Newton's and Euler's equations of the balls with drag and weight."""
-    gravity = (c.gravity_x, c.gravity_y, c.gravity_z)
+    gravity = c.gravity
     for j in range(c.balls):
         x = ball_position(j)
         v = ball_velocity(c.balls, j)
@@ -143,7 +143,7 @@ def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
     swing = c.unbalance * acceleration
     fx, fy, fz = vector(given, GIVEN_FORCE)
     pushes = (fx, fy + steady * co + swing * si, fz + steady * si - swing * co)
-    gravity = (c.gravity_x, c.gravity_y, c.gravity_z)
+    gravity = c.gravity
     for i in range(3):
         v = y[first + i]
         dy[i] = v
@@ -173,7 +173,7 @@ def cage_equations(c, free, y, load, body, dy):
         dy[first + i] = 0.0
     if c.cage_mass <= 0.0:
         return
-    gravity = (c.gravity_x, c.gravity_y, c.gravity_z)
+    gravity = c.gravity
     for i in range(3):
         dy[first + i] = free[RING + i] * (load[FORCE + i] / c.cage_mass + gravity[i])
     turning = first + CAGE_ROTATION
@@ -249,7 +249,7 @@ def energies(y, p, out):
     """Kinetic, elastic and potential energy [J] of a state whose `derivative` was just taken."""
     c = p.constants
     free = p.free
-    gravity = (c.gravity_x, c.gravity_y, c.gravity_z)
+    gravity = c.gravity
     kinetic = 0.0
     elastic = 0.0
     weight = 0.0

@@ -128,9 +128,7 @@ class Constants(NamedTuple):
     land_viscosity: float  # [Pa s]
     land_friction: float  # mu [-]
     drag: float  # of a ball over the square of its speed [N s^2/m^2]
-    gravity_x: float  # [m/s^2]
-    gravity_y: float
-    gravity_z: float
+    gravity: tuple[float, float, float]  # [m/s^2]
     floor: float  # least speed that counts as that of an impact [m/s]
 
 

@@ -148,9 +148,7 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         land_viscosity=model.film_viscosity,
         land_friction=cage.land_friction,
         drag=model.options.drag,
-        gravity_x=model.options.gravity[0],
-        gravity_y=model.options.gravity[1],
-        gravity_z=model.options.gravity[2],
+        gravity=model.options.gravity,
         floor=model.normal.impact_floor,
     )
 
@@ -182,14 +180,11 @@ def normal_laws(
 
 
 def schedule_rows(operation: Operation, model: DynamicsModel) -> Array:
-    """Rows of time, speeds, force, moment for the kernel; a load on a coordinate that is held
-    counts nothing.
+    """Rows of time, speeds, force, moment for the kernel; a load on a fixed coordinate counts
+    nothing.
     """
-    if model.schedule is None:
-        loads = [0.0 if value is None else value for value in operation.loads]
-        rows = np.array([[0.0, operation.inner_speed, operation.outer_speed, *loads]])
-    else:
-        rows = np.column_stack([model.schedule.time, np.array(model.schedule.values)])
+    times = (0.0,) if model.schedule is None else model.schedule.time
+    rows = np.column_stack([times, np.array(model.rows(operation))])
     return np.ascontiguousarray(rows, dtype=np.float64)
 
 

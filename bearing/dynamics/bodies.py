@@ -9,6 +9,7 @@ from ehl.closed_form.hertz import contact_stiffness
 from ..geometry import Bearing
 from ..material import Material, reduced_modulus
 from ..operation import Operation
+from .arrays import GIVEN_FORCE
 from .inputs import CageBody, DynamicsModel, Guidance, LoadType, RingBody
 
 # of an estimated cage, over the ball's diameter [-]
@@ -17,6 +18,7 @@ WEB = 0.35
 CLEARANCE = 0.03
 # F = (pi/4) E* L d of parallel cylinders, Popov (2010), Contact Mechanics and Friction
 LAND_FORCE = 0.25 * pi
+SMALLEST_FILM = 1.0e-6  # between ball and pocket [m]
 
 
 def ring_body(
@@ -39,19 +41,29 @@ def ring_body(
         raise ValueError("bore and width are needed for the inertia of the inner ring")
     inside = 0.5 * bearing.bore
     outside = bearing.inner_centre_radius - bearing.inner_groove_radius
-    own = bearing.inner_ring_material.density * pi * (outside**2 - inside**2) * bearing.width
-    assumed = ("ring.inertia",) if mass is not None else ("ring.mass", "ring.inertia")
-    mass = own if mass is None else mass
-    square = inside**2 + outside**2
+    assumed = ("ring.inertia",)
+    if mass is None:
+        assumed = ("ring.mass", "ring.inertia")
+        density = bearing.inner_ring_material.density
+        mass = density * pi * (outside**2 - inside**2) * bearing.width
+    polar, transverse = hollow_cylinder(mass, inside, outside, bearing.width)
     return RingBody(
         mass=mass,
-        polar_inertia=0.5 * mass * square,
-        transverse_inertia=mass * (3.0 * square + bearing.width**2) / 12.0,
+        polar_inertia=polar,
+        transverse_inertia=transverse,
         damping=damping,
         unbalance=unbalance[0],
         unbalance_phase=unbalance[1],
         assumed=assumed,
     )
+
+
+def hollow_cylinder(
+    mass: float, inside: float, outside: float, width: float
+) -> tuple[float, float]:
+    """Polar and transverse moment of inertia [kg m^2] of a mass [kg] between two radii [m]."""
+    square = inside**2 + outside**2
+    return 0.5 * mass * square, mass * (3.0 * square + width**2) / 12.0
 
 
 def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | None) -> CageBody:
@@ -67,64 +79,50 @@ def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | 
         `land_diameter`, `land_width` (both lands together), `land_clearance` (radial) [m],
         `land_friction` [-]. What is left out is estimated, and named so.
     """
-    values = {name: value for name, value in given.items() if value is not None}
+    guidance = given.pop("guidance", None) or Guidance.BALLS
+    values = {name: value for name, value in given.items() if isinstance(value, int | float)}
+    estimates = ("mass", "thickness", "width", "pocket_clearance")
+    number = values.get
     ball = bearing.ball_diameter
-    assumed = [
-        f"cage.{name}"
-        for name in ("mass", "thickness", "width", "pocket_clearance")
-        if name not in values
-    ]
-    clearance = _number(values, "pocket_clearance", CLEARANCE * ball)
-    thickness = _number(values, "thickness", THICKNESS * ball)
-    width = _number(values, "width", (1.0 + 2.0 * 0.5 * WEB) * ball)
-    pitch = 0.5 * bearing.pitch_diameter
-    inside = pitch - 0.5 * thickness
-    outside = pitch + 0.5 * thickness
-    volume = (
-        pi * (outside**2 - inside**2) * width
-        - bearing.balls * 0.25 * pi * (ball + clearance) ** 2 * thickness
-    )
-    mass = _number(values, "mass", material.density * volume)
-    square = inside**2 + outside**2
+    # 1. hollow cylinder around the pitch circle, less its pockets
+    clearance = number("pocket_clearance", CLEARANCE * ball)
+    thickness = number("thickness", THICKNESS * ball)
+    width = number("width", (1.0 + 2.0 * 0.5 * WEB) * ball)
+    inside = 0.5 * bearing.pitch_diameter - 0.5 * thickness
+    outside = 0.5 * bearing.pitch_diameter + 0.5 * thickness
+    pockets = bearing.balls * 0.25 * pi * (ball + clearance) ** 2 * thickness
+    volume = pi * (outside**2 - inside**2) * width - pockets
+    mass = number("mass", material.density * volume)
+    polar, transverse = hollow_cylinder(mass, inside, outside, width)
+    # 2. contact of a ball with its pocket, of the cage with its lands
     modulus = reduced_modulus(bearing.ball_material, material)
     pocket = 0.5 * (ball + clearance)
     across = 0.5 * ball * pocket / (pocket - 0.5 * ball)  # reduced radius around the pocket
-    guidance = values.get("guidance", Guidance.BALLS)
-    lands = _number(values, "land_width", 0.0)
+    land = 0.5 * number("land_width", 0.0)
     return CageBody(
         mass=mass,
-        polar_inertia=_number(values, "polar_inertia", 0.5 * mass * square),
-        transverse_inertia=_number(
-            values, "transverse_inertia", mass * (3.0 * square + width**2) / 12.0
-        ),
+        polar_inertia=number("polar_inertia", polar),
+        transverse_inertia=number("transverse_inertia", transverse),
         pocket_clearance=clearance,
         pocket_stiffness=contact_stiffness(across, 0.5 * ball, modulus),
-        pocket_friction=_number(values, "pocket_friction", 0.0),
-        film_least=_number(values, "film_least", 1.0e-6),
+        pocket_friction=number("pocket_friction", 0.0),
+        film_least=number("film_least", SMALLEST_FILM),
         guidance=guidance if isinstance(guidance, Guidance) else Guidance.BALLS,
-        land_radius=0.5 * _number(values, "land_diameter", 0.0),
-        land_clearance=_number(values, "land_clearance", 0.0),
-        land_width=0.5 * lands,
-        land_offset=0.5 * (width - 0.5 * lands),
-        land_stiffness=LAND_FORCE * 0.5 * modulus * 0.5 * lands,
-        land_friction=_number(values, "land_friction", 0.0),
-        assumed=tuple(assumed),
+        land_radius=0.5 * number("land_diameter", 0.0),
+        land_clearance=number("land_clearance", 0.0),
+        land_width=land,
+        land_offset=0.5 * (width - land),
+        land_stiffness=LAND_FORCE * 0.5 * modulus * land,
+        land_friction=number("land_friction", 0.0),
+        assumed=tuple(f"cage.{name}" for name in estimates if name not in values),
     )
-
-
-def _number(values: dict[str, float | Guidance], name: str, default: float) -> float:
-    value = values.get(name, default)
-    return value if isinstance(value, int | float) else default
 
 
 def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
     """The fewest equations that the loads allow, after Ma et al. (2023): radial, axial, combined,
     or general.
     """
-    rows = (
-        [operation.loads] if model.schedule is None else [row[2:] for row in model.schedule.values]
-    )
-    loads = np.array([[0.0 if value is None else value for value in row] for row in rows])
+    loads = np.array(model.rows(operation))[:, GIVEN_FORCE:]
     general = (
         any(model.options.gravity)
         or model.ring.unbalance > 0.0
@@ -153,12 +151,12 @@ FREE_COORDINATES = {
 def free_coordinates(
     kind: LoadType, operation: Operation
 ) -> tuple[tuple[int, ...], tuple[int, ...], tuple[int, ...]]:
-    """1 or 0 for each coordinate of ring, cage and a ball [-]; the general ring is held where the
-    case holds it.
+    """1 or 0 for each coordinate of ring, cage and a ball [-]; the general ring is fixed where
+    the case prescribes a displacement.
     """
     ring, cage, ball = FREE_COORDINATES[kind]
-    held = tuple(0 if load is None else 1 for load in operation.loads)
-    return held if kind is LoadType.GENERAL else ring, cage, ball
+    prescribed = tuple(0 if load is None else 1 for load in operation.loads)
+    return prescribed if kind is LoadType.GENERAL else ring, cage, ball
 
 
 def equation_counts(kind: LoadType, balls: int, operation: Operation) -> dict[str, int]:

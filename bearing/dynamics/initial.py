@@ -12,14 +12,24 @@ from ..operation import Model, Operation
 from ..quasistatic.kinematics import centrifugal_force
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
-from .arrays import Array, EquationData
+from .arrays import (
+    EXPONENT,
+    GIVEN_FORCE,
+    INNER_SPEED,
+    OUTER,
+    OUTER_SPEED,
+    SCHEDULED,
+    STIFFNESS,
+    Array,
+    EquationData,
+)
 from .bodies import free_coordinates, load_type
 from .inputs import DynamicsModel, LoadType, Start
 from .laws import kinematic_cage_speed
-from .layout import CAGE_ROTATION, Layout
+from .layout import BODIES, CAGE_ROTATION, Layout
 
 # share of the speed at which an equilibrium is sought for a start at rest [-]
-LEAST_CREEP = 1.0e-3
+SMALLEST_SPEED_SHARE = 1.0e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,7 +43,7 @@ class StartingPoint:
     angles : tuple of float
         Mean contact angles, inner and outer, by load [rad].
     equilibrium : QuasistaticSolution or None
-        Where it was asked for and found.
+        Where the simulation starts from it.
     messages : tuple of str
     """
 
@@ -49,14 +59,14 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     Returns
     -------
     StartingPoint
-        Angles in [rad]. Where no equilibrium is found the free contact angle stands in, and a
+        Angles in [rad]. Without an equilibrium the free contact angle stands in, and a
         message says so.
     """
     kind = model.options.equations or load_type(operation, model)
     first = first_operation(operation, model, kind)
     free = bearing.free_contact_angle if first.force[0] else 0.0
     axial = kind not in (LoadType.RADIAL, LoadType.PLANAR) and any(
-        abs(row[2]) > 0.0 for row in _rows(operation, model)
+        abs(row[GIVEN_FORCE]) > 0.0 for row in model.rows(operation)
     )
     nominal = (bearing.free_contact_angle, bearing.free_contact_angle) if axial else (free, free)
     if model.options.start is Start.ROLLING:
@@ -80,21 +90,19 @@ def _solve(bearing: Bearing, operation: Operation) -> QuasistaticSolution | None
         return None
 
 
-def _rows(operation: Operation, model: DynamicsModel) -> list[tuple[float, ...]]:
-    """Rows of the schedule, or the one of the operation: speeds and loads."""
-    if model.schedule is not None:
-        return [tuple(row) for row in model.schedule.values]
-    loads = (0.0 if value is None else value for value in operation.loads)
-    return [(operation.inner_speed, operation.outer_speed, *loads)]
-
-
 def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) -> Operation:
-    """The operation at time zero, what the equations hold fixed held [SI]."""
-    first = _rows(operation, model)[0]
-    last = _rows(operation, model)[-1]
-    inner, outer = (a or LEAST_CREEP * b for a, b in zip(first[:2], last[:2], strict=True))
+    """The operation at time zero; coordinates that the equations fix are prescribed [SI]."""
+    rows = model.rows(operation)
+    first = rows[0]
+    last = rows[-1]
+    inner, outer = (
+        a or SMALLEST_SPEED_SHARE * b
+        for a, b in zip(first[:GIVEN_FORCE], last[:GIVEN_FORCE], strict=True)
+    )
     ring = free_coordinates(kind, operation)[0]
-    loads: list[Any] = [load if free else None for load, free in zip(first[2:], ring, strict=True)]
+    loads: list[Any] = [
+        load if free else None for load, free in zip(first[GIVEN_FORCE:], ring, strict=True)
+    ]
     given = [0.0 if value is None else value for value in operation.displacements]
     places: list[Any] = [None if free else value for value, free in zip(given, ring, strict=True)]
     return replace(
@@ -118,11 +126,11 @@ def mean_angles(
         (solution.inner_contact_angle, solution.inner_load, nominal[0]),
         (solution.outer_contact_angle, solution.outer_load, nominal[1]),
     )
-    found = [
+    angles = [
         float(np.sum(angle * load) / np.sum(load)) if np.sum(load) > 0.0 else other
         for angle, load, other in pairs
     ]
-    return found[0], found[1]
+    return angles[0], angles[1]
 
 
 def initial_state(
@@ -137,7 +145,8 @@ def initial_state(
     """
     layout = Layout(bearing.balls)
     y = np.zeros(layout.size)
-    inner, outer = data.schedule[0, 1:3]
+    given = data.schedule[0, SCHEDULED:]
+    inner, outer = given[INNER_SPEED], given[OUTER_SPEED]
     cosines, sines = np.cos(data.pocket_angle), np.sin(data.pocket_angle)
     if point.equilibrium is None or start is Start.ROLLING:
         axial, radial, orbit, spin = _rolling(bearing, data, point.angles, (inner, outer))
@@ -152,7 +161,7 @@ def initial_state(
         orbit, spin = 0.0 * orbit, 0.0 * spin
     y[layout.ball] = np.stack([axial, radial * cosines, radial * sines], axis=1).ravel()
     speed = orbit * radial
-    free = data.free[11:]
+    free = data.free[BODIES:]
     y[layout.ball_speed] = (
         np.stack([0.0 * speed, -speed * sines, speed * cosines], axis=1) * free[:3]
     ).ravel()
@@ -172,7 +181,8 @@ def _rolling(
     orbit = kinematic_cage_speed(bearing, *speeds, angles[1])
     gamma = bearing.ball_diameter / bearing.pitch_diameter * np.cos(angles[1])
     force = centrifugal_force(data.constants.ball_mass, bearing.pitch_diameter, np.asarray(orbit))
-    approach = (float(force) / data.normal[1, 0]) ** (1.0 / data.normal[1, 1])
+    law = data.normal[OUTER]
+    approach = (float(force) / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
     reach = bearing.outer_groove_radius - 0.5 * bearing.ball_diameter + approach
     axial = reach * np.sin(angles[1])
     radial = bearing.outer_centre_radius + reach * np.cos(angles[1])

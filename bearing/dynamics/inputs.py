@@ -302,6 +302,15 @@ class DynamicsModel:
     friction_ramp: float = 0.01
     notes: Mapping[str, str] = field(default_factory=dict)
 
+    def rows(self, operation: Operation) -> list[tuple[float, ...]]:
+        """Speeds [rad/s], force [N] and moment [N m] at each time of the schedule, or those of the
+        operation; zero on a coordinate with a prescribed displacement.
+        """
+        if self.schedule is not None:
+            return [tuple(row) for row in self.schedule.values]
+        loads = (0.0 if value is None else value for value in operation.loads)
+        return [(operation.inner_speed, operation.outer_speed, *loads)]
+
 
 def _positive(name: str, value: float) -> None:
     if not (isfinite(value) and value > 0.0):

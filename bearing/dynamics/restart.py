@@ -17,7 +17,7 @@ ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counte
 def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
     """Write the state of a simulation; the file appears under its name when it is complete.
 
-    `case`: what the simulation was made from, compared when it is read.
+    `case`: the case of the simulation, compared when it is read.
     """
     state = simulation.state
     head = {
@@ -40,7 +40,7 @@ def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
 def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
     """Put a simulation where a file left it.
 
-    `simulation`: freshly made from the same case; `case`: what it was made from.
+    `simulation`: a new one of the same case; `case`: compared with that of the file.
 
     Raises
     ------

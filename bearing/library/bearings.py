@@ -63,7 +63,7 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
     if key is None:
         return
     entry = load_catalogue_entry(key)
-    found = []
+    estimates = []
     for field in entry["estimated"]:
         value = values.get(field)
         if (
@@ -73,10 +73,11 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
         ):
             continue
         (low, high), (text, unit) = entry["range"][field], _words(field)
-        found.append(f"{text} {value:g}{unit} ({low:g} to {high:g})")
-    if found:
+        estimates.append(f"{text} {value:g}{unit} ({low:g} to {high:g})")
+    if estimates:
         warnings.warn(
-            f"bearing {key!r}: internal geometry is estimated: {', '.join(found)}", stacklevel=2
+            f"bearing {key!r}: internal geometry is estimated: {', '.join(estimates)}",
+            stacklevel=2,
         )
 
 

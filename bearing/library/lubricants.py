@@ -206,8 +206,8 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
     """Pressure-viscosity coefficient [1/Pa] of an oil's data at a temperature [K].
 
     exponent: exp(a ln eta + b)/eta, eta in Pa s; hyperbola: a + b/(T - c); table: linear in T,
-    held beyond its ends; roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), which is Roelands'
-    (1966) identity with z held.
+    constant beyond its ends; roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), the identity of
+    Roelands (1966) at constant z.
 
     `entry`: data of the oil, `lubricant_data`; `temperature`: temperature [K].
 
@@ -259,7 +259,7 @@ def _linear(data: dict[str, Any], temperature: float) -> float:
 
 
 def _interpolate(entry: dict[str, Any], temperature: float) -> float:
-    """Linear in T [K] between the given points, held outside them."""
+    """Linear in T [K] between the given points, constant outside them."""
     points = sorted(zip(entry["temperature_K"], entry["value"], strict=True))
     if temperature <= points[0][0]:
         return float(points[0][1])

@@ -147,8 +147,8 @@ def _not_covered(bearing: Bearing) -> str:
     rings = (bearing.inner_ring_material, bearing.outer_ring_material)
     for ring in rings:
         if ring.kind is not MaterialKind.BEARING_STEEL:
-            found = f"{ring.name!r} (kind {ring.kind.value!r})"
-            return f"the standards rate rings of hardened bearing steel only, not of {found}"
+            material = f"{ring.name!r} (kind {ring.kind.value!r})"
+            return f"the standards rate rings of hardened bearing steel only, not of {material}"
     ball = bearing.ball_material
     if ball.kind is MaterialKind.OTHER:
         return (
@@ -186,7 +186,7 @@ def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRatin
         loads.append(
             static_equivalent_load(hypot(y, z), abs(float(x)), rating.nominal_contact_angle)
         )
-    load = max((found for found in loads if found is not None), default=None)
+    load = max((row_load for row_load in loads if row_load is not None), default=None)
     if load is None:
         messages.append(
             "life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 "

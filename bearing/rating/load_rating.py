@@ -30,7 +30,7 @@ STATIC_ANGLES = (15.0, 25.0, 40.0)  # [deg]
 STATIC_FACTORS_AXIAL = (0.46, 0.38, 0.26)  # Y_0 there, with X_0 = 0.5 [-]
 LARGE_BALL = 25.4e-3  # balls above this diameter follow another power [m]
 FATIGUE_PRESSURE = 1.5e9  # Hertz pressure at the fatigue limit of bearing steel [Pa]
-ROUNDED = 5e-5  # of a conformity computed from rounded lengths [-]
+ROUNDING = 5e-5  # of a conformity computed from rounded lengths [-]
 MM = 1e-3  # in SI
 
 
@@ -51,8 +51,8 @@ def wide_grooves(bearing: Bearing) -> bool:
     """Whether a groove is wider than those f_c is for, which lowers the rating."""
     conformities = (bearing.inner_conformity, bearing.outer_conformity)
     return any(
-        found > most + ROUNDED
-        for found, most in zip(conformities, LARGEST_CONFORMITIES, strict=True)
+        conformity > largest + ROUNDING
+        for conformity, largest in zip(conformities, LARGEST_CONFORMITIES, strict=True)
     )
 
 
@@ -97,9 +97,9 @@ def groove_factor(bearing: Bearing, contact_angle: float) -> float:
     `contact_angle`: nominal contact angle [rad].
     """
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
-    found = (bearing.inner_conformity, bearing.outer_conformity)
-    wide = [max(own, most) for own, most in zip(found, LARGEST_CONFORMITIES, strict=True)]
-    return lundberg_palmgren(gamma, *wide) / lundberg_palmgren(gamma, *LARGEST_CONFORMITIES)
+    conformities = (bearing.inner_conformity, bearing.outer_conformity)
+    wider = [max(pair) for pair in zip(conformities, LARGEST_CONFORMITIES, strict=True)]
+    return lundberg_palmgren(gamma, *wider) / lundberg_palmgren(gamma, *LARGEST_CONFORMITIES)
 
 
 def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:

@@ -24,16 +24,17 @@ from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
 
 HIRANO_LIMIT = 10.0  # slip factor below which a ball slips, Hirano (1965) [-]
-PRECISION = 1.0e-7  # of critical loads, relative [-]
-# search for a preload: first and next trial over the least possible, trials [-]
-FIRST = 0.6
-GROWTH = 1.2
-STEPS = 40
-# lightest axial load looked at for critical loads, over the least possible preload [-]
-LEAST = 0.02
-EQUAL = 9  # digits to which two balls' factors agree where they count as one
+LOAD_RTOL = 1.0e-7  # of critical loads [-]
+# search for a preload: first trial over the least possible one, growth, trials [-]; the balls
+# share the load unevenly, so it may lie some hundred times above
+FIRST_TRIAL = 0.6
+TRIAL_GROWTH = 1.2
+TRIALS = 40
+# lightest axial load of the search for critical loads, over the least possible preload [-]
+LIGHTEST_TRIAL = 0.02
+EQUALITY_DIGITS = 9  # of the factors of two balls that count as one
 
-# map, or one that shares the work
+# map, or the map of a pool
 Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
 
@@ -65,15 +66,13 @@ class SlipStudy:
             raise ValueError(f"limit must be positive and finite, got {self.limit!r}")
 
     def solve(
-        self, speed: float, axial_load: float, near: QuasistaticSolution | None = None
+        self, speed: float, axial_load: float, initial_guess: QuasistaticSolution | None = None
     ) -> QuasistaticSolution | None:
-        """Equilibrium at an inner speed [rad/s] and axial load [N], from a neighbour's; None where
-        there is none.
-        """
+        """Equilibrium at an inner speed [rad/s] and axial load [N]; None where there is none."""
         operation = replace(
             self.operation, inner_speed=speed, force=(axial_load, *self.operation.force[1:])
         )
-        solution = solve_quasistatic(self.bearing, operation, self.model, near)
+        solution = solve_quasistatic(self.bearing, operation, self.model, initial_guess)
         return solution if solution.converged else None
 
     def least_preload(self, speed: float) -> float:
@@ -97,8 +96,7 @@ class SlipSurface:
     @property
     def minimum(self) -> Array:
         """Factor of the worst ball [-], shape (n, F)."""
-        least: Array = self.factors.min(axis=2)
-        return least
+        return np.asarray(self.factors.min(axis=2))
 
     @property
     def unsolved(self) -> int:
@@ -143,14 +141,15 @@ def slip_row(study: SlipStudy, axial_loads: Sequence[float], speed: float) -> Ar
     ndarray, shape (F, Z)
         Slip factors [-], NaN where there is no equilibrium.
     """
-    found = np.full((len(axial_loads), study.bearing.balls), nan)
-    near = None
-    for index in np.argsort(axial_loads)[::-1]:  # from the heaviest load, where the start is best
-        solution = study.solve(speed, float(axial_loads[index]), near)
+    factors = np.full((len(axial_loads), study.bearing.balls), nan)
+    last = None
+    # from the heaviest load, which converges most easily
+    for index in np.argsort(axial_loads)[::-1]:
+        solution = study.solve(speed, float(axial_loads[index]), last)
         if solution is not None:
-            found[index] = slip_factors(solution)
-            near = solution
-    return found
+            factors[index] = slip_factors(solution)
+            last = solution
+    return factors
 
 
 def slip_surface(
@@ -180,16 +179,16 @@ def minimum_preload(study: SlipStudy, speed: float) -> float:
     Returns
     -------
     float
-        Axial load [N]; 0 without centrifugal force; NaN if none up to 700 times the least possible
-        one is found.
+        Axial load [N]; 0 without centrifugal force; NaN if it exceeds 700 times the least
+        possible one.
     """
     if study.least_preload(speed) == 0.0:
         return 0.0
-    near: QuasistaticSolution | None = None
+    last: QuasistaticSolution | None = None
     before = nan
     for load in _trials(study, speed):
-        solution = study.solve(speed, load, near)
-        near = solution or near
+        solution = study.solve(speed, load, last)
+        last = solution or last
         if solution is not None and slip_factors(solution).min() >= study.limit:
             return _root(study, speed, (before, load), partial(np.min), solution)
         before = load if solution is not None else nan
@@ -220,23 +219,24 @@ def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
         )
     force = (study.operation.force[0], radial_load, study.operation.force[2])
     study = replace(study, operation=replace(study.operation, force=force))
-    found = np.full(study.bearing.balls, nan)
-    known: dict[tuple[float, ...], float] = {}
+    loads = np.full(study.bearing.balls, nan)
+    roots: dict[tuple[float, ...], float] = {}
     above: tuple[float, QuasistaticSolution] | None = None
+    # 1. down from a load at which no ball slips, step by step
     for load, solution in _descent(study, speed):
         if above is not None:
-            pair = np.array([slip_factors(above[1]), slip_factors(solution)])
-            for ball in np.flatnonzero(
-                (pair[0] >= study.limit) & (pair[1] < study.limit) & np.isnan(found)
-            ):
-                key = (load, *(float(f"{factor:.{EQUAL}g}") for factor in pair[:, ball]))
-                if key not in known:
-                    known[key] = _root(
-                        study, speed, (load, above[0]), partial(_of_ball, int(ball)), above[1]
-                    )
-                found[ball] = known[key]
+            before, after = slip_factors(above[1]), slip_factors(solution)
+            passed = (before >= study.limit) & (after < study.limit) & np.isnan(loads)
+            # 2. the load at which a ball passed the limit; balls with equal factors share it
+            for ball in np.flatnonzero(passed):
+                pair = (before[ball], after[ball])
+                key = (load, *(float(f"{factor:.{EQUALITY_DIGITS}g}") for factor in pair))
+                if key not in roots:
+                    of_ball = partial(_of_ball, int(ball))
+                    roots[key] = _root(study, speed, (load, above[0]), of_ball, above[1])
+                loads[ball] = roots[key]
         above = load, solution
-    return found
+    return loads
 
 
 def critical_curves(
@@ -277,33 +277,30 @@ def _rpm(speed: float) -> float:
 
 def _trials(study: SlipStudy, speed: float) -> Iterator[float]:
     least = study.least_preload(speed)
-    return (FIRST * least * GROWTH**step for step in range(STEPS))
+    return (FIRST_TRIAL * least * TRIAL_GROWTH**step for step in range(TRIALS))
 
 
 def _descent(study: SlipStudy, speed: float) -> Iterator[tuple[float, QuasistaticSolution]]:
     """Axial loads and solutions, from one at which no ball slips down to where all do or the load
     is very light.
     """
-    near = None
+    last = None
     load = nan
     for load in _trials(study, speed):
-        near = study.solve(speed, load, near) or near
-        if (
-            near is not None
-            and near.operation.force[0] == load
-            and slip_factors(near).min() >= study.limit
-        ):
+        solution = study.solve(speed, load, last)
+        last = solution or last
+        if solution is not None and slip_factors(solution).min() >= study.limit:
             break
-    lightest = LEAST * study.least_preload(speed)
-    while near is not None and load > lightest:
-        solution = study.solve(speed, load, near)
+    lightest = LIGHTEST_TRIAL * study.least_preload(speed)
+    while last is not None and load > lightest:
+        solution = study.solve(speed, load, last)
         if solution is None:
             return
         yield load, solution
         if slip_factors(solution).max() < study.limit:
             return
-        near = solution
-        load = load / GROWTH
+        last = solution
+        load = load / TRIAL_GROWTH
 
 
 def _of_ball(ball: int, factors: Array) -> float:
@@ -315,7 +312,7 @@ def _root(
     speed: float,
     bracket: tuple[float, float],
     of_factors: Callable[[Array], Any],
-    near: QuasistaticSolution,
+    initial_guess: QuasistaticSolution,
 ) -> float:
     """Axial load [N] within the bracket at which a value of the factors passes the limit; NaN
     without equilibrium.
@@ -324,11 +321,11 @@ def _root(
 
     def excess(load: float) -> float:
         nonlocal unsolved
-        solution = study.solve(speed, load, near)
+        solution = study.solve(speed, load, initial_guess)
         unsolved |= solution is None
         return 0.0 if solution is None else float(of_factors(slip_factors(solution))) - study.limit
 
     if not isfinite(bracket[0]):
         return nan
-    found = brentq(excess, *bracket, rtol=PRECISION, xtol=PRECISION * bracket[0])
-    return nan if unsolved else float(found)
+    load = brentq(excess, *bracket, rtol=LOAD_RTOL, xtol=LOAD_RTOL * bracket[0])
+    return nan if unsolved else float(load)

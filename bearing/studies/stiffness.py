@@ -10,6 +10,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ehl.units import RPM
+
 from ..geometry import Array, Bearing
 from ..operation import Model, Operation
 from ..quasistatic.solution import QuasistaticSolution
@@ -19,7 +21,7 @@ from ..rows import SINGLE, Row
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StiffnessOverSpeed:
-    """Stiffness and place of the inner ring over its speed; NaN where there is no equilibrium.
+    """Stiffness and displacement of the inner ring over its speed; NaN without an equilibrium.
 
     Attributes
     ----------
@@ -58,21 +60,21 @@ def stiffness_over_speed(
     `solve`: finds the equilibrium; called as `solve_quasistatic`.
     """
     matrices = np.full((len(speeds), 5, 5), np.nan)
-    places = np.full((len(speeds), 5), np.nan)
-    near: QuasistaticSolution | None = None
+    displacements = np.full((len(speeds), 5), np.nan)
+    last: QuasistaticSolution | None = None
     messages = []
     for index, speed in enumerate(speeds):
         at_speed = replace(operation, inner_speed=float(speed))
-        found = solve(bearing, at_speed, model, initial_guess=near, rows=rows)
-        if found.converged:
-            matrices[index] = found.stiffness
-            near = found
-            places[index] = [*found.displacement, *found.tilt]
+        solution = solve(bearing, at_speed, model, initial_guess=last, rows=rows)
+        if solution.converged:
+            matrices[index] = solution.stiffness
+            displacements[index] = [*solution.displacement, *solution.tilt]
+            last = solution
         else:
-            messages.append(f"{speed * 30.0 / np.pi:.6g} r/min: {found.message}")
+            messages.append(f"{speed / RPM:.6g} r/min: {solution.message}")
     return StiffnessOverSpeed(
         speeds=np.asarray(speeds, dtype=np.float64),
         matrices=matrices,
-        displacements=places,
+        displacements=displacements,
         messages=tuple(messages),
     )

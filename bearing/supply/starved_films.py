@@ -74,21 +74,21 @@ def starved_films(
     solved = [None] * len(contacts) if solutions is None else solutions
     flooded = [_flooded(contact, film) for contact, film in zip(contacts, solved, strict=True)]
     shares = supplied_films(contacts, [film and film[0] for film in flooded], supply, balls)
-    found: list[StarvedFilm | None] = []
+    films: list[StarvedFilm | None] = []
     for contact, film, share in zip(contacts, flooded, map(float, shares), strict=True):
         if film is None:
-            found.append(None)
+            films.append(None)
             continue
         rough = 0.0 if roughness is None else roughness[0 if contact.race is Race.INNER else 1]
-        one = StarvedFilm(
+        starved = StarvedFilm(
             share=share,
             flooded_central=film[0],
             flooded_minimum=film[1],
             roughness=rough,
             solved=film[2],
         )
-        found.append(one)
-    return tuple(found)
+        films.append(starved)
+    return tuple(films)
 
 
 def of_driven_balls(

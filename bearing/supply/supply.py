@@ -34,8 +34,8 @@ from ..contacts.contact import BearingContact
 from ..geometry import Array, Bearing
 
 EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
-WIDE = 8.0  # Damiens et al. (2004)
-LARGEST = 1.0e6  # inlet layer over film from which a contact counts as flooded [-]
+WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
+FLOODED_RATIO = 1.0e6  # inlet layer over film from which a contact counts as flooded [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,7 +102,7 @@ def starvation_exponent(ellipse_ratio: float) -> float:
     `ellipse_ratio`: Semi-axis across the entrainment over that along it [-]. The ends are Damiens
     et al.'s (2004), second hand; the interpolation is ours.
     """
-    share = min(max(log(max(ellipse_ratio, 1.0)) / log(WIDE), 0.0), 1.0)
+    share = min(max(log(max(ellipse_ratio, 1.0)) / log(WIDE_ELLIPSE), 0.0), 1.0)
     return EXPONENTS[0] * exp(share * log(EXPONENTS[1] / EXPONENTS[0]))
 
 
@@ -132,7 +132,7 @@ def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> floa
     """
     if added_ratio <= 0.0:
         return 0.0
-    if added_ratio >= LARGEST:
+    if added_ratio >= FLOODED_RATIO:
         return 1.0
 
     def surplus(log_r: float) -> float:
@@ -204,10 +204,12 @@ def cavity_volume(bearing: Bearing) -> float:
         else bearing.outer_shoulder_diameter
     )
     ring = 0.25 * pi * (outer**2 - inner**2) * bearing.width
-    return float(ring - bearing.balls * pi / 6.0 * ball**3 * _between(inner, outer, pitch, ball))
+    return float(
+        ring - bearing.balls * pi / 6.0 * ball**3 * _share_in_cavity(inner, outer, pitch, ball)
+    )
 
 
-def _between(inner: float, outer: float, pitch: float, ball: float) -> float:
+def _share_in_cavity(inner: float, outer: float, pitch: float, ball: float) -> float:
     """Share of a ball's volume between the two cylinders [-], these taken as planes."""
     radius = 0.5 * ball
 

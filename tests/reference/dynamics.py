@@ -331,7 +331,7 @@ def accelerations(
         cage_load = _opposite(pairs[2], cage)
         if c.guide:
             _add_lands(problem, (inner if c.guide == GUIDED_BY_INNER_RING else outer, cage), ring_load, cage_load)
-    gravity = np.array([c.gravity_x, c.gravity_y, c.gravity_z])
+    gravity = np.array(c.gravity)
     speed = np.linalg.norm(balls.velocity, axis=1, keepdims=True)
     force = sum(pair.force for pair in pairs) - c.drag * speed * balls.velocity
     ball = (force / c.ball_mass + gravity, sum(pair.moment for pair in pairs) / c.ball_inertia)

@@ -109,9 +109,26 @@ def pocket_forces(c, body, law, memory, angles, y, forces, load, power, pocket_o
 
 
 @compiled
+def land_contact(c, law, impact_speed, eccentricity, velocity, slide_about):
+    """Solid contact of cage and land where the gap is used up: normal force, its direction (y, z),
+    friction, power stored, approach and its rate; slide_about: sliding speed by the rotations.
+    """
+    ey, ez = eccentricity
+    vy, vz = velocity
+    e = np.sqrt(ey * ey + ez * ez)
+    uy, uz = (ey / e, ez / e) if e > 0.0 else (1.0, 0.0)
+    approach = e - c.land_clearance
+    rate = vy * uy + vz * uz
+    push = normal_force(law, approach, rate, impact_speed)
+    slide = slide_about + uy * vz - uz * vy
+    grip = -push * ramped(c.land_friction, abs(slide), c.friction_ramp)
+    grip = grip * (1.0 if slide >= 0.0 else -1.0)
+    return push, uy, uz, grip, elastic_force(law, approach) * rate, approach, rate
+
+
+@compiled
 def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
-    """One land of the guiding ring and the cage: film, its friction, and the solid contact when
-    the gap is used up.
+    """One land of the guiding ring and the cage: film, its friction, and the solid contact.
 
     The friction of the film is the journal's, the couple of its force the sleeve's; the journal is
     the ring inside the cage (-1) or the cage inside the ring (+1).
@@ -137,16 +154,12 @@ def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
     turning = shear * c.land_width / c.land_clearance * speed_difference
     turning += min(journal, 0.0) * (ey * fz - ez * fy)
     # 3. solid contact with friction
-    e = np.sqrt(ey * ey + ez * ez)
-    uy, uz = (ey / e, ez / e) if e > 0.0 else (1.0, 0.0)
-    approach = e - c.land_clearance
-    rate = vy * uy + vz * uz
+    slide_about = journal * c.land_radius * speed_difference
+    push, uy, uz, grip, stored_power, approach, rate = land_contact(
+        c, law, impact_speed, (ey, ez), (vy, vz), slide_about
+    )
     land_out[side, LAND_APPROACH] = approach
     land_out[side, LAND_RATE] = rate
-    push = normal_force(law, approach, rate, impact_speed)
-    slide = journal * c.land_radius * speed_difference + uy * vz - uz * vy
-    grip = -push * ramped(c.land_friction, abs(slide), c.friction_ramp)
-    grip = grip * (1.0 if slide >= 0.0 else -1.0)
     fy = fy - push * uy - grip * uz
     fz = fz - push * uz + grip * uy
     turning += journal * c.land_radius * grip
@@ -159,7 +172,6 @@ def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
         loads[RING_LOAD, MOMENT] += at_ring
     else:
         power[DRIVE_OUTER] -= ring_speed * at_ring
-    stored_power = elastic_force(law, approach) * rate
     power[LAND_FRICTION] -= (
         fy * vy + fz * vz + turning * cage_speed + at_ring * ring_speed + stored_power
     )

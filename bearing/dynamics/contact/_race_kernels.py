@@ -177,6 +177,24 @@ def race_friction(kind, data, law, motion, friction):
 
 
 @compiled
+def record_contact(k, f, out):
+    """State of a contact without its normal force; an open one has no motion and friction."""
+    out[:] = 0.0
+    out[RACE_APPROACH] = k[APPROACH]
+    out[RACE_RATE] = k[APPROACH_SPEED]
+    out[RACE_ANGLE] = k[ANGLE]
+    out[RACE_FILM] = k[THICKNESS]
+    if k[APPROACH] <= 0.0:
+        return
+    out[RACE_ENTRAINMENT] = k[ENTRAINMENT]
+    out[RACE_SLIDE_X] = k[SLIDE_X]
+    out[RACE_SLIDE_Y] = k[SLIDE_Y]
+    out[RACE_SPIN] = k[SPIN]
+    out[RACE_FRICTION_X] = f[FORCE_X]
+    out[RACE_FRICTION_Y] = f[FORCE_Y]
+
+
+@compiled
 def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load, power, race_out):
     """Forces of one race on every ball, and of the balls on the race; powers; states of the
     contacts.
@@ -185,12 +203,8 @@ def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load
         k = motion[j]
         f = friction[j]
         out = race_out[j]
-        out[:] = 0.0
+        record_contact(k, f, out)
         approach, rate = k[APPROACH], k[APPROACH_SPEED]
-        out[RACE_APPROACH] = approach
-        out[RACE_RATE] = rate
-        out[RACE_ANGLE] = k[ANGLE]
-        out[RACE_FILM] = k[THICKNESS]
         if approach <= 0.0:
             continue
         elastic = elastic_force(law, approach)
@@ -199,12 +213,6 @@ def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load
         else:
             push = normal_force(law, approach, rate, memory[race * c.balls + j])
         out[RACE_FORCE] = push
-        out[RACE_ENTRAINMENT] = k[ENTRAINMENT]
-        out[RACE_SLIDE_X] = k[SLIDE_X]
-        out[RACE_SLIDE_Y] = k[SLIDE_Y]
-        out[RACE_SPIN] = k[SPIN]
-        out[RACE_FRICTION_X] = f[FORCE_X]
-        out[RACE_FRICTION_Y] = f[FORCE_Y]
         power[FRICTION_INNER + race] -= (
             f[FORCE_X] * k[SLIDE_X]
             + f[FORCE_Y] * k[SLIDE_Y]

@@ -88,4 +88,4 @@ def elastic_approach(axes, scalars, law, distance, speed):
         w = max(w + step, least)
         if abs(step) <= STEP_TOLERANCE * w:
             return w
-    return np.nan  # no root found: the step in time is refused
+    return np.nan  # no root: the step in time is rejected

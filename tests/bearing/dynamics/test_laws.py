@@ -15,6 +15,7 @@ from bearing.dynamics.laws import damping_factor, planar_stiffness
 
 from ...reference.dynamics import normal_force
 from ...reference.impact import restitution_returned
+from ...reference.wall_shear import drag_at_wall
 
 E_6304 = 210e9 / (1.0 - 0.3**2)
 
@@ -74,6 +75,19 @@ def test_land_film_is_the_integral_of_its_pressure(e, v):
     assert_allclose([fy, fz], [scale * along, scale * across], rtol=1e-4)
     assert_allclose(factor, (1.0 - e * e) ** -0.5)
     assert _kernels.land_film(radius, clearance, width, viscosity, 0.0, 0.0, 0.0, 0.0, mean) == (0.0, 0.0, 1.0)
+
+
+def test_exact_drag_at_a_wall():
+    """Far away Faxen's 1 + 9/16 R/h; the gaps of Goldman, Cox and Brenner's (1967) table, from memory."""
+    assert drag_at_wall(99.0) == pytest.approx(1.0 / (1.0 - 9.0 / 16.0 * 0.01 + 0.01**3 / 8.0), rel=1e-7)
+    for gap, drag in ((0.003202, 4.0223), (0.005004, 3.7863), (0.0453, 2.6475), (0.1276, 2.1514)):
+        assert drag_at_wall(gap) == pytest.approx(drag, rel=2e-4)
+
+
+@pytest.mark.parametrize(("gap", "error"), [(1e-4, 1e-3), (1e-3, 1e-3), (0.01, 3e-3), (0.045, 0.02)])
+def test_shear_of_the_pocket_film_is_that_of_a_sphere_at_a_wall(gap, error):
+    """The asymptote for thin films: the exact constant of the limit is 0.954, printed 0.9588."""
+    assert _kernels.wall_shear(1.0, gap) == pytest.approx(drag_at_wall(gap), rel=error)
 
 
 def test_input_is_checked():
