@@ -1,9 +1,10 @@
 """The lubricated contacts that follow from an equilibrium: shape, motion, stress.
 
-contacts - the contacts of a solved bearing as lubricated contacts, placed in the bearing's frame
+contact  - one contact of a ball with a race, placed in the bearing's frame
+contacts - the contacts of a solved bearing as lubricated contacts
 hertz    - Hertz contacts of many balls at once
-motion   - motion of a ball over its races: rolling, sliding and spin
-shape    - shape of a contact between ball and race, as the laws of friction take it
+motion   - the one kinematics of ball on race: rolling, sliding and spin of both
+shape    - curvatures and ellipse of a contact, as the laws of friction take them
 stress   - stress below a contact and sliding in it
-traction - traction at the contacts of a bearing: how ball and race move over each other
+traction - shear of the film of one contact at the motion of its ball
 """

@@ -1,12 +1,4 @@
-"""Traction at the contacts of a bearing: how ball and race move over each other, and what the oil
-does to them.
-
-In the frame that turns with the ball's centre, the ball has the angular velocity w_R (-cos beta
-e_x + sin beta e_r) and the race (Omega - w_m) e_x. Both velocities are taken at the contact's
-centre, and the two bodies' motion there resolved along the contact's axes x, y, n
-(`BearingContact`), so that spin and rolling have the signs of `ehl.traction.ContactKinematics`,
-body 1 the ball.
-"""
+"""Traction at the contacts of a bearing: shear of their films at the motion of ball and race."""
 
 from dataclasses import dataclass
 
@@ -40,19 +32,8 @@ def contact_traction(
 ) -> ContactTraction:
     """Forces and moments of one contact, integrated over its film.
 
-    Parameters
-    ----------
-    solution, contact
-        As in `bearing_kinematics`.
-    film : ContactSolution
-        Of the contact's conditions [m], [Pa].
-    rheology : Rheology
-    motion : BallMotion, optional
-        Of the ball; None: that of the equilibrium [rad/s].
-
-    Returns
-    -------
-    ContactTraction
+    `film` is that of the contact's conditions [m], [Pa]; `motion` that of the ball [rad/s], None:
+    that of the equilibrium.
     """
     kinematics = bearing_kinematics(solution, contact, motion)
     result = integrate_traction(

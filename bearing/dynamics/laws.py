@@ -4,11 +4,10 @@ from math import pi, sqrt
 
 import numpy as np
 
+from ..friction.resistance import SPHERE_DRAG
 from ..geometry import Bearing, Race, contact_modulus
 from ..operation import Operation
 from .inputs import NormalContact, NormalLaw, RaceStiffness
-
-SPHERE_DRAG = 0.47  # drag coefficient of a smooth sphere, Re 1e3 to 2e5 (Hoerner 1965) [-]
 
 
 def damping_factor(law: NormalLaw, restitution: float) -> float:

@@ -15,8 +15,8 @@ from ..contacts.contact import BearingContact
 from ..geometry import Array, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 
-# C_d of a sphere in Newton's range, 1e3 < Re < 2e5; unverified for balls behind each other
-SPHERE_DRAG = 0.44
+# C_D of a smooth sphere, 1e3 < Re < 2e5 (Hoerner, 1965); not verified for balls behind each other
+SPHERE_DRAG = 0.47
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

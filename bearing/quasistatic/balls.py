@@ -42,12 +42,13 @@ from .kinematics import (
 )
 
 COMPLEX_STEP = 1.0e-30  # [m]
-# friction over load beyond which a hypothesis asks more than any lubricated contact gives [-]
+# friction over load beyond which a hypothesis asks more than a contact gives: above SKF's
+# coefficient of boundary lubrication, 0.12 running and 0.15 at the start (`torque.skf`) [-]
 FRICTION_LIMIT = 0.2
 # cosine of 80 degrees: beyond, the load fades to none at 90, where no groove reaches [-]
 EDGE_COSINE = 0.17
 # a ball that carries less than this part of the largest forces is measured against these [-]
-LIGHT = 1.0e-4
+LIGHT_LOAD_RATIO = 1.0e-4
 ROUND_OFF = 8.0 * float(np.finfo(np.float64).eps)  # [-]
 BALL_TARGET = 1.0e-13  # residual of a ball over its forces at which iterating stops [-]
 # residual of a ball over its forces that is accepted when it falls no further [-]
@@ -105,8 +106,8 @@ class BallsEquilibrium(NamedTuple):
 
     u (2, Z) [m]; values (5, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on
     it about e_t [N m]; du_dV (2, 2, Z) [-] and ring_dV (3, 2, Z) [N/m], [N]: condensed
-    derivatives; residual [-] of each ball over its forces, or over LIGHT times those of the
-    heaviest loaded ball, and what round-off leaves of it.
+    derivatives; residual [-] of each ball over its forces, or over LIGHT_LOAD_RATIO times those of
+    the heaviest loaded ball, and what round-off leaves of it.
     """
 
     u: Array
@@ -160,18 +161,18 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     outer_distance = np.sqrt(u[0] * u[0] + u[1] * u[1])
     inner_distance = np.sqrt(w[0] * w[0] + w[1] * w[1])
     outer = Direction(u[0] / outer_distance, u[1] / outer_distance)
-    # else far from the race: no angle
-    near = (inner_distance.real > 0.5 * problem.inner_length) & (w[1].real > 0.0)
-    safe = np.where(near, inner_distance, problem.inner_length)
+    # far from the race there is no angle
+    in_reach = (inner_distance.real > 0.5 * problem.inner_length) & (w[1].real > 0.0)
+    safe = np.where(in_reach, inner_distance, problem.inner_length)
     inner = Direction(
-        np.where(near, w[0] / safe, outer.sin), np.where(near, w[1] / safe, outer.cos)
+        np.where(in_reach, w[0] / safe, outer.sin), np.where(in_reach, w[1] / safe, outer.cos)
     )
     outer_load = stiffness_at(problem.outer_series, outer.cos) * _power(
         outer_distance - problem.outer_length
     )
     outer_load = outer_load * _smooth_step(outer.cos, EDGE_COSINE)
     inner_load = stiffness_at(problem.inner_series, inner.cos) * _power(
-        np.where(near, inner_distance, 0.0) - problem.inner_length
+        np.where(in_reach, inner_distance, 0.0) - problem.inner_length
     )
     inner_load = inner_load * _smooth_step(inner.cos, EDGE_COSINE)
     prescribed = problem.prescribed
@@ -209,18 +210,18 @@ def _shared_motion(
     speeds = (problem.inner_speed, problem.outer_speed)
     alone = attitude(outer, inner, problem.gamma, BallKinematics.OUTER_RACE_CONTROL)
     parallel = Direction(0.0 * alone.sin, 0.0 * alone.sin + 1.0)
-    beta = blend(parallel, alone, _share(outer_load, 2.0, alone, problem))
+    beta = blend(parallel, alone, _transmissible_share(outer_load, 2.0, alone, problem))
     if problem.kinematics is BallKinematics.OUTER_RACE_CONTROL:
         return np.ones_like(inner_load), rolling_motion(outer, inner, beta, problem.gamma, *speeds)
     chosen = attitude(outer, inner, problem.gamma, problem.kinematics)
-    share = _share(inner_load, INNER_PART[problem.kinematics], chosen, problem)
+    share = _transmissible_share(inner_load, INNER_PART[problem.kinematics], chosen, problem)
     return share, rolling_motion(outer, inner, blend(beta, chosen, share), problem.gamma, *speeds)
 
 
-def _share(load: Numbers, part: float, beta: Direction, problem: BallProblem) -> Numbers:
-    """1 where the friction `part` Mg/D that an attitude asks is within reach of the load [N], else
-    less.
-    """
+def _transmissible_share(
+    load: Numbers, part: float, beta: Direction, problem: BallProblem
+) -> Numbers:
+    """1 where the load [N] transmits the friction `part` Mg/D of an attitude, else less."""
     couple = problem.nominal_couple * beta.sin * np.sign(beta.sin.real)
     return _smooth_step(FRICTION_LIMIT * load, part * couple / problem.ball_diameter)
 
@@ -257,7 +258,8 @@ def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
 
 
 def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsEquilibrium:
-    """Equilibrium of all balls at a given position of the inner ring.
+    """Equilibrium of all balls at a given position of the inner ring; its `residual` says how well
+    each ball is in balance.
 
     Parameters
     ----------
@@ -267,32 +269,30 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsE
     u_start : ndarray, shape (2, Z), or None
         Guess of the ball positions [m].
     problem : BallProblem
-
-    Returns
-    -------
-    BallsEquilibrium
-        Its `residual` tells whether each ball was brought to equilibrium.
     """
     u = _start(V, u_start, problem)
     current = _evaluate(u, V, problem)
     for _ in range(MAX_BALL_STEPS):
+        # 1. balls not yet in balance
         _, values, size, jacobian = current
         active = np.hypot(values[0], values[1]) > np.maximum(
             BALL_TARGET * size, _round_off(current, problem)
         )
         if not active.any():
             break
+        # 2. Newton step; where it leads uphill in energy, that of springs in the two contacts
         step = _solve_2x2(jacobian[:2, :2] - jacobian[:2, 2:], -values[:2])
         uphill = ~((step * values[:2]).sum(axis=0) > 0.0)
         if (uphill & active).any():
             step = np.where(uphill, _elastic_step(u, V, values, problem), step)
         step = _limit(step, 0.25 * problem.outer_length)
+        # 3. halved until the force left on the ball falls
         trial, improved = _backtrack(u, np.where(active, step, 0.0), V, current, problem)
         if not improved.any():
             break
         u = trial[0]
         current = trial
-    return _row(current, problem)
+    return _condensed(current, problem)
 
 
 class _Evaluation(NamedTuple):
@@ -322,7 +322,7 @@ def _round_off(current: _Evaluation, problem: BallProblem) -> Array:
     return ROUND_OFF * (problem.inner_length + problem.outer_length) * stiffness
 
 
-def _row(current: _Evaluation, problem: BallProblem) -> BallsEquilibrium:
+def _condensed(current: _Evaluation, problem: BallProblem) -> BallsEquilibrium:
     """Condense: du/dV from the ball equilibrium, then the change of the forces on the ring
     with V.
     """
@@ -332,7 +332,7 @@ def _row(current: _Evaluation, problem: BallProblem) -> BallsEquilibrium:
     du_dV = np.stack([_solve_2x2(by_u[:2], -by_w[:2, k]) for k in range(2)], axis=1)
     ring_dV = by_w[2:] + np.einsum("fuz,uvz->fvz", by_u[2:], du_dV)
     norm = np.hypot(values[0], values[1])
-    scale = np.maximum(size, LIGHT * size.max())
+    scale = np.maximum(size, LIGHT_LOAD_RATIO * size.max())
     scale = np.where(scale > 0.0, scale, 1.0)
     return BallsEquilibrium(
         u,

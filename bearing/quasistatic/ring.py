@@ -24,10 +24,15 @@ RESIDUAL_TARGET = 1.0e-12  # relative residual at which iterating stops [-]
 # of the tangent, relative to its largest entry: a ring that nothing holds must not fly [-]
 REGULARISATION = 1.0e-12
 # radial over axial load below which the search starts from the thrust alone [-]
-THRUST_FIRST = 2.0
+MAX_THRUST_LOAD_RATIO = 2.0
 MAX_RING_STEPS = 80
 MAX_CUTS = 15
-PATIENCE = 30  # steps without a new best residual after which the search is given up [-]
+SUFFICIENT_DECREASE = 1.0e-4  # Armijo's constant (Nocedal and Wright, 2006, sec. 3.1) [-]
+# bounds of a secant cut of the step, and the cut where a ball has no equilibrium; 150 random
+# bearings take 680 steps, and 681 with the bounds 0.1 and 0.5 of Dennis and Schnabel (1996)
+SECANT_CUTS = (0.1, 0.7)
+PLAIN_CUT = 0.4
+MAX_STALLED_STEPS = 30  # without a new best residual
 
 
 class Ring(NamedTuple):
@@ -133,19 +138,20 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
     best = point
     improved_at = 0
     for iteration in range(MAX_RING_STEPS):
+        # 1. done at the target, or where nothing is free
         if not ring.free.any() or point.residual <= max(RESIDUAL_TARGET, point.noise):
             return point, iteration
+        # 2. Newton step, shortened by a line search
         point = _search(point, _step(point, ring, problem), ring, problem)
-        lost = bool(
-            point.balls.residual.max() > max(RESIDUAL_TOLERANCE, point.noise)
-        )  # no step leaves every ball in equilibrium
+        # 3. no more progress: round-off, a ball without equilibrium, or too many steps in vain
+        lost = bool(point.balls.residual.max() > max(RESIDUAL_TOLERANCE, point.noise))
         stalled = point.residual >= 0.5 * best.residual
         if point.residual < best.residual:
             best, improved_at = point, iteration
         if (
             (stalled and best.residual <= max(RESIDUAL_TOLERANCE, best.noise))
             or lost
-            or iteration - improved_at >= PATIENCE
+            or iteration - improved_at >= MAX_STALLED_STEPS
         ):
             break
     return best, iteration + 1
@@ -210,11 +216,13 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
         predicted = point.balls.u + np.einsum("uvz,vz->uz", point.balls.du_dV, moved)
         trial = _point(point.q + factor * step, predicted, ring, problem)
         if trial.balls.residual.max() <= max(RESIDUAL_TOLERANCE, trial.noise):
-            if norm(trial) < (1.0 - 1e-4 * factor) * size or along(trial) > 0.0:
+            if norm(trial) < (1.0 - SUFFICIENT_DECREASE * factor) * size or along(trial) > 0.0:
                 return trial
-            factor *= min(max(slope / (slope - along(trial)), 0.1), 0.7)
+            # zero of the force along the step, by a secant
+            low, high = SECANT_CUTS
+            factor *= min(max(slope / (slope - along(trial)), low), high)
         else:
-            factor *= 0.4
+            factor *= PLAIN_CUT
     return trial
 
 
@@ -235,7 +243,7 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
     q = np.where(ring.free, 0.0, ring.prescribed)
     axial = ring.load[0]
     radial = hypot(ring.load[1], ring.load[2])
-    if axial != 0.0 and radial < THRUST_FIRST * abs(axial) and ring.free[0]:
+    if axial != 0.0 and radial < MAX_THRUST_LOAD_RATIO * abs(axial) and ring.free[0]:
         low = ring.free_axial
         high = ring.free_axial + ring.distance
         for _ in range(40):  # F = Z K (|V| - A)^1.5 sin(angle), increasing in x

@@ -1,9 +1,7 @@
 """Friction torque of a ball bearing, by several models side by side.
 
-Functions named as their module are imported from it: heat_balance, self_heating, starved_torque.
-
 breakdown          - all models of the friction torque of one bearing, side by side
-integrated         - friction torque from the shear of all films
+integrated         - friction torque from the shear of solved films, and from a law or table
 models             - every model of the friction torque, brought to one form
 palmgren           - Palmgren's friction torque, M = M_0 + M_1 (1957)
 pure_rolling_lines - sliding friction of a ball on a grooved race by its lines of pure rolling
@@ -12,7 +10,6 @@ shear_torque       - torque of the friction of all contacts under a hypothesis o
 skf                - SKF's friction model (2013)
 sliding            - sliding friction torque from the internal loads
 starved            - friction torque over the oil supply, first order
-sweeps             - friction torque over speed, load and temperature
 """
 
 import lazy_loader

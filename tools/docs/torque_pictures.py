@@ -8,10 +8,10 @@ from pathlib import Path
 import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
+from torque_sweeps import TorqueStudy, torque_sweep
 from validation_004 import SIZES, resized, table
 from validation_004 import SPEEDS as PRINTED_SPEEDS
 
-from bearing.torque.sweeps import TorqueStudy, torque_sweep
 from cases import load_case
 from postprocess.bearing.plots_torque import Curve, draw_over_speed
 from postprocess.plot_style import PAGE_WIDTH, RC, save

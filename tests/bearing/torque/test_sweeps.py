@@ -6,11 +6,11 @@ from math import pi
 
 import numpy as np
 import pytest
+from torque_sweeps import TorqueStudy, torque_sweep
 
 from bearing import Model, Operation, contact_conditions, library_lubricant, solve_quasistatic
 from bearing.torque.breakdown import NAMES, torque_breakdown
 from bearing.torque.models import FrictionInput
-from bearing.torque.sweeps import TorqueStudy, torque_sweep
 
 RPM = pi / 30.0
 

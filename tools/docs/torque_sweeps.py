@@ -6,14 +6,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from bearing.contacts.contacts import contact_conditions
+from bearing.geometry import Array, Bearing
+from bearing.operation import Model, Operation
+from bearing.quasistatic.solver import solve_quasistatic
+from bearing.torque.breakdown import NAMES, torque_breakdown
+from bearing.torque.models import FrictionInput
 from ehl.oil.lubricant import Lubricant
-
-from ..contacts.contacts import contact_conditions
-from ..geometry import Array, Bearing
-from ..operation import Model, Operation
-from ..quasistatic.solver import solve_quasistatic
-from .breakdown import NAMES, torque_breakdown
-from .models import FrictionInput
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,9 +90,7 @@ def torque_sweep(
     converged = np.zeros(shape, dtype=np.bool_)
     for place in np.ndindex(shape):
         temperature, speed = temperatures[place[0]], speeds[place[2]]
-        operation = replace(
-            study.operation, inner_speed=speed, force=forces[place[1]], temperature=temperature
-        )
+        operation = replace(study.operation, inner_speed=speed, force=forces[place[1]], temperature=temperature)
         solution = solve_quasistatic(study.bearing, operation, study.model)
         converged[place] = solution.converged
         if not solution.converged:
