@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 from skfem import Basis, BilinearForm, ElementQuad1, LinearForm, MeshQuad
 
+from ..oil.lubricant import roelands_rise
 from ..scaling import ScaledContact
 
 Array = NDArray[np.float64]
@@ -87,14 +88,15 @@ def coefficients(space: FilmSpace, contact: ScaledContact, P: Array, H: Array) -
     (p, p_grad), (h, h_grad) = interpolate(space, P), interpolate(space, H)
     c = contact
     p = np.maximum(p, 0.0)
-    base = 1.0 + c.viscosity_pressure * p
     z = c.viscosity_exponent
     q = c.viscosity_pressure
+    base = 1.0 + q * p
     slope = c.viscosity_slope * z * q * base ** (z - 1.0)  # d(ln eta)/dP
     curvature = slope * (z - 1.0) * q / base
     n, d = c.density_numerator, c.density_denominator
     rho = (1.0 + n * p / (1.0 + d * p), n / (1.0 + d * p) ** 2, -2.0 * n * d / (1.0 + d * p) ** 3)
-    eps = rho[0] * h**3 * np.exp(-c.viscosity_slope * (base**z - 1.0)) / c.speed
+    rise = roelands_rise(q * p, z)
+    eps = rho[0] * h**3 * np.exp(-c.viscosity_slope * (rise - 1.0)) / c.speed
     a = rho[1] / rho[0] - slope  # d(ln eps)/dP
     a_P = rho[2] / rho[0] - (rho[1] / rho[0]) ** 2 - curvature
     hx = space.length_x

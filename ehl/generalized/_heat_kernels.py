@@ -1,8 +1,17 @@
 """Temperature of the film, compiled: columns one after the other along the flow.
 
-The equations and the readable twin of one column stand in `columns.py`, those of the bodies in
-`solids.py`. rheology, section, work: as in `ehl.generalized._kernels`; differences: slopes at both
-walls and curvature of `columns.wall_slopes` and `columns.curvature`.
+Heat equation across the film at zeta = z/h, convection by upwind differences along x and y:
+
+    rho c (u T_x + v T_y) + rho c W/h T_zeta
+        = k/h^2 T_zeta_zeta + tau . rate + eps T (u p_x + v p_y),
+
+eps the thermal expansion of the oil's density law, W the velocity through the lines of constant
+zeta, which continuity gives. At the nodes inside by three-point differences for conduction and
+upwind ones for W, which keep the temperature between those it comes from where nothing heats; at
+the walls the temperatures of the bodies follow the flux that they take up (three-point, too), T =
+T_hist + R q with q = +-k/h T_zeta, see `solid/heat.py`. Conduction along the film is neglected: it
+is thin. rheology, section, work: as in `ehl.generalized._kernels`; differences: slopes at both
+walls and curvature of `section.wall_slopes` and `section.curvature`.
 """
 
 import numpy as np
@@ -12,11 +21,12 @@ from ..oil._kernels import thermal_expansion, viscosity_softening
 from ._kernels import FLUIDITY, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
 
 COLUMN_STEPS = 40  # Newton steps of one column
-CAREFUL_AFTER = 12  # steps from which on only half of each is taken, then a quarter
+HALVED_AFTER = 12  # steps, from which on only half of each is taken, then a quarter
 COLUMN_TOLERANCE = 0.05  # [K] of the last step; convergence is quadratic
 LARGEST_STEP = 40.0  # [K] of one Newton step
-COLDEST = 150.0  # [K]
-HOTTEST = 2000.0  # bounds of iterates
+# bounds of iterates [K]
+MIN_TEMPERATURE = 150.0
+MAX_TEMPERATURE = 2000.0
 # rows of the flow's workspace
 U = 0
 V = 1
@@ -24,7 +34,7 @@ RATE_X = 2
 RATE_Y = 3
 CROSSING = 4
 INFLOW = 5
-CARRIED = 6
+ADVECTED = 6
 SOURCE = 7
 FLOW_ROWS = 8
 
@@ -57,21 +67,9 @@ def solve_dense(matrix, right):
 
 @compiled
 def column_temperature(
-    film,
-    conductivity,
-    inflow,
-    carried,
-    crossing,
-    source,
-    slope,
-    compression,
-    last,
-    history,
-    response,
-    nodes,
-    differences,
-    out,
-):
+    film, conductivity, inflow, advected, crossing, source, slope, compression, last, history,
+    response, nodes, differences, out
+):  # fmt: skip
     """Temperature at the nodes of a column, its source linearised at the last one [K]."""
     below, above, curvature = differences
     n = last.size
@@ -79,7 +77,7 @@ def column_temperature(
     spread = conductivity / (film * film)
     flux = conductivity / film
     for k in range(1, n - 1):
-        right = carried[k] + source[k]
+        right = advected[k] + source[k]
         for m in range(n):
             matrix[k, m] = -slope[k, m] - spread * curvature[k, m]
             right -= slope[k, m] * last[m]
@@ -174,24 +172,25 @@ def column_transport(
         from_y = temperature[south, i, k] if 0 <= south < ny else inlet
         a_x, a_y = dense * abs(flow[U, k]) / mesh[0], dense * abs(flow[V, k]) / mesh[1]
         flow[INFLOW, k] = a_x + a_y
-        flow[CARRIED, k] = a_x * from_x + a_y * from_y
+        flow[ADVECTED, k] = a_x * from_x + a_y * from_y
         change = (mass[j, i, k] - mass[j, before, k]) / step if inside else 0.0
         whole = (mass[j, i, n - 1] - mass[j, before, n - 1]) / step if inside else 0.0
-        # what the film gains or loses as a whole leaves sideways or in cavities, evenly over its thickness
+        # the gain or loss of the film as a whole leaves sideways or in cavities, evenly over its
+        # thickness
         flow[CROSSING, k] = -heat_density * (change - section[0][k] * whole) / height
 
 
 @compiled
-def change_temperature(temperature, wanted, share):
-    """Go a share of the way to the wanted temperatures, in bounds; returns the largest change [K]."""
+def change_temperature(temperature, target, share):
+    """Step of a share towards the target temperatures, in bounds; the largest change [K]."""
     largest = 0.0
-    for k in range(wanted.size):
-        if not np.isfinite(wanted[k]):
+    for k in range(target.size):
+        if not np.isfinite(target[k]):
             return np.inf
-    for k in range(wanted.size):
-        step = min(max(share * (wanted[k] - temperature[k]), -LARGEST_STEP), LARGEST_STEP)
+    for k in range(target.size):
+        step = min(max(share * (target[k] - temperature[k]), -LARGEST_STEP), LARGEST_STEP)
         largest = max(largest, abs(step))
-        temperature[k] = min(max(temperature[k] + step, COLDEST), HOTTEST)
+        temperature[k] = min(max(temperature[k] + step, MIN_TEMPERATURE), MAX_TEMPERATURE)
     return largest
 
 
@@ -200,28 +199,23 @@ def solve_heat_column(
     j, i, p, height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences, rheology,
     temperature, inlet, history, response, middle, mass, work, flow, slope, out
 ):  # fmt: skip
-    """Temperature and stress of one column together; returns heat of shear [W/m^2] and whether it
-    came to rest.
+    """Temperature and stress of one column by Newton's method; heat of shear [W/m^2] and whether
+    it converged.
 
     heat: conductivity and rho_0 c of the oil.
     """
     n = section[0].size
-    found = False
+    converged = False
     dissipated = 0.0
     compression = np.empty(n)
     for turn in range(COLUMN_STEPS):
+        # 1. stress at the last temperatures
+        guess = (middle[0, j, i], middle[1, j, i])
         t_x, t_y, solved = solve_column(
-            p,
-            temperature[j, i],
-            (middle[0, j, i], middle[1, j, i]),
-            rise,
-            rate,
-            oil,
-            section,
-            rheology,
-            work,
+            p, temperature[j, i], guess, rise, rate, oil, section, rheology, work
         )
         middle[0, j, i], middle[1, j, i] = t_x, t_y
+        # 2. velocities, heat of shear and its derivative, convection, compression
         column_motion((t_x, t_y), rise, speed, height, section, work, flow)
         column_transport(
             j, i, mesh, symmetric, heat[1], temperature, inlet, mass, height, section, work, flow
@@ -230,26 +224,27 @@ def solve_heat_column(
         for k in range(n):
             expansion = thermal_expansion(p, temperature[j, i, k], oil)
             compression[k] = expansion * (flow[U, k] * rise[0] + flow[V, k] * rise[1]) / height
+        # 3. temperatures of the linearised column, within bounds
         column_temperature(
-            height, heat[0], flow[INFLOW], flow[CARRIED], flow[CROSSING], flow[SOURCE], slope, compression,
-            temperature[j, i], history, response, section[0], differences, out,
+            height, heat[0], flow[INFLOW], flow[ADVECTED], flow[CROSSING], flow[SOURCE], slope,
+            compression, temperature[j, i], history, response, section[0], differences, out,
         )  # fmt: skip
-        largest = change_temperature(temperature[j, i], out, 0.5 ** (turn // CAREFUL_AFTER))
+        largest = change_temperature(temperature[j, i], out, 0.5 ** (turn // HALVED_AFTER))
         if largest < COLUMN_TOLERANCE:
-            found = solved
+            converged = solved
             break
     for k in range(n):
         dissipated += height * section[1][k] * flow[SOURCE, k]
-    return dissipated, found
+    return dissipated, converged
 
 
 @compiled
 def heat_sweep(
-    p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences, rheology,
-    inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation
+    p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences,
+    rheology, inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation
 ):  # fmt: skip
-    """Columns of all lines one after the other along x, or against it; returns how many did not
-    come to rest.
+    """Columns of all lines one after the other along x, or against it; the number of unsolved
+    ones.
 
     p, h: (ny, nx); gradient, speed_1, speed_2, response, flux: (2, ny, nx); bulk: temperatures of
     both bodies [K]; response: 1/(sqrt(pi u) e) of both [K m^1.5/W]; weights: of their histories
@@ -258,7 +253,7 @@ def heat_sweep(
     """
     ny, nx = p.shape
     n = section[0].size
-    missed = 0
+    unsolved = 0
     work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
     slope = np.zeros((n, n))
     out = np.zeros(n)
@@ -266,6 +261,7 @@ def heat_sweep(
         for turn in range(nx):
             i = turn if forward else nx - 1 - turn
             height = h[j, i]
+            # 1. walls by the heat taken up upstream
             past_1 = bulk[0] + response[0, j, i] * body_history(
                 flux[0, j], i, speed_1[0, j, i], weights
             )
@@ -277,32 +273,35 @@ def heat_sweep(
                 for k in range(n):
                     temperature[j, i, k] = past_1 + section[0][k] * (past_2 - past_1)
                 continue
+            # 2. column, with the response of the walls to its own flux
             rise = (height * gradient[0, j, i], height * gradient[1, j, i])
             rate = (
                 (speed_2[0, j, i] - speed_1[0, j, i]) / height,
                 (speed_2[1, j, i] - speed_1[1, j, i]) / height,
             )
-            answer = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
+            wall_response = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
             speed = (speed_1[0, j, i], speed_1[1, j, i])
             before = i - 1 if forward else i + 1
-            found = False
+            converged = False
             for attempt in range(2):
-                # what was left there may be absurd: start from the neighbour
+                # the last temperatures may be far off: start from those of the neighbour
                 if attempt == 1 and 0 <= before < nx:
                     temperature[j, i], middle[:, j, i] = temperature[j, before], np.nan
-                dissipation[j, i], found = solve_heat_column(
-                    j, i, p[j, i], height, rise, rate, speed, mesh, symmetric, oil, heat, section, differences,
-                    rheology, temperature, inlet, (past_1, past_2), answer, middle, mass, work, flow, slope, out,
+                dissipation[j, i], converged = solve_heat_column(
+                    j, i, p[j, i], height, rise, rate, speed, mesh, symmetric, oil, heat, section,
+                    differences, rheology, temperature, inlet, (past_1, past_2), wall_response,
+                    middle, mass, work, flow, slope, out,
                 )  # fmt: skip
-                if found:
+                if converged:
                     break
-            missed += 0 if found else 1
+            unsolved += 0 if converged else 1
+            # 3. flux into the walls
             gain_1 = gain_2 = 0.0
             for k in range(n):
                 gain_1 += differences[0][k] * temperature[j, i, k]
                 gain_2 -= differences[1][k] * temperature[j, i, k]
             flux[0, j, i], flux[1, j, i] = heat[0] / height * gain_1, heat[0] / height * gain_2
-    return missed
+    return unsolved
 
 
 @compiled

@@ -1,7 +1,30 @@
 """Columns of film, compiled: stress in the middle, and the integrals of the generalized Reynolds
-equation.
+equation, Yang and Wen (1990).
 
-The readable NumPy twins and the equations stand in `columns.py`. rheology: a `KernelRheology`;
+In a thin film the momentum balance is d(tau)/dz = grad p, so that
+
+    tau(z) = tau_m + (z - h/2) grad p,      d(u, v)/dz = tau/eta*(|tau|),
+
+tau_m the stress in the middle, which the difference of the surface velocities determines:
+
+    integral of tau/eta* dz = (u_b - u_a, v_b - v_a).
+
+The rate is the gradient of a convex potential of tau_m, so that Newton's method with steps
+shortened where they overshoot finds the only solution; far out on an exponential law, where a step
+gains one power of e only, the next is lengthened to as many as are needed. A limiting stress is
+never reached: from a share 1 - e of it on, the law continues along its tangent, with e = 0.001
+tau_L/tau_base of the column, 0.001 at most, so that the stress of plain sliding exceeds the limit
+by a thousandth (Newtonian base; 3 % if Carreau and Yasuda's base exceeds it 600 times). Where half
+of h grad p exceeds the limit, no tau_m balances it, no oil of that law flows steadily, and the
+tangent replaces the law.
+
+With 1/eta_e = (1/h) int dz/eta*, 1/eta'_e = (1/h^2) int z dz/eta*, rho_e = (1/h) int rho dz,
+rho'_e = (1/h^2) int rho int_0^z dz'/eta* dz, rho''_e = (1/h^3) int rho int_0^z z' dz'/eta* dz, the
+mass flux is -(rho/eta)_e h^3/12 grad p + h [rho'_e eta_e (u_b - u_a) + rho_e u_a],
+
+    (rho/eta)_e = 12 (eta_e rho'_e/eta'_e - rho''_e).
+
+rheology: a `KernelRheology`;
 section: nodes, weights and cumulative matrix of a `Section`; work: rows for viscosity, density,
 1/eta* and the tangent fluidity (xx, xy, yy) at the nodes of a column.
 """
@@ -18,13 +41,15 @@ from ..oil._rheology_kernels import (
     shear_stress,
 )
 
-LIMIT_EXCESS = 1e-3  # as in `columns`
+LIMIT_EXCESS = 1e-3  # of the stress of plain sliding over the limiting stress
 NEWTON_STEPS = 100
-TOLERANCE = 1e-12
+TOLERANCE = 1e-12  # of the mean shear rate over the mean of its magnitude across the film
+# largest residual of a solved column: near a limiting stress round-off may exceed the tolerance
 ACCEPTED = 1e-8
-OVERSHOOT = 0.5
+OVERSHOOT = 0.5  # share of the slope along a step that may remain beyond its minimum
 HALVINGS = 60
-CREEPING = 0.2
+# share of the residual after a step from which on the next is as long as for an exponential law
+SLOW_REDUCTION = 0.2
 # rows of the workspace
 ETA = 0
 RHO = 1
@@ -41,10 +66,10 @@ def newtonian_stress(tau, limit, margin, rheology):
     margin on.
     """
     slope = 1.0
-    beyond = 0.0
+    excess = 0.0
     if np.isfinite(limit):
         share = min(tau / limit, 1.0 - margin)
-        beyond = tau - share * limit
+        excess = tau - share * limit
         slope = 1.0 / (1.0 - share)
         tau = -limit * np.log1p(-share)
     law = rheology[0]
@@ -57,13 +82,13 @@ def newtonian_stress(tau, limit, margin, rheology):
     elif law == CARREAU_YASUDA and tau > 0.0:
         power = (newtonian / stress) ** breadth
         slope *= newtonian / tau / (1.0 + (exponent - 1.0) * power / (1.0 + power))
-    return newtonian + slope * beyond, slope
+    return newtonian + slope * excess, slope
 
 
 @compiled
 def column_limit(p, temperature, eta, rate, rheology):
-    """Limiting stress of a column [Pa], and the share of it below it from which on the law follows
-    its tangent.
+    """Limiting stress of a column [Pa], and the margin e below it from which on the law follows
+    its tangent [-].
     """
     limit = limiting_stress(
         p, temperature, rheology[4], rheology[5], rheology[6], rheology[7], rheology[8]
@@ -76,7 +101,7 @@ def column_limit(p, temperature, eta, rate, rheology):
 
 @compiled
 def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
-    """Mean rate less the wanted one (2), its derivative by tau_m (xx, xy, yy), mean of its
+    """Mean rate less the given one (2), its derivative by tau_m (xx, xy, yy), mean of its
     magnitude.
     """
     nodes, weights, _ = section
@@ -109,7 +134,7 @@ def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
 @compiled
 def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
     """Stress in the middle of one column, from a first guess (tau_x, tau_y) [Pa], and whether it
-    is found.
+    converged.
 
     rise: h grad p [Pa]; eta: viscosity at the nodes [Pa s]; rate: difference of the surface
     velocities over h [1/s].
@@ -119,8 +144,8 @@ def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
         tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology
     )
     size = np.hypot(f_x, f_y)
-    creeping = False
-    wanted = np.hypot(rate[0], rate[1])
+    slow = False
+    target = np.hypot(rate[0], rate[1])
     for _ in range(NEWTON_STEPS):
         if size <= TOLERANCE * scale:
             break
@@ -129,8 +154,8 @@ def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
         d_y = -(j_xx * f_y - j_xy * f_x) / determinant
         before = f_x * d_x + f_y * d_y
         share = 1.0
-        if creeping:
-            share = np.log(min(max(size / max(wanted, scale * TOLERANCE), np.e), 1e12))
+        if slow:
+            share = np.log(min(max(size / max(target, scale * TOLERANCE), np.e), 1e12))
         t_x, t_y = tau_x, tau_y
         for _ in range(HALVINGS):
             t_x, t_y = tau_x + share * d_x, tau_y + share * d_y
@@ -143,7 +168,7 @@ def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
         tau_x, tau_y = t_x, t_y
         last = size
         size = np.hypot(f_x, f_y)
-        creeping = size > CREEPING * last
+        slow = size > SLOW_REDUCTION * last
     return tau_x, tau_y, size <= ACCEPTED * scale
 
 
@@ -194,7 +219,7 @@ def column_properties(p, temperature, oil, section, work):
 
 @compiled
 def solve_column(p, temperature, start, rise, rate, oil, section, rheology, work):
-    """Stress in the middle of a column and whether it is found; fills the workspace.
+    """Stress in the middle of a column and whether it converged; fills the workspace.
 
     start: first guess (tau_x, tau_y), not a number where there is none [Pa].
     """
@@ -203,14 +228,14 @@ def solve_column(p, temperature, start, rise, rate, oil, section, rheology, work
     limit, margin = column_limit(p, mean_temperature, eta, np.hypot(rate[0], rate[1]), rheology)
     if not np.isfinite(start[0] + start[1]):
         start = first_guess(eta, rate, section, limit, rheology)
-    t_x, t_y, found = column_stress(start, rise, eta, rate, section, limit, margin, rheology)
+    t_x, t_y, converged = column_stress(start, rise, eta, rate, section, limit, margin, rheology)
     column_fluidity((t_x, t_y), rise, section, limit, margin, rheology, work)
-    return t_x, t_y, found
+    return t_x, t_y, converged
 
 
 @compiled
 def column_integrals(f, rho, section):
-    """Integrals of f, of z f, of rho int f dz' and of rho int z' f dz' over a column of height 1."""
+    """Integrals of f, z f, rho int f dz' and rho int z' f dz' over a column of height 1."""
     nodes, weights, cumulative = section
     mean = moment = first = second = 0.0
     for k in range(nodes.size):
@@ -241,21 +266,10 @@ def column_tangent(section, work):
 
 @compiled
 def flow_factors(
-    p,
-    h,
-    gradient,
-    speed_a,
-    speed_b,
-    temperature,
-    oil,
-    section,
-    rheology,
-    middle,
-    poiseuille,
-    couette,
-    tangent,
-):
-    """Factors of every column of a grid; returns the number of columns whose stress was not found.
+    p, h, gradient, speed_a, speed_b, temperature, oil, section, rheology, middle, poiseuille,
+    couette, tangent
+):  # fmt: skip
+    """Factors of every column of a grid; returns the number of columns without a converged stress.
 
     p, h: shape (ny, nx) [Pa], [m]; gradient, speed_a, speed_b: (2, ny, nx) [Pa/m], [m/s];
     temperature: (ny, nx, n) [K]; middle: (2, ny, nx), first guess of the stress in the middle and
@@ -265,7 +279,7 @@ def flow_factors(
     over h [m/s]. Columns without a film keep 1 and the mean velocity.
     """
     ny, nx = p.shape
-    missed = 0
+    unsolved = 0
     work = np.empty((ROWS, section[0].size))
     for j in range(ny):
         for i in range(nx):
@@ -280,10 +294,10 @@ def flow_factors(
             rise = (height * gradient[0, j, i], height * gradient[1, j, i])
             rate = (du / height, dv / height)
             start = (middle[0, j, i], middle[1, j, i])
-            middle[0, j, i], middle[1, j, i], found = solve_column(
+            middle[0, j, i], middle[1, j, i], converged = solve_column(
                 p[j, i], temperature[j, i], start, rise, rate, oil, section, rheology, work
             )
-            missed += 0 if found else 1
+            unsolved += 0 if converged else 1
             mean, moment, first, second = column_integrals(work[FLUIDITY], work[RHO], section)
             reference = density_ratio(p[j, i], oil[4], oil)
             thick = viscosity(p[j, i], oil[4], oil) / reference
@@ -293,4 +307,4 @@ def flow_factors(
             dense = (section[1] * work[RHO]).sum()
             couette[0, j, i] = (first / mean * du + dense * u) / reference
             couette[1, j, i] = (first / mean * dv + dense * v) / reference
-    return missed
+    return unsolved

@@ -1,20 +1,26 @@
 """Compiled kernels of the contact solver: arrays and scalars in, results in place.
 
-Arrays are stored with lines along x contiguous, shape (ny, nx). On a symmetric grid row 0 is the
-line y = 0 and the row below it is the mirror image of row 1. The readable NumPy twins stand in
-`reynolds.py` and `relaxation.py`.
+Reynolds' equation L(P) = f with
+
+    L(P) = d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(rho u H) - d_Y(rho v H),
+
+Poiseuille terms by the conservative five-point stencil with eps averaged between nodes, O(hx^2 +
+hy^2), Couette terms by second-order differences upstream, (3, -4, 1)/2, central where these leave
+the grid. Arrays are stored with lines along x contiguous, shape (ny, nx). On a symmetric grid row
+0 is the line y = 0 and the row below it is the mirror image of row 1.
 """
 
 import numpy as np
 
 from ..compiled import compiled
+from ..oil._kernels import roelands_rise
 
-LOWER = 4  # sub-diagonals kept in the line system
-UPPER = 3  # super-diagonals kept in the line system
+LOWER = 4  # sub-diagonals of the line system
+UPPER = 3  # super-diagonals of the line system
 WIDTH = LOWER + UPPER + 1
 REACH = LOWER + 3  # kernel entries needed to either side
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
-# what the relaxation does at a node
+# kinds of nodes: how the relaxation changes them
 FIXED = 0
 GAUSS_SEIDEL = 1
 JACOBI = 2
@@ -24,8 +30,8 @@ JACOBI = 2
 def flow_properties(
     P, H, slope, pressure, exponent, dense_1, dense_2, speed, eps, rho, rho_slope, first, stop
 ):
-    """eps = rho H^3/(eta lambda), rho and d(rho)/dP at every node of the lines from `first` to
-    before `stop`.
+    """eps = rho H^3/(eta lambda), ln(eta) = s [(1 + q P)^z - 1], rho = 1 + d1 P/(1 + d2 P) and
+    d(rho)/dP at every node of the lines from `first` to before `stop`.
     """
     nx = P.shape[1]
     for j in range(first, stop):
@@ -38,7 +44,7 @@ def flow_properties(
                 rho_slope[j, i] = dense_1
                 eps[j, i] = cube
                 continue
-            log_eta = slope * (np.exp(exponent * np.log1p(pressure * p)) - 1.0)
+            log_eta = slope * (roelands_rise(pressure * p, exponent) - 1.0)
             denominator = 1.0 / (1.0 + dense_2 * p)
             density = 1.0 + dense_1 * p * denominator
             rho[j, i] = density
@@ -101,7 +107,7 @@ def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out
     """d_X(eps d_X P) + d_Y(eps d_Y P) - d_X(flow_x H) - d_Y(flow_y H) at interior nodes, zero on
     the edge.
 
-    flow_y is looked at if `lateral`.
+    flow_y is used if `lateral`.
     """
     ny, nx = P.shape
     out[:, :] = 0.0
@@ -118,8 +124,9 @@ def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out
 
 @compiled
 def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind):
-    """Fixed: cavitated and content; Gauss-Seidel where Poiseuille flow rules; distributive Jacobi
-    elsewhere.
+    """Fixed where cavitated with a residual that asks for a lower pressure still; Gauss-Seidel
+    where Poiseuille flow dominates; distributive Jacobi elsewhere (Venner and Lubrecht, 2000, sec.
+    5.5).
     """
     for i in range(1, P.size - 1):
         e = eps[i]
@@ -175,15 +182,15 @@ def _line_system(
         spread = 1.0 if kinds[i + LOWER] == JACOBI else 0.0
         band[i, LOWER] -= centre + spread * (wx * (east + west) + wy * across)
         for side in (-1, 1):
-            near = west if side < 0 else east
+            beside = west if side < 0 else east
             first = kinds[i + LOWER + side]
             second = kinds[i + LOWER + 2 * side]
             if first == GAUSS_SEIDEL:
-                band[i, LOWER + side] += near
+                band[i, LOWER + side] += beside
             elif first == JACOBI:
-                band[i, LOWER + side] += near + wx * centre
+                band[i, LOWER + side] += beside + wx * centre
             if second == JACOBI:
-                band[i, LOWER + 2 * side] -= wx * near
+                band[i, LOWER + 2 * side] -= wx * beside
         if inside:
             band[i, LOWER] += up * 1.5 * slope[i] * H[i] / hx
             if kinds[i + LOWER + up] != FIXED:
@@ -257,8 +264,8 @@ def _solve_band(band, rhs):
 
 @compiled
 def _apply_line(j, P, eps, kind, delta, wx, relief, spread):
-    """A line's solution: its Jacobi part is kept to be spread, the changes of Gauss-Seidel nodes
-    go into P at once.
+    """Apply the solution of a line: Gauss-Seidel changes go into P at once, Jacobi changes into
+    `spread` for the end of the sweep.
 
     The solution is turned into changes of pressure before it is damped: beside a zone of the other
     kind it may be far larger than the changes, and unequal damping of its parts would not cancel.
@@ -275,17 +282,20 @@ def _apply_line(j, P, eps, kind, delta, wx, relief, spread):
 
 @compiled
 def relax_lines(
-    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, relief, switch, kinds, spread,
-    first, stop,
+    P, H, eps, flow_x, slope_x, flow_y, slope_y, lateral, f, near, hx, hy, symmetric, relief,
+    switch, kinds, spread, first, stop,
 ):  # fmt: skip
-    """First part of a hybrid line sweep: every second line from `first` to before `stop`; the film
-    stays as it is.
+    """First part of a hybrid line sweep, Venner and Lubrecht (2000), sec. 5.5: every second line
+    from `first` to before `stop`; the film stays as it is.
+
+    All changes of a line follow together from the linearised operator, the deflection truncated to
+    a band. A Jacobi change d is +d at its node, -wx d to either side and -wy d in the next lines,
+    so that its deflection is local.
 
     near[r, m]: deflection at distance m hx in the r-th next line from a unit pressure. flow_x,
     flow_y: density times the velocity of the Couette flow, slope_x, slope_y: their derivatives by
-    P; those of y are looked at if `lateral`. kinds, spread: what became of each node, and the
-    changes `spread_changes` has yet to make. Lines of one colour, even or odd, do not see each
-    other.
+    P; those of y are used if `lateral`. kinds, spread: kind of each node, and the changes left to
+    `spread_changes`. Lines of one colour, even or odd, are independent of each other.
     """
     nx = P.shape[1]
     cx, cy = 0.5 / (hx * hx), 0.5 / (hy * hy)
@@ -299,16 +309,19 @@ def relax_lines(
     kind = padded[LOWER : LOWER + nx]
     for j in range(first, stop, 2):
         s = j - 1 if j > 0 else 1
+        # 1. residual of the line
         for i in range(1, nx - 1):
             delta[i] = f[j, i] - _operator(
                 i, P[j], P[j + 1], P[s], eps[j], eps[j + 1], eps[s], flow_x[j], H[j], cx, cy, hx
             )
             if lateral:
                 delta[i] += _across(j, i, flow_y, H, hy)
+        # 2. kinds of its nodes
         _line_kinds(P[j], delta, eps[j], eps[j + 1], eps[s], cx, cy, threshold, kind)
         for i in range(1, nx - 1):
             if kind[i] == FIXED:
                 delta[i] = 0.0
+        # 3. linear system of its changes
         _line_system(
             eps[j],
             eps[j + 1],
@@ -327,6 +340,7 @@ def relax_lines(
         )
         if lateral:
             _add_lateral(j, flow_y, slope_y, H, padded, influence, hy, band)
+        # 4. solution and changes
         _solve_band(band, delta)
         _apply_line(j, P, eps, kind, delta, wx, relief, spread)
         kinds[j] = kind
@@ -334,7 +348,12 @@ def relax_lines(
 
 @compiled
 def _neighbour_weights(hx, hy):
-    """Weights of a distributive change, as `relaxation.neighbour_weights`."""
+    """Weights wx, wy of a distributive change, 2 wx + 2 wy = 1, in the ratio sqrt(hy) : sqrt(hx).
+
+    Those of a discrete Laplacian, hy^2 : hx^2, leave the change of a whole line nearly
+    undistributed across the lines of stretched cells: the sweep diverges (measured from hy = 6 hx
+    on, at large L).
+    """
     wx = 0.5 * np.sqrt(hy) / (np.sqrt(hx) + np.sqrt(hy))
     return wx, 0.5 - wx
 
@@ -342,10 +361,7 @@ def _neighbour_weights(hx, hy):
 @compiled
 def spread_changes(P, kinds, spread, hx, hy, damping, first, stop):
     """Second part of a sweep: P += damping (d - wx d of either side - wy d of the next lines), P
-    >= 0.
-
-    Gauss-Seidel nodes had the changes of their own line already. Row -1 is the mirror image of row
-    1.
+    >= 0; Gauss-Seidel nodes already have the changes of their own line.
     """
     wx, wy = _neighbour_weights(hx, hy)
     for j in range(first, stop):

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 
 from ..grid import Grid
 from ..oil import _kernels as properties
-from ..oil.lubricant import log_viscosity_ratio
+from ..oil.lubricant import log_viscosity_ratio, roelands_rise
 from ..oil.numbers import oil_numbers
 from ..scaling import ScaledContact
 from ..solid.deformation import DeflectionKernel, deflect, deflection_kernel
@@ -242,9 +242,8 @@ def log_viscosity(contact: ScaledContact, P: Array) -> Array:
     c = contact
     if c.oil is not None:
         return log_viscosity_ratio(np.maximum(P, 0.0) * c.hertz_pressure, c.oil)
-    return c.viscosity_slope * (
-        (1.0 + c.viscosity_pressure * np.maximum(P, 0.0)) ** c.viscosity_exponent - 1.0
-    )
+    ratio = c.viscosity_pressure * np.maximum(P, 0.0)
+    return c.viscosity_slope * (roelands_rise(ratio, c.viscosity_exponent) - 1.0)
 
 
 def relax(state: Multigrid, index: int) -> None:

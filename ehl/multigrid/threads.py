@@ -25,9 +25,7 @@ class Threads:
         """
         number = self.number_for(nodes)
         cuts = [k * len(lines) // number for k in range(number + 1)]
-        parts = [
-            (lines[a], lines[b - 1] + 1) for a, b in pairwise(cuts) if b > a
-        ]
+        parts = [(lines[a], lines[b - 1] + 1) for a, b in pairwise(cuts) if b > a]
         jobs = (
             [] if self._pool is None else [self._pool.submit(kernel, *part) for part in parts[1:]]
         )

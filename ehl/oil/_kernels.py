@@ -1,4 +1,4 @@
-"""Viscosity and density for compiled kernels; their NumPy twins stand in `ehl.oil.lubricant`.
+"""Viscosity and density for compiled kernels, after the laws of `ehl.oil.lubricant`.
 
 oil: the array of `numbers.oil_numbers`.
 """
@@ -38,7 +38,7 @@ def relative_volume(pressure, temperature, oil):
 @compiled
 def _log_doolittle(pressure, temperature, oil):
     above = temperature - oil[4]
-    if oil[V + 3] > 0.0:  # an expansion of its own
+    if oil[V + 3] > 0.0:  # the occupied volume expands
         occupied = 1.0 + oil[V + 2] * (temperature - oil[T + 2])
         volume = relative_volume(pressure, temperature, oil)
         extra = 0.0
@@ -64,6 +64,12 @@ def _log_yasutomi(pressure, temperature, oil):
 
 
 @compiled
+def roelands_rise(ratio, exponent):
+    """(1 + p/p_r)^z [-], Roelands (1966), at p/p_r."""
+    return np.exp(exponent * np.log1p(ratio))
+
+
+@compiled
 def log_viscosity_ratio(pressure, temperature, oil):
     """ln(eta/eta_0), at most EXPONENT_LIMIT [-]."""
     law = int(oil[0])
@@ -75,7 +81,7 @@ def log_viscosity_ratio(pressure, temperature, oil):
     if law == ROELANDS:
         slope = oil[V]
         room = oil[4] - ROELANDS_TEMPERATURE
-        rise = np.exp(oil[V + 2] * np.log1p(pressure / oil[V + 1]))
+        rise = roelands_rise(pressure / oil[V + 1], oil[V + 2])
         if above != 0.0:
             rise *= max(1.0 + above / room, 1e-3) ** (-oil[5] * room / slope)
         return min(slope * (rise - 1.0), EXPONENT_LIMIT)

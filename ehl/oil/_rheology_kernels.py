@@ -1,4 +1,4 @@
-"""Shear laws for compiled kernels: scalars in, scalars out; their NumPy twins stand in `laws.py`.
+"""Shear laws for compiled kernels, after those of `rheology.py`: scalars in, scalars out.
 
 The arguments law, stress, exponent, breadth and those of the limit are the fields of
 `KernelRheology`.
@@ -8,11 +8,11 @@ import numpy as np
 
 from ..compiled import compiled
 
-# as `laws.LAW_CODES`
+# as `rheology.LAW_CODES`
 NEWTONIAN = 0
 REE_EYRING = 1
 CARREAU_YASUDA = 2
-LARGEST_ARGUMENT = 300.0  # as in `laws`
+LARGEST_ARGUMENT = 300.0  # as in `rheology`
 NEWTON_STEPS = 30
 
 
@@ -37,8 +37,8 @@ def limiting_stress(
 
 @compiled
 def inverse_sine(x):
-    """asinh(x) for x not negative, by a logarithm, which compiles to less than the library's; near
-    zero its series.
+    """asinh(x) for x not negative, by a logarithm, which is faster than the library's; near zero
+    its series.
     """
     if x < 2e-3:
         return x * (1.0 - x * x * (1.0 / 6.0 - 0.075 * x * x))
@@ -65,12 +65,12 @@ def _carreau_inverse(s, exponent, breadth):
     """x of x [1 + x^a]^((n - 1)/a) = s by Newton's method in ln x."""
     if s <= 0.0:
         return s
-    wanted = np.log(s)
-    u = max(wanted, wanted / exponent)
+    target = np.log(s)
+    u = max(target, target / exponent)
     for _ in range(NEWTON_STEPS):
         power = breadth * u
         knee = power + np.log1p(np.exp(-power)) if power > 0.0 else np.log1p(np.exp(power))
-        step = (u + (exponent - 1.0) / breadth * knee - wanted) / (
+        step = (u + (exponent - 1.0) / breadth * knee - target) / (
             1.0 + (exponent - 1.0) * np.exp(power - knee)
         )
         u -= step

@@ -109,14 +109,14 @@ class Lubricant:
 
 def _require_constants(lubricant: Lubricant) -> None:
     """Each law has its constants, and they agree with the pressure-viscosity coefficient."""
-    wanted = []
+    needed = []
     if lubricant.density_law is DensityLaw.TAIT:
-        wanted = ["tait", "temperature"]
+        needed = ["tait", "temperature"]
     if lubricant.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE:
-        wanted += ["tait", "doolittle", "temperature"]
+        needed += ["tait", "doolittle", "temperature"]
     if lubricant.viscosity_law is ViscosityLaw.YASUTOMI:
-        wanted += ["yasutomi", "temperature"]
-    for field in wanted:
+        needed += ["yasutomi", "temperature"]
+    for field in needed:
         if getattr(lubricant, field) is None:
             laws = f"{lubricant.viscosity_law.value}, {lubricant.density_law.value}"
             raise ValueError(f"{field} is needed by the laws {laws}")
@@ -179,10 +179,15 @@ def log_viscosity_ratio(
     return slope * p - _beta(oil, temperature) * above
 
 
+def roelands_rise(ratio: ArrayLike, exponent: float) -> Array:
+    """(1 + p/p_r)^z [-], Roelands (1966), at p/p_r."""
+    return np.asarray((1.0 + np.asarray(ratio)) ** exponent)
+
+
 def _log_roelands(p: Array, oil: Lubricant, above: Array | None) -> Array:
     z, p_r = oil.exponent, oil.roelands_pressure
     s = oil.pressure_viscosity * p_r / z
-    rise = (1.0 + p / p_r) ** z
+    rise = roelands_rise(p / p_r, z)
     if above is not None:
         room = _operation(oil) - ROELANDS_TEMPERATURE
         if room <= 0.0:
@@ -190,8 +195,9 @@ def _log_roelands(p: Array, oil: Lubricant, above: Array | None) -> Array:
                 f"temperature must exceed {ROELANDS_TEMPERATURE:g} K for Roelands' law, "
                 f"got {_operation(oil)}"
             )
-        warmth = np.maximum(1.0 + above / room, 1e-3)  # the law ends at 138 K; iterates may not
-        rise = rise * warmth ** (-_beta(oil, above) * room / s)
+        # the law ends at 138 K, iterates may fall below
+        relative = np.maximum(1.0 + above / room, 1e-3)
+        rise = rise * relative ** (-_beta(oil, above) * room / s)
     return s * (rise - 1.0)
 
 

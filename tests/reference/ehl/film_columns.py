@@ -1,22 +1,5 @@
 """Columns of film in NumPy: stress across each, and the integrals of the generalized Reynolds
-equation.
-
-The reference for `ehl.generalized._kernels`. In a thin film the momentum balance is d(tau)/dz = grad p, so that
-
-    tau(z) = tau_m + (z - h/2) grad p,      d(u, v)/dz = tau/eta*(|tau|),
-
-tau_m the stress in the middle, which the difference of the surface velocities determines:
-
-    integral of tau/eta* dz = (u_b - u_a, v_b - v_a).
-
-The rate is the gradient of a convex potential of tau_m, hence Newton's method with steps shortened
-where they overshoot finds the only solution from anywhere; far out on an exponential law, where a
-step gains one power of e only, the next is lengthened to as many as are wanted. A limiting stress
-is never reached: from a share 1 - e of it on, the law goes on along its tangent, with e = 0.001
-tau_L/tau_base of the column, 0.001 at most, so that the stress of plain sliding exceeds the limit
-by a thousandth (Newtonian base; 3 % if Carreau and Yasuda's base exceeds it 600 times). Where half
-of h grad p exceeds the limit, which no tau_m helps, no oil of that law flows steadily, and the
-tangent stands for it.
+equation. The reference for `ehl.generalized._kernels`, where the equations stand.
 """
 
 from dataclasses import dataclass

@@ -1,22 +1,5 @@
-r"""Temperature of one column of film in NumPy, the reference for
-`ehl.generalized._heat_kernels.column_temperature`.
-
-Heat equation across the film at zeta = z/h, convection by upwind differences along x and y:
-
-.. math::
-    \rho c\,(u\,T_x + v\,T_y) + \frac{\rho c\,W}{h}\,T_\zeta = \frac{k}{h^2}\,T_{\zeta\zeta} +
-    \tau\cdot\dot\gamma
-    + \epsilon\,T\,(u\,p_x + v\,p_y),
-
-epsilon the thermal expansion of the oil's own density law, W the velocity through the lines of
-constant zeta, which continuity gives. At the nodes inside by three-point differences for
-conduction and upwind ones for W, which keep the temperature between those it comes from where
-nothing heats; at the walls the bodies' temperatures answer the flux they take up (three-point,
-too),
-
-.. math:: T = T_{hist} + R\,q, \qquad q = \pm\frac{k}{h}\,T_\zeta .
-
-Conduction along the film is left out: it is thin.
+"""Temperature of one column of film in NumPy. The reference for
+`ehl.generalized._heat_kernels.column_temperature`, where the equations stand.
 """
 
 from dataclasses import dataclass
