@@ -9,6 +9,9 @@ p_h) -> `ScaledContact`.
 from dataclasses import dataclass, replace
 from math import atan2, cos, pi, sin, sqrt
 
+import numpy as np
+from numpy.typing import NDArray
+
 from .closed_form.film import moes_film_nijenbanning
 from .closed_form.hertz import ellipse_ratio, hertz_coefficients
 from .conditions import ContactConditions, MoesConditions, moes_groups, speed_load_material
@@ -20,6 +23,8 @@ from .oil.lubricant import (
     ViscosityLaw,
 )
 from .solid.coating import ScaledCoating, scaled_coating
+
+Array = NDArray[np.float64]
 
 # s [(1 + q P)^z - 1]
 CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)
@@ -72,6 +77,20 @@ class ScaledContact:
     coating: ScaledCoating | None = None
     # where a law is not one of the closed forms above, which are then not looked at
     oil: Lubricant | None = None
+
+    def gap(self, X: Array, Y: Array) -> Array:
+        """S X^2/2 + T Y^2/2 + C X Y [-]."""
+        along = 0.5 * self.curvature_x * X**2
+        return along + 0.5 * self.curvature_y * Y**2 + self.curvature_xy * X * Y
+
+    def dry_pressure(self, X: Array, Y: Array) -> Array:
+        """Hertz pressure in the frame of the grid, sqrt(1 - X^2 - (a/b)^2 Y^2) along the principal
+        directions [-].
+        """
+        c, s = np.cos(self.frame_angle), np.sin(self.frame_angle)
+        along = X * c - Y * s
+        across = (X * s + Y * c) / self.semi_axis_ratio
+        return np.asarray(np.sqrt(np.maximum(1.0 - along**2 - across**2, 0.0)))
 
     @property
     def symmetric(self) -> bool:

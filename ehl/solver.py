@@ -46,7 +46,7 @@ INLET = (4.0, 10.0)  # 1.5 times: of M 1 to 5 -0.4 to -1.3 %, else up to -1.0 %,
 OUTLET = (1.5, 1.2)  # 1.2 times 0.7 or 2: of M 1 to 5 -1 to -2.9 % or +0.2 to +1.2 %, else none
 SIDE = 2.5  # times 0.7 or 1.5: below 0.03 %
 # squared, the second times v^2, as an oblique side is an inlet, too. First times a quarter or four:
-# of M 1 to 5 up to -1.2 % or +0.3 %, else below 0.03 %; second times none or four: below 0.15 %
+# M 1 to 5 up to -1.2 % or +0.3 %, else below 0.03 %; second times 0 or 4: below 0.15 %
 SIDE_GAP = (40.0, 60.0)
 
 

@@ -1,4 +1,4 @@
-"""Closed-form references: Hertz contact and stress, film formulas, thermal reduction.
+"""Closed-form references: Hertz contact and stress, film formulas.
 
 film         - film thickness formulas from curve fits
 hertz        - dry elastic contact of two quadratic surfaces, Hertz (1882)

@@ -250,23 +250,15 @@ def _level(
         space=space,
         compliance=compliance,
         near=near_field(compliance, (len(X), len(Y)), REACH),
-        gap=0.5 * c.curvature_x * x**2 + 0.5 * c.curvature_y * y**2 + c.curvature_xy * x * y,
+        gap=contact.gap(x, y),
         weights=(2.0 if c.symmetric else 1.0) * integral_weights(space),
         edge=edge,
         far=far_field(contact) if is_open else None,
-        P=_hertz(contact, x, y) if coarse is None else _interpolated(coarse, X, Y).ravel(),
+        P=contact.dry_pressure(x, y) if coarse is None else _interpolated(coarse, X, Y).ravel(),
     )
     origin = level.origin
     level.approach = coarse.approach if coarse else c.film_guess - float(level.film[origin])
     return level
-
-
-def _hertz(contact: ScaledContact, x: Array, y: Array) -> Array:
-    """Hertz pressure at nodes, in the frame of the entrainment [-]."""
-    c, s = np.cos(contact.frame_angle), np.sin(contact.frame_angle)
-    along = c * x - s * y
-    across = (s * x + c * y) / contact.semi_axis_ratio
-    return np.sqrt(np.maximum(0.0, 1.0 - along**2 - across**2))
 
 
 def _interpolated(coarse: Level, X: Array, Y: Array) -> Array:

@@ -139,26 +139,11 @@ class FilmHeat:
         response = [response_factor(u[0], s, a) for u, s in zip(speeds, self.solids, strict=True)]
         heat = (oil.thermal.conductivity, oil.density * oil.thermal.specific_heat)
         unsolved = _kernels.heat_sweep(
-            fields.p,
-            fields.h,
-            fields.gradient,
-            *speeds,
-            (grid.hx * a, grid.hy * a),
-            grid.symmetric,
-            forward,
-            oil_numbers(oil),
-            heat,
-            section.integration,
-            (*wall_slopes(section), curvature(section)),
-            kernel_rheology(rheology),
-            self.inlet,
-            self.bulk,
-            np.stack(response),
-            history_weights(grid.nx, grid.hx * a),
-            state.temperature,
-            middle,
-            state.mass,
-            state.flux,
-            state.dissipation,
+            *(fields.p, fields.h, fields.gradient, *speeds),
+            *((grid.hx * a, grid.hy * a), grid.symmetric, forward),
+            *(oil_numbers(oil), heat, section.integration),
+            *((*wall_slopes(section), curvature(section)), kernel_rheology(rheology)),
+            *(self.inlet, self.bulk, np.stack(response), history_weights(grid.nx, grid.hx * a)),
+            *(state.temperature, middle, state.mass, state.flux, state.dissipation),
         )
         return int(unsolved)

@@ -229,21 +229,17 @@ class GeneralizedFlow:
         poiseuille = np.empty(shape)
         couette = np.empty((2, *shape))
         tangent = np.empty((2, *shape))
-        unsolved = _kernels.flow_factors(
+        columns = (
             fields.p,
             fields.h,
             fields.gradient,
             fields.speed_1,
             fields.speed_2,
             temperature,
-            oil_numbers(self.conditions.lubricant),
-            self.section.integration,
-            kernel_rheology(self._rheology),
-            middle,
-            poiseuille,
-            couette,
-            tangent,
         )
+        numbers = oil_numbers(self.conditions.lubricant)
+        oil = (numbers, self.section.integration, kernel_rheology(self._rheology))
+        unsolved = _kernels.flow_factors(*columns, *oil, middle, poiseuille, couette, tangent)
         return poiseuille, couette, tangent.max(axis=0), int(unsolved)
 
 

@@ -323,21 +323,9 @@ def relax_lines(
                 delta[i] = 0.0
         # 3. linear system of its changes
         _line_system(
-            eps[j],
-            eps[j + 1],
-            eps[s],
-            flow_x[j],
-            slope_x[j],
-            H[j],
-            padded,
-            influence,
-            cx,
-            cy,
-            hx,
-            wx,
-            wy,
-            band,
-        )
+            eps[j], eps[j + 1], eps[s], flow_x[j], slope_x[j], H[j], padded, influence, cx, cy, hx,
+            wx, wy, band,
+        )  # fmt: skip
         if lateral:
             _add_lateral(j, flow_y, slope_y, H, padded, influence, hy, band)
         # 4. solution and changes

@@ -12,7 +12,6 @@ carry the coarse-grid correction, and the integral is over the change of P since
 and H are injected, residuals fully weighted, corrections interpolated bilinearly.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import Any
@@ -114,13 +113,7 @@ def make_multigrid(
     """Allocate the levels, coarsest first."""
     levels = []
     for grid in grids:
-        X = grid.X[None, :]
-        Y = grid.Y[:, None]
-        gap = (
-            0.5 * contact.curvature_x * X**2
-            + 0.5 * contact.curvature_y * Y**2
-            + contact.curvature_xy * X * Y
-        )
+        gap = contact.gap(grid.X[None, :], grid.Y[:, None])
         shape = (grid.ny, grid.nx)
         levels.append(
             Level(
@@ -211,30 +204,13 @@ def _oil(state: Multigrid, level: Level) -> None:
     out = (level.eps, level.flow_x, level.slope_x)
     if c.oil is None:
         viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
-        density = (c.density_numerator, c.density_denominator)
-        _on_lines(
-            state,
-            level,
-            _kernels.flow_properties,
-            level.P,
-            level.H,
-            *viscosity,
-            *density,
-            c.speed,
-            *out,
-        )
+        law = (*viscosity, c.density_numerator, c.density_denominator, c.speed)
+        kernel = _kernels.flow_properties
     else:
         law = (c.hertz_pressure, oil_numbers(c.oil), c.speed)
-        _on_lines(state, level, properties.flow_properties, level.P, level.H, *law, *out)
-
-
-def _on_lines(
-    state: Multigrid, level: Level, kernel: Callable[..., None], *arguments: Any
-) -> None:
-    """Call a kernel for all lines of a level; its last arguments are the first line and the one
-    after the last.
-    """
-    state.threads.run(partial(kernel, *arguments), range(level.grid.ny), level.P.size)
+        kernel = properties.flow_properties
+    lines = partial(kernel, level.P, level.H, *law, *out)
+    state.threads.run(lines, range(level.grid.ny), level.P.size)
 
 
 def log_viscosity(contact: ScaledContact, P: Array) -> Array:

@@ -280,13 +280,8 @@ def _start(state: Multigrid, index: int) -> None:
     """Hertz pressure and the approach that gives the expected central film."""
     contact = state.contact
     grid = state.levels[index].grid
-    cosine, sine = np.cos(contact.frame_angle), np.sin(contact.frame_angle)
-    X = grid.X[None, :]
-    Y = grid.Y[:, None]
-    along = X * cosine - Y * sine
-    across = (X * sine + Y * cosine) / contact.semi_axis_ratio
     state.approach = 0.0
-    start_level(state, index, np.sqrt(np.maximum(1.0 - along**2 - across**2, 0.0)))
+    start_level(state, index, contact.dry_pressure(grid.X[None, :], grid.Y[:, None]))
     state.approach = contact.film_guess - central_film(grid, state.levels[index].H)
     update_film(state, index)
 

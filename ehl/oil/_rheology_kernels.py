@@ -18,14 +18,9 @@ NEWTON_STEPS = 30
 
 @compiled
 def limiting_stress(
-    pressure,
-    temperature,
-    limit_coefficient,
-    limit_stress,
-    limit_slope,
-    limit_temperature,
+    pressure, temperature, limit_coefficient, limit_stress, limit_slope, limit_temperature,
     limit_minimum,
-):
+):  # fmt: skip
     """Limiting stress [Pa]; infinite if its coefficient is."""
     if not np.isfinite(limit_coefficient):
         return np.inf
