@@ -32,27 +32,31 @@ MAY_BE_INFINITE = ("curvature_radius", "curvature_width")
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactKinematics:
-    """Motion of the two surfaces of a contact, SI; body 1 is the ball, n points into body 2."""
+    """Motion of the two surfaces of a contact, SI; body 1 is the ball, n points into body 2.
+
+    Every value is finite; curvature_radius and curvature_width may be infinite, not zero.
+    """
 
     entrainment_speed: float  # mean surface speed along x at the centre [m/s]
-    # velocity of body 1 less that of body 2 at the centre, S_x along the entrainment [m/s]
-    sliding_x: float = 0.0
-    sliding_y: float = 0.0  # S_y, across it [m/s]
+    # velocity of body 1 less that of body 2 at the centre, along and across the entrainment
+    sliding_x: float = 0.0  # S_x [m/s]
+    sliding_y: float = 0.0  # S_y [m/s]
     spin: float = 0.0  # angular speed of body 1 relative to body 2 about n [rad/s]
-    # and about y; positive when rolling carries oil along x, then u_m/R_x but for sliding [rad/s]
+    # and about y; positive where rolling moves oil along x, then u_m/R_x but for sliding [rad/s]
     rolling: float = 0.0
-    # R of the loaded surface in the plane of y and n, positive if body 1 is the convex one [m];
-    # infinite: no curvature slip
+    # R of the loaded surface in the plane of y and n, positive if body 1 is the convex one;
+    # infinite: no curvature slip [m]
     curvature_radius: float = inf
-    # half the width of that curvature, the transverse semi-axis [m]; beyond it curvature slip
-    # stays what it is at this distance
+    # half the width over which it is curved like that, the transverse semi-axis; beyond it
+    # curvature slip does not grow [m]
     curvature_width: float = inf
-    mean_spin: float = 0.0  # half the sum of both bodies' angular speeds about n [rad/s]
-    mean_rolling: float = 0.0  # and about y [rad/s]
-    # mean surface speed along y at the centre, where the grid is not along the entrainment [m/s]
+    # half the sum of the angular speeds of both bodies about n and y
+    mean_spin: float = 0.0  # [rad/s]
+    mean_rolling: float = 0.0  # [rad/s]
+    # mean surface speed along y, where the grid does not follow the entrainment [m/s]
     entrainment_lateral: float = 0.0
-    # 1/R_2x - 1/R_1x of the bodies' own curvatures along x [1/m]: it decides how the horizontal
-    # part of the pressure is shared; zero: equally
+    # 1/R_2x - 1/R_1x of the bodies' own curvatures along x: how the horizontal part of the
+    # pressure is shared; zero: equally [1/m]
     curvature_difference: float = 0.0
 
     def __post_init__(self) -> None:
@@ -83,9 +87,7 @@ class ContactKinematics:
         return s_x, self.sliding_y + self.spin * x + 0.0 * y
 
     def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
-        """Mean velocity of both surfaces along x and y [m/s] at places x, y [m]; it carries the
-        oil.
-        """
+        """Mean velocity of both surfaces along x and y [m/s] at places x, y [m]."""
         u = self.entrainment_speed - self.mean_spin * y + self.mean_rolling * self.bow(y) + 0.0 * x
         return u, self.entrainment_lateral + self.mean_spin * x + 0.0 * y
 
@@ -93,7 +95,8 @@ class ContactKinematics:
         self, x: Array, y: Array
     ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
         """Velocities (u, v) of body 1 and of body 2 [m/s] at places x, y [m]."""
-        (u, v), (s_x, s_y) = self.entrainment(x, y), self.sliding(x, y)
+        u, v = self.entrainment(x, y)
+        s_x, s_y = self.sliding(x, y)
         return (u + 0.5 * s_x, v + 0.5 * s_y), (u - 0.5 * s_x, v - 0.5 * s_y)
 
 
@@ -111,7 +114,7 @@ def contact_kinematics(
     ----------
     conditions : ContactConditions
     curvature_radius, curvature_width : float
-        Of the loaded surface across the entrainment, as in `ContactKinematics` [m].
+        As in `ContactKinematics` [m].
     grid_angle : float, optional
         Direction of the grid's x from the principal direction x, `frame_angle` of a solution
         [rad]; None: that of the entrainment.
@@ -120,9 +123,8 @@ def contact_kinematics(
     turn = 0.0 if grid_angle is None else c.entrainment_angle - grid_angle
     along = c.slide_roll_ratio * c.entrainment_speed
     across = c.lateral_slide_ratio * c.entrainment_speed
-    curvature = (
-        cos(c.entrainment_angle) ** 2 / c.radius_x + sin(c.entrainment_angle) ** 2 / c.radius_y
-    )
+    angle = c.entrainment_angle
+    curvature = cos(angle) ** 2 / c.radius_x + sin(angle) ** 2 / c.radius_y
     return ContactKinematics(
         entrainment_speed=c.entrainment_speed * cos(turn),
         entrainment_lateral=c.entrainment_speed * sin(turn),

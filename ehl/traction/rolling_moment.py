@@ -44,26 +44,14 @@ SMALLEST = 1e-12  # keeps the node at the centre finite
 class RollingMoment:
     """Moment of the pressure ahead of the centre about y, positive where it resists rolling along
     x.
-
-    Attributes
-    ----------
-    box : float
-        Of the solved box [N m], minus `TractionResult.hydrodynamic_moment`.
-    beyond_box : float or None
-        Of Kapitza's pressure from the edge of the box out to the extent [N m].
-    beyond_extent : float or None
-        The part of `box` that lies farther out than the extent [N m].
-    extent : float
-        Distance from the contact's centre up to which oil counts [m].
-    note : str
-        Why there is only that of the box.
     """
 
-    box: float
+    box: float  # of the solved box, minus `TractionResult.hydrodynamic_moment` [N m]
+    # of Kapitza's pressure from the edge of the box out to the extent [N m]
     beyond_box: float | None = None
-    beyond_extent: float | None = None
-    extent: float
-    note: str = ""
+    beyond_extent: float | None = None  # part of `box` farther out than the extent [N m]
+    extent: float  # distance from the contact's centre up to which oil counts [m]
+    note: str = ""  # why there is only that of the box
 
     @property
     def within_extent(self) -> float | None:
@@ -79,26 +67,19 @@ def rolling_moment(solution: ContactSolution, extent: float | None = None) -> Ro
     Kapitza (1955); his field holds far outside the ellipse, where the oil is isoviscous and the
     deflection small.
 
+    Only the moment of the box is given, with a note, where the box was fixed (its edge has no
+    pressure: the oil ends there) or the ellipse reaches beyond the extent.
+
     Parameters
     ----------
     solution : ContactSolution
-        Of dimensional conditions.
+        Of dimensional conditions, else ValueError.
     extent : float, optional
         Distance up to which oil counts [m]; `SHARE_OF_RADIUS` of the smaller reduced radius if
         left out.
-
-    Returns
-    -------
-    RollingMoment
-        [N m]; only that of the box, with a note, where the box was fixed (its edge has no
-        pressure: the oil ends there) or the ellipse reaches beyond the extent.
-
-    Raises
-    ------
-    ValueError
-        If the solution is known by Moes' groups alone, or the extent is not positive.
     """
-    conditions, a = solution.conditions, solution.semi_axis_x
+    conditions = solution.conditions
+    a = solution.semi_axis_x
     if not isinstance(conditions, ContactConditions) or a is None:
         raise ValueError(
             "solution: the rolling moment needs dimensional conditions, not Moes' groups alone"
@@ -151,12 +132,8 @@ def moment_of_doubling(solution: ContactSolution) -> float:
 
 
 def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
-    """The dimensionless contact in the frame of the solution's grid [-].
-
-    Raises
-    ------
-    ValueError
-        If neither of the solver's two frames is that of the solution.
+    """The dimensionless contact in the frame of the solution's grid [-]; ValueError where that is
+    neither of the solver's two.
     """
     for along in (False, True):
         contact = scale_contact(solution.conditions, along_entrainment=along)
@@ -169,7 +146,8 @@ def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
 
 def _area(solution: ContactSolution) -> Array:
     """Weights of the trapezoidal rule over the grid, shape (nx, ny) [-]."""
-    along, across = np.gradient(solution.X), np.gradient(solution.Y)
+    along = np.gradient(solution.X)
+    across = np.gradient(solution.Y)
     for widths in (along, across):
         widths[[0, -1]] *= 0.5
     return np.asarray(along[:, None] * across[None, :])

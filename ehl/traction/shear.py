@@ -29,6 +29,7 @@ lubricated contacts.
 
 from dataclasses import dataclass, replace
 from enum import Enum
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -42,12 +43,10 @@ from ..solution import ContactSolution
 
 Array = NDArray[np.float64]
 
-LARGEST_VISCOSITY = (
-    # [Pa s] keeps products finite; every law with a bound on its stress has reached it long before
-    1e30
-)
+# [Pa s] keeps products finite; every law with a bound on its stress has reached it long before
+LARGEST_VISCOSITY = 1e30
 OUTLET_NODES = 24  # lines downstream of the box
-OUTLET_GROWTH = 1.25  # up to some thirty times the last distance
+OUTLET_GROWTH = 1.25  # of their distance, to 1.25^24 = 200 times the first
 
 
 class Cavitation(Enum):
@@ -65,34 +64,18 @@ class Cavitation(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ShearFields:
-    """Sliding, shear and heat over a contact; arrays of shape (nx, ny) on the grid of its
-    solution.
+    """Sliding, shear and heat over a contact, shape (nx, ny) on the grid of its solution."""
 
-    Attributes
-    ----------
-    sliding_x, sliding_y : ndarray
-        Velocity of body 1 relative to body 2 [m/s].
-    couette_x, couette_y : ndarray
-        Stress tau_c in the middle of the film, in the direction of the sliding [Pa]; over the
-        sheared width.
-    body_1_x, body_1_y, body_2_x, body_2_y : ndarray
-        Traction of the oil on each body [Pa].
-    heat : ndarray
-        Heat of sliding per area, tau_c . s [W/m^2].
-    width : ndarray
-        Share of the width that is sheared [-]: 1 in the full film.
-    """
-
-    sliding_x: Array
-    sliding_y: Array
-    couette_x: Array
-    couette_y: Array
-    body_1_x: Array
-    body_1_y: Array
-    body_2_x: Array
-    body_2_y: Array
-    heat: Array
-    width: Array
+    sliding_x: Array  # velocity of body 1 relative to body 2 [m/s]
+    sliding_y: Array  # [m/s]
+    couette_x: Array  # stress in the middle of the film, along the sliding [Pa]
+    couette_y: Array  # over the sheared width [Pa]
+    body_1_x: Array  # traction of the oil on body 1 [Pa]
+    body_1_y: Array  # [Pa]
+    body_2_x: Array  # and on body 2 [Pa]
+    body_2_y: Array  # [Pa]
+    heat: Array  # of sliding per area, tau_c . s [W/m^2]
+    width: Array  # share that is sheared: 1 in the full film [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -100,61 +83,31 @@ class TractionResult:
     """Forces and moments of a contact on its bodies, SI; body 1 is the ball, moments about the
     contact's centre.
 
-    Force and moment on body 2 are opposite to those on body 1. Where only the shear at each
-    surface is wanted: it pulls body 1 by (sliding_force_x + pumping_force_x), body 2 by
-    (-sliding_force_x + pumping_force_x).
-
-    Attributes
-    ----------
-    force_x, force_y : float
-        Tangential force on body 1, of shear and of the horizontal part of the pressure [N].
-    sliding_force_x, sliding_force_y : float
-        Its part from sliding, minus the integral of tau_c [N].
-    pumping_force_x, pumping_force_y : float
-        Integral of -h/2 grad p, the same on both bodies [N].
-    spin_moment : float
-        Moment on body 1 about n [N m].
-    rolling_moment_1, rolling_moment_2 : float
-        Moment on body 1 and on body 2 about y [N m]: of the pressure ahead of the centre, and of
-        sliding on the curved surface; negative on body 1 resists rolling along x.
-    hydrodynamic_moment, curvature_moment : float
-        Both parts of it on body 1 [N m].
-    tilting_moment : float
-        Moment of the pressure on body 1 about x [N m]; zero if the film is symmetric.
-    power_loss : float
-        Mechanical power turned into heat [W].
-    sliding_loss, pumping_loss : float
-        Both parts of it: of the sliding stress, and of the pressure flow [W].
-    coefficient : float
-        Magnitude of the tangential force over the load [-].
-    cavitated_force : float
-        Part of the sliding force's magnitude from where there is no pressure, under the chosen
-        assumption [N].
-    force_balance_error : float
-        What is left of the balance of forces on the film along x, over the load [-].
-    power_balance_error : float
-        Power of forces and moments less the heat of sliding, over the larger [-].
+    Force and moment on body 2 are opposite to those on body 1. The shear at each surface alone
+    pulls body 1 by (sliding_force_x + pumping_force_x), body 2 by (-sliding_force_x +
+    pumping_force_x).
     """
 
-    force_x: float
-    force_y: float
-    sliding_force_x: float
-    sliding_force_y: float
-    pumping_force_x: float
-    pumping_force_y: float
-    spin_moment: float
-    rolling_moment_1: float
-    rolling_moment_2: float
-    hydrodynamic_moment: float
-    curvature_moment: float
-    tilting_moment: float
-    power_loss: float
-    sliding_loss: float
-    pumping_loss: float
-    coefficient: float
-    cavitated_force: float
-    force_balance_error: float
-    power_balance_error: float
+    # tangential, on body 1, of shear and of the horizontal part of the pressure
+    force_x: float  # [N]
+    force_y: float  # [N]
+    sliding_force_x: float  # its part from sliding, minus the integral of tau_c [N]
+    sliding_force_y: float  # [N]
+    pumping_force_x: float  # integral of -h/2 grad p, the same on both bodies [N]
+    pumping_force_y: float  # [N]
+    spin_moment: float  # on body 1 about n [N m]
+    rolling_moment_1: float  # on body 1 about y; negative where it resists rolling along x [N m]
+    rolling_moment_2: float  # on body 2 [N m]
+    hydrodynamic_moment: float  # part on body 1 of the pressure ahead of the centre [N m]
+    curvature_moment: float  # part on body 1 of sliding on the curved surface [N m]
+    tilting_moment: float  # of the pressure on body 1 about x; zero in symmetric films [N m]
+    power_loss: float  # mechanical power turned into heat [W]
+    sliding_loss: float  # its part from the sliding stress [W]
+    pumping_loss: float  # and from the pressure flow [W]
+    coefficient: float  # magnitude of the tangential force over the load [-]
+    cavitated_force: float  # of the sliding force, from where there is no pressure [N]
+    force_balance_error: float  # of the forces on the film along x, over the load [-]
+    power_balance_error: float  # of forces and moments less the heat, over the larger [-]
 
 
 def shear_fields(
@@ -178,11 +131,6 @@ def shear_fields(
         Of the film, for the limiting stress [K]; that of the solution where it was solved with
         heat.
     cavitation : Cavitation
-
-    Returns
-    -------
-    ShearFields
-        Stresses in [Pa].
     """
     x, y, h = dimensional_grid(solution)
     p = solution.pressure
@@ -190,10 +138,12 @@ def shear_fields(
     eta = film_viscosity(solution)
     width = sheared_width(h, p, cavitation)
     gap = np.maximum(h, np.finfo(np.float64).tiny)
-    warm = film_temperature(solution, temperature)
-    t_x, t_y = shear_stress_vector((s_x / gap, s_y / gap), eta, p, rheology, warm)
-    t_x, t_y = width * t_x, width * t_y
-    pump_x, pump_y = -0.5 * h * np.gradient(p, x, axis=0), -0.5 * h * np.gradient(p, y, axis=1)
+    temperatures = film_temperature(solution, temperature)
+    t_x, t_y = shear_stress_vector((s_x / gap, s_y / gap), eta, p, rheology, temperatures)
+    t_x = width * t_x
+    t_y = width * t_y
+    pump_x = -0.5 * h * np.gradient(p, x, axis=0)
+    pump_y = -0.5 * h * np.gradient(p, y, axis=1)
     return ShearFields(
         sliding_x=s_x,
         sliding_y=s_y,
@@ -216,95 +166,107 @@ def integrate_traction(
     temperature: float | None = None,
     cavitation: Cavitation = Cavitation.STRIATED,
 ) -> TractionResult:
-    """Forces and moments of a solved contact on its bodies, and the heat they make.
+    """Forces [N] and moments [N m] of a solved contact on its bodies, and the power lost [W].
 
-    Parameters
-    ----------
-    solution, kinematics, rheology, temperature, cavitation
-        As in `shear_fields`; temperature in [K].
-
-    Returns
-    -------
-    TractionResult
-        Forces in [N], moments in [N m], power in [W].
+    Arguments as in `shear_fields`; temperature in [K].
     """
     solution = with_outlet(solution) if cavitation is Cavitation.STRIATED else solution
     fields = shear_fields(
         solution, kinematics, rheology, temperature=temperature, cavitation=cavitation
     )
+    k = kinematics
+    load = dimensional_conditions(solution).load
+    total = _integrals(solution, k, fields)
+    sliding_x = -total.couette_x
+    sliding_y = -total.couette_y
+    # the horizontal part of the pressure is shared by the curvatures of the bodies
+    force_x = sliding_x + 0.5 * k.curvature_difference * total.hydrodynamic
+    pumping = -total.hydrodynamic * (k.rolling + 0.5 * k.curvature_difference * k.sliding_x)
+    # power of the rigid motion, against the heat of sliding
+    along = sliding_x * k.sliding_x + sliding_y * k.sliding_y
+    mechanical = -(along + total.spin * k.spin + total.curved * k.rolling)
+    largest = max(abs(mechanical), abs(total.heat), np.finfo(np.float64).tiny)
+    return TractionResult(
+        force_x=force_x,
+        force_y=sliding_y,
+        sliding_force_x=sliding_x,
+        sliding_force_y=sliding_y,
+        pumping_force_x=total.pump_x,
+        pumping_force_y=total.pump_y,
+        spin_moment=total.spin,
+        rolling_moment_1=total.hydrodynamic + total.curved,
+        rolling_moment_2=-total.hydrodynamic - total.curved,
+        hydrodynamic_moment=total.hydrodynamic,
+        curvature_moment=total.curved,
+        tilting_moment=total.tilting,
+        power_loss=total.heat + pumping,
+        sliding_loss=total.heat,
+        pumping_loss=pumping,
+        coefficient=float(np.hypot(force_x, sliding_y)) / load,
+        cavitated_force=total.cavitated,
+        force_balance_error=_film_balance(solution, 2.0 * total.pump_x) / load,
+        power_balance_error=abs(mechanical - total.heat) / largest,
+    )
+
+
+class _Integrals(NamedTuple):
+    """Over a contact, SI."""
+
+    couette_x: float
+    couette_y: float
+    pump_x: float
+    pump_y: float
+    hydrodynamic: float
+    tilting: float
+    curved: float
+    spin: float
+    heat: float
+    cavitated: float
+
+
+def _integrals(
+    solution: ContactSolution, kinematics: ContactKinematics, fields: ShearFields
+) -> _Integrals:
     x, y, _ = dimensional_grid(solution)
     p = solution.pressure
-    load = dimensional_conditions(solution).load
     X = x[:, None]
     Y = y[None, :]
     integral = _Integral(x, y)
-    sliding = -integral(fields.couette_x), -integral(fields.couette_y)
-    pump = (
-        0.5 * integral(fields.body_1_x + fields.body_2_x),
-        0.5 * integral(fields.body_1_y + fields.body_2_y),
-    )
-    hydrodynamic = integral(X * p)
-    curved = -integral(kinematics.bow(Y) * fields.couette_x)
-    spin = integral(Y * fields.couette_x - X * fields.couette_y)
-    heat = integral(fields.heat)
-    k = kinematics
-    force_x = sliding[0] + 0.5 * k.curvature_difference * hydrodynamic
-    pumping = -hydrodynamic * (k.rolling + 0.5 * k.curvature_difference * k.sliding_x)
-    mechanical = -(
-        sliding[0] * k.sliding_x + sliding[1] * k.sliding_y + spin * k.spin + curved * k.rolling
-    )
+    t_x, t_y = fields.couette_x, fields.couette_y
     dry = p <= 0.0
-    return TractionResult(
-        force_x=force_x,
-        force_y=sliding[1],
-        sliding_force_x=sliding[0],
-        sliding_force_y=sliding[1],
-        pumping_force_x=pump[0],
-        pumping_force_y=pump[1],
-        spin_moment=spin,
-        rolling_moment_1=hydrodynamic + curved,
-        rolling_moment_2=-hydrodynamic - curved,
-        hydrodynamic_moment=hydrodynamic,
-        curvature_moment=curved,
-        tilting_moment=-integral(Y * p),
-        power_loss=heat + pumping,
-        sliding_loss=heat,
-        pumping_loss=pumping,
-        coefficient=float(np.hypot(force_x, sliding[1])) / load,
-        cavitated_force=float(
-            np.hypot(integral(dry * fields.couette_x), integral(dry * fields.couette_y))
-        ),
-        force_balance_error=_film_balance(solution, 2.0 * pump[0]) / load,
-        power_balance_error=abs(mechanical - heat)
-        / max(abs(mechanical), abs(heat), np.finfo(np.float64).tiny),
+    return _Integrals(
+        couette_x=integral(t_x),
+        couette_y=integral(t_y),
+        pump_x=0.5 * integral(fields.body_1_x + fields.body_2_x),
+        pump_y=0.5 * integral(fields.body_1_y + fields.body_2_y),
+        hydrodynamic=integral(X * p),
+        tilting=-integral(Y * p),
+        curved=-integral(kinematics.bow(Y) * t_x),
+        spin=integral(Y * t_x - X * t_y),
+        heat=integral(fields.heat),
+        cavitated=float(np.hypot(integral(dry * t_x), integral(dry * t_y))),
     )
 
 
 def film_viscosity(solution: ContactSolution) -> Array:
-    """Viscosity at the pressure of each node, shape (nx, ny) [Pa s].
-
-    Of a film that was solved with heat or shear that at its temperature, and with what the
-    pressure's flow thins it.
+    """Viscosity at the pressure of each node, shape (nx, ny) [Pa s]; of a film solved with heat or
+    shear at its temperature, and thinned by the pressure's flow.
     """
     state = solution.state
     if state is None:
         return pressure_viscosity(solution.pressure, solution)
     oil = dimensional_conditions(solution).lubricant
-    warm: Array = bounded_viscosity(solution.pressure, oil, state.temperature) * np.exp(
-        -state.log_fluidity
-    )
-    return warm
+    eta: Array = bounded_viscosity(solution.pressure, oil, state.temperature)
+    return eta * np.exp(-state.log_fluidity)
 
 
 def film_temperature(solution: ContactSolution, inlet: float | None) -> Array | float | None:
     """Of the oil where it is sheared, shape (nx, ny) where the film was solved with heat, else as
     at the inlet [K].
     """
-    return (
-        inlet
-        if solution.state is None or solution.state.temperature is None
-        else solution.state.temperature
-    )
+    if solution.state is None or solution.state.temperature is None:
+        return inlet
+    return solution.state.temperature
 
 
 def pressure_viscosity(pressure: Array, solution: ContactSolution) -> Array:
@@ -319,15 +281,10 @@ def bounded_viscosity(pressure: Array, oil: Lubricant, temperature: Array | None
 
 
 def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array:
-    """Share of the width that is sheared, shape (nx, ny) [-].
+    """Share of the width that is sheared, shape (nx, ny) [-], for films h [m] and pressures [Pa].
 
-    Parameters
-    ----------
-    film, pressure : ndarray, shape (nx, ny)
-        h [m] and p [Pa].
-    cavitation : Cavitation
-        Its strips start from the last node of each line along x that has pressure; a line without
-        any has none.
+    Strips start from the last node of each line along x that has pressure; a line without any has
+    none.
     """
     full = pressure > 0.0
     if cavitation is Cavitation.FULL_WIDTH:
@@ -338,23 +295,16 @@ def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array
     last = nx - 1 - np.argmax(full[::-1], axis=0)
     rupture = np.where(full.any(axis=0), film[last, np.arange(film.shape[1])], 0.0)
     downstream = np.arange(nx)[:, None] > last[None, :]
-    strips = np.where(
-        downstream, np.minimum(rupture[None, :] / np.maximum(film, np.finfo(float).tiny), 1.0), 0.0
-    )
-    return np.where(full, 1.0, strips)
+    strips = np.minimum(rupture[None, :] / np.maximum(film, np.finfo(float).tiny), 1.0)
+    return np.where(full, 1.0, np.where(downstream, strips, 0.0))
 
 
 def with_outlet(solution: ContactSolution) -> ContactSolution:
-    """A solution with `OUTLET_NODES` more lines downstream of its box, ever wider apart, where the
-    gap opens further.
+    """A solution of dimensional conditions [m] with `OUTLET_NODES` more lines downstream of its
+    box, ever wider apart, where the gap opens further.
 
     Strips of oil shear behind the contact far beyond the box, whose end would show in the friction
     of thick films. The deflection at the end of the box is kept beyond it.
-
-    Parameters
-    ----------
-    solution : ContactSolution
-        Of dimensional conditions [m].
     """
     x, y, h = dimensional_grid(solution)
     assert solution.semi_axis_x is not None and solution.film_scale is not None
@@ -379,17 +329,20 @@ def _state_with_outlet(state: FilmState | None) -> FilmState | None:
     if state is None:
         return None
     more = ((0, OUTLET_NODES), (0, 0))
-    warm = None if state.temperature is None else np.pad(state.temperature, more, mode="edge")
-    return FilmState(temperature=warm, log_fluidity=np.pad(state.log_fluidity, more, mode="edge"))
+    temperature = state.temperature
+    if temperature is not None:
+        temperature = np.pad(temperature, more, mode="edge")
+    fluidity = np.pad(state.log_fluidity, more, mode="edge")
+    return FilmState(temperature=temperature, log_fluidity=fluidity)
 
 
 def _curvatures(solution: ContactSolution) -> tuple[float, float]:
     """Of the gap along the grid's x, and mixed [1/m]."""
     c = dimensional_conditions(solution)
-    cosine, sine = np.cos(solution.frame_angle), np.sin(solution.frame_angle)
-    return cosine**2 / c.radius_x + sine**2 / c.radius_y, sine * cosine * (
-        1.0 / c.radius_y - 1.0 / c.radius_x
-    )
+    cosine = np.cos(solution.frame_angle)
+    sine = np.sin(solution.frame_angle)
+    along = cosine**2 / c.radius_x + sine**2 / c.radius_y
+    return along, sine * cosine * (1.0 / c.radius_y - 1.0 / c.radius_x)
 
 
 def _film_balance(solution: ContactSolution, traction: float) -> float:
@@ -424,13 +377,7 @@ def dimensional_grid(solution: ContactSolution) -> tuple[Array, Array, Array]:
 
 
 def dimensional_conditions(solution: ContactSolution) -> ContactConditions:
-    """Of a solution that has them [N], [m].
-
-    Raises
-    ------
-    ValueError
-        If it is known by Moes' groups alone.
-    """
+    """Of a solution that has them [N], [m]; ValueError where Moes' groups alone are known."""
     if not isinstance(solution.conditions, ContactConditions):
         raise ValueError("solution: traction needs dimensional conditions, not Moes' groups alone")
     return solution.conditions

@@ -104,7 +104,7 @@ def _require_film(solution: ContactSolution, load: float, speed: float) -> None:
 class FilmSample:
     """A film of a table at a load and a speed, and what splines over both need of it."""
 
-    place: tuple[float, float]  # ln load, ln speed
+    place: tuple[float, float]  # ln(load), ln(speed) [-]
     film: TableFilm
     scales: tuple[float, float, float]  # of slide_x/u, slide_y/u, spin R_x/u [-]
     moment: float  # hydrodynamic, positive [N m]

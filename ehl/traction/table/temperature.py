@@ -107,7 +107,7 @@ class TemperatureTable:
             values=_sum(weights, [table.values for table in tables]),
             kappa_max=max(table.kappa_max for table in tables),
             converged=self.converged,
-            message=f"between tables at {', '.join(f'{kelvin:.2f}' for kelvin in known[chosen])} K",
+            message=f"between tables at {', '.join(f'{one:.2f}' for one in known[chosen])} K",
         )
 
 
