@@ -30,25 +30,6 @@ class Race(Enum):
 class Bearing:
     """One row of balls between two grooved rings, SI.
 
-    Attributes
-    ----------
-    name : str
-    ball_diameter, pitch_diameter : float
-        D and d_m [m].
-    balls : int
-        Z [-].
-    inner_groove_radius, outer_groove_radius : float
-        r_i and r_o, radii of the grooves' cross-sections [m].
-    diametral_clearance : float
-        Pd, diametral play of the unloaded bearing [m]; negative is interference.
-    ball_material, inner_ring_material, outer_ring_material : Material
-    first_ball_azimuth : float
-        Azimuth of ball 1 from the load line [rad].
-    bore, outside_diameter, width : float or None
-        Boundary dimensions [m].
-    inner_shoulder_diameter, outer_shoulder_diameter : float or None
-        Diameters of the lands beside the grooves, both sides alike [m].
-
     Raises
     ------
     ValueError
@@ -56,21 +37,23 @@ class Bearing:
     """
 
     name: str
-    ball_diameter: float
-    pitch_diameter: float
-    balls: int
-    inner_groove_radius: float
-    outer_groove_radius: float
-    diametral_clearance: float
+    ball_diameter: float  # D [m]
+    pitch_diameter: float  # d_m [m]
+    balls: int  # Z [-]
+    inner_groove_radius: float  # r_i, radius of the groove's cross-section [m]
+    outer_groove_radius: float  # r_o [m]
+    # Pd, diametral play of the unloaded bearing; negative is interference
+    diametral_clearance: float  # [m]
     ball_material: Material
     inner_ring_material: Material
     outer_ring_material: Material
-    first_ball_azimuth: float = 0.0
-    bore: float | None = None
-    outside_diameter: float | None = None
-    width: float | None = None
-    inner_shoulder_diameter: float | None = None
-    outer_shoulder_diameter: float | None = None
+    first_ball_azimuth: float = 0.0  # azimuth of ball 1 from the load line [rad]
+    bore: float | None = None  # boundary dimensions [m]
+    outside_diameter: float | None = None  # [m]
+    width: float | None = None  # [m]
+    # diameters of the lands beside the grooves, both sides alike
+    inner_shoulder_diameter: float | None = None  # [m]
+    outer_shoulder_diameter: float | None = None  # [m]
 
     def __post_init__(self) -> None:
         _check_lengths(self)

@@ -28,40 +28,19 @@ class MaterialKind(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Material:
-    """One homogeneous, isotropic, linear elastic material.
-
-    Attributes
-    ----------
-    name : str
-    youngs_modulus : float
-        E [Pa].
-    poisson_ratio : float
-        nu [-].
-    density : float
-        rho [kg/m^3].
-    source : str
-        Where the numbers come from.
-    thermal_expansion : float or None
-        Linear, mean from room temperature to that of operation [1/K]; None if not known.
-    kind : MaterialKind
-    thermal_conductivity : float or None
-        k [W/(m K)]; None if not known.
-    specific_heat : float or None
-        c at constant pressure [J/(kg K)]; None if not known.
-    unverified : tuple of str
-        Fields whose values no source was read for.
-    """
+    """One homogeneous, isotropic, linear elastic material."""
 
     name: str
-    youngs_modulus: float
-    poisson_ratio: float
-    density: float
-    source: str = ""
-    thermal_expansion: float | None = None
+    youngs_modulus: float  # E [Pa]
+    poisson_ratio: float  # nu [-]
+    density: float  # rho [kg/m^3]
+    source: str = ""  # where the numbers come from
+    # linear, mean from room temperature to that of operation; None if not known
+    thermal_expansion: float | None = None  # [1/K]
     kind: MaterialKind = MaterialKind.OTHER
-    thermal_conductivity: float | None = None
-    specific_heat: float | None = None
-    unverified: tuple[str, ...] = ()
+    thermal_conductivity: float | None = None  # k [W/(m K)]; None if not known
+    specific_heat: float | None = None  # c at constant pressure [J/(kg K)]; None if not known
+    unverified: tuple[str, ...] = ()  # fields whose values no source was read for
 
     def __post_init__(self) -> None:
         for field in ("youngs_modulus", "density", "thermal_conductivity", "specific_heat"):

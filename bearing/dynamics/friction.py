@@ -21,18 +21,12 @@ CENTRE = np.array([[0.0], [0.0], [1.0]])  # one point with all of the load [-]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RaceFriction:
-    """Friction of both races: laws of a coefficient, or tables, or none.
+    """Friction of both races: laws of a coefficient, or tables, or none."""
 
-    Attributes
-    ----------
-    inner, outer : CoulombLaw, FourConstantLaw, TractionTable or None
-        Of `ehl.traction`; None: frictionless.
-    at_centre : bool
-        A coefficient counts at the contact's centre alone: no spin moment, no slip by curvature.
-    """
-
+    # None: frictionless
     inner: CoulombLaw | FourConstantLaw | TractionTable | None = None
     outer: CoulombLaw | FourConstantLaw | TractionTable | None = None
+    # a coefficient counts at the contact's centre alone: no spin moment, no slip by curvature
     at_centre: bool = False
 
     def __post_init__(self) -> None:

@@ -34,22 +34,11 @@ SMALLEST_SPEED_SHARE = 1.0e-3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StartingPoint:
-    """What a simulation starts from.
+    """What a simulation starts from."""
 
-    Attributes
-    ----------
-    kind : LoadType
-        Equations of motion.
-    angles : tuple of float
-        Mean contact angles, inner and outer, by load [rad].
-    equilibrium : QuasistaticSolution or None
-        Where the simulation starts from it.
-    messages : tuple of str
-    """
-
-    kind: LoadType
-    angles: tuple[float, float]
-    equilibrium: QuasistaticSolution | None
+    kind: LoadType  # equations of motion
+    angles: tuple[float, float]  # mean contact angles, inner and outer, by load [rad]
+    equilibrium: QuasistaticSolution | None  # where the simulation starts from it
     messages: tuple[str, ...]
 
 

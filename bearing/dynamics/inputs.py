@@ -77,26 +77,17 @@ class LoadType(Enum):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class NormalContact:
-    """Normal law of all contacts.
-
-    Attributes
-    ----------
-    law : NormalLaw
-    restitution : float
-        e [-], from which the damping follows; what comes back from an impact differs a little
-        (docs/theory/dynamics.md).
-    impact_floor : float
-        Least v_0, so that a lasting contact that began without an impact is damped as if by this
-        speed [m/s].
-    inner_stiffness, outer_stiffness : float or None
-        K of a ball on a race [N/m^1.5]; None: Hertz' of the grooved race.
-    """
+    """Normal law of all contacts."""
 
     law: NormalLaw = NormalLaw.LANKARANI_NIKRAVESH
-    restitution: float = 0.9
-    impact_floor: float = IMPACT_FLOOR
-    inner_stiffness: float | None = None
-    outer_stiffness: float | None = None
+    # e, from which the damping follows; what comes back from an impact differs a little
+    # (docs/theory/dynamics.md)
+    restitution: float = 0.9  # [-]
+    # smallest v_0: a lasting contact that began without an impact is damped as if by this speed
+    impact_floor: float = IMPACT_FLOOR  # [m/s]
+    # K of a ball on a race; None: Hertz' of the grooved race
+    inner_stiffness: float | None = None  # [N/m^1.5]
+    outer_stiffness: float | None = None  # [N/m^1.5]
 
     def __post_init__(self) -> None:
         if not 0.0 < self.restitution <= 1.0:
@@ -111,46 +102,24 @@ class NormalContact:
 class CageBody:
     """The cage as a rigid body; its pockets are cylinders along the radius, or spheres where balls
     guide it.
-
-    Attributes
-    ----------
-    mass, polar_inertia, transverse_inertia : float
-        [kg], [kg m^2].
-    pocket_clearance : float
-        Diametral, pocket less ball [m].
-    pocket_stiffness : float
-        K of ball against pocket [N/m^1.5].
-    pocket_friction : float
-        Coulomb's mu [-].
-    film_least : float
-        Least film between ball and pocket [m].
-    guidance : Guidance
-    land_radius, land_clearance, land_width, land_offset : float
-        Of each of the two guiding lands: radius, radial clearance, width, distance from the middle
-        [m].
-    land_stiffness : float
-        Of a land without a film [N/m].
-    land_friction : float
-        Coulomb's mu without a film [-].
-    assumed : tuple of str
-        What was estimated rather than given.
     """
 
-    mass: float
-    polar_inertia: float
-    transverse_inertia: float
-    pocket_clearance: float
-    pocket_stiffness: float
-    pocket_friction: float = 0.0
-    film_least: float = 1.0e-6
+    mass: float  # [kg]
+    polar_inertia: float  # [kg m^2]
+    transverse_inertia: float  # [kg m^2]
+    pocket_clearance: float  # diametral, pocket less ball [m]
+    pocket_stiffness: float  # K of ball against pocket [N/m^1.5]
+    pocket_friction: float = 0.0  # Coulomb's mu [-]
+    film_least: float = 1.0e-6  # least film between ball and pocket [m]
     guidance: Guidance = Guidance.BALLS
-    land_radius: float = 0.0
-    land_clearance: float = 0.0
-    land_width: float = 0.0
-    land_offset: float = 0.0
-    land_stiffness: float = 0.0
-    land_friction: float = 0.0
-    assumed: tuple[str, ...] = ()
+    # of each of the two guiding lands: radius, radial clearance, width, distance from the middle
+    land_radius: float = 0.0  # [m]
+    land_clearance: float = 0.0  # [m]
+    land_width: float = 0.0  # [m]
+    land_offset: float = 0.0  # [m]
+    land_stiffness: float = 0.0  # of a land without a film [N/m]
+    land_friction: float = 0.0  # Coulomb's mu without a film [-]
+    assumed: tuple[str, ...] = ()  # what was estimated rather than given
 
     def __post_init__(self) -> None:
         for name in (
@@ -189,19 +158,11 @@ class RingBody:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Schedule:
-    """Speeds and loads over time, linear between the rows, the last one kept.
+    """Speeds and loads over time, linear between the rows, the last one kept."""
 
-    Attributes
-    ----------
-    time : tuple of float
-        [s], rising.
-    values : tuple of tuple of float
-        At each: speed of inner and of outer ring [rad/s], force along x, y, z [N], moment about y,
-        z [N m].
-    """
-
-    time: tuple[float, ...]
-    values: tuple[tuple[float, ...], ...]
+    time: tuple[float, ...]  # rising [s]
+    # at each: speed of inner and of outer ring, force along x, y, z, moment about y, z
+    values: tuple[tuple[float, ...], ...]  # [rad/s], [N], [N m]
 
     def __post_init__(self) -> None:
         if (
@@ -245,35 +206,18 @@ class Schedule:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DynamicsOptions:
-    """How to simulate.
+    """How to simulate."""
 
-    Attributes
-    ----------
-    end_time : float
-        [s].
-    sample_interval : float
-        Between rows of the history [s].
-    start : Start
-    equations : LoadType or None
-        None: by the load (`load_type`).
-    tolerance : float
-        Of a step's error in units of contact approach and of speed in its vibration [-].
-    gravity : tuple of float
-        Along x, y, z [m/s^2].
-    drag : float
-        Of a ball over the square of its speed, C_D rho A/2 [N s^2/m^2].
-    longest_step : float or None
-        [s]; None: a part of the vibration of a loaded ball (`simulation.STEP_ANGLE`).
-    """
-
-    end_time: float
-    sample_interval: float
+    end_time: float  # [s]
+    sample_interval: float  # between rows of the history [s]
     start: Start = Start.QUASI_STATIC
-    equations: LoadType | None = None
-    tolerance: float = TOLERANCE
-    gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    drag: float = 0.0
-    longest_step: float | None = None
+    equations: LoadType | None = None  # None: by the load (`load_type`)
+    # of a step's error in units of contact approach and of speed in its vibration
+    tolerance: float = TOLERANCE  # [-]
+    gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # along x, y, z [m/s^2]
+    drag: float = 0.0  # of a ball over the square of its speed, C_D rho A/2 [N s^2/m^2]
+    # None: a part of the vibration of a loaded ball (`simulation.STEP_ANGLE`)
+    longest_step: float | None = None  # [s]
 
     def __post_init__(self) -> None:
         for name in ("end_time", "sample_interval", "tolerance"):

@@ -44,37 +44,18 @@ class ContactHistory(NamedTuple):
 
 @dataclass(slots=True, kw_only=True)
 class SimulationState:
-    """Where a simulation stands; all that a restart needs.
+    """Where a simulation stands; all that a restart needs."""
 
-    Attributes
-    ----------
-    time, step : float
-        [s].
-    y : ndarray
-        State vector [SI].
-    memory, onset : ndarray, shape (3 Z + 2,)
-        Speeds [m/s] and times [s] of the beginnings of the contacts.
-    contact_state : ndarray, shape (2, Z)
-    shares : ndarray, shape (2, Z, 3)
-        Time spent separated, in contact, in an impact [s].
-    attitude : ndarray, shape (Z, 4)
-        Quaternions of the balls [-].
-    counters : ndarray
-        Steps, rejected steps, of the test for stiffness, evaluations [-].
-    stiff : bool
-        Whether LSODA took over at some time.
-    """
-
-    time: float
-    step: float
-    y: Array
-    memory: Array
-    onset: Array
-    contact_state: NDArray[np.int8]
-    shares: Array
-    attitude: Array
-    counters: NDArray[np.int64]
-    stiff: bool = False
+    time: float  # [s]
+    step: float  # [s]
+    y: Array  # state vector [SI]
+    memory: Array  # speed at the onset of each contact [m/s], shape (3 Z + 2,)
+    onset: Array  # its time [s]
+    contact_state: NDArray[np.int8]  # as in `Record`, shape (2, Z)
+    shares: Array  # time spent separated, in contact, in an impact [s], shape (2, Z, 3)
+    attitude: Array  # quaternions of the balls [-], shape (Z, 4)
+    counters: NDArray[np.int64]  # steps, rejected, test for stiffness, evaluations [-]
+    stiff: bool = False  # whether LSODA took over at some time
 
     @property
     def history(self) -> ContactHistory:

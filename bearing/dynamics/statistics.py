@@ -84,49 +84,25 @@ class RunningStatistics:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SimulationStatistics:
-    """Numbers of a simulation.
+    """Numbers of a simulation."""
 
-    Attributes
-    ----------
-    simulated, wall : float
-        [s].
-    cage_speed, orbit_speed, kinematic_speed : float
-        Means over the last third, of the cage and of the balls, and the kinematic speed of the
-        same time [rad/s].
-    cage_interval, orbit_interval : float or None
-        Half widths of the 95 % confidence intervals of the first two, `batch_interval` [rad/s].
-    ring_whirl, cage_whirl : float or None
-        Of the centres over the last third, `whirl_speed`; None where they stay [rad/s].
-    work : dict of float
-        Put in, lost and taken up by films, by mechanism [J].
-    stored : float
-        Change of kinetic, elastic and potential energy [J].
-    energy_error : float
-        Largest residual over the total input or, where that is less, over what was lost [-].
-    shares : ndarray, shape (2, Z, 3)
-        Of the time free, in contact, in an impact; inner and outer race [-].
-    mean_load, largest_load : ndarray, shape (2, Z)
-        [N].
-    largest_pocket_load : ndarray, shape (Z,)
-        [N].
-    """
-
-    simulated: float
-    wall: float
-    cage_speed: float
-    orbit_speed: float
-    kinematic_speed: float
-    cage_interval: float | None
-    orbit_interval: float | None
-    ring_whirl: float | None
-    cage_whirl: float | None
-    work: dict[str, float]
-    stored: float
-    energy_error: float
-    shares: Array
-    mean_load: Array
-    largest_load: Array
-    largest_pocket_load: Array
+    simulated: float  # [s]
+    wall: float  # [s]
+    cage_speed: float  # mean over the last third [rad/s]
+    orbit_speed: float  # of the balls, likewise [rad/s]
+    kinematic_speed: float  # without sliding, likewise [rad/s]
+    cage_interval: float | None  # half width of the 95 % confidence interval [rad/s]
+    orbit_interval: float | None  # [rad/s]
+    ring_whirl: float | None  # of the centre over the last third; None where it stays [rad/s]
+    cage_whirl: float | None  # [rad/s]
+    work: dict[str, float]  # put in, lost and taken up by films, by mechanism [J]
+    stored: float  # change of kinetic, elastic and potential energy [J]
+    # largest residual over the total input or, where that is less, over what was lost
+    energy_error: float  # [-]
+    shares: Array  # of the time separated, in contact, in an impact, shape (2, Z, 3) [-]
+    mean_load: Array  # [N], shape (2, Z)
+    largest_load: Array  # [N]
+    largest_pocket_load: Array  # [N], shape (Z,)
 
 
 def orbit_speeds(states: Array, layout: Layout) -> Array:

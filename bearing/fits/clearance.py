@@ -23,26 +23,17 @@ from ..operation import Operation
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Fit:
-    """Seats of the two rings.
-
-    Attributes
-    ----------
-    inner_interference, outer_interference : float
-        Effective interference at rest and at the reference temperature, on the diameter [m];
-        negative is a loose fit.
-    shaft_bore : float
-        Inner diameter of a hollow shaft [m], 0 for a solid one.
-    housing_outside_diameter : float or None
-        [m]; needed with an interference of the outer ring.
-    shaft_material, housing_material : Material
-    """
+    """Seats of the two rings."""
 
     shaft_material: Material
     housing_material: Material
-    inner_interference: float = 0.0
-    outer_interference: float = 0.0
-    shaft_bore: float = 0.0
-    housing_outside_diameter: float | None = None
+    # effective interference at rest and at the reference temperature, on the diameter; negative is
+    # a loose fit
+    inner_interference: float = 0.0  # [m]
+    outer_interference: float = 0.0  # [m]
+    shaft_bore: float = 0.0  # inner diameter of a hollow shaft [m], 0 for a solid one
+    # needed with an interference of the outer ring
+    housing_outside_diameter: float | None = None  # [m]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -66,38 +57,23 @@ class CageClearance:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ClearanceBudget:
-    """Diametral clearance from delivery to operation, and what changes it; all on the diameter.
+    """Diametral clearance from delivery to operation, and what changes it; all on the diameter."""
 
-    Attributes
-    ----------
-    initial, mounted, operating : float
-        Clearance as delivered, after mounting, and in operation [m].
-    inner_fit, outer_fit : float
-        Change of clearance by the fits in operation, never positive [m].
-    thermal, centrifugal : float
-        Change of clearance by free thermal and centrifugal growth of rings and balls [m].
-    inner_interference, outer_interference : float
-        Interference left in operation [m]; negative where the seat has come loose.
-    inner_pressure, outer_pressure : float
-        Pressure in the seats in operation [Pa].
-    messages : tuple of str
-    cage : CageClearance or None
-        None where the temperature of the cage is not given.
-    """
-
-    initial: float
-    mounted: float
-    operating: float
-    inner_fit: float = 0.0
-    outer_fit: float = 0.0
-    thermal: float = 0.0
-    centrifugal: float = 0.0
-    inner_interference: float = 0.0
-    outer_interference: float = 0.0
-    inner_pressure: float = 0.0
-    outer_pressure: float = 0.0
+    initial: float  # clearance as delivered, after mounting, and in operation [m]
+    mounted: float  # [m]
+    operating: float  # [m]
+    inner_fit: float = 0.0  # change of clearance by the fits in operation, never positive [m]
+    outer_fit: float = 0.0  # [m]
+    # change of clearance by free thermal and centrifugal growth of rings and balls
+    thermal: float = 0.0  # [m]
+    centrifugal: float = 0.0  # [m]
+    # interference left in operation; negative where the seat has come loose
+    inner_interference: float = 0.0  # [m]
+    outer_interference: float = 0.0  # [m]
+    inner_pressure: float = 0.0  # pressure in the seats in operation [Pa]
+    outer_pressure: float = 0.0  # [Pa]
     messages: tuple[str, ...] = ()
-    cage: CageClearance | None = None
+    cage: CageClearance | None = None  # None where the temperature of the cage is not given
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

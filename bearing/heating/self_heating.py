@@ -21,36 +21,20 @@ TorqueModel = Callable[[QuasistaticSolution, Sequence[BearingContact], Lubricant
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SelfHeatingProblem:
-    """A bearing whose temperature follows from its friction.
+    """A bearing whose temperature follows from its friction."""
 
-    Attributes
-    ----------
-    bearing : Bearing
-        With its clearance at the reference temperature, before mounting.
-    operation : Operation
-        Its temperature is replaced.
-    model : Model
-    oil : callable
-        Lubricant at a temperature [K].
-    torque : callable
-        Friction torque [N m] of an equilibrium, its contacts and its oil.
-    fit : Fit or None
-    reference : float or None
-        Temperature at which clearance and fits were measured [K]; None: the clearance is the
-        operating one, and stays.
-    inner_excess : float
-        Inner ring and shaft above the one temperature of the node, outer ring and housing as much
-        below it [K].
-    """
-
-    bearing: Bearing
-    operation: Operation
+    bearing: Bearing  # with its clearance at the reference temperature, before mounting
+    operation: Operation  # its temperature is replaced
     model: Model
-    oil: Callable[[float], Lubricant]
-    torque: TorqueModel
+    oil: Callable[[float], Lubricant]  # lubricant at a temperature [K]
+    torque: TorqueModel  # friction torque [N m] of an equilibrium, its contacts and its oil
     fit: Fit | None = None
-    reference: float | None = 293.15
-    inner_excess: float = 0.0
+    # temperature at which clearance and fits were measured; None: the clearance is the operating
+    # one, and stays
+    reference: float | None = 293.15  # [K]
+    # inner ring and shaft above the one temperature of the node, outer ring and housing as much
+    # below it
+    inner_excess: float = 0.0  # [K]
 
     def clearance(self, temperature: float) -> float:
         """Diametral clearance [m] at a temperature [K]."""

@@ -12,22 +12,12 @@ from ..quasistatic.solution import QuasistaticSolution
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Frequencies:
-    """Frequencies of cage, ball passage and ball spin, never negative.
+    """Frequencies of cage, ball passage and ball spin, never negative."""
 
-    Attributes
-    ----------
-    cage : float
-        Rotation of the cage [Hz].
-    ball_pass_outer, ball_pass_inner : float
-        Balls that pass a point of the outer or the inner ring [Hz].
-    ball_spin : float
-        Rotation of a ball about its own axis in the frame of the cage [Hz].
-    """
-
-    cage: float
-    ball_pass_outer: float
-    ball_pass_inner: float
-    ball_spin: float
+    cage: float  # rotation of the cage [Hz]
+    ball_pass_outer: float  # balls that pass a point of the outer ring [Hz]
+    ball_pass_inner: float  # and of the inner ring [Hz]
+    ball_spin: float  # rotation of a ball about its own axis in the frame of the cage [Hz]
 
 
 def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:

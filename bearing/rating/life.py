@@ -54,44 +54,23 @@ MM = 1e-3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class LifeRating:
-    """Rating life; None where it does not apply, the reason in `messages`.
-
-    Attributes
-    ----------
-    rating : RatingInput
-    dynamic_rating : float or None
-        C_r as given or computed [N].
-    equivalent_load : float or None
-        P_ref, dynamic equivalent reference load [N].
-    basic_life, modified_life : float or None
-        L_10r and L_10mr, at 90 % reliability [revolutions].
-    viscosity_ratio : float or None
-        kappa = nu/nu_1, from the viscosity at the temperature of operation alone [-].
-    life_factor : float or None
-        a_ISO [-].
-    fatigue_load_limit : float or None
-        C_u [N].
-    static_safety : float or None
-        (4200 MPa/p_max)^3 over the heaviest contact, steel on steel [-].
-    static_rating, static_load : float or None
-        C_0 as given or computed, and P_0 of the external loads [N], of the row that carries most.
-    static_safety_factor : float or None
-        S_0 = C_0/P_0 [-].
-    messages : tuple of str
-    """
+    """Rating life; None where it does not apply, the reason in `messages`."""
 
     rating: RatingInput
-    dynamic_rating: float | None = None
-    equivalent_load: float | None = None
-    basic_life: float | None = None
-    modified_life: float | None = None
-    viscosity_ratio: float | None = None
-    life_factor: float | None = None
-    fatigue_load_limit: float | None = None
-    static_safety: float | None = None
-    static_rating: float | None = None
-    static_load: float | None = None
-    static_safety_factor: float | None = None
+    dynamic_rating: float | None = None  # C_r as given or computed [N]
+    equivalent_load: float | None = None  # P_ref, dynamic equivalent reference load [N]
+    basic_life: float | None = None  # L_10r, at 90 % reliability [revolutions]
+    modified_life: float | None = None  # L_10mr [revolutions]
+    # kappa = nu/nu_1, from the viscosity at the temperature of operation alone
+    viscosity_ratio: float | None = None  # [-]
+    life_factor: float | None = None  # a_ISO [-]
+    fatigue_load_limit: float | None = None  # C_u [N]
+    # (4200 MPa/p_max)^3 over the heaviest contact, steel on steel
+    static_safety: float | None = None  # [-]
+    # C_0 as given or computed, and P_0 of the external loads, of the row that carries most
+    static_rating: float | None = None  # [N]
+    static_load: float | None = None  # [N]
+    static_safety_factor: float | None = None  # S_0 = C_0/P_0 [-]
     messages: tuple[str, ...] = ()
 
 

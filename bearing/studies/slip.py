@@ -42,19 +42,12 @@ Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 class SlipStudy:
     """A bearing whose axial load and speed are varied; tilt and the other loads are those of
     `operation`.
-
-    Attributes
-    ----------
-    bearing, operation, model : Bearing, Operation, Model
-        The axial direction of the operation must be loaded, not displaced.
-    limit : float
-        Slip factor below which a ball slips [-].
     """
 
     bearing: Bearing
-    operation: Operation
+    operation: Operation  # its axial direction must be loaded, not displaced
     model: Model
-    limit: float = HIRANO_LIMIT
+    limit: float = HIRANO_LIMIT  # slip factor below which a ball slips [-]
 
     def __post_init__(self) -> None:
         if self.operation.force[0] is None:

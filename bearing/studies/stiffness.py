@@ -21,24 +21,14 @@ from ..rows import SINGLE, Row
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StiffnessOverSpeed:
-    """Stiffness and displacement of the inner ring over its speed; NaN without an equilibrium.
+    """Stiffness and displacement of the inner ring over its speed; NaN without an equilibrium."""
 
-    Attributes
-    ----------
-    speeds : ndarray, shape (n,)
-        Of the inner ring [rad/s].
-    matrices : ndarray, shape (n, 5, 5)
-        d(load)/d(displacement) in the order x, y, z, tilt y, tilt z [N/m], [N/rad], [N m/rad].
-    displacements : ndarray, shape (n, 5)
-        [m], [rad].
-    messages : tuple of str
-        Of the speeds without an equilibrium.
-    """
-
-    speeds: Array
-    matrices: Array
-    displacements: Array
-    messages: tuple[str, ...]
+    speeds: Array  # of the inner ring [rad/s], shape (n,)
+    # d(load)/d(displacement) in the order x, y, z, tilt y, tilt z, [N/rad], [N m/rad], shape (n,
+    # 5, 5)
+    matrices: Array  # [N/m]
+    displacements: Array  # [m], [rad], shape (n, 5)
+    messages: tuple[str, ...]  # of the speeds without an equilibrium
 
     @property
     def converged(self) -> NDArray[np.bool_]:

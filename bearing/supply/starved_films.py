@@ -19,25 +19,15 @@ from .supply import InletFilm, Supply, supplied_films
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StarvedFilm:
-    """Film of one contact at a supply.
+    """Film of one contact at a supply."""
 
-    Attributes
-    ----------
-    share : float
-        Of the flooded film, central as minimum [-].
-    flooded_central, flooded_minimum : float
-        Flooded films [m].
-    roughness : float
-        Root mean square of race and ball together, zero where it is not known [m].
-    solved : bool
-        Whether the flooded films were solved; else they are those of the formulas of Nijenbanning
-        et al. and of Hamrock and Dowson.
-    """
-
-    share: float
-    flooded_central: float
-    flooded_minimum: float
-    roughness: float = 0.0
+    share: float  # of the flooded film, central as minimum [-]
+    flooded_central: float  # flooded films [m]
+    flooded_minimum: float  # [m]
+    # root mean square of race and ball together, zero where it is not known
+    roughness: float = 0.0  # [m]
+    # whether the flooded films were solved; else they are those of the formulas of Nijenbanning et
+    # al. and of Hamrock and Dowson
     solved: bool = False
 
     @property

@@ -40,27 +40,13 @@ FLOODED_RATIO = 1.0e6  # inlet layer over film from which a contact counts as fl
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Supply:
-    """Flow of oil through a bearing.
+    """Flow of oil through a bearing."""
 
-    Attributes
-    ----------
-    flow : float
-        Volume supplied [m^3/s].
-    track_share : float
-        Share of it that lands on the tracks [-]; assumed.
-    loss : float
-        Share of the layer on a track that is lost between two balls [-]; assumed.
-    residence_time : float
-        Mean time that oil stays in the bearing [s]; assumed.
-    exponent : float or None
-        gamma of the starved film [-]; None: by the ellipse.
-    """
-
-    flow: float
-    track_share: float
-    residence_time: float
-    exponent: float | None = None
-    loss: float = 0.0
+    flow: float  # volume supplied [m^3/s]
+    track_share: float  # share of it that lands on the tracks [-]; assumed
+    residence_time: float  # mean time that oil stays in the bearing [s]; assumed
+    exponent: float | None = None  # gamma of the starved film [-]; None: by the ellipse
+    loss: float = 0.0  # share of the layer on a track that is lost between two balls [-]; assumed
 
     def __post_init__(self) -> None:
         if not (isfinite(self.flow) and self.flow >= 0.0):
@@ -77,18 +63,10 @@ class Supply:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class InletFilm:
-    """Layer of oil that every contact finds at its inlet.
+    """Layer of oil that every contact finds at its inlet."""
 
-    Attributes
-    ----------
-    layer : float
-        Thickness on both surfaces together, at ambient density [m].
-    exponent : float or None
-        gamma of the starved film [-]; None: by the ellipse.
-    """
-
-    layer: float
-    exponent: float | None = None
+    layer: float  # thickness on both surfaces together, at ambient density [m]
+    exponent: float | None = None  # gamma of the starved film [-]; None: by the ellipse
 
     def __post_init__(self) -> None:
         if not (isfinite(self.layer) and self.layer >= 0.0):
