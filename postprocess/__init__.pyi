@@ -1,4 +1,4 @@
-from .bearing.document import summary
+from .bearing.summary import summary
 from .reader import open_results
 from .results import BearingResults, ContactResults
 from .writer import write_results

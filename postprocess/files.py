@@ -1,22 +1,20 @@
-"""Results on disk: summary.json, contacts.csv and one netCDF file; each appears under its name
-only when complete.
-"""
+"""JSON, CSV and netCDF files of results; each appears under its name only when complete."""
 
+import csv
 import json
 import os
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
+from math import isfinite
 from pathlib import Path
 from typing import Any
 
-import xarray
 import xarray as xr
 
 # dimensions, values, attributes by name
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
-# of the netCDF file; raised when an older reader would misread it. 1: x always along the
-# entrainment
+# of the netCDF file, raised when an older reader would misread it; 1: x along the entrainment
 FORMAT = 2
 SUMMARY_FILE = "summary.json"
 CONTACTS_FILE = "contacts.csv"
@@ -25,18 +23,9 @@ FIELDS_FILE = "results.nc"
 
 @contextmanager
 def atomic_path(path: Path) -> Iterator[Path]:
-    """Give a temporary name beside `path`; on success it becomes `path`, on failure nothing is
-    left.
+    """A temporary name beside `path`; on success it becomes `path`, on failure nothing is left.
 
-    Parameters
-    ----------
-    path : Path
-        Final name; missing folders are made.
-
-    Yields
-    ------
-    Path
-        Name to write to, same folder and suffix.
+    Missing folders are created; the name has the suffix of `path`.
     """
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
@@ -63,21 +52,55 @@ def write_json(document: dict[str, Any], path: Path) -> None:
         temporary.write_text(text + "\n", encoding="utf-8")
 
 
+def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
+    """Plain JSON types; a number that is not finite becomes None, its path is added to `lost`."""
+    if isinstance(value, dict):
+        return {key: plain(item, f"{path}.{key}", lost) for key, item in value.items()}
+    if isinstance(value, list | tuple):
+        return [plain(item, f"{path}[{i}]", lost) for i, item in enumerate(value)]
+    if hasattr(value, "tolist"):  # arrays and scalars of NumPy
+        return plain(value.tolist(), path, lost)
+    if isinstance(value, float) and not isfinite(value):
+        if lost is not None:
+            lost.append(path)
+        return None
+    return value
+
+
+def write_csv(
+    path: Path, header: Iterable[str], rows: Iterable[Iterable[Any]], number: str = ""
+) -> None:
+    """Write a table: floats by the format `number`, in full if it is empty; nothing for null."""
+    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow(header)
+        writer.writerows([_csv_cell(value, number) for value in row] for row in rows)
+
+
+def _csv_cell(value: Any, number: str) -> Any:
+    if value is None or (isinstance(value, float) and not isfinite(value)):
+        return ""
+    if isinstance(value, float):
+        return f"{value:{number}}" if number else repr(float(value))
+    return json.dumps(value) if isinstance(value, list | dict) else value
+
+
+def attempt(name: str, write: Callable[[], object]) -> tuple[str, ...]:
+    """Messages of an extra that failed, or those that it returns.
+
+    Any failure in a drawing library is a lost picture, not a lost run.
+    """
+    try:
+        messages = write()
+    except Exception as error:
+        return (f"{name} not written: {type(error).__name__}: {error}",)
+    return messages if isinstance(messages, tuple) else ()
+
+
 def write_dataset(
     variables: Variables, coordinates: set[str], attributes: dict[str, Any], path: Path
 ) -> None:
-    """Write one netCDF-4 data set.
-
-    Parameters
-    ----------
-    variables : dict
-        Dimensions, values and attributes (units!) by name.
-    coordinates : set of str
-        Names of those that are coordinates.
-    attributes : dict
-        Of the whole.
-    path : Path
-    """
+    """Write one netCDF-4 data set; `coordinates` are the names of those among the variables."""
     data = {name: value for name, value in variables.items() if name not in coordinates}
     coords = {name: value for name, value in variables.items() if name in coordinates}
     dataset = xr.Dataset(data, coords, attributes | {"oilfilm_format": FORMAT})
@@ -87,9 +110,7 @@ def write_dataset(
 
 
 def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
-    """What every file says of itself, from a summary: version, format, kind, input and messages as
-    JSON.
-    """
+    """Attributes of every file, from a summary: version, format, kind, input and messages as JSON."""
     case = document["case"]
     return {
         "title": str(case.get("title", "")),
@@ -108,10 +129,8 @@ def contact_name(ball: int, race: str) -> str:
     return f"ball{ball:02d}/{race}"
 
 
-def open_tree(path: Path) -> xarray.DataTree:
-    """The groups of a netCDF-4 file, read from disk when they are used; ValueError if it is
-    damaged or none.
-    """
+def open_tree(path: Path) -> xr.DataTree:
+    """The groups of a netCDF-4 file, read when they are used; ValueError if it is damaged."""
     try:
         return xr.open_datatree(path, engine="h5netcdf")
     except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:

@@ -1,8 +1,6 @@
-"""What all plots share: type sizes, colours, colour maps, the part of a contact that is shown,
-saving.
-"""
+"""Common to all plots: type sizes, colours, colour maps, the part of a contact shown, saving."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -94,3 +92,29 @@ def save(figure: Figure, path: Path) -> None:
     """Write a figure under its final name only when it is complete; the suffix names the format."""
     with atomic_path(path) as temporary:
         figure.savefig(temporary, dpi=DPI)
+
+
+def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:
+    """Draw into an empty figure and write it."""
+    with matplotlib.rc_context(RC):
+        figure = Figure()
+        draw(figure)
+        save(figure, path)
+
+
+def write_figures(
+    folder: Path, figures: Iterable[tuple[str, Callable[[Figure], object]]], named: str = ""
+) -> tuple[str, ...]:
+    """Write PNG pictures by stem; those that cannot be drawn come back as messages.
+
+    `named` is the folder's name in the messages.
+    """
+    problems = []
+    for stem, draw in figures:
+        try:
+            write_figure(folder / f"{stem}.png", draw)
+        # of a field that nobody thought of
+        except (ValueError, ArithmeticError, LookupError, RuntimeError) as error:
+            what = f"{type(error).__name__}: {error}"
+            problems.append(f"{named}{stem}.png not written: {what}")
+    return tuple(problems)

@@ -5,14 +5,13 @@ from functools import partial
 from math import degrees
 from pathlib import Path
 
-import matplotlib
 from matplotlib.figure import Figure
 
 from .bearing.plots import draw_load_zone, draw_per_azimuth
 from .bearing.plots_torque import draw_torque
 from .contact.plots import draw_contact, film_text
 from .contact.view import ContactView, contact_view
-from .plot_style import RC, save
+from .plot_style import write_figures
 from .results import BearingResults, ContactResults, DistinctContact, distinct_contacts
 
 NamedFigure = tuple[str, Callable[[Figure], None]]
@@ -41,19 +40,7 @@ def write_plots(results: BearingResults | ContactResults, directory: Path) -> tu
         if isinstance(results, ContactResults)
         else _bearing_figures(results)
     )
-    problems = []
-    with matplotlib.rc_context(RC):
-        for name, draw in figures:
-            figure = Figure()
-            try:
-                draw(figure)
-                save(figure, folder / f"{name}.png")
-            # of a field no one thought of
-            except (ValueError, ArithmeticError, LookupError, RuntimeError) as error:
-                problems.append(
-                    f"{PLOT_FOLDER}/{name}.png not written: {type(error).__name__}: {error}"
-                )
-    return tuple(problems)
+    return write_figures(folder, figures, f"{PLOT_FOLDER}/")
 
 
 def _contact_figures(results: ContactResults) -> Iterator[NamedFigure]:

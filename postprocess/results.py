@@ -1,5 +1,6 @@
-"""What a run hands to the output: everything in SI."""
+"""Results of a run as handed to the output: everything in SI."""
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from math import degrees
 from typing import Any
@@ -17,59 +18,52 @@ from ehl.traction.shear import TractionResult
 
 from .text import listed
 
+STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")  # directions of a ring
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class BearingResults:
-    """One bearing case, computed.
+class Results:
+    """Common to the results of all commands."""
 
-    Attributes
-    ----------
-    version : str
-        Of the program.
-    case : dict
-        The case document as run, plain JSON types.
-    quasistatic : QuasistaticSolution
-    lubricant : Lubricant
-    contacts : tuple of BearingContact
-        Ball by ball, inner race then outer.
-    solutions : tuple of ContactSolution or None
-        One per contact; equal contacts share one object; None where no film was computed.
-    frequencies : Frequencies
-    messages : tuple of str
-    interrupted : bool
-        Whether the run was stopped before all films were there.
-    timing : dict of float
-        Wall time by part of the run [s].
-    torque : TorqueBreakdown or None
-        None without an equilibrium.
-    tractions : tuple of ContactTraction or None
-        One per contact, None where there is no film; empty is None for all.
-    life : LifeRating or None
-    clearance : ClearanceBudget or None
-        None where the clearance given is the operating one.
-    heating : SelfHeatingSolution or None
-        None where no heat transfer is given.
-    """
+    version: str  # of the program
+    case: dict[str, Any]  # the document as run, plain JSON types
+    messages: tuple[str, ...] = ()
+    timing: dict[str, float] = field(default_factory=dict)  # wall time by part of the run [s]
 
-    version: str
-    case: dict[str, Any]
+    @property
+    def title(self) -> str:
+        """Of the case."""
+        return str(self.case.get("title", ""))
+
+    def head(self, converged: bool, messages: Iterable[str]) -> dict[str, Any]:
+        """First keys of a summary; the messages of the run stand before those given."""
+        return {
+            "oilfilm": self.version,
+            "case": self.case,
+            "converged": converged,
+            "messages": [*self.messages, *messages],
+        }
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BearingResults(Results):
+    """One bearing case, computed."""
+
     quasistatic: QuasistaticSolution
     lubricant: Lubricant
-    contacts: tuple[BearingContact, ...]
-    solutions: tuple[ContactSolution | None, ...]
+    contacts: tuple[BearingContact, ...]  # ball by ball, inner race then outer
+    solutions: tuple[ContactSolution | None, ...]  # of the contacts; equal ones share an object
     frequencies: Frequencies
-    messages: tuple[str, ...] = ()
-    interrupted: bool = False
-    timing: dict[str, float] = field(default_factory=dict)
-    torque: TorqueBreakdown | None = None
-    tractions: tuple[ContactTraction | None, ...] = ()
+    interrupted: bool = False  # before all films were computed
+    torque: TorqueBreakdown | None = None  # None without an equilibrium
+    tractions: tuple[ContactTraction | None, ...] = ()  # of the contacts; empty is None for all
     life: LifeRating | None = None
-    clearance: ClearanceBudget | None = None
-    heating: SelfHeatingSolution | None = None
+    clearance: ClearanceBudget | None = None  # None where the operating one is given
+    heating: SelfHeatingSolution | None = None  # None where no heat transfer is given
 
     @property
     def converged(self) -> bool:
-        """Whether the equilibrium, every film and the heat balance that were asked for converged."""
+        """Whether equilibrium, films and heat balance converged, as far as asked for."""
         films = all(s.converged for s in self.solutions if s is not None)
         return (
             self.quasistatic.converged
@@ -79,14 +73,10 @@ class BearingResults:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ContactResults:
-    """One single contact, computed; attributes as in `BearingResults`."""
+class ContactResults(Results):
+    """One single contact, computed."""
 
-    version: str
-    case: dict[str, Any]
     solution: ContactSolution
-    messages: tuple[str, ...] = ()
-    timing: dict[str, float] = field(default_factory=dict)
     traction: TractionResult | None = None
 
     @property
@@ -97,7 +87,7 @@ class ContactResults:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DistinctContact:
-    """Equal contacts of a bearing, seen as one: the shared solution and the contacts that have it."""
+    """Equal contacts of a bearing: their shared solution, and the contacts."""
 
     solution: ContactSolution
     contacts: tuple[BearingContact, ...]
@@ -112,20 +102,15 @@ class DistinctContact:
 
 
 def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
-    """Group the solved contacts that share a solution, inner race first, in the order of the
-    balls.
-    """
+    """The solved contacts grouped by solution, inner race first, in the order of the balls."""
     groups: dict[tuple[str, int], list[int]] = {}
     for i, (contact, solution) in enumerate(zip(results.contacts, results.solutions, strict=True)):
         if solution is not None:
             groups.setdefault((contact.race.value, id(solution)), []).append(i)
-    found = []
+    distinct = []
     for (_, _), members in sorted(groups.items(), key=lambda item: (item[0][0], item[1][0])):
         solution = results.solutions[members[0]]
         assert solution is not None  # only solved contacts were grouped
-        found.append(
-            DistinctContact(
-                solution=solution, contacts=tuple(results.contacts[i] for i in members)
-            )
-        )
-    return tuple(found)
+        contacts = tuple(results.contacts[i] for i in members)
+        distinct.append(DistinctContact(solution=solution, contacts=contacts))
+    return tuple(distinct)

@@ -1,13 +1,24 @@
 """Numbers and lists as text."""
 
-from math import ceil, floor, inf, log10
+from math import ceil, floor, inf, isfinite, log10
+from typing import Any
+
+NOTHING = "–"
+MOST_LISTED = 8  # balls are listed one by one up to this number
+
+
+def number(value: Any, digits: str = ".4g") -> str:
+    """Text of a number by a format; a dash for null, other values as they are."""
+    if value is None or (isinstance(value, float) and not isfinite(value)):
+        return NOTHING
+    return f"{value:{digits}}" if isinstance(value, float) else str(value)
 
 
 def value_with_error(value: float, error: float, most: int = 5) -> str:
-    """Text of a value and its uncertainty, to the error's first digit (second after a 1), in
-    whatever unit [-].
+    """Text of a value and its uncertainty, both in one unit, such as [um].
 
-    With no more than `most` decimals [-]; an error that these cannot show is rounded up.
+    To the error's first digit (second after a 1), with no more than `most` decimals [-]; an error
+    that these cannot show is rounded up.
     """
     digits = 3
     if 0.0 < error < inf:
@@ -19,9 +30,10 @@ def value_with_error(value: float, error: float, most: int = 5) -> str:
     return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 
-MANY = 8  # balls are listed one by one up to this number
-
-
 def listed(words: list[str]) -> str:
-    """Words side by side; the ends of a long list."""
-    return ", ".join(words) if len(words) <= MANY else f"{', '.join(words[:2])} ... {words[-1]}"
+    """Words side by side; the ends alone of a long list."""
+    return (
+        ", ".join(words)
+        if len(words) <= MOST_LISTED
+        else f"{', '.join(words[:2])} ... {words[-1]}"
+    )

@@ -1,12 +1,11 @@
 """All output of a run into one directory."""
 
-from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from .bearing.document import summary
-from .bearing.files import write_contacts_csv, write_netcdf
-from .files import CONTACTS_FILE, FIELDS_FILE, SUMMARY_FILE, write_json
+from .bearing.summary import summary
+from .bearing.write import write_contacts_csv, write_netcdf
+from .files import CONTACTS_FILE, FIELDS_FILE, SUMMARY_FILE, attempt, write_json
 from .plots import write_plots
 from .results import BearingResults, ContactResults
 from .scene.vtk import write_collection, write_subsurface
@@ -36,7 +35,10 @@ def write_results(
     """
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
-    problems = (*_try("plots", _plots, results, folder), *_try("VTK", _vtk, results, folder))
+    problems = (
+        *attempt("plots", lambda: write_plots(results, folder)),
+        *attempt("VTK", lambda: _write_vtk(results, folder)),
+    )
     document = summary(replace(results, messages=(*results.messages, *problems)))
     write_netcdf(results, folder / FIELDS_FILE, document)
     if isinstance(results, BearingResults):
@@ -45,27 +47,7 @@ def write_results(
     return problems
 
 
-def _try(
-    name: str,
-    write: Callable[[BearingResults | ContactResults, Path], tuple[str, ...]],
-    results: BearingResults | ContactResults,
-    folder: Path,
-) -> tuple[str, ...]:
-    """Messages of an extra that failed; any failure in a drawing library is a lost picture, not a
-    lost run.
-    """
-    try:
-        return write(results, folder)
-    except Exception as error:
-        return (f"{name} not written: {type(error).__name__}: {error}",)
-
-
-def _plots(results: BearingResults | ContactResults, folder: Path) -> tuple[str, ...]:
-    return write_plots(results, folder)
-
-
-def _vtk(results: BearingResults | ContactResults, folder: Path) -> tuple[str, ...]:
+def _write_vtk(results: BearingResults | ContactResults, folder: Path) -> None:
     write_collection(results, folder)
     if isinstance(results, BearingResults):
         write_subsurface(results, folder)
-    return ()

@@ -14,11 +14,11 @@ from bearing.friction.sources import LawTraction
 from bearing.friction.table_files import save_race_tables
 from postprocess import summary
 from postprocess.batch.results import OUTSIDE
-from postprocess.bearing.files import write_netcdf
-from postprocess.dynamics.results import dynamics_summary
+from postprocess.bearing.write import write_netcdf
+from postprocess.dynamics.summary import dynamics_summary
 from postprocess.results import BearingResults, ContactResults
-from postprocess.slip.results import slip_summary
-from postprocess.traction.results import traction_summary
+from postprocess.slip.summary import slip_summary
+from postprocess.traction.summary import traction_summary
 
 from ..format.case import Case, ContactCase
 from ..format.race_tables import made_for

@@ -100,7 +100,8 @@ def slip(
 
     with progress_bar(quiet=quiet) as progress:
         results = run_slip(loaded, case, workers, progress)
-    from postprocess.slip.results import slip_summary, slip_table
+    from postprocess.slip.summary import slip_summary
+    from postprocess.slip.table import slip_table
     from postprocess.slip.write import write_slip
 
     save_with(lambda folder: write_slip(results, folder), directory)
@@ -139,7 +140,7 @@ def stiffness(
 
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
     results = run_stiffness(loaded, case, ends, points, damping)
-    from postprocess.stiffness.results import stiffness_summary
+    from postprocess.stiffness.summary import stiffness_summary
     from postprocess.stiffness.table import stiffness_table
     from postprocess.stiffness.write import write_stiffness
 
@@ -195,7 +196,7 @@ def table(  # noqa: PLR0913
     over = None if temperatures is None else temperature_axis(case, temperatures)
     with progress_bar(quiet=quiet) as progress:
         results = run_table(loaded, points, workers, progress, over)
-    from postprocess.traction.results import traction_summary
+    from postprocess.traction.summary import traction_summary
     from postprocess.traction.table import traction_table
     from postprocess.traction.write import save_tables, write_traction
 

@@ -144,7 +144,8 @@ def interferogram(
     ] = 1.5,
 ) -> None:
     """Draw the film of a contact as an optical interferometer would see it."""
-    from postprocess.contact.interferogram import NANOMETRE, SODIUM, Optics, write_interferogram
+    from ehl.units import NANOMETRE
+    from postprocess.contact.interferogram import SODIUM, Optics, write_interferogram
 
     with _as_case_errors(directory):
         lengths = tuple(value * NANOMETRE for value in wavelength) if wavelength else (SODIUM,)

@@ -68,7 +68,7 @@ def dynamics(
         except Interrupted as stop:
             _keep(loaded, stop.results, stop.simulation, directory)
             raise KeyboardInterrupt from None
-        from postprocess.dynamics.results import dynamics_summary
+        from postprocess.dynamics.summary import dynamics_summary
         from postprocess.dynamics.table import dynamics_table
 
         save_with(lambda target: _write(results, target), directory)
@@ -82,12 +82,12 @@ def dynamics(
 
 def _write(results: DynamicsResults, directory: Path) -> tuple[str, ...]:
     """Write the results and, if there are samples, the motion for ParaView; return problems."""
-    from postprocess.dynamics.results import write_dynamics
+    from postprocess.dynamics.write import write_dynamics
     from postprocess.scene.vtk_history import write_motion
 
     problems = write_dynamics(results, directory)
     try:
-        if results.tally.rows:
+        if results.running.rows:
             write_motion(directory)
     except (OSError, ValueError) as error:
         problems = (*problems, f"motion for ParaView not written: {error}")
@@ -112,7 +112,7 @@ def _keep(
     if directory is None:
         return
     from bearing.dynamics.restart import save_restart
-    from postprocess.dynamics.results import write_dynamics
+    from postprocess.dynamics.write import write_dynamics
 
     from ..runs.dynamics import case_key
 

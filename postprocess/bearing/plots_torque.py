@@ -2,8 +2,6 @@
 every ball.
 """
 
-from collections.abc import Sequence
-from dataclasses import dataclass
 from math import degrees
 
 import numpy as np
@@ -11,10 +9,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from bearing.torque.models import ModelTorque
-from ehl.units import NEWTON_MILLIMETRE, RPM
+from ehl.units import NEWTON_MILLIMETRE
 
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE
 from ..results import BearingResults
+from .torque import shown_torques
 
 LABELS = {
     "integrated": "integrated films",
@@ -72,7 +71,7 @@ def draw_torque(figure: Figure, results: BearingResults) -> None:
     torque = results.torque
     if torque is None:
         raise ValueError("no torque to draw")
-    known = {name: model for name, model in torque.models.items() if model.total is not None}
+    known = shown_torques(results)
     shares = None if torque.shear is None else torque.shear.torque.per_ball
     figure.set_size_inches(
         PAGE_WIDTH, 1.1 + 0.26 * len(known) + (1.9 if shares is not None else 0.0)
@@ -113,48 +112,6 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
     shown = [(label, colour) for label, colour, parts in KINDS if used & set(parts)]
     handles = [axes.barh(0.0, 0.0, color=colour, label=label) for label, colour in shown]
     axes.legend(handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.42, 1.0))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Curve:
-    """One line over speed: values [N m] with speeds [rad/s]; points alone where `points` is set."""
-
-    label: str
-    speeds: np.ndarray
-    values: np.ndarray
-    colour: str
-    style: str = "-"
-    points: bool = False
-
-
-def draw_over_speed(axes: Axes, curves: Sequence[Curve], title: str) -> None:
-    """Torques over speed, values printed elsewhere as points.
-
-    Parameters
-    ----------
-    axes : Axes
-    curves : sequence of Curve
-        Speeds in [rad/s], torques in [N m]; drawn in r/min and N mm.
-    title : str
-    """
-    for curve in curves:
-        line = (
-            {"linestyle": "none", "marker": "o", "markersize": 3.5}
-            if curve.points
-            else {"linestyle": curve.style}
-        )
-        axes.plot(
-            curve.speeds / RPM,
-            curve.values / NEWTON_MILLIMETRE,
-            color=curve.colour,
-            label=curve.label,
-            **line,
-        )
-    axes.set_ylim(bottom=0.0)
-    axes.set_xlabel("inner ring, r/min")
-    axes.set_ylabel("torque, N mm")
-    axes.set_title(title)
-    axes.spines[["top", "right"]].set_visible(False)
 
 
 def _draw_bar(axes: Axes, row: int, model: ModelTorque, least: float) -> None:

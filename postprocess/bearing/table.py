@@ -1,8 +1,8 @@
 """Results as tables for a terminal of 80 columns."""
 
 from math import degrees
+from typing import Any
 
-from rich import box
 from rich.console import Group
 from rich.table import Table
 from rich.text import Text
@@ -11,41 +11,24 @@ from bearing.contacts.contact import BearingContact
 from ehl import ContactSolution
 from ehl.units import GIGAPASCAL, MICROMETRE, RPM
 
-from ..contact.messages import lambda_ratio
-from ..contact.supply import supply_rows
 from ..results import BearingResults, ContactResults
-from ..text import value_with_error
+from ..table import facts_table, number_table
+from ..text import NOTHING, number, value_with_error
+from .contacts import lambda_ratio
 from .ratings import rating_rows
 from .rows import frequency_lines, row_lines
+from .supply import supply_rows
 from .torque import torque_rows
 
-NOTHING = "–"
 DECIMALS = 4  # of films [um]; more do not fit 80 columns, and beside a lambda ratio one less
 
 
 def result_table(results: BearingResults | ContactResults) -> Group:
-    """Lay out what a run found: a few lines on the whole, then one line per contact.
-
-    Parameters
-    ----------
-    results : BearingResults or ContactResults
-
-    Returns
-    -------
-    rich.console.Group
-        To be printed by a rich console; loads [N], pressures [GPa], films [um] as the headers say.
-    """
+    """A few lines on the whole, then one line per contact, units as the headers say."""
     title = Text(str(results.case.get("title", "")), style="bold")
     if isinstance(results, ContactResults):
         return Group(title, _contact_table(results))
     return Group(title, _bearing_table(results), _contacts_table(results), *_legend(results))
-
-
-def _facts_table() -> Table:
-    table = Table(box=None, show_header=False, pad_edge=False)
-    table.add_column(style="dim", no_wrap=True)
-    table.add_column()
-    return table
 
 
 def _bearing_table(results: BearingResults) -> Table:
@@ -69,31 +52,26 @@ def _bearing_table(results: BearingResults) -> Table:
         row_lines(state) | frequency_lines(results) | rating_rows(results) | torque_rows(results)
     )
     rows |= supply_rows(results)
-    table = _facts_table()
-    for name, value in rows.items():
-        table.add_row(name, Text(value))
-    return table
+    return facts_table(rows)
 
 
 def _contacts_table(results: BearingResults) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), collapse_padding=True)
     surface = results.case.get("surface")
     last = ("α °", "h_c µm", "h_min µm", "λ") if surface else ("angle °", "h_c µm", "h_min µm")
-    for header in ("ball", "ψ °", "race", "load N", "p_h GPa", *last):
-        table.add_column(header, justify="left" if header == "race" else "right", no_wrap=True)
-    table.add_column("", no_wrap=True)
-    rows = {contact.row for contact in results.contacts}
+    headers = ("ball", "ψ °", "race", "load N", "p_h GPa", *last, "")
+    several = len({contact.row for contact in results.contacts}) > 1
     row = None
+    rows = []
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
-        if len(rows) > 1 and contact.row != row:
+        if several and contact.row != row:
             row = contact.row
-            table.add_row(f"row {row}")
+            rows.append([f"row {row}"])
         cells = _contact_cells(contact, solution, DECIMALS - 1 if surface else DECIMALS)
         if surface:
-            value = lambda_ratio(contact, solution, surface)
-            cells.append(NOTHING if value is None else f"{value:.3g}")
-        table.add_row(*cells, _flags(solution), end_section=False)
-    return table
+            cells.append(number(lambda_ratio(contact, solution, surface), ".3g"))
+        rows.append([*cells, _flags(solution)])
+    style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
+    return number_table(headers, rows, ("race", ""), **style)
 
 
 def _contact_cells(
@@ -136,14 +114,12 @@ def _legend(results: BearingResults) -> list[str]:
 
 def _contact_table(results: ContactResults) -> Table:
     solution = results.solution
-    table = _facts_table()
-    for name, value in (_contact_rows(solution) | _traction_row(results)).items():
-        table.add_row(name, Text(value))
+    rows = _contact_rows(solution) | _traction_row(results)
     if not solution.converged:
-        table.add_row("NOT CONVERGED", Text(solution.message))
+        rows["NOT CONVERGED"] = solution.message
     if not solution.resolved:
-        table.add_row("NOT RESOLVED", Text(f"{solution.message}; take a larger [ehl] points"))
-    return table
+        rows["NOT RESOLVED"] = f"{solution.message}; take a larger [ehl] points"
+    return facts_table(rows)
 
 
 def _traction_row(results: ContactResults) -> dict[str, str]:

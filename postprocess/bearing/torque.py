@@ -5,12 +5,15 @@ from typing import Any
 
 from bearing.operation import BallKinematics
 from bearing.torque.breakdown import TorqueBreakdown
-from ehl.units import NEWTON_MILLIMETRE
+from bearing.torque.models import ModelTorque
+from bearing.torque.shear_torque import SolvedShear
+from ehl.units import from_si
 
-from ..contact.rolling import rolling_block
-from ..contact.summary import traction_values
+from ..quantities import values_of
 from ..results import BearingResults
+from .rolling import rolling_block
 
+UNIT = "torque_N_mm"
 MODELS = {
     "integrated": ("rolling", "sliding", "spin", "curvature", "asperity", "cage", "drag"),
     "pure_rolling_lines": ("spin", "rotation", "orbit"),
@@ -26,80 +29,80 @@ MODELS = {
     "starved": ("rolling", "film", "asperity", "cage", "drag"),
 }
 AS_PRINTED = "skf_as_printed"  # only where a case asks for it
+AS_PRINTED_PARTS = ("sliding",)
+POWER_BALANCE = {
+    "shaft_W": "torque.shaft_power",
+    "heat_W": "torque.heat",
+    "resisted_W": "torque.resisted",
+    "imbalance": "torque.imbalance",
+    "traction_equilibrium": "closed",
+    "hypothesis_torque_N_mm": "hypothesis.total",
+    "hypothesis_imbalance": "hypothesis.imbalance",
+}
+
+
+MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
+
+
+def shown_models(results: BearingResults) -> tuple[str, ...]:
+    """Names of the models in summary, table and picture, in their order.
+
+    The main ones, that of the total, that of a supply, and what the case asks for by name; all of
+    them with `[friction] models = "all"`.
+    """
+    torque = results.torque
+    asked = results.case.get("friction", {}).get("models", "main")
+    names = tuple(MODELS) if asked == "all" else MAIN
+    if torque is None:
+        return names
+    more = (torque.chosen, "starved" if torque.films else None, AS_PRINTED)
+    names += tuple(name for name in more if name in torque.models and name not in names)
+    return names
+
+
+def shown_torques(results: BearingResults) -> dict[str, ModelTorque]:
+    """The models of `shown_models` that apply."""
+    torque = results.torque
+    names = shown_models(results)
+    return {
+        name: model
+        for name, model in ({} if torque is None else torque.models).items()
+        if name in names and model.total is not None
+    }
 
 
 def torque_block(results: BearingResults) -> dict[str, Any]:
-    """Torque of every model [N mm], None where it does not apply; `total` is that of the model
-    named `model`.
-    """
+    """Torque of the models [N mm], None where one does not apply; `total` is that of `model`."""
     torque = results.torque
+    shear = None if torque is None else torque.shear
     return {
-        "total": _shown(None if torque is None else torque.total),
+        "total": None if torque is None else from_si(UNIT, torque.total),
         "model": None if torque is None else torque.chosen,
         "coulomb_coefficient": None if torque is None else torque.coefficient,
-        "models": {name: _model(torque, name) for name in MODELS} | _as_printed(torque),
+        "models": {name: _model(torque, name) for name in shown_models(results)},
         "power_balance": _power_balance(results),
-        "per_ball_N_mm": _per_ball(torque),
+        "per_ball_N_mm": None if shear is None else from_si(UNIT, shear.torque.per_ball),
         "rolling_extent": rolling_block(results),
     }
 
 
-def _as_printed(torque: TorqueBreakdown | None) -> dict[str, Any]:
-    if torque is None or AS_PRINTED not in torque.models:
-        return {}
-    found = torque.models[AS_PRINTED]
-    return {
-        AS_PRINTED: {
-            "sliding": _shown(found.components.get("sliding")),
-            "total": _shown(found.total),
-        }
-    }
+def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]:
+    parts = (*MODELS.get(name, AS_PRINTED_PARTS), "total")
+    if torque is None:
+        return dict.fromkeys(parts)
+    model = torque.models[name]
+    values = model.components | {"total": model.total}
+    return {part: from_si(UNIT, values.get(part)) for part in parts}
 
 
 def _power_balance(results: BearingResults) -> dict[str, Any]:
-    """Rings' power and heat of the films [W], and how far they are apart, balanced and under the
-    hypothesis.
+    """Rings' power and heat of the films [W], and how far they are apart.
+
+    Balanced, and under the hypothesis on the balls' motion.
     """
     shear = None if results.torque is None else results.torque.shear
-    keys = ("shaft_W", "heat_W", "resisted_W", "imbalance", "traction_equilibrium", "hypothesis")
-    if shear is None:
-        return dict.fromkeys((*keys, "hypothesis_torque_N_mm", "hypothesis_imbalance"))
-    return {
-        "shaft_W": shear.torque.shaft_power,
-        "heat_W": shear.torque.heat,
-        "resisted_W": shear.torque.resisted,
-        "imbalance": shear.torque.imbalance,
-        "traction_equilibrium": shear.closed,
-        "hypothesis": results.quasistatic.model.ball_kinematics.value,
-        "hypothesis_torque_N_mm": shear.hypothesis.total / NEWTON_MILLIMETRE,
-        "hypothesis_imbalance": shear.hypothesis.imbalance,
-    }
-
-
-def _per_ball(torque: TorqueBreakdown | None) -> list[float] | None:
-    """Share of each ball in the integrated torque of the contacts [N mm]."""
-    if torque is None or torque.shear is None:
-        return None
-    return [float(value) / NEWTON_MILLIMETRE for value in torque.shear.torque.per_ball]
-
-
-def _shown(value: float | None) -> float | None:
-    return None if value is None else value / NEWTON_MILLIMETRE
-
-
-def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]:
-    if torque is None:
-        return dict.fromkeys((*MODELS[name], "total"))
-    found = torque.models[name]
-    return {part: _shown(found.components.get(part)) for part in MODELS[name]} | {
-        "total": _shown(found.total)
-    }
-
-
-def contact_traction_values(results: BearingResults, index: int) -> dict[str, Any]:
-    """Traction of one contact of a bearing, as `traction_values`."""
-    traction = results.tractions[index] if results.tractions else None
-    return traction_values(None if traction is None else traction.result)
+    kinematics = results.quasistatic.model.ball_kinematics.value
+    return values_of(shear, POWER_BALANCE) | {"hypothesis": None if shear is None else kinematics}
 
 
 def torque_messages(results: BearingResults) -> Iterator[str]:
@@ -110,60 +113,60 @@ def torque_messages(results: BearingResults) -> Iterator[str]:
     if torque is None:
         yield "torque_N_mm: null, there is no equilibrium"
         return
-    for name in MODELS:
+    for name in shown_models(results):
         if torque.models[name].total is None:
             yield f"torque_N_mm.models.{name}: null, {torque.models[name].note}"
     for part, why in ({} if torque.shear is None else torque.shear.missing_components).items():
         yield f"torque_N_mm.models.integrated.{part}: null, {why}"
-    if torque.chosen == "integrated" and torque.shear is not None:
-        yield f"torque_N_mm.total: the integrated model{_balance_words(results)}"
-    elif torque.chosen == "starved":
-        ample = (
-            ""
-            if torque.starved is None
-            else f", {torque.starved.flooded / NEWTON_MILLIMETRE:.4g} N mm if flooded"
-        )
-        rest = "null without films" if torque.shear is None else "those of flooded films"
-        yield f"torque_N_mm.total: the model starved, at the supply{ample}; power_balance and per_ball_N_mm {rest}"
-    elif torque.chosen is not None:
-        yield f"torque_N_mm.total: the model {torque.chosen}; power_balance and per_ball_N_mm null without films"
     if torque.total is None:
         yield "torque_N_mm.total: null, neither the integrated model nor SKF's applies"
+    else:
+        yield f"torque_N_mm.total: the {_total_text(results, torque)}"
 
 
-def _balance_words(results: BearingResults) -> str:
-    shear = results.torque.shear if results.torque is not None else None
-    if shear is None:
-        return ""
+def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
+    """What the total is, and what is null beside it."""
+    if torque.chosen == "integrated" and torque.shear is not None:
+        return f"integrated model{_balance_text(results, torque.shear)}"
+    if torque.chosen == "starved":
+        flooded = None if torque.starved is None else from_si(UNIT, torque.starved.flooded)
+        ample = "" if flooded is None else f", {flooded:.4g} N mm if flooded"
+        rest = "null without films" if torque.shear is None else "those of flooded films"
+        return f"model starved, at the supply{ample}; power_balance and per_ball_N_mm {rest}"
+    return f"model {torque.chosen}; power_balance and per_ball_N_mm null without films"
+
+
+def _balance_text(results: BearingResults, shear: SolvedShear) -> str:
+    """Whether the balls are in balance, and what the hypothesis on their motion is used for."""
     if shear.balanced is None:
-        return f"; {shear.note}: the rings' power differs from the heat by {shear.torque.imbalance:.0%} of it"
+        return (
+            f"; {shear.note}: the rings' power differs from the heat by "
+            f"{shear.torque.imbalance:.0%} of it"
+        )
     kinematics = results.quasistatic.model.ball_kinematics
-    carried = ", ".join(str(ball) for ball in shear.cage_driven)
-    words = (
-        ", balls in traction equilibrium, as traction of the contacts"
-        if shear.closed
-        else f"; {shear.note}"
-    )
+    driven = ", ".join(str(ball) for ball in shear.cage_driven)
+    text = f"; {shear.note}"
+    if shear.closed:
+        text = ", balls in traction equilibrium, as traction of the contacts"
     if kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
-        words += f"; '{kinematics.value}' holds for loads and films only"
-    return words + (
-        f"; balls {carried} go with the cage, their inner contacts cannot drive them"
-        if carried
-        else ""
-    )
+        text += f"; '{kinematics.value}' holds for loads and films only"
+    if driven:
+        text += f"; balls {driven} go with the cage, their inner contacts cannot drive them"
+    return text
 
 
 def torque_rows(results: BearingResults) -> dict[str, str]:
-    """The torque for the terminal: the chosen model, and the totals of the others beside it [N
-    mm].
-    """
+    """The torque for the terminal [N mm]: that of the total, and the other models beside it."""
     torque = results.torque
     if torque is None or torque.total is None:
         return {}
+    totals = {
+        name: f"{from_si(UNIT, model.total):.4g}" for name, model in shown_torques(results).items()
+    }
+    rows = {"friction torque": f"{from_si(UNIT, torque.total):.4g} N mm ({torque.chosen})"}
     others = [
-        f"{name.replace('_', ' ')} {found.total / NEWTON_MILLIMETRE:.4g}"
-        for name, found in torque.models.items()
-        if found.total is not None and name != torque.chosen
+        f"{name.replace('_', ' ')} {total}"
+        for name, total in totals.items()
+        if name != torque.chosen
     ]
-    rows = {"friction torque": f"{torque.total / NEWTON_MILLIMETRE:.4g} N mm ({torque.chosen})"}
     return rows | ({"other models": ", ".join(others)} if others else {})

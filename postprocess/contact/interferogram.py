@@ -17,21 +17,18 @@ from math import pi
 from pathlib import Path
 from typing import Any
 
-import matplotlib
 import numpy as np
 from matplotlib.figure import Figure
 
 from ehl.solution import Array
+from ehl.units import MILLIMETRE, NANOMETRE
 
-from ..plot_style import PAGE_WIDTH, RC, REFERENCE, save
+from ..plot_style import PAGE_WIDTH, REFERENCE, write_figure
 from .fields import open_contact
 from .view import half_extents, shown_part
 
 SODIUM = 589.3e-9  # mean of the sodium D lines [m]
 REFRACTIVE_INDEX = 1.5  # of an oil [-], unverified: give that of yours
-# [m]
-NANOMETRE = 1e-9
-MILLIMETRE = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,10 +81,6 @@ def write_interferogram(
         `ball01/inner`; the first one with a film if left out.
     optics : Optics, optional
 
-    Returns
-    -------
-    Path
-
     Raises
     ------
     ValueError
@@ -101,10 +94,7 @@ def write_interferogram(
         raise ValueError(
             f"{name}: the film has no dimension, since the contact is given by Moes' groups"
         )
-    with matplotlib.rc_context(RC):
-        figure = Figure()
-        _draw(figure, name, data, optics or Optics())
-        save(figure, path)
+    write_figure(path, lambda figure: _draw(figure, name, data, optics or Optics()))
     return path
 
 

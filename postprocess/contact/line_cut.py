@@ -1,15 +1,17 @@
 """Film and pressure along a line through a contact, as a table."""
 
-import csv
 from pathlib import Path
 
 import numpy as np
 
-from ..files import atomic_path
+from ehl.solution import Array
+from ehl.units import from_si
+
+from ..files import write_csv
 from .fields import open_contact
 
-SYMBOLS = {"m": 1e-6, "Pa": 1e9}  # of film and pressure: written in [um] and [GPa]
-NAMES = {"m": "um", "Pa": "GPa"}
+# of the numbers in the file, by the unit of the field
+UNITS = {"x": {"m": "mm"}, "y": {"m": "mm"}, "h": {"m": "um"}, "P": {"Pa": "GPa"}}
 
 
 def write_line_cut(
@@ -19,7 +21,9 @@ def write_line_cut(
     axis: str = "x",
     at: float = 0.0,
 ) -> Path:
-    """Write position, film and pressure along one axis of a contact, between nodes linear.
+    """Write position [mm], film [um] and pressure [GPa] along one axis, between nodes linear.
+
+    Dimensionless from Moes' groups, as the header says.
 
     Parameters
     ----------
@@ -33,12 +37,6 @@ def write_line_cut(
         Along or across the entrainment.
     at : float
         Where the line crosses the other axis, in Hertz half extents there [-].
-
-    Returns
-    -------
-    Path
-        Positions [mm], film [um], pressure [GPa]; dimensionless from Moes' groups, as the header
-        says.
 
     Raises
     ------
@@ -56,24 +54,18 @@ def write_line_cut(
         raise ValueError(
             f"{name}: the line at {other} = {at:g} is outside the box, {ends} semi-axes"
         )
-    columns = {}
-    unit = data[axis].attrs["units"]
-    columns[f"{axis} [{'mm' if unit == 'm' else unit}]"] = data[axis].values / (
-        1e-3 if unit == "m" else 1.0
-    )
+    columns = dict([_column(axis, data[axis].values, data[axis].attrs["units"])])
     for label, field in (("film", "h"), ("pressure", "P")):
         values = data[field].values if axis == "x" else data[field].values.T
         line = np.array([np.interp(place, across, row) for row in values])
-        unit = data[field].attrs["units"]
-        columns[f"{label} [{NAMES.get(unit, unit)}]"] = line / SYMBOLS.get(unit, 1.0)
+        columns |= dict([_column(field, line, data[field].attrs["units"], label)])
     path = Path(file)
-    with (
-        atomic_path(path) as temporary,
-        temporary.open("w", newline="", encoding="utf-8") as table,
-    ):
-        writer = csv.writer(table)
-        writer.writerow(columns)
-        writer.writerows(
-            [f"{value:.7g}" for value in row] for row in zip(*columns.values(), strict=True)
-        )
+    write_csv(path, columns, zip(*columns.values(), strict=True), ".7g")
     return path
+
+
+def _column(field: str, values: Array, unit: str, label: str = "") -> tuple[str, Array]:
+    """Header and values of a column, in the unit of the file where the field has a dimension."""
+    own = UNITS[field].get(unit)
+    head = f"{label or field} [{own or unit}]"
+    return head, values if own is None else from_si(f"values_{own}", values)

@@ -14,8 +14,8 @@ import xarray as xr
 
 from bearing.dynamics.arrays import RACE_NAMES
 from bearing.dynamics.layout import Layout
-from bearing.dynamics.statistics import MECHANISMS
 from bearing.dynamics.record import Record
+from bearing.dynamics.statistics import MECHANISMS
 
 HISTORY_FILE = "history.nc"
 FORMAT = 1

@@ -1,10 +1,10 @@
 """Pictures of a time simulation, from its history and summary."""
 
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
 import numpy as np
 import xarray
 from matplotlib.colors import ListedColormap
@@ -15,21 +15,13 @@ from matplotlib.ticker import MaxNLocator, MultipleLocator
 from bearing.dynamics.statistics import INPUTS, LOSSES
 from ehl.units import MICROMETRE, RPM
 
-from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
+from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, write_figures
 from .history import open_history
 
 RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
 MECHANISM_COLOURS = (
-    "#0b5394",
-    "#c1440e",
-    "#3a7d44",
-    "#7a4fa3",
-    "#8a6d1d",
-    "#1f9e9e",
-    "#b8336a",
-    "#666666",
-    "#d98c00",
+    "#0b5394 #c1440e #3a7d44 #7a4fa3 #8a6d1d #1f9e9e #b8336a #666666 #d98c00".split()
 )
 SHOWN_TURNS = 2.0  # turns of the cage in the pictures of one ball [-]
 ORBIT_POINTS = 4000  # of an orbit, the last ones
@@ -37,33 +29,18 @@ SMALLEST_LOAD = 1.0e-2  # of the largest one; below, a traction factor says noth
 SPECTRUM_REACH = 6.0  # highest frequency shown over the ball pass frequency of the inner ring [-]
 
 
-def plot_dynamics(directory: Path, document: dict[str, Any]) -> tuple[str, ...]:
-    """Write the pictures of a simulation beside its history; problems of single pictures come back
-    as text.
+def write_dynamics_plots(directory: Path, document: dict[str, Any]) -> tuple[str, ...]:
+    """Write the pictures of a simulation beside its history; those that failed are messages.
 
-    Parameters
-    ----------
-    directory : Path
-        With `history.nc`.
-    document : dict
-        The summary.
-
-    Returns
-    -------
-    tuple of str
+    `document` is the summary.
     """
     data = open_history(directory).load()
-    problems = []
-    with mpl.rc_context(RC):
-        for name, draw in PICTURES.items():
-            try:
-                figure = Figure()
-                draw(figure, data, document)
-                save(figure, directory / f"{name}.png")
-            except (ValueError, ArithmeticError) as error:
-                problems.append(f"picture {name}.png was not drawn: {error}")
+    drawings = [
+        (name, partial(draw, data=data, document=document)) for name, draw in PICTURES.items()
+    ]
+    problems = write_figures(directory, drawings)
     data.close()
-    return tuple(problems)
+    return problems
 
 
 def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
@@ -126,13 +103,8 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
         pull = np.hypot(one["contact_friction_x"].to_numpy(), one["contact_friction_y"].to_numpy())
         loaded = load > SMALLEST_LOAD * max(float(load.max()), 1e-300)
         factor = np.divide(pull, load, out=np.full(load.shape, np.nan), where=loaded)
-        top.plot(
-            azimuth,
-            np.where(loaded, slide, np.nan),
-            color=colour,
-            label=f"{race} race",
-            linewidth=0.9,
-        )
+        slide = np.where(loaded, slide, np.nan)
+        top.plot(azimuth, slide, color=colour, label=f"{race} race", linewidth=0.9)
         bottom.plot(azimuth, factor, color=colour, linewidth=0.9)
     top.set_ylabel("sliding speed at the\ncontact's centre [m/s]")
     bottom.set_ylabel("traction factor [-]")
@@ -149,16 +121,8 @@ def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     extent = (float(time[0]), float(time[-1]), balls + 0.5, 0.5)
     for ax, (race, _) in zip(axes, RACES, strict=True):
         states = data["contact_state"].sel(race=race).to_numpy().T
-        colours = ListedColormap(list(STATE_COLOURS))
-        ax.imshow(
-            states,
-            aspect="auto",
-            extent=extent,
-            cmap=colours,
-            vmin=-0.5,
-            vmax=2.5,
-            interpolation="nearest",
-        )
+        style: dict[str, Any] = {"aspect": "auto", "extent": extent, "interpolation": "nearest"}
+        ax.imshow(states, cmap=ListedColormap(STATE_COLOURS), vmin=-0.5, vmax=2.5, **style)
         ax.set_ylabel(f"ball, {race} race")
         ax.yaxis.set_major_locator(_every(max(1, balls // 6), integer=True))
     axes[1].set_xlabel("time [ms]")
@@ -187,40 +151,26 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
         ax.set_xlabel("z [µm]")
         ax.set_aspect("equal", adjustable="datalim")
         if np.ptp(y) == 0.0 and np.ptp(z) == 0.0:
-            ax.text(
-                0.5,
-                0.6,
-                "held by these equations",
-                ha="center",
-                transform=ax.transAxes,
-                color=REFERENCE,
-            )
+            style = {"ha": "center", "transform": ax.transAxes, "color": REFERENCE}
+            ax.text(0.5, 0.6, "held by these equations", **style)
     axes[0].set_ylabel("y, along the load line [µm]")
 
 
 def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Spectrum of the ring's motion along y, or x where y is held [um], with the defect
-    frequencies [Hz].
-    """
+    """Spectrum of the ring along y, or x where y is fixed [um], with the defect frequencies [Hz]."""
     (ax,) = _start(figure, document, 1, 1, 3.4)
-    found = document["frequencies_Hz"]["with_slip"]
+    defects = document["frequencies_Hz"]["with_slip"]
     frequency, amplitude, direction = ring_spectrum(data)
-    shown = frequency <= SPECTRUM_REACH * max(found["ball_pass_inner"], 1.0)
+    shown = frequency <= SPECTRUM_REACH * max(defects["ball_pass_inner"], 1.0)
     ax.semilogy(
         frequency[shown][1:], amplitude[shown][1:] / MICROMETRE, color=INNER_COLOUR, linewidth=0.8
     )
     names = {"cage": "cage", "ball_pass_outer": "BPFO", "ball_pass_inner": "BPFI"}
     for k, (key, word) in enumerate(names.items()):
-        ax.axvline(found[key], color=OUTER_COLOUR, linestyle="--", linewidth=0.7)
-        label = f" {word} {found[key]:.1f}"
-        ax.text(
-            found[key],
-            0.98 - 0.06 * k,
-            label,
-            color=OUTER_COLOUR,
-            va="top",
-            transform=ax.get_xaxis_transform(),
-        )
+        ax.axvline(defects[key], color=OUTER_COLOUR, linestyle="--", linewidth=0.7)
+        label = f" {word} {defects[key]:.1f}"
+        style = {"color": OUTER_COLOUR, "va": "top", "transform": ax.get_xaxis_transform()}
+        ax.text(defects[key], 0.98 - 0.06 * k, label, **style)
     ax.set_xlabel("frequency [Hz]; defect frequencies with the slip that came out")
     ax.set_ylabel(f"inner ring along {direction} [µm]")
 

@@ -1,7 +1,7 @@
-"""Figures of the slip maps: slip factors over speed and axial load, critical loads, minimum
-preload, balls.
-"""
+"""Figures of slip maps: slip factors, critical loads, minimum preload, balls."""
 
+from collections.abc import Callable
+from functools import partial
 from math import degrees
 from pathlib import Path
 from typing import Any
@@ -16,7 +16,7 @@ from bearing.studies.slip import CriticalCurves, slip_factors
 from ehl.solution import Array
 from ehl.units import RPM
 
-from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
+from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, write_figure
 from .results import SlipResults
 
 KRPM = 1000.0 * RPM
@@ -30,14 +30,7 @@ SAME = 1.0e-6  # relative difference below which two balls have one curve [-]
 
 
 def write_slip_plots(results: SlipResults, directory: Path) -> None:
-    """Write slip_factors.png, critical_loads.png (if computed), minimum_preload.png and
-    slip_per_ball.png.
-
-    Parameters
-    ----------
-    results : SlipResults
-    directory : Path
-    """
+    """Write the pictures of slip maps; critical_loads.png if these were computed."""
     drawings = {
         "slip_factors": draw_surface,
         "minimum_preload": draw_minimum_loads,
@@ -46,12 +39,15 @@ def write_slip_plots(results: SlipResults, directory: Path) -> None:
     }
     if not results.curves:
         del drawings["critical_loads"]
-    with mpl.rc_context(RC):
-        for name, draw in drawings.items():
-            figure = Figure()
-            draw(figure, results)
-            figure.suptitle(str(results.case.get("title", "")), fontsize=8.5)
-            save(figure, directory / f"{name}.png")
+    for name, draw in drawings.items():
+        write_figure(directory / f"{name}.png", partial(_titled, draw=draw, results=results))
+
+
+def _titled(
+    figure: Figure, draw: Callable[[Figure, SlipResults], None], results: SlipResults
+) -> None:
+    draw(figure, results)
+    figure.suptitle(results.title, fontsize=8.5)
 
 
 def draw_surface(figure: Figure, results: SlipResults) -> None:
@@ -100,7 +96,7 @@ def _limit_line(axes: Axes, results: SlipResults) -> None:
     either side.
     """
     minimum = results.minimum
-    grid = slice(0, len(minimum.speeds) - minimum.own)
+    grid = slice(0, minimum.count)
     axes.plot(minimum.speeds[grid] / KRPM, minimum.hirano[grid], color=INK, linewidth=2.0)
     top = results.surface.axial_loads[-1]
     note = f"heavy line: factor {results.limit:g}; no ball slips above it"
@@ -173,7 +169,7 @@ def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
     figure.set_size_inches(0.72 * PAGE_WIDTH, 3.6)
     axes: Axes = figure.subplots()
     minimum = results.minimum
-    grid = slice(0, len(minimum.speeds) - minimum.own)
+    grid = slice(0, minimum.count)
     x = minimum.speeds[grid] / KRPM
     axes.plot(
         x,

@@ -1,16 +1,16 @@
 """Traction curves over the slide-roll ratio, and maps of the traction over sliding and spin."""
 
+from functools import partial
 from math import sqrt
 from pathlib import Path
 from typing import Any
 
-import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
 from ehl.traction.table.table import TractionTable
 
-from ..plot_style import PAGE_WIDTH, RC, save
+from ..plot_style import PAGE_WIDTH, write_figure
 from .results import TractionResults
 
 COLOURS = ("#1f4e8c", "#3a7d44", "#8a6d1d", "#c1440e")
@@ -22,10 +22,7 @@ def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Pa
     """Write `<name>_curves.png` and `<name>_map.png` beside the tables' file."""
     files = tuple(path.with_name(f"{path.stem}_{kind}.png") for kind in ("curves", "map"))
     for file, draw in zip(files, (draw_traction_curves, draw_traction_map), strict=True):
-        with mpl.rc_context(RC):
-            figure = Figure()
-            draw(figure, results)
-            save(figure, file)
+        write_figure(file, partial(draw, results=results))
     return files[0], files[1]
 
 
@@ -34,7 +31,7 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
     race.
     """
     figure.set_size_inches(PAGE_WIDTH, 3.2)
-    figure.suptitle(str(results.case.get("title", "")), fontsize=8.5)
+    figure.suptitle(results.title, fontsize=8.5)
     panels = figure.subplots(1, len(results.tables), sharey=True, squeeze=False)[0]
     for axes, (race, table) in zip(panels, results.tables.items(), strict=True):
         speed = sqrt(table.range.speed[0] * table.range.speed[1])
@@ -69,7 +66,7 @@ def draw_traction_map(figure: Figure, results: TractionResults) -> None:
     spin, of each race.
     """
     figure.set_size_inches(PAGE_WIDTH, 5.4)
-    figure.suptitle(str(results.case.get("title", "")), fontsize=8.5)
+    figure.suptitle(results.title, fontsize=8.5)
     panels = figure.subplots(len(results.tables), 2, squeeze=False)
     for row, (race, table) in zip(panels, results.tables.items(), strict=True):
         load = sqrt(table.range.load[0] * table.range.load[1])

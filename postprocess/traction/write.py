@@ -9,9 +9,7 @@ from .results import TractionResults
 
 
 def write_traction(results: TractionResults, path: Path) -> None:
-    """Write the tables to a file, and beside it its plots, `<name>_curves.png` and
-    `<name>_map.png`.
-    """
+    """Write the tables, and beside them `<name>_curves.png` and `<name>_map.png`."""
     save_tables(results, path)
     write_traction_plots(results, path)
 

@@ -11,7 +11,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from postprocess import open_results, summary
-from postprocess.bearing.files import write_contacts_csv, write_netcdf
+from postprocess.bearing.write import write_contacts_csv, write_netcdf
 from postprocess.files import atomic_path, write_json
 
 xr = pytest.importorskip("xarray")

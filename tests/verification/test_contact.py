@@ -124,7 +124,7 @@ def test_solution_is_symmetric_about_the_entrainment():
 
 
 def test_si_and_moes_input_agree_to_round_off():
-    m, l = moes_groups(INNER_500N)  # noqa: E741
+    m, l = moes_groups(INNER_500N)
     moes = MoesConditions(
         load_parameter=m,
         lubricant_parameter=l,

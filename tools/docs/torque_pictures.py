@@ -2,27 +2,60 @@
 
 from __future__ import annotations
 
-from math import pi
+from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from torque_sweeps import TorqueStudy, torque_sweep
 from validation_004 import SIZES, resized, table
 from validation_004 import SPEEDS as PRINTED_SPEEDS
 
 from cases import load_case
-from postprocess.bearing.plots_torque import Curve, draw_over_speed
+from ehl.units import NEWTON_MILLIMETRE, RPM
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 
 IMAGES = Path(__file__).parents[2] / "docs" / "images"
-RPM = pi / 30.0  # [rad/s]
 SPEEDS = RPM * np.geomspace(300.0, 15000.0, 25)
 TITLES = {"6206_axial_500N": "500 N axial", "6206_radial_500N": "500 N radial"}
 TITLES["6206_combined_1000N"] = "1000 N axial, 1000 N radial"
 LOADS = (500.0, 1000.0, 1500.0)  # [N]
 INK, BLUE, RED, ORANGE, GREEN = "#1b1f24", "#4c78a8", "#b23a3a", "#d67b1f", "#5a8f5a"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Curve:
+    """One line over speed: values [N m] with speeds [rad/s]; points alone where `points` is set."""
+
+    label: str
+    speeds: np.ndarray
+    values: np.ndarray
+    colour: str
+    style: str = "-"
+    points: bool = False
+
+
+def draw_over_speed(axes: Axes, curves: Sequence[Curve], title: str) -> None:
+    """Torques over speed, values printed elsewhere as points.
+
+    Parameters
+    ----------
+    axes : Axes
+    curves : sequence of Curve
+        Speeds in [rad/s], torques in [N m]; drawn in r/min and N mm.
+    title : str
+    """
+    for curve in curves:
+        line = {"linestyle": "none", "marker": "o", "markersize": 3.5} if curve.points else {"linestyle": curve.style}
+        axes.plot(curve.speeds / RPM, curve.values / NEWTON_MILLIMETRE, color=curve.colour, label=curve.label, **line)
+    axes.set_ylim(bottom=0.0)
+    axes.set_xlabel("inner ring, r/min")
+    axes.set_ylabel("torque, N mm")
+    axes.set_title(title)
+    axes.spines[["top", "right"]].set_visible(False)
 
 
 def swept(stem: str, speeds: np.ndarray, loads: list[tuple[float, float]] | None = None, size: str = "6206"):

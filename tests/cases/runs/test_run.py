@@ -154,7 +154,7 @@ def test_a_warning_of_the_library_reaches_the_results(solver, tmp_path):
 
 def test_the_lambda_ratio_of_a_case_with_roughness():
     """h_min over the rms roughness of race and ball, sqrt(0.03^2 + 0.04^2) = 0.05 um."""
-    from postprocess.contact.messages import lambda_ratio
+    from postprocess.bearing.contacts import lambda_ratio
 
     surface = {"inner_ring_roughness_um": 0.03, "outer_ring_roughness_um": 0.0, "ball_roughness_um": 0.04}
     inner = SimpleNamespace(race=SimpleNamespace(value="inner"))

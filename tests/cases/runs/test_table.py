@@ -18,7 +18,8 @@ from cases.format.race_tables import tables_of_file
 from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions
 from ehl.traction.table.full_solves import FullSolve
-from postprocess.traction.results import TractionResults, _beside, traction_summary
+from postprocess.traction.results import TractionResults
+from postprocess.traction.summary import full_solve_entry, traction_summary
 
 from ..made_up_tables import made_up_tables
 
@@ -124,7 +125,7 @@ def test_full_solves_that_do_not_converge_are_told():
     told = traction_summary(replace(results, tables=tables | {Race.INNER: inner}))
     assert not told["converged"]
     assert any("inner race: the full solve at 50 N" in message for message in told["messages"])
-    assert _beside(lost) == {
+    assert full_solve_entry(lost) == {
         "load_N": 50.0,
         "entrainment_speed_m_s": 10.0,
         "slide_roll_ratio": 0.01,

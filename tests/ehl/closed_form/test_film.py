@@ -62,7 +62,7 @@ def test_nijenbanning_returns_each_asymptote(load, lubricant, expected, toleranc
 
 
 def test_nijenbanning_in_metres_is_that_in_moes_groups():
-    m, l = moes_groups(CONTACT)  # noqa: E741
+    m, l = moes_groups(CONTACT)
     speed = 2.0 * 0.04 * 1.0 / (226e9 * 0.01)
     expected = 0.01 * speed**0.5 * moes_film_nijenbanning(m, l, 1.0)
     assert film_nijenbanning_central(CONTACT) == pytest.approx(expected, rel=1e-13)

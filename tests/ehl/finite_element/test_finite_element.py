@@ -32,7 +32,7 @@ CONTACTS = [  # M, L, Rx/Ry, box
 ]
 
 
-def moes(m, l, ratio=1.0, angle=0.0):  # noqa: E741
+def moes(m, l, ratio=1.0, angle=0.0):
     return MoesConditions(
         load_parameter=m, lubricant_parameter=l, lubricant=OIL, radius_ratio=ratio, entrainment_angle=angle
     )
@@ -89,7 +89,7 @@ def test_tangent_is_the_derivative():
 
 
 @pytest.mark.parametrize(("m", "l", "ratio", "box"), CONTACTS)
-def test_coarse_mesh_agrees_with_multigrid(m, l, ratio, box):  # noqa: E741
+def test_coarse_mesh_agrees_with_multigrid(m, l, ratio, box):
     """65 x 29 nodes of the half: within the 1 % and 2 % asked of independent solutions, and within its error bar."""
     reference = solve_contact(moes(m, l, ratio), SolverOptions(points=257, domain=box))
     solution = solve_contact_finite_element(moes(m, l, ratio), SolverOptions(points=129, domain=box))
@@ -104,7 +104,7 @@ def test_coarse_mesh_agrees_with_multigrid(m, l, ratio, box):  # noqa: E741
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("m", "l", "ratio", "box"), [*CONTACTS, (200.0, 10.0, 1.0, BOX), (5.0, 0.5, 1.0, None)])
-def test_fine_mesh_agrees_with_multigrid(m, l, ratio, box):  # noqa: E741
+def test_fine_mesh_agrees_with_multigrid(m, l, ratio, box):
     """129 x 57 nodes of the half: found 0.1 % and better, 0.4 % at M 200."""
     reference = solve_contact(moes(m, l, ratio), SolverOptions(points=513, domain=box))
     solution = solve_contact_finite_element(moes(m, l, ratio), SolverOptions(points=257, domain=box))

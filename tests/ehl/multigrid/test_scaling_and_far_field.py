@@ -35,7 +35,7 @@ def test_circular_contact_has_moes_closed_forms():
 
 def test_si_and_moes_conditions_are_one_problem():
     si = scale_contact(INNER)
-    m, l = moes_groups(INNER)  # noqa: E741
+    m, l = moes_groups(INNER)
     moes = scale_contact(
         MoesConditions(
             load_parameter=m, lubricant_parameter=l, radius_ratio=INNER.radius_x / INNER.radius_y, lubricant=OIL

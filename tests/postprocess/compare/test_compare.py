@@ -12,7 +12,7 @@ from typer.testing import CliRunner
 
 from cases.cli.main import app
 from postprocess import open_results, summary
-from postprocess.bearing.files import write_netcdf
+from postprocess.bearing.write import write_netcdf
 from postprocess.compare.compare import compare, relative
 from postprocess.compare.table import comparison_table
 from postprocess.contact.fields import open_contact

@@ -1,90 +1,28 @@
 """Files of a bearing run: contacts as CSV, fields as netCDF."""
 
-import csv
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray
 import xarray as xr
 
 from bearing.contacts.contact import BearingContact
 from ehl import ContactSolution
 
-from ..files import Variables, atomic_path, contact_name, root_attributes
-from ..results import BearingResults, ContactResults
-from .document import summary
-from .summary import STIFFNESS_ORDER
+from ..files import Variables, atomic_path, contact_name, root_attributes, write_csv
+from ..results import STIFFNESS_ORDER, BearingResults, ContactResults
+from .contacts import CONTACT_QUANTITIES
+from .summary import BALL_QUANTITIES, summary
 
 COMPRESSION = {"zlib": True, "complevel": 4, "shuffle": True, "dtype": "float32"}
 
 
-CONTACT_COLUMNS = (
-    ("ball", "ball"),
-    ("row", "row"),
-    ("azimuth_deg", "azimuth [deg]"),
-    ("race", "race"),
-    ("loaded", "loaded"),
-    ("load_N", "load [N]"),
-    ("contact_angle_deg", "contact angle [deg]"),
-    ("semi_axis_rolling_mm", "semi-axis rolling [mm]"),
-    ("semi_axis_transverse_mm", "semi-axis transverse [mm]"),
-    ("hertz_pressure_GPa", "Hertz pressure [GPa]"),
-    ("entrainment_speed_m_s", "entrainment speed [m/s]"),
-    ("slide_roll_ratio", "slide-roll ratio [-]"),
-    ("spin_roll_ratio", "spin-roll ratio [-]"),
-    ("hirano_ratio", "Hirano ratio [-]"),
-    ("film_central_um", "central film [um]"),
-    ("film_central_uncertainty_um", "central film uncertainty [um]"),
-    ("film_minimum_um", "minimum film [um]"),
-    ("film_minimum_uncertainty_um", "minimum film uncertainty [um]"),
-    ("pressure_maximum_GPa", "maximum pressure [GPa]"),
-    ("film_temperature_maximum_C", "largest film temperature [degC]"),
-    ("traction_coefficient", "traction coefficient [-]"),
-    ("rolling_moment_N_mm", "rolling moment of the box [N mm]"),
-    ("rolling_moment_beyond_box_N_mm", "rolling moment beyond the box [N mm]"),
-    ("rolling_moment_within_extent_N_mm", "rolling moment within the extent [N mm]"),
-    ("lambda_ratio", "lambda ratio [-]"),
-    ("starved_film_share", "share of the flooded film [-]"),
-    ("starved_film_central_um", "starved central film [um]"),
-    ("starved_film_minimum_um", "starved minimum film [um]"),
-    ("starved_lambda_ratio", "starved lambda ratio [-]"),
-    ("mean_pressure_GPa", "mean pressure [GPa]"),
-    ("shear_maximum_GPa", "largest shear [GPa]"),
-    ("shear_maximum_depth_mm", "depth of largest shear [mm]"),
-    ("orthogonal_shear_GPa", "orthogonal shear amplitude [GPa]"),
-    ("orthogonal_shear_depth_mm", "depth of orthogonal shear [mm]"),
-    ("sliding_speed_maximum_m_s", "largest sliding speed [m/s]"),
-    ("pressure_sliding_maximum_GPa_m_s", "largest pressure times sliding [GPa m/s]"),
-    ("shoulder_margin_mm", "margin to shoulder [mm]"),
-    ("truncated_length_share", "cut share of length [-]"),
-    ("truncated_load_share", "cut share of load [-]"),
-    ("pressure_at_shoulder_GPa", "pressure at shoulder [GPa]"),
-    ("converged", "converged"),
-    ("resolved", "resolved"),
-    ("moes_M", "Moes M [-]"),
-    ("moes_L", "Moes L [-]"),
-    ("note", "note"),
-)
-
-
 def write_contacts_csv(document: dict[str, Any], path: Path) -> None:
-    """Write the contacts of a bearing summary as a table, one line per contact, units in the
-    header, empty for null.
-
-    Parameters
-    ----------
-    document : dict
-        From `summary`, of a bearing.
-    path : Path
-    """
-    with atomic_path(path) as temporary, temporary.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow([title for _, title in CONTACT_COLUMNS])
-        for contact in document["contacts"]:
-            writer.writerow(
-                ["" if contact[key] is None else contact[key] for key, _ in CONTACT_COLUMNS]
-            )
+    """Write the contacts of a bearing's summary as a table, a line for each, empty for null."""
+    rows = [
+        [contact[column.key] for column in CONTACT_QUANTITIES] for contact in document["contacts"]
+    ]
+    write_csv(path, [column.header for column in CONTACT_QUANTITIES], rows)
 
 
 def write_netcdf(
@@ -120,7 +58,7 @@ def write_netcdf(
         tree.close()
 
 
-def _bearing_groups(results: BearingResults) -> dict[str, xarray.Dataset]:
+def _bearing_groups(results: BearingResults) -> dict[str, xr.Dataset]:
     groups = {"/ring": _ring_dataset(results), "/balls": _ball_dataset(results)}
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         if solution is not None:
@@ -136,15 +74,17 @@ def _placement(contact: BearingContact) -> dict[str, Any]:
         "azimuth": float(contact.azimuth),
         "contact_angle": float(contact.contact_angle),
         "load": float(contact.load),
-        "origin": np.asarray(contact.origin, dtype=np.float64),
-        "axis_x": np.asarray(contact.axis_x, dtype=np.float64),
-        "axis_y": np.asarray(contact.axis_y, dtype=np.float64),
-        "normal": np.asarray(contact.normal, dtype=np.float64),
-        "placement_units": "origin [m] in the bearing's frame, azimuth and contact_angle [rad], load [N]",
+        **{
+            name: np.asarray(getattr(contact, name), dtype=np.float64)
+            for name in ("origin", "axis_x", "axis_y", "normal")
+        },
+        "placement_units": (
+            "origin [m] in the bearing's frame, azimuth and contact_angle [rad], load [N]"
+        ),
     }
 
 
-def _field_dataset(solution: ContactSolution) -> xarray.Dataset:
+def _field_dataset(solution: ContactSolution) -> xr.Dataset:
     """P and h over the contact plane, SI; in Moes input lengths are in units of a, films of
     a^2/Rx.
     """
@@ -197,7 +137,7 @@ def _temperature(solution: ContactSolution) -> Variables:
     return {"T": (("x", "y"), solution.state.temperature.astype(np.float32), attrs)}
 
 
-def _ring_dataset(results: BearingResults) -> xarray.Dataset:
+def _ring_dataset(results: BearingResults) -> xr.Dataset:
     state = results.quasistatic
     units = "SI: N, m, rad, N m"
     bearing = state.bearing
@@ -222,27 +162,10 @@ def _ring_dataset(results: BearingResults) -> xarray.Dataset:
     )
 
 
-def _ball_dataset(results: BearingResults) -> xarray.Dataset:
+def _ball_dataset(results: BearingResults) -> xr.Dataset:
     state = results.quasistatic
-    units = {
-        "azimuth": "rad",
-        "inner_load": "N",
-        "outer_load": "N",
-        "inner_contact_angle": "rad",
-        "outer_contact_angle": "rad",
-        "ball_axial": "m",
-        "ball_radial": "m",
-        "centrifugal_force": "N",
-        "gyroscopic_moment": "N m",
-        "orbit_speed": "rad/s",
-        "spin_speed": "rad/s",
-        "attitude": "rad",
-        "pivot_speed": "rad/s",
-        "inner_friction": "N",
-        "outer_friction": "N",
-    }
     data = {
         n: ("ball", np.asarray(getattr(state, n), dtype=np.float64), {"units": u})
-        for n, u in units.items()
+        for n, (u, _) in BALL_QUANTITIES.items()
     }
     return xr.Dataset(data, coords={"ball": np.arange(1, len(state.azimuth) + 1)})

@@ -1,0 +1,271 @@
+"""Contacts of a bearing: the quantities of its summary, CSV and tables, and why some are null."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from math import hypot, isfinite
+from typing import Any
+
+from bearing.contacts.contact import BearingContact
+from bearing.contacts.stress import ContactStress, contact_stress
+from bearing.supply.starved_films import StarvedFilm
+from bearing.torque.rolling_extent import rolling_moments
+from ehl import ContactSolution
+from ehl.units import to_si
+
+from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
+from ..quantities import quantities, values_of
+from ..results import BearingResults
+from ..text import listed
+
+LAMBDA_FORMULA = "hamrock_dowson_minimum"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactRecord(FilmRecord):
+    """What is known of one contact of a bearing; None where it does not apply."""
+
+    contact: BearingContact
+    stress: ContactStress | None
+    starved: StarvedFilm | None
+    surface: dict[str, float] | None
+
+    @property
+    def loaded(self) -> bool:
+        """Whether it carries a load."""
+        return self.contact.load > 0.0
+
+    @property
+    def lambda_ratio(self) -> float | None:
+        """Minimum film over the rms roughness of race and ball together [-]."""
+        return lambda_ratio(self.contact, self.film, self.surface)
+
+    @property
+    def lambda_ratio_formula(self) -> float | None:
+        """Lambda ratio of Hamrock and Dowson's minimum film [-]."""
+        film = formula_films(self.contact.conditions)[LAMBDA_FORMULA]
+        return _over_roughness(to_si("film_um", film), self.contact, self.surface)
+
+    @property
+    def starved_lambda_ratio(self) -> float | None:
+        """Lambda ratio of the starved film [-]; None without roughness."""
+        ratio = None if self.starved is None else self.starved.lambda_ratio
+        return ratio if ratio is not None and isfinite(ratio) else None
+
+
+NO_FILM = "no film was computed"
+CONTACT_QUANTITIES = (  # columns of contacts.csv
+    *quantities("contact.", "", ("ball", "ball", "ball"), ("row", "row", "row"), words=True),
+    *quantities("contact.", "", ("azimuth_deg", "azimuth", "azimuth", "ψ")),
+    *quantities(
+        "", "", ("race", "race", "contact.race.value"), ("loaded", "loaded", "loaded"), words=True
+    ),
+    *quantities(
+        "contact.",
+        "it carries no load",
+        ("load_N", "load", "load", "load"),
+        ("contact_angle_deg", "contact angle", "contact_angle", "contact angle"),
+        ("semi_axis_rolling_mm", "semi-axis rolling", "hertz.semi_axis_x", "semi-axis rolling"),
+        (
+            *("semi_axis_transverse_mm", "semi-axis transverse"),
+            *("hertz.semi_axis_y", "semi-axis transverse"),
+        ),
+        ("hertz_pressure_GPa", "Hertz pressure", "hertz.pressure", "Hertz pressure"),
+    ),
+    *quantities(
+        "contact.",
+        "it carries no load, or no oil is entrained",
+        (
+            *("entrainment_speed_m_s", "entrainment speed"),
+            *("conditions.entrainment_speed", "entrainment"),
+        ),
+        ("slide_roll_ratio", "slide-roll ratio", "conditions.slide_roll_ratio", "slide-roll"),
+        ("spin_roll_ratio", "spin-roll ratio", "spin_roll_ratio", "spin-roll"),
+    ),
+    *quantities(
+        "contact.",
+        "it is defined at the inner race, under a centrifugal force",
+        ("hirano_ratio", "Hirano ratio", "hirano_ratio"),
+    ),
+    *FILM_QUANTITIES,
+    *quantities(
+        "",
+        "no film was computed, or [surface] has no roughness of race and ball",
+        ("lambda_ratio", "lambda ratio", "lambda_ratio", "Λ"),
+    ),
+    *quantities(
+        "",
+        "the supply is flooded, or no flooded film is known",
+        ("starved_film_share", "share of the flooded film", "starved.share"),
+        ("starved_film_central_um", "starved central film", "starved.central"),
+        ("starved_film_minimum_um", "starved minimum film", "starved.minimum"),
+        ("starved_lambda_ratio", "starved lambda ratio", "starved_lambda_ratio"),
+    ),
+    *quantities(
+        "stress.",
+        "it carries no load",
+        ("mean_pressure_GPa", "mean pressure", "mean_pressure"),
+        ("shear_maximum_GPa", "largest shear", "shear_maximum"),
+        ("shear_maximum_depth_mm", "depth of largest shear", "shear_depth"),
+        ("orthogonal_shear_GPa", "orthogonal shear amplitude", "orthogonal_shear"),
+        ("orthogonal_shear_depth_mm", "depth of orthogonal shear", "orthogonal_depth"),
+        ("sliding_speed_maximum_m_s", "largest sliding speed", "sliding_speed"),
+        (
+            *("pressure_sliding_maximum_GPa_m_s", "largest pressure times sliding"),
+            "pressure_sliding",
+        ),
+    ),
+    *quantities(
+        "stress.truncation.",
+        "it carries no load, or no shoulder diameter is given",
+        ("shoulder_margin_mm", "margin to shoulder", "margin"),
+        ("truncated_length_share", "cut share of length", "length_share"),
+        ("truncated_load_share", "cut share of load", "load_share"),
+        ("pressure_at_shoulder_GPa", "pressure at shoulder", "edge_pressure"),
+    ),
+    *quantities(
+        "film.",
+        NO_FILM,
+        ("converged", "converged", "converged"),
+        ("resolved", "resolved", "resolved"),
+        words=True,
+    ),
+    *quantities(
+        "film.",
+        NO_FILM,
+        ("moes_M", "Moes M", "moes_load", "M"),
+        ("moes_L", "Moes L", "moes_lubricant", "L"),
+    ),
+    *quantities("contact.", "", ("note", "note", "note"), words=True),
+)
+
+
+def contact_records(results: BearingResults) -> list[ContactRecord]:
+    """What is known of every contact, in the order of the results."""
+    count = len(results.contacts)
+    films = [film if film is not None and film.converged else None for film in results.solutions]
+    moments = rolling_moments(films)
+    torque = results.torque
+    starved = torque.films if torque is not None and torque.films else (None,) * count
+    tractions = results.tractions or (None,) * count
+    return [
+        ContactRecord(
+            contact=contact,
+            film=results.solutions[i],
+            traction=None if tractions[i] is None else tractions[i].result,
+            rolling=moments[i],
+            stress=contact_stress(results.quasistatic, contact),
+            starved=starved[i],
+            surface=results.case.get("surface"),
+        )
+        for i, contact in enumerate(results.contacts)
+    ]
+
+
+def contact_values(record: ContactRecord) -> dict[str, Any]:
+    """One contact of the summary, in the units of the keys."""
+    film = record.film
+    return {
+        **values_of(record, CONTACT_QUANTITIES),
+        **film_values(record),
+        "lambda_ratio_formula": record.lambda_ratio_formula,
+        "film_formulas_um": formula_films(record.contact.conditions),
+        "domain": None if film is None else list(film.domain),
+        "points": None if film is None else list(film.P.shape),
+    }
+
+
+def combined_roughness(race: str, surface: dict[str, float]) -> float:
+    """Root mean square roughness of a race and the balls together [m]."""
+    together = hypot(surface[f"{race}_ring_roughness_um"], surface["ball_roughness_um"])
+    return float(to_si("roughness_um", together))
+
+
+def lambda_ratio(
+    contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
+) -> float | None:
+    """Minimum film over the rms roughness of race and ball together [-].
+
+    None without film or roughness.
+    """
+    film = None if solution is None else solution.film_minimum
+    return _over_roughness(film, contact, surface)
+
+
+def _over_roughness(
+    film: float | None, contact: BearingContact, surface: dict[str, float] | None
+) -> float | None:
+    if surface is None or film is None:
+        return None
+    roughness = combined_roughness(contact.race.value, surface)
+    return film / roughness if roughness > 0.0 else None
+
+
+def contact_messages(results: BearingResults) -> Iterator[str]:
+    """Contacts without a film, stresses at shoulders, and ratios that are null."""
+    yield from _absent_films(results)
+    if any(c.conditions is None for c in results.contacts):
+        yield (
+            "contacts: Hertz, speed and formula values null where a contact carries no load or no "
+            "oil is entrained"
+        )
+    for race in ("inner", "outer"):
+        yield from _shoulder_messages(results, race)
+    yield from _ratio_messages(results)
+
+
+def _absent_films(results: BearingResults) -> Iterator[str]:
+    """Why contacts have no film, race by race."""
+    absent: dict[tuple[str, str], list[str]] = {}
+    for contact, solution in zip(results.contacts, results.solutions, strict=True):
+        unwanted = solution is None and results.quasistatic.converged and not results.interrupted
+        if contact.conditions is None or unwanted:
+            reason = (
+                contact.note if contact.conditions is None else "not asked for by [ehl] film_maps"
+            )
+            absent.setdefault((contact.race.value, reason), []).append(str(contact.ball))
+    for (race, reason), balls in absent.items():
+        plural = "s" if len(balls) > 1 else ""
+        yield f"{race} race, ball{plural} {listed(balls)}: film null, {reason}"
+
+
+def _ratio_messages(results: BearingResults) -> Iterator[str]:
+    """Why Hirano's ratio or the lambda ratio are null."""
+    yield "contacts: hirano_ratio null at the outer race, it is defined at the inner one"
+    if not any(force > 0.0 for force in results.quasistatic.centrifugal_force):
+        yield "contacts: hirano_ratio null, there is no centrifugal force"
+    surface = results.case.get("surface")
+    if surface is None:
+        yield (
+            "contacts.lambda_ratio: null, and lambda_ratio_formula, the case gives no [surface] "
+            "roughness"
+        )
+        return
+    for race in ("inner", "outer"):
+        if not combined_roughness(race, surface) > 0.0:
+            yield (
+                f"contacts.lambda_ratio: null at the {race} race, race and ball have no roughness "
+                "in [surface]"
+            )
+
+
+def _shoulder_messages(results: BearingResults, race: str) -> Iterator[str]:
+    """Ellipses that a shoulder cuts, or a ring without a shoulder diameter."""
+    if getattr(results.quasistatic.bearing, f"{race}_shoulder_diameter") is None:
+        yield (
+            f"contacts: shoulder and truncation null at the {race} race, no "
+            f"{race}_shoulder_diameter_mm is given"
+        )
+        return
+    cut: dict[str, float] = {}
+    for contact in results.contacts:
+        stress = contact_stress(results.quasistatic, contact)
+        truncation = None if stress is None else stress.truncation
+        if contact.race.value == race and truncation is not None and truncation.length_share:
+            cut[str(contact.ball)] = truncation.length_share
+    if cut:
+        yield (
+            f"contacts: the shoulder of the {race} ring cuts the ellipse of "
+            f"ball{'s' if len(cut) > 1 else ''} {listed(list(cut))}, up to {max(cut.values()):.1%} "
+            "of its length; the pressure at its edge is higher than Hertz' and films there are not "
+            "those of a whole ellipse"
+        )

@@ -1,0 +1,117 @@
+"""Quantities of the film of one contact, single or in a bearing."""
+
+from dataclasses import dataclass
+from math import sin
+from typing import Any
+
+from ehl import ContactConditions, ContactSolution, ViscosityLaw
+from ehl.closed_form import film as film_formulas
+from ehl.traction.rolling_moment import RollingMoment
+from ehl.traction.shear import TractionResult
+from ehl.units import from_si
+
+from ..quantities import quantities, values_of
+
+ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
+FORMULAS = (
+    "hamrock_dowson_central",
+    "hamrock_dowson_minimum",
+    "chittenden_central",
+    "nijenbanning_central",
+)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmRecord:
+    """What is known of the film of a contact; None where it was not computed."""
+
+    film: ContactSolution | None
+    traction: TractionResult | None = None
+    rolling: RollingMoment | None = None
+
+    @property
+    def pressure_maximum(self) -> float | None:
+        """Of the film [Pa]; None where the scale of pressure is open."""
+        film = self.film
+        return film.pressure_maximum if film is not None and film.hertz_pressure > 0.0 else None
+
+    @property
+    def temperature_maximum(self) -> float | None:
+        """Largest mean temperature over the film [K]; None where it was solved without heat."""
+        film = self.film
+        if film is None or film.state is None or film.state.temperature is None:
+            return None
+        return float(film.state.temperature.max())
+
+    @property
+    def traction_force(self) -> list[float] | None:
+        """On body 1 along and across the grid's x [N]."""
+        return None if self.traction is None else [self.traction.force_x, self.traction.force_y]
+
+
+NO_FILM = "no film was computed, or it has no length"
+NO_TRACTION = "it needs a film with lengths that converged"
+FILM_QUANTITIES = (
+    *quantities(
+        "",
+        NO_FILM,
+        ("film_central_um", "central film", "film.film_central", "h_c"),
+        (
+            "film_central_uncertainty_um",
+            "central film uncertainty",
+            "film.film_central_uncertainty",
+        ),
+        ("film_minimum_um", "minimum film", "film.film_minimum", "h_min"),
+        (
+            "film_minimum_uncertainty_um",
+            "minimum film uncertainty",
+            "film.film_minimum_uncertainty",
+        ),
+        ("pressure_maximum_GPa", "maximum pressure", "pressure_maximum", "largest pressure"),
+    ),
+    *quantities(
+        "",
+        "the film was solved without heat",
+        ("film_temperature_maximum_C", "largest film temperature", "temperature_maximum"),
+    ),
+    *quantities(
+        "",
+        NO_TRACTION,
+        ("traction_coefficient", "traction coefficient", "traction.coefficient", "traction"),
+        ("rolling_moment_N_mm", "rolling moment of the box", "rolling.box"),
+    ),
+    *quantities(
+        "rolling.",
+        "oil beyond the box is known for pure rolling along a principal direction alone",
+        ("rolling_moment_beyond_box_N_mm", "rolling moment beyond the box", "beyond_box"),
+        ("rolling_moment_within_extent_N_mm", "rolling moment within the extent", "within_extent"),
+    ),
+)
+FURTHER_QUANTITIES = quantities(  # of the summary alone
+    "",
+    NO_TRACTION,
+    ("traction_force_N", "traction force", "traction_force"),
+    ("traction_power_W", "heat of the traction", "traction.power_loss"),
+    ("spin_moment_N_mm", "spin moment", "traction.spin_moment"),
+    ("rolling_extent_mm", "extent of the oil", "rolling.extent"),
+)
+
+
+def film_values(record: FilmRecord) -> dict[str, Any]:
+    """Values of the film's quantities by key, in the units of the keys."""
+    return values_of(record, (*FILM_QUANTITIES, *FURTHER_QUANTITIES))
+
+
+def formula_films(conditions: object) -> dict[str, float | None]:
+    """Films of the curve-fitted formulas [um].
+
+    None without dimensions, with oblique entrainment, or for an isoviscous oil.
+    """
+    if (
+        not isinstance(conditions, ContactConditions)
+        or abs(sin(conditions.entrainment_angle)) > ALIGNED
+        or conditions.lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS
+    ):
+        return dict.fromkeys(FORMULAS)
+    films = {name: getattr(film_formulas, f"film_{name}")(conditions) for name in FORMULAS}
+    return {name: from_si("film_um", film) for name, film in films.items()}

@@ -1,0 +1,23 @@
+"""Files of a time simulation."""
+
+import shutil
+from pathlib import Path
+
+from ..files import SUMMARY_FILE, write_json
+from .history import HISTORY_FILE
+from .plots import write_dynamics_plots
+from .results import DynamicsResults
+from .summary import dynamics_summary
+
+
+def write_dynamics(
+    results: DynamicsResults, directory: Path, *, pictures: bool = True
+) -> tuple[str, ...]:
+    """Write summary, history and, if wanted, pictures; those that failed come back as messages."""
+    directory.mkdir(parents=True, exist_ok=True)
+    document = dynamics_summary(results)
+    write_json(document, directory / SUMMARY_FILE)
+    shutil.move(results.history, directory / HISTORY_FILE)
+    if not pictures or not results.running.rows:
+        return ()
+    return write_dynamics_plots(directory, document)

@@ -1,0 +1,30 @@
+"""Tables of results for a terminal of 80 columns."""
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from rich import box
+from rich.table import Table
+from rich.text import Text
+
+
+def facts_table(rows: Mapping[str, str]) -> Table:
+    """Names and values side by side, without lines."""
+    table = Table(box=None, show_header=False, pad_edge=False)
+    table.add_column(style="dim", no_wrap=True)
+    table.add_column()
+    for name, value in rows.items():
+        table.add_row(name, Text(value))
+    return table
+
+
+def number_table(
+    headers: Iterable[str], rows: Iterable[Iterable[str]], left: Iterable[str] = (), **style: Any
+) -> Table:
+    """Columns of numbers to the right, those named in `left` to the left, a line below the head."""
+    table = Table(**{"box": box.SIMPLE_HEAD, "pad_edge": False, "title_justify": "left"} | style)
+    for header in headers:
+        table.add_column(header, justify="left" if header in left else "right", no_wrap=True)
+    for row in rows:
+        table.add_row(*row)
+    return table
