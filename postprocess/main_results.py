@@ -4,7 +4,7 @@ from typing import Any
 
 from .bearing.heating import KEYS as HEATING
 from .bearing.torque import AS_PRINTED, MODELS
-from .contact.supply import KEYS as SUPPLY
+from .bearing.supply import KEYS as SUPPLY
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
 SIMULATION = (

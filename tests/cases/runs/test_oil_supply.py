@@ -89,7 +89,7 @@ def test_a_thin_inlet_film_starves_films_and_torque(flooded):
 
 
 def test_ample_oil_is_the_flooded_limit():
-    document = found(with_film(1000.0))
+    document = found(with_film(1000.0) + '[friction]\nmodels = "all"\n')
     shares = {contact["starved_film_share"] for contact in document["contacts"]} - {None}
     assert shares == {1.0}
     assert document["supply"]["torque_N_mm"] == pytest.approx(document["supply"]["flooded_torque_N_mm"], rel=1e-12)

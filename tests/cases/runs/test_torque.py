@@ -10,6 +10,7 @@ from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from postprocess import summary
+from postprocess.bearing.torque import MODELS
 
 TEXT = """
 schema_version = 1
@@ -33,9 +34,26 @@ points = 65
 """
 
 
+ALL = '[friction]\nmodels = "all"\n'
+
+
 def torque_of(text):
+    """With the models of papers beside the main ones."""
+    text = text.replace("[friction]\n", ALL) if "[friction]" in text else text + ALL
     document = summary(run_case(case_from_text(text, "case.toml")))
     return document["torque_N_mm"], document
+
+
+def test_models_of_papers_are_shown_where_they_are_asked_for():
+    text = TEXT.replace("points = 65", 'film_maps = "none"')
+    case = case_from_text(text, "case.toml")
+    document = summary(run_case(case))
+    assert tuple(document["torque_N_mm"]["models"]) == ("integrated", "skf", "palmgren", "coulomb")
+    assert not any("models.yao" in message for message in document["messages"])
+    models, _ = torque_of(text)
+    assert set(models["models"]) == set(MODELS)
+    shown = document["torque_N_mm"]["models"]
+    assert shown == {name: models["models"][name] for name in shown}
 
 
 @pytest.fixture(scope="module")
