@@ -3,8 +3,8 @@
 from typing import Any
 
 from .bearing.heating import KEYS as HEATING
-from .bearing.torque import AS_PRINTED, MODELS
 from .bearing.supply import KEYS as SUPPLY
+from .bearing.torque import AS_PRINTED, MODELS
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
 SIMULATION = (

@@ -13,7 +13,7 @@ from bearing.friction.resistance import NO_RESISTANCE
 from bearing.friction.sources import LawTraction
 from bearing.friction.table_files import save_race_tables
 from postprocess import summary
-from postprocess.batch.results import OUTSIDE
+from postprocess.batch.summary import OUTSIDE
 from postprocess.bearing.write import write_netcdf
 from postprocess.dynamics.summary import dynamics_summary
 from postprocess.results import BearingResults, ContactResults

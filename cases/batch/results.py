@@ -3,8 +3,9 @@
 from pathlib import Path
 from typing import Any
 
-from postprocess.batch.points import BatchPoint, BatchResults
-from postprocess.batch.results import batch_summary, write_batch_csv, write_batch_netcdf
+from postprocess.batch.results import BatchPoint, BatchResults
+from postprocess.batch.summary import batch_summary
+from postprocess.batch.write import write_batch_csv, write_batch_netcdf
 from postprocess.files import write_json
 
 from ..version import version

@@ -18,7 +18,7 @@ from .output import report
 from .terminal import FAILED, guarded, progress_bar
 
 if TYPE_CHECKING:
-    from postprocess.batch.points import BatchResults
+    from postprocess.batch.results import BatchResults
 
     from ..batch.points import Sweep
     from ..batch.pools import Pool
@@ -129,7 +129,7 @@ def _plot(results: BatchResults, directory: Path) -> None:
 
 def _report(results: BatchResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
     """Print summary or table; exit code, in which a lost worker is a failure of the machine."""
-    from postprocess.batch.results import batch_summary
+    from postprocess.batch.summary import batch_summary
     from postprocess.batch.table import batch_table
 
     document = batch_summary(results)

@@ -16,8 +16,8 @@ from ehl.units import unit_of, without_unit
 from ..bearing.plots_torque import LABELS
 from ..main_results import main_results
 from ..plot_style import INK, PAGE_WIDTH, RC, REFERENCE, save
-from .points import BatchPoint, BatchResults
-from .results import scalar_numbers
+from .results import BatchPoint, BatchResults
+from .summary import scalar_numbers
 
 BATCH_PLOT = "over_keys.png"
 QUANTITIES = {

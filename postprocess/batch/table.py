@@ -2,20 +2,21 @@
 
 from typing import Any
 
-from rich import box
 from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from ehl.units import unit_of, without_unit
+from ehl.units import unit_symbol, without_unit
 
 from ..main_results import main_results
-from .points import BatchPoint, BatchResults
+from ..table import number_table
+from ..text import NOTHING, number
+from .results import BatchPoint, BatchResults
 from .sensitivity import bands, sensitivities
 
 MOST_ROWS = 40  # of the terminal's table; the files have all
 WIDTH = 80
-NOTHING = "–"
+CELL = 10  # characters of a column of results
 SHOWN = {
     "load_maximum_N": "Q max",
     "hertz_pressure_maximum_GPa": "p_h max",
@@ -31,89 +32,62 @@ SHOWN = {
     "inner_largest_coefficient": "µ inner",
     "outer_largest_coefficient": "µ outer",
 }
-CELL = 10  # characters of a column of results
 
 
 def batch_table(results: BatchResults) -> Group:
-    """Lay out the points of a batch, the first and the last ones of many, with the results that
-    fit beside the keys.
-
-    Parameters
-    ----------
-    results : BatchResults
-
-    Returns
-    -------
-    rich.console.Group
-        To be printed by a rich console; units [N], [GPa], [um] ... as the headers say.
-    """
-    rows = [main_results(point.summary) for point in results.points]
+    """The points of a batch, first and last ones of many, with the results that fit beside the keys."""
+    main = [main_results(point.summary) for point in results.points]
     keys = [
         key
         for key in results.keys
         if len({str(point.values.get(key)) for point in results.points}) > 1
     ]
-    shown = [name for name in SHOWN if any(row.get(name) is not None for row in rows)]
-    shown = shown[
-        -max(1, (WIDTH - 10 - sum(max(9, len(_name(key))) + 1 for key in keys)) // CELL) :
-    ]
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, padding=(0, 1, 0, 0), collapse_padding=True)
-    table.add_column("#", justify="right")
-    for key in keys:
-        table.add_column(f"{_name(key)}\n{_unit(key)}", justify="right", overflow="fold")
-    for name in shown:
-        table.add_column(f"{SHOWN[name]}\n{_unit(name)}", justify="right", no_wrap=True)
-    table.add_column("", no_wrap=True)
-    count = len(rows)
+    shown = [name for name in SHOWN if any(row.get(name) is not None for row in main)]
+    free = WIDTH - 10 - sum(max(9, len(_name(key))) + 1 for key in keys)
+    shown = shown[-max(1, free // CELL) :]
+    headers = ["#", *(f"{_name(key)}\n{_unit(key)}" for key in keys)]
+    headers += [f"{SHOWN[name]}\n{_unit(name)}" for name in shown]
+    rows = []
+    for point, row in zip(results.points, main, strict=True):
+        values = [point.values.get(key) for key in keys] + [row.get(name) for name in shown]
+        cells = [number(value, ".5g") for value in values]
+        rows.append([str(point.number), *cells, _flag(point)])
     half = MOST_ROWS // 2
-    for i, (point, row) in enumerate(zip(results.points, rows, strict=True)):
-        if count > MOST_ROWS and half <= i < count - half:
-            if i == half:
-                table.add_row("...")
-            continue
-        values = [_text(point.values.get(key)) for key in keys]
-        table.add_row(
-            str(point.number), *values, *(_text(row.get(name)) for name in shown), _flag(point)
-        )
+    if len(rows) > MOST_ROWS:
+        rows = [*rows[:half], ["..."], *rows[-half:]]
+    style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
+    table = number_table([*headers, ""], rows, [""], **style)
+    for column in table.columns[1 : 1 + len(keys)]:
+        column.no_wrap, column.overflow = False, "fold"
     flags = {_flag(point) for point in results.points}
-    words = [
-        word
-        for flag, word in (("!", "! not converged"), ("x", "x failed, see the messages"))
-        if flag in flags
-    ]
-    return Group(Text(results.title, style="bold"), table, *words, *_uncertainties(results))
+    meanings = {"!": "! not converged", "x": "x failed, see the messages"}
+    notes = [text for flag, text in meanings.items() if flag in flags]
+    return Group(Text(results.title, style="bold"), table, *notes, *_uncertainties(results))
 
 
 def _uncertainties(results: BatchResults) -> list[Table]:
-    """Sensitivities to each key, and bands over sampled keys, of a few main results; nothing
-    without such points.
-    """
-    found: list[Table] = []
-    style: dict[str, Any] = {"box": box.SIMPLE_HEAD, "pad_edge": False, "title_justify": "left"}
-    rows = sensitivities(results)
-    names = [name for name in SHOWN if any(name in row["results"] for row in rows)]
-    if rows:
-        table = Table(title="d ln(result)/d ln(key); ~: within the error bars", **style)
-        table.add_column("key", overflow="fold")
-        for name in names:
-            table.add_column(SHOWN[name], justify="right")
-        for row in rows:
-            cells = (row["results"].get(name) for name in names)
-            table.add_row(row["key"], *(_sensitivity(cell) for cell in cells))
-        found.append(table)
-    spread = bands(results)
+    """Sensitivities to each key, and bands over sampled keys, of a few main results, if any."""
+    tables = []
+    changes = sensitivities(results)
+    names = [name for name in SHOWN if any(name in change["results"] for change in changes)]
+    if changes:
+        rows = [
+            [change["key"], *(_sensitivity(change["results"].get(name)) for name in names)]
+            for change in changes
+        ]
+        headers = ["key", *(SHOWN[name] for name in names)]
+        title = "d ln(result)/d ln(key); ~: within the error bars"
+        tables.append(number_table(headers, rows, ["key"], title=title))
+        tables[-1].columns[0].no_wrap = False
+    spread = {name: band for name, band in bands(results).items() if name in SHOWN}
     if spread:
-        table = Table(title="over the sampled points", **style)
-        for name in ("", "5 %", "median", "95 %"):
-            table.add_column(name, justify="right" if name else "left")
-        for name, band in spread.items():
-            if name in SHOWN:
-                table.add_row(
-                    f"{SHOWN[name]} {_unit(name)}",
-                    *(f"{band[q]:.4g}" for q in ("q05", "q50", "q95")),
-                )
-        found.append(table)
-    return found
+        rows = [
+            [f"{SHOWN[name]} {_unit(name)}", *(f"{band[q]:.4g}" for q in ("q05", "q50", "q95"))]
+            for name, band in spread.items()
+        ]
+        headers = ["", "5 %", "median", "95 %"]
+        tables.append(number_table(headers, rows, [""], title="over the sampled points"))
+    return tables
 
 
 def _sensitivity(cell: dict[str, Any] | None) -> str:
@@ -127,14 +101,8 @@ def _name(key: str) -> str:
 
 
 def _unit(key: str) -> str:
-    return unit_of(key.rpartition(".")[2]).replace("um", "µm")
+    return unit_symbol(key.rpartition(".")[2])
 
 
 def _flag(point: BatchPoint) -> str:
     return "x" if point.summary is None else "" if point.converged else "!"
-
-
-def _text(value: Any) -> str:
-    if value is None:
-        return NOTHING
-    return f"{value:.5g}" if isinstance(value, float) else str(value)

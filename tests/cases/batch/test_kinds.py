@@ -25,7 +25,7 @@ from cases.cli.main import app
 from ehl.traction.table.build import TableOptions
 from postprocess import summary
 from postprocess.batch.plots import quantities, varied_keys
-from postprocess.batch.results import batch_summary
+from postprocess.batch.summary import batch_summary
 from postprocess.main_results import main_results
 
 from .test_batch import HerePool

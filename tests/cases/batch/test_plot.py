@@ -12,7 +12,7 @@ from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.cli.main import app
 from cases.format.shipped import shipped_sweeps
 from postprocess.batch.plots import draw_together, quantities, varied_keys
-from postprocess.batch.results import columns
+from postprocess.batch.summary import results_as_columns
 from postprocess.main_results import result_names
 
 from .test_batch import HerePool
@@ -48,7 +48,7 @@ def test_the_lines_of_the_figure_are_the_numbers_asked_for(results):
 
 def test_known_names_are_columns_of_the_table(results):
     """All that has a number in the table and is torque or main result can be drawn; nothing else is."""
-    known, table = result_names("run"), columns(results)
+    known, table = result_names("run"), results_as_columns(results)
     torques = {name for name in table if name.startswith("torque_N_mm.models.")}
     assert torques <= set(known)
     assert {"film_minimum_um", "self_heating.temperature_C", "torque_N_mm.models.integrated.total"} <= set(known)

@@ -261,7 +261,7 @@ def test_a_sweep_draws_supply_and_temperature_a_line_for_each_load_and_speed():
     from matplotlib.figure import Figure
 
     from postprocess.batch.plots import draw_batch, quantities, varied_keys
-    from postprocess.batch.points import BatchPoint, BatchResults
+    from postprocess.batch.results import BatchPoint, BatchResults
     from postprocess.main_results import result_names
 
     assert {"supply.film_share", "supply.lambda_least", "self_heating.temperature_C"} <= set(result_names("run"))

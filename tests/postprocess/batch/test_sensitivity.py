@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from postprocess.batch.points import BatchPoint, BatchResults
-from postprocess.batch.results import batch_summary
+from postprocess.batch.results import BatchPoint, BatchResults
 from postprocess.batch.sensitivity import bands, sensitivities
+from postprocess.batch.summary import batch_summary
 
 CASE = {"lubricant.viscosity_mPa_s": 20.0, "operation.axial_load_N": -50.0}
 STEP = 0.02
