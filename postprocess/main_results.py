@@ -26,18 +26,7 @@ TRACTION = "traction_coefficient"
 
 
 def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
-    """The main results of a run, a contact, a simulation, slip maps or traction tables.
-
-    Parameters
-    ----------
-    summary : dict or None
-        Of one point; of any kind.
-
-    Returns
-    -------
-    dict
-        None where the summary has no such number.
-    """
+    """The main results of a run, a contact, a simulation, slip maps or traction tables."""
     if summary is None:
         return {}
     if "contacts" in summary:
@@ -59,10 +48,6 @@ def result_names(kind: str) -> tuple[str, ...]:
     ----------
     kind : str
         What is computed: "run", "torque", "contact", "slip", "dynamics" or "table".
-
-    Returns
-    -------
-    tuple of str
     """
     table = {"largest_coefficient": None, "error": {"quantile": None}, "films": None}
     nothing: dict[str, dict[str, Any]] = {

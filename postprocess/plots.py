@@ -23,12 +23,6 @@ def write_plots(results: BearingResults | ContactResults, directory: Path) -> tu
     """Draw every plot of a run into its folder `plots`; equal contacts are drawn once and named
     together.
 
-    Parameters
-    ----------
-    results : BearingResults or ContactResults
-    directory : Path
-        Result directory.
-
     Returns
     -------
     tuple of str

@@ -136,18 +136,7 @@ def _words(results: BatchResults, keys: list[str]) -> Varied:
 
 
 def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]:
-    """Draw the figure of a batch into its folder `plots`; what could not be drawn, and why.
-
-    Parameters
-    ----------
-    results : BatchResults
-    directory : Path
-        Folder of the batch.
-
-    Returns
-    -------
-    tuple of str
-    """
+    """Draw the figure of a batch into its folder `plots`; what could not be drawn, and why."""
     keys, shown = varied_keys(results), quantities(results)
     if not keys or not shown:
         return (

@@ -73,10 +73,6 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
     """Columns of the overview: one per ball, mirrored equal balls together, at most `COLUMNS`
     spread evenly.
 
-    Parameters
-    ----------
-    results : BearingResults
-
     Returns
     -------
     tuple of BallColumn

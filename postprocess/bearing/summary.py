@@ -39,10 +39,6 @@ BALL_QUANTITIES = {  # unit in SI, and key of the summary where it has the quant
 def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
     """Results as one JSON document in named units, the keys as published.
 
-    Parameters
-    ----------
-    results : BearingResults or ContactResults
-
     Returns
     -------
     dict

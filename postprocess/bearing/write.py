@@ -33,13 +33,6 @@ def write_netcdf(
     Groups: `/` (version, case, messages), `/ring`, `/balls`, and `/contacts/ball01/inner` ... with
     the fields P and h of each solved contact; a single contact has its fields in
     `/contacts/contact`.
-
-    Parameters
-    ----------
-    results : BearingResults or ContactResults
-    path : Path
-    document : dict, optional
-        The summary, if it is at hand.
     """
     document = summary(results) if document is None else document
     single = isinstance(results, ContactResults)

@@ -88,10 +88,6 @@ class Comparison:
 def compare(first: str | Path, second: str | Path) -> Comparison:
     """Compare two result folders of the same kind.
 
-    Parameters
-    ----------
-    first, second : str or Path
-
     Returns
     -------
     Comparison

@@ -18,11 +18,6 @@ def open_contact(directory: str | Path, contact: str | None = None) -> tuple[str
     contact : str, optional
         `ball01/inner`, `contact`; the first one with a film if left out.
 
-    Returns
-    -------
-    str, xarray.Dataset
-        In memory, SI or dimensionless as the `units` say.
-
     Raises
     ------
     ValueError

@@ -123,10 +123,6 @@ def draw_map(
         for many contacts.
     levels : sequence of float, optional
         Contour lines, in the unit of the quantity; equal steps over the scale if left out.
-
-    Returns
-    -------
-    matplotlib image
     """
     film = quantity == "film"
     field = view.film if film else view.pressure

@@ -67,15 +67,7 @@ def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], An
 
 
 class HistoryWriter:
-    """A netCDF-4 file that takes records one after the other.
-
-    Parameters
-    ----------
-    path : Path
-    balls : int
-    attributes : dict
-        Of the whole file.
-    """
+    """A netCDF-4 file that takes records one after the other."""
 
     def __init__(self, path: Path, balls: int, attributes: dict[str, str | float]) -> None:
         self.balls, self.rows = balls, 0
@@ -153,16 +145,6 @@ def _text() -> Any:
 def open_history(path: str | Path) -> xarray.Dataset:
     """Open the history of a time simulation; quantities are read from disk when they are first
     used.
-
-    Parameters
-    ----------
-    path : str or Path
-        `history.nc`, or the folder that holds it.
-
-    Returns
-    -------
-    xarray.Dataset
-        SI; close it when done.
 
     Raises
     ------
