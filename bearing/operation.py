@@ -49,35 +49,23 @@ class Model:
 class Operation:
     """Speeds, and per degree of freedom of the inner ring either its load or its displacement, SI.
 
-    Attributes
-    ----------
-    inner_speed, outer_speed : float
-        Angular speeds of the rings about +x [rad/s].
-    temperature : float
-        [K].
-    force : tuple of float or None
-        External force (x, y, z) on the inner ring [N]; None where the displacement is given.
-    moment : tuple of float or None
-        External moment (y, z) on the inner ring about the centre of its groove circle [N m].
-    displacement : tuple of float or None
-        Displacement (x, y, z) of the inner ring from facing, concentric grooves [m]; None where
-        the force is given.
-    tilt : tuple of float or None
-        Rotation (y, z) of the inner ring [rad].
-
     Raises
     ------
     ValueError
         If a degree of freedom has both or neither, or a value is not finite.
     """
 
-    inner_speed: float
-    outer_speed: float = 0.0
-    temperature: float = 313.15
+    inner_speed: float  # of the ring about +x [rad/s]
+    outer_speed: float = 0.0  # [rad/s]
+    temperature: float = 313.15  # [K]
+    # external force (x, y, z) on the inner ring [N]; None where the displacement is given
     force: tuple[float | None, float | None, float | None] = (0.0, 0.0, 0.0)
+    # external moment (y, z) on the inner ring about the centre of its groove circle [N m]
     moment: tuple[float | None, float | None] = (None, None)
+    # displacement (x, y, z) of the inner ring from facing, concentric grooves [m]; None where the
+    # force is given
     displacement: tuple[float | None, float | None, float | None] = (None, None, None)
-    tilt: tuple[float | None, float | None] = (0.0, 0.0)
+    tilt: tuple[float | None, float | None] = (0.0, 0.0)  # rotation (y, z) of the inner ring [rad]
 
     def __post_init__(self) -> None:
         for field in ("inner_speed", "outer_speed"):
@@ -116,23 +104,15 @@ class Operation:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RatingInput:
-    """What a rating needs beyond the bearing and its loads.
+    """What a rating needs beyond the bearing and its loads."""
 
-    Attributes
-    ----------
-    dynamic_rating : float or None
-        C_r of the catalogue [N]; None computes it from the geometry.
-    static_rating : float or None
-        C_0 of the catalogue [N]; None computes it from the geometry.
-    nominal_contact_angle : float
-        alpha of the rating formulas [rad], 0 for deep groove bearings.
-    contamination_factor : float or None
-        e_C [-], from 0 (severe) to 1 (none); None leaves the modified life out.
-    """
-
+    # C_r of the catalogue [N]; None computes it from the geometry
     dynamic_rating: float | None = None
+    # alpha of the rating formulas [rad], 0 for deep groove bearings
     nominal_contact_angle: float = 0.0
+    # e_C [-], from 0 (severe) to 1 (none); None leaves the modified life out
     contamination_factor: float | None = None
+    # C_0 of the catalogue [N]; None computes it from the geometry
     static_rating: float | None = None
 
     def __post_init__(self) -> None:

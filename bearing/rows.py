@@ -19,20 +19,13 @@ from .geometry import Array, Bearing
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Row:
-    """One row of balls.
+    """One row of balls."""
 
-    Attributes
-    ----------
-    axial_position : float
-        Of the middle of the inner groove from the point about which moments and tilts count [m].
-    offset : float
-        Middle of the inner groove from that of the outer one along +x, ring undisplaced [m].
-    first_ball_azimuth : float or None
-        Azimuth of its first ball [rad]; None takes the bearing's.
-    """
-
+    # of the middle of the inner groove from the point about which moments and tilts count [m]
     axial_position: float = 0.0
+    # middle of the inner groove from that of the outer one along +x, ring undisplaced [m]
     offset: float = 0.0
+    # azimuth of its first ball [rad]; None takes the bearing's
     first_ball_azimuth: float | None = None
 
     def __post_init__(self) -> None:

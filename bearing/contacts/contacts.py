@@ -30,7 +30,6 @@ def contact_conditions(
     ----------
     solution : QuasistaticSolution
         Loads in [N], angles in [rad], speeds in [rad/s].
-    lubricant : Lubricant
     """
     motions = _motions(solution)
     frames = _placements(solution, np.array([motion.speed for motion in motions]).reshape(-1, 2))

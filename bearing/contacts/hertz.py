@@ -27,10 +27,6 @@ def hertz_contacts(
         Reduced radii of curvature in x and y [m].
     reduced_modulus : ndarray, shape (N,)
         E' [Pa].
-
-    Returns
-    -------
-    list of HertzContact
     """
     k = ellipse_ratios(radius_x / radius_y)
     f = np.cbrt(2.0 / np.pi * elliprd(0.0, k**2, 1.0))

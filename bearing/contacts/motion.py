@@ -25,42 +25,25 @@ from .shape import groove_curvature_radius
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BallMotion:
-    """Motion of a ball in the frame that turns with its centre.
+    """Motion of a ball in the frame that turns with its centre."""
 
-    Attributes
-    ----------
-    orbit_speed : float
-        w_m of the ball's centre about +x [rad/s].
-    rotation : ndarray, shape (3,)
-        Angular velocity of the ball along e_x, e_r, e_t, in the frame of the orbit [rad/s].
-    """
-
-    orbit_speed: float
+    orbit_speed: float  # w_m of the ball's centre about +x [rad/s]
+    # (3,) angular velocity of the ball along e_x, e_r, e_t, in the frame of the orbit [rad/s]
     rotation: Array
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class MotionMap:
-    """Motions k of balls and races at contacts as linear functions of their speeds.
+    """Motions k of balls and races at contacts as linear functions of their speeds."""
 
-    Attributes
-    ----------
-    by_rotation : ndarray, shape (contacts, 4, 3)
-        Of the ball, by its angular velocity along e_x, e_r, e_t in the frame of its orbit [m],
-        [-].
-    by_ring : ndarray, shape (contacts, 4)
-        Of the ball against the race, by the speed of the contact's ring; the orbit's has the
-        opposite [m], [-].
-    ring_speed : ndarray, shape (contacts,)
-        [rad/s].
-    ball : ndarray of int, shape (contacts,)
-        Number of each contact's ball, from 0 [-].
-    """
-
+    # (contacts, 4, 3) of the ball, by its angular velocity along e_x, e_r, e_t in the frame of its
+    # orbit [m], [-]
     by_rotation: Array
+    # (contacts, 4) of the ball against the race, by the speed of the contact's ring; the orbit's
+    # has the opposite [m], [-]
     by_ring: Array
-    ring_speed: Array
-    ball: NDArray[np.int64]
+    ring_speed: Array  # (contacts,) [rad/s]
+    ball: NDArray[np.int64]  # (contacts,) number of each contact's ball, from 0 [-]
 
     def bodies(self, orbit: Array, rotation: Array) -> tuple[Array, Array]:
         """Motions of the balls and of the races, each (contacts, 4) [m/s], [rad/s], from the

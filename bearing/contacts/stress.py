@@ -27,54 +27,31 @@ RINGS = 40
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Truncation:
-    """Ellipse and shoulder.
+    """Ellipse and shoulder."""
 
-    Attributes
-    ----------
-    margin : float
-        From the end of the ellipse to the edge of the groove [m]; negative where the shoulder cuts
-        the ellipse.
-    length_share, load_share : float
-        Share of the ellipse's length, and of the load of the uncut ellipse, beyond the edge [-].
-    edge_pressure : float
-        Pressure of the uncut ellipse at the edge [Pa], a lower bound of that of the cut one; 0
-        without a cut.
-    """
-
+    # from the end of the ellipse to the edge of the groove [m]; negative where the shoulder cuts
+    # the ellipse
     margin: float
-    length_share: float
-    load_share: float
+    # beyond the edge, shares of the uncut ellipse
+    length_share: float  # [-]
+    load_share: float  # [-]
+    # pressure of the uncut ellipse at the edge [Pa], a lower bound of that of the cut one; 0
+    # without a cut
     edge_pressure: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactStress:
-    """Stress and sliding of one loaded contact.
+    """Stress and sliding of one loaded contact."""
 
-    Attributes
-    ----------
-    mean_pressure : float
-        2/3 p_h [Pa].
-    shear_maximum, shear_depth : float
-        Largest principal shear below the contact [Pa] and its depth [m].
-    orthogonal_shear, orthogonal_depth : float
-        Amplitude of the orthogonal shear along the rolling direction [Pa] and its depth [m].
-    sliding_speed : float
-        Largest sliding speed in the ellipse [m/s].
-    pressure_sliding : float
-        Largest product of pressure and sliding speed [W/m^2].
-    truncation : Truncation or None
-        None where no shoulder diameter is given.
-    """
-
-    mean_pressure: float
-    shear_maximum: float
-    shear_depth: float
-    orthogonal_shear: float
-    orthogonal_depth: float
-    sliding_speed: float
-    pressure_sliding: float
-    truncation: Truncation | None
+    mean_pressure: float  # 2/3 p_h [Pa]
+    shear_maximum: float  # largest principal shear below the contact [Pa]
+    shear_depth: float  # its depth [m]
+    orthogonal_shear: float  # amplitude along the rolling direction [Pa]
+    orthogonal_depth: float  # its depth [m]
+    sliding_speed: float  # largest sliding speed in the ellipse [m/s]
+    pressure_sliding: float  # largest product of pressure and sliding speed [W/m^2]
+    truncation: Truncation | None  # None where no shoulder diameter is given
 
 
 def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> ContactStress | None:

@@ -40,48 +40,26 @@ MAX_SECANT_SLOPE = 0.5
 class BalancedFriction:
     """Friction of all contacts, inner race then outer, ball by ball; arrays of shape (balls, 2)
     unless said.
-
-    Attributes
-    ----------
-    motions : tuple of BallMotion
-        Of each ball, speeds in [rad/s].
-    kinematics : ndarray, shape (balls, 2, 4)
-        S_x, S_y [m/s], spin and rolling speed [rad/s] of ball against race.
-    forces : ndarray, shape (balls, 2, 4)
-        F_x, F_y [N], spin moment and curvature moment [N m] on the ball.
-    ball_rolling : ndarray
-        Part of the rolling speed from the ball's own rotation [rad/s].
-    power : ndarray
-        Friction power [W].
-    shaft_power : float
-        Power that the two rings feed in, moments on them times their speeds [W].
-    resisted : float
-        Power that the balls give to the oil around them and to the cage's guidance [W].
-    residual : float
-        Largest force or moment (over the ball's radius) left on a ball, over the friction mu Q
-        [-].
-    cage_change : float
-        Push of the cage that the motion requires less the one applied, over the push [-].
-    driven : ndarray of bool, shape (balls,)
-        Balls that the inner race drives; the others are driven by the cage.
-    unknowns, cage : ndarray, shape (balls, 4) and (balls,)
-        Change of the motion, scaled to speeds [m/s], a guess for a similar law, and push of the
-        cage [N].
-    converged : bool
     """
 
-    motions: tuple[BallMotion, ...]
+    motions: tuple[BallMotion, ...]  # of each ball, speeds in [rad/s]
+    # (balls, 2, 4) S_x, S_y [m/s], spin and rolling speed [rad/s] of ball against race
     kinematics: Array
-    forces: Array
-    ball_rolling: Array
-    power: Array
-    shaft_power: float
+    forces: Array  # (balls, 2, 4) F_x, F_y [N], spin moment and curvature moment [N m] on the ball
+    ball_rolling: Array  # part of the rolling speed from the ball's own rotation [rad/s]
+    power: Array  # friction power [W]
+    shaft_power: float  # power that the two rings feed in, moments on them times their speeds [W]
+    # power that the balls give to the oil around them and to the cage's guidance [W]
     resisted: float
+    # largest force or moment (over the ball's radius) left on a ball, over the friction mu Q [-]
     residual: float
+    # push of the cage that the motion requires less the one applied, over the push [-]
     cage_change: float
+    # (balls,) balls that the inner race drives; the others are driven by the cage
     driven: NDArray[np.bool_]
+    # (balls, 4) change of the motion, scaled to speeds [m/s], a guess for a similar law
     unknowns: Array
-    cage: Array
+    cage: Array  # (balls,) push of the cage [N]
     converged: bool
 
     @property
@@ -155,10 +133,8 @@ def balance_balls(
 
     Parameters
     ----------
-    solution : QuasistaticSolution
     contacts : sequence of BearingContact
         All of its contacts, inner then outer, ball by ball.
-    law : ContactLaw
     gyroscopic : bool
         Whether the contacts have to hold the gyroscopic couple.
     driven : ndarray of bool, shape (balls,), optional

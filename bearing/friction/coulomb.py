@@ -42,28 +42,16 @@ ROUNDING = 3.0e-3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Ellipses:
-    """Loaded ellipses of contacts, each of shape (N,).
+    """Loaded ellipses of contacts, each of shape (N,)."""
 
-    Attributes
-    ----------
-    load : ndarray
-        Q [N]; zero where there is no contact.
-    semi_axis_x, semi_axis_y : ndarray
-        Along and across the rolling direction [m]; positive also where unloaded.
-    radius : ndarray
-        R of the loaded surface across the rolling direction [m].
-    friction : ndarray
-        Coulomb's mu [-].
-    rounding : ndarray
-        e, speed of sliding below which friction is rounded off where it is integrated by
-        quadrature [m/s].
-    """
-
-    load: Array
-    semi_axis_x: Array
-    semi_axis_y: Array
-    radius: Array
-    friction: Array
+    load: Array  # Q [N]; zero where there is no contact
+    # along and across the rolling direction, positive also where unloaded
+    semi_axis_x: Array  # [m]
+    semi_axis_y: Array  # [m]
+    radius: Array  # R of the loaded surface across the rolling direction [m]
+    friction: Array  # Coulomb's mu [-]
+    # e, speed of sliding below which friction is rounded off where it is integrated by quadrature
+    # [m/s]
     rounding: Array
 
     def take(self, numbers: NDArray[np.int64]) -> "Ellipses":
@@ -86,7 +74,6 @@ def line_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
     ----------
     motion : ndarray, shape (N, 4)
         S_x, S_y [m/s], Omega and omega [rad/s]; S_y is not looked at.
-    ellipses : Ellipses
 
     Returns
     -------
@@ -224,7 +211,6 @@ def balanced_friction(
 
     Parameters
     ----------
-    solution : QuasistaticSolution
     contacts : sequence of BearingContact
         All of its contacts, inner then outer, ball by ball.
     friction : float or ndarray, shape (contacts,)

@@ -67,12 +67,10 @@ def film_balance(
 
     Parameters
     ----------
-    solution : QuasistaticSolution
     contacts : sequence of BearingContact
         All of its contacts, inner then outer, ball by ball.
     films : sequence of ContactSolution or None
         One per contact, None where there is no load.
-    rheology : Rheology
     asperities : Asperities, optional
         None: full films.
     resistance : Resistance, optional

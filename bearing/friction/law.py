@@ -39,28 +39,18 @@ class Dissipation(NamedTuple):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactLaw:
-    """Friction of the contacts of an equilibrium, numbered inner race then outer, ball by ball.
+    """Friction of the contacts of an equilibrium, numbered inner race then outer, ball by ball."""
 
-    Attributes
-    ----------
-    evaluate : callable
-        Takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers (N,), gives a
-        `Dissipation`.
-    reference_force : ndarray, shape (contacts,)
-        Friction of each contact that residual forces are measured against [N].
-    longitudinal_only : bool
-        It knows no sliding across the rolling direction: balls then do not turn about the orbit's
-        tangent, and no gyroscopic couple is held.
-    has_rolling_resistance : bool
-        The oil's rolling resistance is in it.
-    is_potential : bool
-        Whether the power is the potential of the forces; if not, it is left zero.
-    """
-
+    # takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers (N,), gives a
+    # `Dissipation`
     evaluate: Callable[[Array, NDArray[np.int64]], Dissipation]
+    # (contacts,) friction of each contact that residual forces are measured against [N]
     reference_force: Array
+    # it knows no sliding across the rolling direction: balls then do not turn about the orbit's
+    # tangent, and no gyroscopic couple is held
     longitudinal_only: bool = False
-    has_rolling_resistance: bool = True
+    has_rolling_resistance: bool = True  # the oil's rolling resistance is in it
+    # whether the power is the potential of the forces; if not, it is left zero
     is_potential: bool = True
 
 
@@ -89,17 +79,9 @@ class TractionLaw(ABC):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BallTraction:
-    """Friction of balls on races and what holds the balls back.
-
-    Attributes
-    ----------
-    source : TractionLaw
-    lubricant : Lubricant
-        Of the contacts.
-    resistance : Resistance
-        Drag of the oil around the balls and of the cage's guidance.
-    """
+    """Friction of balls on races and what holds the balls back."""
 
     source: TractionLaw
-    lubricant: Lubricant
+    lubricant: Lubricant  # of the contacts
+    # drag of the oil around the balls and of the cage's guidance
     resistance: Resistance = NO_RESISTANCE

@@ -98,10 +98,6 @@ def build_race_tables(
 
     Parameters
     ----------
-    solution : QuasistaticSolution
-    lubricant : Lubricant
-    rheology : Rheology
-    options : TableOptions, optional
     progress : callable, optional
         Called with films done, films wanted so far, and a word.
     solids : tuple of SolidThermal, optional
@@ -126,12 +122,10 @@ def build_temperature_tables(
 
     Parameters
     ----------
-    solution : QuasistaticSolution
     oil_at : callable
         Lubricant and rheology at a temperature [K].
     temperatures : sequence of float
         Two or more, rising [K].
-    options : TableOptions, optional
     progress : callable, optional
         Called with films done, films wanted so far, and a word.
     solids : tuple of SolidThermal, optional

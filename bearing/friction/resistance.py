@@ -32,21 +32,11 @@ class Cage:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Resistance:
-    """What holds the balls back on their orbits beside the races.
+    """What holds the balls back on their orbits beside the races."""
 
-    Attributes
-    ----------
-    ball : float
-        Drag of the oil over the square of a ball's speed [N s^2/m^2].
-    land : float
-        Torque of the cage's guiding land over its slip, Petroff (1883) [N m s].
-    outer_guided : bool
-        The land runs on the outer ring, else on the inner one.
-    """
-
-    ball: float = 0.0
-    land: float = 0.0
-    outer_guided: bool = True
+    ball: float = 0.0  # drag of the oil over the square of a ball's speed [N s^2/m^2]
+    land: float = 0.0  # torque of the cage's guiding land over its slip, Petroff (1883) [N m s]
+    outer_guided: bool = True  # the land runs on the outer ring, else on the inner one
 
     def drag(self, speed: Array) -> Array:
         """Of each ball against its motion along the orbit at a speed [m/s], in [N]."""
@@ -76,8 +66,6 @@ def resistance_of(
 
     Parameters
     ----------
-    cage : Cage or None
-    bearing : Bearing
     viscosity, density : float
         Of the oil [Pa s], [kg/m^3].
     oil_fraction : float or None
@@ -107,7 +95,6 @@ def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_
 
     Parameters
     ----------
-    conditions : ContactConditions
     semi_axis_y, semi_axis_x : float
         Hertz semi-axes across and along rolling [m].
 
@@ -150,8 +137,6 @@ def hysteresis_torque(
 
     Parameters
     ----------
-    solution : QuasistaticSolution
-    contacts : sequence of BearingContact
     loss : float
         beta_a [-].
     """
@@ -179,7 +164,6 @@ def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: floa
 
     Parameters
     ----------
-    cage : Cage
     viscosity : float
         Of the oil [Pa s].
     ring_speed, cage_speed : float
@@ -219,7 +203,6 @@ def churning_power(solution: QuasistaticSolution, density: float, oil_fraction: 
 
     Parameters
     ----------
-    solution : QuasistaticSolution
     density : float
         Of the oil [kg/m^3].
     oil_fraction : float

@@ -46,13 +46,9 @@ class LawTraction(TractionLaw):
 class FourConstantTraction(TractionLaw):
     """mu = (A + B s) exp(-C s) + D over the ellipse of every contact, s the local slide over the
     entrainment speed.
-
-    Attributes
-    ----------
-    constants : tuple of float
-        A to D [-], see `ehl.traction.laws.four_constants`.
     """
 
+    # A to D [-], see `ehl.traction.laws.four_constants`
     constants: tuple[float, float, float, float]
 
     @property
@@ -73,15 +69,9 @@ class FourConstantTraction(TractionLaw):
 
 @dataclass(frozen=True, kw_only=True)
 class CoulombTraction(TractionLaw):
-    """Coulomb's friction over the ellipse, rounded at small sliding (`contact_ellipses`).
+    """Coulomb's friction over the ellipse, rounded at small sliding (`contact_ellipses`)."""
 
-    Attributes
-    ----------
-    friction : float
-        mu [-].
-    """
-
-    friction: float
+    friction: float  # mu [-]
 
     @property
     def description(self) -> str:
@@ -97,24 +87,16 @@ class CoulombTraction(TractionLaw):
 class FilmTraction(TractionLaw):
     """Shear of films solved for the contacts of the bearing, between two solves in proportion to
     the load.
-
-    Attributes
-    ----------
-    solve : callable
-        Takes the conditions of contacts, None where there is none, and gives their films [m],
-        [Pa].
-    rheology : Rheology
-    asperities : Asperities or None
-        What carries part of the loads [N] where the films are thin; None: full films.
-    films, loads : tuple
-        Of the contacts, and the loads they were solved at [N]; empty before `refresh`.
     """
 
+    # takes the conditions of contacts, None where there is none, and gives their films [m], [Pa]
     solve: SolveFilms
     rheology: Rheology
+    # what carries part of the loads [N] where the films are thin; None: full films
     asperities: Asperities | None = None
+    # empty before `refresh`
     films: tuple[ContactSolution | None, ...] = ()
-    loads: tuple[float, ...] = ()
+    loads: tuple[float, ...] = ()  # that the films were solved at [N]
 
     @property
     def description(self) -> str:

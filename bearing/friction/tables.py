@@ -118,7 +118,6 @@ def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, 
 
     Parameters
     ----------
-    law : FrictionLaw
     place : ndarray, shape (3,)
         Load [N], entrainment speed [m/s], rolling radius [m]; the entrainment is that of the
         rolling speed.

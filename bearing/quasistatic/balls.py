@@ -152,11 +152,6 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     u, w : ndarray, shape (2, ...)
         Axial and radial distance from the outer groove's centre to the ball and from there to the
         inner groove's [m].
-    problem : BallProblem
-
-    Returns
-    -------
-    BallState
     """
     outer_distance = np.sqrt(u[0] * u[0] + u[1] * u[1])
     inner_distance = np.sqrt(w[0] * w[0] + w[1] * w[1])
@@ -229,11 +224,6 @@ def _transmissible_share(
 def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
     """Residual of the ball equilibrium and what the ball does to the inner ring.
 
-    Parameters
-    ----------
-    state : BallState
-    problem : BallProblem
-
     Returns
     -------
     ndarray, shape (5, ...)
@@ -268,7 +258,6 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsE
         ball [m].
     u_start : ndarray, shape (2, Z), or None
         Guess of the ball positions [m].
-    problem : BallProblem
     """
     u = _start(V, u_start, problem)
     current = _evaluate(u, V, problem)

@@ -29,8 +29,6 @@ def stiffness_series(bearing: Bearing, race: Race, curvature: Curvature) -> Arra
 
     Parameters
     ----------
-    bearing : Bearing
-    race : Race
     curvature : Curvature
         With FREE the series is constant: K at the free contact angle.
 

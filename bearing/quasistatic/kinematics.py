@@ -45,27 +45,18 @@ class Motion(NamedTuple):
 class PrescribedBalls:
     """Motion of the balls and friction on them as a balance of traction gives them; each of shape
     (Z,).
-
-    Attributes
-    ----------
-    orbit_speed, spin_speed, pivot_speed : ndarray
-        About the axis, about the ball's own in the axial plane, about the tangent of the orbit
-        [rad/s].
-    attitude : ndarray
-        Of the spin axis in the axial plane [rad].
-    inner_friction, outer_friction : ndarray
-        Across the rolling direction, positive as those of a positive gyroscopic couple [N].
-    inner_drive : ndarray
-        Of the ball on the inner ring along the tangent of the orbit [N].
     """
 
+    # about the axis, about the ball's own in the axial plane, about the tangent of the orbit
+    # [rad/s]
     orbit_speed: Array
-    spin_speed: Array
-    pivot_speed: Array
-    attitude: Array
+    spin_speed: Array  # likewise [rad/s]
+    pivot_speed: Array  # likewise [rad/s]
+    attitude: Array  # of the spin axis in the axial plane [rad]
+    # across the rolling direction, positive as those of a positive gyroscopic couple [N]
     inner_friction: Array
-    outer_friction: Array
-    inner_drive: Array
+    outer_friction: Array  # likewise [N]
+    inner_drive: Array  # of the ball on the inner ring along the tangent of the orbit [N]
 
     @property
     def motion(self) -> Motion:
@@ -94,11 +85,6 @@ def attitude(
         Contact angles [-].
     gamma : float
         D/d_m [-].
-    kinematics : BallKinematics
-
-    Returns
-    -------
-    Direction
     """
     if kinematics is BallKinematics.OUTER_RACE_CONTROL:
         return direction(outer.sin, outer.cos + gamma)

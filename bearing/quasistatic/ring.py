@@ -122,7 +122,6 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
 
     Parameters
     ----------
-    ring : Ring
     problem : BallProblem
         Lengths in [m], forces in [N].
     start : RingStart or None

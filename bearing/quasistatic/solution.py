@@ -12,94 +12,53 @@ from ..rows import Row
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class QuasistaticSolution:
-    """Equilibrium of a bearing; arrays have one entry a ball, row by row.
-
-    Attributes
-    ----------
-    bearing, operation, model : Bearing, Operation, Model
-        What was solved.
-    displacement, tilt : ndarray, shape (3,) and (2,)
-        Of the inner ring, from facing, concentric grooves [m], [rad].
-    ring_force, ring_moment : ndarray, shape (3,) and (2,)
-        External force (x, y, z) [N] and moment (y, z) [N m] that hold the inner ring.
-    stiffness : ndarray, shape (5, 5)
-        Change of that load with (x, y, z, tilt y, tilt z) [N/m], [N/rad], [N m/rad].
-    azimuth : ndarray
-        [rad].
-    inner_load, outer_load : ndarray
-        Contact loads [N].
-    inner_contact_angle, outer_contact_angle : ndarray
-        [rad]; where the inner contact is unloaded, the direction towards the inner groove's
-        centre.
-    ball_axial, ball_radial : ndarray
-        Position of the ball centres along the axis and from it [m]; a single row counts from the
-        middle of its outer groove, rows count from the point about which moments count.
-    centrifugal_force : ndarray
-        [N].
-    gyroscopic_moment : ndarray
-        [N m].
-    orbit_speed, spin_speed : ndarray
-        Of the ball centre about the axis, and of the ball about its own in the frame of the orbit
-        [rad/s].
-    attitude : ndarray
-        Angle beta of the spin axis [rad].
-    pivot_speed : ndarray
-        Of the ball about the tangent of its orbit, by which it gives way to the gyroscopic couple
-        [rad/s].
-    inner_friction, outer_friction : ndarray
-        Of the races on the ball across the rolling direction, positive as those that hold a
-        positive gyroscopic couple [N].
-    inner_drive : ndarray
-        Friction of the ball on the inner ring along the tangent of the orbit; not asked for under
-        a hypothesis [N].
-    cage_driven : ndarray of bool
-        In traction equilibrium: loaded at the inner race, which cannot drive it, so that the cage
-        does.
-    cage_speed : float
-        Mean orbit speed of the balls loaded at the inner race, of all balls where there are none
-        [rad/s].
-    residual : float
-        Largest residual of ring (over the largest load) and of balls (over their forces) [-].
-    iterations : int
-    converged : bool
-    message : str
-    rows : tuple of Row
-    row_load : ndarray, shape (rows, 5)
-        What each row holds of the external load [N], [N m].
-    """
+    """Equilibrium of a bearing; arrays have one entry a ball, row by row."""
 
     bearing: Bearing
     operation: Operation
     model: Model
-    displacement: Array
-    tilt: Array
-    ring_force: Array
-    ring_moment: Array
+    # of the inner ring, from facing, concentric grooves
+    displacement: Array  # (3,) [m]
+    tilt: Array  # (2,) [rad]
+    # external load that holds the inner ring
+    ring_force: Array  # (3,) [N]
+    ring_moment: Array  # (2,) about y and z [N m]
+    # (5, 5) change of that load with (x, y, z, tilt y, tilt z) [N/m], [N/rad], [N m/rad]
     stiffness: Array
-    azimuth: Array
-    inner_load: Array
-    outer_load: Array
-    inner_contact_angle: Array
-    outer_contact_angle: Array
-    ball_axial: Array
-    ball_radial: Array
-    centrifugal_force: Array
-    gyroscopic_moment: Array
-    orbit_speed: Array
-    spin_speed: Array
-    attitude: Array
-    pivot_speed: Array
-    inner_friction: Array
-    outer_friction: Array
-    inner_drive: Array
+    azimuth: Array  # [rad]
+    inner_load: Array  # [N]
+    outer_load: Array  # [N]
+    # where the inner contact is unloaded, the direction towards the inner groove's centre
+    inner_contact_angle: Array  # [rad]
+    outer_contact_angle: Array  # [rad]
+    # position of the ball centres: a single row counts from the middle of its outer groove, rows
+    # from the point about which moments count
+    ball_axial: Array  # along the axis [m]
+    ball_radial: Array  # from the axis [m]
+    centrifugal_force: Array  # [N]
+    gyroscopic_moment: Array  # [N m]
+    orbit_speed: Array  # of the ball centre about the axis [rad/s]
+    spin_speed: Array  # of the ball about its own axis in the frame of the orbit [rad/s]
+    attitude: Array  # angle beta of the spin axis [rad]
+    pivot_speed: (
+        Array  # of the ball about the tangent of its orbit, by the gyroscopic couple [rad/s]
+    )
+    # of the races on the ball across the rolling direction, positive as those that hold a positive
+    # gyroscopic couple
+    inner_friction: Array  # [N]
+    outer_friction: Array  # [N]
+    # of the ball on the inner ring along the tangent of the orbit; zero under a hypothesis
+    inner_drive: Array  # [N]
+    # in traction equilibrium: loaded at the inner race, which cannot drive it, so the cage does
     cage_driven: NDArray[np.bool_]
+    # mean orbit speed of the balls loaded at the inner race, of all where there are none [rad/s]
     cage_speed: float
-    residual: float
+    residual: float  # of ring (over the largest load) and balls (over their forces), largest [-]
     iterations: int
     converged: bool
     message: str
     rows: tuple[Row, ...]
-    row_load: Array
+    row_load: Array  # (rows, 5) what each row holds of the external load [N], [N m]
 
     @property
     def row_of_ball(self) -> NDArray[np.int64]:

@@ -85,10 +85,8 @@ def torque_breakdown(
     ----------
     solution : QuasistaticSolution
         Loads [N], speeds [rad/s].
-    contacts : sequence of BearingContact
     lubricant : Lubricant
         Viscosity [Pa s], density [kg/m^3].
-    friction : FrictionInput
     shear : SolvedShear, optional
         Shear of every lubricated contact; without it there is no integrated model.
     solutions : sequence of ContactSolution or None, optional

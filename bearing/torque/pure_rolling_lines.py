@@ -38,10 +38,6 @@ def rolling_lines(spin_ratio: float, force: float = 0.0) -> RollingLines:
     force : float
         F/(mu Q) the friction has to carry, from -1 to 1 [-].
 
-    Returns
-    -------
-    RollingLines
-
     Raises
     ------
     ValueError

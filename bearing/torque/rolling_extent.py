@@ -18,27 +18,13 @@ from ..quasistatic.solution import QuasistaticSolution
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RollingExtent:
-    """Rolling torque of all films by where their oil is.
+    """Rolling torque of all films by where their oil is."""
 
-    Attributes
-    ----------
-    box : float
-        Of the solved boxes, as in the integrated torque [N m].
-    beyond_box : float or None
-        Of Kapitza's pressure from the boxes to the stated distance [N m].
-    beyond_extent : float or None
-        The part of `box` that lies farther out than that [N m].
-    doubling : float
-        What oil up to twice the distance would add [N m].
-    note : str
-        Why there is only that of the boxes.
-    """
-
-    box: float
-    beyond_box: float | None
-    beyond_extent: float | None
-    doubling: float
-    note: str = ""
+    box: float  # of the solved boxes, as in the integrated torque [N m]
+    beyond_box: float | None  # of Kapitza's pressure from the boxes to the stated distance [N m]
+    beyond_extent: float | None  # the part of `box` that lies farther out than that [N m]
+    doubling: float  # what oil up to twice the distance would add [N m]
+    note: str = ""  # why there is only that of the boxes
 
     @property
     def within_extent(self) -> float | None:

@@ -19,35 +19,22 @@ POWER_TOLERANCE = 1.0e-6
 class IntegratedTorque:
     """Heat of the contacts over the shaft's speed, by what it works against, and the balance of
     power.
-
-    Attributes
-    ----------
-    rolling, sliding, spin, curvature : float
-        Of the pressure flow, of sliding at the centres, of spin, of the surfaces' curvature [N m].
-        Rolling or curvature is None where the friction has no such part of its own; the other
-        then holds both.
-    asperity : float or None
-        Of asperities that touch [N m]; the oil's shear is then the rest. None where the friction
-        has no share of them.
-    shaft_power : float
-        What the two rings feed into the contacts [W].
-    heat : float
-        What the contacts turn into heat [W].
-    per_ball : ndarray, shape (balls,)
-        Torque by ball [N m].
-    resisted : float
-        What the balls give to the oil around them and to the cage's land where these are in the
-        balance [W].
     """
 
-    rolling: float | None
-    sliding: float
-    spin: float
-    curvature: float | None
-    shaft_power: float
-    heat: float
-    per_ball: Array
+    # rolling or curvature is None where the friction has no such part of its own; the other then
+    # holds both
+    rolling: float | None  # of the oil that the pressure pumps [N m]
+    sliding: float  # at the centres of the contacts [N m]
+    spin: float  # [N m]
+    curvature: float | None  # sliding by the surfaces' curvature [N m]
+    shaft_power: float  # what the two rings feed into the contacts [W]
+    heat: float  # what the contacts turn into heat [W]
+    per_ball: Array  # (balls,) torque by ball [N m]
+    # of asperities that touch [N m]; the oil's shear is then the rest. None where the friction has
+    # no share of them
     asperity: float | None = 0.0
+    # what the balls give to the oil around them and to the cage's land where these are in the
+    # balance [W]
     resisted: float = 0.0
 
     @property
@@ -78,32 +65,20 @@ class IntegratedTorque:
 class SolvedShear:
     """Shear of all films of a bearing: under the hypothesis of the ball's motion, and with the
     balls in balance.
-
-    Attributes
-    ----------
-    hypothesis : IntegratedTorque
-        At the motion that the equilibrium of the loads assumed.
-    balanced : IntegratedTorque or None
-        In traction equilibrium; None where it was not sought or not found.
-    asperity_share : float or None
-        Part of the sum of all loads on asperities [-]; None without roughness.
-    cage_driven : tuple of int
-        Numbers of balls, from 1, loaded at the inner race, which cannot drive them, so that the
-        cage does.
-    tractions : tuple of ContactTraction
-        Of every contact with a film, at the motion of `torque`.
-    note : str
-        Why there is no balanced one, or why it does not count as one.
-    missing_components : dict of str to str
-        Why parts of the torque are None, by name.
     """
 
-    hypothesis: IntegratedTorque
+    hypothesis: IntegratedTorque  # at the motion that the equilibrium of the loads assumed
+    # in traction equilibrium; None where it was not sought or not found
     balanced: IntegratedTorque | None = None
+    # part of the sum of all loads on asperities [-]; None without roughness
     asperity_share: float | None = None
+    # numbers of balls, from 1, loaded at the inner race, which cannot drive them, so that the cage
+    # does
     cage_driven: tuple[int, ...] = ()
+    # of every contact with a film, at the motion of `torque`
     tractions: tuple[ContactTraction, ...] = ()
-    note: str = ""
+    note: str = ""  # why there is no balanced one, or why it does not count as one
+    # why parts of the torque are None, by name
     missing_components: dict[str, str] = field(default_factory=dict)
 
     @property

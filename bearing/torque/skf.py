@@ -127,7 +127,6 @@ def skf_constants(kind: Series, series: str) -> SkfConstants:
 
     Parameters
     ----------
-    kind : Series
     series : str
         As in the catalogue, for example "62" or "72 B" [-].
 
@@ -152,11 +151,6 @@ def skf_constants(kind: Series, series: str) -> SkfConstants:
 
 def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
     """Frictional moment of a ball bearing.
-
-    Parameters
-    ----------
-    bearing : SkfBearing
-    operation : SkfOperation
 
     Returns
     -------

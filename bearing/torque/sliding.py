@@ -104,20 +104,14 @@ def sliding_contacts(
 def pure_rolling_line_torque(
     contacts: Sequence[SlidingContact], speed: float, friction: float
 ) -> SlidingTorque:
-    """Torque by the lines of pure rolling, no net force along the rolling direction.
+    """Torque by the lines of pure rolling, no net force along the rolling direction [N m].
 
     Parameters
     ----------
-    contacts : sequence of SlidingContact
     speed : float
         Of the shaft [rad/s].
     friction : float
         Coulomb's mu [-].
-
-    Returns
-    -------
-    SlidingTorque
-        [N m].
     """
     spin = rotation = orbit = 0.0
     for c in contacts:

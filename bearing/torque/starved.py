@@ -35,31 +35,18 @@ ROLLING_EXPONENT = 2.0  # of the film's share in that of the rolling resistance 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StarvedTorque:
-    """Friction torque at one supply.
+    """Friction torque at one supply."""
 
-    Attributes
-    ----------
-    rolling, film, asperity, cage, drag : float
-        Rolling resistance, sliding of the films, of asperities, cage, churning [N m].
-    film_share : float
-        Mean of the central films of the balls loaded at both races over the flooded ones [-].
-    lambda_least : float
-        Smallest minimum film over roughness of these contacts [-].
-    oil_fraction : float
-        Of the cavity [-].
-    flooded : float
-        The total with flooded films, and the same oil in the cavity [N m].
-    """
-
-    rolling: float
-    film: float
-    asperity: float
-    cage: float
-    drag: float
+    rolling: float  # rolling resistance [N m]
+    film: float  # sliding of the films [N m]
+    asperity: float  # sliding of asperities [N m]
+    cage: float  # [N m]
+    drag: float  # churning [N m]
+    # mean of the central films of the balls loaded at both races over the flooded ones [-]
     film_share: float
-    lambda_least: float
-    oil_fraction: float
-    flooded: float
+    lambda_least: float  # smallest minimum film over roughness of these contacts [-]
+    oil_fraction: float  # of the cavity [-]
+    flooded: float  # the total with flooded films, and the same oil in the cavity [N m]
 
     @property
     def total(self) -> float:
@@ -83,25 +70,16 @@ def starved_torque(
     supply: Supply | InletFilm,
     solutions: Sequence[ContactSolution | None] | None = None,
 ) -> StarvedTorque:
-    """Friction torque of a bearing at a supply.
+    """Friction torque of a bearing at a supply [N m].
 
     Parameters
     ----------
-    solution : QuasistaticSolution
-    contacts : sequence of BearingContact
-    lubricant : Lubricant
     friction : FrictionInput
         Its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or mu_EHL
         that of the films; its `oil_fraction` [-] counts with an `InletFilm`, for a `Supply` tells
         its own.
-    supply : Supply or InletFilm
     solutions : sequence of ContactSolution or None, optional
         Flooded films; those of formulas where one is missing, as `starved_films` has it.
-
-    Returns
-    -------
-    StarvedTorque
-        [N m].
 
     Raises
     ------
