@@ -5,37 +5,50 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from .bearing import with_error
 from .html import (
     NOTHING,
     card,
     facts,
-    items,
+    figure,
+    key_head,
     name_text,
+    note,
+    notes,
     number,
     picture,
+    side_by_side,
     table,
     text,
+    unfolding,
     unit_text,
     versions,
+    with_error,
 )
 
-MOST_ROWS = 500  # points listed; the CSV has all
+MAX_ROWS = 500  # points listed; the CSV has all
+# keys of a point that are no results
 STATE = ("point", "block", "keys", "status", "converged", "resumed", "message", "file")
+BANDS = {
+    "5 %": "q05",
+    "median": "q50",
+    "95 %": "q95",
+    "mean": "mean",
+    "standard deviation": "standard_deviation",
+}
 
 
 def cards(summary: dict[str, Any]) -> str:
     """How many points there are, and the ends of the main results."""
     points = summary["points"]
-    found = [card("points", str(len(points)))]
-    found += [card("without a result", str(summary["failed"]))] if summary["failed"] else []
+    shown = [card("points", str(len(points)))]
+    if summary["failed"]:
+        shown.append(card("without a result", str(summary["failed"])))
     for key, name in (("film_minimum_um", "minimum film"), ("torque_N_mm", "torque")):
         values = [point[key] for point in points if point.get(key) is not None]
         if values:
-            found.append(
-                card(name, f"{number(min(values), 4)} … {number(max(values), 4)}", unit_text(key))
-            )
-    return f'<div class="cards">{"".join(found)}</div>'
+            ends = f"{number(min(values), 4)} … {number(max(values), 4)}"
+            shown.append(card(name, ends, unit_text(key)))
+    return side_by_side(*shown, kind="cards")
 
 
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
@@ -48,20 +61,18 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
     yield "plots", "Results over the keys", "".join(pictures)
     yield "sensitivity", "What uncertain input does", _sensitivity(summary) + _bands(summary)
     yield "points", "Points", _points(summary)
-    notes = [str(message) for message in summary["messages"]]
-    yield "notes", "Notes", f'<div class="notes small">{items(notes)}</div>' if notes else ""
+    yield "notes", "Notes", notes(summary["messages"])
     yield "versions", "Versions and times", versions(summary)
 
 
 def _sweep(summary: dict[str, Any]) -> str:
     """The sweep file as run, and the keys that the case marks assumed."""
     numbers = {"case": summary["case"], "keys": summary["keys"], "points": len(summary["points"])}
-    assumed = summary.get("assumed") or []
-    numbers |= {"assumed in the case": assumed} if assumed else {}
+    if summary.get("assumed"):
+        numbers["assumed in the case"] = summary["assumed"]
     source = f'<pre class="small scroll">{escape(str(summary.get("sweep", "")))}</pre>'
-    return (
-        f'<div class="facts single">{facts("", numbers)}</div>'
-        + f"<details open><summary>The sweep file</summary>{source}</details>"
+    return side_by_side(facts("", numbers), kind="facts single") + unfolding(
+        "The sweep file", source, "open"
     )
 
 
@@ -73,87 +84,61 @@ def _points(summary: dict[str, Any]) -> str:
         for key in summary["keys"]
         if len({str(point["keys"].get(key)) for point in points}) > 1
     ]
-    names = list(dict.fromkeys(name for point in points for name in point if name not in STATE))
     names = [
         name
-        for name in names
-        if "_uncertainty_" not in name and any(point.get(name) is not None for point in points)
+        for name in dict.fromkeys(name for point in points for name in point)
+        if name not in STATE
+        and "_uncertainty_" not in name
+        and any(point.get(name) is not None for point in points)
     ]
-    head = [("#", "")]
-    head += [(name_text(key.rpartition(".")[2]), unit_text(key)) for key in keys]
-    head += [(name_text(name), unit_text(name)) for name in names] + [("state", "")]
+    key_columns = [(name_text(key.rpartition(".")[2]), unit_text(key)) for key in keys]
+    head = [("#", ""), *key_columns, *key_head(names), ("state", "")]
     rows = []
-    for point in points[:MOST_ROWS]:
-        state = (
-            point["status"]
-            if point["status"] != "done"
-            else ""
-            if point["converged"]
-            else "not converged"
-        )
+    for point in points[:MAX_ROWS]:
         cells = [str(point["point"]), *(text(point["keys"].get(key)) for key in keys)]
-        films = (
-            with_error(point, name) if name.startswith("film_") else _figure(point.get(name))
-            for name in names
-        )
-        cells += [*films, escape(state)]
+        for name in names:
+            is_film = name.startswith("film_")
+            cells.append(with_error(point, name) if is_film else figure(point.get(name)))
+        state = "" if point["converged"] else "not converged"
+        cells.append(state if point["status"] == "done" else escape(point["status"]))
         rows.append(("" if point["converged"] else "off", cells))
-    more = (
-        f"<p>{len(points) - MOST_ROWS} more points are in batch.csv.</p>"
-        if len(points) > MOST_ROWS
-        else ""
-    )
-    return table(head, rows, (len(head) - 1,)) + more
+    more = len(points) - MAX_ROWS
+    shown = table(head, rows, (len(head) - 1,))
+    return shown + (f"<p>{more} more points are in batch.csv.</p>" if more > 0 else "")
 
 
 def _sensitivity(summary: dict[str, Any]) -> str:
     """Logarithmic sensitivities, key by key."""
     rows = summary.get("sensitivity") or []
-    names = list(dict.fromkeys(name for row in rows for name in row["results"]))
     if not rows:
         return ""
+    names = list(dict.fromkeys(name for row in rows for name in row["results"]))
     lines = []
     for row in rows:
-        cells = (row["results"].get(name) for name in names)
-        shown = [
-            NOTHING
-            if c is None
-            else number(c["sensitivity"], 3) + (" ~" if c["resolved"] is False else "")
-            for c in cells
-        ]
-        lines.append(("", [escape(row["key"]), text(row["value"]), *shown]))
+        cells = [_sensitivity_cell(row["results"].get(name)) for name in names]
+        lines.append(("", [escape(row["key"]), text(row["value"]), *cells]))
     head = [("key", ""), ("value", ""), *((name_text(name), "") for name in names)]
-    note = "Percent by which a result changes for one percent of the key, by finite differences; ~: within the error bars."
-    return table(head, lines, (0,)) + f'<p class="quiet small">{note}</p>'
+    return table(head, lines, (0,)) + note(
+        "Percent by which a result changes for one percent of the key, by finite differences; "
+        "~: within the error bars."
+    )
+
+
+def _sensitivity_cell(cell: dict[str, Any] | None) -> str:
+    if cell is None:
+        return NOTHING
+    return number(cell["sensitivity"], 3) + (" ~" if cell["resolved"] is False else "")
 
 
 def _bands(summary: dict[str, Any]) -> str:
     """Quantiles over the sampled points."""
-    spread = summary.get("bands") or {}
-    if not spread:
+    bands = summary.get("bands") or {}
+    if not bands:
         return ""
-    head = [
-        ("", ""),
-        ("5 %", ""),
-        ("median", ""),
-        ("95 %", ""),
-        ("mean", ""),
-        ("standard deviation", ""),
-    ]
-    names = ("q05", "q50", "q95", "mean", "standard_deviation")
-    rows = [
-        ("", [f"{name_text(key)} [{unit_text(key) or '–'}]", *(number(band[n], 4) for n in names)])
-        for key, band in spread.items()
-    ]
-    count = max(band["points"] for band in spread.values())
+    rows = []
+    for key, band in bands.items():
+        name = f"{name_text(key)} [{unit_text(key) or '–'}]"
+        rows.append(("", [name, *(number(band[part], 4) for part in BANDS.values())]))
+    count = max(band["points"] for band in bands.values())
+    head = [("", ""), *((title, "") for title in BANDS)]
     return f"<h3>Bands over {count} sampled points</h3>" + table(head, rows, (0,))
-
-
-def _figure(value: Any) -> str:
-    return (
-        number(float(value), 4)
-        if isinstance(value, int | float)
-        else NOTHING
-        if value is None
-        else text(value)
-    )

@@ -5,191 +5,170 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from ..text import value_with_error
 from .html import (
     NOTHING,
     ROUND_OFF,
     card,
     facts,
+    figure,
     is_large,
+    key_head,
     name_text,
+    note,
     number,
     picture,
+    side_by_side,
     table,
     text,
+    unfolding,
     unit_text,
+    with_error,
     without_noise,
 )
 from .svg import stacked_bars
 
-CONTACT_COLUMNS = (
-    "load_N",
-    "contact_angle_deg",
-    "hertz_pressure_GPa",
-    "film_central_um",
-    "film_minimum_um",
-    "lambda_ratio",
-    "traction_coefficient",
-    "pressure_maximum_GPa",
-    "entrainment_speed_m_s",
-    "slide_roll_ratio",
-    "spin_roll_ratio",
-    "semi_axis_rolling_mm",
-    "semi_axis_transverse_mm",
-    "moes_M",
-    "moes_L",
-)
-KNOWN = frozenset(
-    "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance life frequencies_Hz "
-    "kinematic_frequencies_Hz torque_N_mm timing_s kind rows".split()
+# of the table of contacts, with a short title where the key's words are too long
+CONTACT_COLUMNS = {
+    "load_N": "",
+    "contact_angle_deg": "contact angle",
+    "hertz_pressure_GPa": "Hertz pressure",
+    "film_central_um": "",
+    "film_minimum_um": "",
+    "lambda_ratio": "Λ",
+    "traction_coefficient": "traction",
+    "pressure_maximum_GPa": "largest pressure",
+    "entrainment_speed_m_s": "entrain&shy;ment",
+    "slide_roll_ratio": "slide-roll",
+    "spin_roll_ratio": "spin-roll",
+    "semi_axis_rolling_mm": "semi-axis rolling",
+    "semi_axis_transverse_mm": "semi-axis transverse",
+    "moes_M": "M",
+    "moes_L": "L",
+}
+# blocks of a summary that have a place on the page
+PLACED = frozenset(
+    "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance "
+    "life frequencies_Hz kinematic_frequencies_Hz torque_N_mm timing_s kind rows".split()
 )
 # input among the results of a rating
 GIVEN = ("nominal_contact_angle_deg", "contamination_factor")
 TOP = ("schema_version", "title", "source", "assumed")
-NAMES = {"skf": "SKF", "houpert": "Houpert", "palmgren": "Palmgren", "yao": "Yao"}  # torque models
-SHORT = {
-    "contact_angle_deg": "contact angle",
-    "hertz_pressure_GPa": "Hertz pressure",
-    "semi_axis_rolling_mm": "semi-axis rolling",
-    "semi_axis_transverse_mm": "semi-axis transverse",
-    "entrainment_speed_m_s": "entrain&shy;ment",
-    "slide_roll_ratio": "slide-roll",
-    "spin_roll_ratio": "spin-roll",
-    "pressure_maximum_GPa": "largest pressure",
-    "lambda_ratio": "Λ",
-    "traction_coefficient": "traction",
-    "moes_M": "M",
-    "moes_L": "L",
+MODEL_NAMES = {"skf": "SKF", "houpert": "Houpert", "palmgren": "Palmgren", "yao": "Yao"}
+FILM_PICTURES = {
+    "film_per_azimuth": "Film thickness ball by ball, both races",
+    "pressure_per_azimuth": "Pressure ball by ball, both races",
+}
+BLOCKS = {
+    "life": "Rating life",
+    "clearance": "Clearance",
+    "frequencies_Hz": "Frequencies [Hz]",
+    "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
 }
 
 
 def input_tables(case: dict[str, Any]) -> str:
     """Every table of the case as run; what the case marks as assumed stands out."""
     assumed = frozenset(str(key) for key in case.get("assumed", ()))
+    tables = {name: values for name, values in case.items() if name not in TOP}
     blocks = []
-    for name, values in case.items():
-        if name in TOP or not isinstance(values, dict):
+    for name, values in tables.items():
+        if not isinstance(values, dict):
             continue
         # materials and oils by name
         if values and all(isinstance(inner, dict) for inner in values.values()):
-            for inner, table_values in values.items():
-                blocks.append(facts(f"{name}: {inner}", table_values, assumed, f"{name}.{inner}"))
+            blocks += [
+                facts(f"{name}: {inner}", inner_values, assumed, f"{name}.{inner}")
+                for inner, inner_values in values.items()
+            ]
         else:
             blocks.append(facts(name, values, assumed, name))
-    lists = [
-        (name, rows) for name, rows in case.items() if isinstance(rows, list) and name not in TOP
-    ]
-    blocks += [
-        facts(f"{name} {k}", row, assumed, name)
-        for name, rows in lists
-        for k, row in enumerate(rows, 1)
-        if isinstance(row, dict)
-    ]
-    legend = (
-        '<p class="small"><span class="mark">*</span> assumed: no source gives this value</p>'
-        if assumed
-        else ""
-    )
-    return f'{legend}<div class="facts">{"".join(blocks)}</div>'
+    for name, rows in tables.items():
+        numbered = enumerate(rows, 1) if isinstance(rows, list) else ()
+        blocks += [
+            facts(f"{name} {k}", row, assumed, name)
+            for k, row in numbered
+            if isinstance(row, dict)
+        ]
+    legend = '<span class="mark">*</span> assumed: no source gives this value'
+    legend = f'<p class="small">{legend}</p>' if assumed else ""
+    return legend + (side_by_side(*blocks) or '<div class="facts"></div>')
 
 
 def cards(summary: dict[str, Any]) -> str:
     """The numbers that are looked at first."""
-    found = []
     contacts = [contact for contact in summary.get("contacts") or () if contact.get("loaded")]
-    films = [contact for contact in contacts if contact.get("film_minimum_um") is not None] or (
-        [summary] if summary.get("film_minimum_um") is not None else []
-    )
-    if films:
-        thinnest = min(films, key=lambda contact: contact["film_minimum_um"])
-        where = f", ball {thinnest['ball']} {thinnest['race']}" if "ball" in thinnest else ""
-        found.append(card(f"minimum film{where}", with_error(thinnest, "film_minimum_um"), "µm"))
-    elif summary.get("film_minimum_dimensionless") is not None:
-        found.append(
-            card("minimum film", with_error(summary, "film_minimum_dimensionless"), "a²/Rx")
-        )
-    pressures = [
-        c["hertz_pressure_GPa"]
-        for c in contacts or [summary]
-        if c.get("hertz_pressure_GPa") is not None
-    ]
-    if pressures:
-        found.append(card("largest Hertz pressure", number(max(pressures), 4), "GPa"))
+    shown = _film_card(contacts or [summary])
+    pressures = [contact.get("hertz_pressure_GPa") for contact in contacts or [summary]]
+    largest = max((value for value in pressures if value is not None), default=None)
+    if largest is not None:
+        shown.append(card("largest Hertz pressure", number(largest, 4), "GPa"))
     if contacts:
         inner = sum(contact["race"] == "inner" for contact in contacts)
-        found.append(card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
+        shown.append(card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
     torque = (summary.get("torque_N_mm") or {}).get("total")
     life = (summary.get("life") or {}).get("basic_reference_rating_Mrev")
-    single = (
+    for name, value, unit in (
         ("friction torque", torque, "N mm"),
         ("rating life", life, "10⁶ rev"),
         ("cage speed", summary.get("cage_speed_rpm"), "rpm"),
         ("load", summary.get("load_N"), "N"),
-    )
-    found += [
-        card(name, number(value, 4), unit) for name, value, unit in single if value is not None
-    ]
-    return f'<div class="cards">{"".join(found)}</div>' if found else ""
+    ):
+        if value is not None:
+            shown.append(card(name, number(value, 4), unit))
+    return side_by_side(*shown, kind="cards")
 
 
-def with_error(row: dict[str, Any], key: str) -> str:
-    """A film with its uncertainty, to the figures that it supports."""
-    value = row.get(key)
-    if value is None:
-        return NOTHING
-    head, _, unit = key.rpartition("_")
-    error = row.get(f"{head}_uncertainty_{unit}")
-    return number(value) if error is None else value_with_error(value, error)
+def _film_card(contacts: list[dict[str, Any]]) -> list[str]:
+    """The thinnest film; dimensionless of a contact in Moes' groups."""
+    films = [contact for contact in contacts if contact.get("film_minimum_um") is not None]
+    if films:
+        thinnest = min(films, key=lambda contact: contact["film_minimum_um"])
+        where = f", ball {thinnest['ball']} {thinnest['race']}" if "ball" in thinnest else ""
+        return [card(f"minimum film{where}", with_error(thinnest, "film_minimum_um"), "µm")]
+    if contacts[0].get("film_minimum_dimensionless") is not None:
+        film = with_error(contacts[0], "film_minimum_dimensionless")
+        return [card("minimum film", film, "a²/Rx")]
+    return []
 
 
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
     """Anchor, title and content of the parts that a bearing or a contact has."""
+    plots = folder / "plots"
     if "contacts" in summary:
-        yield "loads", "Load zone and equilibrium", _loads(summary, folder)
+        yield "loads", "Load zone and equilibrium", _loads(summary, plots)
         yield "contacts", "Contacts", _contacts(summary["contacts"])
-    yield "films", "Film and pressure", _films(summary, folder)
+        yield "films", "Film and pressure", _films(plots)
+    else:
+        yield "films", "Film and pressure", _single_film(summary, plots)
     yield "torque", "Friction torque", _torque(summary.get("torque_N_mm") or {})
-    blocks = {
-        "life": "Rating life",
-        "clearance": "Clearance",
-        "frequencies_Hz": "Frequencies [Hz]",
-        "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
-    }
     shown = [
-        facts(title, _known(summary[key]))
-        for key, title in blocks.items()
-        if _says_something(summary.get(key))
+        facts(title, _without_null(summary[key]))
+        for key, title in BLOCKS.items()
+        if _has_results(summary.get(key))
     ]
-    yield (
-        "life",
-        "Life, clearance, frequencies",
-        f'<div class="facts">{"".join(shown)}</div>' if shown else "",
-    )
+    yield "life", "Life, clearance, frequencies", side_by_side(*shown)
     yield "convergence", "Convergence and uncertainty", _convergence(summary)
 
 
-def _says_something(block: Any) -> bool:
+def _has_results(block: Any) -> bool:
     return isinstance(block, dict) and any(
-        v is not None for key, v in block.items() if key not in GIVEN
+        value is not None for key, value in block.items() if key not in GIVEN
     )
 
 
-def _known(block: dict[str, Any]) -> dict[str, Any]:
+def _without_null(block: dict[str, Any]) -> dict[str, Any]:
     """A block without what is null; the notes say why it is."""
     return {key: value for key, value in block.items() if value is not None}
 
 
-def _loads(summary: dict[str, Any], folder: Path) -> str:
+def _loads(summary: dict[str, Any], plots: Path) -> str:
     ring = summary.get("ring") or {}
     numbers = {key: value for key, value in ring.items() if key != "stiffness"}
-    numbers |= {"cage_speed_rpm": summary.get("cage_speed_rpm")}
-    blocks = (
-        f'<div class="facts">{facts("Inner ring", numbers)}</div>'
-        + _stiffness(ring.get("stiffness") or {})
-        + _balls(summary.get("balls") or [])
-    )
-    zone = picture(folder / "plots" / "load_zone.png", "Contact loads around the bearing")
-    return f'<div class="pair">{zone}<div>{blocks}</div></div>' if zone else blocks
+    numbers["cage_speed_rpm"] = summary.get("cage_speed_rpm")
+    blocks = side_by_side(facts("Inner ring", numbers))
+    blocks += _stiffness(ring.get("stiffness") or {}) + _balls(summary.get("balls") or [])
+    zone = picture(plots / "load_zone.png", "Contact loads around the bearing")
+    return side_by_side(zone, f"<div>{blocks}</div>", kind="pair") if zone else blocks
 
 
 def _stiffness(stiffness: dict[str, Any]) -> str:
@@ -197,85 +176,59 @@ def _stiffness(stiffness: dict[str, Any]) -> str:
     if not matrix or not order:
         return ""
     level = ROUND_OFF * max(abs(value) for row in matrix for value in row)
-    plain = [[0.0 if abs(value) < level else value for value in row] for row in matrix]
-    rows = [
-        ("", [escape(name), *(number(value, 3) for value in row)])
-        for name, row in zip(order, plain, strict=True)
-    ]
-    note = '<p class="quiet small">d(load)/d(displacement): N/m, N/rad; moments N m/m, N m/rad</p>'
-    return (
-        "<h3>Stiffness</h3>"
-        + table([("", ""), *((escape(name), "") for name in order)], rows, (0,))
-        + note
-    )
+    rows = []
+    for name, row in zip(order, matrix, strict=True):
+        cells = [number(0.0 if abs(value) < level else value, 3) for value in row]
+        rows.append(("", [escape(name), *cells]))
+    head = [("", ""), *((escape(name), "") for name in order)]
+    legend = note("d(load)/d(displacement): N/m, N/rad; moments N m/m, N m/rad")
+    return f"<h3>Stiffness</h3>{table(head, rows, (0,))}{legend}"
 
 
 def _balls(balls: list[dict[str, Any]]) -> str:
-    if not balls:
+    keys = [
+        key
+        for key in (balls[0] if balls else ())
+        if any(isinstance(ball.get(key), int | float) for ball in balls)
+    ]
+    if not keys:
         return ""
-    names = [
-        key for key in balls[0] if any(isinstance(ball.get(key), int | float) for ball in balls)
-    ]
-    rows = [
-        (
-            "",
-            [
-                number(ball[key], 4) if isinstance(ball[key], float) else text(ball[key])
-                for key in names
-            ],
-        )
-        for ball in balls
-    ]
-    return (
-        "<details><summary>Balls</summary>"
-        + table([(name_text(n), unit_text(n)) for n in names], rows)
-        + "</details>"
-    )
+    rows = [("", [_ball_cell(ball[key]) for key in keys]) for ball in balls]
+    return unfolding("Balls", table(key_head(keys), rows))
+
+
+def _ball_cell(value: Any) -> str:
+    return figure(value) if isinstance(value, float) else text(value)
 
 
 def _contacts(contacts: list[dict[str, Any]]) -> str:
     """One line per ball and race; columns without a value anywhere are left out."""
-    names = [
-        name
-        for name in CONTACT_COLUMNS
-        if any(contact.get(name) is not None for contact in contacts)
+    keys = [
+        key for key in CONTACT_COLUMNS if any(contact.get(key) is not None for contact in contacts)
     ]
     head = [("ball", ""), ("azimuth", "°"), ("race", "")]
-    head += [(SHORT.get(name, name_text(name)), unit_text(name)) for name in names]
+    head += [(CONTACT_COLUMNS[key] or name_text(key), unit_text(key)) for key in keys]
     rows = []
     for contact in contacts:
         state = "" if contact.get("converged") in (None, True) else " !"
         state += "" if contact.get("resolved") in (None, True) else " ?"
-        cells = [
-            str(contact["ball"]) + state,
-            number(contact["azimuth_deg"] % 360.0, 5),
-            escape(contact["race"]),
-        ]
-        for name in names:
-            film = name.startswith("film_")
-            cells.append(with_error(contact, name) if film else _figure(contact.get(name)))
+        azimuth = number(contact["azimuth_deg"] % 360.0, 5)
+        cells = [f"{contact['ball']}{state}", azimuth, escape(contact["race"])]
+        for key in keys:
+            is_film = key.startswith("film_")
+            cells.append(with_error(contact, key) if is_film else figure(contact.get(key)))
         rows.append(("" if contact.get("loaded") else "off", cells))
-    legend = (
+    return table(head, rows, (2,)) + note(
         "grey: unloaded; !: not converged; ?: film not resolved. All columns are in contacts.csv."
     )
-    return table(head, rows, (2,)) + f'<p class="quiet small">{legend}</p>'
-
-
-def _figure(value: Any) -> str:
-    return NOTHING if value is None else number(float(value), 4)
 
 
 def known_pictures(summary: dict[str, Any]) -> set[str]:
     """Names of the pictures that the parts of the page place themselves."""
-    names = {
-        f"{race}_ball{c['ball']:02d}"
-        for c in summary.get("contacts") or ()
-        for race in ("inner", "outer")
-    }
-    return {
-        f"{name}.png"
-        for name in ({"load_zone", "film_per_azimuth", "pressure_per_azimuth", "contact"} | names)
-    }
+    names = {"load_zone", "contact", *FILM_PICTURES}
+    for contact in summary.get("contacts") or ():
+        names |= {f"{race}_ball{contact['ball']:02d}" for race in ("inner", "outer")}
+    return {f"{name}.png" for name in names}
 
 
 def is_single_contact(summary: dict[str, Any]) -> bool:
@@ -283,141 +236,113 @@ def is_single_contact(summary: dict[str, Any]) -> bool:
     return "film_central_dimensionless" in summary
 
 
-def _films(summary: dict[str, Any], folder: Path) -> str:
-    plots = folder / "plots"
-    if "contacts" not in summary:
-        if not is_single_contact(summary):
-            return ""
-        numbers = {
-            key: value
-            for key, value in summary.items()
-            if key not in KNOWN and not is_large(value)
-        }
-        shown = picture(plots / "contact.png", "Film thickness and pressure of the contact")
-        return (
-            shown + f'<div class="facts">{facts("Numbers", numbers)}</div>'
-            if shown or numbers
-            else ""
-        )
-    shown = picture(
-        plots / "film_per_azimuth.png", "Film thickness ball by ball, both races", wide=True
+def _single_film(summary: dict[str, Any], plots: Path) -> str:
+    """Picture and numbers of a single contact."""
+    if not is_single_contact(summary):
+        return ""
+    shown = picture(plots / "contact.png", "Film thickness and pressure of the contact")
+    numbers = {
+        key: value for key, value in summary.items() if key not in PLACED and not is_large(value)
+    }
+    return shown + side_by_side(facts("Numbers", numbers))
+
+
+def _films(plots: Path) -> str:
+    """Pictures of the films of a bearing."""
+    shown = "".join(
+        picture(plots / f"{name}.png", caption, wide=True)
+        for name, caption in FILM_PICTURES.items()
     )
-    shown += picture(
-        plots / "pressure_per_azimuth.png", "Pressure ball by ball, both races", wide=True
-    )
-    single = [
+    maps = [
         picture(path, path.stem.replace("_ball", " race, ball ").replace("ball 0", "ball "))
         for path in sorted([*plots.glob("inner_ball*.png"), *plots.glob("outer_ball*.png")])
     ]
-    if single:
-        gallery = f'<div class="gallery">{"".join(single)}</div>'
-        shown += f"<details><summary>Maps of every distinct contact ({len(single)})</summary>{gallery}</details>"
+    if maps:
+        title = f"Maps of every distinct contact ({len(maps)})"
+        shown += unfolding(title, side_by_side(*maps, kind="gallery"))
     return shown
 
 
 def _torque(torque: dict[str, Any]) -> str:
     """The models side by side: bars of their parts, and the numbers."""
-    models = {
-        name: parts
-        for name, parts in (torque.get("models") or {}).items()
-        if isinstance(parts, dict)
-    }
-    known = {
-        name: parts
-        for name, parts in models.items()
-        if isinstance(parts.get("total"), int | float)
-    }
-    if not known:
+    totals: dict[str, float] = {}
+    parts: dict[str, dict[str, float]] = {}
+    for name, model in (torque.get("models") or {}).items():
+        if isinstance(model, dict) and isinstance(model.get("total"), int | float):
+            totals[name] = float(model["total"])
+            parts[name] = _torque_parts(model)
+    if not totals:
         return ""
-    numbers = {
-        name: _without_noise(
-            {
-                part: float(v)
-                for part, v in parts.items()
-                if part != "total" and isinstance(v, int | float)
-            }
-        )
-        for name, parts in known.items()
-    }
-    bars = stacked_bars([(_words(n), numbers[n], float(known[n]["total"])) for n in known], "N mm")
+    bars = stacked_bars([(_words(n), parts[n], total) for n, total in totals.items()], "N mm")
     rows = []
-    for name, parts in known.items():
-        inner = ", ".join(
-            f"{escape(_words(part))} {number(value, 4)}" for part, value in numbers[name].items()
-        )
-        rows.append(
-            ("", [escape(_words(name)), number(float(parts["total"]), 4), inner or NOTHING])
-        )
+    for name, total in totals.items():
+        shown = (f"{escape(_words(part))} {number(v, 4)}" for part, v in parts[name].items())
+        cells = [escape(_words(name)), number(total, 4), ", ".join(shown) or NOTHING]
+        rows.append(("", cells))
     caption = "Each model has its own assumptions; hover over a bar for its parts."
-    figure = (
+    picture_of_bars = (
         f'<figure><div class="scroll wide">{bars}</div><figcaption>{caption}</figcaption></figure>'
     )
-    rest = {
-        key: v for key, v in torque.items() if not isinstance(v, dict | list) and v is not None
-    }
-    return (
-        figure
-        + table([("model", ""), ("total", "N mm"), ("parts", "N mm")], rows, (0, 2))
-        + _alone(rest)
+    head = [("model", ""), ("total", "N mm"), ("parts", "N mm")]
+    rest = "; ".join(
+        f"{name_text(key)} {text(value)}"
+        for key, value in torque.items()
+        if value is not None and not isinstance(value, dict | list)
     )
+    return picture_of_bars + table(head, rows, (0, 2)) + (f"<p>{rest}</p>" if rest else "")
 
 
-def _without_noise(parts: dict[str, float]) -> dict[str, float]:
+def _torque_parts(model: dict[str, Any]) -> dict[str, float]:
     """Parts of a sum [N mm]; round-off beside the largest of them is 0."""
+    parts = {
+        name: float(value)
+        for name, value in model.items()
+        if name != "total" and isinstance(value, int | float)
+    }
     return dict(zip(parts, without_noise(list(parts.values())), strict=True))
 
 
-def _alone(values: dict[str, Any]) -> str:
-    return (
-        f"<p>{'; '.join(f'{name_text(key)} {text(value)}' for key, value in values.items())}</p>"
-        if values
-        else ""
-    )
-
-
 def _words(name: str) -> str:
-    return NAMES.get(name, name.replace("_", " "))
+    return MODEL_NAMES.get(name, name.replace("_", " "))
 
 
 def _convergence(summary: dict[str, Any]) -> str:
     """Residual of the equilibrium, and box, nodes and error bars of every distinct film."""
-    shown = (
-        f'<div class="facts">{facts("Equilibrium", summary["equilibrium"])}</div>'
-        if "equilibrium" in summary
-        else ""
-    )
-    rows = []
-    seen = set()
+    shown = ""
+    if "equilibrium" in summary:
+        shown = side_by_side(facts("Equilibrium", summary["equilibrium"]))
+    distinct: dict[tuple[str, ...], dict[str, Any]] = {}
     for contact in summary.get("contacts") or ():
-        if contact.get("film_minimum_um") is None:
-            continue
-        key = (
-            contact["race"],
-            *(f"{contact[name]:.6g}" for name in ("film_minimum_um", "film_central_um", "load_N")),
+        if contact.get("film_minimum_um") is not None:
+            names = ("film_minimum_um", "film_central_um", "load_N")
+            values = (f"{contact[name]:.6g}" for name in names)
+            distinct.setdefault((contact["race"], *values), contact)
+    if not distinct:
+        return shown
+    head = [("ball, race", ""), ("nodes", ""), ("box", "semi-axes")]
+    head += [("central film", "± %"), ("minimum film", "± %"), ("converged", ""), ("resolved", "")]
+    rows = [("", _convergence_cells(contact)) for contact in distinct.values()]
+    return (
+        shown
+        + table(head, rows, (0,))
+        + note(
+            "Error bars enclose the distance to the film on an infinitely fine grid "
+            "of the same equations."
         )
-        if key in seen:
-            continue
-        seen.add(key)
-        box = (
-            " … ".join(number(x, 3) for x in contact["domain"][:2])
-            + f"; ±{number(contact['domain'][2], 3)}"
-        )
-        nodes = " × ".join(map(str, contact["points"]))
-        errors = [_share(contact, f"film_{film}") for film in ("central", "minimum")]
-        states = [text(contact.get("converged")), text(contact.get("resolved"))]
-        rows.append(("", [f"{contact['ball']} {contact['race']}", nodes, box, *errors, *states]))
-    head = [
-        ("ball, race", ""),
-        ("nodes", ""),
-        ("box", "semi-axes"),
-        ("central film", "± %"),
-        ("minimum film", "± %"),
+    )
+
+
+def _convergence_cells(contact: dict[str, Any]) -> list[str]:
+    start, end, half_width = (number(length, 3) for length in contact["domain"])
+    return [
+        f"{contact['ball']} {contact['race']}",
+        " × ".join(map(str, contact["points"])),
+        f"{start} … {end}; ±{half_width}",
+        *(_relative_error(contact, f"film_{film}") for film in ("central", "minimum")),
+        *(text(contact.get(state)) for state in ("converged", "resolved")),
     ]
-    head += [("converged", ""), ("resolved", "")]
-    note = "Error bars enclose the distance to the film on an infinitely fine grid of the same equations."
-    return shown + (table(head, rows, (0,)) + f'<p class="quiet small">{note}</p>' if rows else "")
 
 
-def _share(contact: dict[str, Any], film: str) -> str:
+def _relative_error(contact: dict[str, Any], film: str) -> str:
     value, error = contact[f"{film}_um"], contact[f"{film}_uncertainty_um"]
     return NOTHING if not value else number(100.0 * error / value, 2)

@@ -11,6 +11,8 @@ from typing import Any
 
 from ehl.units import unit_of, without_unit
 
+from ..text import value_with_error
+
 NOTHING = "–"
 SYMBOLS = {
     "um": "µm",
@@ -23,9 +25,10 @@ SYMBOLS = {
 }
 DIGITS = 5
 ROUND_OFF = 1e-9  # of the largest component
-MOST_LISTED = 6  # entries of a list on one line
-LONGEST = 60  # characters of a value beside its key
-LONG = 28  # characters from which on a text may break
+MAX_LISTED = 6  # entries of a list on one line
+MAX_BESIDE_KEY = 60  # characters of a value beside its key
+MAX_UNBROKEN = 28  # characters from which on a text may break
+LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")
 
 
 def text(value: Any) -> str:
@@ -56,6 +59,21 @@ def number(value: float, digits: int = DIGITS) -> str:
     return plain.replace("-", "−")
 
 
+def figure(value: Any) -> str:
+    """A result to four figures, a dash for null."""
+    return number(float(value), 4) if isinstance(value, int | float) else text(value)
+
+
+def with_error(row: dict[str, Any], key: str) -> str:
+    """A film with its uncertainty, to the figures that it supports."""
+    value = row.get(key)
+    head, _, unit = key.rpartition("_")
+    error = row.get(f"{head}_uncertainty_{unit}")
+    if value is None or error is None:
+        return NOTHING if value is None else number(value)
+    return value_with_error(value, error)
+
+
 def without_noise(values: Sequence[Any]) -> list[Any]:
     """Components of one vector [any unit]; round-off beside the largest of them is 0."""
     numbers = [abs(v) for v in values if isinstance(v, float) and isfinite(v)]
@@ -72,6 +90,11 @@ def unit_text(key: str) -> str:
 def name_text(key: str) -> str:
     """A key in words."""
     return escape(without_unit(key))
+
+
+def key_head(keys: Iterable[str]) -> list[tuple[str, str]]:
+    """Names and units of columns, by the keys of their values."""
+    return [(name_text(key), unit_text(key)) for key in keys]
 
 
 def table(
@@ -94,26 +117,24 @@ def table(
     -------
     str
     """
-    kind = lambda column: ' class="text"' if column in texts else ""  # noqa: E731
     heads = "".join(
-        f"<th{kind(i)}>{name}{f'<small>{unit}</small>' if unit else ''}</th>"
+        f"<th{_text_class(i in texts)}>{name}{f'<small>{unit}</small>' if unit else ''}</th>"
         for i, (name, unit) in enumerate(head)
     )
     lines = []
     for style, cells in rows:
         shown = "".join(
-            f"<td{_cell_class(i in texts, cell)}>{cell}</td>" for i, cell in enumerate(cells)
+            f"<td{_text_class(i in texts, len(cell))}>{cell}</td>" for i, cell in enumerate(cells)
         )
-        lines.append(
-            f"<tr{f' class={style!r}' if style else ''}>{shown}</tr>".replace("'", '"', 2)
-        )
-    return f'<div class="scroll"><table><thead><tr>{heads}</tr></thead><tbody>{"".join(lines)}</tbody></table></div>'
+        lines.append(f'<tr class="{style}">{shown}</tr>' if style else f"<tr>{shown}</tr>")
+    body = f"<thead><tr>{heads}</tr></thead><tbody>{''.join(lines)}</tbody>"
+    return f'<div class="scroll"><table>{body}</table></div>'
 
 
-def _cell_class(words: bool, cell: str) -> str:
-    if not words:
+def _text_class(is_text: bool, length: int = 0) -> str:
+    if not is_text:
         return ""
-    return ' class="text long"' if len(cell) > LONG else ' class="text"'
+    return ' class="text long"' if length > MAX_UNBROKEN else ' class="text"'
 
 
 def facts(
@@ -124,32 +145,46 @@ def facts(
     """
     rows = []
     for key, value in values.items():
-        mark, style = (
-            (' <span class="mark">*</span>', ' class="assumed"')
-            if f"{path}.{key}" in assumed
-            else ("", "")
-        )
+        is_assumed = f"{path}.{key}" in assumed
+        name = name_text(key) + (' <span class="mark">*</span>' if is_assumed else "")
         unit = unit_text(key) if value is not None else ""
         shown = f"{text(value)}&nbsp;{escape(unit)}" if unit else text(value)
-        cells = f"<td>{name_text(key)}{mark}</td><td>{shown}</td>"
-        if len(shown) > LONGEST:  # words, such as a source
-            cells = f'<td colspan="2" class="small">{name_text(key)}{mark}: {shown}</td>'
-        rows.append(f"<tr{style}>{cells}</tr>")
+        cells = f"<td>{name}</td><td>{shown}</td>"
+        if len(shown) > MAX_BESIDE_KEY:  # words, such as a source
+            cells = f'<td colspan="2" class="small">{name}: {shown}</td>'
+        row = '<tr class="assumed">' if is_assumed else "<tr>"
+        rows.append(f"{row}{cells}</tr>")
     heading = f"<h3>{escape(title)}</h3>" if title else ""
     return f"<div>{heading}<table><tbody>{''.join(rows)}</tbody></table></div>"
+
+
+def side_by_side(*blocks: str, kind: str = "facts") -> str:
+    """Blocks of facts, cards or pictures side by side; nothing without a block."""
+    return f'<div class="{kind}">{"".join(blocks)}</div>' if any(blocks) else ""
+
+
+def note(words: str) -> str:
+    """A line of explanation in HTML."""
+    return f'<p class="quiet small">{words}</p>'
+
+
+def unfolding(title: str, body: str, state: str = "") -> str:
+    """A part that unfolds, or is `open` and folds."""
+    return f"<details{state and f' {state}'}><summary>{title}</summary>{body}</details>"
 
 
 def is_large(value: Any) -> bool:
     """Whether a value is too much for one line: a table, a long list, a list of tables."""
     return isinstance(value, dict) or (
         isinstance(value, list)
-        and (len(value) > MOST_LISTED or any(isinstance(item, list | dict) for item in value))
+        and (len(value) > MAX_LISTED or any(isinstance(item, list | dict) for item in value))
     )
 
 
 def card(name: str, value: str, unit: str = "") -> str:
     """One number that is looked at first."""
-    return f'<div class="card"><b>{value} <small>{escape(unit)}</small></b><span>{escape(name)}</span></div>'
+    shown = f"<b>{value} <small>{escape(unit)}</small></b><span>{escape(name)}</span>"
+    return f'<div class="card">{shown}</div>'
 
 
 def picture(path: Path, caption: str, *, wide: bool = False) -> str:
@@ -170,29 +205,27 @@ def items(messages: Iterable[str]) -> str:
     return "<ul>" + "".join(f"<li>{escape(message)}</li>" for message in messages) + "</ul>"
 
 
+def notes(messages: Iterable[str]) -> str:
+    """The messages that are no warnings; nothing if there are none."""
+    shown = [str(message) for message in messages]
+    return f'<div class="notes small">{items(shown)}</div>' if shown else ""
+
+
 def section(anchor: str, title: str, body: str) -> str:
     """A part of the page; empty if it has nothing to say."""
     return f'<section id="{anchor}"><h2>{escape(title)}</h2>\n{body}\n</section>' if body else ""
 
 
-LIBRARIES = ("numpy", "scipy", "numba", "xarray", "vtk")
-
-
 def versions(summary: dict[str, Any]) -> str:
-    """Program, libraries of the machine that made the page, wall times [s]."""
-    libraries = {}
-    for name in LIBRARIES:
-        try:
-            libraries[name] = metadata.version(name)
-        except metadata.PackageNotFoundError:
-            continue
-    times = {f"{name}_s": value for name, value in (summary.get("timing_s") or {}).items()}
-    own = {
+    """Program, libraries of the machine that wrote the page, wall times [s]."""
+    programs = {
         "oilfilm, of the results": summary["oilfilm"],
         "python, of this page": platform.python_version(),
     }
-    blocks = [
-        facts("Versions", own | {f"{name}, of this page": v for name, v in libraries.items()})
-    ]
-    blocks += [facts("Wall time", times)] if times else []
-    return f'<div class="facts">{"".join(blocks)}</div>'
+    for name in LIBRARIES:
+        try:
+            programs[f"{name}, of this page"] = metadata.version(name)
+        except metadata.PackageNotFoundError:
+            continue
+    times = {f"{name}_s": value for name, value in (summary.get("timing_s") or {}).items()}
+    return side_by_side(facts("Versions", programs), facts("Wall time", times) if times else "")

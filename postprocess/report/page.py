@@ -11,52 +11,50 @@ from string import Template
 from typing import Any
 
 from ..files import SUMMARY_FILE, atomic_path
-from . import batch as report_batch
-from . import bearing as report_bearing
+from . import batch, bearing
 from .html import (
     facts,
     is_large,
     items,
+    key_head,
     name_text,
+    notes,
     picture,
     section,
+    side_by_side,
     table,
     text,
-    unit_text,
+    unfolding,
     versions,
 )
 
 REPORT_FILE = "report.html"
 GENERATOR = '<meta name="generator" content="oilfilm'
-MOST_ROWS = 500  # of a table that unfolds
+MAX_ROWS = 500  # of a table that unfolds
 HEADER = 1000  # characters within which the generator stands
+DOUBTS = (
+    "not converged",
+    "not resolved",
+    "error bar",
+    "no film was computed",
+    "arbitrary",
+    "failed",
+    "lost",
+    "beyond",
+)
 
 
 def write_report(directory: str | Path) -> Path:
-    """Write `report.html` into a result folder.
-
-    Parameters
-    ----------
-    directory : str or Path
-
-    Returns
-    -------
-    Path
-        The page.
-
-    Raises
-    ------
-    ValueError
-        If the folder holds no readable results, or a page of that name which is not ours.
+    """Write `report.html` into a result folder and return its path; ValueError if the folder holds
+    no readable results, or a page of that name which is not ours.
     """
     folder = Path(directory)
     path = folder / REPORT_FILE
     page = report_page(folder)
-    if (
-        path.exists()
-        and GENERATOR not in path.read_text(encoding="utf-8", errors="replace")[:HEADER]
-    ):
-        raise ValueError(f"{path} was not written by oilfilm and will not be replaced")
+    if path.exists():
+        head = path.read_text(encoding="utf-8", errors="replace")[:HEADER]
+        if GENERATOR not in head:
+            raise ValueError(f"{path} was not written by oilfilm and will not be replaced")
     with atomic_path(path) as temporary:
         temporary.write_text(page, encoding="utf-8")
     return path
@@ -73,10 +71,8 @@ def read_summary(directory: Path) -> dict[str, Any]:
         ) from error
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{path} is damaged: {error}") from error
-    if (
-        not isinstance(summary, dict)
-        or not {"oilfilm", "case", "converged", "messages"} <= summary.keys()
-    ):
+    required = {"oilfilm", "case", "converged", "messages"}
+    if not isinstance(summary, dict) or not required <= summary.keys():
         raise ValueError(
             f"{path} is not a summary of oilfilm, or one of a version older than this one reads"
         )
@@ -86,17 +82,18 @@ def read_summary(directory: Path) -> dict[str, Any]:
 def report_page(folder: Path) -> str:
     """The page as text."""
     summary = read_summary(folder)
-    batch = summary.get("kind") == "batch"
-    title = str(summary.get("title") if batch else summary["case"].get("title") or folder.name)
-    sections = report_batch.sections(summary, folder) if batch else _sections(summary, folder)
+    if summary.get("kind") == "batch":
+        title = summary.get("title")
+        cards, sections = batch.cards(summary), batch.sections(summary, folder)
+    else:
+        title = summary["case"].get("title") or folder.name
+        cards, sections = bearing.cards(summary), _sections(summary, folder)
     parts = [(anchor, name, body) for anchor, name, body in sections if body]
     links = " ".join(f'<a href="#{anchor}">{escape(name)}</a>' for anchor, name, _ in parts)
-    head = _head(summary, title, links) + (
-        report_batch.cards(summary) if batch else report_bearing.cards(summary)
-    )
-    body = head + _warnings(summary) + "\n".join(section(*part) for part in parts)
+    head = _head(summary, str(title), links)
+    body = head + cards + _warnings(summary) + "\n".join(section(*part) for part in parts)
     return Template(_template("report.html")).substitute(
-        title=escape(title),
+        title=escape(str(title)),
         version=escape(str(summary["oilfilm"])),
         style=_template("report.css"),
         body=body,
@@ -109,88 +106,66 @@ def _template(name: str) -> str:
 
 def _head(summary: dict[str, Any], title: str, links: str) -> str:
     case = summary["case"]
-    source = (
-        f"<p>Source of the input: {escape(str(case['source']))}</p>"
-        if _has(case, "source")
-        else ""
-    )
-    state = '<span class="state fine">converged</span>'
-    if not summary["converged"]:
-        state = '<span class="state bad">not converged</span>'
-    made = f'<span class="quiet small">oilfilm {escape(str(summary["oilfilm"]))}</span>'
-    return (
-        f"<header><h1>{escape(title)}</h1>{source}<p>{state} {made}</p><nav>{links}</nav></header>"
-    )
-
-
-def _has(case: Any, key: str) -> bool:
-    return isinstance(case, dict) and bool(case.get(key))
+    source = case.get("source") if isinstance(case, dict) else None
+    source = f"<p>Source of the input: {escape(str(source))}</p>" if source else ""
+    kind, state = ("fine", "converged") if summary["converged"] else ("bad", "not converged")
+    state = f'<span class="state {kind}">{state}</span>'
+    version = f'<span class="quiet small">oilfilm {escape(str(summary["oilfilm"]))}</span>'
+    title = f"<h1>{escape(title)}</h1>"
+    return f"<header>{title}{source}<p>{state} {version}</p><nav>{links}</nav></header>"
 
 
 def _warnings(summary: dict[str, Any]) -> str:
     """What did not converge or is doubtful, at the top."""
     urgent = [message for message in summary["messages"] if is_urgent(str(message))]
-    return f'<div class="warnings"><b>To be seen to</b>{items(urgent)}</div>' if urgent else ""
+    return f'<div class="warnings"><b>Warnings</b>{items(urgent)}</div>' if urgent else ""
 
 
 def is_urgent(message: str) -> bool:
-    """Whether a message tells a doubt about a result, and not only why a value is null."""
-    words = (
-        "not converged",
-        "not resolved",
-        "error bar",
-        "no film was computed",
-        "arbitrary",
-        "failed",
-        "lost",
-        "beyond",
-    )
-    return any(word in message for word in words) and ": null" not in message
+    """Whether a message states a doubt about a result, and not only why a value is null."""
+    return any(word in message for word in DOUBTS) and ": null" not in message
 
 
 def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
     """Anchor, title and content of every part of a single case's page."""
-    yield "input", "Input", report_bearing.input_tables(summary["case"])
-    yield from report_bearing.sections(summary, folder)
-    yield "more", "Further results", _rest(summary)
-    yield "pictures", "Further pictures", _pictures(summary, folder)
-    notes = [str(message) for message in summary["messages"] if not is_urgent(str(message))]
-    yield "notes", "Notes", f'<div class="notes small">{items(notes)}</div>' if notes else ""
+    yield "input", "Input", bearing.input_tables(summary["case"])
+    yield from bearing.sections(summary, folder)
+    yield "more", "Further results", _further_results(summary)
+    yield "pictures", "Further pictures", _further_pictures(summary, folder)
+    others = (message for message in summary["messages"] if not is_urgent(str(message)))
+    yield "notes", "Notes", notes(others)
     yield "versions", "Versions and times", versions(summary)
 
 
-def _rest(summary: dict[str, Any]) -> str:
-    """Blocks that no part of the page knows: whatever numbers they hold."""
-    blocks = {key: value for key, value in summary.items() if key not in report_bearing.KNOWN}
-    alone = {key: value for key, value in blocks.items() if not is_large(value)}
-    shown = [facts("", alone)] if alone and not report_bearing.is_single_contact(summary) else []
+def _further_results(summary: dict[str, Any]) -> str:
+    """Blocks that no part of the page places: whatever numbers they hold."""
+    blocks = {key: value for key, value in summary.items() if key not in bearing.PLACED}
+    single = {key: value for key, value in blocks.items() if not is_large(value)}
+    shown = [facts("", single)] if single and not bearing.is_single_contact(summary) else []
     for key, value in blocks.items():
         if isinstance(value, dict):
             plain = {name: item for name, item in value.items() if not is_large(item)}
             shown += [facts(key.replace("_", " "), plain)] if plain else []
-    lists = "".join(_rows(key, value) for key, value in blocks.items() if isinstance(value, list))
+    lists = {key: value for key, value in blocks.items() if isinstance(value, list)}
     if "contacts" not in summary:
-        lists += _rows("balls", summary.get("balls") or [])
-    return (f'<div class="facts">{"".join(shown)}</div>' if shown else "") + lists
+        lists["balls"] = summary.get("balls") or []
+    return side_by_side(*shown) + "".join(_rows(key, rows) for key, rows in lists.items())
 
 
 def _rows(name: str, rows: list[Any]) -> str:
     """A list of tables that all have single numbers, as one table that unfolds."""
-    if not rows or len(rows) > MOST_ROWS or not all(isinstance(row, dict) for row in rows):
+    if not rows or len(rows) > MAX_ROWS or not all(isinstance(row, dict) for row in rows):
         return ""
     keys = [key for key in rows[0] if not any(is_large(row.get(key)) for row in rows)]
     if not keys:
         return ""
     lines = [("", [text(row.get(key)) for key in keys]) for row in rows]
-    body = table([(name_text(key), unit_text(key)) for key in keys], lines)
-    return f"<details><summary>{name_text(name)} ({len(rows)})</summary>{body}</details>"
+    return unfolding(f"{name_text(name)} ({len(rows)})", table(key_head(keys), lines))
 
 
-def _pictures(summary: dict[str, Any], folder: Path) -> str:
-    """Pictures that no part of the page names: slip maps, dynamics, what later versions draw."""
-    known = report_bearing.known_pictures(summary)
+def _further_pictures(summary: dict[str, Any], folder: Path) -> str:
+    """Pictures that no part of the page places: slip maps, dynamics, what later versions draw."""
+    placed = bearing.known_pictures(summary)
     files = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
-    shown = [
-        picture(file, file.stem.replace("_", " ")) for file in files if file.name not in known
-    ]
-    return f'<div class="gallery">{"".join(shown)}</div>' if shown else ""
+    shown = [picture(f, f.stem.replace("_", " ")) for f in files if f.name not in placed]
+    return side_by_side(*shown, kind="gallery")

@@ -138,7 +138,7 @@ def test_results_of_other_kinds_have_a_page(tmp_path):
     assert "minimum film" not in words
 
 
-def test_bad_folders_are_told(tmp_path):
+def test_bad_folders_are_reported(tmp_path):
     with pytest.raises(ValueError, match="holds no results"):
         write_report(tmp_path)
     (tmp_path / SUMMARY_FILE).write_text("{")
