@@ -108,11 +108,6 @@ class Bearing:
         )
 
     @property
-    def end_play(self) -> float:
-        """Axial play from touch to touch, twice `free_axial_position` [m]."""
-        return 2.0 * self.free_axial_position
-
-    @property
     def inner_centre_radius(self) -> float:
         """Radius of the circle of the inner groove's centres of curvature, [m]."""
         cosine = 1.0 - 0.5 * self.diametral_clearance / self.curvature_centre_distance

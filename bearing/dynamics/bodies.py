@@ -41,7 +41,7 @@ def ring_body(
         raise ValueError("bore and width are needed for the inertia of the inner ring")
     inside = 0.5 * bearing.bore
     outside = bearing.inner_centre_radius - bearing.inner_groove_radius
-    assumed = ("ring.inertia",)
+    assumed: tuple[str, ...] = ("ring.inertia",)
     if mass is None:
         assumed = ("ring.mass", "ring.inertia")
         density = bearing.inner_ring_material.density

@@ -25,7 +25,7 @@ def test_clearance_and_contact_angle_are_inverse():
 def test_7008_clearance_and_end_play(bearings):
     """Independent computation: 52.47 um and 0.39858 mm, four and five figures."""
     assert 1e6 * bearings.b7008.diametral_clearance == pytest.approx(52.47, abs=0.005)
-    assert 1e3 * bearings.b7008.end_play == pytest.approx(0.39858, abs=5e-6)
+    assert 1e3 * 2.0 * bearings.b7008.free_axial_position == pytest.approx(0.39858, abs=5e-6)
 
 
 def test_groove_centres_are_a_apart_at_the_free_angle(bearings):

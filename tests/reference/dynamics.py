@@ -122,7 +122,7 @@ def dots(a: Array, b: Array) -> Array:
 def bodies(problem: EquationData, y: Array, inner: float, outer: float) -> tuple[Body, Body, Body]:
     """Inner ring, outer ring, cage of a state, the rings at speeds [rad/s]."""
     layout = Layout(problem.constants.balls)
-    found = []
+    bodies = []
     for place, motion, first, spin in (
         (y[layout.ring], y[layout.ring_speed], 3, inner),
         (y[layout.cage], y[layout.cage_speed], 4, y[layout.cage_speed][3]),
@@ -130,9 +130,9 @@ def bodies(problem: EquationData, y: Array, inner: float, outer: float) -> tuple
         axis = np.array([1.0, place[first + 1], -place[first]])
         axis /= np.linalg.norm(axis)
         turn = spin * axis + np.array([0.0, motion[first], motion[first + 1]])
-        found.append(Body(place[:3], axis, motion[:3], turn))
+        bodies.append(Body(place[:3], axis, motion[:3], turn))
     x = np.array([1.0, 0.0, 0.0])
-    return found[0], Body(np.zeros(3), x, np.zeros(3), outer * x), found[1]
+    return bodies[0], Body(np.zeros(3), x, np.zeros(3), outer * x), bodies[1]
 
 
 def race_pair(problem: EquationData, race: int, body: Body, balls: Balls, table: TractionTable | None) -> Pair:
@@ -172,11 +172,11 @@ def race_pair(problem: EquationData, race: int, body: Body, balls: Balls, table:
         parts = friction(data, (elastic, abs(u)), slides, dots(turn, n))
         force, moment = parts[0] * x + parts[1] * y, parts[2] * n + parts[3] * y
     if problem.friction_kind in (TABLE, FILM):
-        found = looked_up(table, (elastic, abs(u)), slides, dots(turn, n))
-        force = found[:, :1] * x + found[:, 1:2] * y
-        moment = found[:, 2:3] * n + found[:, 3:4] * y
+        values = looked_up(table, (elastic, abs(u)), slides, dots(turn, n))
+        force = values[:, :1] * x + values[:, 1:2] * y
+        moment = values[:, 2:3] * n + values[:, 3:4] * y
         if problem.friction_kind == FILM:
-            push = np.maximum(0.0, elastic + found[:, 7:] * dots(slide, n))
+            push = np.maximum(0.0, elastic + values[:, 7:] * dots(slide, n))
     return Pair(force - push * n, moment, moment + np.cross(arm, force), balls.position + arm)
 
 
@@ -199,12 +199,12 @@ def friction(
     third = np.cbrt(load)
     x, y = data.shape[0] * third * data.disc[0], data.shape[1] * third * data.disc[1]
     rolling = speed / data.shape[2] - 0.5 * data.shape[4] * slides[0]
-    bend = data.shape[3] * y * y
-    s_x = slides[0] - spin * y - rolling * bend
+    curvature_height = data.shape[3] * y * y
+    s_x = slides[0] - spin * y - rolling * curvature_height
     s_y = slides[1] + spin * x
     s = np.hypot(s_x, s_y)
     pull = load * data.disc[2] * coefficient(data.law, s, speed) / np.where(s > 0.0, s, 1.0)
-    parts = (-pull * s_x, -pull * s_y, pull * (y * s_x - x * s_y), pull * bend * s_x)
+    parts = (-pull * s_x, -pull * s_y, pull * (y * s_x - x * s_y), pull * curvature_height * s_x)
     f_x, f_y, m_n, m_y = (np.sum(part, axis=1, keepdims=True) for part in parts)
     return f_x, f_y, m_n, m_y
 

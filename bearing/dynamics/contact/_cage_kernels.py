@@ -109,9 +109,9 @@ def pocket_forces(c, body, law, memory, angles, y, forces, load, power, pocket_o
 
 
 @compiled
-def land_contact(c, law, impact_speed, eccentricity, velocity, slide_about):
+def land_contact(c, law, impact_speed, eccentricity, velocity, slide_about, out):
     """Solid contact of cage and land where the gap is used up: normal force, its direction (y, z),
-    friction, power stored, approach and its rate; slide_about: sliding speed by the rotations.
+    friction, power stored; slide_about: sliding speed by the rotations.
     """
     ey, ez = eccentricity
     vy, vz = velocity
@@ -119,11 +119,13 @@ def land_contact(c, law, impact_speed, eccentricity, velocity, slide_about):
     uy, uz = (ey / e, ez / e) if e > 0.0 else (1.0, 0.0)
     approach = e - c.land_clearance
     rate = vy * uy + vz * uz
+    out[LAND_APPROACH] = approach
+    out[LAND_RATE] = rate
     push = normal_force(law, approach, rate, impact_speed)
     slide = slide_about + uy * vz - uz * vy
     grip = -push * ramped(c.land_friction, abs(slide), c.friction_ramp)
     grip = grip * (1.0 if slide >= 0.0 else -1.0)
-    return push, uy, uz, grip, elastic_force(law, approach) * rate, approach, rate
+    return push, uy, uz, grip, elastic_force(law, approach) * rate
 
 
 @compiled
@@ -155,11 +157,9 @@ def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
     turning += min(journal, 0.0) * (ey * fz - ez * fy)
     # 3. solid contact with friction
     slide_about = journal * c.land_radius * speed_difference
-    push, uy, uz, grip, stored_power, approach, rate = land_contact(
-        c, law, impact_speed, (ey, ez), (vy, vz), slide_about
+    push, uy, uz, grip, stored_power = land_contact(
+        c, law, impact_speed, (ey, ez), (vy, vz), slide_about, land_out[side]
     )
-    land_out[side, LAND_APPROACH] = approach
-    land_out[side, LAND_RATE] = rate
     fy = fy - push * uy - grip * uz
     fz = fz - push * uz + grip * uy
     turning += journal * c.land_radius * grip
