@@ -4,6 +4,7 @@ from collections.abc import Callable
 from time import perf_counter
 
 from ehl import ContactConditions, ContactSolution, solve_contact
+from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.kinematics import contact_kinematics
 from ehl.traction.shear import TractionResult, integrate_traction
 from postprocess.results import ContactResults
@@ -27,8 +28,7 @@ def run_contact(
     """
     messages = (*case.warnings, *case.films.messages)
     if finite_element:
-        from ehl.finite_element.solver import solve_contact_finite_element as solve_contact
-
+        solve = solve_contact_finite_element
         messages = (*messages, *FINITE_ELEMENT_MESSAGES)
         if case.solver.tolerance is not None:
             messages = (
@@ -36,9 +36,9 @@ def run_contact(
                 "ehl.tolerance: not used by finite elements, the film is solved on ehl.points",
             )
     else:
-        solve_contact = _contact_solver(case)
+        solve = _contact_solver(case)
     start = perf_counter()
-    solution = solve_contact(case.conditions, _shared(case.solver, workers))
+    solution = solve(case.conditions, _shared(case.solver, workers))
     traction = _contact_traction(case, solution)
     return ContactResults(
         version=version(),

@@ -1,16 +1,18 @@
-"""No circles among modules, and none among the members of a package."""
+"""No circles among modules, none among the members of a package, and none hidden in late imports."""
 
 from __future__ import annotations
 
-from .import_graph import arrows_in, circles, import_graph, package_circles
-from .sources import nothing
+import ast
 
-LAYERS_WITHOUT_CIRCLES = ("ehl", "bearing", "postprocess")
+from .import_graph import arrows_in, circles, import_graph, imported_modules, module_files, package_circles
+from .sources import FILES, at, nodes, nothing, tree
+from .test_layers import is_type_checking
+
+LATE = ("cases/cli/",)  # the command line imports what a command needs when it is called
 
 
-def finished(circle):
-    """Whether a circle lies in a layer that has to be free of them."""
-    return circle[0].startswith(LAYERS_WITHOUT_CIRCLES)
+def may_import_late(name):
+    return name.startswith(LATE) or name.endswith("__init__.py")
 
 
 def test_a_circle_is_found():
@@ -23,7 +25,7 @@ def test_a_circle_is_found():
 
 
 def test_no_circles_of_modules():
-    assert nothing([circle for circle in circles(import_graph()) if finished(circle)])
+    assert nothing(circles(import_graph()))
 
 
 def test_no_circles_of_packages():
@@ -33,6 +35,25 @@ def test_no_circles_of_packages():
         (package, circle, arrows_in(circle, package, graph))
         for package, several in package_circles(graph).items()
         for circle in several
-        if not package or finished([package])
     ]
     assert nothing(offenders)
+
+
+def test_no_late_imports():
+    """Inside functions, from the product itself; the command line and the fronts of packages may."""
+    files, offenders = module_files(), []
+    for module, path in files.items():
+        name = next(key for key, value in FILES.items() if value == path)
+        if may_import_late(name):
+            continue
+        for function in ast.walk(tree(name)):
+            if isinstance(function, ast.FunctionDef):
+                found = imported_modules(function, module, files)
+                offenders += [f"{at(name, node)} {other}" for node, other in found]
+    assert nothing(sorted(set(offenders)))
+
+
+def test_no_imports_for_type_checkers_only():
+    """A type that would make a circle stands in the wrong module."""
+    blocks = [at(name, node) for name, node in nodes(ast.If) if is_type_checking(node) and not may_import_late(name)]
+    assert nothing(blocks)
