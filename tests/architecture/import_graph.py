@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import ast
 from collections import Counter, defaultdict
+from functools import cache
 from pathlib import Path
 
 ROOT = Path(__file__).parents[2]
@@ -70,6 +71,7 @@ def imported_modules(tree, name, files):
                 yield node, module
 
 
+@cache
 def import_graph(root=ROOT):
     """{module: modules that it imports}."""
     files = module_files(root)
