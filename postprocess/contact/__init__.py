@@ -1,1 +1,12 @@
-"""Results of one lubricated contact."""
+"""Results of one lubricated contact.
+
+fields        - the fields of one contact, read back from a result folder by its name
+frame         - the frame of a contact: its principal directions, and parts of its grid
+interferogram - a film map as an optical interferometer would see it, beside pictures
+line_cut      - film and pressure along a line through a contact, as a table
+plots         - figure of one contact: film map, pressure map, and both along the two centre lines
+quantities    - quantities of the film of one contact, single or in a bearing
+summary       - summary of a single contact
+supply        - oil supply of a single contact: its film where the inlet layer starves it
+view          - the part of a contact that pictures show
+"""

@@ -1,1 +1,9 @@
-"""Results of a time simulation."""
+"""Results of a time simulation.
+
+history - the history of a time simulation on disk
+plots   - pictures of a time simulation, from its history and summary
+results - a time simulation of one case
+summary - summary of a time simulation
+table   - a time simulation in the terminal
+write   - files of a time simulation
+"""

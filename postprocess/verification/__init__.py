@@ -1,1 +1,4 @@
-"""Pictures of the verification page."""
+"""Pictures of the verification page.
+
+plots - pictures of the verification page
+"""
