@@ -85,10 +85,10 @@ class Operation:
                 load_field, displacement_field = (
                     ("moment", "tilt") if "tilt" in name else ("force", "displacement")
                 )
-                found = "neither" if load is None else "both"
+                given = "neither" if load is None else "both"
                 raise ValueError(
                     f"{load_field} and {displacement_field}: degree of freedom {name} needs "
-                    f"exactly one, has {found}"
+                    f"exactly one, has {given}"
                 )
 
     @property

@@ -1,5 +1,5 @@
-"""Hertz contacts of many balls at once: `ehl.hertz.hertz_contact`, to round-off, in a tenth of the
-time.
+"""Hertz contacts of many balls at once: `ehl.closed_form.hertz.hertz_contact`, to round-off, in a
+tenth of the time.
 """
 
 import numpy as np
@@ -10,7 +10,7 @@ from ehl.closed_form.hertz import HertzContact
 from ..geometry import Array
 
 NEWTON_STEPS = 60
-SETTLED = 1.0e-14  # step in ln k, over it, at which the ratio of the semi-axes is found [-]
+STEP_TOLERANCE = 1.0e-14  # of ln k, relative, at which Newton's method has converged [-]
 CIRCLE = 1.0e-4  # k^2 - 1 below which the derivative is that of the circle [-]
 
 
@@ -51,8 +51,8 @@ def hertz_contacts(
 
 
 def ellipse_ratios(radius_ratio: Array) -> Array:
-    """Ratios of the semi-axes k = b/a [-] of contacts with Rx/Ry [-], as `ehl.hertz.ellipse_ratio`
-    finds one.
+    """Ratios of the semi-axes k = b/a [-] of contacts with Rx/Ry [-], as
+    `ehl.closed_form.hertz.ellipse_ratio` finds one.
 
     Newton's method in ln k, kept inside the bracket between (Rx/Ry)^-1 and (Rx/Ry)^-1/4.
     """
@@ -65,9 +65,9 @@ def ellipse_ratios(radius_ratio: Array) -> Array:
         low, high = np.where(residual > 0.0, t, low), np.where(residual > 0.0, high, t)
         ahead = t - residual / slope
         ahead = np.where((low <= ahead) & (ahead <= high), ahead, 0.5 * (low + high))
-        moved = np.abs(ahead - t).max(initial=0.0)
+        change = np.abs(ahead - t).max(initial=0.0)
         t = ahead
-        if moved <= SETTLED * max(1.0, float(np.abs(t).max(initial=0.0))):
+        if change <= STEP_TOLERANCE * max(1.0, float(np.abs(t).max(initial=0.0))):
             break
     return np.exp(t)
 

@@ -3,6 +3,7 @@
 _kernels    - friction of many contacts and its slope, compiled
 asperities  - mixed lubrication, first order: the part of the load on asperities
 balance     - balls whose friction balances itself: forces and couples on each
+cage        - balance of balls and cage: balls that the inner race does not drive
 coulomb     - Coulomb friction of ball and race over the Hertz ellipse, a potential
 equilibrium - traction equilibrium: speeds and loads of balls as the films drive them
 films       - friction law of solved films, and the balance of balls under it

@@ -250,27 +250,20 @@ def _round(
             balanced=prescribed,
             change=np.inf,
         )
-    balances = []
     cage_driven = cage_driven.copy()
-    balanced = []
     lubricated = _contacts(solution, traction)
+    balances = []
+    balanced = []
     for i, contacts in enumerate(lubricated):
         row = solution.row(i)
         part = slice(i * solution.bearing.balls, (i + 1) * solution.bearing.balls)
-        law = laws[i].at(row, contacts)
-        balance = _balance(
-            row, contacts, law, traction, None if before is None else cage_driven[part]
-        )
-        loaded = row.inner_load > 0.0
-        cage_driven[part] |= loaded & (
-            ~balance.driven | (sliding_ratio(balance, contacts) > SKID_RATIO)
-        )
+        known = None if before is None else cage_driven[part]
+        balance = _balance(row, contacts, laws[i].at(row, contacts), traction, known)
+        undriven = ~balance.driven | (sliding_ratio(balance, contacts) > SKID_RATIO)
+        cage_driven[part] |= (row.inner_load > 0.0) & undriven
         balances.append(balance)
         balanced.append(_from_balance(row, contacts, balance))
     joined = _joined(balanced)
-    weight = _orbit_weight(solution)
-    largest = max(solution.inner_load.max(), solution.outer_load.max())
-    change = float(np.abs(_vector(joined, weight) - _vector(prescribed, weight)).max() / largest)
     return _State(
         solution=solution,
         balances=tuple(balances),
@@ -278,8 +271,15 @@ def _round(
         cage_driven=cage_driven,
         prescribed=prescribed,
         balanced=joined,
-        change=change,
+        change=_change(solution, prescribed, joined),
     )
+
+
+def _change(solution: QuasistaticSolution, old: PrescribedBalls, new: PrescribedBalls) -> float:
+    """Largest change of the forces that the balances pass on, over the largest load [-]."""
+    weight = _orbit_weight(solution)
+    largest = max(solution.inner_load.max(), solution.outer_load.max())
+    return float(np.abs(_vector(new, weight) - _vector(old, weight)).max() / largest)
 
 
 def _balance(

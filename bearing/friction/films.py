@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -164,37 +165,9 @@ def _film_law(
     """
     if film.x is None or film.y is None or film.film is None:
         raise ValueError("films must have dimensional conditions")
-    film = with_outlet(film)
-    assert film.x is not None and film.y is not None and film.film is not None
-    x, y = np.broadcast_arrays(film.x[:, None], film.y[None, :])
-    width = sheared_width(film.film, film.pressure, Cavitation.STRIATED)
-    area = _weights(film.x)[:, None] * _weights(film.y)[None, :]
-    hydrodynamic = float(np.sum(area * x * film.pressure))
-    chosen = width > 0.0
-    kinematics = bearing_kinematics(solution, contact)
-    inlet = film_temperature(film, solution.operation.temperature)
-    gap = np.maximum(film.film, TINY)
-    eta = film_viscosity(film)
-    stress = shear_stress(
-        REFERENCE_SLIDE_RATIO * abs(kinematics.entrainment_speed) / gap,
-        eta,
-        film.pressure,
-        rheology,
-        inlet,
-    )
-    chosen &= _counting(area * width * stress, left_out)
-    x = x[chosen]
-    y = y[chosen]
-    area = (area * width)[chosen]
-    gap = gap[chosen]
-    pressure = film.pressure[chosen]
-    eta = eta[chosen]
-    temperature = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
-    curved = kinematics.bow(y)
-    pumping = -hydrodynamic * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
-    zeros, ones = np.zeros_like(x), np.ones_like(x)
-    along = np.stack([ones, zeros, -y, curved])
-    across = np.stack([zeros, ones, x, zeros])
+    nodes = _film_nodes(solution, contact, with_outlet(film), rheology, left_out)
+    area, gap, eta, pressure, temperature = nodes.shear
+    along, across = nodes.along, nodes.across
 
     def law(motion: Array, oil: float) -> tuple[Array, Array]:
         s_x, s_y = motion @ along, motion @ across
@@ -207,9 +180,57 @@ def _film_law(
         pull = s_x * along + s_y * across
         curvature = (along * secant) @ along.T + (across * secant) @ across.T
         curvature += (pull * ((tangent - secant) / speed**2)) @ pull.T
-        return oil * (pull @ secant) + pumping, oil * curvature
+        return oil * (pull @ secant) + nodes.pumping, oil * curvature
 
     return law
+
+
+class _FilmNodes(NamedTuple):
+    """Nodes of a film that shear."""
+
+    # area [m^2], gap [m], viscosity [Pa s], pressure [Pa] and temperature [K] of the nodes
+    shear: tuple[Array, Array, Array, Array, Array | float]
+    along: Array  # (4, nodes) derivatives of the sliding along by the motion [-], [m]
+    across: Array  # (4, nodes) and across
+    pumping: Array  # (4,) minus the hydrodynamic rolling moment, with its share along [N m], [N]
+
+
+def _film_nodes(
+    solution: QuasistaticSolution,
+    contact: BearingContact,
+    film: ContactSolution,
+    rheology: Rheology,
+    left_out: float,
+) -> _FilmNodes:
+    """As `_film_law` takes them."""
+    assert film.x is not None and film.y is not None and film.film is not None
+    x, y = np.broadcast_arrays(film.x[:, None], film.y[None, :])
+    width = sheared_width(film.film, film.pressure, Cavitation.STRIATED)
+    area = _weights(film.x)[:, None] * _weights(film.y)[None, :]
+    hydrodynamic = float(np.sum(area * x * film.pressure))
+    kinematics = bearing_kinematics(solution, contact)
+    inlet = film_temperature(film, solution.operation.temperature)
+    gap = np.maximum(film.film, TINY)
+    eta = film_viscosity(film)
+    rate = REFERENCE_SLIDE_RATIO * abs(kinematics.entrainment_speed) / gap
+    stress = shear_stress(rate, eta, film.pressure, rheology, inlet)
+    chosen = (width > 0.0) & _counting(area * width * stress, left_out)
+    temperature = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
+    x, y = x[chosen], y[chosen]
+    zeros, ones = np.zeros_like(x), np.ones_like(x)
+    moment = -hydrodynamic * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
+    return _FilmNodes(
+        shear=(
+            (area * width)[chosen],
+            gap[chosen],
+            eta[chosen],
+            film.pressure[chosen],
+            temperature,
+        ),
+        along=np.stack([ones, zeros, -y, kinematics.bow(y)]),
+        across=np.stack([zeros, ones, x, zeros]),
+        pumping=moment,
+    )
 
 
 def _counting(parts: Array, left_out: float) -> NDArray[np.bool_]:

@@ -47,7 +47,7 @@ class ContactLaw:
     # (contacts,) friction of each contact that residual forces are measured against [N]
     reference_force: Array
     # it knows no sliding across the rolling direction: balls then do not turn about the orbit's
-    # tangent, and no gyroscopic couple is held
+    # tangent, and no gyroscopic couple is balanced
     longitudinal_only: bool = False
     has_rolling_resistance: bool = True  # the oil's rolling resistance is in it
     # whether the power is the potential of the forces; if not, it is left zero

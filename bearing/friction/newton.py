@@ -11,7 +11,7 @@ from .law import TINY, ContactLaw
 MAX_STEPS = 200
 FIRST_DAMPING = 1.0e-6  # over the mean curvature of the power [-]
 MAX_DAMPING = 1.0e12  # at which a ball counts as stuck [-]
-RUNAWAY = 1.0e4  # speeds over those of curvature slip at which a ball counts as not held [-]
+RUNAWAY = 1.0e4  # speeds over those of curvature slip at which a ball counts as not balanced [-]
 BALANCE_TOLERANCE = 1.0e-6  # residual force over mu Q that is accepted [-]
 COUPLE_STEPS = (0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0)  # of the gyroscopic couple [-]
 BALANCE_TARGET = 1.0e-10  # residual at which iterating stops [-]

@@ -38,8 +38,8 @@ def table_contacts(
     temperature: float | None = None,
     solids: Solids | None = None,
 ) -> dict[Race, TableContact]:
-    """What the table of each race is made for, by its heaviest loaded contact; temperature [K],
-    None: of operation.
+    """Contact that the table of each race is built for, that of its heaviest loaded contact;
+    temperature [K], None: of operation.
 
     With the thermal properties of ball and race (`solids`) the films are solved and sheared with
     heat.
@@ -50,13 +50,13 @@ def table_contacts(
         If no contact of a race is loaded and entrains oil.
     """
     contacts = contact_conditions(solution, lubricant)
-    found = {}
+    contacts_of_races = {}
     for race in Race:
         heaviest = max(_loaded(contacts, race), key=lambda contact: contact.load)
         c = heaviest.conditions
         motion = bearing_kinematics(solution, heaviest)
         assert c is not None  # of a loaded contact
-        found[race] = TableContact(
+        contacts_of_races[race] = TableContact(
             radius_x=c.radius_x,
             radius_y=c.radius_y,
             reduced_modulus=c.reduced_modulus,
@@ -67,7 +67,7 @@ def table_contacts(
             curvature_difference=motion.curvature_difference,
             solids=solids,
         )
-    return found
+    return contacts_of_races
 
 
 def table_range(solution: QuasistaticSolution, lubricant: Lubricant) -> TableRange:
@@ -132,31 +132,31 @@ def build_temperature_tables(
         Ball and race, for films with heat; None: at the temperature of the oil [K].
     """
     limits = table_range(solution, oil_at(temperatures[0])[0])
-    found = {}
+    tables = {}
     for race in Race:
 
         def contact_at(temperature: float, race: Race = race) -> TableContact:
             return table_contacts(solution, *oil_at(temperature), temperature, solids)[race]
 
-        told = race_progress(progress, race)
-        found[race] = build_temperature_table(contact_at, temperatures, limits, options, told)
-    return found
+        notify = race_progress(progress, race)
+        tables[race] = build_temperature_table(contact_at, temperatures, limits, options, notify)
+    return tables
 
 
 def race_progress(progress: Progress | None, race: Race) -> Progress:
-    """A progress whose words begin with the race; nobody is told where there is none."""
+    """A progress whose state begins with the race; it does nothing where there is none."""
 
-    def told(done: int, total: int, state: str) -> None:
+    def notify(done: int, total: int, state: str) -> None:
         if progress is not None:
             progress(done, total, f"{race.value} race: {state}")
 
-    return told
+    return notify
 
 
 def _loaded(contacts: tuple[BearingContact, ...], race: Race) -> list[BearingContact]:
-    found = [
+    loaded = [
         contact for contact in contacts if contact.race is race and contact.conditions is not None
     ]
-    if not found:
+    if not loaded:
         raise ValueError(f"no contact of the {race.value} race is loaded and entrains oil")
-    return found
+    return loaded

@@ -1,6 +1,7 @@
 """Quasi-static equilibrium of rings and balls.
 
-balls             - balls between the races: forces at given ring position, equilibrium
+ball_equilibrium  - equilibrium of every ball at a given position of the ring, Newton's method
+balls             - balls between the races: forces at given positions
 contact_stiffness - Hertz stiffness of ball and race as a smooth function of the contact angle
 kinematics        - rolling of a ball between two races, and the body forces of its motion
 ring              - balance of the inner ring on its balls: Newton's method

@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 from ..geometry import Array, Bearing
 from ..operation import Operation
 from ..rows import SINGLE, Row, per_ball, row_directions
-from .balls import ROUND_OFF, BallProblem, BallsEquilibrium, solve_balls
+from .ball_equilibrium import ROUND_OFF, BallsEquilibrium, solve_balls
+from .balls import BallProblem
 from .contact_stiffness import stiffness_at
 
 RESIDUAL_TOLERANCE = 1.0e-10  # relative residual of ring and balls in an equilibrium [-]
@@ -211,8 +212,8 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
     size = norm(point)
     factor = 1.0
     for _ in range(MAX_CUTS):
-        moved = np.einsum("vqz,q->vz", ring.movement, factor * step)
-        predicted = point.balls.u + np.einsum("uvz,vz->uz", point.balls.du_dV, moved)
+        shift = np.einsum("vqz,q->vz", ring.movement, factor * step)
+        predicted = point.balls.u + np.einsum("uvz,vz->uz", point.balls.du_dV, shift)
         trial = _point(point.q + factor * step, predicted, ring, problem)
         if trial.balls.residual.max() <= max(RESIDUAL_TOLERANCE, trial.noise):
             if norm(trial) < (1.0 - SUFFICIENT_DECREASE * factor) * size or along(trial) > 0.0:
@@ -229,7 +230,7 @@ def _guess(ring: Ring, problem: BallProblem) -> Array:
     """Ring position from the loads: all balls alike under a thrust, else Stribeck's 5 F/Z on the
     load line [m].
 
-    Rows set against each other hold the ring near its place: no displacement.
+    Rows set against each other hold the ring in its place: no displacement.
     """
     if np.ptp(ring.offset) > 0.0:
         return np.where(ring.free, 0.0, ring.prescribed)

@@ -17,7 +17,8 @@ from ehl.closed_form.hertz import hertz_contact
 from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from ..operation import DEGREES_OF_FREEDOM, BallKinematics, Model, Operation
 from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
-from .balls import EDGE_COSINE, BallProblem, BallsEquilibrium, BallState, ball_problem, ball_state
+from .ball_equilibrium import BallsEquilibrium
+from .balls import EDGE_COSINE, BallProblem, BallState, ball_problem, ball_state
 from .contact_stiffness import stiffness_at
 from .kinematics import PrescribedBalls
 from .ring import RESIDUAL_TOLERANCE, Ring, RingPoint, RingStart, ring_of, solve_ring

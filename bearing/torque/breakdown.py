@@ -200,9 +200,11 @@ def _starved(
     if friction.supply is None or missing:
         return ModelTorque(note=f"needs {', '.join(missing)}"), None
     try:
-        found = starved_torque(solution, contacts, lubricant, friction, friction.supply, solutions)
+        torque = starved_torque(
+            solution, contacts, lubricant, friction, friction.supply, solutions
+        )
     except ValueError as error:
         return ModelTorque(note=str(error)), None
     return summed(
-        {name: getattr(found, name) for name in ("rolling", "film", "asperity", "cage", "drag")}
-    ), found
+        {name: getattr(torque, name) for name in ("rolling", "film", "asperity", "cage", "drag")}
+    ), torque

@@ -20,7 +20,8 @@ from ehl.solution import ContactSolution
 from ..contacts.contact import BearingContact
 from ..contacts.motion import MotionMap, ball_speeds, motion_map
 from ..contacts.traction import ContactTraction, contact_traction
-from ..friction.balance import BalancedFriction, balance_driven_balls, resisted_power
+from ..friction.balance import BalancedFriction, balance_driven_balls
+from ..friction.cage import resisted_power
 from ..friction.coulomb import contact_ellipses, coulomb_dissipation
 from ..friction.films import Asperities, film_balance
 from ..friction.law import ContactLaw

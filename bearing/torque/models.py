@@ -173,19 +173,22 @@ def _balanced(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
 ) -> ModelTorque:
     """Lines in balance of force and moments on every ball."""
-    found = balanced_friction(solution, contacts, mu, lines=True)
-    if not found.converged:
+    balance = balanced_friction(solution, contacts, mu, lines=True)
+    if not balance.converged:
         return ModelTorque(
-            note=f"no balance of the friction on the balls (residual {found.residual:.1e} of mu Q)"
+            note=(
+                f"no balance of the friction on the balls (residual {balance.residual:.1e} of mu "
+                "Q)"
+            )
         )
-    k, f = found.kinematics, found.forces
-    rotation = -(f[..., 3] * found.ball_rolling).sum() / speed
+    k, f = balance.kinematics, balance.forces
+    rotation = -(f[..., 3] * balance.ball_rolling).sum() / speed
     spin = -(f[..., 2] * k[..., 2]).sum() / speed
     return summed(
         {
             "spin": float(spin),
             "rotation": float(rotation),
-            "orbit": float(found.power.sum() / speed - spin - rotation),
+            "orbit": float(balance.power.sum() / speed - spin - rotation),
         }
     )
 
@@ -194,17 +197,17 @@ def _coulomb(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], mu: float, speed: float
 ) -> ModelTorque:
     """The whole ellipse in balance of force and moments, with the gyroscopic couple."""
-    found = balanced_friction(solution, contacts, mu)
-    if not found.converged:
+    balance = balanced_friction(solution, contacts, mu)
+    if not balance.converged:
         return ModelTorque(
             note=(
                 f"Coulomb friction of {mu:.3g} does not hold the balls (residual "
-                f"{found.residual:.1e} of mu Q)"
+                f"{balance.residual:.1e} of mu Q)"
             )
         )
-    k, f = found.kinematics, found.forces
+    k, f = balance.kinematics, balance.forces
     spin, curvature = (-float((f[..., j] * k[..., j]).sum()) / speed for j in (2, 3))
-    slide = float(found.power.sum()) / speed - spin - curvature
+    slide = float(balance.power.sum()) / speed - spin - curvature
     return summed({"sliding": slide, "spin": spin, "curvature": curvature})
 
 
@@ -220,25 +223,38 @@ def skf_model(
     viscosity, where it is given; "skf_as_printed" has the sliding moment as a paper printed it,
     where that is asked for.
     """
-    bearing = solution.bearing
     names = ["skf"]
-    names += ["skf_lambda"] * (asperity_share is not None) + [
-        "skf_as_printed"
-    ] * friction.as_printed
-    if friction.series is None or bearing.bore is None or bearing.outside_diameter is None:
-        return dict.fromkeys(
-            names, ModelTorque(note="needs bearing.skf_series, bore_mm and outside_diameter_mm")
+    names += ["skf_lambda"] * (asperity_share is not None)
+    names += ["skf_as_printed"] * friction.as_printed
+    inputs = _skf_inputs(solution, lubricant, friction)
+    if isinstance(inputs, str):
+        return dict.fromkeys(names, ModelTorque(note=inputs))
+    inner, at = inputs
+    models = {"skf": _skf(skf.skf_torque(inner, at))}
+    if asperity_share is not None:
+        models["skf_lambda"] = _skf(
+            skf.skf_torque(inner, replace(at, boundary_share=asperity_share))
         )
+    if friction.as_printed:
+        models["skf_as_printed"] = summed({"sliding": skf.sliding_as_printed(inner, at)})
+    return models
+
+
+def _skf_inputs(
+    solution: QuasistaticSolution, lubricant: Lubricant, friction: FrictionInput
+) -> tuple[skf.SkfBearing, skf.SkfOperation] | str:
+    """Bearing and operation as SKF's model takes them, or what is missing."""
+    bearing = solution.bearing
+    if friction.series is None or bearing.bore is None or bearing.outside_diameter is None:
+        return "needs bearing.skf_series, bore_mm and outside_diameter_mm"
     radial, axial = ring_loads(solution)
     kind = _kind(bearing)
     if kind is skf.Series.DEEP_GROOVE and axial > 0.0 and friction.static_rating is None:
-        return dict.fromkeys(
-            names, ModelTorque(note="needs bearing.basic_static_rating_kN under axial load")
-        )
+        return "needs bearing.basic_static_rating_kN under axial load"
     try:
         constants = skf.skf_constants(kind, friction.series)
     except ValueError as error:
-        return dict.fromkeys(names, ModelTorque(note=str(error)))
+        return str(error)
     inner = skf.SkfBearing(
         constants=constants,
         bore=bearing.bore,
@@ -248,7 +264,7 @@ def skf_model(
         seal_diameter=friction.seal_diameter,
         rows=len(solution.rows),
     )
-    at = skf.SkfOperation(
+    return inner, skf.SkfOperation(
         radial_load=radial,
         axial_load=axial,
         speed=sliding.shaft_speed(solution),
@@ -260,14 +276,6 @@ def skf_model(
         full_film_friction=friction.full_film,
         drag_factor=friction.drag_factor,
     )
-    models = {"skf": _skf(skf.skf_torque(inner, at))}
-    if asperity_share is not None:
-        models["skf_lambda"] = _skf(
-            skf.skf_torque(inner, replace(at, boundary_share=asperity_share))
-        )
-    if friction.as_printed:
-        models["skf_as_printed"] = summed({"sliding": skf.sliding_as_printed(inner, at)})
-    return models
 
 
 def _skf(torque: skf.SkfTorque) -> ModelTorque:

@@ -100,7 +100,7 @@ def starved_torque(
         fraction = friction.oil_fraction or 0.0
     else:
         fraction = oil_fraction(supply, cavity_volume(solution.bearing))
-    found = _of_films(solution, contacts, friction, films)
+    parts = _of_films(solution, contacts, friction, films)
     ample = _of_films(
         solution, contacts, friction, [film and replace(film, share=1.0) for film in films]
     )
@@ -108,7 +108,7 @@ def starved_torque(
     drag = churning_power(solution, lubricant.density, fraction) / speed
     driven = of_driven_balls(solution, contacts, films)
     return StarvedTorque(
-        **found._asdict(),
+        **parts._asdict(),
         cage=cage,
         drag=drag,
         film_share=mean_share(driven),

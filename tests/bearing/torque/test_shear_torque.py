@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.friction import balance as balancing
+from bearing.friction import cage
 from bearing.friction.films import COARSE_SHARE_LEFT_OUT, Asperities, film_balance, film_law
 from bearing.friction.resistance import NO_RESISTANCE, Cage, resistance_of
 from bearing.torque.integrated import solved_shear
@@ -66,7 +67,7 @@ def test_push_is_that_of_the_motion_found_from_a_law_nearby_too(light):
     assert begun.motions[0].orbit_speed != near.motions[0].orbit_speed
     for found in (near, begun, fresh):
         assert found.converged
-        assert found.cage_change <= balancing.CAGE_TARGET
+        assert found.cage_change <= cage.CAGE_TARGET
         assert found.energy_error == pytest.approx(0.0, abs=1e-8)
     assert_allclose(begun.cage, fresh.cage, rtol=1e-7)
     orbits = np.array([[motion.orbit_speed for motion in found.motions] for found in (begun, fresh)])
@@ -76,9 +77,9 @@ def test_push_is_that_of_the_motion_found_from_a_law_nearby_too(light):
 
 def test_a_push_that_is_not_found_is_no_balance(light, monkeypatch):
     """A push asked for that jumps with every round: what is left is told, and the balls do not count as balanced."""
-    monkeypatch.setattr(balancing, "CAGE_STEPS", 4)
-    asked, rounds = balancing._cage_force, count(1)
-    monkeypatch.setattr(balancing, "_cage_force", lambda *given: (1.0 + next(rounds) % 2) * asked(*given))
+    monkeypatch.setattr(cage, "CAGE_STEPS", 4)
+    asked, rounds = cage._cage_force, count(1)
+    monkeypatch.setattr(cage, "_cage_force", lambda *given: (1.0 + next(rounds) % 2) * asked(*given))
     found = film_balance(*light)
     assert found.residual < balancing.BALANCE_TOLERANCE
     assert found.cage_change > 0.1

@@ -1,0 +1,152 @@
+"""Balance of balls and cage: balls that the inner race does not drive are driven by the cage,
+which the other balls push.
+"""
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..contacts.motion import ball_speeds
+from ..geometry import Array
+from ..quasistatic.solution import QuasistaticSolution
+from .law import TINY
+from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, solve_with_couple_steps
+from .resistance import Resistance
+
+CAGE_STEPS = 20  # rounds of the push of the cage
+CAGE_TARGET = 1.0e-8  # change to stop at
+# to accept [-]
+# slope of the required over the applied push beyond which a secant is not taken [-]
+MAX_SECANT_SLOPE = 0.5
+
+
+class CageBalance(NamedTuple):
+    """Balance of balls and cage: z [m/s], residual of each ball and change of the cage's push
+    [-].
+    """
+
+    problem: MotionProblem
+    z: Array
+    residual: Array
+    change: float
+
+
+def balance_cage(
+    solution: QuasistaticSolution, problem: MotionProblem, start: Array, resistance: Resistance
+) -> CageBalance:
+    """Balls in balance under the push of the cage that they themselves ask for.
+
+    Balls that the inner race does not drive move with the cage, at a speed that follows from the
+    others' balance under the push; the push is found by secants.
+    """
+    # 1. start with the cage at the mean speed of the balls that drive it
+    z = _cage_driven_motion(solution, problem.driven, start)
+    problem = replace(problem, cage_force=_cage_force(solution, problem, z, resistance))
+    last: tuple[Array, Array] | None = None  # push applied and required in the last round [N]
+    for _ in range(CAGE_STEPS):
+        # 2. balance of the race-driven balls under the push
+        z, residual = solve_with_couple_steps(problem, z)
+        # 3. motion of the others, and the push that this requires
+        z = _cage_driven_motion(solution, problem.driven, z)
+        applied = problem.cage_force
+        required = _cage_force(solution, problem, z, resistance)
+        largest = float(max(np.abs(required).max(), np.abs(applied).max()))
+        change = float(np.abs(required - applied).max()) / largest if largest > 0.0 else 0.0
+        failed = last is not None and not residual.max() <= BALANCE_TOLERANCE
+        if change <= CAGE_TARGET or failed:
+            break
+        # 4. next push by a secant
+        problem = replace(problem, cage_force=_secant_cage_force(applied, required, last))
+        last = applied, required
+    return CageBalance(replace(problem, cage_force=applied), z, residual, change)
+
+
+def _secant_cage_force(applied: Array, required: Array, last: tuple[Array, Array] | None) -> Array:
+    """Push [N] at which the line through two rounds requires what is applied; the required one
+    where the line is steep.
+    """
+    if last is None:
+        return required
+    at = int(np.abs(applied).argmax())  # pushes of all rounds are in one proportion, by the loads
+    step = float(applied[at] - last[0][at])
+    slope = float(required[at] - last[1][at]) / step if step != 0.0 else np.inf
+    if abs(slope) >= MAX_SECANT_SLOPE:
+        return required
+    return required + slope / (1.0 - slope) * (required - applied)
+
+
+def orbit_velocities(solution: QuasistaticSolution) -> Array:
+    """Of the balls' centres along the orbit [m/s]."""
+    return solution.orbit_speed * 0.5 * solution.bearing.pitch_diameter
+
+
+def resisted_power(solution: QuasistaticSolution, resistance: Resistance) -> float:
+    """Power that the balls give to the oil around them and to the cage at the motion of an
+    equilibrium [W].
+    """
+    speed = orbit_velocities(solution)
+    load = solution.inner_load
+    power = float((resistance.drag(speed) * speed).sum())
+    if load.any():
+        power += resistance.cage_power(
+            solution, driven_cage_speed(solution, load, np.zeros((load.size, 4)))
+        )
+    return power
+
+
+def _cage_force(
+    solution: QuasistaticSolution, problem: MotionProblem, z: Array, resistance: Resistance
+) -> Array:
+    """Push into the cage by the balls that the inner race drives, shared by their load [N].
+
+    What the other balls cost, and the drag of the cage's guidance.
+    """
+    driving = problem.driven
+    load = np.where(driving, solution.inner_load, 0.0)
+    speed = orbit_velocities(solution) + z[:, 0]
+    driving_power = float((load * speed).sum())
+    if driving_power == 0.0:
+        return np.zeros(driving.size)
+    power = resistance.cage_power(solution, driven_cage_speed(solution, load, z))
+    others = np.flatnonzero(~driving)
+    if others.size:
+        k = problem.start[others] + np.einsum("bckj,bj->bck", problem.slopes[others], z[others])
+        gradient = problem.law.evaluate(k.reshape(-1, 4), contacts_of(others)).gradient
+        # heat less what the rings feed in [W]
+        heat = float((gradient.reshape(k.shape) * (k - problem.ring_motion[others])).sum())
+        power += heat + float((problem.drag * speed)[others].sum())
+    return load * power / max(abs(driving_power), TINY) * np.sign(driving_power)
+
+
+def driven_cage_speed(solution: QuasistaticSolution, load: Array, z: Array) -> float:
+    """Mean orbit speed of the balls that drive the cage, by load [rad/s]."""
+    return float(
+        (load * (solution.orbit_speed + z[:, 0] * 2.0 / solution.bearing.pitch_diameter)).sum()
+        / load.sum()
+    )
+
+
+def _cage_driven_motion(
+    solution: QuasistaticSolution, driving: NDArray[np.bool_], z: Array
+) -> Array:
+    """The unknowns [m/s] with balls that the inner race does not drive at the mean orbit speed of
+    those that do.
+    """
+    load = solution.inner_load
+    if driving.all() or not driving.any():
+        return z
+    bearing = solution.bearing
+    outer = solution.operation.outer_speed
+    radius = 0.5 * bearing.pitch_diameter
+    mean = driven_cage_speed(solution, np.where(driving, load, 0.0), z)
+    shifted = z.copy()
+    rotation = ball_speeds(solution)[1]
+    for i in np.flatnonzero(~driving):
+        own = float(solution.orbit_speed[i])
+        # rolling goes with the orbit
+        faster = (mean - outer) / (own - outer) - 1.0 if own != outer else 0.0
+        shifted[i, 0] = radius * (mean - own)
+        shifted[i, 1:] = 0.5 * bearing.ball_diameter * faster * rotation[i]
+    return shifted
