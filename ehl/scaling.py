@@ -28,7 +28,7 @@ Array = NDArray[np.float64]
 
 # s [(1 + q P)^z - 1]
 CLOSED_FORM_LAWS = (ViscosityLaw.ROELANDS, ViscosityLaw.BARUS, ViscosityLaw.ISOVISCOUS)
-ALIGNED = 1e-12  # |C| below this is an entrainment along a principal direction
+ALIGNMENT_TOLERANCE = 1e-12  # |C| below this is an entrainment along a principal direction
 # speed at the end of the ellipse, over u_m, below which a rotation of the entrainment is left out
 SMALLEST_ROTATION = 1e-3
 
@@ -75,7 +75,7 @@ class ScaledContact:
     semi_axis_x: float | None  # a [m]
     film_scale: float | None  # a^2/Rx [m]
     coating: ScaledCoating | None = None
-    # where a law is not one of the closed forms above, which are then not looked at
+    # of a law that is none of the closed forms above, which are then not used
     oil: Lubricant | None = None
 
     def gap(self, X: Array, Y: Array) -> Array:
@@ -95,7 +95,7 @@ class ScaledContact:
     @property
     def symmetric(self) -> bool:
         """Whether the solution is even in Y."""
-        return abs(self.curvature_xy) < ALIGNED and not self.lateral
+        return abs(self.curvature_xy) < ALIGNMENT_TOLERANCE and not self.lateral
 
     @property
     def lateral(self) -> bool:
@@ -149,7 +149,7 @@ def _frame(d: float, angle: float, rotation: float, along_entrainment: bool) -> 
     straight = 0.5 * pi * round(crossing / (0.5 * pi))
     frame = (
         angle
-        if along_entrainment or abs(sin(angle) * cos(angle) * (d - 1.0)) < ALIGNED
+        if along_entrainment or abs(sin(angle) * cos(angle) * (d - 1.0)) < ALIGNMENT_TOLERANCE
         else straight
     )
     return _Frame(

@@ -31,9 +31,9 @@ Array = NDArray[np.float64]
 
 # Hmin/(S hx^2) below this is reported as unresolved, S the gap's curvature along the entrainment
 RESOLVED = 5.0
-# a film above this share of Rx lies in a gap that is no paraboloid: reported as unresolved too
-PARABOLIC = 0.02
-THINNEST = 0.2  # minimum over central film, where only the latter is guessed
+# a thicker film lies in a gap that is no paraboloid: reported as unresolved, too
+MAX_FILM_OVER_RADIUS = 0.02
+FILM_RATIO = 0.2  # minimum over central film, where only the latter is guessed
 LOAD_STEPS = (1.0 / 16.0, 0.25)  # shares of the load through which a fallback reaches it
 PILOT_POINTS = 65
 TOLERANCE_START = 129  # points of the first solve when a tolerance is asked for
@@ -45,8 +45,8 @@ EXTERIOR_SHARE = 0.06  # of the load; an open box is widened until less than thi
 INLET = (4.0, 10.0)  # 1.5 times: of M 1 to 5 -0.4 to -1.3 %, else up to -1.0 %, the mesh
 OUTLET = (1.5, 1.2)  # 1.2 times 0.7 or 2: of M 1 to 5 -1 to -2.9 % or +0.2 to +1.2 %, else none
 SIDE = 2.5  # times 0.7 or 1.5: below 0.03 %
-# squared, the second times v^2, as an oblique side is an inlet, too. First times a quarter or four:
-# M 1 to 5 up to -1.2 % or +0.3 %, else below 0.03 %; second times 0 or 4: below 0.15 %
+# squared, the second times v^2, as an oblique side is an inlet, too. First times 0.25 or 4: M 1 to
+# 5 up to -1.2 % or +0.3 %, else below 0.03 %; second times 0 or 4: below 0.15 %
 SIDE_GAP = (40.0, 60.0)
 
 
@@ -89,7 +89,7 @@ def solve_attempts(
         contact = result.state.contact
         grid = result.state.levels[-1].grid
         # without a film to measure, from the formula's
-        guess = THINNEST * contact.film_guess / (contact.curvature_x * grid.hx**2)
+        guess = FILM_RATIO * contact.film_guess / (contact.curvature_x * grid.hx**2)
         fineness = max(_fineness(result), guess) / RESOLVED
         solution = thin_film(
             solution, fineness, lambda lighter: _solve(lighter, options, None, attempts)[1]
@@ -275,7 +275,7 @@ def resolution_message(result: AttemptResult) -> tuple[bool, str]:
     resolved = (
         bool(result.films)
         and _fineness(result) >= RESOLVED
-        and _film_over_radius(result) <= PARABOLIC
+        and _film_over_radius(result) <= MAX_FILM_OVER_RADIUS
     )
     return resolved, _message(result, resolved)
 
@@ -293,7 +293,7 @@ def _fineness(result: AttemptResult) -> float:
 def _too_thin(result: AttemptResult) -> bool:
     """Whether the mesh is too coarse for the film, in a gap that is a paraboloid."""
     return not result.films or (
-        _fineness(result) < RESOLVED and _film_over_radius(result) <= PARABOLIC
+        _fineness(result) < RESOLVED and _film_over_radius(result) <= MAX_FILM_OVER_RADIUS
     )
 
 
@@ -309,12 +309,11 @@ def _message(result: AttemptResult, resolved: bool) -> str:
     if not result.films:
         return "the iteration diverged in spite of stronger damping; try more points or less load"
     if not result.converged():
-        change, load = result.changes[-1], result.load[-1]
         return (
-            f"not converged: film changed by {change:.1e} in the last cycle, "
-            f"load error {load:.1e}; try more points"
+            f"not converged: film changed by {result.changes[-1]:.1e} in the last cycle, "
+            f"load error {result.load[-1]:.1e}; try more points"
         )
-    if _film_over_radius(result) > PARABOLIC:
+    if _film_over_radius(result) > MAX_FILM_OVER_RADIUS:
         share = _film_over_radius(result)
         return (
             f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; "

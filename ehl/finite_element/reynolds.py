@@ -21,7 +21,7 @@ from ..scaling import ScaledContact
 
 Array = NDArray[np.float64]
 QUADRATURE = 4  # polynomial order that is integrated exactly
-SMALL = 1e-3  # cell Peclet number below which its series is used
+SMALL_PECLET = 1e-3  # cell Peclet number below which its series is used
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,8 +101,8 @@ def coefficients(space: FilmSpace, contact: ScaledContact, P: Array, H: Array) -
     a_P = rho[2] / rho[0] - (rho[1] / rho[0]) ** 2 - curvature
     hx = space.length_x
     peclet = (2.0 * c.deformation * hx * rho[0] + h * rho[1]) * hx / (2.0 * eps)
-    large = np.maximum(peclet, SMALL)
-    upwind = np.where(peclet > SMALL, 1.0 / np.tanh(large) - 1.0 / large, peclet / 3.0)
+    large = np.maximum(peclet, SMALL_PECLET)
+    upwind = np.where(peclet > SMALL_PECLET, 1.0 / np.tanh(large) - 1.0 / large, peclet / 3.0)
     return Coefficients(
         P_grad=p_grad,
         H=h,

@@ -239,6 +239,16 @@ def solve_heat_column(
 
 
 @compiled
+def wall_flux(conductance, differences, temperature, flux):
+    """Flux from a column into body 1 and body 2 [W/m^2]; conductance: k/h [W/(m^2 K)]."""
+    gain_1 = gain_2 = 0.0
+    for k in range(temperature.size):
+        gain_1 += differences[0][k] * temperature[k]
+        gain_2 -= differences[1][k] * temperature[k]
+    flux[0], flux[1] = conductance * gain_1, conductance * gain_2
+
+
+@compiled
 def heat_sweep(
     p, h, gradient, speed_1, speed_2, mesh, symmetric, forward, oil, heat, section, differences,
     rheology, inlet, bulk, response, weights, temperature, middle, mass, flux, dissipation
@@ -255,37 +265,30 @@ def heat_sweep(
     n = section[0].size
     unsolved = 0
     work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
-    slope = np.zeros((n, n))
-    out = np.zeros(n)
+    slope, out = np.zeros((n, n)), np.zeros(n)
     for j in range(ny):
-        for turn in range(nx):
-            i = turn if forward else nx - 1 - turn
+        for i in range(nx) if forward else range(nx - 1, -1, -1):
             height = h[j, i]
             # 1. walls by the heat taken up upstream
-            past_1 = bulk[0] + response[0, j, i] * body_history(
-                flux[0, j], i, speed_1[0, j, i], weights
-            )
-            past_2 = bulk[1] + response[1, j, i] * body_history(
-                flux[1, j], i, speed_2[0, j, i], weights
-            )
+            heated_1 = body_history(flux[0, j], i, speed_1[0, j, i], weights)
+            heated_2 = body_history(flux[1, j], i, speed_2[0, j, i], weights)
+            past_1 = bulk[0] + response[0, j, i] * heated_1
+            past_2 = bulk[1] + response[1, j, i] * heated_2
             if height <= 0.0:
                 flux[0, j, i] = flux[1, j, i] = dissipation[j, i] = 0.0
-                for k in range(n):
-                    temperature[j, i, k] = past_1 + section[0][k] * (past_2 - past_1)
+                temperature[j, i] = past_1 + section[0] * (past_2 - past_1)
                 continue
             # 2. column, with the response of the walls to its own flux
             rise = (height * gradient[0, j, i], height * gradient[1, j, i])
-            rate = (
-                (speed_2[0, j, i] - speed_1[0, j, i]) / height,
-                (speed_2[1, j, i] - speed_1[1, j, i]) / height,
-            )
+            slide_x = speed_2[0, j, i] - speed_1[0, j, i]
+            slide_y = speed_2[1, j, i] - speed_1[1, j, i]
+            rate = (slide_x / height, slide_y / height)
             wall_response = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
             speed = (speed_1[0, j, i], speed_1[1, j, i])
-            before = i - 1 if forward else i + 1
             converged = False
             for attempt in range(2):
-                # the last temperatures may be far off: start from those of the neighbour
-                if attempt == 1 and 0 <= before < nx:
+                before = i - 1 if forward else i + 1
+                if attempt == 1 and 0 <= before < nx:  # from the neighbour's temperatures
                     temperature[j, i], middle[:, j, i] = temperature[j, before], np.nan
                 dissipation[j, i], converged = solve_heat_column(
                     j, i, p[j, i], height, rise, rate, speed, mesh, symmetric, oil, heat, section,
@@ -296,11 +299,7 @@ def heat_sweep(
                     break
             unsolved += 0 if converged else 1
             # 3. flux into the walls
-            gain_1 = gain_2 = 0.0
-            for k in range(n):
-                gain_1 += differences[0][k] * temperature[j, i, k]
-                gain_2 -= differences[1][k] * temperature[j, i, k]
-            flux[0, j, i], flux[1, j, i] = heat[0] / height * gain_1, heat[0] / height * gain_2
+            wall_flux(heat[0] / height, differences, temperature[j, i], flux[:, j, i])
     return unsolved
 
 

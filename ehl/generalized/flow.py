@@ -45,7 +45,7 @@ Array = NDArray[np.float64]
 
 # relative change of the gradient, and change of ln(eta) by pressure, for difference quotients
 STEP = 0.02
-TINY = 1e-300  # keeps a quotient finite
+SMALLEST_WEIGHT = 1e-300  # keeps a quotient finite
 SMALLEST_SLOPE = 1e-10  # of ln(eta) by pressure, below which an oil counts as isoviscous [1/Pa]
 
 
@@ -113,12 +113,7 @@ class GeneralizedFlow:
         speed = self.conditions.entrainment_speed
         fields = film_fields(contact, grid, P, H, self.conditions)
         # 1. temperature across the film, with the stress in its middle of the last cycle
-        middle = np.full((2, *P.shape), np.nan) if last is None else last.mid_stress.copy()
-        heat = None
-        if self.heat is not None:
-            across = (self.section, self.rheology)
-            last_heat = None if last is None else last.heat
-            heat = self.heat.advance(contact, grid, fields, middle, across, last_heat)
+        middle, heat = self._heated(contact, grid, fields, last)
         temperature = self._temperature(P.shape, heat, last)
         # 2. factors of Yang and Wen (1990), linearised
         new = self._linearised(fields, middle, temperature)
@@ -126,14 +121,15 @@ class GeneralizedFlow:
             12.0 * viscosity(fields.p, self.conditions.lubricant)
         )
         # 3. relaxation by 1/(1 + m)
-        poiseuille, couette_slope, change = new.poiseuille, new.couette_slope, inf
+        poiseuille = new.poiseuille
+        couette_slope = new.couette_slope
+        change = inf
         if last is not None:
             old = self._last_factor(fields.p, last)
-            weight = new.poiseuille * newtonian * np.hypot(*fields.gradient)
-            steps = np.abs(np.log(new.poiseuille / old))
-            change = float((weight * steps).sum() / max(float(weight.sum()), TINY))
             poiseuille = old * (new.poiseuille / old) ** (1.0 / (1.0 + new.power))
             couette_slope = couette_slope * np.minimum(poiseuille / new.poiseuille, 1.0)
+            weight = new.poiseuille * newtonian * np.hypot(*fields.gradient)
+            change = _weighted_change(new.poiseuille, old, weight)
         # 4. derivative of the Couette flux, from there to the Poiseuille term
         flow = (new.couette + couette_slope * newtonian * fields.gradient) / speed
         factors = FlowFactors(
@@ -154,6 +150,20 @@ class GeneralizedFlow:
             unsolved_columns=new.unsolved + (0 if heat is None else heat.unsolved_columns),
             over_limit_columns=self._over_limit_columns(fields, temperature),
         )
+
+    def _heated(
+        self, contact: ScaledContact, grid: Grid, fields: FilmFields, last: FlowState | None
+    ) -> tuple[Array, HeatState | None]:
+        """Stress in the middle of the film [Pa], not a number on the first cycle without heat, and
+        the heat.
+        """
+        shape = (2, *fields.p.shape)
+        middle = np.full(shape, np.nan) if last is None else last.mid_stress.copy()
+        if self.heat is None:
+            return middle, None
+        across = (self.section, self.rheology)
+        before = None if last is None else last.heat
+        return middle, self.heat.advance(contact, grid, fields, middle, across, before)
 
     def _temperature(
         self, shape: tuple[int, ...], heat: HeatState | None, last: FlowState | None
@@ -243,13 +253,20 @@ class GeneralizedFlow:
         return poiseuille, couette, tangent.max(axis=0), int(unsolved)
 
 
+def _weighted_change(new: Array, old: Array, weight: Array) -> float:
+    """Mean change of ln(factor) [-]."""
+    changes = np.abs(np.log(new / old))
+    return float((weight * changes).sum() / max(float(weight.sum()), SMALLEST_WEIGHT))
+
+
 def film_fields(
     contact: ScaledContact, grid: Grid, P: Array, H: Array, conditions: ContactConditions
 ) -> FilmFields:
     """Pressure and film of a grid [-] in SI, with the entrainment of the solver and the sliding of
     the conditions; the contact has a length scale.
     """
-    a, film_scale = contact.semi_axis_x, contact.film_scale
+    a = contact.semi_axis_x
+    film_scale = contact.film_scale
     assert a is not None and film_scale is not None
     p = np.maximum(P, 0.0) * contact.hertz_pressure
     along_x = np.gradient(p, grid.hx * a, axis=1)

@@ -141,6 +141,28 @@ def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind)
 
 
 @compiled
+def _add_poiseuille(i, eps, eps_north, eps_south, kinds, cx, cy, wx, wy, band):
+    """Add the derivative of d_X(eps d_X P) + d_Y(eps d_Y P) at node i to a line's system."""
+    e = eps[i]
+    east = cx * (eps[i + 1] + e)
+    west = cx * (e + eps[i - 1])
+    across = cy * (eps_north[i] + eps_south[i] + 2.0 * e)
+    centre = east + west + across
+    spread = 1.0 if kinds[i + LOWER] == JACOBI else 0.0
+    band[i, LOWER] -= centre + spread * (wx * (east + west) + wy * across)
+    for side in (-1, 1):
+        beside = west if side < 0 else east
+        first = kinds[i + LOWER + side]
+        second = kinds[i + LOWER + 2 * side]
+        if first == GAUSS_SEIDEL:
+            band[i, LOWER + side] += beside
+        elif first == JACOBI:
+            band[i, LOWER + side] += beside + wx * centre
+        if second == JACOBI:
+            band[i, LOWER + 2 * side] -= wx * beside
+
+
+@compiled
 def _line_system(
     eps, eps_north, eps_south, flow, slope, H, kinds, influence, cx, cy, hx, wx, wy, band
 ):
@@ -174,23 +196,7 @@ def _line_system(
                 + r1 * influence[0, kind, m + up]
                 + r2 * influence[0, kind, m + 2 * up]
             )
-        e = eps[i]
-        east = cx * (eps[i + 1] + e)
-        west = cx * (e + eps[i - 1])
-        across = cy * (eps_north[i] + eps_south[i] + 2.0 * e)
-        centre = east + west + across
-        spread = 1.0 if kinds[i + LOWER] == JACOBI else 0.0
-        band[i, LOWER] -= centre + spread * (wx * (east + west) + wy * across)
-        for side in (-1, 1):
-            beside = west if side < 0 else east
-            first = kinds[i + LOWER + side]
-            second = kinds[i + LOWER + 2 * side]
-            if first == GAUSS_SEIDEL:
-                band[i, LOWER + side] += beside
-            elif first == JACOBI:
-                band[i, LOWER + side] += beside + wx * centre
-            if second == JACOBI:
-                band[i, LOWER + 2 * side] -= wx * beside
+        _add_poiseuille(i, eps, eps_north, eps_south, kinds, cx, cy, wx, wy, band)
         if inside:
             band[i, LOWER] += up * 1.5 * slope[i] * H[i] / hx
             if kinds[i + LOWER + up] != FIXED:

@@ -201,15 +201,14 @@ def flow(state: Multigrid, level: Level) -> None:
 def _oil(state: Multigrid, level: Level) -> None:
     """eps, and rho and its slope in place of the flow, of a Newtonian isothermal oil."""
     c = state.contact
-    out = (level.eps, level.flow_x, level.slope_x)
     if c.oil is None:
         viscosity = (c.viscosity_slope, c.viscosity_pressure, c.viscosity_exponent)
-        law = (*viscosity, c.density_numerator, c.density_denominator, c.speed)
-        kernel = _kernels.flow_properties
+        density = (c.density_numerator, c.density_denominator)
+        law = partial(_kernels.flow_properties, level.P, level.H, *viscosity, *density)
     else:
-        law = (c.hertz_pressure, oil_numbers(c.oil), c.speed)
-        kernel = properties.flow_properties
-    lines = partial(kernel, level.P, level.H, *law, *out)
+        numbers = oil_numbers(c.oil)
+        law = partial(properties.flow_properties, level.P, level.H, c.hertz_pressure, numbers)
+    lines = partial(law, c.speed, level.eps, level.flow_x, level.slope_x)
     state.threads.run(lines, range(level.grid.ny), level.P.size)
 
 
@@ -226,7 +225,8 @@ def relax(state: Multigrid, index: int) -> None:
     """One line sweep, even lines before odd ones, and the film that belongs to it."""
     level = state.levels[index]
     damping = state.damping
-    P, grid = level.P, level.grid
+    P = level.P
+    grid = level.grid
     flow(state, level)
     switch = damping.switch * max(1.0, grid.hy / grid.hx) ** 1.5
     couette = (

@@ -60,7 +60,8 @@ def central_film(grid: Grid, H: Array) -> float:
     if abs(X[i]) < 1e-9 * grid.hx:
         return float(line[i])
     first = min(max(int(np.searchsorted(X, 0.0)) - 2, 0), grid.nx - 4)
-    nodes, values = X[first : first + 4], line[first : first + 4]
+    nodes = X[first : first + 4]
+    values = line[first : first + 4]
     weights = [
         np.prod([-other / (node - other) for other in nodes if other != node]) for node in nodes
     ]

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..grid import Grid
-from ..scaling import ALIGNED, ScaledContact
+from ..scaling import ALIGNMENT_TOLERANCE, ScaledContact
 
 Array = NDArray[np.float64]
 DIRECTIONS = 720  # of the quadrature of the exterior load
@@ -51,7 +51,7 @@ def far_field(contact: ScaledContact) -> FarField:
     along = u / (3.0 + 2.0 * d)
     across = v * d / (3.0 * d + 2.0)
     S, T = contact.curvature_x, contact.curvature_y
-    rotation = contact.rotation if abs(contact.curvature_xy) < ALIGNED else 0.0
+    rotation = contact.rotation if abs(contact.curvature_xy) < ALIGNMENT_TOLERANCE else 0.0
     return FarField(
         pressure_x=contact.speed * (c * along + s * across),
         pressure_y=contact.speed * (c * across - s * along),

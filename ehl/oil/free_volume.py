@@ -97,7 +97,8 @@ def log_viscosity_doolittle(
     (1951), Bair (2007), at a pressure [Pa] and, if e is given, a temperature [K]; infinite where
     the occupied volume would fill the whole.
     """
-    r, expansion = doolittle.occupied_share, doolittle.occupied_expansion
+    r = doolittle.occupied_share
+    expansion = doolittle.occupied_expansion
     above = 0.0 if expansion is None else np.asarray(temperature) - tait.reference_temperature
     occupied = 1.0 if expansion is None else 1.0 + expansion * above
     free = relative_volume(p, tait.reference_temperature + above, tait) - r * occupied

@@ -14,8 +14,8 @@ from .layered import patch_compliance
 
 Array = NDArray[np.float64]
 # part of the kernel that the line relaxation uses
-LINES = 4
-NEAR = 12
+NEAR_LINES = 4
+NEAR_COLUMNS = 12
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -28,7 +28,8 @@ class DeflectionKernel:
     length_y: int
     # real, as the kernel is even; of a symmetric grid: rows [even, odd frequencies], columns twice
     spectrum: Array
-    # shape (LINES, NEAR), deflection at distance m hx in the same line and in the next ones
+    # deflection at distance m hx in the same line and in the next ones, shape (NEAR_LINES,
+    # NEAR_COLUMNS)
     near: Array
 
 
@@ -62,7 +63,7 @@ def deflection_kernel(
         length_x=2 * cells_x,
         length_y=2 * cells_y,
         spectrum=np.ascontiguousarray(spectrum),
-        near=quarter[:LINES, :NEAR].copy(),
+        near=quarter[:NEAR_LINES, :NEAR_COLUMNS].copy(),
     )
 
 

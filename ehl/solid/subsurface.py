@@ -93,7 +93,8 @@ def rectangle_stress(
     xz of shape (2 nx - 1, 2 ny - 1), the cell in the middle [-]; `points` are nx and ny, `steps`
     the sides of the cell [m].
     """
-    z, nu = depth, poisson_ratio
+    z = depth
+    nu = poisson_ratio
     u, v = ((np.arange(1 - n, n + 1) - 0.5) * step for n, step in zip(points, steps, strict=True))
     u = u[:, None]
     v = v[None, :]
