@@ -16,13 +16,27 @@ from ..oil._rheology_kernels import inverse_sine, shear_stress
 X, Y, AREA, FILM, VISCOSITY, LIMIT, SPREAD_X, SPREAD_Y = range(8)
 # of a table's values: F_x, F_y, M_n, M_y of sliding, over the film's largest force and moments
 COLUMNS = 4
-# of a table's films: logarithms of three scales, film, hydrodynamic moment, stiffness, damping,
-# largest
-SCALARS = 10
+# of a table's films, logarithms: scales of the motions, central film, hydrodynamic moment,
+# response, largest force and moments of sliding
+(
+    SCALE_X,
+    SCALE_Y,
+    SCALE_SPIN,
+    CENTRAL_FILM,
+    HYDRODYNAMIC,
+    STIFFNESS,
+    DAMPING,
+    LARGEST_FORCE,
+    LARGEST_SPIN,
+    LARGEST_ROLLING,
+) = range(10)
+# of a table's constants: bodies, range of the motions, transverse semi-axis at 1 N, 1/(2R)
+RADIUS_X, DIFFERENCE, RANGE_X, RANGE_Y, RANGE_SPIN, UNIT_AXIS, CURVATURE = range(7)
 # as in `table`
 LOAD_POWER = -0.2
 SPIN_SHARE = 0.3
 TINY = np.finfo(np.float64).tiny
+# flags of what lies outside a table's range
 BELOW_LOAD = 1
 ABOVE_LOAD = 2
 BELOW_SPEED = 4
@@ -117,10 +131,8 @@ def _clamped(place, axis):
 
 @compiled
 def vertex_slide(spin, b_axis, radius_x, curvature):
-    """Sliding at the vertex of the parabola -Omega y - omega y^2/(2R), near enough to the ellipse,
-    over u.
-
-    spin is Omega R_x/u; the vertex y = -Omega R/omega is held back at the semi-axis.
+    """Sliding over u at the vertex of the parabola -Omega y - omega y^2/(2R), at y = -Omega
+    R/omega but no farther out than the semi-axis; spin is Omega R_x/u.
     """
     if curvature <= 0.0:
         return 0.0
@@ -141,31 +153,23 @@ def _scaled(motion, scale, limit, axis):
 def _motion_scale(scale, turn, b_axis, constants):
     """Scale of slide_x at a spin, see `table.spinning_scale`."""
     far = 0.5 * turn
-    bend = constants[6] * b_axis
-    steep, bend = far * far * far * far, bend * bend * bend * bend
-    spread = SPIN_SHARE * steep / (steep + bend + TINY) * turn * b_axis / constants[0]
+    bend = constants[CURVATURE] * b_axis
+    steep = far * far * far * far
+    bend = bend * bend * bend * bend
+    share = SPIN_SHARE * steep / (steep + bend + TINY)
+    spread = share * turn * b_axis / constants[RADIUS_X]
     return np.sqrt(scale * scale + spread * spread)
 
 
 @compiled
-def _film_sums(scalars, i0, i1, w0, w1):
-    """The ten logarithms of a film at a load and speed."""
-    s0 = s1 = s2 = s3 = s4 = s5 = s6 = s7 = s8 = s9 = 0.0
+def _film_value(film, column):
+    """What a spline over load and speed has a logarithm of: scalars, first indices and weights."""
+    scalars, i0, i1, w0, w1 = film
+    total = 0.0
     for a in range(4):
         for b in range(4):
-            weight = w0[a] * w1[b]
-            v = scalars[i0 + a, i1 + b]
-            s0 += weight * v[0]
-            s1 += weight * v[1]
-            s2 += weight * v[2]
-            s3 += weight * v[3]
-            s4 += weight * v[4]
-            s5 += weight * v[5]
-            s6 += weight * v[6]
-            s7 += weight * v[7]
-            s8 += weight * v[8]
-            s9 += weight * v[9]
-    return s0, s1, s2, s3, s4, s5, s6, s7, s8, s9
+            total += w0[a] * w1[b] * scalars[i0 + a, i1 + b, column]
+    return np.exp(total)
 
 
 def _row_sums():
@@ -236,47 +240,54 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     table's range.
 
     axes, shape (5, 3): start, nodes per unit, nodes of -load^LOAD_POWER, ln(speed), and the three
-    scaled motions. constants: R_x, curvature difference, largest slide_x/speed, slide_y/speed,
-    spin R_x/speed, transverse semi-axis at 1 N, 1/(2R). scalars, shape (nQ + 2, nU + 2, 10),
-    values, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4): B-spline coefficients. out, 8
-    numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power lost [W], central film [m],
+    scaled motions. constants, shape (7,), and scalars, shape (nQ + 2, nU + 2, 10): as named above.
+    values, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4). Both are B-spline coefficients. out,
+    8 numbers: F_x, F_y on body 1 [N], M_n, M_y on body 1 [N m], power lost [W], central film [m],
     stiffness [N/m], damping [N s/m]. Outside, the nearest place in the table counts, forces per
     load.
     """
+    # 1. place on the axes of load and speed, and the film there
     q, side = _clamped(-(max(load, 1e-300) ** LOAD_POWER), axes[0])
     flag = BELOW_LOAD if side < 0 else (ABOVE_LOAD if side > 0 else 0)
     u, side = _clamped(np.log(max(speed, 1e-300)), axes[1])
     flag += BELOW_SPEED if side < 0 else (ABOVE_SPEED if side > 0 else 0)
     i0, w0 = _weights(q, axes[0])
     i1, w1 = _weights(u, axes[1])
-    s = _film_sums(scalars, i0, i1, w0, w1)
-    # -1/LOAD_POWER
+    film = (scalars, i0, i1, w0, w1)
+    # 2. place on the axes of the motions, by the film's scales; the half above slide_y = 0
     mirror = 1.0 if slide_y >= 0.0 else -1.0
     size = max(abs(speed), 1e-300)
-    table_load = -1.0 / q**5
-    turn = mirror * spin * constants[0] / size
-    b_axis = constants[5] * np.cbrt(table_load)
-    top = slide_x / size + vertex_slide(turn, b_axis, constants[0], constants[6])
-    x, beyond = _scaled(
-        top, _motion_scale(np.exp(s[0]), turn, b_axis, constants), constants[2], axes[2]
-    )
+    table_load = -1.0 / q**5  # -1/LOAD_POWER
+    radius = constants[RADIUS_X]
+    turn = mirror * spin * radius / size
+    b_axis = constants[UNIT_AXIS] * np.cbrt(table_load)
+    top = slide_x / size + vertex_slide(turn, b_axis, radius, constants[CURVATURE])
+    scale = _motion_scale(_film_value(film, SCALE_X), turn, b_axis, constants)
+    x, beyond = _scaled(top, scale, constants[RANGE_X], axes[2])
     flag += SLIDE_X if beyond else 0
-    y, beyond = _scaled(abs(slide_y) / size, np.exp(s[1]), constants[3], axes[3])
+    scale = _film_value(film, SCALE_Y)
+    y, beyond = _scaled(abs(slide_y) / size, scale, constants[RANGE_Y], axes[3])
     flag += SLIDE_Y if beyond else 0
-    n, beyond = _scaled(turn, np.exp(s[2]), constants[4], axes[4])
+    n, beyond = _scaled(turn, _film_value(film, SCALE_SPIN), constants[RANGE_SPIN], axes[4])
     flag += SPIN if beyond else 0
-    (i2, w2), (i3, w3), (i4, w4) = _weights(x, axes[2]), _weights(y, axes[3]), _weights(n, axes[4])
+    i2, w2 = _weights(x, axes[2])
+    i3, w3 = _weights(y, axes[3])
+    i4, w4 = _weights(n, axes[4])
+    # 3. forces and moments: sliding over its largest, and the hydrodynamic moment
     t = _spline_sum(values, (i0, i1, i2, i3, i4), w0, w1, w2, w3, w4)
     per_load = load / table_load
-    hydrodynamic = -np.exp(s[4]) * per_load
-    force = np.exp(s[7]) * per_load
-    out[0] = t[0] * force + 0.5 * constants[1] * hydrodynamic
+    hydrodynamic = -_film_value(film, HYDRODYNAMIC) * per_load
+    force = _film_value(film, LARGEST_FORCE) * per_load
+    out[0] = t[0] * force + 0.5 * constants[DIFFERENCE] * hydrodynamic
     out[1] = mirror * t[1] * force
-    out[2] = mirror * t[2] * np.exp(s[8]) * per_load
-    out[3] = t[3] * np.exp(s[9]) * per_load + hydrodynamic
-    rolling = speed / constants[0] - 0.5 * constants[1] * slide_x
+    out[2] = mirror * t[2] * _film_value(film, LARGEST_SPIN) * per_load
+    out[3] = t[3] * _film_value(film, LARGEST_ROLLING) * per_load + hydrodynamic
+    # 4. power and film
+    rolling = speed / radius - 0.5 * constants[DIFFERENCE] * slide_x
     out[4] = -(out[0] * slide_x + out[1] * slide_y + out[2] * spin + out[3] * rolling)
-    out[5], out[6], out[7] = np.exp(s[3]), np.exp(s[5]), np.exp(s[6])
+    out[5] = _film_value(film, CENTRAL_FILM)
+    out[6] = _film_value(film, STIFFNESS)
+    out[7] = _film_value(film, DAMPING)
     return flag
 
 
@@ -290,11 +301,13 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
     N, R_x, 1/(2R), curvature difference. Film, stiffness and damping are zero.
     """
     third = np.cbrt(max(load, 0.0))
-    a, b = constants[0] * third, constants[1] * third
+    a = constants[0] * third
+    b = constants[1] * third
     rolling = speed / constants[2] - 0.5 * constants[4] * slide_x
     f_x = f_y = m_n = m_y = 0.0
     for k in range(disc.shape[1]):
-        x, y = a * disc[0, k], b * disc[1, k]
+        x = a * disc[0, k]
+        y = b * disc[1, k]
         bend = constants[3] * y * y
         s_x = slide_x - spin * y - rolling * bend
         s_y = slide_y + spin * x
@@ -316,7 +329,8 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
 def coefficient(law, slide, speed):
     """Friction coefficient at a local sliding speed [m/s] and an entrainment speed [m/s]."""
     if law[0] == 0.0:
-        low, high = law[2], law[3]
+        low = law[2]
+        high = law[3]
         if slide <= low:
             return 0.0
         return law[1] if slide >= high else law[1] * (slide - low) / (high - low)

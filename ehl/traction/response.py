@@ -1,4 +1,4 @@
-r"""How a lubricated contact answers to the approach of its bodies: stiffness and squeeze damping.
+r"""Stiffness and squeeze damping of a lubricated contact along its normal.
 
 With h_0 the constant of the film equation (minus the approach), the load is F(h_0) when the bodies
 stand still and, to first order in its rate, F(h_0) + F' dh_0/dt when they move: stiffness k =
@@ -28,17 +28,17 @@ from ..solution import ContactSolution
 
 Array = NDArray[np.float64]
 
-# relative; the film's change is then a hundred times what the iteration leaves of an error
+# relative; the film's change is then a hundred times the error of the iteration
 LOAD_STEP = 0.02
 SQUEEZE_STEP = 0.02  # dH_0/dT over the central film, T in a/u_m; small against 1
 CYCLES = 8  # of each step, from the neighbouring solution
-CAREFUL = (  # ways of damping, one after the other; the second with twice the cycles
+DAMPINGS = (  # one after the other; the second with twice the cycles
     Attempt(name="plain", damping=Damping()),
     Attempt(name="damped", damping=CAUTIOUS),
 )
-# across, to try
+# across, of the solver's attempts, nearest to the plain one first
 MESHES = tuple(sorted({attempt.mesh_y for attempt in ATTEMPTS}, key=lambda mesh: abs(mesh - 1.0)))
-CHANGE = 0.03  # of H_0 in the last cycle over its whole step: above it the answer is not converged
+CHANGE = 0.03  # of H_0 in the last cycle over its whole step: above it the step is not converged
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,50 +53,51 @@ class NormalResponse:
 def normal_response(solution: ContactSolution) -> NormalResponse:
     """Stiffness [N/m] and damping [N s/m] of a solved contact in a box of the solver's choice.
 
-    On a grid that is none of the solver's the answer is not a number, and not converged.
+    On a grid that is none of the solver's they are not numbers, and not converged.
 
     Parameters
     ----------
     solution : ContactSolution
         Of dimensional conditions, Newtonian and isothermal.
-
-    Returns
-    -------
-    NormalResponse
     """
-    for damped, attempt in enumerate(CAREFUL):
-        with np.errstate(all="ignore"):  # a runaway is looked at, not warned of
-            found = _response(solution, attempt, CYCLES << damped)
-        if found.converged:
+    for damped, attempt in enumerate(DAMPINGS):
+        with np.errstate(all="ignore"):  # where the iteration diverges, `converged` is false
+            response = _response(solution, attempt, CYCLES << damped)
+        if response.converged:
             break
-    return found
+    return response
 
 
 def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> NormalResponse:
-    conditions, scale, a = solution.conditions, solution.film_scale, solution.semi_axis_x
+    conditions = solution.conditions
+    scale = solution.film_scale
+    a = solution.semi_axis_x
     if not isinstance(conditions, ContactConditions) or scale is None or a is None:
         raise ValueError("solution: stiffness and damping need dimensional conditions")
-    found = _state(solution, attempt)
-    if found is None:
+    levels = _levels(solution, attempt)
+    if levels is None:
         return NormalResponse(stiffness=np.nan, damping=np.nan, converged=False)
-    state, index = found
+    state, index = levels
     level = state.levels[index]
     oil = conditions.lubricant
-    _settle(state, cycles)
+    # 1. the solution itself, iterated on this grid
+    _relax(state, cycles)
     start = state.approach
     pressure = level.P.copy()
     content = _content(state, oil)
     load = state.contact.load
+    # 2. a little more load: stiffness, and how the oil in the film follows h_0
     state.contact = replace(state.contact, load=(1.0 + LOAD_STEP) * load)
-    steady = _settle(state, cycles)
+    steady = _relax(state, cycles)
     softer = state.approach - start
     follow = (_content(state, oil) - content) / softer
+    # 3. the same load with bodies that approach: damping
     state.contact = replace(state.contact, load=load)
     state.approach = start
     start_level(state, index, pressure)
     rate = SQUEEZE_STEP * solution.film_central_dimensionless.value
     level.f = rate * follow
-    steady = _settle(state, cycles) and steady
+    steady = _relax(state, cycles) and steady
     stiffness = -LOAD_STEP * conditions.load / (softer * scale)
     damping = -stiffness * (state.approach - start) / (rate * conditions.entrainment_speed / a)
     return NormalResponse(
@@ -106,7 +107,7 @@ def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> Norma
     )
 
 
-def _state(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int] | None:
+def _levels(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int] | None:
     """The solver's levels with a solution on the finest of them; None if no mesh of the solver is
     that of it.
     """
@@ -129,9 +130,9 @@ def _state(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int]
     return state, index
 
 
-def _settle(state: Multigrid, cycles: int) -> bool:
-    """Cycle on the finest level; whether H_0 has come to rest, measured by its whole step."""
-    begin, last = state.approach, state.approach
+def _relax(state: Multigrid, cycles: int) -> bool:
+    """Cycle on the finest level; whether the last cycle changed H_0 little against all of them."""
+    begin = last = state.approach
     for _ in range(cycles):
         last = state.approach
         cycle(state, len(state.levels) - 1)

@@ -53,7 +53,7 @@ class Cavitation(Enum):
     """What shears where the pressure is zero.
 
     FULL_WIDTH: a film as wide and thick as the gap. STRIATED: strips of oil as thick as the gap
-    that carry the flow of the last full film upstream, so that a share h_rupture/h of the width is
+    with the flow of the last full film upstream, so that a share h_rupture/h of the width is
     sheared. NONE: nothing.
     """
 

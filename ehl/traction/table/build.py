@@ -85,7 +85,7 @@ def build_table(
         Loads [N], speeds [m/s], motions [-].
     options : TableOptions, optional
     progress : callable, optional
-        Called with films done, films wanted so far, and a word.
+        Called with films done, films wanted so far, and the kind of step.
 
     Returns
     -------

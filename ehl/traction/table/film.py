@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
 SCALE_SHARE = (0.02, 0.04, 1.6)
-# motions over the largest ones, among which that one is looked for
+# motions over the largest ones, between which that one is interpolated
 SCALE_SAMPLES = np.geomspace(1e-7, 1.0, 57)
 RESPONSE_POINTS = 129  # of the films that stiffness and damping are taken from
 

@@ -47,7 +47,7 @@ def full_solves(
     options : SolverOptions, optional
         Of both solves; 129 points by default.
     progress : callable, optional
-        Called with the solve begun, solves in all, and a word.
+        Called with the solve begun, solves in all, and the kind of step.
 
     Raises
     ------

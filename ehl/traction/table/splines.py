@@ -51,9 +51,7 @@ def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
 def left_out_error(values: Array, axis: int) -> float:
     """How well cubics through the four nearest other nodes predict each inner node [same unit].
 
-    A cubic that leaves out its middle is off by 24/9 of the fourth difference term of one through
-    nodes at +-1, +-2 against one between nodes; the largest over all nodes, scaled down
-    accordingly.
+    The largest over all nodes: 64/9 times the error of a cubic half-way between its inner nodes.
     """
     v = np.moveaxis(values, axis, 0)
     n = v.shape[0]

@@ -1,4 +1,4 @@
-"""Traction tables on disk: one npz file that knows its format, its inputs and its own content.
+"""Traction tables on disk: one npz file with its format, its inputs and digests of both.
 
 The inputs are stored as text (JSON of the dataclasses) with their SHA-256; so is the digest of the
 arrays. A file that is no such table, of another format, damaged, or built for other inputs than
@@ -51,19 +51,13 @@ NAMES = {kind: name for name, kind in TYPES.items()}
 
 
 def inputs_digest(contact: TableContact, limits: TableRange, points: int) -> str:
-    """SHA-256 of what a table is made from, as 64 hexadecimal digits."""
+    """SHA-256 of what a table is built from, as 64 hexadecimal digits."""
     text = json.dumps([_plain(contact), _plain(limits), points], sort_keys=True)
     return sha256(text.encode()).hexdigest()
 
 
 def save_table(table: TractionTable, path: Path) -> None:
-    """Write a table; the file appears under its name only when it is complete.
-
-    Parameters
-    ----------
-    table : TractionTable
-    path : Path
-    """
+    """Write a table; the file appears under its name only when it is complete."""
     partial = path.with_name(path.name + ".partial")
     with partial.open("wb") as file:
         write_table(table, file)
@@ -96,16 +90,12 @@ def load_table(path: Path, expected: str | None = None) -> TractionTable:
     ----------
     path : Path
     expected : str, optional
-        `inputs_digest` of the contact, range and points it must be made for.
-
-    Returns
-    -------
-    TractionTable
+        `inputs_digest` of the contact, range and points it must be built for.
 
     Raises
     ------
     ValueError
-        If the file is no table, of another format, damaged, or made for other inputs; the message
+        If the file is no table, of another format, damaged, or built for other inputs; the message
         says which.
     """
     with path.open("rb") as stream:

@@ -129,7 +129,7 @@ def build_temperature_table(
     limits : TableRange
     options : TableOptions, optional
     progress : callable, optional
-        Called with films done, films wanted so far, and a word.
+        Called with films done, films wanted so far, and the kind of step.
     """
     options = options or TableOptions()
     tables = [build_table(contact_at(one), limits, options, progress) for one in temperatures]
