@@ -96,10 +96,10 @@ def compare(
     for name, converged in zip(comparison.names, comparison.converged, strict=True):
         if not converged:
             say(f"oilfilm: {name}: not converged")
-    far = within is not None and comparison.largest > within
-    if far:
+    differs = within is not None and comparison.largest > within
+    if differs:
         say(f"oilfilm: a result differs by more than {within:g}: {comparison.largest:.3g}")
-    return NOT_CONVERGED if far or not all(comparison.converged) else 0
+    return NOT_CONVERGED if differs or not all(comparison.converged) else 0
 
 
 @app.command()

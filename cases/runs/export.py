@@ -8,7 +8,8 @@ from ehl.solid.coating import Coating
 from postprocess.reader import open_results
 from postprocess.scene.export import export_results
 
-from ..format.case import ContactCase, case_of_file, check_document
+from ..format.case import ContactCase, case_of_file
+from ..format.document import check_document
 
 
 def export_meshes(directory: Path, file: Path) -> tuple[Path, ...]:

@@ -28,27 +28,8 @@ class AnimationOptions:
 def animate(
     directory: str | Path, file: str | Path, options: AnimationOptions | None = None
 ) -> Path:
-    """Write the motion of a simulation as an animated GIF, without a display.
-
-    Parameters
-    ----------
-    directory : str or Path
-        With `history.nc`.
-    file : str or Path
-        A .gif file.
-    options : AnimationOptions, optional
-
-    Returns
-    -------
-    Path
-        The file.
-
-    Raises
-    ------
-    ValueError
-        If there is no history, or the file is no .gif.
-    RenderingError
-        If the machine cannot draw; this process is not harmed.
+    """Write the motion of a simulation, a folder with `history.nc`, as an animated GIF, without a
+    display, and return its path; `RenderingError` if the machine cannot draw.
     """
     path = with_suffix(file, ".gif")
     open_history(directory).close()

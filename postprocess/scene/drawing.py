@@ -81,25 +81,8 @@ class Scene:
 def bearing_scene(
     directory: str | Path, options: SceneOptions | None = None, off_screen: bool = False
 ) -> pv.Plotter:
-    """Plotter with the scene of a result directory: a bearing with its patches, or the surface of
-    one contact.
-
-    Parameters
-    ----------
-    directory : str or Path
-        Result directory.
-    options : SceneOptions, optional
-    off_screen : bool
-
-    Returns
-    -------
-    pyvista.Plotter
-        To be shown, or to add to.
-
-    Raises
-    ------
-    ValueError, RenderingError
-        As `screenshot`.
+    """Plotter with the scene of a result directory, to be shown or added to: a bearing with its
+    patches, or the surface of one contact. Errors as `screenshot`.
     """
     check_scene(directory)
     require_rendering()

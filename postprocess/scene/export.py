@@ -21,7 +21,7 @@ from ehl.units import GIGAPASCAL, MILLIMETRE, ZERO_CELSIUS
 
 from ..contact.frame import principal_coordinates
 from ..reader import open_results
-from .geometry import ContactFrame, Placement, crop_to_ball, grid_quads, place_patch
+from .geometry import Placement, contact_frame, crop_to_ball, grid_quads, place_patch
 from .vtk import FILM, PRESSURE, TEMPERATURE
 
 KINDS = ("bearing", "contact")  # of results that hold films
@@ -53,26 +53,11 @@ class PatchMesh:
 def export_results(
     directory: str | Path, file: str | Path, coating: Coating | None = None
 ) -> tuple[Path, ...]:
-    """Write the fields of a result directory as a mesh, and beside it the mesh of a coating.
+    """Write the fields of a result directory as a mesh, and beside it the elements of a coating.
 
-    Parameters
-    ----------
-    directory : str or Path
-        Results of a bearing or a contact.
-    file : str or Path
-        Its suffix names the format, one of `WRITERS`; files of these names are replaced.
-    coating : Coating, optional
-        Of the contact: the finite elements of its compliance are written, too.
-
-    Returns
-    -------
-    tuple of Path
-        The meshes, and the files of values that belong to them.
-
-    Raises
-    ------
-    ValueError
-        If there are no results with films, or the format is not known.
+    The suffix of the file names the format, one of `WRITERS`. Returns the meshes, then the files
+    of values that belong to them; files of these names are replaced when all are complete.
+    ValueError without results that hold films, or for another format.
     """
     path = Path(file)
     extension = path.suffix.lower().removeprefix(".")
@@ -121,17 +106,15 @@ def patch_mesh(name: str, data: xarray.Dataset, ball_radius: float) -> PatchMesh
     attributes = data.attrs
     x, y = data["x"].values, data["y"].values
     unit, scale = ("mm", MILLIMETRE) if data["x"].attrs["units"] == "m" else ("a", 1.0)
+    is_placed = "origin" in attributes
     part = (slice(None), slice(None))
-    if "origin" in attributes:
+    if is_placed:
         part = crop_to_ball(x, y, ball_radius, Placement())
     angle = float(attributes["frame_angle"])
     along, across = principal_coordinates(x[part[0]], y[part[1]], angle)
     points = np.stack([along, across, np.zeros_like(along)], axis=-1)
-    if "origin" in attributes:
-        names = ("origin", "axis_x", "axis_y", "normal")
-        vectors = {key: np.asarray(attributes[key]) for key in names}
-        frame = ContactFrame(ball_radius=ball_radius, **vectors)
-        points = place_patch(along, across, frame, Placement())
+    if is_placed:
+        points = place_patch(along, across, contact_frame(attributes, ball_radius), Placement())
     fields = {f"rolling [{unit}]": along / scale, f"transverse [{unit}]": across / scale}
     for key in ("P", "h", "T"):
         if key in data:
@@ -139,7 +122,7 @@ def patch_mesh(name: str, data: xarray.Dataset, ball_radius: float) -> PatchMesh
             fields[title] = data[key].values[part].astype(np.float64) / size - zero
     quads = grid_quads(*along.shape)
     cells = {}
-    if "ball" in attributes:
+    if is_placed:
         cells["ball"] = np.full(len(quads), int(attributes["ball"]))
         cells["race, 1 inner, 2 outer"] = np.full(len(quads), 1 + RACES.index(attributes["race"]))
     return PatchMesh(

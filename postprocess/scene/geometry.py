@@ -52,15 +52,13 @@ class ContactFrame:
         return self.origin - self.ball_radius * self.normal
 
 
-def contact_frame(contact: BearingContact, ball_radius: float) -> ContactFrame:
-    """Frame of a contact of a ball of `ball_radius` [m]."""
-    return ContactFrame(
-        origin=np.asarray(contact.origin),
-        axis_x=np.asarray(contact.axis_x),
-        axis_y=np.asarray(contact.axis_y),
-        normal=np.asarray(contact.normal),
-        ball_radius=ball_radius,
-    )
+def contact_frame(contact: BearingContact | Mapping[str, Any], ball_radius: float) -> ContactFrame:
+    """Frame of a contact, or of its attributes in a file, on a ball of `ball_radius` [m]."""
+    names = ("origin", "axis_x", "axis_y", "normal")
+    if isinstance(contact, BearingContact):
+        contact = {name: getattr(contact, name) for name in names}
+    vectors = {name: np.asarray(contact[name], dtype=np.float64) for name in names}
+    return ContactFrame(ball_radius=ball_radius, **vectors)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -218,20 +216,9 @@ def ring_surface(
 ) -> Surface:
     """One ring as a solid of revolution with its groove, cut open over a sector.
 
-    Parameters
-    ----------
-    shape : RingShape
-    axial : float
-        Position of the groove's centre along the bearing's axis [m].
-    opening : tuple of float
-        Azimuth at the middle of the cut-away sector and its width [rad]; width 0 leaves the ring
-        whole.
-    resolution : tuple of int
-        Points across the groove and around the ring.
-
-    Returns
-    -------
-    Surface
+    The groove's centre lies at `axial` [m] on the bearing's axis; `opening` is the azimuth at the
+    middle of the sector and its width [rad], 0 for a whole ring; `resolution` the numbers of
+    points across the groove and around the ring.
     """
     profile = groove_profile(shape, resolution[0])
     middle, width = opening
@@ -255,9 +242,7 @@ def ring_surface(
 
 def groove_profile(shape: RingShape, points: int) -> Array:
     """Shoulder, groove, shoulder of one ring, shape (points + 2, 2): axial distance from the
-    groove, radius [m].
-
-    The groove is set back by `SET_BACK` ball diameters.
+    groove, radius [m]; the groove is set back by `SET_BACK` ball diameters.
     """
     sign = 1.0 if shape.inner else -1.0
     groove = shape.groove_radius

@@ -14,7 +14,7 @@ from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 from ..contact.frame import principal_coordinates
 from ..contact.view import half_extents, shown_part
 from ..plot_style import film_range
-from .geometry import ContactFrame, Placement, crop_to_ball, place_patch
+from .geometry import Placement, contact_frame, crop_to_ball, place_patch
 from .vtk import add_point_data, structured_grid
 
 ALL = (slice(None), slice(None))
@@ -72,9 +72,7 @@ class Patch:
         With film exaggeration the end of the colour scale lies on the ball and thinner films
         below, where no race hides them.
         """
-        names = ("origin", "axis_x", "axis_y", "normal")
-        vectors = {name: np.asarray(self.attributes[name]) for name in names}
-        frame = ContactFrame(ball_radius=ball_radius, **vectors)
+        frame = contact_frame(self.attributes, ball_radius)
         x, y = self.x * MILLIMETRE, self.y * MILLIMETRE
         part = crop_to_ball(x[:, 0], y[0, :], ball_radius, placement)
         depth = np.maximum(self.film_range[1] - self.film[part], 0.0) * MICROMETRE

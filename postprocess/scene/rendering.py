@@ -38,29 +38,11 @@ def with_suffix(file: str | Path, *suffixes: str) -> Path:
 def draw(
     module: str, directory: str | Path, file: Path, options: dict[str, Any], patience: float
 ) -> Path:
-    """Have a module of this package draw a file in a process of its own.
+    """Have a module of this package draw a file in a process of its own, within `patience` [s],
+    and return the file; `RenderingError` if none was drawn.
 
-    Parameters
-    ----------
-    module : str
-        Takes a request (`read_request`) as its argument when it is run.
-    directory : str or Path
-        Result directory.
-    file : Path
-    options : dict
-        What JSON can hold.
-    patience : float
-        Time allowed [s].
-
-    Returns
-    -------
-    Path
-        The file.
-
-    Raises
-    ------
-    RenderingError
-        If no file was drawn.
+    The module reads its request, made of the result directory, the file and options that JSON can
+    hold, by `read_request`.
     """
     with atomic_path(file) as temporary:
         run_module(module, directory, temporary, options, patience)
@@ -76,7 +58,7 @@ def run_module(
     options: dict[str, Any],
     patience: float | None,
 ) -> None:
-    """Run a module of this package with a request; arguments as `draw`, no file opens a window."""
+    """Run a module of this package with a request, as `draw`; no file opens a window."""
     request = {
         "directory": str(directory),
         "file": None if file is None else str(file),

@@ -39,27 +39,8 @@ class SceneOptions:
 def screenshot(
     directory: str | Path, file: str | Path, options: SceneOptions | None = None
 ) -> Path:
-    """Draw the scene of a result directory into a PNG file, with or without a display.
-
-    Parameters
-    ----------
-    directory : str or Path
-        Result directory.
-    file : str or Path
-        Picture to write.
-    options : SceneOptions, optional
-
-    Returns
-    -------
-    Path
-        The picture.
-
-    Raises
-    ------
-    ValueError
-        If the directory holds no readable results.
-    RenderingError
-        If the machine cannot draw; this process is not harmed.
+    """Draw the scene of a result directory into a PNG file, with or without a display, and return
+    its path; ValueError without readable results, `RenderingError` if the machine cannot draw.
     """
     path = with_suffix(file, ".png")
     return _draw(directory, path, options or SceneOptions())
@@ -68,18 +49,10 @@ def screenshot(
 def export_html(
     directory: str | Path, file: str | Path, options: SceneOptions | None = None
 ) -> Path:
-    """Write the scene as one HTML page that is turned with the mouse, offline; arguments as
-    `screenshot`.
+    """Write the scene as one HTML page that is turned with the mouse, offline; as `screenshot`.
 
     The viewer (vtk.js) is inside the page. Azimuths and load are flat letters there, which read
-    from the side of +x.
-
-    Raises
-    ------
-    ValueError
-        If the directory holds no readable results, or the page is no .html file.
-    RenderingError
-        If the machine cannot draw, or the extra `html` (trame-pyvista) is not installed.
+    from the side of +x. `RenderingError` also without the extra `html` (trame-pyvista).
     """
     path = with_suffix(file, *PAGES)
     if find_spec("trame_pyvista") is None:
@@ -90,17 +63,15 @@ def export_html(
 
 
 def movie(directory: str | Path, file: str | Path, options: SceneOptions | None = None) -> Path:
-    """Write the scene as an animated GIF in which every azimuth comes to the top once; arguments
-    as `screenshot`.
+    """Write the scene as an animated GIF in which every azimuth comes to the top once; as
+    `screenshot`.
     """
     path = with_suffix(file, ".gif")
     return _draw(directory, path, options or SceneOptions(size=MOVIE_SIZE))
 
 
 def show(directory: str | Path, options: SceneOptions | None = None) -> None:
-    """Open a window with the scene of a result directory, to be turned with the mouse; arguments
-    as `screenshot`.
-    """
+    """Open a window with the scene of a result directory, to be turned with the mouse."""
     require_display()
     check_scene(directory)
     run_module("drawing", directory, None, asdict(options or SceneOptions()), None)

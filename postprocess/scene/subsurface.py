@@ -35,22 +35,8 @@ class StressVolume:
 def stress_volume(
     contact: BearingContact, solution: ContactSolution, ball_radius: float, poisson_ratio: float
 ) -> StressVolume:
-    """Stress in the race below the solved pressure, which is taken as acting on a half-space
-    without friction.
-
-    Parameters
-    ----------
-    contact : BearingContact
-    solution : ContactSolution
-    ball_radius : float
-        [m].
-    poisson_ratio : float
-        Of the race [-].
-
-    Returns
-    -------
-    StressVolume
-        Stresses in [Pa], lengths in [m].
+    """Stress [Pa] in a race below the solved pressure, which acts without friction on a half-space
+    of the race's Poisson ratio [-]; `ball_radius` in [m].
     """
     long, wide, pressure = solution.x, solution.y, solution.pressure
     if long is None or wide is None or solution.semi_axis_x is None:

@@ -55,8 +55,8 @@ def write_collection(
     patch_magnification: tuple[float, float] = (1.0, 1.0),
     film_exaggeration: float = 0.0,
 ) -> Path:
-    """Write the VTK collection of a run; paths inside are relative, so that the folder can be
-    moved.
+    """Write the VTK collection of a run and return its .pvd file; lengths are in [mm], paths
+    relative, so that the folder can be moved.
 
     Parameters
     ----------
@@ -67,11 +67,6 @@ def write_collection(
         Patches are drawn this many times larger along and across the rolling direction [-].
     film_exaggeration : float
         Film drawn as height, times this [-].
-
-    Returns
-    -------
-    Path
-        The .pvd file. Lengths in it are in [mm], the factors are field data of each patch.
     """
     blocks: dict[str, dict[str, str]] = {}
     if isinstance(results, ContactResults):
@@ -93,20 +88,10 @@ def write_collection(
 
 
 def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
-    """Write the stress in the races below the solved contacts, one volume each, if the case asks
-    for it.
+    """Write the stress [GPa] in the races below the solved contacts, if the case asks for it, one
+    volume [mm] each, and return the .pvd file.
 
-    Parameters
-    ----------
-    results : BearingResults
-    directory : Path
-        Result directory; the blocks go to its folder `vtk`.
-
-    Returns
-    -------
-    Path or None
-        The .pvd file; lengths in [mm], stresses in [GPa], in the frame of the contact: x along the
-        rolling direction, z into the race.
+    Stresses stand in the frame of the contact: x along the rolling direction, z into the race.
     """
     if not results.case.get("ehl", {}).get("subsurface_stress"):
         return None

@@ -118,22 +118,11 @@ def shown_rows(data: xarray.Dataset, frames: int, turns: float) -> NDArray[np.in
 
 
 def write_motion(directory: Path, frames: int = FRAMES, turns: float = TURNS) -> Path:
-    """Write the motion of a simulation for ParaView beside its history, without drawing.
+    """Write the motion of a simulation for ParaView beside its history, at most `frames` steps
+    over the last `turns` of the cage [-], without drawing; return the .pvd file.
 
-    Parameters
-    ----------
-    directory : Path
-        With `history.nc`.
-    frames : int
-        Steps at most.
-    turns : float
-        Of the cage, at the end of the history [-].
-
-    Returns
-    -------
-    Path
-        The .pvd file. Each step is one file: balls, cage and inner ring, lengths in [mm]; at the
-        points `mark` (0 and 1 on balls, 2 cage, 3 ring) and the loads of the ball there [N].
+    Each step is one file: balls, cage and inner ring, lengths in [mm]; at the points `mark` (0 and
+    1 on balls, 2 cage, 3 ring) and the loads of the ball there [N].
     """
     with open_history(directory) as data:
         bearing = MovingBearing.read(data, frames, turns)
