@@ -12,9 +12,8 @@ from ehl.closed_form.hertz import hertz_contact
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 
 RATING_FACTOR = 1.3  # b_m of deep groove and angular contact ball bearings, ISO 281 [-]
-GAMMA_POINTS = (0.05, 0.10, 0.16, 0.19, 0.25)  # D cos(alpha)/d_m [-]
-F_C_POINTS = (46.7, 55.5, 59.6, 60.0, 58.6)  # f_c of ISO 281 there, N and mm
-# of Lundberg and Palmgren's form that passes these points within their rounding, N and mm
+# of Lundberg and Palmgren's form that passes five points of ISO 281's table within their rounding
+# (tests), N and mm
 F_C_SCALE = 38.2
 # to which the form is used [-]
 SMALLEST_GAMMA = 0.01

@@ -25,8 +25,6 @@ from bearing.rating.life import (
     viscosity_ratio,
 )
 from bearing.rating.load_rating import (
-    F_C_POINTS,
-    GAMMA_POINTS,
     ball_ratings,
     dynamic_rating,
     factor_f_c,
@@ -39,6 +37,9 @@ from ehl.closed_form.hertz import ellipse_ratio, hertz_contact
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)  # 30 mm^2/s
 RPM = pi / 30.0
+# ISO 281, as transcribed: D cos(alpha)/d_m [-] and f_c there, N and mm
+GAMMA_POINTS = (0.05, 0.10, 0.16, 0.19, 0.25)
+F_C_POINTS = (46.7, 55.5, 59.6, 60.0, 58.6)
 
 
 def steel(bearing, **changes):
