@@ -14,6 +14,7 @@ from bearing import Race
 from bearing.friction.table_files import load_race_tables
 from bearing.operation import BallKinematics
 from cases import CaseError, load_case, run_case
+from cases.batch import tables
 from cases.batch.compute import torque_by_tables
 from cases.batch.engine import run_batch
 from cases.batch.points import Task
@@ -22,7 +23,7 @@ from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
 from cases.batch.worker import compute_point
 from cases.cli.main import app
-from ehl.traction.table.build import TableOptions
+from ehl.traction.table.build import TableOptions, build_table
 from postprocess import summary
 from postprocess.batch.plots import quantities, varied_keys
 from postprocess.batch.summary import batch_summary
@@ -55,21 +56,18 @@ fields = true
 @pytest.fixture(scope="module")
 def shared(tmp_path_factory):
     """A batch that made coarse tables of few films and motions, and the tables that were made."""
-    from ehl.traction.table import build as sampling
-
-    made, build = [], sampling.build_table
+    made = []
 
     def few(**chosen):
         return TableOptions(**{**chosen, "tolerance": 0.5, "check_films": 2, "check_motions": 20, "rounds": 1})
 
     def counted(*arguments):
         made.append(arguments)
-        return build(*arguments)
+        return build_table(*arguments)
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(sampling, "START", (5, 4, 9, 5, 9))
-        patch.setattr(sampling, "TableOptions", few)
-        patch.setattr(sampling, "build_table", counted)
+        patch.setattr(tables, "TableOptions", few)
+        patch.setattr(tables, "build_table", counted)
         folder = tmp_path_factory.mktemp("shared")
         results = gathered(run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool))
         again = run_batch(sweep_from_text(TORQUE, "sweep.toml"), folder, HerePool, resume=True)
@@ -164,7 +162,7 @@ def test_tables_reach_the_workers_of_a_cluster(shared, tmp_path):
 def test_tables_of_every_point(shared, tmp_path, monkeypatch):
     """Points that differ only in what tables do not know are computed once."""
     tables = load_race_tables(shared[1])
-    monkeypatch.setattr("bearing.friction.race_tables.build_race_tables", lambda *arguments: tables)
+    monkeypatch.setattr("cases.runs.traction_table.build_race_tables", lambda *arguments: tables)
     text = TORQUE.replace('compute = "torque"', 'compute = "table"').replace("[8000.0, 10000.0]", "[10000.0]")
     text = text.replace("[2000.0, 3000.0]", '[3000.0]\n"friction.lubrication" = ["oil bath", "oil jet"]')
     pool = HerePool()

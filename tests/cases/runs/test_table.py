@@ -38,7 +38,7 @@ def quick(monkeypatch):
     def few(**chosen):
         return TableOptions(**{**chosen, **EASY})
 
-    monkeypatch.setattr("ehl.traction.table.build.TableOptions", few)
+    monkeypatch.setattr("cases.runs.traction_table.TableOptions", few)
 
 
 @pytest.mark.slow

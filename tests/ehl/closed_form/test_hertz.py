@@ -11,12 +11,7 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import elliprd
 
-from ehl.closed_form.hertz import (
-    contact_stiffness,
-    ellipse_ratio,
-    hertz_coefficients,
-    hertz_contact,
-)
+from ehl.closed_form.hertz import contact_stiffness, ellipse_ratio, hertz_coefficients, hertz_contact
 
 # F(rho): a*, b*, delta*
 HARRIS = {
