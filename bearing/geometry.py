@@ -206,11 +206,6 @@ def contact_angle_to_clearance(
 
     `contact_angle`: free contact angle [rad]; `inner_groove_radius`, `outer_groove_radius`,
     `ball_diameter` [m].
-
-    Returns
-    -------
-    float
-        Diametral clearance Pd [m].
     """
     if not 0.0 <= contact_angle < 0.5 * pi:
         raise ValueError(f"free_contact_angle must lie in [0, pi/2), got {contact_angle!r} rad")
@@ -223,11 +218,8 @@ def reduced_radii(bearing: Bearing, race: Race, contact_angle: float) -> tuple[f
 
     `contact_angle` [rad].
 
-    Returns
-    -------
-    radius_x, radius_y : float
-        In the rolling direction, D/2 (1 -+ D cos(angle)/d_m) (inner, outer), and across it, 1/(2/D
-        - 1/r) [m].
+    In the rolling direction D/2 (1 -+ D cos(angle)/d_m) (inner, outer), across it 1/(2/D - 1/r)
+    [m].
     """
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
     if race is Race.INNER:

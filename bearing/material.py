@@ -109,11 +109,8 @@ def material_data(name: str) -> dict[str, Any]:
 
     `name`: one of `list_materials()`.
 
-    Returns
-    -------
-    dict
-        `kind`, and per number a dict of `value`, `range`, `source` and, where no source was read,
-        `verified` false.
+    Returns `kind`, and per number a dict of `value`, `range`, `source` and, where no source was
+    read, `verified` false.
     """
     entry = library_data(DATA)[name]
     return library_data(DATA)[str(entry["same_as"])] if "same_as" in entry else entry

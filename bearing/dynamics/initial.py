@@ -45,11 +45,7 @@ class StartingPoint:
 def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel) -> StartingPoint:
     """Equations, contact angles and equilibrium of the schedule's first row.
 
-    Returns
-    -------
-    StartingPoint
-        Angles in [rad]. Without an equilibrium the free contact angle stands in, and a
-        message says so.
+    Without an equilibrium the free contact angle stands in, and a message says so.
     """
     kind = model.options.equations or load_type(operation, model)
     first = first_operation(operation, model, kind)
@@ -125,13 +121,7 @@ def mean_angles(
 def initial_state(
     bearing: Bearing, data: EquationData, point: StartingPoint, start: Start
 ) -> Array:
-    """State vector at time zero.
-
-    Returns
-    -------
-    ndarray
-        See `layout` [m, rad, m/s, rad/s].
-    """
+    """State vector at time zero, see `layout` [m, rad, m/s, rad/s]."""
     layout = Layout(bearing.balls)
     y = np.zeros(layout.size)
     given = data.schedule[0, SCHEDULED:]

@@ -72,10 +72,7 @@ def heat_balance(torque: Callable[[float], float], speed: float, cooling: Coolin
 
     `torque`: friction torque [N m] at a temperature [K]; `speed`: of the shaft [rad/s].
 
-    Returns
-    -------
-    HeatBalance
-        Not `converged` where friction exceeds the cooling up to `LARGEST_RISE`.
+    Not `converged` where friction exceeds the cooling up to `LARGEST_RISE`.
     """
     torques: dict[float, float] = {}
 

@@ -29,11 +29,8 @@ def load_catalogue_entry(name: str) -> dict[str, Any]:
 
     `name`: one of `list_bearings()`; case, spaces and hyphens do not matter.
 
-    Returns
-    -------
-    dict
-        Keys and values as in a case file, with `source` (text), `estimated` (keys whose values are
-        estimates) and `range` (an interval for each of these).
+    Returns keys and values as in a case file, with `source` (text), `estimated` (keys whose values
+    are estimates) and `range` (an interval for each of these).
 
     Raises
     ------

@@ -31,11 +31,8 @@ def lubricant_data(name: str) -> dict[str, Any]:
 
     `name`: one of `list_lubricants()`.
 
-    Returns
-    -------
-    dict
-        `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units,
-        `source`, and `verified` false where the number was not read in a source.
+    Returns `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units,
+    `source`, and `verified` false where the number was not read in a source.
     """
     return library_data(DATA)[name]
 
@@ -48,11 +45,7 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     temperature of the oil in the contact inlet [K]; `laws`: further fields of `ehl.Lubricant`
     (viscosity_law, density_law, roelands_z [-], roelands_pressure [Pa]).
 
-    Returns
-    -------
-    Lubricant
-        With its thermal properties; -d(ln eta)/dT and the expansion are those of the laws at this
-        temperature.
+    Its thermal properties -d(ln eta)/dT and expansion are those of the laws at this temperature.
 
     Raises
     ------
@@ -211,10 +204,7 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
 
     `entry`: data of the oil, `lubricant_data`; `temperature`: temperature [K].
 
-    Returns
-    -------
-    float
-        d(ln eta)/dp at ambient pressure [1/Pa].
+    Returns d(ln eta)/dp at ambient pressure [1/Pa].
     """
     data = entry["pressure_viscosity"]
     if data["law"] == "exponent":
@@ -237,10 +227,7 @@ def oil_density(entry: dict[str, Any], temperature: float) -> float:
 
     `entry`: data of the oil, `lubricant_data`; `temperature`: temperature [K].
 
-    Returns
-    -------
-    float
-        Density at ambient pressure [kg/m^3].
+    Returns density at ambient pressure [kg/m^3].
     """
     data = entry["density"]
     if data["law"] == "expansion":

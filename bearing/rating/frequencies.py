@@ -25,10 +25,7 @@ def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
 
     `solution`: speeds in [rad/s].
 
-    Returns
-    -------
-    Frequencies
-        In [Hz], of the cage speed and the mean spin of the loaded balls.
+    In [Hz], from the cage speed and the mean spin of the loaded balls.
     """
     operation = solution.operation
     balls = solution.bearing.balls
@@ -54,11 +51,6 @@ def kinematic_frequencies(
     contact angles do in operation.
 
     `operation`: speeds of the rings in [rad/s]; `contact_angle`: nominal [rad].
-
-    Returns
-    -------
-    Frequencies
-        In [Hz].
     """
     inner, outer = operation.inner_speed / (2.0 * pi), operation.outer_speed / (2.0 * pi)
     gamma = bearing.ball_diameter / bearing.pitch_diameter * cos(contact_angle)

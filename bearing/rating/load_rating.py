@@ -63,11 +63,6 @@ def factor_f_c(gamma: float) -> float:
     table at hand within their rounding.
 
     `gamma`: D cos(alpha)/d_m, 0.01 to 0.40 [-].
-
-    Returns
-    -------
-    float
-        f_c, for newtons and millimetres.
     """
     return F_C_SCALE * lundberg_palmgren(gamma, F_C_CONFORMITY, F_C_CONFORMITY)
 
@@ -119,7 +114,7 @@ def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
 
 
 def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tuple[float, float]:
-    """Dynamic ratings of the balls on the inner and the outer ring, ISO 16281.
+    """Dynamic ratings of the balls on inner and outer ring Q_ci, Q_ce [N], ISO 16281.
 
     Q_ci = C_r/(0.407 Z cos alpha) (1 + T^(10/3))^0.3, Q_ce = C_r/(0.389 Z cos alpha) (1 +
     T^(-10/3))^0.3, T = 1.044 ((1 - g)/(1 + g))^1.72 [r_i (2 r_e - D)/(r_e (2 r_i - D))]^0.41, g =
@@ -127,11 +122,6 @@ def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tup
     supports the first power.
 
     `capacity`: C_r [N]; `contact_angle`: nominal contact angle [rad].
-
-    Returns
-    -------
-    tuple of float
-        Q_ci and Q_ce [N].
     """
     diameter = bearing.ball_diameter
     inner = bearing.inner_groove_radius
@@ -197,17 +187,12 @@ def load_at_pressure(
 
 
 def static_equivalent_load(radial: float, axial: float, contact_angle: float) -> float | None:
-    """P_0 = max(X_0 F_r + Y_0 F_a, F_r) of one row, ISO 76; None at angles without factors.
+    """P_0 = max(X_0 F_r + Y_0 F_a, F_r) of one row [N], ISO 76; None at angles without factors.
 
     X_0, Y_0 are 0.6, 0.5 at zero contact angle (SKF, deep groove ball bearings); X_0 = 0.5 and Y_0
     = 0.46, 0.38, 0.26 at 15, 25, 40 degrees (LYC, angular contact ball bearings), linear between.
 
     `radial`, `axial`: magnitudes of the loads [N]; `contact_angle`: nominal contact angle [rad].
-
-    Returns
-    -------
-    float or None
-        P_0 [N].
     """
     angle = degrees(contact_angle)
     x, y = STATIC_FACTORS_RADIAL

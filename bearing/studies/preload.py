@@ -85,11 +85,6 @@ def duplex(
     `distance`: between the middles of the rows [m]; `preload_force`: in each row at rest [N];
     `preload_displacement`: of each row beyond first touch [m]; the gap that mounting closes is
     twice that.
-
-    Returns
-    -------
-    tuple of Row
-        Left and right.
     """
     left, right = (
         preloaded_row(bearing, position, sense, preload_force, preload_displacement, model)

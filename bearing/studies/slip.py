@@ -109,14 +109,9 @@ class CriticalCurves:
 
 
 def slip_factors(solution: QuasistaticSolution) -> Array:
-    """SF = Qi |sin ai|/Fc of every ball [-], Hirano (1965); infinite at rest.
+    """SF = Qi |sin ai|/Fc of every ball, shape (Z,) [-], Hirano (1965); infinite at rest.
 
     `solution`: loads in [N], angles in [rad].
-
-    Returns
-    -------
-    ndarray, shape (Z,)
-        Slip factors [-].
     """
     axial = solution.inner_load * np.abs(np.sin(solution.inner_contact_angle))
     force = solution.centrifugal_force
@@ -129,10 +124,7 @@ def slip_row(study: SlipStudy, axial_loads: Sequence[float], speed: float) -> Ar
 
     `axial_loads` [N]; `speed`: of the inner ring [rad/s].
 
-    Returns
-    -------
-    ndarray, shape (F, Z)
-        Slip factors [-], NaN where there is no equilibrium.
+    Returns slip factors [-], NaN where there is no equilibrium, shape (F, Z).
     """
     factors = np.full((len(axial_loads), study.bearing.balls), nan)
     last = None
@@ -152,11 +144,6 @@ def slip_surface(
 
     `speeds`: of the inner ring [rad/s]; `axial_loads` [N]; `mapper`: `map`, or the map of a pool
     that shares the rows.
-
-    Returns
-    -------
-    SlipSurface
-        Slip factors [-].
     """
     rows = mapper(partial(slip_row, study, tuple(axial_loads)), [float(n) for n in speeds])
     return SlipSurface(
@@ -169,11 +156,8 @@ def minimum_preload(study: SlipStudy, speed: float) -> float:
 
     `speed`: of the inner ring [rad/s].
 
-    Returns
-    -------
-    float
-        Axial load [N]; 0 without centrifugal force; NaN if it exceeds 700 times the least
-        possible one.
+    Returns axial load [N]; 0 without centrifugal force; NaN if it exceeds 700 times the least
+    possible one.
     """
     if study.least_preload(speed) == 0.0:
         return 0.0
@@ -199,11 +183,8 @@ def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
     `study`: its radial load is replaced; `speed`: of the inner ring [rad/s]; `radial_load`: along
     +y [N].
 
-    Returns
-    -------
-    ndarray, shape (Z,)
-        Axial load [N], the heaviest where there are several; NaN for a ball that does not pass the
-        limit.
+    Returns axial load [N], the heaviest where there are several; NaN for a ball that does not pass
+    the limit, shape (Z,).
     """
     if study.operation.force[1] is None:
         raise ValueError(
