@@ -19,8 +19,7 @@ from cases.runs.dynamics import build_model
 
 def timed(case: Case, tables: Path | None) -> str:
     """Steps, evaluations and time of a case, compiled code warm."""
-    assert case.dynamics is not None
-    model = build_model(case, case.dynamics, tables, lambda done, total, state: None)
+    model = build_model(case, tables, lambda done, total, state: None)
     short = replace(model, options=replace(model.options, end_time=1e-4, sample_interval=1e-5))
     for _ in simulation(case.bearing, case.operation, short).pieces():
         pass

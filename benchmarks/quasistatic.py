@@ -13,7 +13,6 @@ from time import perf_counter, process_time
 from bearing import Arrangement, duplex, solve_quasistatic
 from cases import load_case
 from cases.runs.slip import run_slip
-from cases.slip_plan import SlipPlan
 
 REPEATS = 50
 
@@ -47,8 +46,9 @@ def solves():
 def surfaces():
     """Maps of slip factors, start of the processes included."""
     case = load_case("hirano_7000C")
-    plan: SlipPlan = replace(case.slip, points=50, critical_speeds=())
-    case = replace(case, slip=plan, operation=replace(case.operation, force=(100.0, 100.0, 0.0)))
+    table = case.file.slip.model_copy(update={"points": 50, "critical_speeds_rpm": ()})
+    file = case.file.model_copy(update={"slip": table})
+    case = replace(case, file=file, operation=replace(case.operation, force=(100.0, 100.0, 0.0)))
     for workers in (1, 2):
         results = run_slip(case, "hirano_7000C", workers)
         print(f"50 x 50 slip factors, {workers} processes: {results.timing['surface']:6.1f} s")

@@ -1,6 +1,7 @@
 from .breakdown import TorqueBreakdown, torque_breakdown
+from .inputs import FrictionInput
 from .integrated import law_torque, solved_shear
-from .models import FrictionInput, ModelTorque
+from .models import ModelTorque
 from .shear_torque import IntegratedTorque, SolvedShear
 from .starved import StarvedTorque
 

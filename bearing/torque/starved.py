@@ -27,7 +27,8 @@ from ..supply.starved_films import (
     starved_films,
 )
 from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
-from .models import FrictionInput, cage_and_drag
+from .inputs import FrictionInput
+from .models import cage_and_drag
 from .sliding import pure_rolling_line_torque, shaft_speed, sliding_contacts
 
 ROLLING_EXPONENT = 2.0  # of the film's share in that of the rolling resistance [-]

@@ -7,6 +7,7 @@ from typing import Any
 from bearing.geometry import Bearing, contact_angle_to_clearance
 from bearing.material import Material
 from bearing.operation import RatingInput
+from bearing.torque.inputs import ANGULAR_CONTACT
 from bearing.torque.skf import Series, skf_series
 from ehl.units import MICROMETRE
 
@@ -95,8 +96,6 @@ GEOMETRY = (
 )
 RING_MATERIALS = ("inner_ring_material", "outer_ring_material")
 CLEARANCE = ("diametral_clearance_um", "free_contact_angle_deg")
-# bearing.torque.models.ANGULAR_CONTACT, which is not imported here: validation stays quick
-DEEP_GROOVE_DEG = 10.0
 CLEARANCE_AGREEMENT_UM = 0.5  # clearance and contact angle agree within this, or within 1 %
 RELATIONS = (
     *(
@@ -212,7 +211,7 @@ def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
     angle = _free_angle(values)
     found = f"found {shown(given)}"
     allowed = [name for kind in Series for name in skf_series(kind)]
-    deep = angle is not None and angle <= DEEP_GROOVE_DEG
+    deep = angle is not None and radians(angle) <= ANGULAR_CONTACT
     # fits and temperatures change the clearance
     if deep and not any(values.given(table) for table in ("fit", "temperatures")):
         found += f" for a deep groove bearing, its free contact angle being {angle:.4g} deg"

@@ -1,9 +1,8 @@
 """[cage]: its friction for the torque, its body for the time simulation."""
 
 from collections.abc import Iterator
-from typing import Any, Literal
+from typing import Literal
 
-from bearing.dynamics.inputs import Guidance
 from bearing.friction.resistance import Cage
 from bearing.geometry import Race
 
@@ -47,11 +46,6 @@ class CageTable(Table):
 
 LAND = ("land_diameter_mm", "land_width_mm", "land_clearance_um")
 RACES = {"inner ring": Race.INNER, "outer ring": Race.OUTER}
-GUIDES = {
-    "balls": Guidance.BALLS,
-    "inner ring": Guidance.INNER_RING,
-    "outer ring": Guidance.OUTER_RING,
-}
 
 
 def cage_faults(values: CaseValues) -> Iterator[CaseFault]:
@@ -83,13 +77,3 @@ def guiding_land(table: CageTable | None) -> tuple[Race, float] | None:
     if table is None or table.guided_by not in RACES or table.land_diameter_mm is None:
         return None
     return RACES[table.guided_by], table.si()["land_diameter"]
-
-
-def cage_arguments(table: CageTable | None) -> dict[str, Any]:
-    """Arguments of `bearing.dynamics.bodies.cage_body` [SI]; what is left out is estimated there."""
-    if table is None:
-        return {}
-    si = table.si()
-    del si["guided_by"]
-    given = {name: value for name, value in si.items() if value is not None}
-    return {"pocket_friction": 0.0} | given | {"guidance": GUIDES[table.guided_by]}

@@ -13,7 +13,7 @@ from bearing.library.bearings import warn_of_estimates
 from bearing.material import Material
 from bearing.operation import BallKinematics, Model, Operation, RatingInput
 from bearing.rows import Row
-from bearing.torque.models import FrictionInput
+from bearing.torque.inputs import FrictionInput
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 from ehl.oil.rheology import Rheology
 

@@ -10,7 +10,7 @@ from pydantic import Field
 
 from bearing.friction.resistance import Cage
 from bearing.supply.supply import InletFilm, Supply
-from bearing.torque.models import FrictionInput
+from bearing.torque.inputs import FrictionInput
 from bearing.torque.skf import Lubrication
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology, ShearLaw

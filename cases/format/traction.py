@@ -13,7 +13,7 @@ from bearing.friction.sources import (
     LawTraction,
 )
 from bearing.geometry import Bearing
-from bearing.torque.models import FrictionInput
+from bearing.torque.inputs import FrictionInput
 from ehl import Lubricant
 from ehl.traction.laws import four_constants
 

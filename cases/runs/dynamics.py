@@ -14,6 +14,7 @@ from bearing.dynamics.inputs import (
     CageBody,
     DynamicsModel,
     DynamicsOptions,
+    Guidance,
     LoadType,
     NormalLaw,
     RaceStiffness,
@@ -29,7 +30,6 @@ from ehl.traction.laws import four_constants
 from postprocess.dynamics.history import HistoryWriter
 from postprocess.dynamics.results import DynamicsResults
 
-from ..format.cage import cage_arguments
 from ..format.case import Case
 from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction, speed_table
 from ..format.friction import FOUR_CONSTANTS
@@ -104,7 +104,7 @@ def run_dynamics(
             ]
         )
     try:
-        model = build_model(case, table, tables, notify)
+        model = build_model(case, tables, notify)
         made = simulation(case.bearing, case.operation, model)
         if restart is not None:
             load_restart(made, restart, case_key(case))
@@ -194,12 +194,12 @@ def _assumed(model: DynamicsModel) -> tuple[str, ...]:
     )
 
 
-def build_model(
-    case: Case, table: DynamicsTable, tables: Path | None, notify: Progress
-) -> DynamicsModel:
+def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsModel:
     """Model of the simulation from a case: options, ring, cage, contact laws, friction, schedule
     [SI].
     """
+    table = case.file.dynamics
+    assert table is not None  # checked before
     si = table.si()
     notes: dict[str, str] = {}
     unbalance = (si["unbalance"], si["unbalance_phase"])
@@ -248,7 +248,14 @@ def _cage(case: Case, notes: dict[str, str]) -> CageBody:
     if name is None:
         notes["cage"] = f"cage material not given: {CAGE_MATERIAL}"
     material = materials(case.file.materials, [name or CAGE_MATERIAL])[name or CAGE_MATERIAL]
-    return cage_body(case.bearing, material, **cage_arguments(case.file.cage))
+    table = case.file.cage
+    if table is None:
+        return cage_body(case.bearing, material)
+    given = {name: value for name, value in table.si().items() if value is not None}
+    guidance = Guidance(given.pop("guided_by"))
+    return cage_body(
+        case.bearing, material, **{"pocket_friction": 0.0, **given}, guidance=guidance
+    )
 
 
 def _friction(

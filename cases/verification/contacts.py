@@ -37,7 +37,7 @@ def moes(
     l: float,
     ratio: float = 1.0,
     angle: float = 0.0,
-    oil: Lubricant = MINERAL_OIL,  # noqa: E741
+    oil: Lubricant = MINERAL_OIL,
 ) -> MoesConditions:
     """A contact by M, L, Rx/Ry [-] and the angle of its entrainment [rad]."""
     return MoesConditions(

@@ -71,21 +71,21 @@ def over_azimuth(found: Run, values: Any, bins: int = 60) -> tuple[Any, Any]:
     return 0.5 * (edges[1:] + edges[:-1]), np.divide(total, count, out=np.full(bins, np.nan), where=count > 0)
 
 
-def changed(case: Case, load: tuple[float, float] | None = None, speed: float | None = None, **plan: Any) -> Case:
-    """A case with another axial and radial load [N], speed [r/min], plan [SI]."""
-    assert case.dynamics is not None
+def changed(case: Case, load: tuple[float, float] | None = None, speed: float | None = None, **keys: Any) -> Case:
+    """A case with another axial and radial load [N], speed [r/min], keys of [dynamics]."""
+    assert case.file.dynamics is not None
     operation = case.operation
     if load is not None:
         operation = replace(operation, force=(*load, 0.0))
     if speed is not None:
         operation = replace(operation, inner_speed=speed * RPM)
-    return replace(case, operation=operation, dynamics=replace(case.dynamics, **plan))
+    table = case.file.dynamics.model_copy(update=keys)
+    return replace(case, operation=operation, file=case.file.model_copy(update={"dynamics": table}))
 
 
 def run(case: Case) -> Run:
     """Simulate a case; the last third of its history is kept."""
-    assert case.dynamics is not None
-    model = build_model(case, case.dynamics, None, lambda done, total, state: None)
+    model = build_model(case, None, lambda done, total, state: None)
     simulated = simulation(case.bearing, case.operation, model)
     running = RunningStatistics(case.bearing.balls)
     last = None

@@ -11,7 +11,7 @@ from bearing.geometry import Array, Bearing
 from bearing.operation import Model, Operation
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.torque.breakdown import NAMES, torque_breakdown
-from bearing.torque.models import FrictionInput
+from bearing.torque.inputs import FrictionInput
 from ehl.oil.lubricant import Lubricant
 
 

@@ -27,7 +27,7 @@ AXIAL = (20.0, 40.0, 50.0, 60.0, 70.0, 80.0, 100.0, 200.0)
 RADIAL = (50.0, 100.0, 150.0, 200.0, 300.0)
 MIXED = (0.0, 100.0, 200.0, 300.0)
 SPEEDS = (3000.0, 5000.0, 8000.0, 12000.0)
-TIME = {"end_time": 0.12, "sample_interval": 2e-4}
+TIME = {"end_time_s": 0.12, "output_interval_us": 200.0}
 FEW = 3  # balls that stand for all under an axial load
 SKIDS = 0.9  # of the kinematic speed: below, balls count as skidding
 DRAG = 1.4  # of a ball at the kinematic speed of 5000 r/min, as in the cases [N]
@@ -129,8 +129,8 @@ def few(load: float, speed: float, start: str = "quasi-static") -> Run:
     case = load_case("7008_axial")
     three = replace(case, bearing=replace(case.bearing, balls=FEW))
     drag, end = DRAG * (speed / 5000.0) ** 2, (1500.0 if start == "rest" else 1000.0) / speed
-    plan = {"end_time": end, "sample_interval": end / 200.0, "ball_drag": drag, "start": start}
-    return run(changed(three, (load * FEW / 18.0, 0.0), speed, **plan))
+    keys = {"end_time_s": end, "output_interval_us": end / 200.0 * 1e6, "ball_drag_N": drag, "start": start}
+    return run(changed(three, (load * FEW / 18.0, 0.0), speed, **keys))
 
 
 def rolls(found: Run) -> bool:
@@ -193,7 +193,7 @@ def critical(axial: bool, start: str, ends: tuple[float, float]) -> float:
         if axial:
             found = few(middle, 5000.0, start)
         else:
-            found = run(changed(case, (0.0, middle), start=start, **(TIME | {"end_time": end})))
+            found = run(changed(case, (0.0, middle), start=start, **(TIME | {"end_time_s": end})))
         low, high = (low, middle) if rolls(found) else (middle, high)
     return (low * high) ** 0.5
 
@@ -201,9 +201,9 @@ def critical(axial: bool, start: str, ends: tuple[float, float]) -> float:
 def without_pocket_friction() -> Run:
     """200 N radial load."""
     case = changed(load_case("7008_radial"), (0.0, 200.0), **TIME)
-    assert case.dynamics is not None
-    plan = replace(case.dynamics, cage={**case.dynamics.cage, "pocket_friction": 0.0})
-    return run(replace(case, dynamics=plan))
+    assert case.file.cage is not None
+    cage = case.file.cage.model_copy(update={"pocket_friction": 0.0})
+    return run(replace(case, file=case.file.model_copy(update={"cage": cage})))
 
 
 def skid_rows(points: list[Onset]) -> str:

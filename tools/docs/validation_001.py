@@ -34,7 +34,7 @@ BALLS = (7, 9, 11)
 RAMP = 0.3  # of the run-ups [s]
 LEVEL = 2.0  # change of a cage's speed from load to load that counts as none [r/min]
 GRIP = 0.02  # slip of the cage below which a run-up has come to grip [-]
-TIME = {"end_time": 0.4, "sample_interval": 1e-4, "start": "rolling", "speed_table": None}
+TIME = {"end_time_s": 0.4, "output_interval_us": 100.0, "start": "rolling", "speed_table_rpm": None}
 
 
 def start(gap: float = 5.0, balls: int = 7, **changes: Any) -> Case:
@@ -66,7 +66,7 @@ def plateau_words() -> str:
 
 def load_series() -> dict[float, dict[float, Run]]:
     """Runs by drag and load."""
-    return {drag: {w: run(start(load=(0.0, w), ball_drag=drag)) for w in LOADS} for drag in DRAGS}
+    return {drag: {w: run(start(load=(0.0, w), ball_drag_N=drag)) for w in LOADS} for drag in DRAGS}
 
 
 def knee(of_drag: dict[float, Run]) -> float:
@@ -103,7 +103,7 @@ def balance(drag: float) -> float:
 def steady_series() -> dict[str, Run]:
     """Runs over speed, load, clearance and number of balls."""
     w = (0.0, 100.0)
-    runs = {f"{n:.0f} r/min": run(start(load=w, speed=n, ball_drag=drag_at(n))) for n in SPEEDS}
+    runs = {f"{n:.0f} r/min": run(start(load=w, speed=n, ball_drag_N=drag_at(n))) for n in SPEEDS}
     runs |= {f"{load:.0f} N": run(start(load=(0.0, load))) for load in HEAVY}
     runs |= {f"gap {gap:.0f} µm": run(start(gap, load=w)) for gap in GAPS}
     return runs | {f"{n} balls": run(start(balls=n, load=w)) for n in BALLS}
@@ -111,9 +111,9 @@ def steady_series() -> dict[str, Run]:
 
 def run_up(speed: float = 8000.0, load: float = 100.0, gap: float = 5.0, balls: int = 7) -> Run:
     """From rest to a speed [r/min] within `RAMP`, and as long again."""
-    table = ((0.0, 0.0), (RAMP, speed * RPM))
-    changes = {"start": "rest", "speed_table": table, "end_time": 2.0 * RAMP, "sample_interval": 2e-4}
-    return run(start(gap, balls, load=(0.0, load), speed=speed, ball_drag=drag_at(speed), **changes))
+    table = ((0.0, 0.0), (RAMP, speed))
+    changes = {"start": "rest", "speed_table_rpm": table, "end_time_s": 2.0 * RAMP, "output_interval_us": 200.0}
+    return run(start(gap, balls, load=(0.0, load), speed=speed, ball_drag_N=drag_at(speed), **changes))
 
 
 def run_up_series() -> dict[str, Run]:
@@ -360,8 +360,7 @@ def stiffnesses() -> dict[str, float]:
     found = {}
     for key, name in (("printed", "planar as printed"), ("planar", "planar"), ("hertz", "hertz")):
         case = start(race_stiffness=name)
-        assert case.dynamics is not None
-        model = build_model(case, case.dynamics, None, lambda done, total, state: None)
+        model = build_model(case, None, lambda done, total, state: None)
         laws = simulation(case.bearing, case.operation, model).data.normal
         found[f"{key}_inner"], found[f"{key}_outer"] = float(laws[0, 0]), float(laws[1, 0])
     for race in ("inner", "outer"):

@@ -19,7 +19,7 @@ from bearing.friction.resistance import rolling_power
 from bearing.heating.heat_balance import Cooling
 from bearing.heating.self_heating import SelfHeatingProblem, self_heating
 from bearing.supply.supply import InletFilm, Supply
-from bearing.torque.models import FrictionInput
+from bearing.torque.inputs import FrictionInput
 from bearing.torque.sliding import shaft_speed
 from bearing.torque.starved import starved_torque
 from ehl import ViscosityLaw

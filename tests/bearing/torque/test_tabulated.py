@@ -15,8 +15,8 @@ from bearing.friction.sources import LawTraction
 from bearing.friction.tables import contact_law, law_gradient
 from bearing.geometry import contact_modulus
 from bearing.torque.breakdown import torque_breakdown
+from bearing.torque.inputs import FrictionInput
 from bearing.torque.integrated import law_torque
-from bearing.torque.models import FrictionInput
 from bearing.torque.sliding import shaft_speed
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact

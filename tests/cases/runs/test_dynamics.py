@@ -196,7 +196,7 @@ def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
     ("changes", "words"),
     [
         ([("ball_drag_N = 1.4", "ball_drag_N = 1.4\nmixture_density_kg_m3 = 9.0")], "mixture_density_kg_m3"),
-        ([("friction_limit = 0.03", "friction_limit = 0.06")], "below traction_maximum"),
+        ([("traction_limit = 0.03", "traction_limit = 0.06")], "below traction_maximum"),
         ([("output_interval_us = 50.0", "output_interval_us = 1e-6")], "rows"),
         ([("restitution = 0.9", 'contact_law = "lubricated"')], 'friction = "table"'),
         ([("restitution = 0.9", "speed_table_rpm = [[0.0, 1.0], [0.0, 2.0]]")], "rising"),
@@ -245,4 +245,4 @@ def test_shipped_cases_are_copied_whole(tmp_path):
     """Every shipped simulation is a case that validates."""
     for name in ("7008_axial", "7008_radial", "7008_combined", "6304_planar"):
         copied = shutil.copy(find_case(name), tmp_path)
-        assert load_case(copied).dynamics is not None
+        assert load_case(copied).file.dynamics is not None

@@ -54,7 +54,7 @@ def test_tables_of_the_case_itself_are_taken(folder, tmp_path):
     """By the simulation, for another load and clearance, and by a batch."""
     text = text_of("axial_load_N = 100.0", "axial_load_N = 150.0").replace("angle_deg = 15.0", "angle_deg = 16.0")
     case = case_from_text(text, "case.toml")
-    model = build_model(case, case.dynamics, folder / "made.zip", lambda done, total, state: None)
+    model = build_model(case, folder / "made.zip", lambda done, total, state: None)
     assert model.friction.inner.message == "made up"
     file_of(tmp_path, text)
     (tmp_path / "made.zip").write_bytes((folder / "made.zip").read_bytes())
@@ -149,7 +149,7 @@ def test_tables_over_the_temperature_are_taken_at_that_of_the_case(over_temperat
     """By run, the simulation and a batch over temperatures, at and between those of the tables."""
     for celsius in (50.0, 57.0):
         case = case_from_text(warm_text(celsius), "case.toml")
-        model = build_model(case, case.dynamics, over_temperature, lambda done, total, state: None)
+        model = build_model(case, over_temperature, lambda done, total, state: None)
         assert model.friction.outer.contact.temperature == celsius + 273.15
         assert model.friction.outer.contact.rheology == case.rheology
         named = f'[friction]\ntraction = "table"\ntraction_table = "{over_temperature}"\n'

@@ -167,8 +167,9 @@ def test_a_simulation_gives_a_gif_and_steps(tmp_path):
     from cases.runs.dynamics import run_dynamics
 
     case = load_case("7008_axial")
-    assert case.dynamics is not None
-    case = replace(case, dynamics=replace(case.dynamics, end_time=2e-3, sample_interval=1e-4))
+    assert case.file.dynamics is not None
+    table = case.file.dynamics.model_copy(update={"end_time_s": 2e-3, "output_interval_us": 100.0})
+    case = replace(case, file=case.file.model_copy(update={"dynamics": table}))
     run_dynamics(case, "case", tmp_path / "history.nc")
     with open_history(tmp_path) as data:
         assert shown_rows(data, 3, 0.5).tolist() == [0, 10, 19]

@@ -1,0 +1,50 @@
+"""What the models of the friction torque take beyond the loads."""
+
+from dataclasses import dataclass
+from math import pi
+
+from ..friction.resistance import Cage
+from ..supply.supply import InletFilm, Supply
+from . import skf
+
+# free contact angle from which a bearing counts as one of angular contact [rad]
+ANGULAR_CONTACT = pi / 18.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FrictionInput:
+    """What the friction models ask beyond the loads, SI; None leaves out what needs it, or is
+    filled in as said.
+    """
+
+    # Coulomb's mu of the sliding models [-]; None: SKF's, from speed and viscosity
+    coefficient: float | None = None
+    lubrication: skf.Lubrication = skf.Lubrication.LOW_OIL_BATH
+    oil: str = "mineral"  # kind of base oil, of SKF's mu_EHL
+    oil_level: float = 0.0  # above the lowest contact point of the outer raceway [m]
+    boundary: float = skf.BOUNDARY_FRICTION  # mu_b of asperities, SKF's mu_bl [-]
+    full_film: float | None = None  # SKF's mu_EHL [-]; None: by the kind of oil
+    drag_factor: float | None = None  # SKF's V_M [-]; None: from the digitised diagram
+    viscous_factor: float | None = None  # Palmgren's f_0 [-]; None: by bearing and lubrication
+    load_factor: float | None = None  # Palmgren's f_1 [-]; None: by the load
+    sealed: bool = False  # contact seals on both sides
+    seal_diameter: float | None = None  # [m]
+    series: str | None = None  # of SKF's constants; None: no SKF model
+    static_rating: float | None = None  # C_0 [N]
+    hysteresis: float | None = None  # share of the elastic energy lost in rolling, beta_a [-]
+    cage: Cage | None = None
+    oil_fraction: float | None = None  # share of the cavity filled with oil [-]
+    # rms of inner race and balls, outer race and balls [m]
+    roughness: tuple[float, float] | None = None
+    # flow of oil and what is assumed of it, or the layer at the inlets
+    supply: Supply | InletFilm | None = None
+    flooded: bool = False  # the total stays that of flooded films although a supply is given
+    # SKF's sliding moment also with the slip of the sliding friction paper
+    as_printed: bool = False
+    # results show every model, not only integrated, SKF, Palmgren and Coulomb
+    all_models: bool = False
+
+    @property
+    def film_friction(self) -> float:
+        """mu_EHL [-]."""
+        return skf.FULL_FILM_FRICTION[self.oil] if self.full_film is None else self.full_film
