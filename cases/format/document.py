@@ -16,7 +16,7 @@ from bearing.library.names import matching_name
 from bearing.material import list_materials
 
 from .bearing import GEOMETRY, BearingTable
-from .dynamics import LAW_OF, RENAMED
+from .dynamics import RENAMED
 from .fields import Table
 from .files import BearingFile, ContactFile, bearing_faults, contact_faults
 from .library_names import catalogue_values, with_library_names
@@ -190,7 +190,7 @@ def _with_new_names(
     simulation, friction = document.get("dynamics"), document.get("friction", {})
     if not isinstance(simulation, dict) or not isinstance(friction, dict):
         return document, {}, []
-    law = simulation.get("friction", "four constants")
+    law = simulation.get("friction")
     simulation, friction = dict(simulation), dict(friction)
     moved: dict[Path, Path] = {}
     faults = []
@@ -202,7 +202,7 @@ def _with_new_names(
             found = f"found together with friction.{new}"
             allowed = f"allowed: friction.{new}, which replaces it"
             faults.append(CaseFault(path=("dynamics", key), found=found, allowed=allowed))
-        elif law == LAW_OF[new]:  # without its law it never had an effect
+        elif new != "coefficient" or law == "coulomb":  # without its law it had no effect
             friction[new] = value
             moved["friction", new] = ("dynamics", key)
     assumed = document.get("assumed")

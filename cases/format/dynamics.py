@@ -91,7 +91,6 @@ RENAMED = {  # earlier keys, accepted for one version, and those of [friction] i
     "friction_limit": "traction_limit",
     "friction_coefficient": "coefficient",
 }
-LAW_OF = {name: "coulomb" if name == "coefficient" else "four constants" for name in SIMULATED}
 RELATIONS = (
     Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),
     Below(

@@ -131,7 +131,6 @@ class FrictionTable(Table):
 
 FOUR_CONSTANTS = ("traction_maximum", "traction_maximum_slide", "traction_limit")
 FOUR = Where("friction.traction", "four constants")
-SIMULATED_FOUR = Where("dynamics.friction", "four constants", default="four constants")
 # defaults of the four constants and of Coulomb's mu, for a simulation [-]
 SIMULATED = {
     "traction_maximum": 0.05,
@@ -158,7 +157,7 @@ RELATIONS: tuple[Relation, ...] = (
     Needs("friction.traction_table", Where("friction.traction", "table")),
     OnlyWith("friction.traction_table", (Where("friction.traction", "table"),)),
     *(Needs(f"friction.{name}", FOUR) for name in FOUR_CONSTANTS),
-    *(OnlyWith(f"friction.{name}", (FOUR, SIMULATED_FOUR)) for name in FOUR_CONSTANTS),
+    *(OnlyWith(f"friction.{name}", (FOUR, Where("dynamics"))) for name in FOUR_CONSTANTS),
     Below(
         "friction.traction_limit",
         "friction.traction_maximum",

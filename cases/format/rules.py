@@ -48,25 +48,22 @@ class KnownNames:
 
 @dataclass(frozen=True, slots=True)
 class Where:
-    """A key that is given, or has a value; with `nonzero`, a number other than zero."""
+    """A key or table that is given, or has a value; with `nonzero`, a number other than zero."""
 
     key: str
     value: str | None = None
     nonzero: bool = False
-    default: str | None = None  # value of a key that is left out of a table that is given
 
     def holds(self, values: CaseValues) -> bool:
         """Whether a document is like this."""
         path = _path(self.key)
         if self.value is not None:
-            found = values.get(*path)
-            left_out = values.given(path[0]) and not values.given(*path)
-            return bool((self.default if left_out else found) == self.value)
+            return bool(values.get(*path) == self.value)
         return bool(values.get(*path)) if self.nonzero else values.given(*path)
 
     def text(self, table: str = "") -> str:
         """The condition in words, without the name of the table it is read in."""
-        key = self.key.removeprefix(f"{table}.")
+        key = self.key.removeprefix(f"{table}.") if "." in self.key else f"[{self.key}]"
         return key if self.value is None else f"{key} = {shown(self.value)}"
 
 
