@@ -21,7 +21,7 @@ from postprocess.slip.summary import slip_summary
 from postprocess.traction.summary import traction_summary
 
 from ..format.case import Case, ContactCase
-from ..format.race_tables import made_for
+from ..format.traction import fitting_tables
 from ..runs.bearing import run_case
 from ..runs.contact import run_contact
 from ..runs.dynamics import run_dynamics
@@ -135,7 +135,7 @@ def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[
         If the tables were made for other bodies or another oil.
     """
     assert case.rheology is not None  # of every bearing case
-    made_for(
+    fitting_tables(
         tables,
         "the traction table",
         case.bearing,

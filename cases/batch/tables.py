@@ -27,7 +27,7 @@ from ehl.traction.table.table import TableRange
 from ..format.case import Case, ContactCase, case_of_file
 from ..format.document import check_document
 from ..format.problems import CaseError
-from ..format.race_tables import made_for, tables_of_file
+from ..format.traction import fitting_tables, tables_of_file
 from ..runs.equilibrium import case_equilibrium
 from ..runs.films import cores
 from ..version import version
@@ -148,7 +148,7 @@ def foreign_points(
         assert case.rheology is not None  # of every bearing case
         oil = (case.lubricant, case.rheology)
         try:
-            made_for(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
+            fitting_tables(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
         except ValueError as problem:
             reasons[same] = str(problem).replace(str(path), path.name)
     for number, same in common.items():

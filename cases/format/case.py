@@ -6,7 +6,7 @@ from math import radians
 from pathlib import Path
 from typing import Any
 
-from bearing.fits.clearance import ClearanceBudget
+from bearing.fits.clearance import ClearanceBudget, Fit
 from bearing.friction.law import BallTraction
 from bearing.geometry import Bearing
 from bearing.library.bearings import warn_of_estimates
@@ -20,12 +20,12 @@ from ehl.oil.rheology import Rheology
 from . import bearing as bearings
 from . import contact as contacts
 from . import fits
-from .cage import cage_friction, guiding_land
 from .document import read_text, validate_text
+from .dynamics import cage_friction, guiding_land
 from .files import BearingFile, ContactFile
 from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, film_physics
+from .fits import HeatingInput
 from .friction import friction, rheology
-from .heating import HeatingInput, heating
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
 from .materials import material_table, materials
 from .operation import model, operation
@@ -138,31 +138,17 @@ def _bearing_case(file: BearingFile) -> Case:
     fluid = lubricant(oil, at.temperature)
     shear = rheology(oil, fluid)
     # 2. the bearing, as delivered and in operation
-    cage_name = file.bearing.cage_material
-    heated = file.temperatures is not None and file.temperatures.cage_C is not None
-    names = [*_material_names(file), *([cage_name] if cage_name and heated else [])]
-    library = materials(file.materials, names)
+    library = _materials(file)
     delivered = bearings.bearing(file.bearing, library, file.title)
     seats = fits.fit(file.fit, library)
-    cage = fits.heated_cage(
-        delivered, file.temperatures, library.get(cage_name or ""), guiding_land(file.cage)
-    )
-    bearing, clearance = fits.in_operation(delivered, at, seats, file.temperatures, cage)
-    # 3. the models
+    bearing, clearance = _in_operation(file, delivered, at, seats, library)
+    # 3. the films, and the friction of balls on races
     assumptions = model(file.model, file.friction)
-    films = film_physics(
-        file.ehl.film_model, shear, (bearing.ball_material, bearing.inner_ring_material)
-    )
-    torque = friction(
-        file.friction, file.bearing, file.lubricant, cage_friction(file.cage), file.surface
-    )
-    solver = contacts.solver_options(file.ehl)
-    traction = None
-    balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
-    if balanced or file.friction.traction is not None:
-        case_films = CaseFilms(options=solver, films=films)
-        traction = ball_traction(file.friction, torque, bearing, fluid, case_films)
-    maps = file.ehl.film_maps
+    bodies = (bearing.ball_material, bearing.inner_ring_material)
+    films = film_physics(file.ehl.film_model, shear, bodies)
+    cage = cage_friction(file.cage)
+    torque = friction(file.friction, file.bearing, file.lubricant, cage, file.surface)
+    case_films = CaseFilms(options=contacts.solver_options(file.ehl), films=films)
     return Case(
         title=file.title,
         source=file.source,
@@ -171,19 +157,60 @@ def _bearing_case(file: BearingFile) -> Case:
         lubricant=fluid,
         operation=at,
         model=assumptions,
-        traction=traction,
-        solver=solver,
-        film_maps=maps if isinstance(maps, str) else tuple(radians(azimuth) for azimuth in maps),
+        traction=_traction(file, assumptions, torque, bearing, fluid, case_films),
+        solver=case_films.options,
+        film_maps=_film_maps(file.ehl.film_maps),
         document=_bearing_document(file, fluid, library, assumptions),
         file=file,
         rating=bearings.rating(file.bearing, file.lubricant.contamination_factor),
         friction=torque,
-        heating=heating(file.friction, file.temperatures, oil, fluid, delivered, seats),
+        heating=fits.heating(file.friction, file.temperatures, oil, fluid, delivered, seats),
         films=films,
         rheology=shear,
         clearance=clearance,
         rows=rows(file.rows, delivered, assumptions.curvature),
     )
+
+
+def _materials(file: BearingFile) -> dict[str, Material]:
+    """Materials of the bearing, its seats, and of a cage whose temperature is given."""
+    cage = file.bearing.cage_material
+    heated = file.temperatures is not None and file.temperatures.cage_C is not None
+    names = [*_material_names(file), *([cage] if cage and heated else [])]
+    return materials(file.materials, names)
+
+
+def _in_operation(
+    file: BearingFile,
+    delivered: Bearing,
+    at: Operation,
+    seats: Fit | None,
+    library: dict[str, Material],
+) -> tuple[Bearing, ClearanceBudget | None]:
+    """The bearing with its clearance in operation, and the budget of that [m]."""
+    material = library.get(file.bearing.cage_material or "")
+    cage = fits.heated_cage(delivered, file.temperatures, material, guiding_land(file.cage))
+    return fits.in_operation(delivered, at, seats, file.temperatures, cage)
+
+
+def _traction(
+    file: BearingFile,
+    assumptions: Model,
+    torque: FrictionInput,
+    bearing: Bearing,
+    oil: Lubricant,
+    films: CaseFilms,
+) -> BallTraction | None:
+    """Friction of balls on races; None where neither [friction] nor the balls' balance needs it."""
+    balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
+    if file.friction.traction is None and not balanced:
+        return None
+    return ball_traction(file.friction, torque, bearing, oil, films)
+
+
+def _film_maps(wanted: str | tuple[float, ...]) -> str | tuple[float, ...]:
+    """Which films are wanted: a word, or azimuths of balls [rad]."""
+    return wanted if isinstance(wanted, str) else tuple(radians(azimuth) for azimuth in wanted)
 
 
 def _warn(file: BearingFile) -> None:

@@ -6,21 +6,19 @@ from typing import Any
 
 from pydantic import Field, PrivateAttr
 
-from . import bearing, cage, contact, dynamics, fits, friction, lubricant, operation, rows
+from . import bearing, contact, dynamics, fits, friction, lubricant, operation, rows
 from .bearing import BearingTable, SurfaceTable
-from .cage import CageTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
-from .dynamics import DynamicsTable
+from .dynamics import CageTable, DynamicsTable
 from .fields import Table
 from .fits import FitTable, TemperaturesTable
 from .friction import FrictionTable
 from .lubricant import LubricantTable, OilTable
 from .materials import MaterialTable
-from .operation import ModelTable, OperationTable
+from .operation import ModelTable, OperationTable, SlipTable
 from .problems import CaseFault
 from .rows import RowTable
 from .rules import CaseValues, KnownNames, Relation, relation_faults
-from .slip import SlipTable
 
 
 class CaseFile(Table):
@@ -89,7 +87,7 @@ OF_BEARINGS: tuple[Relation, ...] = (
 BEARING_FAULTS: tuple[Callable[[CaseValues], Iterator[CaseFault]], ...] = (
     operation.operation_faults,
     rows.row_faults,
-    cage.cage_faults,
+    dynamics.cage_faults,
     friction.friction_faults,
     dynamics.dynamics_faults,
 )

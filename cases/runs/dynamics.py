@@ -35,7 +35,7 @@ from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction
 from ..format.friction import FOUR_CONSTANTS
 from ..format.materials import materials
 from ..format.problems import CaseError
-from ..format.race_tables import read_race_tables
+from ..format.traction import read_race_tables
 from ..version import version
 from .films import Progress
 from .interrupt import finish_first

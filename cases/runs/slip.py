@@ -25,8 +25,8 @@ from bearing.studies.slip import (
 from postprocess.slip.results import MinimumLoads, SlipResults
 
 from ..format.case import Case
+from ..format.operation import SlipTable
 from ..format.problems import CaseError
-from ..format.slip import SlipTable
 from ..version import version
 from .films import Progress, cores
 

@@ -56,11 +56,12 @@ def test_faults_of_an_earlier_key_have_its_line():
         assert message.endswith(allowed)
 
 
-def test_earlier_keys_of_another_law_have_no_effect():
-    text = OLD.replace('friction = "four constants"\n', "").replace("[dynamics]\n", '[dynamics]\nfriction = "none"\n')
-    assert case_from_text(text, "case.toml").document["friction"].keys() == (
-        case_from_text(text.replace(EARLIER, ""), "case.toml").document["friction"].keys()
-    )
+def test_an_earlier_coefficient_counts_for_coulombs_law_only():
+    """That of the torque models stays what it is where the simulation has another law."""
+    text = NEW.replace("[dynamics]\n", "[dynamics]\nfriction_coefficient = 0.07\n")
+    assert case_from_text(text, "case.toml").friction.coefficient is None
+    coulomb = text.replace("[dynamics]\n", '[dynamics]\nfriction = "coulomb"\n')
+    assert case_from_text(coulomb, "case.toml").friction.coefficient == 0.07
 
 
 def test_a_simulation_fills_in_what_is_left_out():

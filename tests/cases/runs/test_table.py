@@ -14,7 +14,7 @@ from bearing.geometry import Race
 from bearing.library.lubricants import library_lubricant
 from cases.cli.main import app
 from cases.format.case import load_case
-from cases.format.race_tables import tables_of_file
+from cases.format.traction import tables_of_file
 from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions
 from ehl.traction.table.full_solves import FullSolve
