@@ -49,8 +49,6 @@ class Case:
     model: Model
     # friction of balls on races, where the case names it or takes traction equilibrium
     traction: BallTraction | None
-    # friction of balls on races, where the case names it or takes traction equilibrium
-    traction: BallTraction | None
     solver: SolverOptions
     film_maps: str | tuple[float, ...]  # "all", "loaded", "none", or azimuths of balls [rad]
     document: dict[str, Any]  # the case file as run, defaults and library values filled in

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 from functools import cache
 from math import isfinite
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeGuard
 
 from pydantic import (
     BaseModel,
@@ -54,8 +54,8 @@ def _si(key: str, value: Any) -> Any:
     return to_si(key, value) if is_number(value) else value
 
 
-def is_number(value: object) -> bool:
-    """Whether `value` is a finite number [-]; a bool is none, nor is an integer beyond the floats."""
+def is_number(value: object) -> TypeGuard[float]:
+    """Whether `value` is a finite number [-]; a bool is none, nor an integer beyond the floats."""
     try:
         return not isinstance(value, bool) and isinstance(value, int | float) and isfinite(value)
     except OverflowError:

@@ -179,10 +179,11 @@ def _yasutomi(keys: dict[str, Any]) -> YasutomiGlass:
     """The improved law with an exponent, the first one with a factor."""
     coefficient = keys["yasutomi_expansivity_1_GPa"] / GIGAPASCAL
     form = ExpansivityForm.LOGARITHMIC
-    expansivity = (keys.get("yasutomi_expansivity_factor"), coefficient)
     if "yasutomi_expansivity_exponent" in keys:
         form = ExpansivityForm.POWER
         expansivity = (coefficient, keys["yasutomi_expansivity_exponent"])
+    else:
+        expansivity = (keys["yasutomi_expansivity_factor"], coefficient)
     return YasutomiGlass(
         glass_temperature=keys["yasutomi_glass_temperature_C"] + ZERO_CELSIUS,
         glass_rise=keys["yasutomi_glass_rise_K"],

@@ -267,7 +267,7 @@ def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault
     named = ("lubricants", str(oil.get("name")))
     law_of_named = values.get(*named, "rheology") or "ree-eyring"
     for key, own in SHEAR_KEYS.items():
-        places = [("lubricant", key)] if values.given("lubricant", key) else []
+        places: list[Path] = [("lubricant", key)] if values.given("lubricant", key) else []
         if values.given(*named, key) and law_of_named != own:
             places.append((*named, key))
         if law != own and places:

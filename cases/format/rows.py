@@ -61,7 +61,7 @@ def row_faults(values: CaseValues) -> Iterator[CaseFault]:
     diameter = values.get("bearing", "ball_diameter_mm")
     for (_, one), (index, other) in combinations(enumerate(tables), 2):
         there, here = (table.get("axial_position_mm") for table in (one, other))
-        if diameter is None or not all(isinstance(x, int | float) for x in (here, there)):
+        if diameter is None or not (is_number(here) and is_number(there)):
             continue
         if abs(here - there) < diameter:
             path = ("rows", index, "axial_position_mm")
