@@ -110,7 +110,7 @@ def write_dataset(
 
 
 def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
-    """Attributes of every file, from a summary: version, format, kind, input and messages as JSON."""
+    """Attributes of every file, from a summary: version, format, kind, input, messages."""
     case = document["case"]
     return {
         "title": str(case.get("title", "")),

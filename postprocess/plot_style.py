@@ -89,7 +89,7 @@ def colour_stops(quantity: str, count: int) -> Array:
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Write a figure under its final name only when it is complete; the suffix names the format."""
+    """Write a figure under its final name when it is complete; the suffix names the format."""
     with atomic_path(path) as temporary:
         figure.savefig(temporary, dpi=DPI)
 

@@ -1,4 +1,4 @@
-"""PNG plots of a run: one figure per distinct contact, film and pressure per azimuth, load zone."""
+"""PNG plots of a run: distinct contacts, film and pressure per azimuth, load zone, torque."""
 
 from collections.abc import Callable, Iterator
 from functools import partial
@@ -20,8 +20,7 @@ PLOT_FOLDER = "plots"
 
 
 def write_plots(results: BearingResults | ContactResults, directory: Path) -> tuple[str, ...]:
-    """Draw every plot of a run into its folder `plots`; equal contacts are drawn once and named
-    together.
+    """Draw every plot of a run into its folder `plots`; equal contacts are drawn once.
 
     Returns
     -------

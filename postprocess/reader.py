@@ -53,7 +53,8 @@ def _data_file(path: Path) -> Path:
             return path / HISTORY_FILE
         if (path / SUMMARY_FILE).is_file() and not (path / FIELDS_FILE).exists():
             raise ValueError(
-                f"{path} holds {SUMMARY_FILE}, but no {FIELDS_FILE}: compute it again with this version"
+                f"{path} holds {SUMMARY_FILE}, but no {FIELDS_FILE}: compute it again with this "
+                "version"
             )
         path = path / FIELDS_FILE
     if not path.is_file():
@@ -94,6 +95,9 @@ def _foreign(tree: xarray.DataTree) -> str:
         return FOREIGN
     if written > known:
         version = tree.attrs.get("oilfilm", "newer")
-        return f"was written by oilfilm {version} in format {written}; this version reads formats up to {known}"
+        return (
+            f"was written by oilfilm {version} in format {written}; this version reads formats up "
+            f"to {known}"
+        )
     ours = history or tree.attrs.get("kind") in KINDS
     return "" if ours else FOREIGN

@@ -21,7 +21,7 @@ def facts_table(rows: Mapping[str, str]) -> Table:
 def number_table(
     headers: Iterable[str], rows: Iterable[Iterable[str]], left: Iterable[str] = (), **style: Any
 ) -> Table:
-    """Columns of numbers to the right, those named in `left` to the left, a line below the head."""
+    """Columns aligned right, those named in `left` aligned left, a line below the head."""
     table = Table(**{"box": box.SIMPLE_HEAD, "pad_edge": False, "title_justify": "left"} | style)
     for header in headers:
         table.add_column(header, justify="left" if header in left else "right", no_wrap=True)

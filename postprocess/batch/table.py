@@ -35,7 +35,7 @@ SHOWN = {
 
 
 def batch_table(results: BatchResults) -> Group:
-    """The points of a batch, first and last ones of many, with the results that fit beside the keys."""
+    """The points of a batch, the ends of many, with the results that fit beside the keys."""
     main = [main_results(point.summary) for point in results.points]
     keys = [
         key

@@ -32,7 +32,7 @@ def _unit(name: str, values: Iterable[Any]) -> str:
 
 
 def write_batch_netcdf(results: BatchResults, path: Path) -> None:
-    """Write the columns of the table over `point`, numbers of balls and contacts over ball and race.
+    """Write the table's columns over `point`, numbers of balls and contacts over ball and race.
 
     Units are attributes, the input of every point is the variable `case`; NaN for no value.
     """

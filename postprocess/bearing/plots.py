@@ -39,11 +39,11 @@ WIDE_LABEL = 8  # characters of azimuths that fit above a map
 COLUMNS = 6  # maps side by side at most
 RACES = ("inner", "outer")
 FOOTNOTES = {
-    "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and minimum film; "
-    "film beyond the colour scale is grey;\ncontour lines at 0.8 ... 1.5 of each contact's central film; "
-    "error bars: uncertainty of the solution",
-    "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest pressure; "
-    "contour lines at 0.1, 0.3 ... 0.9 of it",
+    "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and "
+    "minimum film; film beyond the colour scale is grey;\ncontour lines at 0.8 ... 1.5 of each "
+    "contact's central film; error bars: uncertainty of the solution",
+    "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest "
+    "pressure; contour lines at 0.1, 0.3 ... 0.9 of it",
 }
 COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}
 
@@ -134,7 +134,7 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     """
     columns = ball_columns(results)
     figure.set_size_inches(PAGE_WIDTH, 6.0)
-    figure.suptitle(str(results.case.get("title", "")), fontsize=8.5)
+    figure.suptitle(results.title, fontsize=8.5)
     halves: Any = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
     upper, lower = halves
     panels: Any = upper.subplots(2, len(columns), squeeze=False)
@@ -183,18 +183,11 @@ def _few_ticks(axes: Axes, window: tuple[float, float, float]) -> None:
 def _small_map(
     axes: Axes, view: ContactView | None, quantity: str, limits: tuple[float, float]
 ) -> Any:
-    """One map in semi-axes of its own Hertz ellipse; an empty panel says that there is no contact."""
+    """One map in semi-axes of its Hertz ellipse; an empty panel where there is no contact."""
     if view is None:
         axes.set_facecolor("#eeeeee")
-        axes.text(
-            0.5,
-            0.5,
-            "no film",
-            ha="center",
-            va="center",
-            transform=axes.transAxes,
-            color=REFERENCE,
-        )
+        middle: Any = {"ha": "center", "va": "center", "transform": axes.transAxes}
+        axes.text(0.5, 0.5, "no film", color=REFERENCE, **middle)
         axes.set_xticks([])
         axes.set_yticks([])
         return None
@@ -208,28 +201,18 @@ def _small_map(
     text = (
         f"{view.central:#.3g}\n{view.minimum:#.3g} µm" if film else f"{view.pressure_top:#.3g} GPa"
     )
-    axes.text(0.04, 0.03, text, fontsize=6.5, transform=axes.transAxes, color=INK)
-    axes.text(
-        0.04,
-        0.97,
-        view.doubt,
-        fontsize=6.5,
-        va="top",
-        transform=axes.transAxes,
-        color=OUTER_COLOUR,
-    )
+    small: Any = {"fontsize": 6.5, "transform": axes.transAxes}
+    axes.text(0.04, 0.03, text, color=INK, **small)
+    axes.text(0.04, 0.97, view.doubt, va="top", color=OUTER_COLOUR, **small)
     return image
 
 
 def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
     """Film with error bars, or pressure, of every contact over the azimuth."""
+    middle = 0.5 * (1 + len(results.quasistatic.rows))
     for race in RACES:
         pairs = [
-            (
-                degrees(c.azimuth) % 360.0
-                + ROW_DODGE * (c.row - 0.5 * (1 + len(results.quasistatic.rows))),
-                s,
-            )
+            (degrees(c.azimuth) % 360.0 + ROW_DODGE * (c.row - middle), s)
             for c, s in zip(results.contacts, results.solutions, strict=True)
             if s is not None and c.race.value == race
         ]
@@ -242,17 +225,12 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
         else:
             maximum = [p[1].pressure_maximum / GIGAPASCAL for p in pairs]
             hertz = [p[1].hertz_pressure / GIGAPASCAL for p in pairs]
-            axes.plot(
-                azimuth,
-                maximum,
-                "o",
-                color=COLOURS[race],
-                markersize=4,
-                label=f"{race} race, largest",
-            )
-            axes.plot(
-                azimuth, hertz, "_", color=COLOURS[race], markersize=9, label=f"{race} race, Hertz"
-            )
+            for values, marker, size, name in (
+                (maximum, "o", 4, "largest"),
+                (hertz, "_", 9, "Hertz"),
+            ):
+                style: Any = {"color": COLOURS[race], "label": f"{race} race, {name}"}
+                axes.plot(azimuth, values, marker, markersize=size, **style)
     axes.set_xlim(-12.0, 372.0)
     balls = np.unique(np.round(np.degrees(results.quasistatic.azimuth) % 360.0, 6))
     axes.set_xticks(balls if len(balls) <= 12 else np.arange(0.0, 361.0, 30.0))
@@ -268,14 +246,9 @@ def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], rac
         value = [getattr(s, f"film_{name}") / MICROMETRE for s in solutions]
         error = [getattr(s, f"film_{name}_uncertainty") / MICROMETRE for s in solutions]
         face = COLOURS[race] if filled else "white"
-        style: Any = {
-            "color": COLOURS[race],
-            "markerfacecolor": face,
-            "markersize": 4,
-            "capsize": 3,
-            "linewidth": 0.9,
-        }
-        axes.errorbar(azimuth, value, error, fmt=marker, label=f"{race} race, {name}", **style)
+        style: Any = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4}
+        style |= {"capsize": 3, "linewidth": 0.9, "label": f"{race} race, {name}"}
+        axes.errorbar(azimuth, value, error, fmt=marker, **style)
 
 
 def draw_load_zone(figure: Figure, results: BearingResults) -> None:
@@ -292,7 +265,7 @@ def draw_load_zone(figure: Figure, results: BearingResults) -> None:
     state = results.quasistatic
     rows = len(state.rows)
     figure.set_size_inches(min(0.5 * rows, 1.0) * PAGE_WIDTH, 3.9 if rows == 1 else 4.3)
-    figure.suptitle(str(results.case.get("title", "")), fontsize=7.5, wrap=True)
+    figure.suptitle(results.title, fontsize=7.5, wrap=True)
     panels: Any = figure.subplots(1, rows, squeeze=False, subplot_kw={"projection": "polar"})
     top = float(max(state.outer_load.max(), state.inner_load.max()))
     for index, axes in enumerate(panels[0]):
@@ -314,10 +287,6 @@ def _load_zone(axes: Any, state: QuasistaticSolution, top: float, name: str) -> 
     axes.set_rticks([tick for tick in axes.get_yticks() if 0.0 < tick <= top][1::2])
     axes.set_axisbelow(True)
     axes.grid(linewidth=0.3)
-    axes.legend(
-        title=f"{name}contact load [N] by azimuth ψ",
-        title_fontsize=7,
-        ncols=2,
-        loc="upper center",
-        bbox_to_anchor=(0.5, -0.08),
-    )
+    style: Any = {"title_fontsize": 7, "ncols": 2, "loc": "upper center"}
+    title = f"{name}contact load [N] by azimuth ψ"
+    axes.legend(title=title, bbox_to_anchor=(0.5, -0.08), **style)

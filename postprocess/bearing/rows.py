@@ -56,7 +56,8 @@ def row_messages(results: BearingResults) -> Iterator[str]:
     """What values of the whole mean where there are several rows."""
     rows = len(results.quasistatic.rows)
     if rows > 1:
-        yield f"cage_speed_rpm, frequencies_Hz: mean over {rows} rows, each row's own stand in rows"
+        own = "each row's own stand in rows"
+        yield f"cage_speed_rpm, frequencies_Hz: mean over {rows} rows, {own}"
 
 
 def row_lines(state: QuasistaticSolution) -> dict[str, str]:

@@ -1,4 +1,4 @@
-"""The block `supply` of the summary: films that are starved, and which numbers are flooded ones."""
+"""The block `supply` of the summary: starved films, and which numbers are flooded ones."""
 
 from collections.abc import Iterator
 from math import isfinite

@@ -102,7 +102,8 @@ def compare(first: str | Path, second: str | Path) -> Comparison:
     kinds = _kind(one), _kind(two)
     if kinds[0] != kinds[1]:
         raise ValueError(
-            f"{first} holds results of a {kinds[0]}, {second} of a {kinds[1]}; allowed: two of one kind"
+            f"{first} holds results of a {kinds[0]}, {second} of a {kinds[1]}; allowed: two of one "
+            "kind"
         )
     inputs = dict(flat(_input(one))), dict(flat(_input(two)))
     results = dict(flat(_results(one))), dict(flat(_results(two)))

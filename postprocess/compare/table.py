@@ -15,7 +15,7 @@ NOTHING = "–"
 
 
 def comparison_table(comparison: Comparison) -> Group:
-    """Lay out what differs: input, main results, and the largest differences of all results [%]."""
+    """What differs: input, main results, and the largest differences of all results [%]."""
     ordered = sorted(comparison.results, key=lambda d: -1.0 if d.relative is None else -d.relative)
     shown = ordered[:MOST_ROWS]
     parts: list[Any] = [

@@ -99,45 +99,36 @@ def write_interferogram(
 
 
 def _draw(figure: Figure, name: str, data: Any, optics: Optics) -> None:
+    x, y, film = _fine_film(data)
+    width, height = float(np.ptp(x)), float(np.ptp(y))
+    equal = 0.4 < width / height < 2.5
+    side = 0.6 * PAGE_WIDTH
+    figure.set_size_inches(side, side * (min(1.4, height / width) if equal else 1.0) + 0.6)
+    axes = figure.add_subplot()
+    picture = intensity(film, optics)
+    ends = tuple(end / MILLIMETRE for end in (x[0], x[-1], y[0], y[-1]))
+    style: Any = {"cmap": "gray", "vmin": 0.0, "vmax": 1.0, "origin": "lower", "extent": ends}
+    axes.imshow(np.swapaxes(picture, 0, 1), aspect="equal" if equal else "auto", **style)
+    axes.set_xlabel(f"{data['x'].attrs['long_name']} [mm]")
+    axes.set_ylabel(f"{data['y'].attrs['long_name']} [mm]")
+    lengths = ", ".join(f"{w / NANOMETRE:.4g}" for w in optics.wavelengths)
+    index = f"n = {optics.refractive_index:g}"
+    axes.set_title(f"{name}: simulated interferogram, {lengths} nm, {index}")
+    step = optics.wavelengths[0] / (2.0 * optics.refractive_index) / NANOMETRE
+    note = f"from fringe to fringe {step:.4g} nm of film"
+    note += " (first wavelength)" if len(optics.wavelengths) > 1 else ""
+    note += "" if equal else "; axes stretched"
+    figure.supxlabel(note, fontsize=6.5, color=REFERENCE)
+
+
+def _fine_film(data: Any) -> tuple[Array, Array, Array]:
+    """Positions and film [m] of the shown part, between the nodes: fringes are finer than these."""
     a = float(data.attrs["semi_axis_x"])
     kappa = float(data.attrs["semi_axis_y"]) / a
     half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)
     x, y = data["x"].values, data["y"].values
     part = shown_part(x, y, data["P"].values, a * half_x, a * half_y)
-    x = x[part[0]]
-    y = y[part[1]]
-    film = data["h"].values[part]
+    x, y = x[part[0]], y[part[1]]
     fine_x, fine_y = np.linspace(x[0], x[-1], 1200), np.linspace(y[0], y[-1], 1200)
-    # fringes are finer than nodes
-    rows = np.array([np.interp(fine_x, x, column) for column in film.T])
-    fine = np.array([np.interp(fine_y, y, row) for row in rows.T])
-    width, height = float(np.ptp(x)), float(np.ptp(y))
-    equal = 0.4 < width / height < 2.5
-    figure.set_size_inches(
-        0.6 * PAGE_WIDTH, 0.6 * PAGE_WIDTH * (min(1.4, height / width) if equal else 1.0) + 0.6
-    )
-    axes = figure.add_subplot()
-    picture = intensity(fine, optics)
-    ends = tuple(end / MILLIMETRE for end in (x[0], x[-1], y[0], y[-1]))
-    shown = picture.T if picture.ndim == 2 else picture.transpose(1, 0, 2)
-    axes.imshow(
-        shown,
-        cmap="gray",
-        vmin=0.0,
-        vmax=1.0,
-        origin="lower",
-        extent=ends,
-        aspect="equal" if equal else "auto",
-    )
-    axes.set_xlabel(f"{data['x'].attrs['long_name']} [mm]")
-    axes.set_ylabel(f"{data['y'].attrs['long_name']} [mm]")
-    lengths = ", ".join(f"{w / NANOMETRE:.4g}" for w in optics.wavelengths)
-    step = optics.wavelengths[0] / (2.0 * optics.refractive_index) / NANOMETRE
-    axes.set_title(
-        f"{name}: simulated interferogram, {lengths} nm, n = {optics.refractive_index:g}"
-    )
-    note = f"from fringe to fringe {step:.4g} nm of film" + (
-        " (first wavelength)" if len(optics.wavelengths) > 1 else ""
-    )
-    note += "" if equal else "; axes stretched"
-    figure.supxlabel(note, fontsize=6.5, color=REFERENCE)
+    rows = np.array([np.interp(fine_x, x, column) for column in data["h"].values[part].T])
+    return fine_x, fine_y, np.array([np.interp(fine_y, y, row) for row in rows.T])

@@ -38,17 +38,7 @@ PRESSURE_COLOUR = OUTER_COLOUR
 
 
 def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
-    """Film and pressure maps of one contact above its centre lines.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        Empty.
-    view : ContactView
-        Lengths in [mm], film in [um], pressure in [GPa], or dimensionless.
-    title : str
-        Lines above the figure.
-    """
+    """Film and pressure maps of one contact above its centre lines, below lines of a title."""
     # fixed boxes: the layout engine takes longer than the drawing
     figure.set_layout_engine("none")
     figure.set_size_inches(PAGE_WIDTH, HEIGHT)
@@ -88,8 +78,8 @@ def _footnote(view: ContactView) -> str:
     ends = [end / view.half_x for end in (view.x[0], view.x[-1])]
     return (
         f"{_movement(view)}; {scale}\n"
-        f"shown is x/a = {ends[0]:.2g} ... {ends[1]:.2g} of the computed {view.whole[0]:.2g} ... {view.whole[1]:.2g}; "
-        "film beyond the colour scale is grey"
+        f"shown is x/a = {ends[0]:.2g} ... {ends[1]:.2g} of the computed {view.whole[0]:.2g} ... "
+        f"{view.whole[1]:.2g}; film beyond the colour scale is grey"
     )
 
 
@@ -109,14 +99,10 @@ def draw_map(
     limits: tuple[float, float] | None = None,
     levels: Sequence[float] | Array | None = None,
 ) -> Any:
-    """One map with contour lines and the Hertz ellipse, x to the right in the direction of the
-    oil.
+    """One map with contour lines and the Hertz ellipse, x to the right with the oil.
 
     Parameters
     ----------
-    axes : matplotlib Axes
-    view : ContactView
-        Lengths in [mm], film in [um], pressure in [GPa], or dimensionless.
     quantity : {"film", "pressure"}
     limits : tuple of float, optional
         Ends of the colour scale, in the unit of the quantity; films then have a logarithmic scale,
@@ -156,9 +142,7 @@ def draw_map(
 
 
 def _on_equal_steps(view: ContactView, field: Array) -> Array:
-    """The field at equal steps between the same ends, bilinear, same unit: an image has no other;
-    for graded meshes.
-    """
+    """The field of a graded mesh at equal steps between the same ends, bilinear, same unit."""
     for axis, nodes in enumerate((view.x, view.y)):
         steps = np.linspace(nodes[0], nodes[-1], len(nodes))
         if not np.allclose(nodes, steps, rtol=0.0, atol=1e-6 * (nodes[-1] - nodes[0])):
@@ -171,22 +155,16 @@ def _extent(view: ContactView) -> tuple[float, float, float, float]:
     """Edges of an image whose pixels are the nodes, equally spaced; unit of the view, [mm]."""
     dx = 0.5 * (view.x[-1] - view.x[0]) / (len(view.x) - 1)
     dy = 0.5 * (view.y[-1] - view.y[0]) / (len(view.y) - 1)
-    return (
-        float(view.x[0] - dx),
-        float(view.x[-1] + dx),
-        float(view.y[0] - dy),
-        float(view.y[-1] + dy),
-    )
+    ends = (view.x[0] - dx, view.x[-1] + dx, view.y[0] - dy, view.y[-1] + dy)
+    left, right, bottom, top = map(float, ends)
+    return left, right, bottom, top
 
 
 def _in_proportion(axes: Axes) -> None:
     """Make the map a strip in true proportion beside the stretched one."""
     axes.set_aspect("equal")
     axes.set_title("equal\nscales", fontsize=6.5)
-    axes.set_xlabel("")
-    axes.set_ylabel("")
-    axes.set_xticks([])
-    axes.set_yticks([])
+    axes.set(xlabel="", ylabel="", xticks=[], yticks=[])
 
 
 def _colour_bar(figure: Figure, image: Any, axes: Axes, view: ContactView, quantity: str) -> None:
@@ -201,16 +179,7 @@ def _colour_bar(figure: Figure, image: Any, axes: Axes, view: ContactView, quant
 
 
 def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
-    """Pressure and film along the middle of the contact.
-
-    Parameters
-    ----------
-    axes : matplotlib Axes
-    view : ContactView
-        Lengths in [mm], film in [um], pressure in [GPa], or dimensionless.
-    along : bool
-        Along the rolling direction, or across it.
-    """
+    """Pressure and film along the middle of the contact, in rolling direction or across it."""
     i, j = abs(view.x).argmin(), abs(view.y).argmin()
     cut = (slice(None), j) if along else (i, slice(None))
     s = view.x if along else view.y
@@ -219,9 +188,7 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     axes.plot(
         (view.reach_x if along else view.reach_y) * reach,
         view.hertz * np.sqrt(1.0 - reach**2),
-        color=REFERENCE,
-        linestyle="--",
-        linewidth=0.8,
+        **{"color": REFERENCE, "linestyle": "--", "linewidth": 0.8},
         label=f"Hertz, peak {view.hertz:.3g}",
     )
     axes.set_ylim(0.0, 1.08 * view.pressure_top)
@@ -229,31 +196,22 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     name = view.names[0 if along else 1]
     axes.set_xlabel(f"{name} [{view.length_unit}], at ${'y' if along else 'x'}$ = 0")
     axes.set_ylabel(f"pressure [{view.pressure_unit}]", color=PRESSURE_COLOUR)
-    film = axes.twinx()
-    film.plot(s, view.film[cut], color=FILM_COLOUR, label="film")
-    film.errorbar(
-        [0.0],
-        [view.central],
-        [view.central_uncertainty],
-        fmt="o",
-        markersize=2.5,
-        capsize=2,
-        color=FILM_COLOUR,
-    )
-    film.axhline(
-        view.minimum, color=FILM_COLOUR, linestyle=":", linewidth=0.8, label="smallest film"
-    )
-    film.set_ylim(0.0, 3.0 * view.central if view.central > 0.0 else 1.0)
-    film.set_ylabel(f"film thickness [{view.film_unit}]", color=FILM_COLOUR)
+    film: Any = axes.twinx()
+    _film_line(film, view, s, view.film[cut])
     handles = [*axes.get_legend_handles_labels()[0], *film.get_legend_handles_labels()[0]]
-    axes.legend(
-        handles=handles,
-        ncols=4,
-        loc="lower center",
-        bbox_to_anchor=(0.5, 0.99),
-        columnspacing=1.0,
-        handlelength=1.6,
-    )
+    style: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.99), "handlelength": 1.6}
+    axes.legend(handles=handles, ncols=4, columnspacing=1.0, **style)
+
+
+def _film_line(axes: Axes, view: ContactView, s: Array, film: Array) -> None:
+    """Film along a centre line, the central one with its error bar, the smallest as a level."""
+    axes.plot(s, film, color=FILM_COLOUR, label="film")
+    style: Any = {"fmt": "o", "markersize": 2.5, "capsize": 2, "color": FILM_COLOUR}
+    axes.errorbar([0.0], [view.central], [view.central_uncertainty], **style)
+    style = {"color": FILM_COLOUR, "linestyle": ":", "linewidth": 0.8}
+    axes.axhline(view.minimum, label="smallest film", **style)
+    axes.set_ylim(0.0, 3.0 * view.central if view.central > 0.0 else 1.0)
+    axes.set_ylabel(f"film thickness [{view.film_unit}]", color=FILM_COLOUR)
 
 
 def film_text(view: ContactView) -> str:

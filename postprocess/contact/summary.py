@@ -126,7 +126,8 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
         )
     if results.traction is None:
         yield (
-            "traction_coefficient: null, it needs a contact with lengths, and a film that converged"
+            "traction_coefficient: null, it needs a contact with lengths, and a film that "
+            "converged"
         )
     if record.rolling is None:
         yield (

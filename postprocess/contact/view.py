@@ -22,53 +22,28 @@ from .frame import within
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactView:
-    """The shown part of one contact, in the units of the plots.
+    """The shown part of one contact, in the units of the plots."""
 
-    Attributes
-    ----------
-    x, y : ndarray, shape (nx,), (ny,)
-        Along and across the entrainment [mm], or in semi-axes a in Moes input.
-    film, pressure : ndarray, shape (nx, ny)
-        [um] and [GPa], or in units of a^2/Rx and of p_h.
-    hertz : float
-        Largest Hertz pressure, in the unit of `pressure`.
-    reach_x, reach_y : float
-        Where the Hertz pressure vanishes along the two centre lines, in the unit of x and y.
-    ellipse : ndarray, shape (2, n)
-        Outline of the Hertz ellipse, in the unit of x and y.
-    half_x, half_y : float
-        Half extents of the Hertz ellipse, in the unit of x and y.
-    central, central_uncertainty, minimum, minimum_uncertainty : float
-        Extrapolated films, in the unit of `film`.
-    length_unit, film_unit, pressure_unit : str
-    whole : tuple of float
-        Ends of the computed box along the entrainment, in units of half_x [-].
-    oblique : float
-        Angle of the entrainment to the axis x, towards y [deg]; zero along it.
-    doubt : str
-        "not converged" or "not resolved"; empty for a sound solution.
-    """
-
-    x: Array
-    y: Array
-    film: Array
-    pressure: Array
-    hertz: float
-    reach_x: float
-    reach_y: float
-    ellipse: Array
-    half_x: float
+    x: Array  # along the entrainment, shape (nx,) [mm], or in semi-axes a in Moes input
+    y: Array  # across the entrainment, shape (ny,), likewise
+    film: Array  # shape (nx, ny) [um], or in units of a^2/Rx
+    pressure: Array  # shape (nx, ny) [GPa], or in units of p_h
+    hertz: float  # largest Hertz pressure, in the unit of `pressure`
+    reach_x: float  # where the Hertz pressure vanishes along y = 0, in the unit of x
+    reach_y: float  # and along x = 0
+    ellipse: Array  # outline of the Hertz ellipse, shape (2, n), in the unit of x and y
+    half_x: float  # half extents of the Hertz ellipse, in the unit of x and y
     half_y: float
-    central: float
+    central: float  # extrapolated films, in the unit of `film`
     central_uncertainty: float
     minimum: float
     minimum_uncertainty: float
     length_unit: str
     film_unit: str
     pressure_unit: str
-    whole: tuple[float, float]
-    doubt: str
-    oblique: float = 0.0
+    whole: tuple[float, float]  # ends of the box along the entrainment, in units of half_x [-]
+    doubt: str  # "not converged" or "not resolved"; empty for a sound solution
+    oblique: float = 0.0  # angle of the entrainment to the axis x, towards y [deg]
 
     @property
     def names(self) -> tuple[str, str]:
@@ -84,36 +59,22 @@ class ContactView:
 
     @property
     def pressure_top(self) -> float:
-        """Largest pressure shown, in the unit of `pressure`; that of Hertz where a failed solution
-        has none.
-        """
+        """Largest pressure shown, in the unit of `pressure`; that of Hertz in a failed solution."""
         top = float(np.nanmax(self.pressure, initial=0.0))
         return top if 0.0 < top < inf else self.hertz
 
     @property
     def film_range(self) -> tuple[float, float]:
-        """Film thickness at the ends of the colour scale, in the unit of `film`: the inlet is left
-        to saturate.
-        """
+        """Film at the ends of the colour scale, in the unit of `film`: the inlet saturates."""
         return film_range(self.central, self.minimum)
 
 
 def contact_view(
     solution: ContactSolution, window: tuple[float, float, float] | None = None
 ) -> ContactView:
-    """Shown part of a solution: about [-2.5, 1.5] semi-axes along the entrainment, more where
-    pressure reaches further.
+    """Shown part: about [-2.5, 1.5] semi-axes along the entrainment, more where pressure reaches.
 
-    Parameters
-    ----------
-    solution : ContactSolution
-    window : tuple of float, optional
-        Show this much instead: ends along the entrainment, half width across it [mm].
-
-    Returns
-    -------
-    ContactView
-        Lengths [mm], films [um], pressures [GPa], or dimensionless ones in Moes input.
+    Or a `window`: ends along the entrainment and half width across it [mm].
     """
     angle, kappa = solution.frame_angle, solution.semi_axis_ratio
     half_x, half_y = half_extents(angle, kappa)
@@ -147,12 +108,14 @@ def contact_view(
         pressure_unit="GPa" if solution.hertz_pressure > 0.0 else "$p_h$",
         whole=(float(solution.X[0] / half_x), float(solution.X[-1] / half_x)),
         oblique=oblique_angle(solution),
-        doubt="not converged"
-        if not solution.converged
-        else ""
-        if solution.resolved
-        else "not resolved",
+        doubt=_doubt(solution),
     )
+
+
+def _doubt(solution: ContactSolution) -> str:
+    if not solution.converged:
+        return "not converged"
+    return "" if solution.resolved else "not resolved"
 
 
 def oblique_angle(solution: ContactSolution) -> float:
@@ -162,9 +125,7 @@ def oblique_angle(solution: ContactSolution) -> float:
 
 
 def _ellipse(angle: float, kappa: float) -> Array:
-    """Outline of the Hertz ellipse in the grid's axes, which are turned by the entrainment angle;
-    units of a.
-    """
+    """Outline of the Hertz ellipse in the grid's axes, turned by the entrainment; units of a."""
     t = np.linspace(0.0, 2.0 * pi, 241)
     x = np.cos(t)
     y = kappa * np.sin(t)
@@ -172,17 +133,9 @@ def _ellipse(angle: float, kappa: float) -> Array:
 
 
 def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tuple[slice, slice]:
-    """Index ranges of the nodes shown; coordinates and half extents of the Hertz ellipse in one
-    unit, [mm] or [m].
+    """Index ranges of the nodes shown, of the pressure at x and y.
 
-    Parameters
-    ----------
-    X, Y : ndarray, shape (nx,), (ny,)
-        Node positions [m].
-    P : ndarray, shape (nx, ny)
-        Pressure in any unit [-].
-    half_x, half_y : float
-        [m].
+    Coordinates and half extents of the Hertz ellipse in one unit, [mm] or [m].
     """
     loud = np.greater(P, QUIET_PRESSURE * np.nanmax(P, initial=0.0))
     rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
@@ -200,7 +153,5 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
 
 
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:
-    """Half extents of the Hertz ellipse along and across a grid at `angle` [rad] to it, in units
-    of a [-].
-    """
+    """Half extents of the Hertz ellipse along a grid at `angle` [rad] and across, in a [-]."""
     return hypot(cos(angle), kappa * sin(angle)), hypot(sin(angle), kappa * cos(angle))

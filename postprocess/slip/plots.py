@@ -51,9 +51,7 @@ def _titled(
 
 
 def draw_surface(figure: Figure, results: SlipResults) -> None:
-    """Slip factor of the worst ball over speed [r/min] and axial load [N], the limit as a heavy
-    line.
-    """
+    """Slip factor of the worst ball over speed [r/min] and axial load [N], heavy at the limit."""
     figure.set_size_inches(0.72 * PAGE_WIDTH, 4.0)
     axes: Axes = figure.subplots()
     surface = results.surface
@@ -75,12 +73,8 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
         )
         axes.clabel(lines, fmt={v: f"{results.limit * 10.0**v:.3g}" for v in thin}, fontsize=6.5)
     _limit_line(axes, results)
-    bar = figure.colorbar(
-        image,
-        ax=axes,
-        label="slip factor of the worst ball, $Q_i\\,\\sin\\alpha_i/F_c$",
-        aspect=30,
-    )
+    label = "slip factor of the worst ball, $Q_i\\,\\sin\\alpha_i/F_c$"
+    bar = figure.colorbar(image, ax=axes, label=label, aspect=30)
     ticks = [v for v in np.log10(levels / results.limit) if -reach <= v <= reach]
     bar.set_ticks(ticks, labels=[f"{results.limit * 10.0**v:.3g}" for v in ticks])
     if shown.count():
@@ -92,9 +86,7 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
 
 
 def _limit_line(axes: Axes, results: SlipResults) -> None:
-    """The minimum preload over speed, where the worst ball's factor is the limit, and a word on
-    either side.
-    """
+    """The minimum preload over speed, where the worst ball's factor is the limit."""
     minimum = results.minimum
     grid = slice(0, minimum.count)
     axes.plot(minimum.speeds[grid] / KRPM, minimum.hirano[grid], color=INK, linewidth=2.0)
@@ -125,7 +117,7 @@ def ball_groups(curve: CriticalCurves) -> dict[tuple[int, ...], Array]:
 
 
 def draw_critical_loads(figure: Figure, results: SlipResults) -> None:
-    """Axial [N] and radial [N] load at which each ball just slips; right of its curve it does not."""
+    """Axial and radial load [N] at which each ball just slips; right of its curve it does not."""
     figure.set_size_inches(PAGE_WIDTH, 3.4)
     panels: Any = figure.subplots(1, len(results.curves), squeeze=False, sharey=True)
     azimuths = results.state.azimuth
@@ -140,25 +132,16 @@ def draw_critical_loads(figure: Figure, results: SlipResults) -> None:
             label = f"{', '.join(map(str, members))}  ({angles[0]:g}°)"
             axes.plot(loads, curve.radial_loads, color=colour, label=label)
         worst = curve.axial_loads.max(axis=1)
-        axes.fill_betweenx(
-            curve.radial_loads,
-            worst,
-            max(float(np.nanmax(worst)) * 1.08, 1.0),
-            color=INNER_COLOUR,
-            alpha=0.08,
-            lw=0,
-        )
+        end = max(float(np.nanmax(worst)) * 1.08, 1.0)
+        style: Any = {"color": INNER_COLOUR, "alpha": 0.08, "lw": 0}
+        axes.fill_betweenx(curve.radial_loads, worst, end, **style)
         axes.set_title(f"{curve.speed / RPM:.0f} r/min")
         axes.set_xlabel("axial load [N]")
-        axes.set_xlim(left=0.0, right=max(float(np.nanmax(worst)) * 1.08, 1.0))
+        axes.set_xlim(left=0.0, right=end)
         axes.set_ylim(curve.radial_loads[0], curve.radial_loads[-1])
     panels[0, 0].set_ylabel("radial load [N]")
-    panels[0, -1].legend(
-        title="ball (from load line)",
-        loc="center left",
-        bbox_to_anchor=(1.0, 0.5),
-        title_fontsize=7,
-    )
+    beside: Any = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5), "title_fontsize": 7}
+    panels[0, -1].legend(title="ball (from load line)", **beside)
     figure.supxlabel(
         "each line: slip factor of that ball at the limit; shaded: no ball slips", fontsize=7
     )
@@ -171,13 +154,8 @@ def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
     minimum = results.minimum
     grid = slice(0, minimum.count)
     x = minimum.speeds[grid] / KRPM
-    axes.plot(
-        x,
-        minimum.hirano[grid],
-        color=INNER_COLOUR,
-        linewidth=1.8,
-        label=f"Hirano, factor {results.limit:g}",
-    )
+    label = f"Hirano, factor {results.limit:g}"
+    axes.plot(x, minimum.hirano[grid], color=INNER_COLOUR, linewidth=1.8, label=label)
     styles = {
         "as_printed": ("as printed: half the centrifugal force", OUTER_COLOUR, "--"),
         "skf_axial": ("SKF minimum axial load", REFERENCE, "-."),
@@ -190,14 +168,8 @@ def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
     if minimum.own and np.isfinite(minimum.hirano[-1]):
         at = minimum.speeds[-1] / KRPM, minimum.hirano[-1]
         axes.plot(*at, "o", color=INNER_COLOUR, markersize=4)
-        axes.annotate(
-            f"{at[1]:.0f} N",
-            at,
-            xytext=(-6, 3),
-            textcoords="offset points",
-            ha="right",
-            fontsize=7,
-        )
+        style: Any = {"textcoords": "offset points", "ha": "right", "fontsize": 7}
+        axes.annotate(f"{at[1]:.0f} N", at, xytext=(-6, 3), **style)
     axes.set_xlabel("speed of the inner ring [1000 r/min]")
     axes.set_ylabel("minimum load [N]")
     axes.set_xlim(x[0], x[-1])
@@ -212,49 +184,35 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
     factors = slip_factors(results.state)
     azimuths = np.degrees(results.state.azimuth) % 360.0
     finite = np.where(np.isfinite(factors), factors, 0.0)
+    _ball_bars(axes, azimuths, finite, factors < results.limit)
+    if results.printed_force is not None:
+        style: Any = {"markersize": 4, "markerfacecolor": "none", "color": INK}
+        label = "with half the force, as printed"
+        axes.plot(azimuths, finite / results.printed_force, "D", label=label, **style)
+    style = {"color": INK, "linewidth": 1.0, "linestyle": "--"}
+    axes.axhline(results.limit, label=f"limit {results.limit:g}", **style)
+    axes.set_xlabel("azimuth of the ball from the load line [deg]")
+    axes.set_ylabel("slip factor $Q_i\\,\\sin\\alpha_i/F_c$")
+    every = -(-len(azimuths) // MOST_TICKS)
+    axes.set_xticks(azimuths[::every], [f"{a:.4g}" for a in azimuths[::every]])
+    highest = float(finite.max()) / (results.printed_force or 1.0)
+    axes.set_ylim(0.0, 1.3 * max(results.limit, highest))
+    x, y, _ = results.state.ring_force
+    speed = results.state.operation.inner_speed / RPM
+    title = f"{speed:.0f} r/min, axial {round(x) + 0:d} N, radial {round(y) + 0:d} N"
+    axes.set_title(title, fontsize=7.0, color=REFERENCE)
+    axes.legend(loc="upper right", ncols=3, columnspacing=1.2)
+
+
+def _ball_bars(axes: Axes, azimuths: Array, factors: Array, slips: Any) -> None:
+    """Bars of the balls that slip and of those that do not; a zero where there is no bar."""
     width = 0.6 * 360.0 / len(factors)
-    slips = factors < results.limit
     for chosen, colour, label in (
         (slips, OUTER_COLOUR, "slips"),
         (~slips, INNER_COLOUR, "does not slip"),
     ):
         if chosen.any():
-            axes.bar(azimuths[chosen], finite[chosen], width=width, color=colour, label=label)
-    for azimuth in azimuths[~(finite > 0.0)]:
-        axes.annotate(
-            "0",
-            (azimuth, 0.0),
-            xytext=(0, 2),
-            textcoords="offset points",
-            ha="center",
-            fontsize=6.5,
-        )
-    if results.printed_force is not None:
-        printed = finite / results.printed_force
-        axes.plot(
-            azimuths,
-            printed,
-            "D",
-            markersize=4,
-            markerfacecolor="none",
-            color=INK,
-            label="with half the force, as printed",
-        )
-    axes.axhline(
-        results.limit, color=INK, linewidth=1.0, linestyle="--", label=f"limit {results.limit:g}"
-    )
-    axes.set_xlabel("azimuth of the ball from the load line [deg]")
-    axes.set_ylabel("slip factor $Q_i\\,\\sin\\alpha_i/F_c$")
-    every = -(-len(azimuths) // MOST_TICKS)
-    axes.set_xticks(azimuths[::every], [f"{a:.4g}" for a in azimuths[::every]])
-    axes.set_ylim(
-        0.0, 1.3 * max(results.limit, float(finite.max()) / (results.printed_force or 1.0))
-    )
-    x, y, _ = results.state.ring_force
-    speed = results.state.operation.inner_speed / RPM
-    axes.set_title(
-        f"{speed:.0f} r/min, axial {round(x) + 0:d} N, radial {round(y) + 0:d} N",
-        fontsize=7.0,
-        color=REFERENCE,
-    )
-    axes.legend(loc="upper right", ncols=3, columnspacing=1.2)
+            axes.bar(azimuths[chosen], factors[chosen], width=width, color=colour, label=label)
+    style: Any = {"textcoords": "offset points", "ha": "center", "fontsize": 6.5}
+    for azimuth in azimuths[~(factors > 0.0)]:
+        axes.annotate("0", (azimuth, 0.0), xytext=(0, 2), **style)

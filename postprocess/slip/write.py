@@ -27,7 +27,7 @@ SPEED = "speed [r/min]"
 
 
 def write_slip(results: SlipResults, directory: str | Path) -> tuple[str, ...]:
-    """Write pictures, tables and, last, the summary; pictures that failed come back as messages."""
+    """Write pictures, tables and, last, the summary; pictures that failed are messages."""
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
     problems = attempt("plots", lambda: write_slip_plots(results, folder))

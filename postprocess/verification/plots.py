@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 from ehl.solution import Array
 
-from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, RC, REFERENCE, save
+from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, write_figure
 
 MARKERS = "os^Dv<>P"
 
@@ -29,12 +29,9 @@ class Curve:
 def draw_pictures(
     pictures: Sequence[tuple[str, Callable[[Figure], None]]], directory: Path
 ) -> None:
-    """Draw pictures, given by stem and by what draws into an empty figure, as PNG into a folder."""
-    with mpl.rc_context(RC):
-        for stem, draw in pictures:
-            figure = Figure()
-            draw(figure)
-            save(figure, directory / f"{stem}.png")
+    """Draw pictures, given by stem and drawing function, as PNG into a folder."""
+    for stem, draw in pictures:
+        write_figure(directory / f"{stem}.png", draw)
 
 
 def _colours(count: int) -> Array:
@@ -55,7 +52,7 @@ def _slope(axes: Axes, x: tuple[float, float], y: float, power: int) -> None:
 
 
 def draw_orders(figure: Figure, curves: Sequence[Curve]) -> None:
-    """Relative errors of films [-] over the mesh size in semi-axes [-], a line of order 2 beside."""
+    """Relative errors of films [-] over the mesh size in semi-axes [-], with a line of order 2."""
     figure.set_size_inches(PAGE_WIDTH, 3.6)
     axes: Axes = figure.subplots()
     names = list(dict.fromkeys(curve.label.rpartition(", ")[0] for curve in curves))
@@ -64,16 +61,10 @@ def draw_orders(figure: Figure, curves: Sequence[Curve]) -> None:
         name, _, which = curve.label.rpartition(", ")
         number = names.index(name)
         central = which == "central"
-        axes.loglog(
-            curve.x,
-            curve.y,
-            marker=MARKERS[number],
-            markersize=4,
-            color=colours[number],
-            markerfacecolor=colours[number] if central else "white",
-            linestyle="-" if central else ":",
-            label=f"{_mathematical(name)}: {which} film",
-        )
+        style: Any = {"marker": MARKERS[number], "markersize": 4, "color": colours[number]}
+        style["markerfacecolor"] = colours[number] if central else "white"
+        style["label"] = f"{_mathematical(name)}: {which} film"
+        axes.loglog(curve.x, curve.y, linestyle="-" if central else ":", **style)
     finest = min(min(curve.x) for curve in curves)
     least = min(min(curve.y) for curve in curves if min(curve.x) < 3.0 * finest)
     _slope(axes, (finest, 4.0 * finest), 0.4 * least, 2)
@@ -106,14 +97,8 @@ def draw_moes(figure: Figure, curves: Sequence[Curve], fits: Sequence[Curve]) ->
         zip(_colours(len(curves)), curves, fits, strict=True)
     ):
         axes.loglog(fit.x, fit.y, color=colour, linewidth=0.9)
-        axes.loglog(
-            curve.x,
-            curve.y,
-            MARKERS[number],
-            color=colour,
-            markersize=4,
-            label=f"L = {curve.label}",
-        )
+        style: Any = {"color": colour, "markersize": 4, "label": f"L = {curve.label}"}
+        axes.loglog(curve.x, curve.y, MARKERS[number], **style)
     axes.set_xlabel("load parameter $M$ [-]")
     axes.set_ylabel("$(h_c/R_x)\\,(2U)^{-1/2}$ [-]")
     axes.grid(which="major", linewidth=0.3)
@@ -124,9 +109,7 @@ def draw_moes(figure: Figure, curves: Sequence[Curve], fits: Sequence[Curve]) ->
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FormulaMap:
-    """Formula over solved film less one, shape (L, M) [-]; not a number where there is no solved
-    film.
-    """
+    """Formula over solved film less one, shape (L, M) [-]; NaN where there is no solved film."""
 
     title: str
     loads: tuple[float, ...]
@@ -147,15 +130,8 @@ def draw_formulas(figure: Figure, maps: Sequence[FormulaMap], columns: int) -> N
         )
         for (j, i), value in np.ndenumerate(shown.share):
             text = "×" if np.isnan(value) else f"{100.0 * value:+.0f}"
-            axes.text(
-                i,
-                j,
-                text,
-                ha="center",
-                va="center",
-                fontsize=6,
-                color="white" if abs(value) > 0.45 else INK,
-            )
+            style: Any = {"ha": "center", "va": "center", "fontsize": 6}
+            axes.text(i, j, text, color="white" if abs(value) > 0.45 else INK, **style)
         axes.set_title(shown.title, fontsize=6.5)
         axes.set_xticks(range(len(shown.loads)), [f"{m:g}" for m in shown.loads])
         axes.set_yticks(range(len(shown.lubricant)), [f"{v:g}" for v in shown.lubricant])
@@ -170,9 +146,7 @@ def draw_formulas(figure: Figure, maps: Sequence[FormulaMap], columns: int) -> N
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ScalingCurve:
-    """Cost of one contact over its unknowns: times [us per unknown], cycles [-], memory [bytes per
-    unknown].
-    """
+    """Cost of one contact: times [us], memory [bytes] per unknown, and cycles [-]."""
 
     label: str
     unknowns: tuple[int, ...]
@@ -239,36 +213,26 @@ def draw_robustness(figure: Figure, points: Sequence[MapPoint]) -> None:
                 x, y = [p.load for p in some], [p.lubricant for p in some]
                 axes.scatter(x, y, s=16, marker=marker, color=colour, edgecolor=INK, linewidth=0.2)
         axes.set_xscale("log")
-        name = (
-            f"above {low:g}"
-            if high == float("inf")
-            else f"below {high:g}"
-            if low == 0.0
-            else f"{low:g} to {high:g}"
-        )
-        axes.set_title(f"$R_x/R_y$ {name}: {len(shown)} draws")
+        axes.set_title(f"$R_x/R_y$ {_band_name(low, high)}: {len(shown)} draws")
         axes.grid(linewidth=0.3)
     for axes in panels[-1]:
         axes.set_xlabel("load parameter $M$ [-]")
     for axes in panels[:, 0]:
         axes.set_ylabel("lubricant parameter $L$ [-]")
-    handles: list[Any] = [
-        panels[0, 0].scatter(
-            [], [], s=16, marker="o", color=colour, edgecolor=INK, linewidth=0.2, label=group
-        )
+    style: Any = {"s": 16, "edgecolor": INK}
+    groups = [
+        panels[0, 0].scatter([], [], color=colour, linewidth=0.2, label=group, **style)
         for group, colour in GROUPS.items()
     ]
-    handles += [
-        panels[0, 0].scatter(
-            [],
-            [],
-            s=16,
-            marker=marker,
-            color="none",
-            edgecolor=INK,
-            linewidth=0.6,
-            label=f"entrainment {kind}",
-        )
+    style |= {"color": "none", "linewidth": 0.6}
+    kinds = [
+        panels[0, 0].scatter([], [], marker=marker, label=f"entrainment {kind}", **style)
         for kind, marker in KINDS.items()
     ]
-    figure.legend(handles=handles, loc="outside lower center", ncols=4)
+    figure.legend(handles=[*groups, *kinds], loc="outside lower center", ncols=4)
+
+
+def _band_name(low: float, high: float) -> str:
+    if high == float("inf"):
+        return f"above {low:g}"
+    return f"{low:g} to {high:g}" if low > 0.0 else f"below {high:g}"
