@@ -23,6 +23,11 @@ FILMS = tuple(
     for rest in ("", "_uncertainty")
 )
 TRACTION = "traction_coefficient"
+THINNEST = (  # of a bearing's thinnest film
+    *("film_minimum_um", "film_minimum_uncertainty_um", "film_central_um"),
+    *("film_central_uncertainty_um", "lambda_ratio"),
+)
+LIFE = "basic_reference_rating_Mrev"
 
 
 def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
@@ -41,13 +46,10 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
 
 
 def result_names(kind: str) -> tuple[str, ...]:
-    """Names of numbers of a point of a batch, as in its table: main results, every torque, supply,
-    self-heating.
+    """Names of numbers of a point of a batch, as in its table.
 
-    Parameters
-    ----------
-    kind : str
-        What is computed: "run", "torque", "contact", "slip", "dynamics" or "table".
+    Main results, every torque, supply, self-heating; `kind` is what is computed: "run", "torque",
+    "contact", "slip", "dynamics" or "table".
     """
     table = {"largest_coefficient": None, "error": {"quantile": None}, "films": None}
     nothing: dict[str, dict[str, Any]] = {
@@ -77,25 +79,17 @@ def result_names(kind: str) -> tuple[str, ...]:
 def _bearing(summary: dict[str, Any]) -> dict[str, Any]:
     """Largest load and pressure, thinnest film, torque, cage speed, life."""
     contacts = [contact for contact in summary["contacts"] if contact["loaded"]]
-    heaviest: dict[str, Any] = max(contacts, key=lambda contact: contact["load_N"], default={})
     films = [contact for contact in contacts if contact["film_minimum_um"] is not None]
-    thinnest: dict[str, Any] = min(
-        films, key=lambda contact: contact["film_minimum_um"], default={}
-    )
-    torque, life = summary.get("torque_N_mm") or {}, summary.get("life") or {}
+    thinnest = min(films, key=lambda contact: contact["film_minimum_um"], default={})
     return {
-        "load_maximum_N": heaviest.get("load_N"),
+        "load_maximum_N": max((c["load_N"] for c in contacts), default=None),
         "hertz_pressure_maximum_GPa": max(
             (c["hertz_pressure_GPa"] for c in contacts), default=None
         ),
-        "film_minimum_um": thinnest.get("film_minimum_um"),
-        "film_minimum_uncertainty_um": thinnest.get("film_minimum_uncertainty_um"),
-        "film_central_um": thinnest.get("film_central_um"),
-        "film_central_uncertainty_um": thinnest.get("film_central_uncertainty_um"),
-        "lambda_ratio": thinnest.get("lambda_ratio"),
-        "torque_N_mm": torque.get("total"),
+        **{name: thinnest.get(name) for name in THINNEST},
+        "torque_N_mm": (summary.get("torque_N_mm") or {}).get("total"),
         "cage_speed_rpm": summary.get("cage_speed_rpm"),
-        "basic_reference_rating_Mrev": life.get("basic_reference_rating_Mrev"),
+        LIFE: (summary.get("life") or {}).get(LIFE),
     }
 
 
@@ -111,13 +105,9 @@ def _loads(summary: dict[str, Any]) -> dict[str, Any]:
 
 
 def _slip(summary: dict[str, Any]) -> dict[str, Any]:
-    """Smallest slip factor at the operation of the case, how many balls slip there, and the
-    preload it needs.
-    """
+    """Smallest slip factor at the case's operation, balls that slip there, preload it needs."""
     operation = summary["operation"]
-    factors = [
-        ball["slip_factor"] for ball in operation["balls"] if ball["slip_factor"] is not None
-    ]
+    factors = [f for ball in operation["balls"] if (f := ball["slip_factor"]) is not None]
     return {
         "slip_factor_minimum": min(factors, default=None),
         "balls_slipping": sum(ball["slips"] for ball in operation["balls"]),
@@ -127,9 +117,9 @@ def _slip(summary: dict[str, Any]) -> dict[str, Any]:
 
 def _tables(summary: dict[str, Any]) -> dict[str, Any]:
     """Films solved, largest coefficient and error of the traction tables."""
-    found: dict[str, Any] = {}
+    numbers: dict[str, Any] = {}
     for race, table in summary["tables"].items():
-        found[f"{race}_largest_coefficient"] = table["largest_coefficient"]
-        found[f"{race}_error_95_percent"] = table["error"]["quantile"]
-        found[f"{race}_films"] = table["films"]
-    return found
+        numbers[f"{race}_largest_coefficient"] = table["largest_coefficient"]
+        numbers[f"{race}_error_95_percent"] = table["error"]["quantile"]
+        numbers[f"{race}_films"] = table["films"]
+    return numbers

@@ -67,7 +67,7 @@ class Varied:
 
 
 def varied_keys(results: BatchResults) -> list[Varied]:
-    """Keys of at least two numbers, the one of most of them first; all keys of words as one, last."""
+    """Keys of at least two numbers, most of them first; keys of words as one, last."""
     numbers, wordy = [], []
     for key in results.keys:
         values = [point.values.get(key) for point in results.points]
@@ -82,7 +82,7 @@ def varied_keys(results: BatchResults) -> list[Varied]:
 
 
 def _one_family(keys: list[Varied]) -> list[Varied]:
-    """The keys after the first as one, if their combinations are no more than lines fit a panel."""
+    """The keys after the first as one, if no more combinations than lines fit a panel."""
     rows = list(zip(*(key.values for key in keys[1:]), strict=True))
     incomplete = any(value is None for row in rows for value in row)
     if len(keys) < 3 or incomplete or len(set(rows)) > MOST_LINES:

@@ -77,7 +77,7 @@ def _is_outside(point: BatchPoint) -> bool:
 
 
 def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
-    """Every single number of a summary by its dotted path; parts of short vectors as .x, .y, .z."""
+    """Every single number of a summary by its dotted path; parts of vectors as .x, .y, .z."""
     numbers: dict[str, float] = {}
     for key, value in summary.items():
         name = f"{path}.{key}" if path else key

@@ -265,7 +265,7 @@ def _shoulder_messages(results: BearingResults, race: str) -> Iterator[str]:
     if cut:
         yield (
             f"contacts: the shoulder of the {race} ring cuts the ellipse of "
-            f"ball{'s' if len(cut) > 1 else ''} {listed(list(cut))}, up to {max(cut.values()):.1%} "
-            "of its length; the pressure at its edge is higher than Hertz' and films there are not "
-            "those of a whole ellipse"
+            f"ball{'s' if len(cut) > 1 else ''} {listed(list(cut))}, up to "
+            f"{max(cut.values()):.1%} of its length; the pressure at its edge is higher than "
+            "Hertz' and films there are not those of a whole ellipse"
         )

@@ -124,8 +124,8 @@ def rating_messages(results: BearingResults) -> Iterator[str]:
     else:
         exponent = results.case["surface"]["kappa_exponent"]
         yield (
-            f"life: kappa_film is the smallest lambda_ratio to the power {exponent:g}, a rule that "
-            "is unverified"
+            f"life: kappa_film is the smallest lambda_ratio to the power {exponent:g}, a rule "
+            "that is unverified"
         )
 
 

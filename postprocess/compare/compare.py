@@ -1,6 +1,4 @@
-"""Two results side by side: what differs in the input, what differs in the numbers, and by how
-much.
-"""
+"""Two results side by side: what differs in the input and in the numbers, and by how much."""
 
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -14,32 +12,21 @@ from ..main_results import main_results
 from ..report.page import read_summary
 
 NOT_COMPARED = ("oilfilm", "case", "messages", "timing_s", "sweep", "file", "resumed", "key")
-OF_THE_SOLUTION = (
-    "domain",
-    "points",
-    "iterations",
-    "residual",
-    "message",
-    "cycles",
-    "fft_equivalents",
-    "wall_s",
+OF_THE_SOLUTION = frozenset(  # how a result was computed
+    "domain points iterations residual message cycles fft_equivalents wall_s".split()
 )
 ROUND_OFF = 1e-9  # of the largest component of a vector: what lies below is no difference
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Difference:
-    """One value in both results; `relative` is the difference over the larger magnitude [-].
-
-    `covered` tells whether the error bars of both enclose the difference; None where there are
-    none.
-    """
+    """One value in both results."""
 
     path: str
     first: Any
     second: Any
-    relative: float | None
-    covered: bool | None = None
+    relative: float | None  # difference over the larger magnitude [-]
+    covered: bool | None = None  # whether the error bars of both enclose it; None without
 
     @property
     def differs(self) -> bool:
@@ -49,11 +36,9 @@ class Difference:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Comparison:
-    """Differences of two result folders; `main` are the results looked at first, equal ones
-    included.
+    """Differences of two result folders; `main` are the main results, equal ones included.
 
-    How a result was found (nodes, box, iterations, error bars) is not compared; whether it
-    converged is.
+    Nodes, boxes, iterations and error bars are not compared; whether a result converged is.
     """
 
     names: tuple[str, str]
@@ -65,9 +50,7 @@ class Comparison:
 
     @property
     def largest(self) -> float:
-        """Largest relative difference of a result [-]; infinite if a number is in one of them
-        only.
-        """
+        """Largest relative difference of a result [-]; infinite if one of them has it alone."""
         return max((inf if d.relative is None else d.relative for d in self.results), default=0.0)
 
     def document(self) -> dict[str, Any]:
@@ -102,8 +85,8 @@ def compare(first: str | Path, second: str | Path) -> Comparison:
     kinds = _kind(one), _kind(two)
     if kinds[0] != kinds[1]:
         raise ValueError(
-            f"{first} holds results of a {kinds[0]}, {second} of a {kinds[1]}; allowed: two of one "
-            "kind"
+            f"{first} holds results of a {kinds[0]}, {second} of a {kinds[1]}; allowed: two of "
+            "one kind"
         )
     inputs = dict(flat(_input(one))), dict(flat(_input(two)))
     results = dict(flat(_results(one))), dict(flat(_results(two)))
@@ -129,13 +112,9 @@ def _of_the_solution(path: str) -> bool:
 def _kind(summary: dict[str, Any]) -> str:
     if summary.get("kind"):
         return str(summary["kind"])
-    return (
-        "bearing"
-        if "contacts" in summary
-        else "slip map"
-        if "critical_curves" in summary
-        else "contact"
-    )
+    if "contacts" in summary:
+        return "bearing"
+    return "slip map" if "critical_curves" in summary else "contact"
 
 
 def _input(summary: dict[str, Any]) -> Any:
@@ -151,23 +130,22 @@ def _main(summary: dict[str, Any]) -> dict[str, Any]:
 
 def _results(summary: dict[str, Any]) -> dict[str, Any]:
     """What is compared, balls, contacts and points by their names."""
-    found = {key: value for key, value in summary.items() if key not in NOT_COMPARED}
-    if "contacts" in found:
-        found["contacts"] = {f"ball {c['ball']} {c['race']}": c for c in found["contacts"]}
-    if isinstance(found.get("balls"), list):
-        found["balls"] = {f"ball {ball['ball']}": ball for ball in found["balls"]}
-    if found.get("kind") == "batch":
-        label = ", ".join
-        points = {
-            label(f"{k} = {v}" for k, v in p["keys"].items()) or "case": p for p in found["points"]
-        }
-        found = {
-            "points": {
-                name: {k: v for k, v in p.items() if k not in ("point", "keys")}
-                for name, p in points.items()
-            }
-        }
-    return found
+    values = {key: value for key, value in summary.items() if key not in NOT_COMPARED}
+    if "contacts" in values:
+        values["contacts"] = {f"ball {c['ball']} {c['race']}": c for c in values["contacts"]}
+    if isinstance(values.get("balls"), list):
+        values["balls"] = {f"ball {ball['ball']}": ball for ball in values["balls"]}
+    if values.get("kind") == "batch":
+        values = {"points": {_point_name(p): _point_results(p) for p in values["points"]}}
+    return values
+
+
+def _point_name(point: dict[str, Any]) -> str:
+    return ", ".join(f"{key} = {value}" for key, value in point["keys"].items()) or "case"
+
+
+def _point_results(point: dict[str, Any]) -> dict[str, Any]:
+    return {key: value for key, value in point.items() if key not in ("point", "keys")}
 
 
 def flat(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
@@ -190,29 +168,22 @@ def _differences(first: dict[str, Any], second: dict[str, Any]) -> Iterator[Diff
         noise = ROUND_OFF * max(scale.get(_group(path), 0.0) for scale in scales)
         if _is_number(a) and _is_number(b) and max(abs(a), abs(b)) <= noise:
             continue
-        yield Difference(
-            path=path,
-            first=a,
-            second=b,
-            relative=relative(a, b),
-            covered=_covered(path, a, b, first, second),
-        )
+        covered = _covered(path, a, b, first, second)
+        yield Difference(path=path, first=a, second=b, relative=relative(a, b), covered=covered)
 
 
 def _scales(values: dict[str, Any]) -> dict[str, float]:
     """Largest magnitude among the numbers of one unit that belong together."""
-    found: dict[str, float] = {}
+    scales: dict[str, float] = {}
     for path, value in values.items():
         if _is_number(value):
             group = _group(path)
-            found[group] = max(found.get(group, 0.0), abs(value))
-    return found
+            scales[group] = max(scales.get(group, 0.0), abs(value))
+    return scales
 
 
 def _group(path: str) -> str:
-    """What a number is a component of: its vector, or the block that has the unit, like the parts
-    of a torque.
-    """
+    """What a number is a part of: its vector, or the block that has the unit, as of a torque."""
     name, bracket, _ = path.partition("[")
     block, _, last = name.rpartition(".")
     return name if bracket or unit_of(last) or not unit_of(name) else block
@@ -223,9 +194,7 @@ def _is_number(value: Any) -> TypeGuard[float]:
 
 
 def relative(a: Any, b: Any) -> float | None:
-    """Difference of two numbers over the larger magnitude [-]; None where they are not two
-    numbers.
-    """
+    """Difference over the larger magnitude [-]; None where they are not two numbers."""
     if a == b:
         return 0.0
     if not (_is_number(a) and _is_number(b)):
@@ -239,16 +208,12 @@ def _covered(
     """Whether both error bars together enclose the difference of two films."""
     head, _, unit = path.rpartition("_")
     error = f"{head}_uncertainty_{unit}"
-    if (
-        "uncertainty" in path
-        or relative(a, b) is None
-        or first.get(error) is None
-        or second.get(error) is None
-    ):
+    bars = first.get(error), second.get(error)
+    if "uncertainty" in path or relative(a, b) is None or None in bars:
         return None
-    return abs(a - b) <= hypot(first[error], second[error])
+    return abs(a - b) <= hypot(*bars)
 
 
 def _plain(difference: Difference) -> dict[str, Any]:
-    shown = {"path": difference.path, "first": difference.first, "second": difference.second}
-    return shown | {"relative": difference.relative, "within_error_bars": difference.covered}
+    values = {"path": difference.path, "first": difference.first, "second": difference.second}
+    return values | {"relative": difference.relative, "within_error_bars": difference.covered}

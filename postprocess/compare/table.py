@@ -8,10 +8,10 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
+from ..text import number
 from .compare import Comparison, Difference
 
 MOST_ROWS = 25  # of the differences of all results, the largest first
-NOTHING = "–"
 
 
 def comparison_table(comparison: Comparison) -> Group:
@@ -19,27 +19,20 @@ def comparison_table(comparison: Comparison) -> Group:
     ordered = sorted(comparison.results, key=lambda d: -1.0 if d.relative is None else -d.relative)
     shown = ordered[:MOST_ROWS]
     parts: list[Any] = [
-        Text(f"first: {comparison.names[0]} (oilfilm {comparison.versions[0]})"),
-        Text(f"second: {comparison.names[1]} (oilfilm {comparison.versions[1]})"),
+        Text(f"{which}: {name} (oilfilm {version})")
+        for which, name, version in zip(
+            ("first", "second"), comparison.names, comparison.versions, strict=True
+        )
     ]
-    parts += (
-        [_table("input", comparison.inputs)]
-        if comparison.inputs
-        else [Text("the inputs are equal")]
-    )
-    parts += (
-        [_table("main results", comparison.main)]
-        if any(d.first is not None for d in comparison.main)
-        else []
-    )
-    parts += (
-        [_table("all results, largest differences first", shown)]
-        if shown
-        else [Text("the results are equal")]
-    )
+    inputs, main = comparison.inputs, comparison.main
+    parts.append(_table("input", inputs) if inputs else Text("the inputs are equal"))
+    if any(d.first is not None for d in main):
+        parts.append(_table("main results", main))
+    title = "all results, largest differences first"
+    parts.append(_table(title, shown) if shown else Text("the results are equal"))
     if len(ordered) > len(shown):
         parts.append(Text(f"... and {len(ordered) - len(shown)} more differences; --json has all"))
-    if any(d.covered for d in (*comparison.main, *shown)):
+    if any(d.covered for d in (*main, *shown)):
         parts.append(Text("±: the difference is within the error bars of the two films"))
     return Group(*parts)
 
@@ -58,19 +51,13 @@ def _table(title: str, differences: Iterable[Difference]) -> Table:
     for d in differences:
         if d.first is None and d.second is None:
             continue
-        share = (
-            NOTHING
-            if d.relative is None
-            else f"{100.0 * d.relative:.3g}" + (" ±" if d.covered and d.differs else "")
-        )
-        table.add_row(Text(d.path), Text(_text(d.first)), Text(_text(d.second)), Text(share))
+        percent = number(None if d.relative is None else 100.0 * d.relative, ".3g")
+        percent += " ±" if d.relative is not None and d.covered and d.differs else ""
+        cells = (d.path, _text(d.first), _text(d.second), percent)
+        table.add_row(*(Text(cell) for cell in cells))
     return table
 
 
 def _text(value: Any) -> str:
-    if value is None:
-        return NOTHING
-    if isinstance(value, float):
-        return f"{value:.6g}"
-    words = str(value)
-    return words if len(words) <= 60 else words[:57] + "..."
+    text = number(value, ".6g")
+    return text if len(text) <= 60 else text[:57] + "..."

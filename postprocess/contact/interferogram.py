@@ -122,7 +122,7 @@ def _draw(figure: Figure, name: str, data: Any, optics: Optics) -> None:
 
 
 def _fine_film(data: Any) -> tuple[Array, Array, Array]:
-    """Positions and film [m] of the shown part, between the nodes: fringes are finer than these."""
+    """Positions and film [m] of the shown part, between the nodes; fringes are finer."""
     a = float(data.attrs["semi_axis_x"])
     kappa = float(data.attrs["semi_axis_y"]) / a
     half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)

@@ -59,7 +59,7 @@ class ContactView:
 
     @property
     def pressure_top(self) -> float:
-        """Largest pressure shown, in the unit of `pressure`; that of Hertz in a failed solution."""
+        """Largest pressure shown, in the unit of `pressure`; or of Hertz in a failed solution."""
         top = float(np.nanmax(self.pressure, initial=0.0))
         return top if 0.0 < top < inf else self.hertz
 

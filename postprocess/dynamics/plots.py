@@ -157,7 +157,7 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Spectrum of the ring along y, or x where y is fixed [um], with the defect frequencies [Hz]."""
+    """Spectrum of the ring along y, or x where y is fixed [um], and defect frequencies [Hz]."""
     (ax,) = _start(figure, document, 1, 1, 3.4)
     defects = document["frequencies_Hz"]["with_slip"]
     frequency, amplitude, direction = ring_spectrum(data)
