@@ -1,4 +1,6 @@
-"""Output: results on disk, pictures, VTK, tables; nothing is computed here.
+"""Output: results on disk, pictures, VTK, tables.
+
+No physics is solved here; derived are lambda ratios and the life of films, sensitivities, bands.
 
 batch        - results of a batch
 bearing      - results of a bearing run
