@@ -27,8 +27,8 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     -------
     xarray.DataTree
         SI, but for batches, whose variables name their units. `tree.attrs` has the `kind`, the
-        program's version (`oilfilm`) and the input as JSON (`case`); groups of a bearing are told
-        by `write_netcdf`. Close it when done.
+        program's version (`oilfilm`) and the input as JSON (`case`); groups of a bearing as
+        in `write_netcdf`. Close it when done.
 
     Raises
     ------

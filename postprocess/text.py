@@ -30,10 +30,10 @@ def value_with_error(value: float, error: float, most: int = 5) -> str:
     return f"{value:.{digits}f} ± {error:.{digits}f}"
 
 
-def listed(words: list[str]) -> str:
-    """Words side by side; the ends alone of a long list."""
+def listed(names: list[str]) -> str:
+    """Names side by side; the ends alone of a long list."""
     return (
-        ", ".join(words)
-        if len(words) <= MOST_LISTED
-        else f"{', '.join(words[:2])} ... {words[-1]}"
+        ", ".join(names)
+        if len(names) <= MOST_LISTED
+        else f"{', '.join(names[:2])} ... {names[-1]}"
     )

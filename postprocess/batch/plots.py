@@ -76,9 +76,9 @@ def varied_keys(results: BatchResults) -> list[Varied]:
             numbers.append((len(different), Varied(label=axis_label(key), values=tuple(values))))
         elif len(different) > 1:
             wordy.append(key)
-    found = [varied for _, varied in sorted(numbers, key=lambda item: -item[0])]
-    found = found[:1] + [varied for varied in found[1:] if not _goes_along(found[0], varied)]
-    return found + ([_words(results, wordy)] if wordy else [])
+    varied = [one for _, one in sorted(numbers, key=lambda item: -item[0])]
+    varied = varied[:1] + [one for one in varied[1:] if not _goes_along(varied[0], one)]
+    return varied + ([_words(results, wordy)] if wordy else [])
 
 
 def _one_family(keys: list[Varied]) -> list[Varied]:

@@ -62,7 +62,7 @@ class BallColumn:
 
     @property
     def label(self) -> str:
-        """Azimuths in words, on two lines if they are long."""
+        """Azimuths, on two lines if they are long."""
         words = [f"{a:.4g}°" for a in self.azimuths]
         if self.row is not None:
             words[-1] += f"\nrow {self.row}"
@@ -112,25 +112,16 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
 
 
 def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
-    """Part of the contact plane that all maps show: ends along the rolling direction, half width
-    [mm].
-    """
+    """Part that all maps show: ends along the rolling direction, half width [mm]."""
     x_in = max((-SHOWN_INLET * v.half_x for v in views), default=1.0)
     x_out = max((SHOWN_OUTLET * v.half_x for v in views), default=1.0)
     return -x_in, x_out, max((SHOWN_SIDE * v.half_y for v in views), default=1.0)
 
 
 def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> None:
-    """Maps of both races ball by ball on one colour scale, above the values over the azimuth.
+    """Maps of both races on one colour scale, above the values over the azimuth.
 
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        Empty.
-    results : BearingResults
-        With at least one film.
-    quantity : {"film", "pressure"}
-        Film in [um] or pressure in [GPa].
+    Film in [um] or pressure in [GPa], as `quantity` says: "film" or "pressure".
     """
     columns = ball_columns(results)
     figure.set_size_inches(PAGE_WIDTH, 6.0)
@@ -252,16 +243,7 @@ def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], rac
 
 
 def draw_load_zone(figure: Figure, results: BearingResults) -> None:
-    """Contact loads over the azimuth, seen against the axis x: the load line upwards, azimuth
-    counter-clockwise.
-
-    Parameters
-    ----------
-    figure : matplotlib.figure.Figure
-        Empty.
-    results : BearingResults
-        Loads in [N].
-    """
+    """Contact loads [N] over the azimuth, seen against the axis x: load line upwards."""
     state = results.quasistatic
     rows = len(state.rows)
     figure.set_size_inches(min(0.5 * rows, 1.0) * PAGE_WIDTH, 3.9 if rows == 1 else 4.3)

@@ -59,24 +59,15 @@ VISIBLE = 1.0e-4  # of the largest torque: smaller parts are not drawn
 
 
 def draw_torque(figure: Figure, results: BearingResults) -> None:
-    """Stacked bars of every model that applies; beside them the torque of each ball over its
-    azimuth, where known.
-
-    Parameters
-    ----------
-    figure : Figure
-    results : BearingResults
-        With a torque of at least one model [N m].
-    """
+    """Stacked bars of the models [N mm], and below the torque of each ball over its azimuth."""
     torque = results.torque
     if torque is None:
         raise ValueError("no torque to draw")
     known = shown_torques(results)
     shares = None if torque.shear is None else torque.shear.torque.per_ball
-    figure.set_size_inches(
-        PAGE_WIDTH, 1.1 + 0.26 * len(known) + (1.9 if shares is not None else 0.0)
-    )
-    figure.suptitle(f"{results.case.get('title', '')}\nfriction torque by model", fontsize=8.5)
+    height = 1.1 + 0.26 * len(known) + (1.9 if shares is not None else 0.0)
+    figure.set_size_inches(PAGE_WIDTH, height)
+    figure.suptitle(f"{results.title}\nfriction torque by model", fontsize=8.5)
     if shares is None:
         draw_models(figure.subplots(), known, torque.chosen)
         return
@@ -87,56 +78,41 @@ def draw_torque(figure: Figure, results: BearingResults) -> None:
 
 def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None = None) -> None:
     """Horizontal stacked bars of models [N mm], the chosen one in bold."""
-    largest = max(
-        (sum(map(abs, model.components.values())) for model in models.values()), default=0.0
-    )
+    sizes = [sum(map(abs, model.components.values())) for model in models.values()]
+    visible = VISIBLE * max(sizes, default=0.0)
     names = [name for name in LABELS if name in models]
     for row, name in enumerate(names):
-        _draw_bar(axes, row, models[name], VISIBLE * largest)
+        _draw_bar(axes, row, models[name], visible)
     axes.set_yticks(range(len(names)), [LABELS[name] for name in names])
     for label, name in zip(axes.get_yticklabels(), names, strict=True):
         if name == chosen:
             label.set_fontweight("bold")
     axes.invert_yaxis()
-    axes.set_xlim(
-        right=1.13 * max((model.total or 0.0) for model in models.values()) / NEWTON_MILLIMETRE
-    )
+    axes.set_xlim(right=1.13 * max(_millimetres(model.total or 0.0) for model in models.values()))
     axes.set_xlabel("torque, N mm")
     axes.spines[["top", "right"]].set_visible(False)
-    used = {
-        part
-        for model in models.values()
-        for part, v in model.components.items()
-        if abs(v) > VISIBLE * largest
-    }
-    shown = [(label, colour) for label, colour, parts in KINDS if used & set(parts)]
+    parts = [item for model in models.values() for item in model.components.items()]
+    used = {part for part, value in parts if abs(value) > visible}
+    shown = [(label, colour) for label, colour, members in KINDS if used & set(members)]
     handles = [axes.barh(0.0, 0.0, color=colour, label=label) for label, colour in shown]
     axes.legend(handles=handles, ncols=4, loc="lower center", bbox_to_anchor=(0.42, 1.0))
 
 
-def _draw_bar(axes: Axes, row: int, model: ModelTorque, least: float) -> None:
+def _draw_bar(axes: Axes, row: int, model: ModelTorque, visible: float) -> None:
     right = left = 0.0
-    for _, colour, parts in KINDS:
-        value = sum(model.components.get(part, 0.0) for part in parts)
-        if abs(value) <= least:
+    for _, colour, members in KINDS:
+        value = _millimetres(sum(model.components.get(part, 0.0) for part in members))
+        if abs(value) <= _millimetres(visible):
             continue
         start = right if value > 0.0 else left
-        axes.barh(
-            row,
-            value / NEWTON_MILLIMETRE,
-            left=start / NEWTON_MILLIMETRE,
-            color=colour,
-            height=0.72,
-        )
+        axes.barh(row, value, left=start, color=colour, height=0.72)
         right, left = (right + value, left) if value > 0.0 else (right, left + value)
-    total = model.total or 0.0
-    axes.text(
-        max(right, 0.0) / NEWTON_MILLIMETRE,
-        row,
-        f" {total / NEWTON_MILLIMETRE:.4g}",
-        va="center",
-        fontsize=7,
-    )
+    total = f" {_millimetres(model.total or 0.0):.4g}"
+    axes.text(max(right, 0.0), row, total, va="center", fontsize=7)
+
+
+def _millimetres(torque: float) -> float:
+    return torque / NEWTON_MILLIMETRE
 
 
 def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None:

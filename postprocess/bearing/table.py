@@ -25,7 +25,7 @@ DECIMALS = 4  # of films [um]; more do not fit 80 columns, and beside a lambda r
 
 def result_table(results: BearingResults | ContactResults) -> Group:
     """A few lines on the whole, then one line per contact, units as the headers say."""
-    title = Text(str(results.case.get("title", "")), style="bold")
+    title = Text(results.title, style="bold")
     if isinstance(results, ContactResults):
         return Group(title, _contact_table(results))
     return Group(title, _bearing_table(results), _contacts_table(results), *_legend(results))
@@ -108,8 +108,8 @@ def _flags(solution: ContactSolution | None) -> str:
 
 def _legend(results: BearingResults) -> list[str]:
     flags = "".join(_flags(s) for s in results.solutions)
-    words = {"!": "! not converged", "?": "? film not resolved on this grid"}
-    return ["  ".join(text for flag, text in words.items() if flag in flags)] if flags else []
+    meanings = {"!": "! not converged", "?": "? film not resolved on this grid"}
+    return ["  ".join(text for flag, text in meanings.items() if flag in flags)] if flags else []
 
 
 def _contact_table(results: ContactResults) -> Table:
@@ -124,10 +124,12 @@ def _contact_table(results: ContactResults) -> Table:
 
 def _traction_row(results: ContactResults) -> dict[str, str]:
     """Traction coefficient [-] and heat [W], where the surfaces slide."""
-    found = results.traction
-    if found is None or not found.sliding_loss > 0.0:
+    traction = results.traction
+    if traction is None or not traction.sliding_loss > 0.0:
         return {}
-    return {"traction": f"coefficient {found.coefficient:.4f}, heat {found.power_loss:.4g} W"}
+    return {
+        "traction": f"coefficient {traction.coefficient:.4f}, heat {traction.power_loss:.4g} W"
+    }
 
 
 def _contact_rows(solution: ContactSolution) -> dict[str, str]:

@@ -104,7 +104,7 @@ def compare(first: str | Path, second: str | Path) -> Comparison:
 
 
 def _of_the_solution(path: str) -> bool:
-    """Whether a value tells how the result was found, not what it is."""
+    """Whether a value describes how the result was computed, not what it is."""
     name = path.rpartition(".")[2].partition("[")[0]
     return "_uncertainty_" in name or name in OF_THE_SOLUTION
 

@@ -31,23 +31,16 @@ def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], An
     layout = Layout(balls)
     m = record.time.size
     three = ("time", "ball", "axis")
+    ring, cage = ("time", "ring_coordinate"), ("time", "cage_coordinate")
 
     def of_balls(part: slice) -> Any:
         return record.state[:, part].reshape(m, balls, 3)
 
-    found: dict[str, tuple[tuple[str, ...], Any, str]] = {
-        "ring_position": (("time", "ring_coordinate"), record.state[:, layout.ring], "m, rad"),
-        "ring_velocity": (
-            ("time", "ring_coordinate"),
-            record.state[:, layout.ring_speed],
-            "m/s, rad/s",
-        ),
-        "cage_position": (("time", "cage_coordinate"), record.state[:, layout.cage], "m, rad"),
-        "cage_velocity": (
-            ("time", "cage_coordinate"),
-            record.state[:, layout.cage_speed],
-            "m/s, rad/s",
-        ),
+    quantities: dict[str, tuple[tuple[str, ...], Any, str]] = {
+        "ring_position": (ring, record.state[:, layout.ring], "m, rad"),
+        "ring_velocity": (ring, record.state[:, layout.ring_speed], "m/s, rad/s"),
+        "cage_position": (cage, record.state[:, layout.cage], "m, rad"),
+        "cage_velocity": (cage, record.state[:, layout.cage_speed], "m/s, rad/s"),
         "ring_rotation": (("time",), record.state[:, layout.ring_angle], "rad"),
         "ball_position": (three, of_balls(layout.ball), "m"),
         "ball_velocity": (three, of_balls(layout.ball_speed), "m/s"),
@@ -62,8 +55,8 @@ def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], An
         "cage_load": (("time", "load"), record.loads[:, 6:], "N, N m"),
     }
     for k, (name, unit) in enumerate(zip(RACE_NAMES, RACE_UNITS, strict=True)):
-        found[f"contact_{name}"] = (("time", "race", "ball"), record.races[..., k], unit)
-    return found
+        quantities[f"contact_{name}"] = (("time", "race", "ball"), record.races[..., k], unit)
+    return quantities
 
 
 class HistoryWriter:
@@ -92,24 +85,24 @@ class HistoryWriter:
             kind = data.dtype if name == "ball" else _text()
             self.file.create_variable(name, (name,), dtype=kind, data=data)
         self.file.attrs.update({"oilfilm_history": FORMAT, **attributes})
-        self._made = False
+        self._created = False
 
     def add(self, record: Record) -> None:
         """Append the rows of a record."""
         m = record.time.size
         parts = {"time": (("time",), record.time, "s"), **variables(record, self.balls)}
-        if not self._made:
-            self._make(parts)
+        if not self._created:
+            self._create(parts)
         self.file.resize_dimension("time", self.rows + m)
         for name, (_, values, _unit) in parts.items():
             self.file.variables[name][self.rows : self.rows + m] = values
         self.rows += m
 
-    def _make(self, parts: dict[str, tuple[tuple[str, ...], Any, str]]) -> None:
+    def _create(self, parts: dict[str, tuple[tuple[str, ...], Any, str]]) -> None:
         for name, (dimensions, values, unit) in parts.items():
             exact = name in ("time", "ring_rotation")
             kind = "i1" if name == "contact_state" else "f8" if exact else "f4"
-            made = self.file.create_variable(
+            variable = self.file.create_variable(
                 name,
                 dimensions,
                 dtype=kind,
@@ -117,10 +110,10 @@ class HistoryWriter:
                 compression="gzip",
                 compression_opts=1,
             )
-            made.attrs["units"] = "1" if name == "contact_state" else unit
+            variable.attrs["units"] = "1" if name == "contact_state" else unit
             if name == "contact_state":
-                made.attrs["meaning"] = STATES
-        self._made = True
+                variable.attrs["meaning"] = STATES
+        self._created = True
 
     def close(self) -> None:
         """End the file."""

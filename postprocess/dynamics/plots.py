@@ -120,16 +120,16 @@ def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     balls = data.sizes["ball"]
     extent = (float(time[0]), float(time[-1]), balls + 0.5, 0.5)
     for ax, (race, _) in zip(axes, RACES, strict=True):
-        states = data["contact_state"].sel(race=race).to_numpy().T
+        kinds = data["contact_state"].sel(race=race).to_numpy().T
         style: dict[str, Any] = {"aspect": "auto", "extent": extent, "interpolation": "nearest"}
-        ax.imshow(states, cmap=ListedColormap(STATE_COLOURS), vmin=-0.5, vmax=2.5, **style)
+        ax.imshow(kinds, cmap=ListedColormap(STATE_COLOURS), vmin=-0.5, vmax=2.5, **style)
         ax.set_ylabel(f"ball, {race} race")
         ax.yaxis.set_major_locator(_every(max(1, balls // 6), integer=True))
     axes[1].set_xlabel("time [ms]")
-    words = ("free", "contact", "impact")
+    states = ("free", "contact", "impact")
     keys = [
         Patch(facecolor=c, edgecolor=INK, linewidth=0.4, label=w)
-        for c, w in zip(STATE_COLOURS, words, strict=True)
+        for c, w in zip(STATE_COLOURS, states, strict=True)
     ]
     figure.legend(handles=keys, loc="outside lower center", ncols=3)
 
@@ -152,7 +152,7 @@ def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
         ax.set_aspect("equal", adjustable="datalim")
         if np.ptp(y) == 0.0 and np.ptp(z) == 0.0:
             style = {"ha": "center", "transform": ax.transAxes, "color": REFERENCE}
-            ax.text(0.5, 0.6, "held by these equations", **style)
+            ax.text(0.5, 0.6, "fixed in these equations", **style)
     axes[0].set_ylabel("y, along the load line [µm]")
 
 

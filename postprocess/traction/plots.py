@@ -98,7 +98,7 @@ def _coefficients(
     forces = [
         table.forces(load, speed, x * speed, y * speed, n * speed / radius) for x, y, n in motions
     ]
-    return np.array([np.hypot(found.force_x, found.force_y) / load for found in forces])
+    return np.array([np.hypot(f.force_x, f.force_y) / load for f in forces])
 
 
 def _colour_bar(figure: Figure, image: Any, axes: Any) -> None:
