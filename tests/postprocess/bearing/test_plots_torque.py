@@ -41,7 +41,7 @@ def test_figure_with_and_without_the_balls():
     names["skf"] = summed({"rolling": 0.03, "sliding": 0.02})
     torque = TorqueBreakdown(models=names, coefficient=0.05)
     state = SimpleNamespace(azimuth=np.radians([0.0, 120.0, 240.0]))
-    results = SimpleNamespace(torque=torque, case={"title": "three balls"}, quasistatic=state)
+    results = SimpleNamespace(torque=torque, case={}, title="three balls", quasistatic=state)
     figure = Figure()
     draw_torque(figure, results)
     assert len(figure.axes) == 1
