@@ -9,6 +9,12 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
+def unfolded(values: Array, axis: int = 0, sign: float = 1.0) -> Array:
+    """Values at y >= 0 along an axis and their mirror image, times `sign`, before them."""
+    half = np.moveaxis(values, axis, 0)
+    return np.moveaxis(np.concatenate((sign * half[:0:-1], half)), 0, axis)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grid:
     """Equidistant nodes, lengths in units of a [-]; a symmetric grid covers y >= 0 only, its row

@@ -7,9 +7,7 @@ from dataclasses import dataclass
 class SolverOptions:
     """What the user may choose about a contact solve."""
 
-    points: int = (
-        257  # nodes along x on the finest level, 2^k + 1; the solver chooses those along y
-    )
+    points: int = 257  # nodes along x on the finest level, 2^k + 1 [-]
     # box (x_in, x_out, y_half) in Hertz semi-axes along x and along y [-]; None: the solver's own
     domain: tuple[float, float, float] | None = None
     # relative error bar of central and minimum film to reach with at most `points`, starting from

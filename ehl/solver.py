@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .conditions import ContactConditions, MoesConditions
-from .grid import Grid
+from .grid import Grid, unfolded
 from .multigrid.cycle import Multigrid
 from .multigrid.extrapolation import extrapolate
 from .multigrid.flow_model import FlowModel
@@ -258,8 +258,8 @@ def unfold_symmetry(state: Multigrid) -> tuple[Array, Array, Array]:
     P = level.P
     H = level.H
     if level.grid.symmetric:
-        Y = np.concatenate((-Y[:0:-1], Y))
-        P, H = np.concatenate((P[:0:-1], P)), np.concatenate((H[:0:-1], H))
+        Y = unfolded(Y, sign=-1.0)
+        P, H = unfolded(P), unfolded(H)
     return Y, P.T, H.T
 
 

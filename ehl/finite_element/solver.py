@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from scipy import sparse
 
 from ..conditions import ContactConditions, MoesConditions
-from ..grid import Grid
+from ..grid import Grid, unfolded
 from ..multigrid.extrapolation import extrapolate
 from ..multigrid.far_field import FarField, exterior_load, far_field
 from ..options import SolverOptions
@@ -295,7 +295,7 @@ def _lines(
     )
     Y = graded_nodes((0.0, y_half), ceil(CELLS_Y * cells), across)
     if not contact.symmetric:
-        Y = np.concatenate((-Y[:0:-1], Y))
+        Y = unfolded(Y, sign=-1.0)
     return X * contact.half_extent_x, Y * contact.half_extent_y
 
 
@@ -337,8 +337,8 @@ def _whole_box(level: Level, values: Array) -> tuple[Array, Array, Array]:
     Y = level.Y
     values = values.reshape(level.shape)
     if level.contact.symmetric:
-        Y = np.concatenate((-Y[:0:-1], Y))
-        values = np.concatenate((values[:, :0:-1], values), axis=1)
+        Y = unfolded(Y, sign=-1.0)
+        values = unfolded(values, axis=1)
     return level.X, Y, values
 
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..conditions import ContactConditions
+from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from ..oil.rheology import Rheology
@@ -165,17 +166,19 @@ def _with_fields(solution: GeneralizedSolution, state: FlowState) -> Generalized
         change=state.change,
         unsolved_columns=state.unsolved_columns,
         over_limit_columns=state.over_limit_columns,
-        mid_stress=_unfolded(state.mid_stress, ny, (1.0, -1.0)),
+        mid_stress=np.stack(
+            (_whole(state.mid_stress[0], ny), _whole(state.mid_stress[1], ny, sign=-1.0))
+        ),
     )
     heat = state.heat
     if heat is None:
         return solution
-    temperature = _unfolded(np.moveaxis(heat.temperature, -1, 0), ny)
+    temperature = _whole(np.moveaxis(heat.temperature, -1, 0), ny)
     return replace(
         solution,
         temperature=np.moveaxis(temperature, 0, -1),
-        heat_flux=_unfolded(heat.flux, ny),
-        dissipation=_unfolded(heat.dissipation, ny),
+        heat_flux=_whole(heat.flux, ny),
+        dissipation=_whole(heat.dissipation, ny),
     )
 
 
@@ -230,13 +233,8 @@ def _checked(
     return replace(contact, converged=False, message=f"not converged: {reason}"), state
 
 
-def _unfolded(values: Array, ny: int, signs: tuple[float, ...] = ()) -> Array:
-    """Fields of shape (..., rows, nx) of a grid as (..., nx, ny), the half y < 0 mirrored where
-    the grid is symmetric.
-    """
+def _whole(values: Array, ny: int, sign: float = 1.0) -> Array:
+    """Fields of shape (..., rows, nx) of a grid as (..., nx, ny) over the whole box."""
     if values.shape[-2] != ny:
-        mirror = values[..., :0:-1, :]
-        if signs:
-            mirror = mirror * np.array(signs)[:, None, None]
-        values = np.concatenate((mirror, values), axis=-2)
+        values = unfolded(values, -2, sign)
     return np.ascontiguousarray(np.swapaxes(values, -1, -2))

@@ -1,5 +1,5 @@
-"""What stands between the oil's flow and that of a Newtonian oil of uniform temperature: factors
-on Reynolds' terms.
+"""Flow of an oil as factors on the terms of Reynolds' equation for a Newtonian oil of uniform
+temperature.
 
 With the factors f on the Poiseuille term and the velocities (u, v) of the Couette terms the
 solver's equation is
@@ -39,9 +39,7 @@ class FlowFactors:
     poiseuille: Array | None = None  # f, on eps
     # k, share of ln(eta) at `pressure` that the factor takes back as P changes
     thinning: Array | None = None
-    pressure: Array | None = (
-        None  # P_0, at which the factors were evaluated; needed with `thinning`
-    )
+    pressure: Array | None = None  # P_0, at which the factors hold; needed with `thinning`
     couette_x: Array | None = None  # u over u_m, the flow being rho u H
     couette_y: Array | None = None  # v over u_m; a grid of the upper half has none
 
