@@ -26,10 +26,7 @@ def contact_conditions(
 ) -> tuple[BearingContact, ...]:
     """All contacts of a bearing, row by row and ball by ball, inner then outer, 2 Z entries a row.
 
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Loads in [N], angles in [rad], speeds in [rad/s].
+    `solution`: loads in [N], angles in [rad], speeds in [rad/s].
     """
     motions = _motions(solution)
     frames = _placements(solution, np.array([motion.speed for motion in motions]).reshape(-1, 2))

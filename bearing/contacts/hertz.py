@@ -19,14 +19,8 @@ def hertz_contacts(
 ) -> list[HertzContact]:
     """Ellipses, pressures and approaches of contacts under loads, Hertz (1882).
 
-    Parameters
-    ----------
-    load : ndarray, shape (N,)
-        Normal loads, above zero [N].
-    radius_x, radius_y : ndarray, shape (N,)
-        Reduced radii of curvature in x and y [m].
-    reduced_modulus : ndarray, shape (N,)
-        E' [Pa].
+    `load` (N,): normal loads, above zero [N]; `radius_x`, `radius_y` (N,): reduced radii of
+    curvature in x and y [m]; `reduced_modulus` (N,): E' [Pa].
     """
     k = ellipse_ratios(radius_x / radius_y)
     f = np.cbrt(2.0 / np.pi * elliprd(0.0, k**2, 1.0))

@@ -86,15 +86,9 @@ def largest_sliding(
     v_x = -w_s y + w_r y^2/(2 R), v_y = w_s x, x along the rolling direction; no sliding in the
     middle. |v| is largest on the rim.
 
-    Parameters
-    ----------
-    hertz : HertzContact
-        Semi-axes [m], pressure [Pa].
-    spin, rolling : float
-        Relative angular speeds w_s about the normal and w_r about the transverse direction
-        [rad/s].
-    radius : float
-        R of the deformed surface across the rolling direction, 2 r D/(2 r + D) [m].
+    `hertz`: semi-axes [m], pressure [Pa]; `spin`, `rolling`: relative angular speeds w_s about
+    the normal and w_r about the transverse direction [rad/s]; `radius`: R of the deformed
+    surface across the rolling direction, 2 r D/(2 r + D) [m].
 
     Returns
     -------

@@ -127,19 +127,11 @@ def balance_balls(
 ) -> BalancedFriction:
     """Motion of all balls in which a law of friction balances itself on each of them, SI.
 
-    Parameters
-    ----------
-    contacts : sequence of BearingContact
-        All of its contacts, inner then outer, ball by ball.
-    gyroscopic : bool
-        Whether the contacts have to hold the gyroscopic couple.
-    driven : ndarray of bool, shape (balls,), optional
-        Balls that the inner race drives, the others being driven by the cage; None: those with
-        load there.
-    initial_guess : BalancedFriction, optional
-        Of a similar law with the same balls driven.
-    resistance : Resistance, optional
-        Drag of the oil around the balls and of the cage's guidance.
+    `contacts`: all of its contacts, inner then outer, ball by ball; `gyroscopic`: whether the
+    contacts have to hold the gyroscopic couple; `driven` (balls,): balls that the inner race
+    drives, the others being driven by the cage; None: those with load there; `initial_guess`:
+    of a similar law with the same balls driven; `resistance`: drag of the oil around the balls
+    and of the cage's guidance.
     """
     loaded = solution.inner_load > 0.0
     kinematics = motion_map(solution, contacts)

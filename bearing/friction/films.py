@@ -66,16 +66,9 @@ def film_balance(
     """Motion of all balls in which the shear of their films balances itself, at given films and
     loads.
 
-    Parameters
-    ----------
-    contacts : sequence of BearingContact
-        All of its contacts, inner then outer, ball by ball.
-    films : sequence of ContactSolution or None
-        One per contact, None where there is no load.
-    asperities : Asperities, optional
-        None: full films.
-    resistance : Resistance, optional
-        What holds the balls back beside the races.
+    `contacts`: all of its contacts, inner then outer, ball by ball; `films`: one per contact,
+    None where there is no load; `asperities`: None: full films; `resistance`: what holds the
+    balls back beside the races.
 
     Returns
     -------
@@ -111,12 +104,8 @@ def film_law(
 ) -> ContactLaw:
     """Friction of all contacts by the shear of their films; arguments as in `film_balance`.
 
-    Parameters
-    ----------
-    left_out : float
-        Part of the friction in the weakest nodes, left out [-].
-    scale : ndarray, shape (contacts,), optional
-        Load of each contact over that of its film, by which the film's friction is multiplied [-].
+    `left_out`: part of the friction in the weakest nodes, left out [-]; `scale` (contacts,):
+    load of each contact over that of its film, by which the film's friction is multiplied [-].
     """
     pairs = list(zip(contacts, films, strict=True))
     laws = [
@@ -189,7 +178,7 @@ class _FilmNodes(NamedTuple):
     """Nodes of a film that shear."""
 
     # area [m^2], gap [m], viscosity [Pa s], pressure [Pa] and temperature [K] of the nodes
-    shear: tuple[Array, Array, Array, Array, Array | float]
+    shear: tuple[Array, Array, Array, Array, Array | float | None]
     along: Array  # (4, nodes) derivatives of the sliding along by the motion [-], [m]
     across: Array  # (4, nodes) and across
     pumping: Array  # (4,) minus the hydrodynamic rolling moment, with its share along [N m], [N]

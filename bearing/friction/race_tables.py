@@ -96,12 +96,8 @@ def build_race_tables(
 ) -> Tables:
     """Traction tables of both races around a quasi-static solution.
 
-    Parameters
-    ----------
-    progress : callable, optional
-        Called with films done, films wanted so far, and a word.
-    solids : tuple of SolidThermal, optional
-        Ball and race, for films with heat; None: at the temperature of operation [K].
+    `progress`: called with films done, films wanted so far, and a word; `solids`: ball and
+    race, for films with heat; None: at the temperature of operation [K].
     """
     limits = table_range(solution, lubricant)
     tables = {}
@@ -120,16 +116,9 @@ def build_temperature_tables(
 ) -> TemperatureTables:
     """Traction tables of both races around a quasi-static solution.
 
-    Parameters
-    ----------
-    oil_at : callable
-        Lubricant and rheology at a temperature [K].
-    temperatures : sequence of float
-        Two or more, rising [K].
-    progress : callable, optional
-        Called with films done, films wanted so far, and a word.
-    solids : tuple of SolidThermal, optional
-        Ball and race, for films with heat; None: at the temperature of the oil [K].
+    `oil_at`: lubricant and rheology at a temperature [K]; `temperatures`: two or more, rising
+    [K]; `progress`: called with films done, films wanted so far, and a word; `solids`: ball
+    and race, for films with heat; None: at the temperature of the oil [K].
     """
     limits = table_range(solution, oil_at(temperatures[0])[0])
     tables = {}

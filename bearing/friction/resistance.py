@@ -64,25 +64,32 @@ def resistance_of(
     """Drag of the balls as `churning_power` has it, of the land as `land_power`; friction in the
     pockets is left out.
 
-    Parameters
-    ----------
-    viscosity, density : float
-        Of the oil [Pa s], [kg/m^3].
-    oil_fraction : float or None
-        Share of the cavity filled with oil [-].
+    `viscosity`, `density`: of the oil [Pa s], [kg/m^3]; `oil_fraction`: share of the cavity
+    filled with oil [-].
+    """
+    ball = ball_drag(bearing, density, oil_fraction or 0.0)
+    if cage is None:
+        return Resistance(ball=ball)
+    land = land_drag(cage, viscosity)
+    return Resistance(ball=ball, land=land, outer_guided=cage.outer_guided)
+
+
+def ball_drag(bearing: Bearing, density: float, oil_fraction: float) -> float:
+    """Drag of a ball over the square of its speed, C_D/2 rho X pi D^2/4 [N s^2/m^2], in a cavity
+    of which the share X [-] is filled with oil of a density [kg/m^3].
     """
     area = 0.25 * pi * bearing.ball_diameter**2
-    ball = 0.5 * SPHERE_DRAG * density * (oil_fraction or 0.0) * area
-    if (
-        cage is None
-        or cage.land_diameter is None
-        or cage.land_width is None
-        or cage.land_clearance is None
-    ):
-        return Resistance(ball=ball)
+    return 0.5 * SPHERE_DRAG * density * oil_fraction * area
+
+
+def land_drag(cage: Cage, viscosity: float) -> float:
+    """Torque of the cage's guiding lands over its slip, Petroff (1883): 2 pi eta r^3 B/c [N m s],
+    at a viscosity [Pa s]; zero if guided by the balls.
+    """
+    if cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
+        return 0.0
     radius = 0.5 * cage.land_diameter
-    land = viscosity * 2.0 * pi * radius**3 * cage.land_width / cage.land_clearance
-    return Resistance(ball=ball, land=land, outer_guided=cage.outer_guided)
+    return viscosity * 2.0 * pi * radius**3 * cage.land_width / cage.land_clearance
 
 
 def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
@@ -93,10 +100,7 @@ def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_
     - (a_x/a_y)^2. t is Rx times the force that the pressure flow pulls one body with; both are
     pulled (checked against solved contacts).
 
-    Parameters
-    ----------
-    semi_axis_y, semi_axis_x : float
-        Hertz semi-axes across and along rolling [m].
+    `semi_axis_y`, `semi_axis_x`: Hertz semi-axes across and along rolling [m].
 
     Returns
     -------
@@ -113,16 +117,16 @@ def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_
 
 def rolling_power(contacts: Sequence[BearingContact]) -> float:
     """Power of the oil's rolling resistance of all lubricated contacts [W]."""
-    power = 0.0
-    for contact in contacts:
-        c, hertz = contact.conditions, contact.hertz
-        if c is not None and hertz is not None:
-            power += (
-                rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x)
-                * c.entrainment_speed
-                / c.radius_x
-            )
-    return power
+    return sum(map(contact_rolling_power, contacts))
+
+
+def contact_rolling_power(contact: BearingContact) -> float:
+    """Power of the oil's rolling resistance of one flooded contact [W]."""
+    c, hertz = contact.conditions, contact.hertz
+    if c is None or hertz is None:
+        return 0.0
+    moment = rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x)
+    return moment * c.entrainment_speed / c.radius_x
 
 
 def hysteresis_torque(
@@ -135,10 +139,7 @@ def hysteresis_torque(
     Minshall and Tabor, 1961): Phi is the moment of the pressure ahead of the centre over the
     ball's radius; g = D cos(alpha)/D_pw.
 
-    Parameters
-    ----------
-    loss : float
-        beta_a [-].
+    `loss`: beta_a [-].
     """
     pitch = solution.bearing.pitch_diameter
     torque = 0.0
@@ -159,29 +160,10 @@ def _slope(solution: QuasistaticSolution, contact: BearingContact) -> float:
 
 
 def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: float) -> float:
-    """Power sheared in the guiding lands, Petroff (1883): eta (w r)^2 2 pi r B/c [W]; zero if
-    guided by the balls.
-
-    Parameters
-    ----------
-    viscosity : float
-        Of the oil [Pa s].
-    ring_speed, cage_speed : float
-        Of the guiding ring and the cage [rad/s].
+    """Power sheared in the guiding lands [W] at a viscosity [Pa s] and speeds of the guiding ring
+    and the cage [rad/s].
     """
-    if cage.land_diameter is None or cage.land_width is None or cage.land_clearance is None:
-        return 0.0
-    radius = 0.5 * cage.land_diameter
-    slip = abs(ring_speed - cage_speed)
-    return (
-        viscosity
-        * (slip * radius) ** 2
-        * 2.0
-        * pi
-        * radius
-        * cage.land_width
-        / cage.land_clearance
-    )
+    return land_drag(cage, viscosity) * (ring_speed - cage_speed) ** 2
 
 
 def pocket_power(
@@ -201,14 +183,8 @@ def pocket_power(
 def churning_power(solution: QuasistaticSolution, density: float, oil_fraction: float) -> float:
     """Power of the balls' drag in the mixture of air and oil, Z C_d/2 rho X (pi D^2/4) v^3 [W].
 
-    Parameters
-    ----------
-    density : float
-        Of the oil [kg/m^3].
-    oil_fraction : float
-        Share X of the bearing's cavity filled with oil [-].
+    `density`: of the oil [kg/m^3]; `oil_fraction`: share X of the bearing's cavity filled with
+    oil [-].
     """
-    bearing = solution.bearing
-    speeds = abs(solution.orbit_speed) * 0.5 * bearing.pitch_diameter
-    area = 0.25 * pi * bearing.ball_diameter**2
-    return float((0.5 * SPHERE_DRAG * density * oil_fraction * area * speeds**3).sum())
+    speeds = abs(solution.orbit_speed) * 0.5 * solution.bearing.pitch_diameter
+    return float((ball_drag(solution.bearing, density, oil_fraction) * speeds**3).sum())

@@ -116,13 +116,9 @@ def law_gradient(law: FrictionLaw, place: Array, motion: Array) -> tuple[Array, 
     """Minus the forces and moments (4,) on the ball by a law, and their slope (4, 4) by sliding
     and spin.
 
-    Parameters
-    ----------
-    place : ndarray, shape (3,)
-        Load [N], entrainment speed [m/s], rolling radius [m]; the entrainment is that of the
-        rolling speed.
-    motion : ndarray, shape (4,)
-        Sliding along and across [m/s], spin and rolling [rad/s].
+    `place` (3,): load [N], entrainment speed [m/s], rolling radius [m]; the entrainment is
+    that of the rolling speed; `motion` (4,): sliding along and across [m/s], spin and rolling
+    [rad/s].
     """
     load, speed, radius = (float(value) for value in place)
     here = np.array(law.forces(load, speed, *(float(part) for part in motion[:3]))[:4])

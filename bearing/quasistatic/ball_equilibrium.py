@@ -47,13 +47,8 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsE
     """Equilibrium of all balls at a given position of the inner ring; its `residual` says how well
     each ball is in balance.
 
-    Parameters
-    ----------
-    V : ndarray, shape (2, Z)
-        Axial and radial distance from the outer to the inner groove's centre of curvature at each
-        ball [m].
-    u_start : ndarray, shape (2, Z), or None
-        Guess of the ball positions [m].
+    `V` (2, Z): axial and radial distance from the outer to the inner groove's centre of
+    curvature at each ball [m]; `u_start` (2, Z): guess of the ball positions [m].
     """
     u = _start(V, u_start, problem)
     current = _evaluate(u, V, problem)

@@ -116,11 +116,8 @@ def ball_problem(
 def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     """Loads, angles, motion and body forces of balls at given positions.
 
-    Parameters
-    ----------
-    u, w : ndarray, shape (2, ...)
-        Axial and radial distance from the outer groove's centre to the ball and from there to the
-        inner groove's [m].
+    `u`, `w` (2, ...): axial and radial distance from the outer groove's centre to the ball and
+    from there to the inner groove's [m].
     """
     outer_distance = np.sqrt(u[0] * u[0] + u[1] * u[1])
     inner_distance = np.sqrt(w[0] * w[0] + w[1] * w[1])

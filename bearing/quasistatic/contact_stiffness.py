@@ -27,10 +27,7 @@ def stiffness_series(bearing: Bearing, race: Race, curvature: Curvature) -> Arra
     """Chebyshev coefficients of ln K and of its slope d(ln K)/dc over c = cos(contact angle) in
     [0, 1].
 
-    Parameters
-    ----------
-    curvature : Curvature
-        With FREE the series is constant: K at the free contact angle.
+    `curvature`: with FREE the series is constant: K at the free contact angle.
 
     Returns
     -------
@@ -56,12 +53,8 @@ def stiffness_series(bearing: Bearing, race: Race, curvature: Curvature) -> Arra
 def stiffness_at(series: Array, cosine: Numbers) -> Numbers:
     """K at contact angles, real or under a complex step.
 
-    Parameters
-    ----------
-    series : ndarray, shape (TERMS, 2)
-        From `stiffness_series` [-].
-    cosine : ndarray
-        Cosine of the contact angle [-].
+    `series` (TERMS, 2): from `stiffness_series` [-]; `cosine`: cosine of the contact angle
+    [-].
 
     Returns
     -------

@@ -79,12 +79,7 @@ def attitude(
 ) -> Direction:
     """Attitude of a ball's spin under a hypothesis, Jones (1960), Harris and Kotzalas.
 
-    Parameters
-    ----------
-    outer, inner : Direction
-        Contact angles [-].
-    gamma : float
-        D/d_m [-].
+    `outer`, `inner`: contact angles [-]; `gamma`: D/d_m [-].
     """
     if kinematics is BallKinematics.OUTER_RACE_CONTROL:
         return direction(outer.sin, outer.cos + gamma)
@@ -110,14 +105,8 @@ def rolling_motion(
 ) -> Motion:
     """Orbit and spin of a ball that slides at neither contact centre.
 
-    Parameters
-    ----------
-    outer, inner, beta : Direction
-        Contact angles and attitude [-].
-    gamma : float
-        D/d_m [-].
-    inner_speed, outer_speed : float
-        Speeds of the rings [rad/s].
+    `outer`, `inner`, `beta`: contact angles and attitude [-]; `gamma`: D/d_m [-];
+    `inner_speed`, `outer_speed`: speeds of the rings [rad/s].
 
     Returns
     -------
@@ -159,14 +148,7 @@ def gyroscopic_moment(mass: float, ball_diameter: float, motion: Motion) -> Numb
     """Couple that the races must exert on a ball about e_t [N m], J w_m w_R sin(beta) with J = m
     D^2/10.
 
-    Parameters
-    ----------
-    mass : float
-        [kg].
-    ball_diameter : float
-        [m].
-    motion : Motion
-        Speeds in [rad/s].
+    `mass`: [kg]; `ball_diameter`: [m]; `motion`: speeds in [rad/s].
 
     Returns
     -------

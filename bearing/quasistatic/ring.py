@@ -121,12 +121,8 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
     it is shortened when the force has turned against it (the minimum of the energy has been
     passed).
 
-    Parameters
-    ----------
-    problem : BallProblem
-        Lengths in [m], forces in [N].
-    start : RingStart or None
-        Where to begin; None makes a guess from the loads.
+    `problem`: lengths in [m], forces in [N]; `start`: where to begin; None makes a guess from
+    the loads.
 
     Returns
     -------

@@ -249,5 +249,5 @@ def _torque_of_powers(
         asperity=asperity,
         shaft_power=float(sums[5]),
         heat=float(sums[:5].sum()),
-        per_ball=per_ball,
+        per_ball=per_ball.astype(np.float64),
     )

@@ -40,13 +40,8 @@ def _data() -> dict[str, Any]:
 def viscous_factor(kind: str, lubrication: str) -> float:
     """f_0 of a kind of bearing and a way of lubrication [-].
 
-    Parameters
-    ----------
-    kind : str
-        "deep groove" or "angular contact" [-].
-    lubrication : str
-        "grease", "oil bath", "low oil bath" (as a bath), "oil jet" (twice the bath) or "oil air"
-        (half of it) [-].
+    `kind`: "deep groove" or "angular contact" [-]; `lubrication`: "grease", "oil bath", "low
+    oil bath" (as a bath), "oil jet" (twice the bath) or "oil air" (half of it) [-].
     """
     factors = _data()["viscous"]
     return float(
@@ -75,18 +70,8 @@ def palmgren_torque(
     """M_0 = f_0 1e-7 (nu n)^(2/3) d_m^3 above nu n = 2000, f_0 160e-7 d_m^3 below; M_1 = f_1 P_1
     d_m.
 
-    Parameters
-    ----------
-    mean_diameter : float
-        d_m [m].
-    speed : float
-        Of the rotating ring [rad/s].
-    viscosity : float
-        Kinematic [m^2/s].
-    viscous : float
-        f_0 [-].
-    load : tuple of float
-        f_1 [-] and P_1 [N].
+    `mean_diameter`: d_m [m]; `speed`: of the rotating ring [rad/s]; `viscosity`: kinematic
+    [m^2/s]; `viscous`: f_0 [-]; `load`: f_1 [-] and P_1 [N].
     """
     d = mean_diameter / MM
     product = viscosity / MM2_S * abs(speed) / RPM

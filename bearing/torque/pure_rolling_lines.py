@@ -31,12 +31,8 @@ class RollingLines:
 def rolling_lines(spin_ratio: float, force: float = 0.0) -> RollingLines:
     """Lines of a contact.
 
-    Parameters
-    ----------
-    spin_ratio : float
-        E = 2 R w_s/(w_r a), not negative; infinite without rolling [-].
-    force : float
-        F/(mu Q) the friction has to carry, from -1 to 1 [-].
+    `spin_ratio`: E = 2 R w_s/(w_r a), not negative; infinite without rolling [-]; `force`:
+    F/(mu Q) the friction has to carry, from -1 to 1 [-].
 
     Raises
     ------

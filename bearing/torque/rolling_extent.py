@@ -50,14 +50,8 @@ def rolling_extent(
     Kapitza (1955) beyond the boxes; power of the moment at the motion of the tractions over the
     speed of the shaft.
 
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Speeds of the rings [rad/s].
-    tractions : sequence of ContactTraction or None
-        Of all contacts, None where there is no film.
-    films : sequence of ContactSolution or None
-        Of the same contacts.
+    `solution`: speeds of the rings [rad/s]; `tractions`: of all contacts, None where there is
+    no film; `films`: of the same contacts.
 
     Returns
     -------

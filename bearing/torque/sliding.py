@@ -106,12 +106,7 @@ def pure_rolling_line_torque(
 ) -> SlidingTorque:
     """Torque by the lines of pure rolling, no net force along the rolling direction [N m].
 
-    Parameters
-    ----------
-    speed : float
-        Of the shaft [rad/s].
-    friction : float
-        Coulomb's mu [-].
+    `speed`: of the shaft [rad/s]; `friction`: Coulomb's mu [-].
     """
     spin = rotation = orbit = 0.0
     for c in contacts:

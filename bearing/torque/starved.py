@@ -17,7 +17,7 @@ from ehl.oil.lubricant import Lubricant
 
 from ..contacts.contact import BearingContact
 from ..friction.asperities import asperity_share
-from ..friction.resistance import churning_power, rolling_moment
+from ..friction.resistance import churning_power, contact_rolling_power
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.starved_films import (
     StarvedFilm,
@@ -134,7 +134,7 @@ def _of_films(
     for contact, one in zip(contacts, films, strict=True):
         rolling += (
             (1.0 if one is None else one.share) ** ROLLING_EXPONENT
-            * _rolling_power(contact)
+            * contact_rolling_power(contact)
             / speed
         )
     loaded = [
@@ -146,13 +146,3 @@ def _of_films(
         film += (1.0 - share) * of_film * slid
         asperity += share * friction.boundary * slid
     return _OfFilms(rolling, film, asperity)
-
-
-def _rolling_power(contact: BearingContact) -> float:
-    """Of the flooded contact [W]."""
-    c, hertz = contact.conditions, contact.hertz
-    if c is None or hertz is None:
-        return 0.0
-    return (
-        rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x) * c.entrainment_speed / c.radius_x
-    )
