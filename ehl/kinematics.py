@@ -110,14 +110,9 @@ def contact_kinematics(
     """Motion that a contact's conditions describe, in the frame of the grid its film is solved on;
     rolling is u_m/R_x, with R_x in the direction of the entrainment.
 
-    Parameters
-    ----------
-    conditions : ContactConditions
-    curvature_radius, curvature_width : float
-        As in `ContactKinematics` [m].
-    grid_angle : float, optional
-        Direction of the grid's x from the principal direction x, `frame_angle` of a solution
-        [rad]; None: that of the entrainment.
+    grid_angle: direction of the grid's x from the principal direction x, `frame_angle` of a
+    solution [rad]; None: that of the entrainment. curvature_radius and curvature_width as in
+    `ContactKinematics` [m].
     """
     c = conditions
     turn = 0.0 if grid_angle is None else c.entrainment_angle - grid_angle

@@ -172,6 +172,23 @@ def _film_value(film, column):
     return np.exp(total)
 
 
+@compiled
+def _motion_places(film, axes, constants, motions, load):
+    """Places of slide_x and slide_y over u and spin over u/R_x on their axes, by the scales of the
+    film, and the flags of those beyond.
+    """
+    slide_x, slide_y, turn = motions
+    b_axis = constants[UNIT_AXIS] * np.cbrt(load)
+    top = slide_x + vertex_slide(turn, b_axis, constants[RADIUS_X], constants[CURVATURE])
+    scale = _motion_scale(_film_value(film, SCALE_X), turn, b_axis, constants)
+    x, beyond = _scaled(top, scale, constants[RANGE_X], axes[2])
+    flag = SLIDE_X if beyond else 0
+    y, beyond = _scaled(slide_y, _film_value(film, SCALE_Y), constants[RANGE_Y], axes[3])
+    flag += SLIDE_Y if beyond else 0
+    n, beyond = _scaled(turn, _film_value(film, SCALE_SPIN), constants[RANGE_SPIN], axes[4])
+    return x, y, n, flag + (SPIN if beyond else 0)
+
+
 def _row_sums():
     """Room for 4 nodes of spin times COLUMNS numbers."""
     return np.empty(4 * COLUMNS)
@@ -254,22 +271,14 @@ def table_lookup(axes, constants, scalars, values, load, speed, slide_x, slide_y
     i0, w0 = _weights(q, axes[0])
     i1, w1 = _weights(u, axes[1])
     film = (scalars, i0, i1, w0, w1)
-    # 2. place on the axes of the motions, by the film's scales; the half above slide_y = 0
+    # 2. place on the axes of the motions, the half above slide_y = 0
     mirror = 1.0 if slide_y >= 0.0 else -1.0
     size = max(abs(speed), 1e-300)
-    table_load = -1.0 / q**5  # -1/LOAD_POWER
     radius = constants[RADIUS_X]
-    turn = mirror * spin * radius / size
-    b_axis = constants[UNIT_AXIS] * np.cbrt(table_load)
-    top = slide_x / size + vertex_slide(turn, b_axis, radius, constants[CURVATURE])
-    scale = _motion_scale(_film_value(film, SCALE_X), turn, b_axis, constants)
-    x, beyond = _scaled(top, scale, constants[RANGE_X], axes[2])
-    flag += SLIDE_X if beyond else 0
-    scale = _film_value(film, SCALE_Y)
-    y, beyond = _scaled(abs(slide_y) / size, scale, constants[RANGE_Y], axes[3])
-    flag += SLIDE_Y if beyond else 0
-    n, beyond = _scaled(turn, _film_value(film, SCALE_SPIN), constants[RANGE_SPIN], axes[4])
-    flag += SPIN if beyond else 0
+    table_load = -1.0 / q**5  # -1/LOAD_POWER
+    motions = (slide_x / size, abs(slide_y) / size, mirror * spin * radius / size)
+    x, y, n, beyond = _motion_places(film, axes, constants, motions, table_load)
+    flag += beyond
     i2, w2 = _weights(x, axes[2])
     i3, w3 = _weights(y, axes[3])
     i4, w4 = _weights(n, axes[4])

@@ -48,17 +48,10 @@ def film_quadrature(
     *,
     temperature: float | None = None,
 ) -> FilmQuadrature:
-    """Nodes of a film, without the weakest ones.
+    """Nodes of a film of dimensional conditions, without the weakest ones.
 
-    Parameters
-    ----------
-    solution : ContactSolution
-        Of dimensional conditions [m], [Pa].
-    rheology : Rheology
-    largest_slide : float
-        Sliding speed [m/s] at which the friction of each node is weighed.
-    temperature : float, optional
-        For the limiting stress [K].
+    The friction of each node is weighed at the sliding speed `largest_slide` [m/s]; temperature:
+    for the limiting stress [K].
     """
     zone = hertz_zone(solution)
     blocks = low_pressure_blocks(with_outlet(solution))
@@ -218,15 +211,8 @@ def sliding_forces(
 ) -> Array:
     """F_x, F_y [N] and M_n, M_y [N m] on body 1 by sliding, for each of n motions, shape (n, 4).
 
-    Parameters
-    ----------
-    film : FilmQuadrature
-    slide : tuple of ndarray, shape (n,)
-        slide_x, slide_y [m/s] and spin [rad/s].
-    rolling : ndarray, shape (n,)
-        Relative rolling speed [rad/s].
-    curvature : float
-        1/(2R) of the loaded surface [1/m].
+    slide: slide_x, slide_y [m/s] and spin [rad/s]; rolling: relative speed [rad/s]; curvature:
+    1/(2R) of the loaded surface [1/m].
     """
     r = kernel_rheology(film.rheology)
     out = np.zeros((slide[0].size, _kernels.COLUMNS))

@@ -83,10 +83,6 @@ class _HertzLaw:
         """Kind and constants as the kernel takes them, [-] and [m/s]."""
         raise NotImplementedError
 
-    def coefficient(self, slide: Array, speed: float) -> Array:
-        """Coefficient of friction [-] at a local sliding speed and an entrainment speed [m/s]."""
-        raise NotImplementedError
-
     def forces(
         self, load: float, speed: float, slide_x: float, slide_y: float, spin: float
     ) -> TractionForces:
@@ -119,11 +115,6 @@ class CoulombLaw(_HertzLaw):
         """Kind 0, mu, v_0, v_1: [-], [m/s]."""
         return np.array([0.0, self.friction, self.slide_none, self.slide_full])
 
-    def coefficient(self, slide: Array, speed: float) -> Array:
-        """mu times the ramp [-] at a sliding speed [m/s]."""
-        ramp = (slide - self.slide_none) / (self.slide_full - self.slide_none)
-        return self.friction * np.clip(ramp, 0.0, 1.0)
-
 
 @dataclass(frozen=True)
 class FourConstantLaw(_HertzLaw):
@@ -150,32 +141,15 @@ class FourConstantLaw(_HertzLaw):
         """Kind 1, A to D, dead band [-]."""
         return np.array([1.0, self.a, self.b, self.c, self.d, self.dead_band])
 
-    def coefficient(self, slide: Array, speed: float) -> Array:
-        """The coefficient [-] at a sliding and an entrainment speed [m/s]."""
-        s = slide / max(abs(speed), 1e-300)
-        ramp = np.minimum(s / self.dead_band, 1.0)
-        return ramp * ((self.a + self.b * s) * np.exp(-self.c * s) + self.d)
-
 
 def four_constants(
     largest: float, slide: float, limit: float, zero: float = 0.0
 ) -> tuple[float, float, float, float]:
-    """A, B, C, D [-] of mu = (A + B s) exp(-C s) + D from what a traction curve shows.
+    """A, B, C, D [-] of mu = (A + B s) exp(-C s) + D from a traction curve: the largest value
+    kappa_max at the slide s, the limit kappa_inf at large s, and kappa_0 at s = 0.
 
-    Parameters
-    ----------
-    largest, slide : float
-        kappa_max and the s where it is reached [-].
-    limit : float
-        kappa_inf, at large s [-].
-    zero : float
-        kappa_0, at s = 0 [-].
-
-    Returns
-    -------
-    tuple of float
-        D = kappa_inf, A = kappa_0 - kappa_inf, and with q = C s: B = C A/(1 - q), A exp(-q)/(1 -
-        q) = kappa_max - D.
+    D = kappa_inf, A = kappa_0 - kappa_inf, and with q = C s: B = C A/(1 - q), A exp(-q)/(1 - q) =
+    kappa_max - D.
     """
     if not (isfinite(slide) and slide > 0.0):
         raise ValueError(f"slide must be positive and finite, got {slide!r}")

@@ -51,14 +51,10 @@ class NormalResponse:
 
 
 def normal_response(solution: ContactSolution) -> NormalResponse:
-    """Stiffness [N/m] and damping [N s/m] of a solved contact in a box of the solver's choice.
+    """Stiffness [N/m] and damping [N s/m] of a solved contact in a box of the solver's choice, of
+    dimensional conditions, Newtonian and isothermal.
 
     On a grid that is none of the solver's they are not numbers, and not converged.
-
-    Parameters
-    ----------
-    solution : ContactSolution
-        Of dimensional conditions, Newtonian and isothermal.
     """
     for damped, attempt in enumerate(DAMPINGS):
         with np.errstate(all="ignore"):  # where the iteration diverges, `converged` is false

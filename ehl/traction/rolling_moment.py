@@ -69,14 +69,8 @@ def rolling_moment(solution: ContactSolution, extent: float | None = None) -> Ro
 
     Only the moment of the box is given, with a note, where the box was fixed (its edge has no
     pressure: the oil ends there) or the ellipse reaches beyond the extent.
-
-    Parameters
-    ----------
-    solution : ContactSolution
-        Of dimensional conditions, else ValueError.
-    extent : float, optional
-        Distance up to which oil counts [m]; `SHARE_OF_RADIUS` of the smaller reduced radius if
-        left out.
+    extent: distance up to which oil counts [m]; None: `SHARE_OF_RADIUS` of the smaller reduced
+    radius. ValueError where conditions have no dimensions.
     """
     conditions = solution.conditions
     a = solution.semi_axis_x

@@ -118,19 +118,10 @@ def shear_fields(
     temperature: float | None = None,
     cavitation: Cavitation = Cavitation.STRIATED,
 ) -> ShearFields:
-    """Shear over a solved contact.
+    """Shear over a solved contact of dimensional conditions, kinematics in the frame of its grid.
 
-    Parameters
-    ----------
-    solution : ContactSolution
-        Of dimensional conditions.
-    kinematics : ContactKinematics
-        In the frame of the solution's grid.
-    rheology : Rheology
-    temperature : float, optional
-        Of the film, for the limiting stress [K]; that of the solution where it was solved with
-        heat.
-    cavitation : Cavitation
+    temperature: of the film, for the limiting stress [K]; that of the solution where it was solved
+    with heat.
     """
     x, y, h = dimensional_grid(solution)
     p = solution.pressure

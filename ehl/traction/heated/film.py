@@ -82,23 +82,11 @@ def heated_film(
     rheology: Rheology,
     largest_slide: float,
 ) -> HeatedFilm:
-    """Quadrature of a film that was solved with heat and without sliding.
+    """Quadrature of a film that was solved with heat and without sliding; ValueError where it has
+    no temperatures or no dimensions.
 
-    Parameters
-    ----------
-    solution : GeneralizedSolution
-        Of dimensional conditions, with temperatures [K].
-    solids : tuple of SolidThermal
-        Body 1 and body 2.
-    rheology : Rheology
-        Of the shear.
-    largest_slide : float
-        Sliding speed [m/s] at which the friction of each node is weighed.
-
-    Raises
-    ------
-    ValueError
-        If the solution has no temperatures or no dimensions.
+    solids: body 1 and body 2; rheology: of the shear; largest_slide: sliding speed [m/s] at which
+    the friction of each node is weighed.
     """
     contact = solution.contact
     conditions = dimensional_conditions(contact)
@@ -212,11 +200,7 @@ def line_history(places: Array) -> Array:
     (n, n) [m^0.5/m^0.5].
 
     Product integration, q linear between the places and from zero at 0 on; row j for the place j.
-
-    Parameters
-    ----------
-    places : ndarray, shape (n,)
-        Rising, above zero [-].
+    The places rise, from above zero.
     """
     nodes = np.concatenate([[0.0], places])
     weights = np.zeros((places.size, nodes.size))

@@ -76,27 +76,10 @@ def build_table(
     options: TableOptions | None = None,
     progress: Progress | None = None,
 ) -> TractionTable:
-    """Solve films and evaluate their shear until the table reaches its tolerance.
+    """Solve films and evaluate their shear until the table reaches its tolerance, its `error` in
+    the check; ValueError where a film cannot be used, naming load and speed.
 
-    Parameters
-    ----------
-    contact : TableContact
-    limits : TableRange
-        Loads [N], speeds [m/s], motions [-].
-    options : TableOptions, optional
-    progress : callable, optional
-        Called with films done, films wanted so far, and the kind of step.
-
-    Returns
-    -------
-    TractionTable
-        Its `error` is that of the check; `converged`: all films converged and the tolerance is
-        reached.
-
-    Raises
-    ------
-    ValueError
-        If a film cannot be used: the message names load and speed.
+    progress: called with films done, films wanted so far, and the kind of step.
     """
     study = _study(contact, limits, options or TableOptions(), progress)
     for _ in range(study.options.rounds):

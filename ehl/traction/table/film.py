@@ -54,21 +54,10 @@ class TableFilm:
 def table_film(
     contact: TableContact, load: float, speed: float, largest_slide: float, options: SolverOptions
 ) -> TableFilm:
-    """Solve the film of a table's contact.
+    """Solve the film of a table's contact at a load [N] and entrainment speed [m/s]; ValueError
+    where it cannot be used.
 
-    Parameters
-    ----------
-    contact : TableContact
-    load, speed : float
-        [N], of entrainment [m/s].
-    largest_slide : float
-        Sliding speed [m/s] at which the friction of each node is weighed.
-    options : SolverOptions
-
-    Raises
-    ------
-    ValueError
-        If the film cannot be used: the message names load and speed.
+    largest_slide: sliding speed [m/s] at which the friction of each node is weighed.
     """
     conditions = contact.conditions(load, speed)
     rheology = contact.rheology

@@ -37,22 +37,9 @@ def full_solves(
 ) -> tuple[FullSolve, ...]:
     """Traction of a table's films and of full solves at random places of its range.
 
-    Parameters
-    ----------
-    contact : TableContact
-    limits : TableRange
-        Loads [N], speeds [m/s], motions [-].
-    count : int
-        Of the places: a Latin hypercube in the logarithms of load, speed and slide-roll ratio.
-    options : SolverOptions, optional
-        Of both solves; 129 points by default.
-    progress : callable, optional
-        Called with the solve begun, solves in all, and the kind of step.
-
-    Raises
-    ------
-    ValueError
-        If properties that heat needs are missing; the message names them.
+    The places are a Latin hypercube in the logarithms of load, speed and slide-roll ratio.
+    options: of both solves; progress: called with the solve begun, solves in all, and the kind of
+    step. ValueError names missing properties that heat needs.
     """
     options = options or SolverOptions(points=POINTS)
     solves = []

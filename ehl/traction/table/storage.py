@@ -84,19 +84,8 @@ def write_table(table: TractionTable, file: IO[bytes]) -> None:
 
 
 def load_table(path: Path, expected: str | None = None) -> TractionTable:
-    """Read a table.
-
-    Parameters
-    ----------
-    path : Path
-    expected : str, optional
-        `inputs_digest` of the contact, range and points it must be built for.
-
-    Raises
-    ------
-    ValueError
-        If the file is no table, of another format, damaged, or built for other inputs; the message
-        says which.
+    """Read a table, built for the inputs of a digest where one is given; ValueError where the file
+    is no table, of another format, damaged, or built for other inputs.
     """
     with path.open("rb") as stream:
         return read_table(stream, str(path), expected)

@@ -198,7 +198,7 @@ class TractionTable:
         """Forces on body 1 at a load [N], entrainment speed, slides [m/s], and spin [rad/s].
 
         Outside the table's range the nearest place counts, forces in proportion to the load, and
-        `outside` says so.
+        `outside` names what lies there.
         """
         out = np.empty(8)
         flag = _kernels.table_lookup(
@@ -230,13 +230,8 @@ def mirrored_seam(values: Array) -> Array:
     A film is symmetric in y but for the error of its solution, and what would vanish by symmetry
     without slide_y and spin, F_y and M_n, jumped there from a value to its opposite. The
     coefficients at slide_y = 0 become the mean with their mirror image, those before it the mirror
-    image of those behind it: the spline goes on with two derivatives.
-
-    Parameters
-    ----------
-    values : ndarray, shape (nQ + 2, nU + 2, nX + 2, nY + 2, nS + 2, 4)
-        As in `TractionTable`, rounded to what a file holds; the same again where they meet
-        already.
+    image of those behind it: the spline has two continuous derivatives. values: as in
+    `TractionTable`, rounded to what a file holds; the same again where they meet already.
     """
     before, at = (np.array(MIRROR) * values[:, :, :, k, ::-1] for k in (2, 1))
     at = (0.5 * (at + values[:, :, :, 1])).astype(np.float32)
@@ -255,15 +250,7 @@ def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
     -Omega y - omega y^2/(2R) is largest at y = -Omega R/omega. Where slide_x cancels it the
     traction turns most sharply. Off the ellipse there is no vertex: y = -b r/(1 + r^4)^(1/4) with
     r = Omega R/(omega b), which is the vertex for small r and the end of the ellipse for large
-    ones.
-
-    Parameters
-    ----------
-    spin : ndarray
-        Omega R_x/u [-].
-    contact : TableContact
-    load : float
-        [N].
+    ones. spin: Omega R_x/u [-]; load [N].
     """
     curvature = 0.5 / contact.curvature_radius
     b = contact.unit_semi_axis * np.cbrt(load)

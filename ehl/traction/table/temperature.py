@@ -63,21 +63,10 @@ class TemperatureTable:
         )
 
     def at(self, temperature: float, lubricant: Lubricant | None = None) -> TractionTable:
-        """The table at a temperature.
+        """The table at a temperature [K] in range, with an oil whose viscosities are those between
+        the tables (else ValueError).
 
-        Parameters
-        ----------
-        temperature : float
-            [K].
-        lubricant : Lubricant, optional
-            The oil there; None: that of the nearest table, but for viscosities and density
-            between.
-
-        Raises
-        ------
-        ValueError
-            If the temperature is out of range, or the lubricant's viscosities are not those
-            between the tables'.
+        Without an oil it is that of the nearest table, with viscosities and density interpolated.
         """
         known = np.array(self.temperatures)
         if not known[0] <= temperature <= known[-1]:
@@ -118,18 +107,9 @@ def build_temperature_table(
     options: TableOptions | None = None,
     progress: Progress | None = None,
 ) -> TemperatureTable:
-    """Tables at several temperatures [K], checked half-way between them.
+    """Tables at two or more rising temperatures [K], checked half-way between them.
 
-    Parameters
-    ----------
-    contact_at : callable
-        The contact with its oil at a temperature [K].
-    temperatures : sequence of float
-        Two or more, rising [K].
-    limits : TableRange
-    options : TableOptions, optional
-    progress : callable, optional
-        Called with films done, films wanted so far, and the kind of step.
+    contact_at gives the contact with its oil at a temperature [K]; progress as in `build_table`.
     """
     options = options or TableOptions()
     tables = [build_table(contact_at(one), limits, options, progress) for one in temperatures]

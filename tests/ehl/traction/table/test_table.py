@@ -17,6 +17,7 @@ import ehl
 from ehl.kinematics import ContactKinematics, contact_kinematics
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
+from ehl.traction import _kernels
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
 from ehl.traction.laws import ContactShape, CoulombLaw, FourConstantLaw, four_constants
 from ehl.traction.response import normal_response
@@ -298,7 +299,8 @@ def test_four_constants_from_a_traction_curve(given, expected):
     assert_allclose(constants, expected, rtol=5e-5)
     law = FourConstantLaw(SHAPE, *constants)
     slides = np.linspace(0.5, 1.5, 2001) * given[1]
-    assert_allclose(law.coefficient(slides, 1.0).max(), given[0], rtol=1e-6)
+    largest = max(_kernels.coefficient(law.kernel_law(), slide, 1.0) for slide in slides)
+    assert_allclose(largest, given[0], rtol=1e-6)
 
 
 @pytest.mark.parametrize("zero", [0.01, 0.03, 0.04])
