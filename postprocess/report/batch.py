@@ -40,15 +40,15 @@ BANDS = {
 def cards(summary: dict[str, Any]) -> str:
     """How many points there are, and the ends of the main results."""
     points = summary["points"]
-    shown = [card("points", str(len(points)))]
+    entries = [card("points", str(len(points)))]
     if summary["failed"]:
-        shown.append(card("without a result", str(summary["failed"])))
+        entries.append(card("without a result", str(summary["failed"])))
     for key, name in (("film_minimum_um", "minimum film"), ("torque_N_mm", "torque")):
         values = [point[key] for point in points if point.get(key) is not None]
         if values:
             ends = f"{number(min(values), 4)} … {number(max(values), 4)}"
-            shown.append(card(name, ends, unit_text(key)))
-    return side_by_side(*shown, kind="cards")
+            entries.append(card(name, ends, unit_text(key)))
+    return side_by_side(*entries, kind="cards")
 
 
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
@@ -103,8 +103,8 @@ def _points(summary: dict[str, Any]) -> str:
         cells.append(state if point["status"] == "done" else escape(point["status"]))
         rows.append(("" if point["converged"] else "off", cells))
     more = len(points) - MAX_ROWS
-    shown = table(head, rows, (len(head) - 1,))
-    return shown + (f"<p>{more} more points are in batch.csv.</p>" if more > 0 else "")
+    listing = table(head, rows, (len(head) - 1,))
+    return listing + (f"<p>{more} more points are in batch.csv.</p>" if more > 0 else "")
 
 
 def _sensitivity(summary: dict[str, Any]) -> str:

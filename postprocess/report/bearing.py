@@ -97,14 +97,14 @@ def input_tables(case: dict[str, Any]) -> str:
 def cards(summary: dict[str, Any]) -> str:
     """The numbers that are looked at first."""
     contacts = [contact for contact in summary.get("contacts") or () if contact.get("loaded")]
-    shown = _film_card(contacts or [summary])
+    entries = _film_card(contacts or [summary])
     pressures = [contact.get("hertz_pressure_GPa") for contact in contacts or [summary]]
     largest = max((value for value in pressures if value is not None), default=None)
     if largest is not None:
-        shown.append(card("largest Hertz pressure", number(largest, 4), "GPa"))
+        entries.append(card("largest Hertz pressure", number(largest, 4), "GPa"))
     if contacts:
         inner = sum(contact["race"] == "inner" for contact in contacts)
-        shown.append(card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
+        entries.append(card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
     torque = (summary.get("torque_N_mm") or {}).get("total")
     life = (summary.get("life") or {}).get("basic_reference_rating_Mrev")
     for name, value, unit in (
@@ -114,8 +114,8 @@ def cards(summary: dict[str, Any]) -> str:
         ("load", summary.get("load_N"), "N"),
     ):
         if value is not None:
-            shown.append(card(name, number(value, 4), unit))
-    return side_by_side(*shown, kind="cards")
+            entries.append(card(name, number(value, 4), unit))
+    return side_by_side(*entries, kind="cards")
 
 
 def _film_card(contacts: list[dict[str, Any]]) -> list[str]:
@@ -141,12 +141,12 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
     else:
         yield "films", "Film and pressure", _single_film(summary, plots)
     yield "torque", "Friction torque", _torque(summary.get("torque_N_mm") or {})
-    shown = [
+    blocks = [
         facts(title, _without_null(summary[key]))
         for key, title in BLOCKS.items()
         if _has_results(summary.get(key))
     ]
-    yield "life", "Life, clearance, frequencies", side_by_side(*shown)
+    yield "life", "Life, clearance, frequencies", side_by_side(*blocks)
     yield "convergence", "Convergence and uncertainty", _convergence(summary)
 
 
@@ -240,16 +240,16 @@ def _single_film(summary: dict[str, Any], plots: Path) -> str:
     """Picture and numbers of a single contact."""
     if not is_single_contact(summary):
         return ""
-    shown = picture(plots / "contact.png", "Film thickness and pressure of the contact")
+    content = picture(plots / "contact.png", "Film thickness and pressure of the contact")
     numbers = {
         key: value for key, value in summary.items() if key not in PLACED and not is_large(value)
     }
-    return shown + side_by_side(facts("Numbers", numbers))
+    return content + side_by_side(facts("Numbers", numbers))
 
 
 def _films(plots: Path) -> str:
     """Pictures of the films of a bearing."""
-    shown = "".join(
+    content = "".join(
         picture(plots / f"{name}.png", caption, wide=True)
         for name, caption in FILM_PICTURES.items()
     )
@@ -259,8 +259,8 @@ def _films(plots: Path) -> str:
     ]
     if maps:
         title = f"Maps of every distinct contact ({len(maps)})"
-        shown += unfolding(title, side_by_side(*maps, kind="gallery"))
-    return shown
+        content += unfolding(title, side_by_side(*maps, kind="gallery"))
+    return content
 
 
 def _torque(torque: dict[str, Any]) -> str:
@@ -276,8 +276,8 @@ def _torque(torque: dict[str, Any]) -> str:
     bars = stacked_bars([(_words(n), parts[n], total) for n, total in totals.items()], "N mm")
     rows = []
     for name, total in totals.items():
-        shown = (f"{escape(_words(part))} {number(v, 4)}" for part, v in parts[name].items())
-        cells = [escape(_words(name)), number(total, 4), ", ".join(shown) or NOTHING]
+        texts = (f"{escape(_words(part))} {number(v, 4)}" for part, v in parts[name].items())
+        cells = [escape(_words(name)), number(total, 4), ", ".join(texts) or NOTHING]
         rows.append(("", cells))
     caption = "Each model has its own assumptions; hover over a bar for its parts."
     picture_of_bars = (
@@ -308,9 +308,9 @@ def _words(name: str) -> str:
 
 def _convergence(summary: dict[str, Any]) -> str:
     """Residual of the equilibrium, and box, nodes and error bars of every distinct film."""
-    shown = ""
+    content = ""
     if "equilibrium" in summary:
-        shown = side_by_side(facts("Equilibrium", summary["equilibrium"]))
+        content = side_by_side(facts("Equilibrium", summary["equilibrium"]))
     distinct: dict[tuple[str, ...], dict[str, Any]] = {}
     for contact in summary.get("contacts") or ():
         if contact.get("film_minimum_um") is not None:
@@ -318,12 +318,12 @@ def _convergence(summary: dict[str, Any]) -> str:
             values = (f"{contact[name]:.6g}" for name in names)
             distinct.setdefault((contact["race"], *values), contact)
     if not distinct:
-        return shown
+        return content
     head = [("ball, race", ""), ("nodes", ""), ("box", "semi-axes")]
     head += [("central film", "± %"), ("minimum film", "± %"), ("converged", ""), ("resolved", "")]
     rows = [("", _convergence_cells(contact)) for contact in distinct.values()]
     return (
-        shown
+        content
         + table(head, rows, (0,))
         + note(
             "Error bars enclose the distance to the film on an infinitely fine grid "

@@ -123,10 +123,10 @@ def table(
     )
     lines = []
     for style, cells in rows:
-        shown = "".join(
+        content = "".join(
             f"<td{_text_class(i in texts, len(cell))}>{cell}</td>" for i, cell in enumerate(cells)
         )
-        lines.append(f'<tr class="{style}">{shown}</tr>' if style else f"<tr>{shown}</tr>")
+        lines.append(f'<tr class="{style}">{content}</tr>' if style else f"<tr>{content}</tr>")
     body = f"<thead><tr>{heads}</tr></thead><tbody>{''.join(lines)}</tbody>"
     return f'<div class="scroll"><table>{body}</table></div>'
 
@@ -148,10 +148,10 @@ def facts(
         is_assumed = f"{path}.{key}" in assumed
         name = name_text(key) + (' <span class="mark">*</span>' if is_assumed else "")
         unit = unit_text(key) if value is not None else ""
-        shown = f"{text(value)}&nbsp;{escape(unit)}" if unit else text(value)
-        cells = f"<td>{name}</td><td>{shown}</td>"
-        if len(shown) > MAX_BESIDE_KEY:  # words, such as a source
-            cells = f'<td colspan="2" class="small">{name}: {shown}</td>'
+        content = f"{text(value)}&nbsp;{escape(unit)}" if unit else text(value)
+        cells = f"<td>{name}</td><td>{content}</td>"
+        if len(content) > MAX_BESIDE_KEY:  # words, such as a source
+            cells = f'<td colspan="2" class="small">{name}: {content}</td>'
         row = '<tr class="assumed">' if is_assumed else "<tr>"
         rows.append(f"{row}{cells}</tr>")
     heading = f"<h3>{escape(title)}</h3>" if title else ""
@@ -183,8 +183,8 @@ def is_large(value: Any) -> bool:
 
 def card(name: str, value: str, unit: str = "") -> str:
     """One number that is looked at first."""
-    shown = f"<b>{value} <small>{escape(unit)}</small></b><span>{escape(name)}</span>"
-    return f'<div class="card">{shown}</div>'
+    content = f"<b>{value} <small>{escape(unit)}</small></b><span>{escape(name)}</span>"
+    return f'<div class="card">{content}</div>'
 
 
 def picture(path: Path, caption: str, *, wide: bool = False) -> str:
@@ -207,8 +207,8 @@ def items(messages: Iterable[str]) -> str:
 
 def notes(messages: Iterable[str]) -> str:
     """The messages that are no warnings; nothing if there are none."""
-    shown = [str(message) for message in messages]
-    return f'<div class="notes small">{items(shown)}</div>' if shown else ""
+    texts = [str(message) for message in messages]
+    return f'<div class="notes small">{items(texts)}</div>' if texts else ""
 
 
 def section(anchor: str, title: str, body: str) -> str:

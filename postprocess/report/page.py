@@ -141,15 +141,15 @@ def _further_results(summary: dict[str, Any]) -> str:
     """Blocks that no part of the page places: whatever numbers they hold."""
     blocks = {key: value for key, value in summary.items() if key not in bearing.PLACED}
     single = {key: value for key, value in blocks.items() if not is_large(value)}
-    shown = [facts("", single)] if single and not bearing.is_single_contact(summary) else []
+    facts_blocks = [facts("", single)] if single and not bearing.is_single_contact(summary) else []
     for key, value in blocks.items():
         if isinstance(value, dict):
             plain = {name: item for name, item in value.items() if not is_large(item)}
-            shown += [facts(key.replace("_", " "), plain)] if plain else []
+            facts_blocks += [facts(key.replace("_", " "), plain)] if plain else []
     lists = {key: value for key, value in blocks.items() if isinstance(value, list)}
     if "contacts" not in summary:
         lists["balls"] = summary.get("balls") or []
-    return side_by_side(*shown) + "".join(_rows(key, rows) for key, rows in lists.items())
+    return side_by_side(*facts_blocks) + "".join(_rows(key, rows) for key, rows in lists.items())
 
 
 def _rows(name: str, rows: list[Any]) -> str:
@@ -167,5 +167,5 @@ def _further_pictures(summary: dict[str, Any], folder: Path) -> str:
     """Pictures that no part of the page places: slip maps, dynamics, what later versions draw."""
     placed = bearing.known_pictures(summary)
     files = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
-    shown = [picture(f, f.stem.replace("_", " ")) for f in files if f.name not in placed]
-    return side_by_side(*shown, kind="gallery")
+    pictures = [picture(f, f.stem.replace("_", " ")) for f in files if f.name not in placed]
+    return side_by_side(*pictures, kind="gallery")

@@ -362,9 +362,9 @@ def _write_azimuths(
             azimuth = round(degrees(contact.azimuth) % 360.0, 6) % 360.0
             steps.setdefault(azimuth, {"bodies": blocks["bodies"]})[ball] = blocks[ball]
     files = {}
-    for azimuth, shown in steps.items():
-        first = next(name for name in shown if name != "bodies")
+    for azimuth, groups in steps.items():
+        first = next(name for name in groups if name != "bodies")
         files[azimuth] = f"{BLOCK_FOLDER}/azimuth_{first}.vtm"
-        write_text(directory / files[azimuth], _multiblock(shown))
+        write_text(directory / files[azimuth], _multiblock(groups))
     if files:
         write_text(directory / AZIMUTH_FILE, collection_text(files))
