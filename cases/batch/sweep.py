@@ -344,7 +344,7 @@ def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Ca
     elif isinstance(case, Case) and file.compute in ("slip", "dynamics"):
         wrong = (
             None
-            if getattr(case, file.compute) is not None
+            if getattr(case.file, file.compute) is not None
             else f"the case has no table [{file.compute}]"
         )
     elif (

@@ -44,7 +44,7 @@ class BearingTable(Table):
     )
     ball_material: Name | None = described(None, "material of the balls")
     cage_material: Name | None = described(
-        None, "for the dynamics, and for the growth of a warm cage"
+        None, "for the dynamics, and for the thermal growth of the cage"
     )
     first_ball_azimuth_deg: float = between(
         -360.0, 360.0, "azimuth of ball 1 from the load line", default=0.0
@@ -144,7 +144,10 @@ def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
     if diameter is None:
         return
     for ring in ("inner", "outer"):
-        allowed = f"above the ball radius, {0.5 * diameter:g} mm, up to the ball diameter, {diameter:g} mm"
+        allowed = (
+            f"above the ball radius, {0.5 * diameter:g} mm, up to the ball diameter, "
+            f"{diameter:g} mm"
+        )
         path = ("bearing", f"{ring}_groove_radius_mm")
         yield from bounded(values, path, lambda x: 0.5 * diameter < x <= diameter, allowed)
     if pitch is None:
@@ -177,7 +180,10 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
     if distance is None or distance <= 0.0 or clearance is None:
         return
     if not -distance < clearance < 2.0 * distance:
-        allowed = f"allowed: from {-distance:.6g} to {2 * distance:.6g} um with these grooves, ends excluded"
+        allowed = (
+            f"allowed: from {-distance:.6g} to {2 * distance:.6g} um with these grooves, "
+            "ends excluded"
+        )
         found = f"found {shown(clearance)}"
         yield CaseFault(path=("bearing", CLEARANCE[0]), found=found, allowed=allowed)
     elif angle is not None:
@@ -185,7 +191,10 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
         if abs(clearance - expected) > max(CLEARANCE_AGREEMENT_UM, 0.01 * abs(expected)):
             derived = degrees(acos(min(1.0, 1.0 - 0.5 * clearance / distance)))
             found = f"found {shown(angle)} together with {CLEARANCE[0]} = {shown(clearance)}"
-            allowed = f"allowed: one of them, or {derived:.4g} deg with this clearance, {expected:.5g} um with this angle"
+            allowed = (
+                f"allowed: one of them, or {derived:.4g} deg with this clearance, "
+                f"{expected:.5g} um with this angle"
+            )
             yield CaseFault(path=("bearing", CLEARANCE[1]), found=found, allowed=allowed)
 
 

@@ -199,7 +199,7 @@ def _traction(
     oil: Lubricant,
     films: CaseFilms,
 ) -> BallTraction | None:
-    """Friction of balls on races; None where neither [friction] nor the balls' balance needs it."""
+    """Friction of balls on races; None where neither [friction] nor the model needs it."""
     balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     if file.friction.traction is None and not balanced:
         return None

@@ -34,7 +34,8 @@ class ContactEhlTable(Table):
     tolerance: float | None = between(
         1e-5,
         0.5,
-        "wanted relative error bar of the films; `points`, 1025 if left out, is then the most taken",
+        "wanted relative error bar of the films; `points`, 1025 if left out, is then "
+        "the most taken",
     )
     domain: Domain | None = described(
         None,
@@ -177,7 +178,7 @@ def film_model_faults(values: CaseValues) -> Iterator[CaseFault]:
 def contact(
     table: ContactTable, materials: Mapping[str, Material], oil: Lubricant
 ) -> ContactConditions | MoesConditions:
-    """The single contact: load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-]."""
+    """The contact: load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-]."""
     si = table.si()
     angle = si["entrainment_angle"]
     if table.moes_M is not None and table.moes_L is not None:

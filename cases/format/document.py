@@ -41,8 +41,11 @@ NOT_SUPPORTED = "not supported by this version"
 LATER_TABLES = ("load_cases",)
 LATER_VALUES = {("model", "ball_kinematics"): ("minimum dissipation",)}
 NOT_OFFERED = {
-    "minimum dissipation": "not offered, since it jumps between the two race controls and has no balance there; "
-    "allowed: 'traction equilibrium', which balances the friction, or one of the race controls (docs/theory/bearing.md)"
+    "minimum dissipation": (
+        "not offered, since it jumps between the two race controls and has no balance there; "
+        "allowed: 'traction equilibrium', which balances the friction, or one of the race "
+        "controls (docs/theory/bearing.md)"
+    )
 }
 NAMED_TABLES: dict[str, type[Table]] = {
     "materials": MaterialTable,
@@ -253,7 +256,8 @@ def _validate(
         allowed = "needed: schema_version = 1"
         missing = [CaseFault(path=("schema_version",), line=1, found=MISSING, allowed=allowed)]
     notes = [
-        f"{dotted(old)}: is now {dotted(new)}, and will not be read under its old name by the next version"
+        f"{dotted(old)}: is now {dotted(new)}, and will not be read under its old "
+        "name by the next version"
         for new, old in moved.items()
     ]
     try:

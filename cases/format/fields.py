@@ -1,4 +1,4 @@
-"""Types, ranges and checks of single values, from which the tables of a case file are made."""
+"""Types, ranges and checks of single values, of which the tables of a case file consist."""
 
 from collections.abc import Callable
 from functools import cache
@@ -35,7 +35,7 @@ class Table(BaseModel):
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
 
     def si(self) -> dict[str, Any]:
-        """Values in SI, by their keys without units; keys that differ in the unit only stay whole."""
+        """Values in SI by their keys without units; keys that differ in the unit only are kept."""
         names = [_without_unit(key) for key, _ in self]
         return {
             name if names.count(name) == 1 else key: _si(key, value)

@@ -40,7 +40,7 @@ class FilmPhysics:
 
     @property
     def messages(self) -> tuple[str, ...]:
-        """What is to be said of results with this model."""
+        """Notes on results with this model."""
         if self.model is FilmModel.NEWTONIAN or self.rheology is None:
             return ()
         law = self.rheology.law.value
@@ -92,7 +92,8 @@ def film_physics(
 def _solid(body: Material) -> SolidThermal:
     if body.thermal_conductivity is None or body.specific_heat is None:
         raise ValueError(
-            f"materials.{body.name}: thermal_conductivity_W_m_K and specific_heat_J_kg_K are needed with "
+            f"materials.{body.name}: thermal_conductivity_W_m_K and "
+            "specific_heat_J_kg_K are needed with "
             'ehl.film_model = "thermal"'
         )
     return SolidThermal(

@@ -1,6 +1,4 @@
-"""[fit] and [temperatures]: seats of the rings, the clearance in operation, and the heat balance of a
-bearing that heats itself.
-"""
+"""[fit] and [temperatures]: seats of the rings, clearance in operation, and the heat balance."""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
@@ -60,7 +58,7 @@ class TemperaturesTable(Table):
     shaft_C: float | None = between(-200.0, 1000.0, "shaft; left out, as the inner ring")
     housing_C: float | None = between(-200.0, 1000.0, "housing; left out, as the outer ring")
     cage_C: float | None = between(
-        -200.0, 1000.0, "cage, of bearing.cage_material; tells the change of its clearances"
+        -200.0, 1000.0, "cage, of bearing.cage_material; for the change of its clearances"
     )
     oil_inlet_C: float | None = between(-200.0, 1000.0, "recorded only")
     reference_C: float = between(

@@ -229,7 +229,10 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
         return {**given, "pressure_viscosity": of_constants}
     difference = abs(keys[key] / GIGAPASCAL - of_constants)
     if difference > PRESSURE_VISCOSITY_TOLERANCE * of_constants:
-        found = f"found {keys[key]:g}, and the constants of the law give {of_constants * GIGAPASCAL:.4g}"
+        found = (
+            f"found {keys[key]:g}, and the constants of the law give "
+            f"{of_constants * GIGAPASCAL:.4g}"
+        )
         raise UnfitKey(("lubricant", key), found, "allowed: left out, or that of the constants")
     return given
 
@@ -246,7 +249,9 @@ def warn_of_temperature(oil: Lubricant, measured_at: float | None) -> None:
     follows = oil.tait.bulk_modulus_temperature > 0.0 or expansion is not None
     if abs(oil.temperature - measured_at) > SAME_TEMPERATURE and not follows:
         warnings.warn(
-            f"lubricant {oil.name!r}: constants of Tait and Doolittle of {measured_at - ZERO_CELSIUS:g} C are "
-            f"taken at {oil.temperature - ZERO_CELSIUS:g} C; only viscosity and density at ambient pressure follow it",
+            f"lubricant {oil.name!r}: constants of Tait and Doolittle of "
+            f"{measured_at - ZERO_CELSIUS:g} C are "
+            f"taken at {oil.temperature - ZERO_CELSIUS:g} C; only viscosity and "
+            "density at ambient pressure follow it",
             stacklevel=2,
         )

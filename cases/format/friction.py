@@ -45,7 +45,8 @@ class FrictionTable(Table):
     traction_limit: float | None = between(0.0, 1.0, "four constants: coefficient at large slide")
     models: Literal["main", "all"] = described(
         "main",
-        "torque models shown: main are integrated, skf, palmgren and coulomb; all adds those of single papers",
+        "torque models shown: main are integrated, skf, palmgren and coulomb; all "
+        "adds those of single papers",
     )
     lubrication: Literal["oil bath", "low oil bath", "oil jet", "grease", "oil air"] = described(
         "low oil bath", "how the oil comes to the bearing, for SKF's model and Palmgren's"
@@ -84,7 +85,8 @@ class FrictionTable(Table):
     supply_mL_min: float | None = between(
         0.0,
         1.0e6,
-        "oil supplied, for the model starved, with [surface] and bearing.width_mm; or inlet_film_um",
+        "oil supplied, for the model starved, with [surface] and bearing.width_mm; "
+        "or inlet_film_um",
     )
     supply_track_share: float = above(
         0.0,
@@ -105,7 +107,7 @@ class FrictionTable(Table):
         default=20.0,
     )
     heat_transfer_W_K: float | None = above(
-        0.0, 1.0e5, "heat to the surroundings per kelvin; asks for the block self_heating"
+        0.0, 1.0e5, "heat to the surroundings per kelvin; needed for the block self_heating"
     )
     ambient_C: float = between(-100.0, 300.0, "temperature of the surroundings", default=20.0)
     cooling_oil_mL_min: float | None = between(
@@ -289,7 +291,8 @@ def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
     if coefficient is None and law is not ShearLaw.NEWTONIAN:
         coefficient = LIMITING_COEFFICIENT
         assumed.append(
-            f"limiting_stress_coefficient = {coefficient:g} (paraffinic mineral oil, Arana et al., 2019)"
+            f"limiting_stress_coefficient = {coefficient:g} (paraffinic mineral oil, "
+            "Arana et al., 2019)"
         )
     if law is ShearLaw.REE_EYRING and eyring is None:
         eyring = 2.0 * LIMITING_COEFFICIENT / lubricant.pressure_viscosity / MEGAPASCAL

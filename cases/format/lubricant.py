@@ -117,12 +117,14 @@ class LubricantTable(OilTable):
     )
     supply: Literal["flooded", "starved"] | None = described(
         None,
-        "what the total of the torque is for; left out, starved with inlet_film_um or supply_mL_min",
+        "what the total of the torque is for; left out, starved with inlet_film_um "
+        "or supply_mL_min",
     )
     inlet_film_um: float | None = between(
         0.0,
         1.0e4,
-        "layer of oil that every contact finds at its inlet, on both surfaces together; or supply_mL_min",
+        "layer of oil that every contact finds at its inlet, on both surfaces "
+        "together; or supply_mL_min",
     )
     contamination_factor: float | None = between(
         0.0, 1.0, "e_C of ISO 281, 1 clean; left out, no modified life is computed"
@@ -244,7 +246,10 @@ def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFa
     exponent = alpha * pressure * 1e-3 / scale if scale > 0.0 else -1.0
     if not 0.0 < exponent <= 2.0:
         found = f"found {shown(alpha)}, with which Roelands' identity gives z = {exponent:.3g}"
-        allowed = "allowed: a viscosity and coefficient with 0 < z <= 2, a roelands_z, or another viscosity_law"
+        allowed = (
+            "allowed: a viscosity and coefficient with 0 < z <= 2, a roelands_z, or "
+            "another viscosity_law"
+        )
         key = PRESSURE_VISCOSITY
         if scale <= 0.0:
             key, found = VISCOSITIES[0], f"found {shown(eta)}"
@@ -347,8 +352,8 @@ def _of_library(
 
     With the case's `own` constants it comes with the library's laws.
     """
-    asked = ("viscosity_law", "density_law")
-    laws = {} if own else {key: given[key] for key in asked if key in given}
+    chosen = ("viscosity_law", "density_law")
+    laws = {} if own else {key: given[key] for key in chosen if key in given}
     base = library_lubricant(given.pop("name"), temperature, **laws)
     return base, lubricant_data(base.name).get("doolittle", {}).get("reference_K")
 

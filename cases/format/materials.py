@@ -35,7 +35,8 @@ class MaterialTable(Table):
     )
     kind: Literal["bearing steel", "silicon nitride", "other"] | None = Field(
         None,
-        description='for the rating life; left out, that of the library\'s of this name, or "other"',
+        description="for the rating life; left out, that of the library's of this name, or "
+        '"other"',
     )
     source: str = described("case file", "where the numbers come from")
 

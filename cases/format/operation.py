@@ -67,7 +67,8 @@ class ModelTable(Table):
         "half and half", "outer race control", "inner race control", "traction equilibrium"
     ] = described(
         "half and half",
-        "what fixes the balls' axis of rotation; left out with friction.traction, traction equilibrium",
+        "what fixes the balls' axis of rotation; left out with friction.traction, "
+        "traction equilibrium",
     )
     curvature: Literal["operating", "free"] = described(
         "operating", "contact angle at which the curvatures of the contacts are taken"
@@ -91,7 +92,10 @@ def operation_faults(values: CaseValues) -> Iterator[CaseFault]:
     displacement = values.get("operation", "displacement_um") or ()
     for direction, fixed, load in zip("xyz", displacement, force, strict=False):
         if fixed != FREE_WORD and load:
-            found = f"found a displacement along {direction} together with a load of {shown(load)} N along {direction}"
+            found = (
+                f"found a displacement along {direction} together with a load of "
+                f"{shown(load)} N along {direction}"
+            )
             yield _given_twice("displacement_um", found, "load")
     moment = values.get("operation", "moment_N_mm") or ()
     if values.get("operation", "tilt") == "held" and any(moment):
@@ -101,7 +105,10 @@ def operation_faults(values: CaseValues) -> Iterator[CaseFault]:
     angles = values.get("operation", "tilt_mrad") or ()
     for axis, angle, load in zip("yz", angles, moment, strict=False):
         if angle != FREE_WORD and load:
-            found = f"found a tilt about {axis} together with a moment of {shown(load)} N mm about {axis}"
+            found = (
+                f"found a tilt about {axis} together with a moment of {shown(load)} N mm "
+                f"about {axis}"
+            )
             yield _given_twice("tilt_mrad", found, "moment")
 
 
@@ -141,7 +148,7 @@ def _loads(loads: tuple[float, ...], fixed: tuple[float | None, ...]) -> Any:
 
 
 def model(table: ModelTable, friction: FrictionTable) -> Model:
-    """Assumptions of the bearing model [-]; traction equilibrium where only a traction is given."""
+    """Assumptions of the bearing model [-]; traction equilibrium where a traction is given."""
     named = friction.traction is not None and "ball_kinematics" not in table.model_fields_set
     kinematics = BallKinematics(table.ball_kinematics)
     return Model(

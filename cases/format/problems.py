@@ -131,7 +131,7 @@ def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseFault:
 
 
 def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
-    """A key the table does not have: its nearest name, or the table it belongs to, or all names."""
+    """A key the table does not have: its nearest name, the table it belongs to, or all names."""
     key = str(path[-1])
     parent = path[:-1]
     if "contact" in schema["properties"] and path in OF_BEARINGS:
@@ -166,7 +166,7 @@ def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
 
 
 def resolved(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
-    """A node of a JSON Schema with its reference followed and the null of optional keys left out."""
+    """A node of a JSON Schema, its reference followed, without the null of optional keys."""
     options = [option for option in node.get("anyOf", ()) if option.get("type") != "null"]
     if len(options) == 1:
         node = {**{key: value for key, value in node.items() if key != "anyOf"}, **options[0]}

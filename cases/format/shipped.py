@@ -56,7 +56,8 @@ def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:
     if special:
         raise CaseError(
             [
-                f"{text}: is not a regular file; allowed: a {kind} file or the name of a shipped {kind}"
+                f"{text}: is not a regular file; allowed: a {kind} file or the name "
+                f"of a shipped {kind}"
             ]
         )
     nearest = nearest_name(path.stem, [*cases, *(local.stem for local in _local_cases(path))])

@@ -1,4 +1,4 @@
-"""Where the keys of a TOML document stand: `tomllib` tells values, not lines."""
+"""Where the keys of a TOML document stand: `tomllib` gives values, not lines."""
 
 import re
 

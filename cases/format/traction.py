@@ -1,5 +1,5 @@
-"""[friction] traction: friction of balls on races in traction equilibrium, and traction tables from a
-file, refused unless they were made for the bearing and oil that take them.
+"""[friction] traction: friction of balls on races in traction equilibrium, and tables of it from a
+file, refused unless they are of the bearing and oil that take them.
 """
 
 from collections.abc import Callable
@@ -45,7 +45,7 @@ def ball_traction(
     Raises
     ------
     ValueError
-        If the file of a table cannot be read, or was made for another bearing or oil.
+        If the file of a table cannot be read, or is of another bearing or oil.
     """
     resistance = resistance_of(
         friction.cage, bearing, oil.viscosity, oil.density, friction.oil_fraction
@@ -105,7 +105,7 @@ def read_race_tables(
     Raises
     ------
     ValueError
-        If the file cannot be read, is damaged, or was built for another bearing or oil; the message
+        If the file cannot be read, is damaged, or is of another bearing or oil; the message
         begins with its name.
     """
     return fitting_tables(

@@ -61,7 +61,8 @@ def run_case(
     notify = progress or (lambda done, total, state: None)
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
-    case = replace(case, traction=with_workers(case.traction, workers, notify, solve))
+    if case.traction is not None:
+        case = replace(case, traction=with_workers(case.traction, workers, notify, solve))
     state = _equilibrium(case)
     contacts = contact_conditions(state, case.lubricant)
     timing = {"quasistatic": perf_counter() - start}

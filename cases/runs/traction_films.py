@@ -41,13 +41,13 @@ class PooledFilms:
 
 
 def with_workers(
-    traction: BallTraction | None,
+    traction: BallTraction,
     workers: int | None = None,
     progress: Progress | None = None,
     solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None = None,
-) -> BallTraction | None:
+) -> BallTraction:
     """The friction with its films, if it takes any, solved by so many workers [-]."""
-    if traction is None or not isinstance(traction.source, FilmTraction):
+    if not isinstance(traction.source, FilmTraction):
         return traction
     source = traction.source
     if not isinstance(source.solve, CaseFilms):

@@ -32,6 +32,8 @@ FOREIGN = {
 def text_of(old="", new=""):
     """The shipped 7008 under axial load, its friction from tables, with a change."""
     text = find_case("7008_axial").read_text(encoding="utf-8")
+    before, _, after = text.partition("[friction]\n")  # its four constants
+    text = before + after[after.index("[dynamics]\n") :]
     text = text.replace("[dynamics]\n", '[dynamics]\nfriction = "table"\n')
     assert old in text
     return text.replace(old, new)
