@@ -100,9 +100,7 @@ class Bearing:
 
     @property
     def free_axial_position(self) -> float:
-        """Axial displacement of the inner ring from facing grooves to first touch, A sin(free
-        angle) [m].
-        """
+        """Axial displacement from facing grooves to first touch, A sin(free angle) [m]."""
         return self.curvature_centre_distance * sqrt(
             max(0.0, 1.0 - cos(self.free_contact_angle) ** 2)
         )

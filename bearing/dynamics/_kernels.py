@@ -65,9 +65,7 @@ from .layout import BODIES, CAGE, CAGE_ROTATION, CAGE_TILT, FREE_TURN, RING, RIN
 
 @compiled
 def schedule_at(schedule, t, out):
-    """Speeds, force and moment of the schedule at a time, linear between its rows; returns the
-    inner acceleration.
-    """
+    """Speeds, force and moment of the schedule at a time; returns the inner acceleration."""
     n = schedule.shape[0]
     k = 0
     while k < n - 2 and t >= schedule[k + 1, TIME]:
@@ -86,9 +84,7 @@ def schedule_at(schedule, t, out):
 
 @compiled
 def place_body(y, first, tilt, first_velocity, spin, body):
-    """Row of a body from its coordinates, `tilt` the place of its tilts among them, and its speed
-    about the axis.
-    """
+    """Row of a body from its coordinates, `tilt` the index of its tilts, and its axial speed."""
     ty, tz = y[first + tilt], y[first + tilt + 1]
     size = 1.0 / np.sqrt(1.0 + ty * ty + tz * tz)
     axis = (size, tz * size, -ty * size)
@@ -132,9 +128,7 @@ def ball_equations(c, free, y, forces, power, dy):
 
 @compiled
 def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
-    """The inner ring: contacts, loads, unbalance, support, weight, gyroscopic coupling of its
-    tilts.
-    """
+    """The inner ring: contacts, loads, unbalance, support, weight, gyroscopic coupling."""
     first = velocities(c.balls)
     phase = y[ring_angle(c.balls)] + c.unbalance_phase
     spin = given[INNER_SPEED]
@@ -229,9 +223,7 @@ def contact_forces(p, y):
 
 @compiled
 def derivative(t, y, p, dy):
-    """Rates of the state vector at a time; states of the contacts and powers are left in the
-    arrays of `p`.
-    """
+    """Rates of the state vector; contact states and powers are left in the arrays of `p`."""
     c, given, free = p.constants, p.given, p.free
     acceleration = schedule_at(p.schedule, t, given)
     place_bodies(c.balls, y, given[INNER_SPEED], given[OUTER_SPEED], p.bodies)

@@ -80,9 +80,7 @@ KINETIC, ELASTIC, POTENTIAL = range(3)  # columns of the stored energies [J]
 
 
 class FrictionData(NamedTuple):
-    """Friction of one race: arrays of `ehl.traction` for a coefficient and for a table, one of
-    them in use.
-    """
+    """Friction of one race: arrays for a coefficient and for a table, one of them in use."""
 
     disc: Array  # quadrature over the ellipse, shape (3, n) [-]
     law: Array

@@ -156,9 +156,7 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
 def normal_laws(
     bearing: Bearing, normal: NormalContact, cage: CageBody | None, angles: tuple[float, float]
 ) -> Array:
-    """Stiffness [N/m^n], exponent and damping factor [-] of inner race, outer race, pocket, land,
-    shape (4, 3).
-    """
+    """Stiffness [N/m^n], exponent, damping [-] of races, pocket, land, shape (4, 3)."""
     chi = damping_factor(normal.law, normal.restitution)
     rows = []
     for race, angle, given in zip(
@@ -180,9 +178,7 @@ def normal_laws(
 
 
 def schedule_rows(operation: Operation, model: DynamicsModel) -> Array:
-    """Rows of time, speeds, force, moment for the kernel; a load on a fixed coordinate counts
-    nothing.
-    """
+    """Rows of time, speeds, force, moment; loads on fixed coordinates count nothing."""
     times = (0.0,) if model.schedule is None else model.schedule.time
     rows = np.column_stack([times, np.array(model.rows(operation))])
     return np.ascontiguousarray(rows, dtype=np.float64)

@@ -119,9 +119,7 @@ def cage_body(bearing: Bearing, material: Material, **given: float | Guidance | 
 
 
 def load_type(operation: Operation, model: DynamicsModel) -> LoadType:
-    """The fewest equations that the loads allow, after Ma et al. (2023): radial, axial, combined,
-    or general.
-    """
+    """Fewest equations the loads allow, Ma et al. (2023): radial, axial, combined, general."""
     loads = np.array(model.rows(operation))[:, GIVEN_FORCE:]
     general = (
         any(model.options.gravity)
@@ -160,9 +158,7 @@ def free_coordinates(
 
 
 def equation_counts(kind: LoadType, balls: int, operation: Operation) -> dict[str, int]:
-    """Unknowns of the static, quasi-static and dynamic model, Ma et al. (2023), Table 1; planar,
-    general: ours [-].
-    """
+    """Unknowns of static, quasi-static, dynamic model [-], Ma et al. (2023), Table 1."""
     ring, cage, ball = (sum(part) for part in free_coordinates(kind, operation))
     static = ring
     quasi = {

@@ -90,9 +90,7 @@ def four_constant_friction(
     *,
     at_centre: bool = False,
 ) -> RaceFriction:
-    """mu = (A + B s) exp(-C s) + D on both races; contact angles inner and outer [rad], constants
-    [-].
-    """
+    """mu = (A + B s) exp(-C s) + D on both races; angles inner and outer [rad], constants [-]."""
     a, b, c, d = constants
     laws = [
         FourConstantLaw(contact_shape(bearing, race, angle), a=a, b=b, c=c, d=d)

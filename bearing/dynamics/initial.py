@@ -1,6 +1,4 @@
-"""The state from which a simulation starts: the quasi-static equilibrium, or balls on the outer
-race.
-"""
+"""Where a simulation starts: quasi-static equilibrium, or balls on the outer race."""
 
 from dataclasses import dataclass, replace
 from typing import Any
@@ -104,9 +102,7 @@ def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) 
 def mean_angles(
     solution: QuasistaticSolution, nominal: tuple[float, float]
 ) -> tuple[float, float]:
-    """Contact angles of an equilibrium, weighted by the loads; the nominal one where nothing is
-    loaded [rad].
-    """
+    """Load-weighted contact angles of an equilibrium; nominal where nothing is loaded [rad]."""
     pairs = (
         (solution.inner_contact_angle, solution.inner_load, nominal[0]),
         (solution.outer_contact_angle, solution.outer_load, nominal[1]),

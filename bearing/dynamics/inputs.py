@@ -1,6 +1,4 @@
-"""What a time simulation is asked: cage, laws of the contacts, drag, schedule, accuracy; frozen,
-SI.
-"""
+"""Inputs of a time simulation: cage, contact laws, drag, schedule, accuracy; frozen, SI."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
@@ -42,9 +40,7 @@ class Guidance(Enum):
 
 
 class Start(Enum):
-    """State from which the simulation starts: equilibrium, rolling on the outer race, or at rest
-    on it.
-    """
+    """Start of the simulation: equilibrium, rolling on the outer race, or at rest on it."""
 
     QUASI_STATIC = "quasi-static"
     ROLLING = "rolling"
@@ -100,9 +96,7 @@ class NormalContact:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CageBody:
-    """The cage as a rigid body; its pockets are cylinders along the radius, or spheres where balls
-    guide it.
-    """
+    """The cage as a rigid body; pockets are radial cylinders, or spheres where balls guide it."""
 
     mass: float  # [kg]
     polar_inertia: float  # [kg m^2]
@@ -137,9 +131,7 @@ class CageBody:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RingBody:
-    """The inner ring, with what turns with it: mass [kg], inertias [kg m^2], and the damping of
-    its support [N s/m].
-    """
+    """Inner ring and what turns with it: mass [kg], inertias [kg m^2], damping [N s/m]."""
 
     mass: float
     polar_inertia: float

@@ -97,9 +97,7 @@ def drag_of_mixture(
 
 
 def drag_of_force(bearing: Bearing, operation: Operation, force: float) -> float:
-    """Drag of a ball over the square of its speed [N s^2/m^2] from its drag [N] at the kinematic
-    speed of the operation.
-    """
+    """Drag over speed squared [N s^2/m^2] from a drag [N] at the kinematic orbit speed."""
     angle = bearing.free_contact_angle if operation.force[0] else 0.0
     speed = kinematic_cage_speed(bearing, operation.inner_speed, operation.outer_speed, angle)
     speed *= 0.5 * bearing.pitch_diameter

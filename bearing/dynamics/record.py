@@ -11,9 +11,7 @@ from .layout import Layout
 
 
 class Record(NamedTuple):
-    """Rows of the history; states [SI], contacts (`arrays.RACE_NAMES`), pockets, energies [J],
-    loads [N, N m].
-    """
+    """Rows of the history [SI]: states, contacts (`arrays.RACE_NAMES`), pockets, energies."""
 
     time: Array  # (m,) [s]
     state: Array  # (m, size)

@@ -1,6 +1,4 @@
-"""Statistics of a simulation: energies, speeds over its last third with confidence intervals,
-contact states, loads, whirl.
-"""
+"""Statistics of a simulation: energies, speeds with intervals, contact states, whirl."""
 
 from dataclasses import dataclass, field
 
@@ -106,9 +104,7 @@ class SimulationStatistics:
 
 
 def orbit_speeds(states: Array, layout: Layout) -> Array:
-    """Angular speeds of the balls' centres about the axis [rad/s], shape (m, Z), from rows of
-    states.
-    """
+    """Angular speeds of the balls' centres about the axis [rad/s], shape (m, Z)."""
     place = states[:, layout.ball].reshape(len(states), -1, 3)
     speed = states[:, layout.ball_speed].reshape(len(states), -1, 3)
     turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]

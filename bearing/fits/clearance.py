@@ -78,9 +78,7 @@ class ClearanceBudget:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Cylinder:
-    """A ring, a shaft (inner diameter 0 where it is solid) or a housing: diameters [m], speed
-    [rad/s], temperature rise [K].
-    """
+    """Ring, shaft or housing: diameters [m], speed [rad/s], temperature rise [K]."""
 
     material: Material
     inner: float
@@ -195,9 +193,7 @@ def groove_diameters(bearing: Bearing) -> tuple[float, float]:
 def _changes(
     bearing: Bearing, fit: Fit | None, rise: TemperatureRise, speeds: tuple[float, float]
 ) -> dict[str, float]:
-    """Change of clearance and its parts, interferences [m] and pressures [Pa] at given
-    temperatures and speeds.
-    """
+    """Change of clearance and parts, interferences [m], pressures [Pa] at given conditions."""
     bottom, top = groove_diameters(bearing)
     bore, outside = bearing.bore or 0.0, bearing.outside_diameter or 0.0
     inner = _Cylinder(

@@ -1,6 +1,4 @@
-"""A bearing heated by its own friction: torque to temperature, to viscosity and clearance, to
-loads, and back to torque.
-"""
+"""Self-heating: torque to temperature, to viscosity and clearance, to loads, to torque."""
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
@@ -92,9 +90,7 @@ class SelfHeatingSolution:
 
 
 def self_heating(problem: SelfHeatingProblem, cooling: Cooling) -> HeatBalance:
-    """Temperature [K] at which the friction of a bearing is what its surroundings and its oil
-    remove.
-    """
+    """Temperature [K] at which friction equals what surroundings and oil remove."""
     speed = abs(problem.operation.inner_speed - problem.operation.outer_speed)
     return heat_balance(problem.torque_at, speed, cooling)
 
@@ -102,9 +98,7 @@ def self_heating(problem: SelfHeatingProblem, cooling: Cooling) -> HeatBalance:
 def solve_self_heating(
     problem: SelfHeatingProblem, cooling: Cooling, model: str
 ) -> SelfHeatingSolution:
-    """`self_heating` with oil and clearance at the temperature [K], or why there is none; `model`
-    names the friction torque.
-    """
+    """`self_heating` with oil and clearance at the temperature [K], or why there is none."""
     try:
         balance = self_heating(problem, cooling)
         if not balance.converged:

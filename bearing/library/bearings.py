@@ -17,9 +17,7 @@ def list_bearings() -> tuple[str, ...]:
 
 
 def published_bearings() -> tuple[str, ...]:
-    """Names of the bearings whose ball, number of balls and pitch diameter come from a
-    publication.
-    """
+    """Bearings whose ball, number of balls and pitch diameter are published."""
     return tuple(library_data(PUBLISHED))
 
 

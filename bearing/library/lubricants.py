@@ -1,6 +1,4 @@
-"""Lubricants by name: viscosity, pressure-viscosity coefficient, density and thermal properties at
-a temperature.
-"""
+"""Lubricants by name: viscosity, pressure-viscosity, density, thermal properties."""
 
 import warnings
 from collections.abc import Callable
@@ -105,9 +103,7 @@ def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
 
 
 def _free_volume(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
-    """Constants of Tait and Doolittle, which hold at the temperature of operation; none if the oil
-    has none.
-    """
+    """Constants of Tait and Doolittle at the temperature of operation, if the oil has any."""
     data = entry.get("doolittle")
     if data is None:
         return {}
@@ -152,9 +148,7 @@ def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) 
 
 
 def viscosity_walther(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], c (exp(exp(a - b ln T)) - d), of Walther's form; the temperature
-    in [K].
-    """
+    """Dynamic viscosity [Pa s], Walther: c (exp(exp(a - b ln T)) - d), T in [K]."""
     return float(
         entry["c_Pa_s"] * (exp(exp(entry["a"] - entry["b"] * log(temperature))) - entry["d"])
     )
@@ -171,9 +165,7 @@ def viscosity_astm_d341(entry: dict[str, Any], temperature: float, density: floa
 
 
 def viscosity_dynamic_d341(entry: dict[str, Any], temperature: float, _density: float) -> float:
-    """Dynamic viscosity [Pa s], the form of ASTM D341 through two dynamic viscosities in mPa s;
-    temperature in [K].
-    """
+    """Dynamic viscosity [Pa s], form of ASTM D341 through two viscosities in mPa s; T in [K]."""
     return 1e-3 * _d341(entry["temperature_K"], entry["value_mPa_s"], temperature)
 
 

@@ -1,6 +1,4 @@
-"""Names of catalogue and libraries, matched without regard to case, spaces and hyphens, and their
-data files.
-"""
+"""Names of libraries, matched without case, spaces and hyphens, and their data files."""
 
 import tomllib
 from collections.abc import Iterable
@@ -17,9 +15,7 @@ def plain_name(name: str) -> str:
 
 
 def matching_name(name: str, names: Iterable[str]) -> str | None:
-    """The one of `names` that `name` means: itself, else the first that `plain_name` makes equal;
-    None if none is.
-    """
+    """The one of `names` that `name` means: itself, else the first of equal `plain_name`."""
     names = tuple(names)
     if name in names:
         return name

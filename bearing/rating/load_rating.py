@@ -1,6 +1,4 @@
-"""Load ratings of a ball bearing from its geometry, after ISO 281 and ISO 16281; `life` says what
-was read of them.
-"""
+"""Load ratings from the geometry, ISO 281 and ISO 16281; `life` says what was read."""
 
 from dataclasses import replace
 from math import cos, degrees
@@ -34,9 +32,7 @@ MM = 1e-3  # in SI
 
 
 def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
-    """Why `dynamic_rating` does not hold for a geometry, empty if it does; the nominal contact
-    angle in [rad].
-    """
+    """Why `dynamic_rating` does not hold for a geometry, or empty; nominal angle in [rad]."""
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
     if not SMALLEST_GAMMA <= gamma <= LARGEST_GAMMA:
         return (
@@ -175,9 +171,7 @@ def static_rating(bearing: Bearing, contact_angle: float) -> float:
 def load_at_pressure(
     bearing: Bearing, contact_angle: float, pressure: float
 ) -> tuple[float, float]:
-    """Ball loads [N] on the inner and the outer race at a Hertz pressure [Pa] and contact angle
-    [rad].
-    """
+    """Ball loads [N] on inner and outer race at a Hertz pressure [Pa] and angle [rad]."""
     units = [
         hertz_contact(1.0, *reduced_radii(bearing, r, contact_angle), contact_modulus(bearing, r))
         for r in Race

@@ -40,9 +40,7 @@ Mapper = Callable[[Callable[[Any], Any], Iterable[Any]], Iterable[Any]]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SlipStudy:
-    """A bearing whose axial load and speed are varied; tilt and the other loads are those of
-    `operation`.
-    """
+    """A bearing whose axial load and speed vary; other loads and tilt as in `operation`."""
 
     bearing: Bearing
     operation: Operation  # its axial direction must be loaded, not displaced
@@ -69,18 +67,14 @@ class SlipStudy:
         return solution if solution.converged else None
 
     def least_preload(self, speed: float) -> float:
-        """Axial load [N] without which some ball must slip at `speed` [rad/s], limit Z Fc at the
-        free angle.
-        """
+        """Axial load [N] below which a ball must slip at `speed` [rad/s], limit Z Fc."""
         problem = ball_problem(self.bearing, speed, self.operation.outer_speed, self.model)
         return self.limit * self.bearing.balls * problem.nominal_force
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SlipSurface:
-    """Slip factors over speed and axial load: speeds [rad/s], axial_loads [N], factors (n, F, Z)
-    [-], NaN unsolved.
-    """
+    """Slip factors (n, F, Z) [-] over speeds [rad/s] and axial_loads [N], NaN unsolved."""
 
     speeds: Array
     axial_loads: Array
@@ -99,9 +93,7 @@ class SlipSurface:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CriticalCurves:
-    """Axial load [N], shape (R, Z), at which each ball just slips, over radial_loads [N], at one
-    speed [rad/s].
-    """
+    """Axial load [N], shape (R, Z), at which each ball just slips, over radial_loads [N]."""
 
     speed: float
     radial_loads: Array
@@ -255,9 +247,7 @@ def _trials(study: SlipStudy, speed: float) -> Iterator[float]:
 
 
 def _descent(study: SlipStudy, speed: float) -> Iterator[tuple[float, QuasistaticSolution]]:
-    """Axial loads and solutions, from one at which no ball slips down to where all do or the load
-    is very light.
-    """
+    """Axial loads and solutions, from no ball slipping down to all slipping or hardly a load."""
     last = None
     load = nan
     for load in _trials(study, speed):
@@ -288,9 +278,7 @@ def _root(
     of_factors: Callable[[Array], Any],
     initial_guess: QuasistaticSolution,
 ) -> float:
-    """Axial load [N] within the bracket at which a value of the factors passes the limit; NaN
-    without equilibrium.
-    """
+    """Axial load [N] in the bracket where a factor passes the limit; NaN: no equilibrium."""
     unsolved = False
 
     def excess(load: float) -> float:

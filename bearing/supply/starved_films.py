@@ -1,6 +1,4 @@
-"""Films of the contacts of a bearing that gets little oil: what a supply leaves of the flooded
-ones.
-"""
+"""Films of a bearing's contacts with little oil: what a supply leaves of the flooded ones."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -107,9 +105,7 @@ def least_lambda(films: Sequence[StarvedFilm]) -> float:
 def _flooded(
     contact: BearingContact, solution: ContactSolution | None
 ) -> tuple[float, float, bool] | None:
-    """Central and minimum film [m], and whether they were solved; None where there is none or no
-    formula applies.
-    """
+    """Central and minimum film [m], and whether solved; None where no formula applies."""
     if contact.conditions is None or contact.hertz is None:
         return None
     if solution is not None and solution.converged:

@@ -54,9 +54,7 @@ from ._kernels import (
 
 @compiled
 def pocket_motion(c, body, angle, position, velocity, turn):
-    """Where and how a ball meets its pocket: normal, point, slide vector and its size, rate of the
-    approach, approach.
-    """
+    """Where a ball meets its pocket: normal, point, slide vector and size, approach and rate."""
     axis = vector(body, AXIS)
     e1, e2 = np.cos(angle), np.sin(angle)
     tilted = e1 * axis[1] + e2 * axis[2]
@@ -82,9 +80,7 @@ def pocket_motion(c, body, angle, position, velocity, turn):
 
 @compiled
 def pocket_forces(c, body, law, memory, angles, y, forces, load, power, pocket_out):
-    """Forces of the pockets on the balls: contact with friction, and the shear of a thin film on
-    the loaded side.
-    """
+    """Forces of pockets on balls: contact with friction, shear of a film on the loaded side."""
     rotation = y[RING + CAGE_ROTATION]
     for j in range(c.balls):
         position = vector(y, ball_position(j))

@@ -196,9 +196,7 @@ def record_contact(k, f, out):
 
 @compiled
 def race_forces(c, kind, race, body, law, memory, motion, friction, forces, load, power, race_out):
-    """Forces of one race on every ball, and of the balls on the race; powers; states of the
-    contacts.
-    """
+    """Forces of one race on every ball and back; powers; states of the contacts."""
     for j in range(c.balls):
         k = motion[j]
         f = friction[j]

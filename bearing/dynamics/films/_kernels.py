@@ -26,9 +26,7 @@ def smallest_load(axes):
 
 @compiled
 def weights(place, axis):
-    """First coefficient, four weights of a uniform cubic B-spline and their slopes, at a place
-    clamped to its axis.
-    """
+    """Index, weights and slopes of a uniform cubic B-spline at a place clamped to its axis."""
     t = min(max(place - axis[0], 0.0) * axis[1], axis[2] - 1.0)
     i = min(max(int(t), 0), int(axis[2]) - 2)
     t -= i

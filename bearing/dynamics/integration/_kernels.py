@@ -170,9 +170,7 @@ def mark_films(p):
 
 @compiled
 def add_film_work(p, y):
-    """After a step: energy that separating films took up, -integral of Q dh_c by trapezoids,
-    O(h^2).
-    """
+    """After a step: energy taken up by separating films, -integral of Q dh_c, O(h^2)."""
     if p.friction_kind != FILM:
         return
     place = accumulators(p.constants.balls) + FILMS
@@ -299,9 +297,7 @@ def advance_samples(t, y, h, p, control, scale, k, trial, history, counters, rec
 
 @compiled
 def jacobian(t, y, p, scale, out):
-    """Jacobian of the mechanical equations by forward differences over `scale`, shape (mechanical,
-    mechanical).
-    """
+    """Jacobian of the mechanical equations by forward differences, (mechanical, mechanical)."""
     base, rates, trial = np.empty(y.size), np.empty(y.size), np.empty(y.size)
     derivative(t, y, p, base)
     for place in range(scale.size):

@@ -60,9 +60,7 @@ def advance_implicit(
 def _advance_to(
     state: SimulationState, data: EquationData, end: float, control: StepControl, scale: Array
 ) -> bool:
-    """Steps of LSODA up to `end` [s], the memory of the impacts brought up to date after each;
-    whether it was reached.
-    """
+    """Steps of LSODA up to `end` [s], impacts remembered after each; whether it was reached."""
     rates = np.zeros_like(state.y)
     before = state.y.copy()
     _kernels.derivative(state.time, state.y, data, rates)
