@@ -190,6 +190,11 @@ def _with_new_names(
     """The document with keys of [dynamics] that now belong to [friction], their paths in the file
     by their new ones, and a fault where both are given.
     """
+    assumed = document.get("assumed")
+    if isinstance(assumed, list | tuple):
+        names = {f"dynamics.{key}": f"friction.{new}" for key, new in RENAMED.items()}
+        assumed = [names.get(name, name) if isinstance(name, str) else name for name in assumed]
+        document = {**document, "assumed": assumed}
     simulation, friction = document.get("dynamics"), document.get("friction", {})
     if not isinstance(simulation, dict) or not isinstance(friction, dict):
         return document, {}, []
@@ -208,11 +213,6 @@ def _with_new_names(
         elif new != "coefficient" or law == "coulomb":  # without its law it had no effect
             friction[new] = value
             moved["friction", new] = ("dynamics", key)
-    assumed = document.get("assumed")
-    if isinstance(assumed, list | tuple):
-        names = {f"dynamics.{key}": f"friction.{new}" for key, new in RENAMED.items()}
-        assumed = [names.get(name, name) if isinstance(name, str) else name for name in assumed]
-        document = {**document, "assumed": assumed}
     if friction:
         document = {**document, "friction": friction}
     return {**document, "dynamics": simulation}, moved, faults

@@ -57,6 +57,8 @@ class Where:
     def holds(self, values: CaseValues) -> bool:
         """Whether a document is like this."""
         path = _path(self.key)
+        if len(path) == 1:
+            return values.get(*path) is not None
         if self.value is not None:
             return bool(values.get(*path) == self.value)
         return bool(values.get(*path)) if self.nonzero else values.given(*path)
