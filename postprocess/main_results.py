@@ -80,7 +80,9 @@ def _bearing(summary: dict[str, Any]) -> dict[str, Any]:
     """Largest load and pressure, thinnest film, torque, cage speed, life."""
     contacts = [contact for contact in summary["contacts"] if contact["loaded"]]
     films = [contact for contact in contacts if contact["film_minimum_um"] is not None]
-    thinnest = min(films, key=lambda contact: contact["film_minimum_um"], default={})
+    thinnest: dict[str, Any] = min(
+        films, key=lambda contact: contact["film_minimum_um"], default={}
+    )
     return {
         "load_maximum_N": max((c["load_N"] for c in contacts), default=None),
         "hertz_pressure_maximum_GPa": max(

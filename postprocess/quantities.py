@@ -44,7 +44,7 @@ def quantities(
     Each row is key, title, attribute of the part and, where there is one, a short title.
     """
     return tuple(
-        Quantity(key, title, source + name, null, *symbol, words=words)
+        Quantity(key, title, source + name, null, "".join(symbol), words)
         for key, title, name, *symbol in rows
     )
 

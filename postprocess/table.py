@@ -22,7 +22,8 @@ def number_table(
     headers: Iterable[str], rows: Iterable[Iterable[str]], left: Iterable[str] = (), **style: Any
 ) -> Table:
     """Columns aligned right, those named in `left` aligned left, a line below the head."""
-    table = Table(**{"box": box.SIMPLE_HEAD, "pad_edge": False, "title_justify": "left"} | style)
+    own: dict[str, Any] = {"box": box.SIMPLE_HEAD, "pad_edge": False, "title_justify": "left"}
+    table = Table(**own | style)
     for header in headers:
         table.add_column(header, justify="left" if header in left else "right", no_wrap=True)
     for row in rows:

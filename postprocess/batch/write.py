@@ -91,7 +91,7 @@ def _per_ball(results: BatchResults) -> Variables:
         for k, ball in enumerate(row):
             for name in names:
                 values[name][i, k] = _number(ball.get(name))
-    balls = {"ball": (("ball",), np.arange(1, count + 1), {})}
+    balls: Variables = {"ball": (("ball",), np.arange(1, count + 1), {})}
     return balls | _named("ball", ("point", "ball"), values)
 
 
@@ -109,7 +109,7 @@ def _per_contact(results: BatchResults) -> Variables:
             place = i, contact["ball"] - 1, RACES.index(contact["race"])
             for name in names:
                 values[name][place] = _number(contact.get(name))
-    races = {"race": (("race",), np.array(RACES, dtype=object), {})}
+    races: Variables = {"race": (("race",), np.array(RACES, dtype=object), {})}
     return races | _named("contact", ("point", "ball", "race"), values)
 
 

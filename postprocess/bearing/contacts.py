@@ -151,7 +151,7 @@ def contact_records(results: BearingResults) -> list[ContactRecord]:
         ContactRecord(
             contact=contact,
             film=results.solutions[i],
-            traction=None if tractions[i] is None else tractions[i].result,
+            traction=None if (traction := tractions[i]) is None else traction.result,
             rolling=moments[i],
             stress=contact_stress(results.quasistatic, contact),
             starved=starved[i],

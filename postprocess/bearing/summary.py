@@ -45,8 +45,10 @@ def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
         Plain JSON types; lengths [um] or [mm], pressures [GPa], angles [deg] as the keys say. What
         does not apply is None with the reason under "messages"; no value is NaN or infinite.
     """
-    single = isinstance(results, ContactResults)
-    document = contact_summary(results) if single else bearing_summary(results)
+    if isinstance(results, ContactResults):
+        document = contact_summary(results)
+    else:
+        document = bearing_summary(results)
     lost: list[str] = []
     values = {
         key: value if key == "messages" else plain(value, key, lost)

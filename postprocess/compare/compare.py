@@ -208,8 +208,8 @@ def _covered(
     """Whether both error bars together enclose the difference of two films."""
     head, _, unit = path.rpartition("_")
     error = f"{head}_uncertainty_{unit}"
-    bars = first.get(error), second.get(error)
-    if "uncertainty" in path or relative(a, b) is None or None in bars:
+    bars = [bar for bar in (first.get(error), second.get(error)) if bar is not None]
+    if "uncertainty" in path or relative(a, b) is None or len(bars) < 2:
         return None
     return abs(a - b) <= hypot(*bars)
 

@@ -185,12 +185,10 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     s = view.x if along else view.y
     axes.plot(s, view.pressure[cut], color=PRESSURE_COLOUR, label="pressure")
     reach = np.cos(np.linspace(-np.pi, 0.0, 121))
-    axes.plot(
-        (view.reach_x if along else view.reach_y) * reach,
-        view.hertz * np.sqrt(1.0 - reach**2),
-        **{"color": REFERENCE, "linestyle": "--", "linewidth": 0.8},
-        label=f"Hertz, peak {view.hertz:.3g}",
-    )
+    style: Any = {"color": REFERENCE, "linestyle": "--", "linewidth": 0.8}
+    ends = view.reach_x if along else view.reach_y
+    hertz = view.hertz * np.sqrt(1.0 - reach**2)
+    axes.plot(ends * reach, hertz, label=f"Hertz, peak {view.hertz:.3g}", **style)
     axes.set_ylim(0.0, 1.08 * view.pressure_top)
     axes.set_xlim(s[0], s[-1])
     name = view.names[0 if along else 1]
@@ -199,7 +197,7 @@ def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     film: Any = axes.twinx()
     _film_line(film, view, s, view.film[cut])
     handles = [*axes.get_legend_handles_labels()[0], *film.get_legend_handles_labels()[0]]
-    style: Any = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.99), "handlelength": 1.6}
+    style = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.99), "handlelength": 1.6}
     axes.legend(handles=handles, ncols=4, columnspacing=1.0, **style)
 
 
