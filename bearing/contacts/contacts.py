@@ -14,7 +14,7 @@ from ..quasistatic.solution import QuasistaticSolution
 from ..rows import row_directions
 from .contact import RACES, BearingContact
 from .hertz import hertz_contacts
-from .motion import ball_speeds, motion_map_of_axes
+from .motion import motion_map_of_axes
 
 # entrainment or rolling over the speed of the rings below which there is none [-]
 STANDSTILL = 1.0e-12
@@ -53,14 +53,18 @@ def _motions(solution: QuasistaticSolution) -> list[_Motion]:
     angle = np.stack([solution.inner_contact_angle, solution.outer_contact_angle], axis=1).ravel()
     side = np.tile(SIDES, solution.azimuth.size)
     zero, one = np.zeros_like(angle), np.ones_like(angle)
-    # x along e_t, n into the race, y = n cross x
-    normal = np.stack([side * np.sin(angle), side * np.cos(angle), zero], axis=1)
-    along = np.stack([zero, zero, one], axis=1)
-    across = np.stack([normal[:, 1], -normal[:, 0], zero], axis=1)
-    axes = np.stack([along, across, normal], axis=1)
     balls = np.repeat(np.arange(solution.azimuth.size), 2)
-    kinematics = motion_map_of_axes(solution, side < 0.0, angle, axes, balls)
-    ball, race = kinematics.bodies(*ball_speeds(solution))
+    # in the frame turned by the contact angle the ball's spin about n is w sin(beta - angle),
+    # without the cancellation of two larger terms
+    axle = np.stack([np.cos(angle), np.sin(angle), zero], axis=1)
+    along = np.stack([zero, zero, one], axis=1)
+    normal = np.stack([zero, side, zero], axis=1)
+    across = np.stack([side, zero, zero], axis=1)
+    axes = np.stack([along, across, normal], axis=1)
+    spin, lag = solution.spin_speed[balls], solution.attitude[balls] - angle
+    rotation = [-spin * np.cos(lag), spin * np.sin(lag), solution.pivot_speed[balls]]
+    kinematics = motion_map_of_axes(solution, side < 0.0, angle, axes, axle, balls)
+    ball, race = kinematics.bodies_at(solution.orbit_speed[balls], np.stack(rotation, axis=1))
     relative = ball - race
     slide, lateral = relative[:, 0], relative[:, 1]
     if solution.model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:

@@ -49,8 +49,12 @@ class MotionMap:
         """Motions of the balls and of the races, each (contacts, 4) [m/s], [rad/s], from the
         speeds of the balls as in `ball_speeds` [rad/s].
         """
-        ball = np.einsum("ckj,cj->ck", self.by_rotation, rotation[self.ball])
-        return ball, -self.by_ring * (self.ring_speed - orbit[self.ball])[:, None]
+        return self.bodies_at(orbit[self.ball], rotation[self.ball])
+
+    def bodies_at(self, orbit: Array, rotation: Array) -> tuple[Array, Array]:
+        """As `bodies`, from the speeds of the ball of each contact [rad/s]."""
+        ball = np.einsum("ckj,cj->ck", self.by_rotation, rotation)
+        return ball, -self.by_ring * (self.ring_speed - orbit)[:, None]
 
     def motion(self, orbit: Array, rotation: Array) -> Array:
         """(S_x, S_y, spin, rolling) of ball against race, (contacts, 4); speeds as in `bodies`."""
@@ -70,7 +74,8 @@ def motion_map(solution: QuasistaticSolution, contacts: Sequence[BearingContact]
     inner = np.array([contact.race is Race.INNER for contact in contacts], dtype=np.bool_)
     angle = np.array([contact.contact_angle for contact in contacts])
     ball = np.array([contact.ball - 1 for contact in contacts], dtype=np.int64)
-    return motion_map_of_axes(solution, inner, angle, contact_frames(contacts), ball)
+    axle = np.broadcast_to([1.0, 0.0, 0.0], (ball.size, 3))
+    return motion_map_of_axes(solution, inner, angle, contact_frames(contacts), axle, ball)
 
 
 def motion_map_of_axes(
@@ -78,17 +83,20 @@ def motion_map_of_axes(
     inner: NDArray[np.bool_],
     angle: Array,
     axes: Array,
+    axle: Array,
     ball: NDArray[np.int64],
 ) -> MotionMap:
-    """The map of contacts by race, contact angle [rad], axes as in `contact_frames` [-] and
-    ball.
+    """The map of contacts by race, contact angle [rad], ball, and axes x, y, n and the bearing's
+    axle in a frame whose third direction is e_t [-].
     """
     bearing, operation = solution.bearing, solution.operation
     radius = 0.5 * bearing.ball_diameter
     side = np.where(inner, -1.0, 1.0)
     track = 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(angle))
     along, across, normal = axes[:, 0], axes[:, 1], axes[:, 2]
-    ring = [track * along[:, 2], track * across[:, 2], normal[:, 0], across[:, 0]]
+    about_normal = np.einsum("cj,cj->c", normal, axle)
+    about_across = np.einsum("cj,cj->c", across, axle)
+    ring = [track * along[:, 2], track * across[:, 2], about_normal, about_across]
     return MotionMap(
         by_rotation=np.stack([radius * across, -radius * along, normal, across], axis=1),
         by_ring=-np.stack(ring, axis=1),
