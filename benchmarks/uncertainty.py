@@ -35,7 +35,7 @@ CONTACTS = (  # M, L, Rx/Ry, angle of the entrainment
 )
 
 
-def level_films(m, l, ratio, angle):  # noqa: E741
+def level_films(m, l, ratio, angle):
     """Central and minimum film of every level up to 1025 points, and finest hx."""
     conditions = MoesConditions(
         load_parameter=m, lubricant_parameter=l, radius_ratio=ratio, entrainment_angle=angle, lubricant=OIL

@@ -175,7 +175,7 @@ def _scaled(
     frame: _Frame,
     length: tuple[float, float] | None,
 ) -> ScaledContact:
-    m, l, d = groups  # noqa: E741
+    m, l, d = groups
     f, g, _ = hertz_coefficients(d)
     ratio = ellipse_ratio(d)
     c, s = cos(frame.angle), sin(frame.angle)

@@ -1,4 +1,4 @@
-"""Units of named numbers: the last words of a key say its unit, `film_minimum_um` is in micrometres.
+"""Units of keys by their last words: factor to SI, offset, symbol; for input and output.
 
 The one registry for case files, summaries, tables, netCDF attributes and pictures.
 """

@@ -35,7 +35,7 @@ NAMES = {
 POWER_TOLERANCE = {"RI": 0.1, "EI": 0.05, "RP": 0.1, "EP": 0.05}
 
 
-def asymptotes(m: float, l: float, ratio: float) -> dict[str, float]:  # noqa: E741
+def asymptotes(m: float, l: float, ratio: float) -> dict[str, float]:
     """Four asymptotes (h/Rx)(2U)^(-1/2) [-], Nijenbanning, Venner and Moes (1994)."""
     d = ratio
     q = 1.0 + 0.006 * log(d) + 0.63 * d ** (4 / 7)
@@ -61,7 +61,7 @@ def moes_film(solution: ContactSolution) -> float:
 
 
 def _solve(job: tuple[float, float, float, int], tolerance: float = TOLERANCE) -> ContactSolution:
-    m, l, ratio, points = job  # noqa: E741
+    m, l, ratio, points = job
     oil = OIL if l > 0.0 else WATER_LIKE
     return solve_contact(
         moes(m, l, ratio, oil=oil), SolverOptions(points=points, tolerance=tolerance)
@@ -72,10 +72,10 @@ def moes_diagram(quick: bool = False) -> Section:
     """Film over load, and the powers and factors deep in each regime."""
     points = 129 if quick else 1025
     loads, lubricant = (LOADS[2:7:2], LUBRICANT[::2]) if quick else (LOADS, LUBRICANT)
-    jobs = [(m, l, 1.0, points) for l in lubricant for m in loads]  # noqa: E741
+    jobs = [(m, l, 1.0, points) for l in lubricant for m in loads]
     solutions = each(partial(_solve, tolerance=ROUGH), jobs)
     curves, fits = [], []
-    for l in lubricant:  # noqa: E741
+    for l in lubricant:
         films = [
             (job[0], moes_film(s))
             for job, s in zip(jobs, solutions, strict=True)
@@ -106,13 +106,13 @@ def moes_diagram(quick: bool = False) -> Section:
 
 def _regimes(points: int, names: Sequence[str]) -> tuple[Table, tuple[Check, ...]]:
     jobs = []
-    for (m, l, ratio), varied, factor in (REGIMES[name] for name in names):  # noqa: E741
+    for (m, l, ratio), varied, factor in (REGIMES[name] for name in names):
         other = (factor * m, l, ratio) if varied == "M" else (m, factor * l, ratio)
         jobs += [(m, l, ratio, points), (*other, points)]
     solutions = each(_solve, jobs)
     rows, checks = [], []
     for i, name in enumerate(names):
-        (m, l, ratio), varied, factor = REGIMES[name]  # noqa: E741
+        (m, l, ratio), varied, factor = REGIMES[name]
         pair = solutions[2 * i : 2 * i + 2]
         first, second = (moes_film(s) for s in pair)
         power = log(second / first) / log(factor)

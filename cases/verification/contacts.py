@@ -33,11 +33,7 @@ class Named:
 
 
 def moes(
-    m: float,
-    l: float,
-    ratio: float = 1.0,
-    angle: float = 0.0,
-    oil: Lubricant = MINERAL_OIL,
+    m: float, l: float, ratio: float = 1.0, angle: float = 0.0, oil: Lubricant = MINERAL_OIL
 ) -> MoesConditions:
     """A contact by M, L, Rx/Ry [-] and the angle of its entrainment [rad]."""
     return MoesConditions(

@@ -38,8 +38,8 @@ def formulas(quick: bool = False) -> Section:
     options = SolverOptions(
         points=257 if quick else 1025, tolerance=2.5 * TOLERANCE if quick else TOLERANCE
     )
-    jobs = [(ratio, l, m) for ratio in ratios for l in lubricant for m in loads]  # noqa: E741
-    contacts = [from_groups(moes(m, l, ratio)) for ratio, l, m in jobs]  # noqa: E741
+    jobs = [(ratio, l, m) for ratio in ratios for l in lubricant for m in loads]
+    contacts = [from_groups(moes(m, l, ratio)) for ratio, l, m in jobs]
     solutions = dict(zip(jobs, each(lambda c: solve_contact(c, options), contacts), strict=True))
     maps, rows = [], []
     for name, (which, formula) in FORMULAS.items():
@@ -48,7 +48,7 @@ def formulas(quick: bool = False) -> Section:
             share = np.array(
                 [
                     [_deviation(formula, which, solutions[(ratio, l, m)]) for m in loads]
-                    for l in lubricant  # noqa: E741
+                    for l in lubricant
                 ]
             )
             maps.append(

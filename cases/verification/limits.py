@@ -74,7 +74,7 @@ def hertz_limit(quick: bool = False) -> Section:
 
 
 def _hertz_row(s: ContactSolution) -> tuple[str, ...]:
-    m, l = s.moes_load, s.moes_lubricant  # noqa: E741
+    m, l = s.moes_load, s.moes_lubricant
     numbers = (
         s.film_central_dimensionless.value,
         _distance(s),
@@ -115,7 +115,7 @@ def _hertz_checks(resolved: list[ContactSolution], share: float) -> tuple[Check,
     )
 
 
-def approach_formula(m: float, l: float) -> float:  # noqa: E741
+def approach_formula(m: float, l: float) -> float:
     """Approach over Hertz' of a circular contact [-], 1 - p M^q, Venner and Lubrecht (2000)."""
     p = ((4.0 - 0.2 * l) ** 7 + (3.5 + 0.1 * l) ** 7) ** (1 / 7)
     return float(1.0 - p * m ** (-(0.6 + 0.6 / sqrt(l + 3.0))))
@@ -189,7 +189,7 @@ def _pairs() -> list[tuple[str, Posed, Posed, float]]:
     )
     exchanged = replace(si, radius_x=0.05, radius_y=0.0125, entrainment_angle=0.0)
     inner = race_6208(500.0)
-    m, l = moes_groups(inner)  # noqa: E741
+    m, l = moes_groups(inner)
     groups = moes(m, l, inner.radius_x / inner.radius_y, oil=inner.lubricant)
     oblique = moes(100.0, 8.0, 0.3, 0.5)
     circle = CIRCULAR_20_10.conditions
@@ -271,7 +271,7 @@ def _boxes() -> tuple[Table, float]:
 
 def box_film(name: str, is_open: bool, scale: float, points: int) -> float:
     """Central film on the finest grid of a box [-]."""
-    m, l, ratio, box = BOX_CONTACTS[name]  # noqa: E741
+    m, l, ratio, box = BOX_CONTACTS[name]
     conditions = moes(m, l, ratio, oil=OIL if ratio == 1.0 else race_6208(1.0).lubricant)
     domain = (scale * box[0], scale * box[1], scale * box[2])
     options = SolverOptions(points=points, domain=None if is_open else domain)

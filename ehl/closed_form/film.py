@@ -45,7 +45,7 @@ def film_chittenden_central(conditions: ContactConditions) -> float:
 def film_nijenbanning_central(conditions: ContactConditions) -> float:
     """Central film [m] of Nijenbanning, Venner and Moes (1994), see `moes_film_nijenbanning`."""
     u, _, _ = speed_load_material(conditions)
-    m, l = moes_groups(conditions)  # noqa: E741
+    m, l = moes_groups(conditions)
     ratio = conditions.radius_x / conditions.radius_y
     return conditions.radius_x * sqrt(2.0 * u) * moes_film_nijenbanning(m, l, ratio)
 
@@ -58,7 +58,7 @@ def moes_film_nijenbanning(
     Rx/Ry <= 1.
     """
     m = load_parameter
-    l = max(lubricant_parameter, 1e-12)  # noqa: E741
+    l = max(lubricant_parameter, 1e-12)
     d = radius_ratio
     q = 1.0 + 0.006 * log(d) + 0.63 * d ** (4 / 7)
     rigid_isoviscous = 145.0 * (1.0 + 0.796 * d ** (14 / 15)) ** (-15 / 7) / d / m**2
