@@ -136,9 +136,7 @@ def _required(values: CaseValues) -> Iterator[CaseFault]:
 
 
 def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
-    """Groove radii between ball radius and ball diameter; balls that fit on the pitch circle; bore
-    and outside diameter beyond the raceways, shoulders between raceway and pitch circle.
-    """
+    """Grooves, balls, bore, outside diameter and shoulders that fit together."""
     diameter = values.get("bearing", "ball_diameter_mm")
     pitch = values.get("bearing", "pitch_diameter_mm")
     if diameter is None:
@@ -172,9 +170,7 @@ def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
 
 
 def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
-    """cos(alpha_0) = 1 - P_d/(2 A), A = r_i + r_o - D: one derives the other, both only if they
-    agree.
-    """
+    """cos(alpha_0) = 1 - P_d/(2 A), A = r_i + r_o - D; both are given only if they agree."""
     distance = _groove_distance(values)
     clearance, angle = (values.get("bearing", name) for name in CLEARANCE)
     if distance is None or distance <= 0.0 or clearance is None:
@@ -275,9 +271,7 @@ def _clearance(si: dict[str, Any]) -> float:
 
 
 def rating(table: BearingTable, contamination_factor: float | None) -> RatingInput:
-    """What the rating life needs beyond the loads: C_r, C_0 [N], nominal contact angle [rad], e_C
-    [-].
-    """
+    """Inputs of the rating life: C_r, C_0 [N], nominal contact angle [rad], e_C [-]."""
     si = table.si()
     nominal = si["nominal_contact_angle"]
     return RatingInput(

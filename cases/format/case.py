@@ -108,9 +108,7 @@ def case_from_text(text: str, name: str) -> Case | ContactCase:
 
 
 def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> Case | ContactCase:
-    """The case that a checked file describes; `name` stands for the file in messages, `text` gives
-    their lines.
-    """
+    """The case of a checked file; `name` and the lines of `text` stand in messages."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:

@@ -226,9 +226,7 @@ def _coating(table: ContactTable, materials: Mapping[str, Material]) -> Coating 
 
 
 def contact_defaults(table: ContactTable) -> dict[str, float]:
-    """Keys of [contact] that may be left out, of dimensional input or of Moes' groups, with their
-    values.
-    """
+    """Defaults of [contact], by dimensions or by Moes' groups."""
     if table.moes_M is not None:
         return {"radius_ratio": 1.0}
     return {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}

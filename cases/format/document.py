@@ -122,9 +122,7 @@ def _syntax_line(message: str, text: str) -> int:
 def check_document(
     document: dict[str, Any],
 ) -> tuple[BearingFile | ContactFile | None, list[CaseFault]]:
-    """The checked file, or None, and every fault of a case document (keys and units as in the
-    file).
-    """
+    """The checked file, or None, and every fault of a document in the units of a file."""
     if any(key in document for key in SWEEP_TABLES):
         allowed = "run it with 'oilfilm batch'"
         return None, [CaseFault(path=(), line=1, found="a sweep", allowed=allowed)]
@@ -154,9 +152,7 @@ def check_document(
 
 
 def _without_consequences(faults: list[CaseFault], *, unknown_bearing: bool) -> list[CaseFault]:
-    """The faults but for keys that are missing because another one is misspelt; of an unknown
-    bearing everything is.
-    """
+    """The faults without those that follow from a misspelt key or an unknown bearing."""
     meant = {(*fault.path[:-1], fault.nearest) for fault in faults if fault.nearest}
     if unknown_bearing:
         meant |= {fault.path for fault in faults if fault.path[0:1] == ("bearing",)}
@@ -219,9 +215,7 @@ def _with_new_names(
 
 
 def _with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
-    """The document with the catalogue's values where [bearing] names an entry and does not
-    override them.
-    """
+    """The document with the values of the catalogue that [bearing] does not override."""
     table = document.get("bearing")
     if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
         return document, []

@@ -1,6 +1,4 @@
-"""Which physics the films of a case are solved with: Newtonian, thinning under shear, or with
-heat.
-"""
+"""Physics of the films of a case: Newtonian, thinning under shear, or with heat."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -126,9 +126,7 @@ def in_operation(
     temperatures: TemperaturesTable | None,
     cage: CageClearance | None,
 ) -> tuple[Bearing, ClearanceBudget | None]:
-    """The bearing with its clearance in operation [m], and its budget; None without [fit] and
-    [temperatures].
-    """
+    """The bearing with its clearance in operation [m], and the budget, if that differs."""
     if seats is None and temperatures is None:
         return given, None
     budget = clearance_budget(given, operation, seats, temperature_rise(temperatures))
@@ -143,9 +141,7 @@ def heated_cage(
     material: Material | None,
     land: tuple[Race, float] | None,
 ) -> CageClearance | None:
-    """Thermal change of the clearances of the cage [m], with its guiding race and land diameter
-    [m]; None without its temperature.
-    """
+    """Change of the cage's clearances by its temperature [m]; `land`: race and diameter [m]."""
     rises = temperature_rise(temperatures)
     if temperatures is None or rises is None or temperatures.cage_C is None or material is None:
         return None

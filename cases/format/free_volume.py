@@ -65,9 +65,7 @@ class _OilFile:
     values: CaseValues
 
     def place(self, key: str) -> Path:
-        """Table and key: [lubricant] where it is given there, else the case's named oil, if there
-        is one.
-        """
+        """Path of a key: in [lubricant], or in the case's named oil if that has it."""
         name = str(self.keys.get("name"))
         if self.values.given("lubricant", key) or not self.values.given("lubricants", name):
             return ("lubricant", key)
@@ -77,9 +75,7 @@ class _OilFile:
 def free_volume_faults(
     keys: dict[str, Any], values: CaseValues, *, of_library: bool
 ) -> Iterator[CaseFault]:
-    """A law has its constants, from the case or the library; constants in [lubricant] have their
-    law.
-    """
+    """A law has its constants, and constants in [lubricant] have their law."""
     oil = _OilFile(keys, values)
     given = [key for key in KEYS if key in keys]
     chosen = [law for law in LAWS if keys.get(law[0]) == law[1]]
@@ -151,9 +147,7 @@ def _without_law(
 
 
 def free_volume(keys: dict[str, Any], temperature: float) -> dict[str, Any]:
-    """Constants that the keys of an oil give: fields of `Lubricant`, SI; temperature of operation
-    [K].
-    """
+    """Constants of an oil as fields of `Lubricant`, SI, at a temperature [K]."""
     constants: dict[str, Any] = {}
     if TAIT[0] in keys:
         celsius = keys.get(TEMPERATURE)
@@ -197,9 +191,7 @@ def _yasutomi(keys: dict[str, Any]) -> YasutomiGlass:
 
 
 def _coefficient(given: dict[str, Any]) -> float | None:
-    """d(ln eta)/dp at ambient pressure that the constants of the viscosity law give [1/Pa]; None
-    for other laws.
-    """
+    """d(ln eta)/dp at ambient pressure by the constants of the law [1/Pa]; None without them."""
     law = given.get("viscosity_law")
     temperature = given["temperature"]
     if law is ViscosityLaw.TAIT_DOOLITTLE:
@@ -238,9 +230,7 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
 
 
 def warn_of_temperature(oil: Lubricant, measured_at: float | None) -> None:
-    """Warn where constants are taken at another temperature [K] than that they hold at, and do not
-    follow it.
-    """
+    """Warn where constants are used at a temperature [K] that they do not hold at."""
     doolittle = oil.doolittle if oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE else None
     used = oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE or oil.density_law is DensityLaw.TAIT
     if measured_at is None or not used or oil.temperature is None or oil.tait is None:

@@ -203,9 +203,7 @@ def _is_file(name: str) -> bool:
 
 
 def _starved_faults(values: CaseValues) -> Iterator[CaseFault]:
-    """The torque model starved has the supply, the roughness, and of a flow the width it spreads
-    over.
-    """
+    """The torque model starved needs supply and roughness, and with a flow the width."""
     flow = values.given("friction", "supply_mL_min")
     if not flow and not values.given("lubricant", "inlet_film_um"):
         allowed = f"needed, or lubricant.inlet_film_um, {STARVED}"

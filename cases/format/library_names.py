@@ -32,9 +32,7 @@ ALTERNATIVES = (  # one of a row given in the case replaces the others of the ca
 
 
 def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
-    """The document with names that differ from those known only in case, spaces or hyphens
-    replaced by them.
-    """
+    """The document with names in the spelling of the libraries, whatever their case or hyphens."""
     materials = (*_own(document, "materials"), *list_materials())
     for table, keys in MATERIAL_KEYS.items():
         document = _spelled(document, table, keys, materials)

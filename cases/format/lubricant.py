@@ -162,9 +162,7 @@ RELATIONS = (
 
 @dataclass(frozen=True, slots=True)
 class Oil:
-    """Keys of the oil of a case, in the units of the file, and whether its name is one of the
-    library's.
-    """
+    """Keys of an oil, in the units of the file, and whether its name is of the library."""
 
     keys: dict[str, Any]
     of_library: bool
@@ -263,9 +261,7 @@ def _foreign_constant(path: Path, choice: str, law: object, own: str) -> CaseFau
 
 
 def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
-    """Constants of a shear law stand with that law; those of a named oil may belong to the law of
-    that oil.
-    """
+    """Constants of a shear law stand with that law, in [lubricant] or in the named oil."""
     law = oil.get("rheology", "ree-eyring")
     if law not in SHEAR_LAWS:
         return
@@ -311,9 +307,7 @@ def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]
 
 
 def lubricant(oil: Oil, temperature: float) -> Lubricant:
-    """The oil at a temperature [K]: viscosity [Pa s], pressure-viscosity [1/Pa], density
-    [kg/m^3].
-    """
+    """The oil at a temperature [K], SI."""
     keys = oil.keys
     given: dict[str, Any] = {"name": keys.get("name", "")}
     for field, key in NUMBERS.items():
@@ -359,9 +353,7 @@ def _of_library(
 
 
 def _set_viscosity(given: dict[str, Any], keys: dict[str, Any]) -> None:
-    """Fill in the dynamic viscosity [Pa s], from the kinematic one and the density where that is
-    given.
-    """
+    """Fill in the dynamic viscosity [Pa s], if need be from the kinematic one."""
     given.setdefault("density", DENSITY)
     given.setdefault("pressure_viscosity", 0.0)  # checked before: the isoviscous law needs none
     dynamic, kinematic = VISCOSITIES
@@ -373,9 +365,7 @@ def _set_viscosity(given: dict[str, Any], keys: dict[str, Any]) -> None:
 
 
 def lubricant_keys(oil: Lubricant, *, moes: bool) -> dict[str, Any]:
-    """A lubricant as keys of [lubricant]: viscosity [mPa s], pressure-viscosity [1/GPa], density
-    [kg/m^3].
-    """
+    """A lubricant as keys of [lubricant], in their units."""
     numbers = {
         "viscosity_mPa_s": oil.viscosity,
         PRESSURE_VISCOSITY: oil.pressure_viscosity,

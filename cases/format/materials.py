@@ -42,18 +42,14 @@ class MaterialTable(Table):
 
 
 def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[str, Material]:
-    """The named materials, the case's own before those of the library; modulus [Pa], density
-    [kg/m^3].
-    """
+    """The named materials, SI, the case's own before those of the library."""
     return {
         name: _material(name, own[name]) if name in own else load_material(name) for name in names
     }
 
 
 def _material(name: str, table: MaterialTable) -> Material:
-    """A material of the case; kind and thermal data of the library's where it has the name of one
-    [1/K, SI].
-    """
+    """A material of the case, SI; kind and thermal data of the library's of the same name."""
     library = load_material(name) if matching_name(name, list_materials()) else None
     si = table.si()
     thermal = {

@@ -118,9 +118,7 @@ def _given_twice(name: str, found: str, load: str) -> CaseFault:
 
 
 def operation(table: OperationTable) -> Operation:
-    """Speeds [rad/s], temperature [K], and per degree of freedom a load [N, N m] or a displacement
-    [m, rad].
-    """
+    """Speeds [rad/s], temperature [K], a load [N, N m] or a displacement [m, rad] each way."""
     si = table.si()
     free = table.tilt == FREE_WORD or table.moment_N_mm is not None
     displacement = _fixed(si["displacement"] or (FREE_WORD,) * 3)

@@ -1,23 +1,20 @@
-"""What is wrong with a case file, in words: line, key, what was found, what is allowed, nearest
-valid name.
-"""
+"""Faults of a case file in words: line, key, found, allowed, nearest valid name."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any
 
+from ehl.units import UNITS
+
 from .toml_lines import Path, find_line
 
 MISSING = "missing"
-UNITS = frozenset(
-    "mm um deg mrad N kN N_mm rpm rad_s m_s C mPa_s mm2_s kg_m3 MPa GPa 1_GPa".split()
-)
 SIMILARITY = 0.65  # of difflib, from which on a name counts as a slip of another
 # not of a single contact
 OF_BEARINGS = (("operation",), ("model",), ("surface",), ("slip",), ("ehl", "film_maps"))
-MOST_NAMES = 12  # shown of a list of allowed keys
-LONGEST_VALUE = 60  # characters of a found value that are shown
+SHOWN_NAMES = 12  # shown of a list of allowed keys
+SHOWN_CHARACTERS = 60  # characters of a found value that are shown
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,9 +40,7 @@ class CaseFault:
 
 
 class UnfitKey(ValueError):  # noqa: N818
-    """A key whose value shows itself unfit when the case is converted; the message has no line
-    yet.
-    """
+    """A key whose value turns out unfit on conversion; its message has no line yet."""
 
     def __init__(self, path: Path, found: str, allowed: str = "") -> None:
         self.fault = CaseFault(path=path, found=found, allowed=allowed)
@@ -53,9 +48,7 @@ class UnfitKey(ValueError):  # noqa: N818
 
 
 class CaseError(ValueError):
-    """A case that cannot be run; its text has one line for each error, `problems` what is known of
-    their keys.
-    """
+    """A case that cannot be run, with a line for each error and what is known of its key."""
 
     def __init__(self, messages: Iterable[str], problems: Iterable[CaseFault] = ()) -> None:
         self.messages, self.problems = tuple(messages), tuple(problems)
@@ -81,13 +74,11 @@ def shown(value: object) -> str:
     except ValueError:  # an integer of more digits than Python prints
         text = "a number of thousands of digits"
     text = "".join(c if c.isprintable() else "?" for c in text)
-    return text if len(text) <= LONGEST_VALUE else text[: LONGEST_VALUE - 3] + "..."
+    return text if len(text) <= SHOWN_CHARACTERS else text[: SHOWN_CHARACTERS - 3] + "..."
 
 
 def nearest_name(name: str, names: Iterable[str]) -> str | None:
-    """The valid name that `name` most likely means: missing unit suffix, wrong case, or a slip of
-    spelling.
-    """
+    """The valid name nearest to `name`: unit left out, other case, or a slip of spelling."""
     candidates = list(names)
     plain = {candidate.lower(): candidate for candidate in reversed(candidates)}
     if name.lower() in plain:
@@ -152,8 +143,8 @@ def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
             path=path, found="unknown key", allowed="keys end in their unit", nearest=nearest
         )
     shortened = (
-        [*names[:MOST_NAMES], "... (see docs/reference/cases.md)"]
-        if len(names) > MOST_NAMES + 2
+        [*names[:SHOWN_NAMES], "... (see docs/reference/cases.md)"]
+        if len(names) > SHOWN_NAMES + 2
         else names
     )
     listed = "" if nearest else "allowed: " + ", ".join(shortened)

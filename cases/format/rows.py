@@ -112,9 +112,7 @@ def _apart(first: float, second: float) -> float:
 def rows(
     tables: tuple[RowTable, ...] | None, delivered: Bearing, curvature: Curvature
 ) -> tuple[Row, ...] | None:
-    """Rows with positions and offsets [m], set with the clearance as delivered; None without
-    [[rows]].
-    """
+    """Rows with positions and offsets [m], preloaded as delivered; None without [[rows]]."""
     if tables is None:
         return None
     at_rest = Model(curvature=curvature)  # where nothing turns, no kinematics counts

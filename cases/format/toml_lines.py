@@ -45,9 +45,7 @@ def key_lines(text: str) -> dict[Path, int]:
 
 
 def find_line(lines: dict[Path, int], path: Path) -> int:
-    """Line [-] of `path`, or of the nearest table around it that stands in the file; 1 if none
-    does.
-    """
+    """Line [-] of `path`, or of the nearest table around it in the file; else 1."""
     for depth in range(len(path), 0, -1):
         if path[:depth] in lines:
             return lines[path[:depth]]
@@ -55,9 +53,7 @@ def find_line(lines: dict[Path, int], path: Path) -> int:
 
 
 def _statements(text: str) -> list[tuple[int, str]]:
-    """Headers and key-value pairs with the line each begins on; strings and brackets may run over
-    several lines.
-    """
+    """Headers and key-value pairs, also over several lines, with the line each begins on."""
     plain = _OPAQUE.sub(lambda match: "_" * len(match[0]), text)  # nothing but structure is left
     found = []
     start = 0
