@@ -28,9 +28,7 @@ def compiled(function: Callable[..., Any]) -> Any:
 
 @cache
 def forget_old_kernels(folder: Path, digest: str) -> None:
-    """Drop the indices of compiled kernels in a folder that are not known to be made from the
-    sources of a digest.
-    """
+    """Drop the indices of compiled kernels that do not come from the sources of a digest."""
     stamp = folder / f".kernels-{digest}"
     if stamp.exists():
         return

@@ -9,9 +9,7 @@ from .solid.coating import Coating
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactConditions:
-    """One lubricated elliptical point contact, SI; x and y are the principal directions of the
-    gap, body 1 is the ball.
-    """
+    """One lubricated elliptical point contact, SI; x, y principal directions, body 1 the ball."""
 
     load: float  # w, normal [N]
     radius_x: float  # reduced radius of curvature in x [m]

@@ -17,9 +17,7 @@ def unfolded(values: Array, axis: int = 0, sign: float = 1.0) -> Array:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grid:
-    """Equidistant nodes, lengths in units of a [-]; a symmetric grid covers y >= 0 only, its row
-    0 is y = 0.
-    """
+    """Equidistant nodes in units of a [-]; a symmetric grid covers y >= 0, row 0 at y = 0."""
 
     x_in: float
     hx: float

@@ -75,9 +75,7 @@ class ContactKinematics:
         return 0.5 / self.curvature_radius
 
     def bow(self, y: Array) -> Array:
-        """Height -y^2/(2R) of the loaded surface at distances y across, that of its rim beyond it
-        [m].
-        """
+        """Height -y^2/(2R) of the loaded surface at distances y, constant beyond its rim [m]."""
         height: Array = -self.curvature * np.minimum(y * y, self.curvature_width**2)
         return height
 

@@ -35,9 +35,7 @@ SMALLEST_ROTATION = 1e-3
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class _Frame:
-    """Direction of the grid [rad], velocity of the entrainment over u_m in it, and its rotation
-    [-].
-    """
+    """Direction of the grid [rad], entrainment over u_m in it, and its rotation [-]."""
 
     angle: float
     velocity: tuple[float, float]
@@ -84,9 +82,7 @@ class ScaledContact:
         return along + 0.5 * self.curvature_y * Y**2 + self.curvature_xy * X * Y
 
     def dry_pressure(self, X: Array, Y: Array) -> Array:
-        """Hertz pressure in the frame of the grid, sqrt(1 - X^2 - (a/b)^2 Y^2) along the principal
-        directions [-].
-        """
+        """Hertz pressure in the grid's frame, sqrt(1 - X^2 - (a/b)^2 Y^2) [-]."""
         c, s = np.cos(self.frame_angle), np.sin(self.frame_angle)
         along = X * c - Y * s
         across = (X * s + Y * c) / self.semi_axis_ratio
@@ -220,9 +216,7 @@ def _scaled(
 def _viscosity_coefficients(
     product: float, pressure: float, lubricant: Lubricant
 ) -> tuple[float, float, float]:
-    """(s, q, z) of ln(eta/eta_0) = s [(1 + q P)^z - 1]; Barus is z = 1, isoviscous s = 0; product
-    = alpha p_h.
-    """
+    """(s, q, z) of ln(eta/eta_0) = s [(1 + q P)^z - 1]; Barus z = 1, isoviscous s = 0."""
     isoviscous = (
         lubricant.viscosity_law not in CLOSED_FORM_LAWS
         or lubricant.viscosity_law is ViscosityLaw.ISOVISCOUS

@@ -14,9 +14,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmValue:
-    """A film thickness with its error bar: extrapolated from the grid levels, and as read off the
-    finest grid.
-    """
+    """A film with its error bar: extrapolated from the levels, and of the finest grid."""
 
     value: float  # extrapolated [-], in units of a^2/Rx
     uncertainty: float  # [-], same units; encloses the distance to the grid-converged value

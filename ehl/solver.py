@@ -281,9 +281,7 @@ def resolution_message(result: AttemptResult) -> tuple[bool, str]:
 
 
 def _fineness(result: AttemptResult) -> float:
-    """Hmin/(S hx^2): minimum film over twice the rise of the gap within a mesh size [-]; zero if
-    the iteration diverged.
-    """
+    """Hmin/(S hx^2): minimum film over twice the gap's rise in a mesh [-]; 0 if diverged."""
     if not result.films:
         return 0.0
     curvature = result.state.contact.curvature_x

@@ -4,9 +4,7 @@ from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from importlib import resources
-from typing import TypeVar
-
-from matplotlib.figure import Figure
+from typing import Any, TypeVar
 
 from ..runs.films import cores
 
@@ -57,7 +55,7 @@ class Picture:
 
     stem: str
     caption: str
-    draw: Callable[[Figure], None]
+    draw: Callable[[Any], None]  # takes a matplotlib figure
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -20,9 +20,7 @@ def film_hamrock_dowson_minimum(conditions: ContactConditions) -> float:
 
 
 def film_hamrock_dowson_central(conditions: ContactConditions) -> float:
-    """Central film [m], 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)), Hamrock and Dowson
-    (1977).
-    """
+    """Central film [m], 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)), Hamrock and Dowson."""
     u, w, g = speed_load_material(conditions)
     k = 1.03 * (conditions.radius_y / conditions.radius_x) ** 0.64
     return (

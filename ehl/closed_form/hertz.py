@@ -94,9 +94,7 @@ def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) 
 def hertz_contact(
     load: float, radius_x: float, radius_y: float, reduced_modulus: float
 ) -> HertzContact:
-    """Ellipse, pressure and approach under a load [N], Hertz (1882); reduced radii of curvature
-    [m], E' [Pa].
-    """
+    """Ellipse, pressure and approach at a load [N], Hertz (1882); radii [m], E' [Pa]."""
     given = {"load": load, "radius_x": radius_x, "radius_y": radius_y}
     require_positive(given | {"reduced_modulus": reduced_modulus})
     ratio = radius_x / radius_y
@@ -116,9 +114,7 @@ def hertz_contact(
 
 
 def _log_radius_ratio(t: float) -> tuple[float, float]:
-    """ln(Rx/Ry) [-] at k = exp(t) and its slope [-]; d(R_D)/dk follows from the common integral of
-    both.
-    """
+    """ln(Rx/Ry) [-] at k = exp(t) and its slope [-], by the common integral of both."""
     k2 = exp(2.0 * t)
     along_x = float(elliprd(0.0, k2, 1.0))
     along_y = float(elliprd(0.0, 1.0, k2))

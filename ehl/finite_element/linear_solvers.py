@@ -1,6 +1,4 @@
-"""Linear systems of the finite-element solver: sparse direct factors, and GMRES where a dense
-block is coupled in.
-"""
+"""Linear systems of the finite elements: sparse factors, and GMRES with a dense block."""
 
 from collections.abc import Callable
 

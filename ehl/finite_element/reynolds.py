@@ -35,9 +35,7 @@ class FilmSpace:
 
 @dataclass(frozen=True, slots=True)
 class Coefficients:
-    """Local values at the quadrature points, each of shape (cells, points) or (2, cells, points)
-    for gradients [-].
-    """
+    """Values at the quadrature points, (cells, points), gradients (2, cells, points) [-]."""
 
     P_grad: Array
     H: Array

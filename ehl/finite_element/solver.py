@@ -207,9 +207,7 @@ def _step(level: Level, H: Array, progress: Progress) -> tuple[Array, float, int
 
 
 def _edge_pressure(level: Level, H: Array) -> tuple[Array, float]:
-    """Kapitza's (1955) pressure -(k X)/H^2 on the edge of an open box, zero elsewhere, and the
-    load outside [-].
-    """
+    """Kapitza's (1955) pressure -(k X)/H^2 on the edge of an open box, and its load [-]."""
     target = np.zeros_like(H)
     if level.far is None:
         return target, 0.0
@@ -271,9 +269,7 @@ def _interpolated(coarse: Level, X: Array, Y: Array) -> Array:
 def _lines(
     contact: ScaledContact, domain: tuple[float, float, float], cells: int
 ) -> tuple[Array, Array]:
-    """Lines of the mesh: dense at the outlet and at the sides of the Hertz ellipse; the origin is
-    a node of all.
-    """
+    """Lines of the mesh: dense at outlet and sides of the Hertz ellipse, one through 0."""
     x_in, x_out, y_half = domain
 
     def along(s: Array) -> Array:

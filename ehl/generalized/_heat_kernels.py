@@ -305,9 +305,7 @@ def heat_sweep(
 
 @compiled
 def body_history(flux, i, speed, weights):
-    """Sum of the weighted fluxes that a surface took up before it came to node i, without that at
-    i [W/m^1.5].
-    """
+    """Weighted sum of the fluxes a surface took up before node i [W/m^1.5]."""
     total = 0.0
     if speed >= 0.0:
         for m in range(i):

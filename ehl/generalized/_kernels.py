@@ -62,9 +62,7 @@ ROWS = 6
 
 @compiled
 def newtonian_stress(tau, limit, margin, rheology):
-    """eta times the rate, and its derivative by tau, at a stress magnitude; a tangent from the
-    margin on.
-    """
+    """eta times the rate and its derivative by tau; a tangent from the margin on."""
     slope = 1.0
     excess = 0.0
     if np.isfinite(limit):
@@ -87,9 +85,7 @@ def newtonian_stress(tau, limit, margin, rheology):
 
 @compiled
 def column_limit(p, temperature, eta, rate, rheology):
-    """Limiting stress of a column [Pa], and the margin e below it from which on the law follows
-    its tangent [-].
-    """
+    """Limiting stress of a column [Pa], and the margin below it where the tangent begins [-]."""
     limit = limiting_stress(
         p, temperature, rheology[4], rheology[5], rheology[6], rheology[7], rheology[8]
     )
@@ -101,9 +97,7 @@ def column_limit(p, temperature, eta, rate, rheology):
 
 @compiled
 def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
-    """Mean rate less the given one (2), its derivative by tau_m (xx, xy, yy), mean of its
-    magnitude.
-    """
+    """Mean rate less the given one, its derivative by tau_m (xx, xy, yy), mean magnitude."""
     nodes, weights, _ = section
     f_x = -rate[0]
     f_y = -rate[1]
@@ -206,9 +200,7 @@ def column_fluidity(middle, rise, section, limit, margin, rheology, work):
 
 @compiled
 def column_properties(p, temperature, oil, section, work):
-    """Viscosity [Pa s] and density over rho_0 at the nodes of a column; returns its mean
-    temperature [K].
-    """
+    """Viscosity [Pa s] and density over rho_0 in a column; returns its mean temperature [K]."""
     mean = 0.0
     for k in range(section[1].size):
         work[ETA, k] = viscosity(p, temperature[k], oil)

@@ -104,9 +104,7 @@ def _with_fallbacks(solution: ContactSolution, fallbacks: list[str]) -> ContactS
 
 
 def _start(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow) -> Multigrid:
-    """Levels on the grid of a solution and with its damping, its pressure and approach on the
-    finest.
-    """
+    """Levels on the grid of a solution: its damping, pressure and approach."""
     assert isinstance(plain.conditions, ContactConditions)
     scaled = [
         scale_contact(plain.conditions, along_entrainment=turned) for turned in (False, True)
@@ -158,9 +156,7 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[float, int]:
 
 
 def _settles(state: Multigrid, cycles: int) -> bool:
-    """Cycle at a share until the flow has settled, `STEP_CYCLES` at least; False if a cycle
-    diverged.
-    """
+    """Cycle at a share until the flow has settled; False if a cycle diverged."""
     level = state.levels[-1]
     for count in range(1, cycles + 1):
         if not isfinite(guarded_cycle(state, len(state.levels) - 1)):
@@ -171,9 +167,7 @@ def _settles(state: Multigrid, cycles: int) -> bool:
 
 
 def _finish(result: AttemptResult, cycles: int) -> None:
-    """Accelerated cycles at the full share until film, load and flow have converged; no films if
-    one diverges.
-    """
+    """Accelerated cycles at the full share to convergence; no films if one diverges."""
     state = result.state
     index = len(state.levels) - 1
     level = state.levels[-1]
@@ -237,9 +231,7 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
 
 
 def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmValue:
-    """Central (0) or minimum (1) film, its extrapolation that of the Newtonian film in proportion
-    [-].
-    """
+    """Central (0) or minimum (1) film, extrapolated in proportion to the Newtonian one [-]."""
     finest = result.films[-1][kind]
     ratio = finest / plain.finest
     noise = result.remaining_error() * abs(finest)

@@ -1,6 +1,4 @@
-"""Heat of a film and of the surfaces of its bodies, advanced by one sweep in each direction a
-cycle.
-"""
+"""Heat of a film and its surfaces, advanced by one sweep in each direction a cycle."""
 
 from dataclasses import dataclass, replace
 
@@ -42,9 +40,7 @@ class HeatState:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmHeat:
-    """A contact whose film is solved with heat; its lubricant has a temperature and thermal
-    properties.
-    """
+    """A contact whose film is solved with heat; the lubricant has thermal properties."""
 
     conditions: ContactConditions
     solids: tuple[SolidThermal, SolidThermal]  # body 1 and body 2

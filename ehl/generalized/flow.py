@@ -107,9 +107,7 @@ class GeneralizedFlow:
     def factors(
         self, contact: ScaledContact, grid: Grid, P: Array, H: Array, last: FlowState | None = None
     ) -> tuple[FlowFactors, FlowState]:
-        """Factors at pressure and film [-], and the state that the grid's next cycle takes as
-        `last`.
-        """
+        """Factors at pressure and film [-], and the state for the grid's next cycle."""
         speed = self.conditions.entrainment_speed
         fields = film_fields(contact, grid, P, H, self.conditions)
         # 1. temperature across the film, with the stress in its middle of the last cycle
@@ -154,9 +152,7 @@ class GeneralizedFlow:
     def _heated(
         self, contact: ScaledContact, grid: Grid, fields: FilmFields, last: FlowState | None
     ) -> tuple[Array, HeatState | None]:
-        """Stress in the middle of the film [Pa], not a number on the first cycle without heat, and
-        the heat.
-        """
+        """Stress in the middle of the film [Pa], NaN in the first cycle without heat, and heat."""
         shape = (2, *fields.p.shape)
         middle = np.full(shape, np.nan) if last is None else last.mid_stress.copy()
         if self.heat is None:

@@ -1,6 +1,4 @@
-"""Nodes across the film: Gauss and Lobatto's, with weights, cumulative integrals and derivatives
-of polynomials.
-"""
+"""Nodes across the film, Gauss-Lobatto, with weights, integrals and derivatives."""
 
 from dataclasses import dataclass
 
@@ -15,9 +13,7 @@ NODES = 11  # across the film: integrals exact for polynomials of degree 19
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Section:
-    """Nodes z/h across the film, the walls among them, and what integrates and differentiates
-    their polynomial.
-    """
+    """Nodes z/h across the film, walls included, with integration and differentiation."""
 
     nodes: Array  # z/h, shape (n,) [-]
     weights: Array  # of the integral over the film, shape (n,) [-]
@@ -32,9 +28,7 @@ class Section:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FilmFields:
-    """Pressure, film and surface velocities of a grid, SI; arrays of shape (ny, nx) or (2, ny,
-    nx).
-    """
+    """Pressure, film and surface velocities of a grid, SI; (ny, nx) or (2, ny, nx)."""
 
     p: Array  # [Pa]
     h: Array  # [m]; not positive: no film
@@ -84,9 +78,7 @@ def wall_slopes(section: Section) -> tuple[Array, Array]:
 
 
 def curvature(section: Section) -> Array:
-    """Matrix of d2T/d(zeta)2 at the nodes inside from their neighbours, shape (n, n), zero at the
-    walls [-].
-    """
+    """Matrix of d2T/d(zeta)2 at the inner nodes, shape (n, n), T = 0 at the walls [-]."""
     z = section.nodes
     matrix = np.zeros((z.size, z.size))
     for k in range(1, z.size - 1):

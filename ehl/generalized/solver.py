@@ -1,6 +1,4 @@
-"""Contacts with an oil that thins under shear and heats up: the contact solver with a generalized
-Reynolds equation.
-"""
+"""Contacts whose oil thins under shear and heats up, by a generalized Reynolds equation."""
 
 from dataclasses import dataclass, replace
 from time import perf_counter

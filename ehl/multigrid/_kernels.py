@@ -54,9 +54,7 @@ def flow_properties(
 
 @compiled
 def _along(i, flow, H, hx):
-    """d_X(flow H) at node i of a line: second order upstream, central in the first and last
-    column.
-    """
+    """d_X(flow H) at node i: second order upstream, central in the first and last column."""
     if flow[i] >= 0.0:
         if i > 1:
             return (
@@ -207,9 +205,7 @@ def _line_system(
 
 @compiled
 def _add_lateral(j, flow, slope, H, kinds, influence, hy, band):
-    """Add the derivative of -d_Y(flow H) to a line's system: the film of this line and of the two
-    upstream of it.
-    """
+    """Add the derivative of -d_Y(flow H) by the film of this line and the two upstream."""
     ny, n = H.shape
     for i in range(1, n - 1):
         if kinds[i + LOWER] == FIXED:
@@ -233,9 +229,7 @@ def _add_lateral(j, flow, slope, H, kinds, influence, hy, band):
 
 @compiled
 def _influences(near, wx, wy, influence):
-    """Deflection in the line of a change and in the two next ones, [line, kind, distance along x +
-    REACH].
-    """
+    """Deflection of a change in its line and the next two, [line, kind, distance + REACH]."""
     for m in range(-REACH, REACH + 1):
         k = abs(m)
         before = abs(m - 1)

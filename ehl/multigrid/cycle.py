@@ -318,9 +318,7 @@ def _solve_coarsest(state: Multigrid) -> None:
 
 
 def _restrict(state: Multigrid, index: int) -> Array:
-    """Set up the coarse-grid problem; returns the injected pressure, from which the correction
-    counts.
-    """
+    """Set up the coarse-grid problem; returns the injected pressure."""
     fine = state.levels[index]
     coarse = state.levels[index - 1]
     residual = reynolds_residual(state, index)
@@ -335,9 +333,7 @@ def _restrict(state: Multigrid, index: int) -> Array:
 
 
 def _correct(state: Multigrid, index: int, start: Array, approach: float) -> None:
-    """P += correction where P > 0, and the film by interpolation until the next sweep deflects it
-    again.
-    """
+    """P += correction where P > 0; the film by interpolation until the next sweep."""
     fine = state.levels[index]
     coarse = state.levels[index - 1]
     share = state.damping.correction

@@ -69,9 +69,7 @@ def central_film(grid: Grid, H: Array) -> float:
 
 
 def film_values(grid: Grid, H: Array) -> tuple[float, float]:
-    """Central film, and minimum film by a parabola through the smallest node in each direction
-    [-].
-    """
+    """Central film, and minimum film by a parabola in each direction [-]."""
     j, i = np.unravel_index(int(np.argmin(H)), H.shape)
     minimum = float(H[j, i])
     if 0 < i < grid.nx - 1:

@@ -32,9 +32,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FlowFactors:
-    """Factors on the flow of a Newtonian oil at u = 1, v = 0, shape (ny, nx) [-]; None is 1, or 0
-    for v.
-    """
+    """Factors on the flow of a Newtonian oil, shape (ny, nx) [-]; None is 1, or 0 for v."""
 
     poiseuille: Array | None = None  # f, on eps
     # k, share of ln(eta) at `pressure` that the factor takes back as P changes

@@ -82,9 +82,7 @@ class AttemptResult:
     changes: list[float] = field(default_factory=list)
 
     def add_cycle(self, residual: float) -> None:
-        """Append film, change and load error after a cycle on the finest level, and its mean
-        residual [-].
-        """
+        """Append film, change, load error and mean residual of a finest-level cycle [-]."""
         index = len(self.state.levels) - 1
         film = film_values(self.state.levels[index].grid, self.state.levels[index].H)
         before = self.film[-1]
@@ -371,9 +369,7 @@ def guarded_cycle(state: Multigrid, index: int, last: float = inf) -> float:
 def _finish(
     result: AttemptResult, films: Films, options: SolverOptions, progress: Progress
 ) -> None:
-    """Cycle on the finest level until film and load have converged; `films` are those of the
-    levels below.
-    """
+    """Cycle on the finest level until film and load have converged."""
     state = result.state
     index = len(state.levels) - 1
     level = state.levels[-1]

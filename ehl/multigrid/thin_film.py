@@ -82,9 +82,7 @@ def at_load(conditions: Conditions, factor: float) -> Conditions:
 def _extrapolated(
     solution: ContactSolution, name: str, loads: list[float], solved: list[ContactSolution]
 ) -> FilmValue:
-    """ln(H/H_formula) at ln(load) = 0 from its values at lighter loads, in units of the contact's
-    own a^2/Rx [-].
-    """
+    """ln(H/H_formula) at ln(load) = 0 from lighter loads, in units of a^2/Rx [-]."""
     films = [getattr(s, name) for s in solved]
     x = np.log(loads)
     y = np.array(

@@ -32,9 +32,7 @@ def limiting_stress(
 
 @compiled
 def inverse_sine(x):
-    """asinh(x) for x not negative, by a logarithm, which is faster than the library's; near zero
-    its series.
-    """
+    """asinh(x), x >= 0, by a logarithm, faster than the library's; a series near zero."""
     if x < 2e-3:
         return x * (1.0 - x * x * (1.0 / 6.0 - 0.075 * x * x))
     return np.log(x + np.sqrt(x * x + 1.0))
@@ -42,9 +40,7 @@ def inverse_sine(x):
 
 @compiled
 def shear_stress(rate, viscosity, limit, law, stress, exponent, breadth):
-    """Stress magnitude [Pa] at the magnitude of a rate [1/s]; limit: the limiting stress, or
-    infinity [Pa].
-    """
+    """Stress magnitude [Pa] at the magnitude of a rate [1/s]; limiting stress or inf [Pa]."""
     tau = viscosity * rate
     if law == REE_EYRING:
         tau = stress * inverse_sine(tau / stress)
@@ -76,9 +72,7 @@ def _carreau_inverse(s, exponent, breadth):
 
 @compiled
 def shear_rate(tau, viscosity, limit, law, stress, exponent, breadth):
-    """Rate [1/s] at a stress magnitude [Pa], the inverse of `shear_stress`; infinite from the
-    limit on.
-    """
+    """Rate [1/s] at a stress magnitude [Pa], inverse of `shear_stress`; inf from the limit."""
     if np.isfinite(limit):
         if tau >= limit:
             return np.inf

@@ -37,8 +37,6 @@ def log_mean_fluidity(
 def log_gradient_thinning(
     x: Array, y: Array, pressure: Array, film: Array, rheology: Rheology
 ) -> Array:
-    """ln of `rheology.thinning_by_gradient` on a grid, shape (nx, ny) [-]; x, y [m], pressure
-    [Pa], film [m].
-    """
+    """ln of `rheology.thinning_by_gradient`, shape (nx, ny) [-]; x, y [m], p [Pa], h [m]."""
     slopes = np.gradient(pressure, x, axis=0), np.gradient(pressure, y, axis=1)
     return np.log(thinning_by_gradient(np.maximum(film, 0.0) * np.hypot(*slopes), rheology))

@@ -19,9 +19,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class TaitVolume:
-    """Constants of Tait's equation of state in the form of Dymond and Malhotra (1988), as used by
-    Bair (2007).
-    """
+    """Tait's equation of state, form of Dymond and Malhotra (1988), as in Bair (2007)."""
 
     bulk_modulus: float  # K_0, isothermal, at ambient pressure and the reference temperature [Pa]
     bulk_modulus_derivative: float  # K_0' = dK/dp at ambient pressure [-]
@@ -129,9 +127,7 @@ def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: Yasutomi
 def pressure_viscosity_doolittle(
     tait: TaitVolume, doolittle: DoolittleFreeVolume, temperature: float
 ) -> float:
-    """d(ln eta)/dp at ambient pressure and a temperature [K], B R O (V_0/V_R)/{K_0(T) [V_0/V_R -
-    R O]^2} [1/Pa].
-    """
+    """d(ln eta)/dp at p = 0 [1/Pa], B R O (V_0/V_R)/{K_0(T) [V_0/V_R - R O]^2}, T in [K]."""
     above = (
         0.0 if doolittle.occupied_expansion is None else temperature - tait.reference_temperature
     )

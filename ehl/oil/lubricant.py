@@ -1,6 +1,4 @@
-"""Lubricant: density and viscosity as functions of pressure, and of temperature where its thermal
-data are given.
-"""
+"""Lubricant: density and viscosity over pressure, and over temperature with thermal data."""
 
 from dataclasses import dataclass
 from enum import Enum
@@ -216,9 +214,7 @@ def _beta(oil: Lubricant, temperature: ArrayLike | None) -> float:
 
 
 def viscosity(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = None) -> Array:
-    """Dynamic viscosity [Pa s] at pressure `p` [Pa] and temperature [K] after the lubricant's own
-    law.
-    """
+    """Dynamic viscosity [Pa s] at `p` [Pa] and temperature [K] after the lubricant's law."""
     return lubricant.viscosity * np.exp(log_viscosity_ratio(p, lubricant, temperature))
 
 

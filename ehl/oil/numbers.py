@@ -1,6 +1,4 @@
-"""A lubricant as the array of numbers that the kernels of `ehl.oil._kernels` take; law codes live
-here.
-"""
+"""A lubricant as the array of numbers that `ehl.oil._kernels` takes; law codes."""
 
 from math import log
 

@@ -103,9 +103,7 @@ class KernelRheology(NamedTuple):
 
 
 def kernel_rheology(rheology: Rheology) -> KernelRheology:
-    """Numbers of a rheology for the kernels of `ehl.oil._rheology_kernels`; the one place where a
-    law becomes a code.
-    """
+    """Numbers of a rheology for compiled kernels; the one place where a law becomes a code."""
     eyring = rheology.law is ShearLaw.REE_EYRING
     coefficient = rheology.limiting_coefficient
     return KernelRheology(
@@ -122,9 +120,7 @@ def kernel_rheology(rheology: Rheology) -> KernelRheology:
 
 
 def divide_stresses(rheology: Rheology, divisor: float) -> Rheology:
-    """The same law with all its stresses divided by a number in (0, 1] [-]: the smaller it is, the
-    more Newtonian the oil.
-    """
+    """The law with all stresses divided by a number in (0, 1] [-]: more Newtonian."""
     if divisor == 1.0:
         return rheology
     coefficient = rheology.limiting_coefficient
@@ -190,9 +186,7 @@ def effective_viscosity(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> Array:
-    """eta* = tau/rate at a shear rate, eta where the rate vanishes; arguments as `shear_stress`
-    [Pa s].
-    """
+    """eta* = tau/rate [Pa s], eta where the rate vanishes; arguments as `shear_stress`."""
     rate, eta = np.asarray(rate, dtype=np.float64), np.asarray(viscosity, dtype=np.float64)
     moving = rate != 0.0
     stress = shear_stress(rate, eta, pressure, rheology, temperature)
@@ -206,9 +200,7 @@ def shear_stress_vector(
     rheology: Rheology,
     temperature: ArrayLike | None = None,
 ) -> tuple[Array, Array]:
-    """Stresses (tau_x, tau_y) [Pa] at the rates (rate_x, rate_y) [1/s]: parallel, eta* by the
-    rate's magnitude.
-    """
+    """Stresses (tau_x, tau_y) [Pa] parallel to the rates (rate_x, rate_y) [1/s]."""
     x, y = (np.asarray(rate, dtype=np.float64) for rate in rates)
     effective = effective_viscosity(np.hypot(x, y), viscosity, pressure, rheology, temperature)
     return effective * x, effective * y

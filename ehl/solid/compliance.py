@@ -75,9 +75,7 @@ def compliance_matrix(x: Array, y: Array, symmetric: bool) -> Array:
 
 
 def _line_compliance(x: Array, sources: Array, y: float) -> Array:
-    """Compliance of the nodes of one line, shape (nx, nx, number of source lines): field node,
-    source node.
-    """
+    """Compliance within lines, shape (nx, nx, source lines): field node, source node."""
     nx, ny = len(x), len(sources)
     dx = x[None, :, None] - x[:, None, None]
     dy = (sources - y)[None, None, :]
@@ -116,9 +114,7 @@ def add_coating(
 
 
 def near_field(matrix: Array, shape: tuple[int, int], reach: int) -> sparse.csr_matrix:
-    """Entries of a compliance matrix of a mesh of (nx, ny) nodes between nodes at most `reach`
-    lines apart [same unit].
-    """
+    """Entries of a compliance matrix between nodes at most `reach` lines apart [same unit]."""
     number = np.arange(shape[0] * shape[1]).reshape(shape)
     rows, columns = [], []
     for i in range(-reach, reach + 1):

@@ -1,6 +1,4 @@
-"""Elastic deflection of the half space: convolution of the pressure with Love's kernel by
-zero-padded FFT.
-"""
+"""Elastic deflection of the half space: Love's kernel by zero-padded FFT."""
 
 from dataclasses import dataclass
 
@@ -68,9 +66,7 @@ def deflection_kernel(
 
 
 def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Array:
-    """Deflection sum_kl K(i-k, j-l) P_kl of a pressure, shapes (ny, nx) [-], by one forward and
-    one inverse FFT.
-    """
+    """Deflection sum_kl K(i-k, j-l) P_kl, shapes (ny, nx) [-], by FFT."""
     if threads > 1:
         with fft.set_workers(threads):
             return deflect(kernel, pressure)

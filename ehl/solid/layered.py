@@ -1,6 +1,4 @@
-"""Compliance of a contact one body of which is coated: 1/r, and a smooth correction from finite
-elements.
-"""
+"""Compliance of a coated contact: 1/r, and a smooth correction from finite elements."""
 
 from functools import lru_cache
 from math import ceil

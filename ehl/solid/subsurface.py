@@ -47,9 +47,7 @@ class SubsurfaceStress:
 
     @property
     def maximum_shear(self) -> Array:
-        """Largest principal shear, half the difference of the extreme principal stresses, shape
-        (nx, ny, nz) [Pa].
-        """
+        """Half the difference of the extreme principal stresses, shape (nx, ny, nz) [Pa]."""
         xx, yy, zz, xy, yz, xz = self.stress
         tensor = np.moveaxis(
             np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]), (0, 1), (-2, -1)

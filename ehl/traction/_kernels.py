@@ -66,9 +66,7 @@ def mean_sliding(x, y, spread_x, spread_y, motion, surface):
 
 @compiled
 def add_shear(out, x, y, bow, pull, s_x, s_y):
-    """Add to F_x, F_y, M_n, M_y on body 1 what a node does: its area times stress over sliding
-    speed is `pull`.
-    """
+    """Add a node's share of F_x, F_y, M_n, M_y on body 1; pull = area stress/sliding."""
     t_x = pull * s_x
     t_y = pull * s_y
     out[0] -= t_x
@@ -106,9 +104,7 @@ def sliding_sums_many(nodes, law, motions, surface, out):
 
 @compiled
 def _weights(place, axis):
-    """First index and uniform cubic B-spline weights at a place on an axis (start, nodes per unit,
-    nodes).
-    """
+    """First index and cubic B-spline weights at a place on an axis (start, density, nodes)."""
     t = (place - axis[0]) * axis[1]
     i = min(max(int(np.floor(t)), 0), int(axis[2]) - 2)
     t -= i

@@ -103,9 +103,7 @@ class HertzZone:
 
 
 def hertz_zone(solution: ContactSolution) -> HertzZone:
-    """Midpoints of `LINES` lines across, Gauss-Legendre points of `PANELS` along each from edge to
-    edge [m], [Pa].
-    """
+    """Lines across, Gauss-Legendre points of `PANELS` along each, edge to edge [m], [Pa]."""
     # 1. splines of film and pressure over the part of the grid where the pressure is high
     x, y, h = dimensional_grid(solution)
     p = solution.pressure
@@ -158,9 +156,7 @@ def _around(chosen: NDArray[np.bool_]) -> slice:
 
 
 def _crossings(places: Array, values: Array) -> tuple[float, float]:
-    """First and last place where values, interpolated linearly, pass zero; the ends where they do
-    not.
-    """
+    """First and last zero of values interpolated linearly; the ends where there is none."""
     positive = np.flatnonzero(values > 0.0)
     if positive.size == 0:
         return float(places[values.argmax()]), float(places[values.argmax()])

@@ -50,9 +50,7 @@ class FrictionLaw(Protocol):
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ContactShape:
-    """Ellipse and curvature of a contact: what a coefficient of friction needs to become forces
-    and moments.
-    """
+    """Ellipse and curvature of a contact: what turns a coefficient into forces and moments."""
 
     semi_axis_x: float  # along the entrainment, at 1 N; grows with the cube root of the load [m]
     semi_axis_y: float  # across, at 1 N [m]

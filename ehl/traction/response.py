@@ -104,9 +104,7 @@ def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> Norma
 
 
 def _levels(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int] | None:
-    """The solver's levels with a solution on the finest of them; None if no mesh of the solver is
-    that of it.
-    """
+    """Levels with a solution on the finest; None if no mesh of the solver is its."""
     contact = replace(
         scale_contact(solution.conditions), film_guess=solution.film_central_dimensionless.value
     )

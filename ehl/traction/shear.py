@@ -252,9 +252,7 @@ def film_viscosity(solution: ContactSolution) -> Array:
 
 
 def film_temperature(solution: ContactSolution, inlet: float | None) -> Array | float | None:
-    """Of the oil where it is sheared, shape (nx, ny) where the film was solved with heat, else as
-    at the inlet [K].
-    """
+    """Temperature of the sheared oil [K]: shape (nx, ny) with heat, else the inlet's."""
     if solution.state is None or solution.state.temperature is None:
         return inlet
     return solution.state.temperature
@@ -337,9 +335,7 @@ def _curvatures(solution: ContactSolution) -> tuple[float, float]:
 
 
 def _film_balance(solution: ContactSolution, traction: float) -> float:
-    """Sum of the tractions on both bodies along x and of the pressure on the film's sides [N];
-    zero if balanced.
-    """
+    """Tractions on both bodies along x and pressure on the film's ends [N]; zero if balanced."""
     x, y, h = dimensional_grid(solution)
     p = solution.pressure
     along, mixed = _curvatures(solution)

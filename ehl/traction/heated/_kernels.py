@@ -57,9 +57,7 @@ SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3, to 2e-4 of it
 
 @compiled
 def heated_profile(x):
-    """ln g, 2 ln(cosh m) and its slope for X = m tanh m, linear in a table over sqrt(X); beyond
-    its end the last values.
-    """
+    """ln g, 2 ln(cosh m) and slope for X = m tanh m, linear in a table over sqrt(X)."""
     root = np.sqrt(max(x, 0.0))
     place = root * ((ROOTS - 1) / LARGEST_ROOT)
     k = min(int(place), ROOTS - 2)
@@ -195,9 +193,7 @@ def heated_sums(film, law, wall_response, motion, surface, flux, out):
 
 @compiled
 def heated_sums_many(film, law, wall_response, motions, surface, out):
-    """`heated_sums` for each of n motions: four arrays, wall_response of shape (n, 2), added to
-    out of shape (n, 4).
-    """
+    """`heated_sums` for n motions; wall_response (n, 2), added to out (n, 4)."""
     flux = np.zeros((2, film[0].shape[1]))
     slide_x, slide_y, spin, rolling = motions
     for k in range(slide_x.size):

@@ -1,6 +1,4 @@
-"""A film solved with heat, ready to shear: lines of nodes that sliding heats, and its forces for
-many motions.
-"""
+"""A film solved with heat, ready to shear: lines that sliding heats, forces of motions."""
 
 from dataclasses import dataclass
 
@@ -68,9 +66,7 @@ class HeatedLines:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeatedFilm:
-    """A film with heat: lines where the pressure is high; elsewhere nodes that keep the
-    temperature of rolling.
-    """
+    """A film with heat: lines of high pressure; other nodes keep the temperature of rolling."""
 
     lines: HeatedLines
     low_pressure: FilmQuadrature
@@ -174,9 +170,7 @@ def _low_pressure(
     largest_slide: float,
     friction: float,
 ) -> FilmQuadrature:
-    """Nodes of low pressure at the temperature of rolling; friction [N]: that of the lines, to
-    weigh theirs with.
-    """
+    """Nodes of low pressure at the temperature of rolling; friction of the lines [N]."""
     contact = solution.contact
     oil = dimensional_conditions(contact).lubricant
     temperature = np.pad(temperature, ((0, OUTLET_NODES), (0, 0)), mode="edge")

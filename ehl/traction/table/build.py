@@ -91,9 +91,7 @@ def build_table(
 
 
 def check_table(table: TractionTable, contact: TableContact, options: TableOptions) -> TableError:
-    """Error of a table at films and motions not in it, for a contact at its temperature; forces
-    [N], moments [N m].
-    """
+    """Error of a table at films and motions not in it, by contact; forces [N], moments [N m]."""
     return _checked(_study(contact, table.range, options, None), table)
 
 
@@ -199,9 +197,7 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
 
 
 def _largest(raw: Array) -> Array:
-    """Largest force, moment about n and about y of each film, shape (nQ, nU, 3), at least tiny
-    [N], [N m].
-    """
+    """Largest force and moments about n, y of each film, shape (nQ, nU, 3) [N], [N m]."""
     motions = (2, 3, 4)
     parts = (np.hypot(raw[..., 0], raw[..., 1]), np.abs(raw[..., 2]), np.abs(raw[..., 3]))
     largest = np.stack([part.max(axis=motions) for part in parts], axis=-1)
@@ -249,9 +245,7 @@ def _scalars(films: list[list[FilmSample]]) -> Array:
 
 
 def _filled(values: Array) -> Array:
-    """Values [same unit] whose gaps along the first axis are filled in linearly, beyond the ends
-    with the last one.
-    """
+    """Values with gaps along the first axis interpolated, constant beyond the ends."""
     nodes = np.arange(values.shape[0])
     for column in np.ndindex(values.shape[1:]):
         line = values[(slice(None), *column)]
@@ -266,9 +260,7 @@ def _filled(values: Array) -> Array:
 
 
 def _values(study: _Study, film: FilmSample, axes: Array) -> Array:
-    """Forces and moments of one film at the nodes of the motions, shape (nX, nY, nS, 4) [N], [N
-    m].
-    """
+    """Forces and moments of a film at the motions, shape (nX, nY, nS, 4) [N], [N m]."""
     places = np.meshgrid(*(axis_nodes(axis) for axis in axes[2:]), indexing="ij")
     motions = _motions(study, film, places)
     forces = relative_forces(study.contact, film.film, film.speed, motions)
@@ -286,17 +278,13 @@ def _motions(study: _Study, film: FilmSample, places: Sequence[Array] | Array) -
 
 
 def _coefficients(raw: Array) -> Array:
-    """Spline coefficients of values; along slide_y with their mirror image, of which the half
-    above zero is kept.
-    """
+    """Spline coefficients; along slide_y of values with their mirror image, half kept."""
     whole = spline_coefficients(_mirrored(raw), (0, 1, 2, 3, 4))
     return np.ascontiguousarray(whole[:, :, :, raw.shape[3] - 1 :])
 
 
 def _mirrored(raw: Array) -> Array:
-    """Values with their mirror image at slide_y below zero: F_y and M_n change sign with slide_y
-    and spin [-].
-    """
+    """Values mirrored at slide_y = 0: F_y and M_n change sign with slide_y and spin [-]."""
     return np.concatenate([raw[:, :, :, :0:-1, ::-1] * np.array(MIRROR), raw], axis=3)
 
 

@@ -36,9 +36,7 @@ class TableFilm:
 
     @property
     def central(self) -> float:
-        """Central film [m]: extrapolated; with heat that of the finest grid, as on the others heat
-        is not in equilibrium.
-        """
+        """Central film [m]: extrapolated; with heat that of the finest grid."""
         film = self.solution.film_central_dimensionless
         scale = self.solution.film_scale
         assert scale is not None  # of conditions with dimensions
@@ -147,9 +145,7 @@ def _response(
 def _scales(
     contact: TableContact, limits: TableRange, film: TableFilm, speed: float
 ) -> tuple[float, float, float]:
-    """Motions, over u or u/R_x, at a share of those where traction or spin moment has risen by
-    half.
-    """
+    """Motions over u or u/R_x at a share of where traction or spin moment is half."""
     none = np.zeros(SCALE_SAMPLES.size)
     scales = []
     for axis, (limit, share) in enumerate(zip(limits.motions, SCALE_SHARE, strict=True)):
@@ -167,9 +163,7 @@ def _scales(
 def relative_forces(
     contact: TableContact, film: TableFilm, speed: float, motions: list[Array]
 ) -> Array:
-    """F_x, F_y, M_n, M_y by sliding, shape (n, 4) [N], [N m], at slides over u and spin over u/R_x
-    [-].
-    """
+    """F_x, F_y, M_n, M_y by sliding, shape (n, 4) [N], [N m]; slides over u, spin over u/R_x."""
     slide_x = motions[0] * speed
     slide = (slide_x, motions[1] * speed, motions[2] * speed / contact.radius_x)
     rolling = speed / contact.radius_x - 0.5 * contact.curvature_difference * slide_x

@@ -37,9 +37,7 @@ def spline_coefficients(values: Array, axes: tuple[int, ...]) -> Array:
 
 
 def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
-    """First coefficient and weights [-], shape (4,), at a place counted in nodes from the first
-    [-].
-    """
+    """First coefficient and weights [-], shape (4,), at a place counted in nodes [-]."""
     i = min(max(int(np.floor(place)), 0), nodes - 2)
     t = place - i
     r = 1.0 - t

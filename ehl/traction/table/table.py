@@ -134,9 +134,7 @@ class TableError:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class FullSolve:
-    """Traction of one contact on the table's film and in a full solve; not a number where that ran
-    away.
-    """
+    """Traction on the table's film and in a full solve; NaN where that diverged."""
 
     load: float  # [N]
     speed: float  # of entrainment [m/s]
@@ -183,9 +181,7 @@ class TractionTable:
 
     @cached_property
     def joined_values(self) -> Array:
-        """`values` [-] without a step at slide_y = 0, which tables of earlier versions have: see
-        `mirrored_seam`.
-        """
+        """`values` [-] without the step at slide_y = 0 of tables of earlier versions."""
         return mirrored_seam(self.values)
 
     def kernel_arguments(self) -> tuple[Array, Array, Array, Array]:
@@ -208,9 +204,7 @@ class TractionTable:
         return TractionForces._make((*map(float, out), outside))
 
     def largest(self, load: float, speed: float) -> Array:
-        """Largest force [N] and moments about n and y [N m] by sliding at a load [N] and
-        entrainment speed [m/s].
-        """
+        """Largest force [N] and moments about n, y [N m] by sliding at load [N], speed [m/s]."""
         scalars = self.scalars
         for axis, place in zip(self.axes, (load_place(load), log(speed)), strict=False):
             first, weights = spline_weights((place - axis[0]) * axis[1], int(axis[2]))

@@ -53,9 +53,7 @@ class TemperatureTable:
         )
 
     def replaced(self, table: TractionTable) -> "TemperatureTable":
-        """These with a table in place of the one at its temperature [K]; without it where there is
-        none there.
-        """
+        """These with another table at its temperature [K]; left out where there is none."""
         at = table.contact.temperature
         return replace(
             self,
@@ -129,9 +127,7 @@ def build_temperature_table(
 
 
 def lagrange_weights(places: Array, place: float) -> Array:
-    """Weights of values at places [same unit] in the polynomial through them at another place [-],
-    Lagrange.
-    """
+    """Lagrange's weights of values at places [same unit] at another place [-]."""
     return np.array([np.prod([(place - b) / (a - b) for b in places if b != a]) for a in places])
 
 
@@ -156,9 +152,7 @@ def _sum(weights: Array, parts: Sequence[Array]) -> Array:
 def _oil(
     nearest: Lubricant, oils: Sequence[Lubricant], weights: Array, temperature: float
 ) -> Lubricant:
-    """An oil with the viscosities and the density between; further constants of its laws are the
-    nearest one's.
-    """
+    """An oil of interpolated viscosities and density; other constants of the nearest one."""
     viscosity = float(np.exp(weights @ np.log([oil.viscosity for oil in oils])))
     slope = float(weights @ np.array([oil.pressure_viscosity for oil in oils]))
     density = float(weights @ np.array([oil.density for oil in oils]))
