@@ -60,7 +60,8 @@ class DynamicsTable(Table):
         "of the grooved race, or of a sphere on the race's circle as in Shan et al. (2023)",
     )
     friction: Literal["four constants", "coulomb", "table", "none"] = described(
-        "four constants", "of ball on race; table: from films solved before the run"
+        "four constants",
+        "of ball on race, by the constants in [friction]; table: of films solved before",
     )
     friction_on: Literal["ellipse", "centre"] = described(
         "ellipse", "a coefficient counts over the Hertz ellipse, or at its centre alone"

@@ -27,7 +27,7 @@ class FrictionTable(Table):
     """Friction torque; every key may be left out, and leaves out the models that need it."""
 
     coefficient: float | None = above(
-        0.0, 1.0, "Coulomb's mu of the sliding models; left out, SKF's mu_sl"
+        0.0, 1.0, "Coulomb's mu; left out, SKF's mu_sl, and 0.05 in a simulation"
     )
     traction: Literal["films", "table", "four constants", "coulomb"] | None = described(
         None,
@@ -37,12 +37,14 @@ class FrictionTable(Table):
         None, min_length=1, description="file of `oilfilm table`, with traction table"
     )
     traction_maximum: float | None = above(
-        0.0, 1.0, "four constants: largest coefficient kappa_max"
+        0.0, 1.0, "four constants: largest coefficient kappa_max; left out, 0.05 in a simulation"
     )
     traction_maximum_slide: float | None = above(
-        0.0, 10.0, "four constants: slide-roll ratio of it"
+        0.0, 10.0, "four constants: slide-roll ratio of it; left out, 0.03 in a simulation"
     )
-    traction_limit: float | None = between(0.0, 1.0, "four constants: coefficient at large slide")
+    traction_limit: float | None = between(
+        0.0, 1.0, "four constants: coefficient at large slide; left out, 0.03 in a simulation"
+    )
     models: Literal["main", "all"] = described(
         "main",
         "torque models shown: main are integrated, skf, palmgren and coulomb; all "
