@@ -128,11 +128,10 @@ def _required(values: CaseValues) -> Iterator[CaseFault]:
     if values.get("bearing") is None:
         return
     if not given("ring_material") and not all(map(given, RING_MATERIALS)):
-        path = ("bearing", "ring_material")
-        yield CaseFault(path=path, found=MISSING, allowed="needed: a material")
+        yield CaseFault(("bearing", "ring_material"), MISSING, "needed: a material")
     if not any(map(given, CLEARANCE)):
         allowed = f"needed: {' or '.join(CLEARANCE)}"
-        yield CaseFault(path=("bearing", CLEARANCE[0]), found=MISSING, allowed=allowed)
+        yield CaseFault(("bearing", CLEARANCE[0]), MISSING, allowed)
 
 
 def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
@@ -181,7 +180,7 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
             "ends excluded"
         )
         found = f"found {shown(clearance)}"
-        yield CaseFault(path=("bearing", CLEARANCE[0]), found=found, allowed=allowed)
+        yield CaseFault(("bearing", CLEARANCE[0]), found, allowed)
     elif angle is not None:
         expected = 2.0 * distance * (1.0 - cos(radians(angle)))
         if abs(clearance - expected) > max(CLEARANCE_AGREEMENT_UM, 0.01 * abs(expected)):
@@ -191,7 +190,7 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
                 f"allowed: one of them, or {derived:.4g} deg with this clearance, "
                 f"{expected:.5g} um with this angle"
             )
-            yield CaseFault(path=("bearing", CLEARANCE[1]), found=found, allowed=allowed)
+            yield CaseFault(("bearing", CLEARANCE[1]), found, allowed)
 
 
 def _groove_distance(values: CaseValues) -> float | None:
@@ -223,7 +222,7 @@ def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
         allowed = list(skf_series(Series.DEEP_GROOVE))
     if given not in allowed:
         listed = f"allowed: {', '.join(allowed)}"
-        yield CaseFault(path=("bearing", "skf_series"), found=found, allowed=listed)
+        yield CaseFault(("bearing", "skf_series"), found, listed)
 
 
 def _free_angle(values: CaseValues) -> float | None:

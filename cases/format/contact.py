@@ -140,26 +140,23 @@ def _group_faults(values: CaseValues) -> Iterator[CaseFault]:
         if values.given("contact", name):
             found = "found together with Moes' groups"
             allowed = "allowed: dimensions, or Moes' groups, not both"
-            yield CaseFault(path=("contact", name), found=found, allowed=allowed)
+            yield CaseFault(("contact", name), found, allowed)
     for name in GROUPS[:2]:
         if not values.given("contact", name):
-            allowed = "needed: moes_M and moes_L"
-            yield CaseFault(path=("contact", name), found=MISSING, allowed=allowed)
+            yield CaseFault(("contact", name), MISSING, "needed: moes_M and moes_L")
 
 
 def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
     for name in DIMENSIONS:
         if not values.given("contact", name):
-            allowed = "needed, or moes_M and moes_L"
-            yield CaseFault(path=("contact", name), found=MISSING, allowed=allowed)
+            yield CaseFault(("contact", name), MISSING, "needed, or moes_M and moes_L")
     modulus, *bodies = (values.given("contact", name) for name in MODULUS)
     path = ("contact", MODULUS[0])
     if modulus and any(bodies):
         found = "found together with the materials of the bodies"
-        yield CaseFault(path=path, found=found, allowed="allowed: one of them")
+        yield CaseFault(path, found, "allowed: one of them")
     elif not modulus and not all(bodies):
-        allowed = "needed: reduced_modulus_GPa, or material_1 and material_2"
-        yield CaseFault(path=path, found=MISSING, allowed=allowed)
+        yield CaseFault(path, MISSING, "needed: reduced_modulus_GPa, or material_1 and material_2")
 
 
 def film_model_faults(values: CaseValues) -> Iterator[CaseFault]:
@@ -167,12 +164,10 @@ def film_model_faults(values: CaseValues) -> Iterator[CaseFault]:
     film_model = values.get("ehl", "film_model")
     if film_model in ("thermal", "shear-thinning") and values.given("contact", "moes_M"):
         found = f"found {shown(film_model)} with Moes' groups"
-        allowed = 'allowed: dimensions, or "newtonian"'
-        yield CaseFault(path=("ehl", "film_model"), found=found, allowed=allowed)
+        yield CaseFault(("ehl", "film_model"), found, 'allowed: dimensions, or "newtonian"')
     if film_model == "thermal" and values.given("contact", MODULUS[0]):
         found = f"found {MODULUS[0]} with film_model thermal"
-        allowed = "allowed: material_1 and material_2"
-        yield CaseFault(path=("contact", MODULUS[0]), found=found, allowed=allowed)
+        yield CaseFault(("contact", MODULUS[0]), found, "allowed: material_1 and material_2")
 
 
 def contact(

@@ -125,7 +125,7 @@ def check_document(
     """The checked file, or None, and every fault of a document in the units of a file."""
     if any(key in document for key in SWEEP_TABLES):
         allowed = "run it with 'oilfilm batch'"
-        return None, [CaseFault(path=(), line=1, found="a sweep", allowed=allowed)]
+        return None, [CaseFault((), "a sweep", allowed, line=1)]
     # 1. what this version does not take, or takes under another name
     document, faults = _set_aside(document)
     document, moved, more = _with_new_names(document)
@@ -134,7 +134,7 @@ def check_document(
     if "contact" in document and "bearing" in document:
         found = "found together with [bearing]"
         allowed = "allowed: a bearing, or a single contact"
-        faults.append(CaseFault(path=("contact",), found=found, allowed=allowed))
+        faults.append(CaseFault(("contact",), found, allowed))
         document = {key: value for key, value in document.items() if key != "contact"}
     # 2. values of the libraries
     document, unknown = _with_catalogue(with_library_names(document))
@@ -161,11 +161,7 @@ def _without_consequences(faults: list[CaseFault], *, unknown_bearing: bool) -> 
 
 def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
     """Take out, with a fault, what the format knows and this version does not."""
-    faults = [
-        CaseFault(path=(key,), found="found", allowed=NOT_SUPPORTED)
-        for key in LATER_TABLES
-        if key in document
-    ]
+    faults = [CaseFault((key,), "found", NOT_SUPPORTED) for key in LATER_TABLES if key in document]
     document = {
         key: dict(value) if isinstance(value, dict) else value
         for key, value in document.items()
@@ -176,7 +172,7 @@ def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault
             value = document[table].pop(key)
             allowed = NOT_OFFERED.get(value, NOT_SUPPORTED)
             found = f"found {shown(value)}"
-            faults.append(CaseFault(path=(table, key), found=found, allowed=allowed))
+            faults.append(CaseFault((table, key), found, allowed))
     return document, faults
 
 
@@ -205,7 +201,7 @@ def _with_new_names(
         if new in friction:
             found = f"found together with friction.{new}"
             allowed = f"allowed: friction.{new}, which replaces it"
-            faults.append(CaseFault(path=("dynamics", key), found=found, allowed=allowed))
+            faults.append(CaseFault(("dynamics", key), found, allowed))
         elif new != "coefficient" or law == "coulomb":  # without its law it had no effect
             friction[new] = value
             moved["friction", new] = ("dynamics", key)
@@ -230,9 +226,7 @@ def _with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[Case
         allowed = (
             "" if nearest else "allowed: a name of 'oilfilm list bearings', or a complete geometry"
         )
-        return document, [
-            CaseFault(path=("bearing", "name"), found=found, allowed=allowed, nearest=nearest)
-        ]
+        return document, [CaseFault(("bearing", "name"), found, allowed, nearest=nearest)]
     entry = {
         key: value
         for key, value in load_catalogue_entry(name).items()
@@ -248,7 +242,7 @@ def _validate(
     if "schema_version" not in document:
         document = {**document, "schema_version": 1}
         allowed = "needed: schema_version = 1"
-        missing = [CaseFault(path=("schema_version",), line=1, found=MISSING, allowed=allowed)]
+        missing = [CaseFault(("schema_version",), MISSING, allowed, line=1)]
     notes = [
         f"{dotted(old)}: is now {dotted(new)}, and will not be read under its old "
         "name by the next version"
@@ -291,9 +285,7 @@ def _assumed(values: CaseValues) -> list[CaseFault]:
         table, _, rest = name.partition(".")
         if rest.rpartition(".")[2] not in NAMED_TABLES.get(table, Table).model_fields:
             found = f"unknown key {shown(name)}"
-            faults.append(
-                CaseFault(path=("assumed",), found=found, nearest=nearest_name(name, known))
-            )
+            faults.append(CaseFault(("assumed",), found, nearest=nearest_name(name, known)))
     return faults
 
 

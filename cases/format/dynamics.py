@@ -121,12 +121,12 @@ def dynamics_faults(values: CaseValues) -> Iterator[CaseFault]:
     if end is not None and interval is not None and end > LARGEST_HISTORY * interval * 1e-6:
         path = ("dynamics", "output_interval_us")
         allowed = f"allowed: at least {end / LARGEST_HISTORY * 1e6:.3g}, {LARGEST_HISTORY} rows"
-        yield CaseFault(path=path, found=f"found {interval:g}", allowed=allowed)
+        yield CaseFault(path, f"found {interval:g}", allowed)
     lubricated = values.get("dynamics", "contact_law") == "lubricated"
     if lubricated and values.get("dynamics", "friction") != "table":
         path = ("dynamics", "contact_law")
         allowed = 'needed: friction = "table", which holds film and damping'
-        yield CaseFault(path=path, found='found "lubricated"', allowed=allowed)
+        yield CaseFault(path, 'found "lubricated"', allowed)
 
 
 def speed_table(table: DynamicsTable) -> tuple[tuple[float, float], ...] | None:
@@ -193,8 +193,7 @@ def cage_faults(values: CaseValues) -> Iterator[CaseFault]:
         return
     for name in LAND:
         if not values.given("cage", name):
-            allowed = "needed where a ring guides the cage"
-            yield CaseFault(path=("cage", name), found=MISSING, allowed=allowed)
+            yield CaseFault(("cage", name), MISSING, "needed where a ring guides the cage")
 
 
 def cage_friction(table: CageTable | None) -> Cage | None:

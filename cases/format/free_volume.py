@@ -84,7 +84,7 @@ def free_volume_faults(
             yield from _no_constants(oil, law, of_library=of_library)
     for key, reason in _needed(keys, given, chosen).items():
         if key not in keys:
-            yield CaseFault(path=oil.place(key), found=MISSING, allowed=f"needed with {reason}")
+            yield CaseFault(oil.place(key), MISSING, f"needed with {reason}")
     yield from _expansivity_faults(oil, given)
     yield from _without_law(oil, given, chosen)
 
@@ -119,7 +119,7 @@ def _no_constants(oil: _OilFile, law: tuple[str, str], *, of_library: bool) -> I
     ways += [f"with {', '.join(LAWS[law])}", "another law"]
     found = f"found {shown(law[1])}, for which {subject} has no constants"
     allowed = f"allowed: {'; or '.join(ways)}"
-    yield CaseFault(path=oil.place(law[0]), found=found, allowed=allowed)
+    yield CaseFault(oil.place(law[0]), found, allowed)
 
 
 def _expansivity_faults(oil: _OilFile, given: list[str]) -> Iterator[CaseFault]:
@@ -127,10 +127,10 @@ def _expansivity_faults(oil: _OilFile, given: list[str]) -> Iterator[CaseFault]:
     forms = [key for key in EXPANSIVITY if key in given]
     if len(forms) == len(EXPANSIVITY):
         found = f"found together with {forms[0]}"
-        yield CaseFault(path=oil.place(forms[1]), found=found, allowed="allowed: one of them")
+        yield CaseFault(oil.place(forms[1]), found, "allowed: one of them")
     elif not forms and any(key in YASUTOMI for key in given):
         allowed = f"needed: {' or '.join(EXPANSIVITY)}"
-        yield CaseFault(path=oil.place(EXPANSIVITY[0]), found=MISSING, allowed=allowed)
+        yield CaseFault(oil.place(EXPANSIVITY[0]), MISSING, allowed)
 
 
 def _without_law(
@@ -142,8 +142,7 @@ def _without_law(
         if oil.place(key)[0] == "lubricant" and not any(family in law for _, law in chosen):
             laws = [f'{name} = "{law}"' for name, law in LAWS if family in law]
             allowed = f"allowed: {' or '.join(laws)}"
-            found = "found without its law"
-            yield CaseFault(path=("lubricant", key), found=found, allowed=allowed)
+            yield CaseFault(("lubricant", key), "found without its law", allowed)
 
 
 def free_volume(keys: dict[str, Any], temperature: float) -> dict[str, Any]:

@@ -190,8 +190,7 @@ def friction_faults(values: CaseValues) -> Iterator[CaseFault]:
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
         found = f"{shown(name)} cannot be read: there is no such file from the working directory"
         allowed = "allowed: a file that `oilfilm table` wrote"
-        path = ("friction", "traction_table")
-        yield CaseFault(path=path, found=found, allowed=allowed)
+        yield CaseFault(("friction", "traction_table"), found, allowed)
     heated = HEATED.holds(values) and values.get("lubricant") is not None
     if heated and values.get("friction", "heating_torque") == "starved":
         yield from _starved_faults(values)
@@ -209,11 +208,11 @@ def _starved_faults(values: CaseValues) -> Iterator[CaseFault]:
     flow = values.given("friction", "supply_mL_min")
     if not flow and not values.given("lubricant", "inlet_film_um"):
         allowed = f"needed, or lubricant.inlet_film_um, {STARVED}"
-        yield CaseFault(path=("friction", "supply_mL_min"), found=MISSING, allowed=allowed)
+        yield CaseFault(("friction", "supply_mL_min"), MISSING, allowed)
     if not values.given("surface"):
-        yield CaseFault(path=("surface",), found=MISSING, allowed=f"needed {STARVED}")
+        yield CaseFault(("surface",), MISSING, f"needed {STARVED}")
     if flow and not values.given("bearing", "width_mm"):
-        yield CaseFault(path=("bearing", "width_mm"), found=MISSING, allowed=f"needed {STARVED}")
+        yield CaseFault(("bearing", "width_mm"), MISSING, f"needed {STARVED}")
 
 
 def friction(

@@ -184,12 +184,12 @@ def lubricant_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFaul
     starved = values.get("lubricant", "supply") == "starved"
     if starved and not any(where.holds(values) for where in SUPPLIED):
         allowed = "allowed: with inlet_film_um, or friction.supply_mL_min of a bearing"
-        yield CaseFault(path=("lubricant", "supply"), found='found "starved"', allowed=allowed)
+        yield CaseFault(("lubricant", "supply"), 'found "starved"', allowed)
     for name in values.get("lubricants") or ():
         first, second = (("lubricants", name, key) for key in VISCOSITIES)
         if values.given(*first) and values.given(*second):
             found = f"found together with {VISCOSITIES[0]}"
-            yield CaseFault(path=second, found=found, allowed="allowed: one of them")
+            yield CaseFault(second, found, "allowed: one of them")
     without_oils = values.given("lubricants") and not values.get("lubricants")
     if values.get("lubricant") is None or without_oils:
         return
@@ -212,7 +212,7 @@ def _library_temperature(values: CaseValues) -> Iterator[CaseFault]:
         if given is not None and given >= LIBRARY_TEMPERATURE_C:
             allowed = f"allowed with an oil of the library: below {LIBRARY_TEMPERATURE_C:g}"
             path = (table, "temperature_C")
-            yield CaseFault(path=path, found=f"found {shown(given)}", allowed=allowed)
+            yield CaseFault(path, f"found {shown(given)}", allowed)
 
 
 def _incomplete(oil: dict[str, Any], *, moes: bool) -> Iterator[CaseFault]:
@@ -222,10 +222,10 @@ def _incomplete(oil: dict[str, Any], *, moes: bool) -> Iterator[CaseFault]:
     if not viscosity and not (moes and (law != "roelands" or "roelands_z" in oil)):
         allowed = f"needed: {', '.join(VISCOSITIES)}, or the name of a lubricant"
         allowed = "needed: roelands_z, or a viscosity that gives it" if moes else allowed
-        yield CaseFault(path=("lubricant", "viscosity_mPa_s"), found=MISSING, allowed=allowed)
+        yield CaseFault(("lubricant", "viscosity_mPa_s"), MISSING, allowed)
     if law not in ("isoviscous", *LAWS_WITH_CONSTANTS) and PRESSURE_VISCOSITY not in oil:
         allowed = 'needed, unless viscosity_law = "isoviscous"'
-        yield CaseFault(path=("lubricant", PRESSURE_VISCOSITY), found=MISSING, allowed=allowed)
+        yield CaseFault(("lubricant", PRESSURE_VISCOSITY), MISSING, allowed)
 
 
 def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
@@ -251,13 +251,13 @@ def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFa
         key = PRESSURE_VISCOSITY
         if scale <= 0.0:
             key, found = VISCOSITIES[0], f"found {shown(eta)}"
-        yield CaseFault(path=("lubricant", key), found=found, allowed=allowed)
+        yield CaseFault(("lubricant", key), found, allowed)
 
 
 def _foreign_constant(path: Path, choice: str, law: object, own: str) -> CaseFault:
     """A constant of the law `own` where another one is chosen."""
     found = f"found together with {choice} = {shown(law)}"
-    return CaseFault(path=path, found=found, allowed=f'allowed with "{own}" only')
+    return CaseFault(path, found, f'allowed with "{own}" only')
 
 
 def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
@@ -275,13 +275,13 @@ def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault
             fault = _foreign_constant(places[0], "rheology", law, own)
             if "rheology" not in oil:
                 found = f'found without rheology = "{own}"'
-                fault = CaseFault(path=places[0], found=found, allowed=fault.allowed)
+                fault = CaseFault(places[0], found, fault.allowed)
             yield fault
     if law == "carreau-yasuda":
         for key in ("carreau_modulus_MPa", "carreau_exponent"):
             if key not in oil:
                 allowed = 'needed with rheology = "carreau-yasuda"'
-                yield CaseFault(path=("lubricant", key), found=MISSING, allowed=allowed)
+                yield CaseFault(("lubricant", key), MISSING, allowed)
 
 
 def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
@@ -292,7 +292,7 @@ def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[Ca
     if number and (alpha == 0.0 or isoviscous):
         found = f"found {shown(number)} without a {PRESSURE_VISCOSITY} above 0"
         allowed = "allowed: 0, or an oil with such a coefficient"
-        yield CaseFault(path=("contact", "moes_L"), found=found, allowed=allowed)
+        yield CaseFault(("contact", "moes_L"), found, allowed)
 
 
 def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
@@ -302,8 +302,7 @@ def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]
         reasons = ['ehl.film_model = "thermal"']
     for key in HEAT_KEYS:
         if reasons and key not in oil:
-            path = ("lubricant", key)
-            yield CaseFault(path=path, found=MISSING, allowed=f"needed with {reasons[0]}")
+            yield CaseFault(("lubricant", key), MISSING, f"needed with {reasons[0]}")
 
 
 def lubricant(oil: Oil, temperature: float) -> Lubricant:

@@ -100,8 +100,7 @@ def operation_faults(values: CaseValues) -> Iterator[CaseFault]:
     moment = values.get("operation", "moment_N_mm") or ()
     if values.get("operation", "tilt") == "held" and any(moment):
         found = 'found "held" together with a moment'
-        allowed = 'allowed: "free", or no moment'
-        yield CaseFault(path=("operation", "tilt"), found=found, allowed=allowed)
+        yield CaseFault(("operation", "tilt"), found, 'allowed: "free", or no moment')
     angles = values.get("operation", "tilt_mrad") or ()
     for axis, angle, load in zip("yz", angles, moment, strict=False):
         if angle != FREE_WORD and load:
@@ -114,7 +113,7 @@ def operation_faults(values: CaseValues) -> Iterator[CaseFault]:
 
 def _given_twice(name: str, found: str, load: str) -> CaseFault:
     allowed = f'allowed: one of them; "{FREE_WORD}" in {name} where the {load} decides'
-    return CaseFault(path=("operation", name), found=found, allowed=allowed)
+    return CaseFault(("operation", name), found, allowed)
 
 
 def operation(table: OperationTable) -> Operation:

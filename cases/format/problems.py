@@ -17,7 +17,7 @@ SHOWN_NAMES = 12  # shown of a list of allowed keys
 SHOWN_CHARACTERS = 60  # characters of a found value that are shown
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class CaseFault:
     """One error: the key it belongs to, what was found there and what is allowed."""
 
@@ -43,7 +43,7 @@ class UnfitKey(ValueError):  # noqa: N818
     """A key whose value turns out unfit on conversion; its message has no line yet."""
 
     def __init__(self, path: Path, found: str, allowed: str = "") -> None:
-        self.fault = CaseFault(path=path, found=found, allowed=allowed)
+        self.fault = CaseFault(path, found, allowed)
         super().__init__(f"{dotted(path)}: {found}")
 
 
@@ -103,22 +103,16 @@ def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseFault:
     if error["type"] == "extra_forbidden":
         return _unknown(path, schema)
     if error["type"] == "missing":
-        return CaseFault(
-            path=path,
-            found=MISSING,
-            allowed=f"needed: {allowed_values(schema_node(schema, path))}",
-        )
+        return CaseFault(path, MISSING, f"needed: {allowed_values(schema_node(schema, path))}")
     if error["type"] == "choice":
-        return CaseFault(path=path, found=found, allowed=f"allowed: {error['msg']}")
+        return CaseFault(path, found, f"allowed: {error['msg']}")
     node = schema_node(schema, path)
     nearest = (
         nearest_name(error["input"], node.get("enum", ()))
         if isinstance(error["input"], str)
         else None
     )
-    return CaseFault(
-        path=path, found=found, allowed=f"allowed: {allowed_values(node)}", nearest=nearest
-    )
+    return CaseFault(path, found, f"allowed: {allowed_values(node)}", nearest=nearest)
 
 
 def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
@@ -126,22 +120,16 @@ def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
     key = str(path[-1])
     parent = path[:-1]
     if "contact" in schema["properties"] and path in OF_BEARINGS:
-        return CaseFault(
-            path=path, found="not used by a single contact", allowed="allowed in a bearing case"
-        )
+        return CaseFault(path, "not used by a single contact", "allowed in a bearing case")
     names = list(schema_node(schema, parent).get("properties", ()))
     for table, node in schema["properties"].items():
         if table != (parent or ("",))[0] and key in resolved(schema, node).get("properties", ()):
-            return CaseFault(path=path, found="unknown key", allowed=f"{key} belongs in [{table}]")
+            return CaseFault(path, "unknown key", f"{key} belongs in [{table}]")
     if parent and schema_node(schema, (key,)).get("type") not in (None, "object"):
-        return CaseFault(
-            path=path, found="unknown key", allowed=f"{key} belongs at the top of the file"
-        )
+        return CaseFault(path, "unknown key", f"{key} belongs at the top of the file")
     nearest = nearest_name(key, names)
     if nearest and nearest.startswith(key + "_"):
-        return CaseFault(
-            path=path, found="unknown key", allowed="keys end in their unit", nearest=nearest
-        )
+        return CaseFault(path, "unknown key", "keys end in their unit", nearest=nearest)
     shortened = (
         [*names[:SHOWN_NAMES], "... (see docs/reference/cases.md)"]
         if len(names) > SHOWN_NAMES + 2
@@ -149,10 +137,7 @@ def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
     )
     listed = "" if nearest else "allowed: " + ", ".join(shortened)
     return CaseFault(
-        path=path,
-        found="unknown key" if parent else "unknown name",
-        allowed=listed,
-        nearest=nearest,
+        path, "unknown key" if parent else "unknown name", allowed=listed, nearest=nearest
     )
 
 

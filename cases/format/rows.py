@@ -56,8 +56,7 @@ def row_faults(values: CaseValues) -> Iterator[CaseFault]:
     for index, table in enumerate(tables):
         if "preload_N" in table and "preload_um" in table:
             path = ("rows", index, "preload_um")
-            found = "found together with preload_N"
-            yield CaseFault(path=path, found=found, allowed="allowed: one of them")
+            yield CaseFault(path, "found together with preload_N", "allowed: one of them")
     diameter = values.get("bearing", "ball_diameter_mm")
     for (_, one), (index, other) in combinations(enumerate(tables), 2):
         there, here = (table.get("axial_position_mm") for table in (one, other))
@@ -66,10 +65,10 @@ def row_faults(values: CaseValues) -> Iterator[CaseFault]:
         if abs(here - there) < diameter:
             path = ("rows", index, "axial_position_mm")
             allowed = f"allowed: at least a ball diameter, {diameter:g} mm, from every other row"
-            yield CaseFault(path=path, found=f"found {shown(here)}", allowed=allowed)
+            yield CaseFault(path, f"found {shown(here)}", allowed)
     if tables and values.given("slip"):
         found = "found together with [[rows]]"
-        yield CaseFault(path=("slip",), found=found, allowed="allowed: slip maps of a single row")
+        yield CaseFault(("slip",), found, "allowed: slip maps of a single row")
     yield from _film_map_faults(values)
 
 
@@ -89,7 +88,7 @@ def _film_map_faults(values: CaseValues) -> Iterator[CaseFault]:
             nearest = min(azimuths, key=lambda other: _apart(azimuth, other))
             found = f"found {shown(azimuth)}, where no ball is"
             allowed = f"allowed: azimuths of balls; the nearest is {nearest:.6g}"
-            yield CaseFault(path=("ehl", "film_maps"), found=found, allowed=allowed)
+            yield CaseFault(("ehl", "film_maps"), found, allowed)
 
 
 def ball_azimuths(balls: int, first: float) -> tuple[float, ...]:

@@ -90,7 +90,7 @@ class Excludes:
         path = _path(self.key)
         if values.given(*path) and values.given(*_path(self.other)):
             found = f"found together with {self.other.removeprefix(f'{path[0]}.')}"
-            yield CaseFault(path=path, found=found, allowed=f"allowed: {self.allowed}")
+            yield CaseFault(path, found, f"allowed: {self.allowed}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +106,7 @@ class Needs:
         path = _path(self.key)
         if self.where.holds(values) and not values.given(*path):
             allowed = self.allowed or f"needed with {self.where.text(path[0])}"
-            yield CaseFault(path=path, found=MISSING, allowed=allowed)
+            yield CaseFault(path, MISSING, allowed)
 
 
 @dataclass(frozen=True, slots=True)
@@ -125,7 +125,7 @@ class OnlyWith:
             return
         found = f"found without {' or '.join(where.text(path[0]) for where in self.wheres)}"
         allowed = f"allowed: with {' or '.join(where.text() for where in self.wheres)}"
-        yield CaseFault(path=path, found=found, allowed=allowed)
+        yield CaseFault(path, found, allowed)
 
 
 @dataclass(frozen=True, slots=True)
@@ -149,7 +149,7 @@ class Below:
         path = _path(self.fault_at)
         if values.get(*path) is not None:
             allowed = f"allowed: {side} {other.removeprefix(f'{path[0]}.')} = {bound:g}"
-            yield CaseFault(path=path, found=f"found {value:g}", allowed=allowed)
+            yield CaseFault(path, f"found {value:g}", allowed)
 
 
 def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterator[CaseFault]:
@@ -168,7 +168,7 @@ def bounded(
     """A fault where the value at `path` is given and does not fit."""
     value = values.get(*path)
     if value is not None and not fits(value):
-        yield CaseFault(path=path, found=f"found {shown(value)}", allowed=f"allowed: {allowed}")
+        yield CaseFault(path, f"found {shown(value)}", f"allowed: {allowed}")
 
 
 def known(path: Path, name: object, names: tuple[str, ...]) -> Iterator[CaseFault]:
@@ -177,7 +177,7 @@ def known(path: Path, name: object, names: tuple[str, ...]) -> Iterator[CaseFaul
         nearest = nearest_name(name, names)
         allowed = "" if nearest else f"allowed: {', '.join(names)}"
         found = f"unknown name {shown(name)}"
-        yield CaseFault(path=path, found=found, allowed=allowed, nearest=nearest)
+        yield CaseFault(path, found, allowed, nearest=nearest)
 
 
 def _path(key: str) -> tuple[str, ...]:
