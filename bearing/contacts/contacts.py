@@ -61,7 +61,8 @@ def _motions(solution: QuasistaticSolution) -> list[_Motion]:
     normal = np.stack([zero, side, zero], axis=1)
     across = np.stack([side, zero, zero], axis=1)
     axes = np.stack([along, across, normal], axis=1)
-    spin, lag = solution.spin_speed[balls], solution.attitude[balls] - angle
+    spin = solution.spin_speed[balls]
+    lag = solution.attitude[balls] - angle
     rotation = [-spin * np.cos(lag), spin * np.sin(lag), solution.pivot_speed[balls]]
     kinematics = motion_map_of_axes(solution, side < 0.0, angle, axes, axle, balls)
     ball, race = kinematics.bodies_at(solution.orbit_speed[balls], np.stack(rotation, axis=1))

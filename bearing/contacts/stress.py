@@ -111,9 +111,13 @@ def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
     the centres of curvature.
     """
     if race is Race.INNER:
-        shoulder, centre, side = bearing.inner_shoulder_diameter, bearing.inner_centre_radius, -1.0
+        shoulder = bearing.inner_shoulder_diameter
+        centre = bearing.inner_centre_radius
+        side = -1.0
     else:
-        shoulder, centre, side = bearing.outer_shoulder_diameter, bearing.outer_centre_radius, 1.0
+        shoulder = bearing.outer_shoulder_diameter
+        centre = bearing.outer_centre_radius
+        side = 1.0
     if shoulder is None:
         return None
     return acos(side * (0.5 * shoulder - centre) / groove_radius(bearing, race))

@@ -73,7 +73,8 @@ def schedule_at(schedule, t, out):
     if n == 1 or t >= schedule[n - 1, TIME]:
         out[:] = schedule[n - 1, SCHEDULED:]
         return 0.0
-    before, after = schedule[k], schedule[k + 1]
+    before = schedule[k]
+    after = schedule[k + 1]
     span = after[TIME] - before[TIME]
     share = max(0.0, (t - before[TIME]) / span)
     for given in range(GIVEN_COLUMNS):
@@ -85,7 +86,8 @@ def schedule_at(schedule, t, out):
 @compiled
 def place_body(y, first, tilt, first_velocity, spin, body):
     """Row of a body from its coordinates, `tilt` the index of its tilts, and its axial speed."""
-    ty, tz = y[first + tilt], y[first + tilt + 1]
+    ty = y[first + tilt]
+    tz = y[first + tilt + 1]
     size = 1.0 / np.sqrt(1.0 + ty * ty + tz * tz)
     axis = (size, tz * size, -ty * size)
     write(body, CENTRE, vector(y, first))
@@ -146,7 +148,8 @@ def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
         power[LOADS] += pushes[i] * v
         power[SUPPORT] += c.ring_damping * v * v
     tilting = first + RING_TILT
-    wy, wz = y[tilting], y[tilting + 1]
+    wy = y[tilting]
+    wz = y[tilting + 1]
     dy[RING_TILT] = wy
     dy[RING_TILT + 1] = wz
     gyro = c.ring_polar * spin

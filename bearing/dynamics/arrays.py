@@ -22,19 +22,31 @@ GUIDED_BY_BALLS, GUIDED_BY_INNER_RING, GUIDED_BY_OUTER_RING = range(3)
 
 CAGE_BODY = 2  # row of `bodies` after INNER and OUTER
 # first columns of the vectors in `bodies`
-CENTRE, AXIS, VELOCITY, TURN = 0, 3, 6, 9
+CENTRE = 0
+AXIS = 3
+VELOCITY = 6
+TURN = 9
 BODY_COLUMNS = 12
 RING_LOAD, CAGE_LOAD = range(2)  # rows of `loads`
-FORCE, MOMENT = 0, 3  # first columns of the vectors in `loads`, `forces`, `outer_load`
+# first columns of the vectors in `loads`, `forces`, `outer_load`
+FORCE = 0
+MOMENT = 3
 LOAD_COLUMNS = 6
 
 # columns of `given`; those of `schedule` are the time and these
-INNER_SPEED, OUTER_SPEED, GIVEN_FORCE, GIVEN_MOMENT = 0, 1, 2, 5
+INNER_SPEED = 0
+OUTER_SPEED = 1
+GIVEN_FORCE = 2
+GIVEN_MOMENT = 5
 GIVEN_COLUMNS = 7
-TIME, SCHEDULED = 0, 1
+TIME = 0
+SCHEDULED = 1
 
 # columns of `motion`: vectors (normal into the race, entrainment, across it, contact point) ...
-NORMAL, X_AXIS, Y_AXIS, POINT = 0, 3, 6, 9
+NORMAL = 0
+X_AXIS = 3
+Y_AXIS = 6
+POINT = 9
 # ... and what `RACE_NAMES` describes; ROLL: relative turn about the y axis [rad/s]
 SLIDE_X, SLIDE_Y, SPIN, ROLL, ENTRAINMENT = range(12, 17)
 APPROACH_SPEED, ANGLE, APPROACH, THICKNESS = range(17, 21)
@@ -42,7 +54,8 @@ MOTION_COLUMNS = 21
 
 # columns of `friction`, as the kernels of `ehl.traction` write them
 FORCE_X, FORCE_Y, SPIN_MOMENT, ROLL_MOMENT = range(4)
-CENTRAL_FILM, FILM_DAMPING = 5, 7
+CENTRAL_FILM = 5
+FILM_DAMPING = 7
 FRICTION_COLUMNS = 8
 
 RACE_NAMES = (  # columns of `race_out`

@@ -93,5 +93,6 @@ def first_rows(record: Record, rows: int) -> Record:
 
 def join(first: Record, second: Record) -> Record:
     """Two records one after the other."""
-    parts: list[Any] = [np.concatenate((a, b)) for a, b in zip(first, second, strict=True)]  # type: ignore[arg-type]
+    pairs: Any = zip(first, second, strict=True)
+    parts = [np.concatenate((a, b)) for a, b in pairs]
     return Record(*parts)

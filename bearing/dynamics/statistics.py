@@ -123,10 +123,8 @@ def simulation_statistics(
     late = time >= (1.0 - AVERAGED_SHARE) * time[-1]
     late[-2:] = True
     cage = np.concatenate(running.cage_rotation)[late]
-    orbit, centres = (
-        np.concatenate(running.orbit_speed)[late],
-        np.concatenate(running.centres)[late],
-    )
+    orbit = np.concatenate(running.orbit_speed)[late]
+    centres = np.concatenate(running.centres)[late]
     span = float(time[late][-1] - time[late][0])
     has_cage = simulation.data.constants.cage_mass > 0.0 and span > 0.0
     work = state.y[simulation.layout.energy]

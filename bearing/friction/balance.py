@@ -220,10 +220,10 @@ def _gyroscopic_matrix(solution: QuasistaticSolution, driven: NDArray[np.bool_])
 
 def _shifted(solution: QuasistaticSolution, z: Array) -> tuple[Array, Array]:
     """Speeds of the balls as `ball_speeds` has them [rad/s] at the scaled unknowns [m/s]."""
-    (orbit, rotation), bearing = ball_speeds(solution), solution.bearing
-    return orbit + z[:, 0] * 2.0 / bearing.pitch_diameter, rotation + z[
-        :, 1:
-    ] * 2.0 / bearing.ball_diameter
+    orbit, rotation = ball_speeds(solution)
+    bearing = solution.bearing
+    orbit = orbit + z[:, 0] * 2.0 / bearing.pitch_diameter
+    return orbit, rotation + z[:, 1:] * 2.0 / bearing.ball_diameter
 
 
 def _result(

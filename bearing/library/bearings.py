@@ -67,7 +67,8 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
             or abs(value - entry[field]) > EQUALITY_RTOL * abs(entry[field])
         ):
             continue
-        (low, high), (text, unit) = entry["range"][field], _words(field)
+        low, high = entry["range"][field]
+        text, unit = _words(field)
         estimates.append(f"{text} {value:g}{unit} ({low:g} to {high:g})")
     if estimates:
         warnings.warn(

@@ -170,10 +170,8 @@ def viscosity_dynamic_d341(entry: dict[str, Any], temperature: float, _density: 
 
 
 def _d341(temperatures: list[float], values: list[float], temperature: float) -> float:
-    (x0, x1), (y0, y1) = (
-        (log10(t) for t in temperatures),
-        (log10(log10(v + CUTOFF)) for v in values),
-    )
+    x0, x1 = (log10(t) for t in temperatures)
+    y0, y1 = (log10(log10(v + CUTOFF)) for v in values)
     y = y0 + (y1 - y0) * (log10(temperature) - x0) / (x1 - x0)
     return float(10.0 ** (10.0**y) - CUTOFF)
 

@@ -191,7 +191,8 @@ def critical_loads(study: SlipStudy, speed: float, radial_load: float) -> Array:
     # 1. down from a load at which no ball slips, step by step
     for load, solution in _descent(study, speed):
         if above is not None:
-            before, after = slip_factors(above[1]), slip_factors(solution)
+            before = slip_factors(above[1])
+            after = slip_factors(solution)
             passed = (before >= study.limit) & (after < study.limit) & np.isnan(loads)
             # 2. the load at which a ball passed the limit; balls with equal factors share it
             for ball in np.flatnonzero(passed):

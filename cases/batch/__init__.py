@@ -4,6 +4,7 @@
 |---|---|
 | points | a sweep, its points, tasks and receipts: plain data |
 | blocks | points described by the blocks of a sweep file |
+| faults | faults of points placed in the sweep file |
 | plotted | numbers that a sweep file asks to be drawn |
 | sweep | a sweep file read, expanded and checked |
 | contact_cache | solved contacts shared by points |

@@ -7,8 +7,10 @@ from itertools import product
 from math import prod
 from typing import Any
 
+from pydantic import ValidationError
+
 from ..format.fields import is_number
-from ..format.problems import CaseFault, shown
+from ..format.problems import CaseFault, schema_faults, shown
 from ..format.sweep import HypercubeOptions, SensitivityTable, SweepFile
 from ..format.toml_lines import Path
 
@@ -179,3 +181,27 @@ def differences(
             CaseFault(path=where, found="no key to vary", allowed="needed: a list of keys")
         )
     return variations, notes, problems
+
+
+def hypercubes(
+    file: SweepFile,
+) -> tuple[list[tuple[dict[str, Any], HypercubeOptions, Path]], list[CaseFault]]:
+    """Tables [latin_hypercube] with their options and places, and their faults."""
+    cubes: list[tuple[dict[str, Any], HypercubeOptions, Path]] = []
+    faults: list[CaseFault] = []
+    several = len(file.latin_hypercube) > 1
+    for k, table in enumerate(file.latin_hypercube):
+        where: Path = ("latin_hypercube", k) if several else ("latin_hypercube",)
+        try:
+            options = HypercubeOptions.model_validate(
+                {key: table[key] for key in OPTIONS if key in table}
+            )
+        except ValidationError as error:
+            schema = HypercubeOptions.model_json_schema()
+            faults += [
+                CaseFault(path=(*where, *p.path), found=p.found, allowed=p.allowed)
+                for p in schema_faults(error.errors(include_url=False), schema)
+            ]
+        else:
+            cubes.append((table, options, where))
+    return cubes, faults

@@ -10,22 +10,23 @@ from pydantic import ValidationError
 
 from ..format.case import Case, ContactCase, case_of_file
 from ..format.document import check_document, parse, read_text
-from ..format.problems import CaseError, CaseFault, schema_faults, shown
+from ..format.problems import CaseError, CaseFault, schema_faults
 from ..format.shipped import find_case, find_sweep
-from ..format.sweep import HypercubeOptions, SweepFile
+from ..format.sweep import SweepFile
 from ..format.toml_lines import Path, key_lines
 from ..version import version
 from .blocks import (
     MOST_POINTS,
-    OPTIONS,
     Variation,
     block_settings,
     case_path,
     differences,
     factorial,
     hypercube,
+    hypercubes,
     listed,
 )
+from .faults import located_faults, overridden_names
 from .plotted import plot_problems
 from .points import Point, Sweep
 from .tables import (
@@ -41,16 +42,6 @@ FORMAT = 1  # of what a point leaves on disk
 UNIMPORTANT = ("title", "source", "assumed")  # for what is computed
 # likewise, for traction tables
 TABLES_IGNORE = ("surface", "slip", "friction", "cage", "dynamics", "ehl")
-HIDING = {
-    "bearing": (
-        "ball_diameter_mm",
-        "pitch_diameter_mm",
-        "balls",
-        "inner_groove_radius_mm",
-        "outer_groove_radius_mm",
-    ),
-    "lubricant": ("viscosity_mPa_s", "kinematic_viscosity_mm2_s", "pressure_viscosity_1_GPa"),
-}
 
 
 def read_sweep(name_or_path: str | FilePath) -> Sweep:
@@ -91,15 +82,7 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         dict.fromkeys(setting.key for variation in variations for setting in variation.settings)
     )
     points, common, examples = _points(file, base, variations, fixed, keys, (name, lines))
-    table = _table_file(file, folder, bool(common), (name, lines))
-    if table is not None:
-        wrong = foreign_points(table, common, examples)
-        problems = [_foreign(reason, numbers) for reason, numbers in wrong.items()]
-        if problems:
-            raise _error(name, lines, problems)
-    points = with_tables(
-        points, common, None if table is None else file_hash(table), file.table_points
-    )
+    points, table = _with_tables(file, folder, (points, common, examples), (name, lines))
     return Sweep(
         name=name,
         text=text,
@@ -115,6 +98,23 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
         table_points=file.table_points,
         plot=file.plot,
     )
+
+
+def _with_tables(
+    file: SweepFile,
+    folder: FilePath | None,
+    checked: tuple[tuple[Point, ...], dict[int, str], dict[str, Case]],
+    place: tuple[str, dict[Path, int]],
+) -> tuple[tuple[Point, ...], FilePath | None]:
+    """The points with the names of their traction tables, and the file that the sweep names."""
+    points, common, examples = checked
+    table = _table_file(file, folder, bool(common), place)
+    if table is not None:
+        wrong = foreign_points(table, common, examples)
+        if wrong:
+            raise _error(*place, [_foreign(reason, numbers) for reason, numbers in wrong.items()])
+    digest = None if table is None else file_hash(table)
+    return with_tables(points, common, digest, file.table_points), table
 
 
 def _table_file(
@@ -186,27 +186,10 @@ def _variations(
 ) -> tuple[list[Variation], list[str], list[CaseFault]]:
     """The variations of all blocks, in the order of the format's description."""
     combinations, count, problems = factorial(file)
-    cubes: list[tuple[dict[str, Any], HypercubeOptions, Path]] = []
     notes: list[str] = []
-    for k, table in enumerate(file.latin_hypercube):
-        where: Path = (
-            ("latin_hypercube",) if len(file.latin_hypercube) == 1 else ("latin_hypercube", k)
-        )
-        try:
-            options = HypercubeOptions.model_validate(
-                {key: table[key] for key in OPTIONS if key in table}
-            )
-        except ValidationError as error:
-            wrong = schema_faults(
-                error.errors(include_url=False), HypercubeOptions.model_json_schema()
-            )
-            problems += [
-                CaseFault(path=(*where, *p.path), found=p.found, allowed=p.allowed) for p in wrong
-            ]
-            continue
-        cubes.append((table, options, where))
-        count += options.samples
-    count += len(file.combinations)
+    cubes, faults = hypercubes(file)
+    problems += faults
+    count += sum(options.samples for _, options, _ in cubes) + len(file.combinations)
     if count > MOST_POINTS:
         problems.append(
             CaseFault(
@@ -305,7 +288,7 @@ def _points(
     """
     points = []
     common = dict[int, str]()
-    problems = list(_hidden(base, variations))
+    problems = list(overridden_names(base, variations))
     examples: dict[str, Case] = {}
     for number, variation in enumerate(variations, 1):
         document = with_values(base, variation)
@@ -313,7 +296,7 @@ def _points(
             document = with_equilibrium(document)
         case, faults = _checked(document, f"point {number}")
         if case is None:
-            problems += _located(faults, variation, fixed, number)
+            problems += located_faults(faults, variation, fixed, number)
         elif not problems:
             points.append(
                 Point(
@@ -355,59 +338,6 @@ def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[Ca
         yield CaseFault(
             path=("compute",), found=f"point {number}: {wrong}", allowed='allowed: "run"'
         )
-
-
-def _hidden(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseFault]:
-    """A catalogue bearing or an oil varied by name, whose values the case itself overrides."""
-    for variation in variations[:1] + variations[-1:]:
-        for setting in variation.settings:
-            table = case_path(setting.key)[0]
-            key = case_path(setting.key)[-1]
-            own = base.get(table)
-            given = (
-                [k for k in HIDING.get(table, ()) if isinstance(own, dict) and k in own]
-                if key == "name"
-                else []
-            )
-            if given:
-                found = f"the case itself gives {given[0]}, which overrides the library's"
-                yield CaseFault(
-                    path=setting.where,
-                    found=found,
-                    allowed=f"allowed with a case that names a {table} only",
-                )
-
-
-def _located(
-    problems: Iterable[CaseFault], variation: Variation, fixed: Variation, number: int
-) -> Iterator[CaseFault]:
-    """Faults of a point at the key of the sweep file that it varies or fixes."""
-    settings = (*variation.settings, *fixed.settings)
-    for problem in problems:
-        setting = next((s for s in settings if _meets(case_path(s.key), problem.path)), None)
-        if setting is not None:
-            same = tuple(problem.path) == case_path(setting.key)
-            found = (
-                problem.found
-                if same or not problem.path
-                else f"{'.'.join(map(str, problem.path))}: {problem.found}"
-            )
-            yield CaseFault(
-                path=setting.where, found=found, allowed=problem.allowed, nearest=problem.nearest
-            )
-        else:
-            values = ", ".join(f"{s.key} = {shown(s.value)}" for s in variation.settings)
-            place = f"{'.'.join(map(str, problem.path))}: " if problem.path else ""
-            found = f"point {number} ({values}): {place}{problem.found}"
-            yield CaseFault(
-                path=("case",), found=found, allowed=problem.allowed, nearest=problem.nearest
-            )
-
-
-def _meets(path: Path, problem: Path) -> bool:
-    """Whether a problem's path is that of a key, lies below it, or is a table around it."""
-    shorter = min(len(path), len(problem))
-    return shorter > 0 and path[:shorter] == tuple(problem[:shorter])
 
 
 def point_key(resolved: dict[str, Any], file: SweepFile) -> str:

@@ -2,6 +2,7 @@
 
 | module | responsibility |
 |---|---|
+| __main__ | `python -m cases.cli` |
 | main | entry point; registers the commands |
 | app | the application and options shared by commands |
 | terminal | progress, messages, exit codes |

@@ -152,7 +152,9 @@ def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
     allowed = f"more than the ball diameter, {diameter:g} mm"
     path = ("bearing", "pitch_diameter_mm")
     yield from bounded(values, path, lambda x: x > diameter, allowed)
-    inner, outer = pitch - diameter, pitch + diameter  # diameters of the raceways
+    # diameters of the raceways
+    inner = pitch - diameter
+    outer = pitch + diameter
     if inner > 0.0:
         most = floor(pi / asin(diameter / pitch) + 1e-9)
         allowed = f"at most {most} balls of {diameter:g} mm on a pitch circle of {pitch:g} mm"

@@ -187,7 +187,8 @@ def _with_new_names(
         names = {f"dynamics.{key}": f"friction.{new}" for key, new in RENAMED.items()}
         assumed = [names.get(name, name) if isinstance(name, str) else name for name in assumed]
         document = {**document, "assumed": assumed}
-    simulation, friction = document.get("dynamics"), document.get("friction", {})
+    simulation = document.get("dynamics")
+    friction = document.get("friction", {})
     if not isinstance(simulation, dict) or not isinstance(friction, dict):
         return document, {}, []
     law = simulation.get("friction")

@@ -74,8 +74,9 @@ def run_case(
         "contacts": perf_counter() - start,
         "total": sum(timing.values()) + perf_counter() - start,
     }
-    if interrupted:
-        messages = (*messages, "interrupted: the films that were not finished are null")
+    stop = ("interrupted: the films that were not finished are null",) if interrupted else ()
+    traction = traction_messages(case.traction, state, contacts)
+    messages = (*case.warnings, *case.films.messages, *traction, *messages, *stop)
     tractions, torque = _friction(case, state, contacts, solutions, timing)
     results = BearingResults(
         version=version(),
@@ -85,12 +86,7 @@ def run_case(
         contacts=contacts,
         solutions=solutions,
         frequencies=bearing_frequencies(state),
-        messages=(
-            *case.warnings,
-            *case.films.messages,
-            *traction_messages(case.traction, state, contacts),
-            *messages,
-        ),
+        messages=messages,
         interrupted=interrupted,
         timing=timing,
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),

@@ -120,19 +120,9 @@ def _regimes(points: int, names: Sequence[str]) -> tuple[Table, tuple[Check, ...
         asymptote = asymptotes(m, l, ratio)[name]
         fit = moes_film_nijenbanning(m, l, ratio)
         bar = pair[0].film_central_dimensionless.uncertainty * film_unit(m, ratio)
-        rows.append(
-            (
-                NAMES[name],
-                f"{m:g}",
-                f"{l:g}",
-                f"{first:.4g} ± {bar:.1g}",
-                f"{asymptote:.4g}",
-                percent(asymptote / first - 1.0),
-                f"{fit:.4g}",
-                f"{power:.3f}",
-                f"{theory:.3f} ({varied})",
-            )
-        )
+        films = (f"{first:.4g} ± {bar:.1g}", f"{asymptote:.4g}", percent(asymptote / first - 1.0))
+        powers = (f"{fit:.4g}", f"{power:.3f}", f"{theory:.3f} ({varied})")
+        rows.append((NAMES[name], f"{m:g}", f"{l:g}", *films, *powers))
         within = POWER_TOLERANCE[name]
         known = all(s.converged and s.resolved for s in pair)
         checks.append(

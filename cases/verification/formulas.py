@@ -1,7 +1,8 @@
 """Film formulas beside solved films: where they hold and where they fail."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from functools import partial
+from itertools import product
 
 import numpy as np
 
@@ -41,26 +42,11 @@ def formulas(quick: bool = False) -> Section:
     jobs = [(ratio, l, m) for ratio in ratios for l in lubricant for m in loads]
     contacts = [from_groups(moes(m, l, ratio)) for ratio, l, m in jobs]
     solutions = dict(zip(jobs, each(lambda c: solve_contact(c, options), contacts), strict=True))
-    maps, rows = [], []
-    for name, (which, formula) in FORMULAS.items():
-        row = [name]
-        for ratio in ratios:
-            share = np.array(
-                [
-                    [_deviation(formula, which, solutions[(ratio, l, m)]) for m in loads]
-                    for l in lubricant
-                ]
-            )
-            maps.append(
-                FormulaMap(
-                    title=f"{name}, $R_x/R_y$ {ratio:g}",
-                    loads=loads,
-                    lubricant=lubricant,
-                    share=share,
-                )
-            )
-            row.append(_range(share))
-        rows.append(tuple(row))
+    maps = _maps(solutions, loads, lubricant, ratios)
+    rows = []
+    for k, name in enumerate(FORMULAS):
+        own = maps[k * len(ratios) : (k + 1) * len(ratios)]
+        rows.append((name, *(_range(one.share) for one in own)))
     head = ("formula", *(f"R_x/R_y {ratio:g}" for ratio in ratios))
     tables = [
         Table("Smallest and largest deviation, and the median of its size:", head, tuple(rows))
@@ -86,6 +72,26 @@ def formulas(quick: bool = False) -> Section:
             ),
         ),
     )
+
+
+def _maps(
+    solutions: Mapping[tuple[float, float, float], ContactSolution],
+    loads: tuple[float, ...],
+    lubricant: tuple[float, ...],
+    ratios: tuple[float, ...],
+) -> list[FormulaMap]:
+    """A map of each formula at each Rx/Ry."""
+    maps = []
+    for (name, (which, formula)), ratio in product(FORMULAS.items(), ratios):
+        share = [
+            [_deviation(formula, which, solutions[(ratio, l, m)]) for m in loads]
+            for l in lubricant
+        ]
+        title = f"{name}, $R_x/R_y$ {ratio:g}"
+        maps.append(
+            FormulaMap(title=title, loads=loads, lubricant=lubricant, share=np.array(share))
+        )
+    return maps
 
 
 def _deviation(formula: Formula, which: str, solution: ContactSolution) -> float:

@@ -81,7 +81,8 @@ def _hertz_row(s: ContactSolution) -> tuple[str, ...]:
         _centre(s),
         -s.approach_dimensionless,
     )
-    film, *others = (*numbers, approach_formula(m, l))
+    film, *others = numbers
+    others.append(approach_formula(m, l))
     known = "yes" if s.resolved else "no"
     return (f"{m:.1f}", f"{l:.3f}", f"{film:.5f}", *(f"{number:.4f}" for number in others), known)
 
@@ -197,19 +198,11 @@ def _pairs() -> list[tuple[str, Posed, Posed, float]]:
     spin, back = (from_groups(moes(100.0, 8.0, 0.1), rotation=r) for r in (0.3, -0.3))
     assert isinstance(circle, MoesConditions)
     box = (-4.5, 1.5, 3.0)
+    wide = (-8.0, 1.5, 2.25)
+    turned = "entrainment at 90° and the principal directions exchanged"
     return [
-        (
-            "entrainment at 90° and the principal directions exchanged",
-            (si, box),
-            (exchanged, box),
-            2e-3,
-        ),
-        (
-            "6208 in SI and in Moes' groups",
-            (inner, (-8.0, 1.5, 2.25)),
-            (groups, (-8.0, 1.5, 2.25)),
-            1e-8,
-        ),
+        (turned, (si, box), (exchanged, box), 2e-3),
+        ("6208 in SI and in Moes' groups", (inner, wide), (groups, wide), 1e-8),
         ("an entrainment and its mirror image", (oblique, None), (mirrored, None), 2e-3),
         ("a rotation and its mirror image", (spin, None), (back, None), 2e-3),
         (

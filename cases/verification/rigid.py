@@ -47,16 +47,9 @@ def rigid_limit(quick: bool = False) -> Section:
         share = film.value / half
         fit = asymptotes(m, 0.0, ratio)["RI"] / film_unit(m, ratio) / half
         bar = film.uncertainty / half
-        rows.append(
-            (
-                f"{ratio:g}",
-                f"{m:g}",
-                f"{share:.4f} ± {bar:.4f}",
-                f"{far[ratio]:.4f}",
-                f"{near[ratio]:.4f}",
-                f"{fit:.3f}",
-            )
-        )
+        solved = f"{share:.4f} ± {bar:.4f}"
+        direct_films = (f"{far[ratio]:.4f}", f"{near[ratio]:.4f}")
+        rows.append((f"{ratio:g}", f"{m:g}", solved, *direct_films, f"{fit:.3f}"))
         if m == LOADS[-1]:
             name = f"rigid film over the direct solution, R_x/R_y {ratio:g}, M {m:g}"
             within = 0.04

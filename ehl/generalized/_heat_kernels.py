@@ -265,7 +265,8 @@ def heat_sweep(
     n = section[0].size
     unsolved = 0
     work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
-    slope, out = np.zeros((n, n)), np.zeros(n)
+    slope = np.zeros((n, n))
+    out = np.zeros(n)
     for j in range(ny):
         for i in range(nx) if forward else range(nx - 1, -1, -1):
             height = h[j, i]
@@ -289,7 +290,8 @@ def heat_sweep(
             for attempt in range(2):
                 before = i - 1 if forward else i + 1
                 if attempt == 1 and 0 <= before < nx:  # from the neighbour's temperatures
-                    temperature[j, i], middle[:, j, i] = temperature[j, before], np.nan
+                    temperature[j, i] = temperature[j, before]
+                    middle[:, j, i] = np.nan
                 dissipation[j, i], converged = solve_heat_column(
                     j, i, p[j, i], height, rise, rate, speed, mesh, symmetric, oil, heat, section,
                     differences, rheology, temperature, inlet, (past_1, past_2), wall_response,

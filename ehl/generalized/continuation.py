@@ -135,7 +135,8 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[float, int]:
     halvings = 0
     index = len(state.levels) - 1
     while reached < 1.0:
-        before, flow_before = snapshot(state, index), state.levels[index].flow_state
+        before = snapshot(state, index)
+        flow_before = state.levels[index].flow_state
         continuation = Continuation(
             share=share, relaxation=TEMPERATURE_RELAXATION, follow_pressure=follows
         )

@@ -142,7 +142,8 @@ def start_level(state: Multigrid, index: int, pressure: Array) -> None:
     level = state.levels[index]
     level.P = np.maximum(pressure, 0.0)
     level.f = np.zeros_like(level.P)
-    level.s, level.start = level.gap, None
+    level.s = level.gap
+    level.start = None
     level.load = state.contact.load - state.exterior
     if state.far_field is None:
         _zero_edge(level.P, level.grid)
@@ -323,7 +324,8 @@ def _restrict(state: Multigrid, index: int) -> Array:
     coarse = state.levels[index - 1]
     residual = reynolds_residual(state, index)
     start = inject(fine.P)
-    coarse.P, coarse.start = start.copy(), start
+    coarse.P = start.copy()
+    coarse.start = start
     coarse.H = inject(fine.H)
     coarse.s = coarse.H - state.approach
     coarse.load = coarse.grid.integral(start) + fine.load - fine.grid.integral(fine.P)

@@ -324,7 +324,10 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
         f_y -= pull * s_y
         m_n += pull * (y * s_x - x * s_y)
         m_y += pull * bend * s_x
-    out[0], out[1], out[2], out[3] = f_x, f_y, m_n, m_y
+    out[0] = f_x
+    out[1] = f_y
+    out[2] = m_n
+    out[3] = m_y
     out[4] = -(f_x * slide_x + f_y * slide_y + m_n * spin + m_y * rolling)
     out[5] = out[6] = out[7] = 0.0
     return 0

@@ -18,7 +18,8 @@ from .quadrature import ellipse_rings
 
 Array = NDArray[np.float64]
 
-RINGS, RAYS = 16, 32  # of the quadrature over the ellipse: force to 0.5 % of mu Q, see there
+RINGS = 16  # of the quadrature over the ellipse: force to 0.5 % of mu Q
+RAYS = 32  # see there
 # slide over entrainment speed up to which a four-constant law rises from zero [-]: a
 # regularisation, far below the slide of the largest coefficient (about 0.03)
 DEAD_BAND = 1e-4

@@ -162,7 +162,8 @@ def draw_batch(
         elif len(np.unique(data.second)) <= MOST_LINES:
             _family(axes, data, keys[1], legend=axes is panels[0])
         else:
-            sound, open_ = data.part(data.sound), data.part(~data.sound)
+            sound = data.part(data.sound)
+            open_ = data.part(~data.sound)
             mapped = axes.scatter(sound.x, sound.y, c=sound.second, s=14)
             axes.scatter(open_.x, open_.y, c=open_.second, s=18, marker="x")
         _first_key(axes, keys[0])

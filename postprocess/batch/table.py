@@ -58,7 +58,8 @@ def batch_table(results: BatchResults) -> Group:
     style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
     table = number_table([*headers, ""], rows, [""], **style)
     for column in table.columns[1 : 1 + len(keys)]:
-        column.no_wrap, column.overflow = False, "fold"
+        column.no_wrap = False
+        column.overflow = "fold"
     flags = {_flag(point) for point in results.points}
     meanings = {"!": "! not converged", "x": "x failed, see the messages"}
     notes = [text for flag, text in meanings.items() if flag in flags]

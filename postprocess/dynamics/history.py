@@ -63,7 +63,8 @@ class HistoryWriter:
     """A netCDF-4 file that takes records one after the other."""
 
     def __init__(self, path: Path, balls: int, attributes: dict[str, str | float]) -> None:
-        self.balls, self.rows = balls, 0
+        self.balls = balls
+        self.rows = 0
         self.file = h5netcdf.File(path, "w")
         coordinates: dict[str, tuple[str, ...] | Any] = {
             "ball": np.arange(1, balls + 1),

@@ -84,10 +84,12 @@ def report_page(folder: Path) -> str:
     summary = read_summary(folder)
     if summary.get("kind") == "batch":
         title = summary.get("title")
-        cards, sections = batch.cards(summary), batch.sections(summary, folder)
+        cards = batch.cards(summary)
+        sections = batch.sections(summary, folder)
     else:
         title = summary["case"].get("title") or folder.name
-        cards, sections = bearing.cards(summary), _sections(summary, folder)
+        cards = bearing.cards(summary)
+        sections = _sections(summary, folder)
     parts = [(anchor, name, body) for anchor, name, body in sections if body]
     links = " ".join(f'<a href="#{anchor}">{escape(name)}</a>' for anchor, name, _ in parts)
     head = _head(summary, str(title), links)

@@ -34,7 +34,9 @@ FIELDS = {
     ("T", "K"): (TEMPERATURE, 1.0, ZERO_CELSIUS),
 }
 RACES = ("inner", "outer")
-SHELL, AXISYMMETRIC = "S4", "CAX4"  # quadrilaterals of Abaqus
+# quadrilaterals of Abaqus
+SHELL = "S4"
+AXISYMMETRIC = "CAX4"
 ABAQUS_QUAD = "CAX4P"  # what meshio writes for any of them
 
 

@@ -169,16 +169,23 @@ def flat_patch(solution: ContactSolution, film_exaggeration: float) -> vtkStruct
     """A single contact in its plane: coordinates in [mm], or in semi-axes a where no length is
     known.
     """
-    unit, a = "a", 1.0
-    film_name, h, height = "film thickness [a^2/Rx]", 1.0, film_exaggeration
-    pressure_name, p = "pressure [p_h]", 1.0
+    unit = "a"
+    a = 1.0
+    film_name = "film thickness [a^2/Rx]"
+    h = 1.0
+    height = film_exaggeration
+    pressure_name = "pressure [p_h]"
+    p = 1.0
     if solution.semi_axis_x is not None:
-        unit, a = "mm", solution.semi_axis_x / MILLIMETRE
+        unit = "mm"
+        a = solution.semi_axis_x / MILLIMETRE
     if solution.film_scale is not None:
-        film_name, h = FILM, solution.film_scale / MICROMETRE
+        film_name = FILM
+        h = solution.film_scale / MICROMETRE
         height = film_exaggeration * solution.film_scale / MILLIMETRE
     if solution.hertz_pressure > 0.0:
-        pressure_name, p = PRESSURE, solution.hertz_pressure / GIGAPASCAL
+        pressure_name = PRESSURE
+        p = solution.hertz_pressure / GIGAPASCAL
     x, y = principal_coordinates(solution.X, solution.Y, solution.frame_angle)
     grid = structured_grid(np.stack([a * x, a * y, height * solution.H], axis=-1))
     add_point_data(grid, film_name, h * solution.H)

@@ -26,7 +26,7 @@ HOMES = {
     "h5netcdf": ("postprocess/files.py", "postprocess/*/history.py"),
     "h5py": ("postprocess/*/history.py",),
     "typer": ("cases/cli/*.py",),
-    "pydantic": ("cases/format/*.py", "cases/batch/sweep.py"),
+    "pydantic": ("cases/format/*.py", "cases/batch/*.py"),
     "pydantic_core": ("cases/format/*.py",),
     "rich": ("cases/cli/*.py", "postprocess/*table.py", "postprocess/*/*.py"),
     "PIL": ("postprocess/scene/*.py",),

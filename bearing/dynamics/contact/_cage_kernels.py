@@ -66,7 +66,9 @@ def pocket_motion(c, body, angle, position, velocity, turn):
     axial = dot(offset, axis)
     radial = dot(offset, outward) - c.pocket_circle if c.pocket_circle > 0.0 else 0.0
     distance = np.sqrt(across * across + axial * axial + radial * radial)
-    p, q, r = 1.0, 0.0, 0.0
+    p = 1.0
+    q = 0.0
+    r = 0.0
     if distance > 1e-15:
         p, q, r = across / distance, axial / distance, radial / distance
     normal = plus(plus(times(p, around), times(q, axis)), times(r, outward))

@@ -158,7 +158,10 @@ def race_friction(kind, data, law, motion, friction):
             k[APPROACH] = elastic_approach(data.axes, data.scalars, law, distance, k[ENTRAINMENT])
             k[THICKNESS] = k[APPROACH] - distance
         load = elastic_force(law, k[APPROACH])
-        speed, slide_x, slide_y, spin = k[ENTRAINMENT], k[SLIDE_X], k[SLIDE_Y], k[SPIN]
+        speed = k[ENTRAINMENT]
+        slide_x = k[SLIDE_X]
+        slide_y = k[SLIDE_Y]
+        spin = k[SPIN]
         if load <= 0.0 or kind == FRICTIONLESS:
             out[:] = 0.0
         elif kind == COEFFICIENT:

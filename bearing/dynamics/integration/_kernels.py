@@ -49,7 +49,8 @@ C = np.array([1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0])
 E = np.array([71 / 57600, 0.0, -71 / 16695, 71 / 1920, -17253 / 339200, 22 / 525, -1 / 40])
 STAGES = 7
 # rows of the stages beside the seven derivatives: states of stage 6 and 7
-STATE_6, STATE_7 = 7, 8
+STATE_6 = 7
+STATE_7 = 8
 STAGE_ROWS = 9
 # step control: new step = safety times step times error^(-1/5), between the two limits
 SAFETY = 0.9
@@ -193,7 +194,10 @@ def turn_balls(y_before, y_after, h, balls, attitude):
         s = np.sin(half) / half if half > 0.0 else 1.0
         w = np.cos(half)
         a, b, c = a * s, b * s, c * s
-        q0, q1, q2, q3 = attitude[j, 0], attitude[j, 1], attitude[j, 2], attitude[j, 3]
+        q0 = attitude[j, 0]
+        q1 = attitude[j, 1]
+        q2 = attitude[j, 2]
+        q3 = attitude[j, 3]
         attitude[j, 0] = w * q0 - a * q1 - b * q2 - c * q3
         attitude[j, 1] = w * q1 + a * q0 + b * q3 - c * q2
         attitude[j, 2] = w * q2 - a * q3 + b * q0 + c * q1

@@ -83,7 +83,8 @@ def _advance_to(
         _kernels.add_film_work(data, state.y)
         before[:] = state.y
         state.counters[STEPS] += 1
-        state.time, state.step = solver.t, step
+        state.time = solver.t
+        state.step = step
     state.counters[EVALUATIONS] += solver.nfev
     return True
 

@@ -1,0 +1,72 @@
+"""Faults of points as faults of the sweep file: at the key that a point varies or fixes."""
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from ..format.problems import CaseFault, shown
+from ..format.toml_lines import Path
+from .blocks import Variation, case_path
+
+HIDING = {
+    "bearing": (
+        "ball_diameter_mm",
+        "pitch_diameter_mm",
+        "balls",
+        "inner_groove_radius_mm",
+        "outer_groove_radius_mm",
+    ),
+    "lubricant": ("viscosity_mPa_s", "kinematic_viscosity_mm2_s", "pressure_viscosity_1_GPa"),
+}
+
+
+def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Iterator[CaseFault]:
+    """A catalogue bearing or an oil varied by name, whose values the case itself overrides."""
+    for variation in variations[:1] + variations[-1:]:
+        for setting in variation.settings:
+            table = case_path(setting.key)[0]
+            key = case_path(setting.key)[-1]
+            own = base.get(table)
+            given = (
+                [k for k in HIDING.get(table, ()) if isinstance(own, dict) and k in own]
+                if key == "name"
+                else []
+            )
+            if given:
+                found = f"the case itself gives {given[0]}, which overrides the library's"
+                yield CaseFault(
+                    path=setting.where,
+                    found=found,
+                    allowed=f"allowed with a case that names a {table} only",
+                )
+
+
+def located_faults(
+    problems: Iterable[CaseFault], variation: Variation, fixed: Variation, number: int
+) -> Iterator[CaseFault]:
+    """Faults of a point at the key of the sweep file that it varies or fixes."""
+    settings = (*variation.settings, *fixed.settings)
+    for problem in problems:
+        setting = next((s for s in settings if _meets(case_path(s.key), problem.path)), None)
+        if setting is not None:
+            same = tuple(problem.path) == case_path(setting.key)
+            found = (
+                problem.found
+                if same or not problem.path
+                else f"{'.'.join(map(str, problem.path))}: {problem.found}"
+            )
+            yield CaseFault(
+                path=setting.where, found=found, allowed=problem.allowed, nearest=problem.nearest
+            )
+        else:
+            values = ", ".join(f"{s.key} = {shown(s.value)}" for s in variation.settings)
+            place = f"{'.'.join(map(str, problem.path))}: " if problem.path else ""
+            found = f"point {number} ({values}): {place}{problem.found}"
+            yield CaseFault(
+                path=("case",), found=found, allowed=problem.allowed, nearest=problem.nearest
+            )
+
+
+def _meets(path: Path, problem: Path) -> bool:
+    """Whether a problem's path is that of a key, lies below it, or is a table around it."""
+    shorter = min(len(path), len(problem))
+    return shorter > 0 and path[:shorter] == tuple(problem[:shorter])
