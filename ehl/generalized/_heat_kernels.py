@@ -261,8 +261,7 @@ def heat_sweep(
     [m^0.5]; in and out: temperature (ny, nx, n) [K], middle (2, ny, nx) [Pa], mass (ny, nx, n)
     [m^2/s], flux into both bodies and dissipation [W/m^2].
     """
-    ny, nx = p.shape
-    n = section[0].size
+    ny, nx, n = temperature.shape
     unsolved = 0
     work, flow = np.zeros((ROWS, n)), np.zeros((FLOW_ROWS, n))
     slope = np.zeros((n, n))
@@ -281,9 +280,8 @@ def heat_sweep(
                 continue
             # 2. column, with the response of the walls to its own flux
             rise = (height * gradient[0, j, i], height * gradient[1, j, i])
-            slide_x = speed_2[0, j, i] - speed_1[0, j, i]
-            slide_y = speed_2[1, j, i] - speed_1[1, j, i]
-            rate = (slide_x / height, slide_y / height)
+            slide = speed_2[:, j, i] - speed_1[:, j, i]
+            rate = (slide[0] / height, slide[1] / height)
             wall_response = (response[0, j, i] * weights[0], response[1, j, i] * weights[0])
             speed = (speed_1[0, j, i], speed_1[1, j, i])
             converged = False
