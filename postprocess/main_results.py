@@ -2,9 +2,11 @@
 
 from typing import Any
 
+from .bearing.contacts import CONTACT_QUANTITY
 from .bearing.heating import KEYS as HEATING
 from .bearing.supply import KEYS as SUPPLY
 from .bearing.torque import AS_PRINTED, MODELS
+from .quantities import quantities
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
 SIMULATION = (
@@ -28,6 +30,38 @@ THINNEST = (  # of a bearing's thinnest film
     *("film_central_uncertainty_um", "lambda_ratio"),
 )
 LIFE = "basic_reference_rating_Mrev"
+# titles and symbols of what tables and pictures of a batch show, derived from whole summaries
+MAIN_QUANTITY = CONTACT_QUANTITY | {
+    quantity.key: quantity
+    for quantity in quantities(
+        "",
+        "",
+        ("load_maximum_N", "largest load", "", "Q max"),
+        ("hertz_pressure_maximum_GPa", "largest Hertz pressure", "", "p_h max"),
+        ("film_minimum_dimensionless", "minimum film", "", "h_min"),
+        ("torque_N_mm", "torque", "", "torque"),
+        ("cage_speed_rpm", "cage speed", "", "cage"),
+        ("cage_speed_ratio", "cage over kinematic speed", "", "of kinem."),
+        ("slip_factor_minimum", "smallest slip factor", "", "SF min"),
+        ("balls_slipping", "balls slipping", "", "slip"),
+        ("minimum_preload_N", "minimum preload", "", "preload"),
+        ("inner_largest_coefficient", "largest coefficient, inner race", "", "µ inner"),
+        ("outer_largest_coefficient", "largest coefficient, outer race", "", "µ outer"),
+    )
+}
+BATCH_COLUMNS = (  # of the terminal's table, the last that fit
+    *("load_maximum_N", "hertz_pressure_maximum_GPa"),
+    *("film_central_um", "film_minimum_um", "film_minimum_dimensionless"),
+    *("torque_N_mm", "cage_speed_rpm", "cage_speed_ratio"),
+    *("slip_factor_minimum", "balls_slipping", "minimum_preload_N"),
+    *("inner_largest_coefficient", "outer_largest_coefficient"),
+)
+BATCH_PANELS = (  # the first ones are drawn where the sweep file names none
+    *("film_minimum_um", "film_minimum_dimensionless", "torque_N_mm"),
+    *("hertz_pressure_maximum_GPa", "hertz_pressure_GPa", "cage_speed_ratio"),
+    *("slip_factor_minimum", "minimum_preload_N"),
+    *("inner_largest_coefficient", "outer_largest_coefficient"),
+)
 
 
 def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:

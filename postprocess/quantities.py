@@ -1,7 +1,7 @@
 """Output quantities: each is declared once, by its key, its title and where its value comes from.
 
-The last words of the key are the unit (`ehl.units`); summary, CSV, netCDF attributes, tables and
-pictures read the same declaration.
+The last words of the key are the unit (`ehl.units`); summary, CSV, netCDF attributes, the tables
+of terminal and report and the labels of pictures read the same declaration.
 """
 
 from collections.abc import Iterable, Mapping
@@ -16,14 +16,15 @@ class Quantity:
     """One output quantity.
 
     Its value is the attribute `source`, a dotted path in a record, in SI; null where a part of the
-    path is None, for the reason `null`.
+    path is None, for the reason `null`. Without a `source` it is derived from a whole summary.
     """
 
     key: str
     title: str
-    source: str
+    source: str = ""
     null: str = ""
-    symbol: str = ""  # short title of narrow tables
+    symbol: str = ""  # in tables of a terminal
+    short: str = ""  # title of narrow columns, where the title is too long
     words: bool = False  # a name, a number of a part or a truth value: without unit
 
     @property
@@ -41,11 +42,11 @@ def quantities(
 ) -> tuple[Quantity, ...]:
     """Quantities of one part of a record.
 
-    Each row is key, title, attribute of the part and, where there is one, a short title.
+    Each row is key, title, attribute of the part and, where there are any, symbol and short title.
     """
     return tuple(
-        Quantity(key, title, source + name, null, "".join(symbol), words)
-        for key, title, name, *symbol in rows
+        Quantity(key, title, source + name, null, *short, words=words)
+        for key, title, name, *short in rows
     )
 
 

@@ -3,8 +3,19 @@
 from math import ceil, floor, inf, isfinite, log10
 from typing import Any
 
+from ehl.units import unit_of
+
 NOTHING = "–"
 MOST_LISTED = 8  # balls are listed one by one up to this number
+SYMBOLS = {
+    "um": "µm",
+    "mm2/s": "mm²/s",
+    "kg/m3": "kg/m³",
+    "degC": "°C",
+    "um/(m K)": "µm/(m K)",
+    "deg": "°",
+    "10^6 rev": "10⁶ rev",
+}
 
 
 def number(value: Any, digits: str = ".4g") -> str:
@@ -37,3 +48,9 @@ def listed(names: list[str]) -> str:
         if len(names) <= MOST_LISTED
         else f"{', '.join(names[:2])} ... {names[-1]}"
     )
+
+
+def unit_text(key: str) -> str:
+    """Unit of a key with the signs of a page."""
+    unit = unit_of(key)
+    return SYMBOLS.get(unit, unit)

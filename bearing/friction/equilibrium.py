@@ -195,7 +195,7 @@ def _success_message(state: _State) -> str:
     balls = ", ".join(str(ball + 1) for ball in np.flatnonzero(state.cage_driven))
     if not balls:
         return text
-    return f"{text}; balls {balls} go with the cage, their inner contacts cannot drive them"
+    return f"{text}; balls {balls} are driven by the cage, their inner contacts cannot drive them"
 
 
 def _failure_message(state: _State) -> str:

@@ -16,24 +16,12 @@ from ehl.solution import Array
 from ehl.units import unit_of, unit_symbol, without_unit
 
 from ..bearing.plots_torque import LABELS
-from ..main_results import main_results
+from ..main_results import BATCH_PANELS, MAIN_QUANTITY, main_results
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
 from .results import BatchPoint, BatchResults
 from .summary import scalar_numbers
 
 BATCH_PLOT = "over_keys.png"
-QUANTITIES = {
-    "film_minimum_um": "minimum film",
-    "film_minimum_dimensionless": "minimum film",
-    "torque_N_mm": "torque",
-    "hertz_pressure_maximum_GPa": "largest Hertz pressure",
-    "hertz_pressure_GPa": "Hertz pressure",
-    "cage_speed_ratio": "cage over kinematic speed",
-    "slip_factor_minimum": "smallest slip factor",
-    "minimum_preload_N": "minimum preload",
-    "inner_largest_coefficient": "largest coefficient, inner race",
-    "outer_largest_coefficient": "largest coefficient, outer race",
-}
 MODELS = "torque_N_mm.models."
 PARTS = {
     "total": "sum",
@@ -140,7 +128,7 @@ def quantities(results: BatchResults) -> list[str]:
         every = [_numbers(point) for point in results.points]
         return [name for name in results.plot if any(row.get(name) is not None for row in every)]
     rows = [main_results(point.summary) for point in results.points]
-    return [name for name in QUANTITIES if any(row.get(name) for row in rows)][:MOST_PANELS]
+    return [name for name in BATCH_PANELS if any(row.get(name) for row in rows)][:MOST_PANELS]
 
 
 def draw_batch(
@@ -256,7 +244,9 @@ def quantity_label(name: str, model: str | None = None) -> str:
         own, part = name.removeprefix(MODELS).split(".")
         words = PARTS.get(part, part)
         return words if own == model else LABELS[own] + ("" if part == "total" else f", {words}")
-    return QUANTITIES.get(name) or without_unit(name.rpartition(".")[2])
+    if name in MAIN_QUANTITY:
+        return MAIN_QUANTITY[name].title
+    return without_unit(name.rpartition(".")[2])
 
 
 def common_model(names: list[str]) -> str | None:

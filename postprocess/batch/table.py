@@ -8,7 +8,7 @@ from rich.text import Text
 
 from ehl.units import unit_symbol, without_unit
 
-from ..main_results import main_results
+from ..main_results import BATCH_COLUMNS, MAIN_QUANTITY, main_results
 from ..table import number_table
 from ..text import NOTHING, number
 from .results import BatchPoint, BatchResults
@@ -17,21 +17,6 @@ from .sensitivity import bands, sensitivities
 MOST_ROWS = 40  # of the terminal's table; the files have all
 WIDTH = 80
 CELL = 10  # characters of a column of results
-SHOWN = {
-    "load_maximum_N": "Q max",
-    "hertz_pressure_maximum_GPa": "p_h max",
-    "film_central_um": "h_c",
-    "film_minimum_um": "h_min",
-    "film_minimum_dimensionless": "h_min",
-    "torque_N_mm": "torque",
-    "cage_speed_rpm": "cage",
-    "cage_speed_ratio": "of kinem.",
-    "slip_factor_minimum": "SF min",
-    "balls_slipping": "slip",
-    "minimum_preload_N": "preload",
-    "inner_largest_coefficient": "µ inner",
-    "outer_largest_coefficient": "µ outer",
-}
 
 
 def batch_table(results: BatchResults) -> Group:
@@ -42,11 +27,11 @@ def batch_table(results: BatchResults) -> Group:
         for key in results.keys
         if len({str(point.values.get(key)) for point in results.points}) > 1
     ]
-    shown = [name for name in SHOWN if any(row.get(name) is not None for row in main)]
+    shown = [name for name in BATCH_COLUMNS if any(row.get(name) is not None for row in main)]
     free = WIDTH - 10 - sum(max(9, len(_name(key))) + 1 for key in keys)
     shown = shown[-max(1, free // CELL) :]
     headers = ["#", *(f"{_name(key)}\n{_unit(key)}" for key in keys)]
-    headers += [f"{SHOWN[name]}\n{_unit(name)}" for name in shown]
+    headers += [f"{MAIN_QUANTITY[name].symbol}\n{_unit(name)}" for name in shown]
     rows = []
     for point, row in zip(results.points, main, strict=True):
         values = [point.values.get(key) for key in keys] + [row.get(name) for name in shown]
@@ -70,20 +55,25 @@ def _uncertainties(results: BatchResults) -> list[Table]:
     """Sensitivities to each key, and bands over sampled keys, of a few main results, if any."""
     tables = []
     changes = sensitivities(results)
-    names = [name for name in SHOWN if any(name in change["results"] for change in changes)]
+    names = [
+        name for name in BATCH_COLUMNS if any(name in change["results"] for change in changes)
+    ]
     if changes:
         rows = [
             [change["key"], *(_sensitivity(change["results"].get(name)) for name in names)]
             for change in changes
         ]
-        headers = ["key", *(SHOWN[name] for name in names)]
+        headers = ["key", *(MAIN_QUANTITY[name].symbol for name in names)]
         title = "d ln(result)/d ln(key); ~: within the error bars"
         tables.append(number_table(headers, rows, ["key"], title=title))
         tables[-1].columns[0].no_wrap = False
-    spread = {name: band for name, band in bands(results).items() if name in SHOWN}
+    spread = {name: band for name, band in bands(results).items() if name in BATCH_COLUMNS}
     if spread:
         rows = [
-            [f"{SHOWN[name]} {_unit(name)}", *(f"{band[q]:.4g}" for q in ("q05", "q50", "q95"))]
+            [
+                f"{MAIN_QUANTITY[name].symbol} {_unit(name)}",
+                *(f"{band[q]:.4g}" for q in ("q05", "q50", "q95")),
+            ]
             for name, band in spread.items()
         ]
         headers = ["", "5 %", "median", "95 %"]

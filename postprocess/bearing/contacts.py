@@ -63,23 +63,23 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
         "contact.",
         "it carries no load",
         ("load_N", "load", "load", "load"),
-        ("contact_angle_deg", "contact angle", "contact_angle", "contact angle"),
-        ("semi_axis_rolling_mm", "semi-axis rolling", "hertz.semi_axis_x", "semi-axis rolling"),
-        (
-            *("semi_axis_transverse_mm", "semi-axis transverse"),
-            *("hertz.semi_axis_y", "semi-axis transverse"),
-        ),
-        ("hertz_pressure_GPa", "Hertz pressure", "hertz.pressure", "Hertz pressure"),
+        ("contact_angle_deg", "contact angle", "contact_angle", "α"),
+        ("semi_axis_rolling_mm", "semi-axis rolling", "hertz.semi_axis_x"),
+        ("semi_axis_transverse_mm", "semi-axis transverse", "hertz.semi_axis_y"),
+        ("hertz_pressure_GPa", "Hertz pressure", "hertz.pressure", "p_h"),
     ),
     *quantities(
         "contact.",
         "it carries no load, or no oil is entrained",
         (
             *("entrainment_speed_m_s", "entrainment speed"),
-            *("conditions.entrainment_speed", "entrainment"),
+            *("conditions.entrainment_speed", "", "entrain\N{SOFT HYPHEN}ment"),
         ),
-        ("slide_roll_ratio", "slide-roll ratio", "conditions.slide_roll_ratio", "slide-roll"),
-        ("spin_roll_ratio", "spin-roll ratio", "spin_roll_ratio", "spin-roll"),
+        (
+            *("slide_roll_ratio", "slide-roll ratio"),
+            *("conditions.slide_roll_ratio", "", "slide-roll"),
+        ),
+        ("spin_roll_ratio", "spin-roll ratio", "spin_roll_ratio", "", "spin-roll"),
     ),
     *quantities(
         "contact.",
@@ -90,7 +90,7 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
     *quantities(
         "",
         "no film was computed, or [surface] has no roughness of race and ball",
-        ("lambda_ratio", "lambda ratio", "lambda_ratio", "Λ"),
+        ("lambda_ratio", "lambda ratio", "lambda_ratio", "λ", "Λ"),
     ),
     *quantities(
         "",
@@ -132,10 +132,26 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
     *quantities(
         "film.",
         NO_FILM,
-        ("moes_M", "Moes M", "moes_load", "M"),
-        ("moes_L", "Moes L", "moes_lubricant", "L"),
+        ("moes_M", "Moes M", "moes_load", "", "M"),
+        ("moes_L", "Moes L", "moes_lubricant", "", "L"),
     ),
     *quantities("contact.", "", ("note", "note", "note"), words=True),
+)
+CONTACT_QUANTITY = {quantity.key: quantity for quantity in CONTACT_QUANTITIES}
+TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of their uncertainty
+    "load_N": ".1f",
+    "hertz_pressure_GPa": ".3f",
+    "contact_angle_deg": ".2f",
+    "film_central_um": "",
+    "film_minimum_um": "",
+    "lambda_ratio": ".3g",
+}
+REPORT_COLUMNS = (
+    *("load_N", "contact_angle_deg", "hertz_pressure_GPa"),
+    *("film_central_um", "film_minimum_um", "lambda_ratio"),
+    *("traction_coefficient", "pressure_maximum_GPa"),
+    *("entrainment_speed_m_s", "slide_roll_ratio", "spin_roll_ratio"),
+    *("semi_axis_rolling_mm", "semi_axis_transverse_mm", "moes_M", "moes_L"),
 )
 
 

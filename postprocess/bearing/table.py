@@ -7,14 +7,13 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from bearing.contacts.contact import BearingContact
 from ehl import ContactSolution
 from ehl.units import GIGAPASCAL, MICROMETRE, RPM
 
 from ..results import BearingResults, ContactResults
 from ..table import facts_table, number_table
-from ..text import NOTHING, number, value_with_error
-from .contacts import lambda_ratio
+from ..text import NOTHING, number, unit_text, value_with_error
+from .contacts import CONTACT_QUANTITY, TERMINAL_COLUMNS, ContactRecord, contact_records
 from .ratings import rating_rows
 from .rows import frequency_lines, row_lines
 from .supply import supply_rows
@@ -56,48 +55,47 @@ def _bearing_table(results: BearingResults) -> Table:
 
 
 def _contacts_table(results: BearingResults) -> Table:
-    surface = results.case.get("surface")
-    last = ("α °", "h_c µm", "h_min µm", "λ") if surface else ("angle °", "h_c µm", "h_min µm")
-    headers = ("ball", "ψ °", "race", "load N", "p_h GPa", *last, "")
+    has_surface = bool(results.case.get("surface"))
+    keys = [key for key in TERMINAL_COLUMNS if key != "lambda_ratio" or has_surface]
+    most = DECIMALS - 1 if has_surface else DECIMALS
+    titles = {} if has_surface else {"contact_angle_deg": "angle"}
+    headers = [
+        f"{titles.get(key, CONTACT_QUANTITY[key].symbol)} {unit_text(key)}".strip() for key in keys
+    ]
     several = len({contact.row for contact in results.contacts}) > 1
     row = None
     rows = []
-    for contact, solution in zip(results.contacts, results.solutions, strict=True):
+    for record in contact_records(results):
+        contact = record.contact
         if several and contact.row != row:
             row = contact.row
             rows.append([f"row {row}"])
-        cells = _contact_cells(contact, solution, DECIMALS - 1 if surface else DECIMALS)
-        if surface:
-            cells.append(number(lambda_ratio(contact, solution, surface), ".3g"))
-        rows.append([*cells, _flags(solution)])
+        is_inner = contact.race.value == "inner"
+        azimuth = f"{degrees(contact.azimuth) % 360.0:.1f}".removesuffix(".0")
+        place = [str(contact.ball), azimuth] if is_inner else ["", ""]
+        cells = [_contact_cell(record, key, most) for key in keys]
+        rows.append([*place, contact.race.value, *cells, _flags(record.film)])
     style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
-    return number_table(headers, rows, ("race", ""), **style)
+    return number_table(("ball", "ψ °", "race", *headers, ""), rows, ("race", ""), **style)
 
 
-def _contact_cells(
-    contact: BearingContact, solution: ContactSolution | None, most: int
-) -> list[str]:
-    inner = contact.race.value == "inner"
-    loaded = contact.load > 0.0
-    return [
-        str(contact.ball) if inner else "",
-        f"{degrees(contact.azimuth) % 360.0:.1f}".removesuffix(".0") if inner else "",
-        contact.race.value,
-        f"{contact.load:.1f}" if loaded else "0",
-        NOTHING if contact.hertz is None else f"{contact.hertz.pressure / GIGAPASCAL:.3f}",
-        f"{degrees(contact.contact_angle) + 0.0:.2f}" if loaded else NOTHING,
-        _film(solution, "film_central", most),
-        _film(solution, "film_minimum", most),
-    ]
-
-
-def _film(solution: ContactSolution | None, name: str, most: int = DECIMALS) -> str:
-    """Film and its uncertainty [um] with at most so many decimals."""
-    value = None if solution is None else getattr(solution, name)
-    if value is None:
+def _contact_cell(record: ContactRecord, key: str, most: int) -> str:
+    """A quantity of a contact; a film with its uncertainty, at most so many decimals."""
+    value = CONTACT_QUANTITY[key].value(record)
+    if key == "load_N" and not record.loaded:
+        return "0"
+    if value is None or not record.loaded:
         return NOTHING
-    error = getattr(solution, f"{name}_uncertainty")
-    return value_with_error(value / MICROMETRE, error / MICROMETRE, most=most)
+    if key.startswith("film_"):
+        error = CONTACT_QUANTITY[key.replace("_um", "_uncertainty_um")].value(record)
+        return value_with_error(value, error, most=most)
+    return number(value + 0.0, TERMINAL_COLUMNS[key])
+
+
+def _film(solution: ContactSolution, name: str) -> str:
+    """Film and its uncertainty [um]."""
+    value, error = getattr(solution, name), getattr(solution, f"{name}_uncertainty")
+    return value_with_error(value / MICROMETRE, error / MICROMETRE, most=DECIMALS)
 
 
 def _flags(solution: ContactSolution | None) -> str:

@@ -151,7 +151,7 @@ def _balance_text(results: BearingResults, shear: SolvedShear) -> str:
     if kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         text += f"; '{kinematics.value}' holds for loads and films only"
     if driven:
-        text += f"; balls {driven} go with the cage, their inner contacts cannot drive them"
+        text += f"; balls {driven} are driven by the cage, their inner contacts cannot drive them"
     return text
 
 

@@ -8,6 +8,7 @@ import xarray as xr
 
 from bearing.contacts.contact import BearingContact
 from ehl import ContactSolution
+from ehl.units import unit_of
 
 from ..files import Variables, atomic_path, contact_name, root_attributes, write_csv
 from ..results import STIFFNESS_ORDER, BearingResults, ContactResults
@@ -30,9 +31,9 @@ def write_netcdf(
 ) -> None:
     """Write fields, input and numbers as one netCDF-4 file of groups, SI, float32 fields.
 
-    Groups: `/` (version, case, messages), `/ring`, `/balls`, and `/contacts/ball01/inner` ... with
-    the fields P and h of each solved contact; a single contact has its fields in
-    `/contacts/contact`.
+    Groups: `/` (version, case, messages), `/ring`, `/balls`, `/contacts` with the columns of
+    contacts.csv in the units of their keys, and `/contacts/ball01/inner` ... with the fields P and
+    h of each solved contact; a single contact has its fields in `/contacts/contact`.
     """
     document = summary(results) if document is None else document
     single = isinstance(results, ContactResults)
@@ -40,7 +41,7 @@ def write_netcdf(
     if isinstance(results, ContactResults):
         groups["/contacts/contact"] = _field_dataset(results.solution)
     else:
-        groups |= _bearing_groups(results)
+        groups |= {"/contacts": _contact_dataset(document)} | _bearing_groups(results)
     tree = xr.DataTree.from_dict(groups)
     encoding = {
         node.path: {name: COMPRESSION for name in ("P", "h", "T") if name in node.data_vars}
@@ -58,6 +59,21 @@ def _bearing_groups(results: BearingResults) -> dict[str, xr.Dataset]:
             dataset = _field_dataset(solution).assign_attrs(_placement(contact))
             groups[f"/contacts/{contact_name(contact.ball, contact.race.value)}"] = dataset
     return groups
+
+
+def _contact_dataset(document: dict[str, Any]) -> xr.Dataset:
+    """The contacts of a bearing's summary, a variable for each quantity, NaN for null."""
+    variables: Variables = {}
+    for quantity in CONTACT_QUANTITIES:
+        values = [contact[quantity.key] for contact in document["contacts"]]
+        attrs = {"long_name": quantity.title}
+        if not quantity.words:
+            attrs["units"] = unit_of(quantity.key) or "1"
+        if quantity.null:
+            attrs["comment"] = f"NaN: {quantity.null}"
+        column = np.array([np.nan if value is None else value for value in values])
+        variables[quantity.key] = ("contact", column, attrs)
+    return xr.Dataset(variables)
 
 
 def _placement(contact: BearingContact) -> dict[str, Any]:

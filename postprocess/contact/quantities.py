@@ -55,19 +55,22 @@ FILM_QUANTITIES = (
     *quantities(
         "",
         NO_FILM,
-        ("film_central_um", "central film", "film.film_central", "h_c"),
+        ("film_central_um", "central film", "film.film_central", "h_c", "film central"),
         (
             "film_central_uncertainty_um",
             "central film uncertainty",
             "film.film_central_uncertainty",
         ),
-        ("film_minimum_um", "minimum film", "film.film_minimum", "h_min"),
+        ("film_minimum_um", "minimum film", "film.film_minimum", "h_min", "film minimum"),
         (
             "film_minimum_uncertainty_um",
             "minimum film uncertainty",
             "film.film_minimum_uncertainty",
         ),
-        ("pressure_maximum_GPa", "maximum pressure", "pressure_maximum", "largest pressure"),
+        (
+            *("pressure_maximum_GPa", "maximum pressure", "pressure_maximum"),
+            *("", "largest pressure"),
+        ),
     ),
     *quantities(
         "",
@@ -77,7 +80,7 @@ FILM_QUANTITIES = (
     *quantities(
         "",
         NO_TRACTION,
-        ("traction_coefficient", "traction coefficient", "traction.coefficient", "traction"),
+        ("traction_coefficient", "traction coefficient", "traction.coefficient", "", "traction"),
         ("rolling_moment_N_mm", "rolling moment of the box", "rolling.box"),
     ),
     *quantities(

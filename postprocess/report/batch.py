@@ -5,6 +5,7 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from ..text import unit_text
 from .html import (
     NOTHING,
     card,
@@ -20,7 +21,6 @@ from .html import (
     table,
     text,
     unfolding,
-    unit_text,
     versions,
     with_error,
 )

@@ -5,6 +5,8 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
+from ..bearing.contacts import CONTACT_QUANTITY, REPORT_COLUMNS
+from ..text import unit_text
 from .html import (
     NOTHING,
     ROUND_OFF,
@@ -21,30 +23,11 @@ from .html import (
     table,
     text,
     unfolding,
-    unit_text,
     with_error,
     without_noise,
 )
 from .svg import stacked_bars
 
-# of the table of contacts, with a short title where the key's words are too long
-CONTACT_COLUMNS = {
-    "load_N": "",
-    "contact_angle_deg": "contact angle",
-    "hertz_pressure_GPa": "Hertz pressure",
-    "film_central_um": "",
-    "film_minimum_um": "",
-    "lambda_ratio": "Λ",
-    "traction_coefficient": "traction",
-    "pressure_maximum_GPa": "largest pressure",
-    "entrainment_speed_m_s": "entrain&shy;ment",
-    "slide_roll_ratio": "slide-roll",
-    "spin_roll_ratio": "spin-roll",
-    "semi_axis_rolling_mm": "semi-axis rolling",
-    "semi_axis_transverse_mm": "semi-axis transverse",
-    "moes_M": "M",
-    "moes_L": "L",
-}
 # blocks of a summary that have a place on the page
 PLACED = frozenset(
     "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance "
@@ -204,10 +187,10 @@ def _ball_cell(value: Any) -> str:
 def _contacts(contacts: list[dict[str, Any]]) -> str:
     """One line per ball and race; columns without a value anywhere are left out."""
     keys = [
-        key for key in CONTACT_COLUMNS if any(contact.get(key) is not None for contact in contacts)
+        key for key in REPORT_COLUMNS if any(contact.get(key) is not None for contact in contacts)
     ]
     head = [("ball", ""), ("azimuth", "°"), ("race", "")]
-    head += [(CONTACT_COLUMNS[key] or name_text(key), unit_text(key)) for key in keys]
+    head += [(_column_title(key), unit_text(key)) for key in keys]
     rows = []
     for contact in contacts:
         state = "" if contact.get("converged") in (None, True) else " !"
@@ -221,6 +204,11 @@ def _contacts(contacts: list[dict[str, Any]]) -> str:
     return table(head, rows, (2,)) + note(
         "grey: unloaded; !: not converged; ?: film not resolved. All columns are in contacts.csv."
     )
+
+
+def _column_title(key: str) -> str:
+    quantity = CONTACT_QUANTITY[key]
+    return escape(quantity.short or quantity.title).replace("\N{SOFT HYPHEN}", "&shy;")
 
 
 def known_pictures(summary: dict[str, Any]) -> set[str]:

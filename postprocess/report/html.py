@@ -9,20 +9,11 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from ehl.units import unit_of, without_unit
+from ehl.units import without_unit
 
-from ..text import value_with_error
+from ..text import unit_text, value_with_error
 
 NOTHING = "–"
-SYMBOLS = {
-    "um": "µm",
-    "mm2/s": "mm²/s",
-    "kg/m3": "kg/m³",
-    "degC": "°C",
-    "um/(m K)": "µm/(m K)",
-    "deg": "°",
-    "10^6 rev": "10⁶ rev",
-}
 DIGITS = 5
 ROUND_OFF = 1e-9  # of the largest component
 MAX_LISTED = 6  # entries of a list on one line
@@ -79,12 +70,6 @@ def without_noise(values: Sequence[Any]) -> list[Any]:
     numbers = [abs(v) for v in values if isinstance(v, float) and isfinite(v)]
     level = ROUND_OFF * max(numbers, default=0.0)
     return [0.0 if isinstance(v, float) and abs(v) < level else v for v in values]
-
-
-def unit_text(key: str) -> str:
-    """Unit of a key as read on a page."""
-    unit = unit_of(key)
-    return SYMBOLS.get(unit, unit)
 
 
 def name_text(key: str) -> str:

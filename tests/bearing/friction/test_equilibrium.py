@@ -240,7 +240,7 @@ def test_random_bearings_converge_or_say_why():
             failed.append(drawn)
             continue
         driven = state.inner_load > 0.0
-        if "go with the cage" not in state.message:
+        if "driven by the cage" not in state.message:
             both = (state.inner_friction + state.outer_friction) * 0.5 * bearing.ball_diameter
             largest = max(np.abs(state.gyroscopic_moment).max(), 1e-3 * state.inner_load.max() * bearing.ball_diameter)
             assert_allclose(both[driven], state.gyroscopic_moment[driven], atol=1e-6 * largest)

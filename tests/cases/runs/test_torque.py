@@ -104,7 +104,7 @@ def test_balls_that_their_inner_contact_cannot_drive_go_with_the_cage():
     torque, document = torque_of(text.replace("radial_load_N = 2000.0", "radial_load_N = 400.0\naxial_load_N = 50.0"))
     assert torque["power_balance"]["traction_equilibrium"]
     assert torque["power_balance"]["imbalance"] == pytest.approx(0.0, abs=1e-6)
-    assert any("go with the cage" in message for message in document["messages"])
+    assert any("driven by the cage" in message for message in document["messages"])
     assert abs(torque["models"]["integrated"]["sliding"]) < 0.02 * torque["total"]
 
 
