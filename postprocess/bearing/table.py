@@ -94,7 +94,8 @@ def _contact_cell(record: ContactRecord, key: str, most: int) -> str:
 
 def _film(solution: ContactSolution, name: str) -> str:
     """Film and its uncertainty [um]."""
-    value, error = getattr(solution, name), getattr(solution, f"{name}_uncertainty")
+    value = getattr(solution, name)
+    error = getattr(solution, f"{name}_uncertainty")
     return value_with_error(value / MICROMETRE, error / MICROMETRE, most=DECIMALS)
 
 

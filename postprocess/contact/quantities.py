@@ -50,7 +50,7 @@ class FilmRecord:
 
 
 NO_FILM = "no film was computed, or it has no length"
-NO_TRACTION = "it needs a film with lengths that converged"
+NO_TRACTION = "it needs a contact with lengths, and a film that converged"
 FILM_QUANTITIES = (
     *quantities(
         "",

@@ -8,7 +8,7 @@ from ehl.traction.rolling_moment import rolling_moment
 from ehl.units import MILLIMETRE, from_si
 
 from ..results import ContactResults
-from .quantities import FilmRecord, film_values, formula_films
+from .quantities import NO_TRACTION, FilmRecord, film_values, formula_films
 from .supply import contact_starved_values, contact_supply_messages
 
 WIDE_ERROR = 0.1  # error bar over the film from which it is reported [-]
@@ -125,10 +125,7 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
             "pressure is open"
         )
     if results.traction is None:
-        yield (
-            "traction_coefficient: null, it needs a contact with lengths, and a film that "
-            "converged"
-        )
+        yield f"traction_coefficient: null, {NO_TRACTION}"
     if record.rolling is None:
         yield (
             "rolling_moment_N_mm and rolling_extent_mm: null, they need lengths, and a film that "
