@@ -250,7 +250,8 @@ def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFa
         )
         key = PRESSURE_VISCOSITY
         if scale <= 0.0:
-            key, found = VISCOSITIES[0], f"found {shown(eta)}"
+            key = VISCOSITIES[0]
+            found = f"found {shown(eta)}"
         yield CaseFault(("lubricant", key), found, allowed)
 
 

@@ -203,7 +203,7 @@ def test_interrupted_sweep_keeps_what_is_finished(tmp_path, monkeypatch):
     monkeypatch.setattr(robustness, "solve_draw", interrupted)
     result = call("--robustness", "9", "--seed", "5323", "--quick", "-o", str(tmp_path))
     assert result.exit_code == 3
-    assert "the same command goes on" in result.stderr
+    assert "the same command continues" in result.stderr
     assert 1 <= len(read_finished(tmp_path / "robustness.jsonl")) <= 8
     assert not (tmp_path / "robustness.md").exists()
 
