@@ -54,10 +54,16 @@ class ContactRecord(FilmRecord):
 
 NO_FILM = "no film was computed"
 CONTACT_QUANTITIES = (  # columns of contacts.csv
-    *quantities("contact.", "", ("ball", "ball", "ball"), ("row", "row", "row"), words=True),
+    *quantities(
+        "contact.", "", ("ball", "ball", "ball", "ball"), ("row", "row", "row"), words=True
+    ),
     *quantities("contact.", "", ("azimuth_deg", "azimuth", "azimuth", "ψ")),
     *quantities(
-        "", "", ("race", "race", "contact.race.value"), ("loaded", "loaded", "loaded"), words=True
+        "",
+        "",
+        ("race", "race", "contact.race.value", "race"),
+        ("loaded", "loaded", "loaded"),
+        words=True,
     ),
     *quantities(
         "contact.",

@@ -60,7 +60,8 @@ def _contacts_table(results: BearingResults) -> Table:
     most = DECIMALS - 1 if has_surface else DECIMALS
     titles = {} if has_surface else {"contact_angle_deg": "angle"}
     headers = [
-        f"{titles.get(key, CONTACT_QUANTITY[key].symbol)} {unit_text(key)}".strip() for key in keys
+        f"{titles.get(key, CONTACT_QUANTITY[key].symbol)} {unit_text(key)}".strip()
+        for key in ("ball", "azimuth_deg", "race", *keys)
     ]
     several = len({contact.row for contact in results.contacts}) > 1
     row = None
@@ -76,7 +77,7 @@ def _contacts_table(results: BearingResults) -> Table:
         cells = [_contact_cell(record, key, most) for key in keys]
         rows.append([*place, contact.race.value, *cells, _flags(record.film)])
     style: dict[str, Any] = {"padding": (0, 1, 0, 0), "collapse_padding": True}
-    return number_table(("ball", "ψ °", "race", *headers, ""), rows, ("race", ""), **style)
+    return number_table((*headers, ""), rows, ("race", ""), **style)
 
 
 def _contact_cell(record: ContactRecord, key: str, most: int) -> str:

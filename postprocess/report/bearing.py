@@ -189,8 +189,7 @@ def _contacts(contacts: list[dict[str, Any]]) -> str:
     keys = [
         key for key in REPORT_COLUMNS if any(contact.get(key) is not None for contact in contacts)
     ]
-    head = [("ball", ""), ("azimuth", "°"), ("race", "")]
-    head += [(_column_title(key), unit_text(key)) for key in keys]
+    head = [(_column_title(key), unit_text(key)) for key in ("ball", "azimuth_deg", "race", *keys)]
     rows = []
     for contact in contacts:
         state = "" if contact.get("converged") in (None, True) else " !"
