@@ -98,7 +98,7 @@ def test_the_shaft_feeds_what_the_films_turn_into_heat(radial):
     assert any("balls in traction equilibrium" in message for message in document["messages"])
 
 
-def test_balls_that_their_inner_contact_cannot_drive_go_with_the_cage():
+def test_balls_that_their_inner_contact_cannot_drive_are_driven_by_the_cage():
     """50 N axial, 400 N radial: a few carry some newtons at the inner race, less than the oil's resistance takes."""
     text = TEXT.replace("inner_speed_rpm = 3000.0", "inner_speed_rpm = 9000.0")
     torque, document = torque_of(text.replace("radial_load_N = 2000.0", "radial_load_N = 400.0\naxial_load_N = 50.0"))
