@@ -180,7 +180,7 @@ def _with_new_names(
     document: dict[str, Any],
 ) -> tuple[dict[str, Any], dict[Path, Path], list[CaseFault]]:
     """The document with keys of [dynamics] that now belong to [friction], their paths in the file
-    by their new ones, and a fault where both are given.
+    by their new ones, and a fault where both are given and differ.
     """
     assumed = document.get("assumed")
     if isinstance(assumed, list | tuple):
@@ -199,11 +199,13 @@ def _with_new_names(
         if key not in simulation:
             continue
         value = simulation.pop(key)
-        if new in friction:
+        if new == "coefficient" and law != "coulomb":
+            continue  # without its law it had no effect
+        if friction.get(new, value) != value:
             found = f"found together with friction.{new}"
             allowed = f"allowed: friction.{new}, which replaces it"
             faults.append(CaseFault(("dynamics", key), found, allowed))
-        elif new != "coefficient" or law == "coulomb":  # without its law it had no effect
+        else:
             friction[new] = value
             moved["friction", new] = ("dynamics", key)
     if friction:

@@ -10,7 +10,6 @@
 | contact | a single contact |
 | slip | slip maps |
 | stiffness | stiffness over speed |
-| race_tables | traction tables from a file, checked against the case |
 | traction_table | building of traction tables |
 | dynamics | time simulation |
 | export | meshes of results for other programs |

@@ -226,7 +226,7 @@ def test_groups_have_no_inlet_film():
         "schema_version = 1\n[contact]\nmoes_M = 20.0\nmoes_L = 10.0\n[lubricant]\nviscosity_mPa_s = 20.0\n"
         "pressure_viscosity_1_GPa = 18.0\ninlet_film_um = 1.0\n"
     )
-    with pytest.raises(CaseError, match="found together with contact.moes_M"):
+    with pytest.raises(CaseError, match=r"found together with contact\.moes_M"):
         case_from_text(text, "case.toml")
 
 
