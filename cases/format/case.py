@@ -210,8 +210,13 @@ def _film_maps(wanted: str | tuple[float, ...]) -> str | tuple[float, ...]:
 
 
 def _warn(file: BearingFile) -> None:
-    """Warn of keys of an earlier version, and of estimated dimensions."""
+    """Warn of keys of an earlier version, of two friction laws, and of estimated dimensions."""
     for note in file.notes:
+        warnings.warn(note, stacklevel=2)
+    law = file.friction.traction
+    if file.dynamics is not None and law not in (None, "films", file.dynamics.friction):
+        simulated = file.dynamics.friction
+        note = f'friction.traction = "{law}", and the simulation has "{simulated}" (dynamics.friction)'
         warnings.warn(note, stacklevel=2)
     prefix = "bearing."
     assumed = {name.removeprefix(prefix) for name in file.assumed if name.startswith(prefix)}
