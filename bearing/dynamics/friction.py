@@ -5,11 +5,11 @@ from math import inf
 
 import numpy as np
 
-from ehl.traction.laws import CoulombLaw, FourConstantLaw
+from ehl.traction.laws import CoulombLaw, FrictionLaw, HertzLaw
 from ehl.traction.quadrature import ellipse_rings
 from ehl.traction.table.table import TractionTable
 
-from ..contacts.shape import contact_shape
+from ..friction.sources import RaceTraction
 from ..geometry import Bearing, Race
 from .arrays import COEFFICIENT, FRICTIONLESS, TABLE, FrictionData
 
@@ -21,17 +21,20 @@ CENTRE = np.array([[0.0], [0.0], [1.0]])  # one point with all of the load [-]
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RaceFriction:
-    """Friction of both races: laws of a coefficient, or tables, or none."""
+    """Friction of both races: laws of a coefficient, or tables, or none; ValueError for others."""
 
     # None: frictionless
-    inner: CoulombLaw | FourConstantLaw | TractionTable | None = None
-    outer: CoulombLaw | FourConstantLaw | TractionTable | None = None
+    inner: FrictionLaw | None = None
+    outer: FrictionLaw | None = None
     # a coefficient counts at the contact's centre alone: no spin moment, no slip by curvature
     at_centre: bool = False
 
     def __post_init__(self) -> None:
         if type(self.inner) is not type(self.outer):
             raise ValueError("friction: inner and outer race need the same kind of law")
+        if not isinstance(self.inner, HertzLaw | TractionTable | None):
+            name = type(self.inner).__name__
+            raise ValueError(f"friction: {name} is neither a coefficient nor a traction table")
 
     @property
     def kind(self) -> int:
@@ -53,47 +56,19 @@ class RaceFriction:
         if isinstance(law, TractionTable):
             return FrictionData(disc, np.zeros(1), np.zeros(5), *law.kernel_arguments())
         no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)), np.zeros((1,) * 6))
-        if law is None:
+        if not isinstance(law, HertzLaw):
             return FrictionData(disc, np.zeros(1), np.zeros(5), *no_table)
         return FrictionData(disc, law.kernel_law(), law.shape.constants, *no_table)
 
 
-def coulomb_friction(
-    bearing: Bearing,
-    angles: tuple[float, float],
-    coefficient: float,
-    ramp: tuple[float, float],
-    *,
-    at_centre: bool = False,
+def race_friction(
+    source: RaceTraction, bearing: Bearing, angles: tuple[float, float], *, at_centre: bool = False
 ) -> RaceFriction:
-    """Coulomb friction with dead band and ramp (Ambrosio 2003) on both races.
-
-    `angles`: contact angles, inner and outer [rad]; `coefficient`: mu [-]; `ramp`: v_0 and v_1:
-    none below, all of it above [m/s]; `at_centre`: see `RaceFriction`.
+    """A law of torque and traction equilibrium on both races; contact angles, inner and outer
+    [rad]; `at_centre`: see `RaceFriction`.
     """
-    laws = [
-        CoulombLaw(
-            contact_shape(bearing, race, angle),
-            friction=coefficient,
-            slide_none=ramp[0],
-            slide_full=ramp[1],
-        )
+    inner, outer = (
+        source.race_law(bearing, race, angle)
         for race, angle in zip((Race.INNER, Race.OUTER), angles, strict=True)
-    ]
-    return RaceFriction(inner=laws[0], outer=laws[1], at_centre=at_centre)
-
-
-def four_constant_friction(
-    bearing: Bearing,
-    angles: tuple[float, float],
-    constants: tuple[float, float, float, float],
-    *,
-    at_centre: bool = False,
-) -> RaceFriction:
-    """mu = (A + B s) exp(-C s) + D on both races; angles inner and outer [rad], constants [-]."""
-    a, b, c, d = constants
-    laws = [
-        FourConstantLaw(contact_shape(bearing, race, angle), a=a, b=b, c=c, d=d)
-        for race, angle in zip((Race.INNER, Race.OUTER), angles, strict=True)
-    ]
-    return RaceFriction(inner=laws[0], outer=laws[1], at_centre=at_centre)
+    )
+    return RaceFriction(inner=inner, outer=outer, at_centre=at_centre)

@@ -2,6 +2,7 @@
 films.
 """
 
+from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Self
@@ -11,11 +12,11 @@ import numpy as np
 from ehl.conditions import ContactConditions
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
-from ehl.traction.laws import FourConstantLaw, FrictionLaw
+from ehl.traction.laws import CoulombLaw, FourConstantLaw, FrictionLaw
 
 from ..contacts.contact import BearingContact
 from ..contacts.shape import contact_shape
-from ..geometry import Race
+from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .coulomb import coulomb_law
 from .films import Asperities, film_law
@@ -25,8 +26,22 @@ from .tables import contact_law
 SolveFilms = Callable[[Sequence[ContactConditions | None]], Sequence[ContactSolution | None]]
 
 
+class RaceTraction(TractionLaw):
+    """A law of `ehl.traction` for each contact, which the equations of motion take too."""
+
+    @abstractmethod
+    def race_law(self, bearing: Bearing, race: Race, angle: float) -> FrictionLaw:
+        """The law of one race at a contact angle [rad]."""
+
+    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
+        """The laws at the loads [N] and contact angles of an equilibrium."""
+        bearing = solution.bearing
+        laws = [self.race_law(bearing, c.race, c.contact_angle) for c in contacts]
+        return contact_law(contacts, laws)
+
+
 @dataclass(frozen=True, kw_only=True)
-class LawTraction(TractionLaw):
+class LawTraction(RaceTraction):
     """A friction law for each race: traction tables, or any other of `ehl.traction`."""
 
     laws: Mapping[Race, FrictionLaw]
@@ -36,14 +51,14 @@ class LawTraction(TractionLaw):
         """Where the friction comes from, for messages."""
         return "a law of each race (traction tables)"
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
-        """The laws at the loads of an equilibrium [N]."""
-        del solution
-        return contact_law(contacts, [self.laws[contact.race] for contact in contacts])
+    def race_law(self, bearing: Bearing, race: Race, angle: float) -> FrictionLaw:
+        """The law of a race, the same at all angles [rad]."""
+        del bearing, angle
+        return self.laws[race]
 
 
 @dataclass(frozen=True, kw_only=True)
-class FourConstantTraction(TractionLaw):
+class FourConstantTraction(RaceTraction):
     """mu = (A + B s) exp(-C s) + D over the ellipse of every contact, s the local slide over the
     entrainment speed.
     """
@@ -57,14 +72,29 @@ class FourConstantTraction(TractionLaw):
         values = ", ".join(f"{constant:.4g}" for constant in self.constants)
         return f"law of four constants, (A + B s) exp(-C s) + D with {values}"
 
-    def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
-        """The law at the loads [N] and contact angles of an equilibrium."""
+    def race_law(self, bearing: Bearing, race: Race, angle: float) -> FourConstantLaw:
+        """The law over the ellipse of a race at a contact angle [rad]."""
         a, b, c, d = self.constants
-        laws = []
-        for contact in contacts:
-            shape = contact_shape(solution.bearing, contact.race, contact.contact_angle)
-            laws.append(FourConstantLaw(shape, a=a, b=b, c=c, d=d))
-        return contact_law(contacts, laws)
+        return FourConstantLaw(contact_shape(bearing, race, angle), a=a, b=b, c=c, d=d)
+
+
+@dataclass(frozen=True, kw_only=True)
+class RampedCoulombTraction(RaceTraction):
+    """Coulomb's friction over the ellipse with dead band and ramp (Ambrosio 2003)."""
+
+    friction: float  # mu [-]
+    ramp: tuple[float, float]  # v_0 and v_1: none below, all of it above [m/s]
+
+    @property
+    def description(self) -> str:
+        """Where the friction comes from, for messages."""
+        return f"Coulomb's law with a ramp of the sliding speed, mu = {self.friction:g}"
+
+    def race_law(self, bearing: Bearing, race: Race, angle: float) -> CoulombLaw:
+        """The law over the ellipse of a race at a contact angle [rad]."""
+        none, full = self.ramp
+        shape = contact_shape(bearing, race, angle)
+        return CoulombLaw(shape, friction=self.friction, slide_none=none, slide_full=full)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.traction.laws import CoulombLaw, FourConstantLaw, FrictionLaw
+from ehl.traction.laws import FrictionLaw, HertzLaw
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.contact import BearingContact
@@ -15,7 +15,6 @@ from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 
-COEFFICIENT_LAWS = (CoulombLaw, FourConstantLaw)
 STEP = 1.0e-5  # of slides over u, and spin over u/R_x, for difference quotients [-]
 
 
@@ -42,7 +41,7 @@ def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw])
         evaluate=evaluate,
         reference_force=REFERENCE_TRACTION * load,
         is_potential=False,
-        has_rolling_resistance=not all(isinstance(law, COEFFICIENT_LAWS) for law in laws),
+        has_rolling_resistance=not all(isinstance(law, HertzLaw) for law in laws),
     )
 
 
@@ -61,7 +60,7 @@ def _groups(
     kinds: dict[object, list[int]] = {}
     for number, (contact, law) in enumerate(zip(contacts, laws, strict=True)):
         if contact.conditions is not None:
-            alike = type(law) if isinstance(law, COEFFICIENT_LAWS) else id(law)
+            alike = type(law) if isinstance(law, HertzLaw) else id(law)
             kinds.setdefault(alike, []).append(number)
     groups = []
     for numbers in kinds.values():
@@ -75,7 +74,7 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
     """Minus the forces and their slopes of some contacts, by number, place and motion, for laws
     like the first.
     """
-    if isinstance(first, COEFFICIENT_LAWS):
+    if isinstance(first, HertzLaw):
         disc = first.disc
         blank = (first.kernel_law(), first.shape.constants)
         alike = [law if isinstance(law, type(first)) else None for law in laws]

@@ -17,7 +17,7 @@ from .fields import (
     between,
     described,
 )
-from .friction import SIMULATED, FrictionTable
+from .friction import SIMULATED, CoefficientLaw, FrictionTable
 from .problems import MISSING, CaseFault
 from .rules import Below, CaseValues, Excludes
 
@@ -59,7 +59,7 @@ class DynamicsTable(Table):
         "hertz",
         "of the grooved race, or of a sphere on the race's circle as in Shan et al. (2023)",
     )
-    friction: Literal["four constants", "coulomb", "table", "none"] = described(
+    friction: Literal[CoefficientLaw, "coulomb", "table", "none"] = described(
         "four constants",
         "of ball on race, by the constants in [friction]; table: of films solved before",
     )

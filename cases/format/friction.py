@@ -22,6 +22,9 @@ from .lubricant import LubricantTable, Oil
 from .problems import MISSING, CaseFault, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
 
+# coefficients over the ellipse, for traction equilibrium and simulation alike
+CoefficientLaw = Literal["four constants"]
+
 
 class FrictionTable(Table):
     """Friction torque; every key may be left out, and leaves out the models that need it."""
@@ -29,7 +32,7 @@ class FrictionTable(Table):
     coefficient: float | None = above(
         0.0, 1.0, "Coulomb's mu; left out, SKF's mu_sl, and 0.05 in a simulation"
     )
-    traction: Literal["films", "table", "four constants", "coulomb"] | None = described(
+    traction: Literal["films", "table", CoefficientLaw, "coulomb"] | None = described(
         None,
         "friction of balls on races in traction equilibrium; left out, that of the case's films",
     )

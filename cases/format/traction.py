@@ -2,10 +2,11 @@
 file, refused unless they are of the bearing and oil that take them.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from math import isclose
 from pathlib import Path
+from typing import Any
 
 from bearing.friction.films import Asperities
 from bearing.friction.law import BallTraction, TractionLaw
@@ -16,6 +17,7 @@ from bearing.friction.sources import (
     FilmTraction,
     FourConstantTraction,
     LawTraction,
+    RaceTraction,
 )
 from bearing.friction.table_files import load_tables
 from bearing.geometry import Bearing, contact_modulus, reduced_radii
@@ -61,9 +63,6 @@ def _law(
     if table.traction == "coulomb":
         assert table.coefficient is not None  # checked before
         return CoulombTraction(friction=table.coefficient)
-    if table.traction == "four constants":
-        constants = (getattr(table, name) for name in FOUR_CONSTANTS)
-        return FourConstantTraction(constants=four_constants(*constants))
     if table.traction == "table":
         assert table.traction_table is not None and films.rheology is not None  # checked before
         path = Path(table.traction_table)
@@ -72,6 +71,16 @@ def _law(
         except ValueError as error:
             raise UnfitKey(("friction", "traction_table"), str(error)) from None
         return LawTraction(laws=dict(tables))
+    return coefficient_source(table.traction, dict(table))
+
+
+def coefficient_source(name: str | None, constants: Mapping[str, Any]) -> RaceTraction | None:
+    """The coefficient over the ellipse with this name and the constants of [friction] [-]; None
+    for another kind of law.
+    """
+    if name == "four constants":
+        values = (constants[key] for key in FOUR_CONSTANTS)
+        return FourConstantTraction(constants=four_constants(*values))
     return None
 
 

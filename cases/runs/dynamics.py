@@ -8,7 +8,7 @@ from pathlib import Path
 from time import perf_counter
 
 from bearing.dynamics.bodies import cage_body, ring_body
-from bearing.dynamics.friction import RaceFriction, coulomb_friction, four_constant_friction
+from bearing.dynamics.friction import RaceFriction, race_friction
 from bearing.dynamics.initial import starting_point
 from bearing.dynamics.inputs import (
     CageBody,
@@ -25,17 +25,16 @@ from bearing.dynamics.laws import drag_of_force, drag_of_mixture, normal_contact
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
 from bearing.dynamics.statistics import RunningStatistics
+from bearing.friction.sources import RampedCoulombTraction
 from bearing.geometry import Race
-from ehl.traction.laws import four_constants
 from postprocess.dynamics.history import HistoryWriter
 from postprocess.dynamics.results import DynamicsResults
 
 from ..format.case import Case
 from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction, speed_table
-from ..format.friction import FOUR_CONSTANTS
 from ..format.materials import materials
 from ..format.problems import CaseError
-from ..format.traction import read_race_tables
+from ..format.traction import coefficient_source, read_race_tables
 from ..version import version
 from .films import Progress
 from .interrupt import finish_first
@@ -263,18 +262,16 @@ def _friction(
 ) -> RaceFriction:
     if table.friction == "none":
         return RaceFriction()
-    angles = starting_point(case.bearing, case.operation, model).angles
-    law = simulated_friction(case.file.friction)
-    at_centre = table.friction_on == "centre"
-    if table.friction == "coulomb":
+    if table.friction == "table":
+        return _tables(case, *source)
+    constants = simulated_friction(case.file.friction)
+    law = coefficient_source(table.friction, constants)
+    if law is None:
         ramp = (table.friction_dead_band_m_s, table.friction_full_m_s)
-        return coulomb_friction(
-            case.bearing, angles, law["coefficient"], ramp, at_centre=at_centre
-        )
-    if table.friction == "four constants":
-        constants = four_constants(*(law[name] for name in FOUR_CONSTANTS))
-        return four_constant_friction(case.bearing, angles, constants, at_centre=at_centre)
-    return _tables(case, *source)
+        law = RampedCoulombTraction(friction=constants["coefficient"], ramp=ramp)
+    angles = starting_point(case.bearing, case.operation, model).angles
+    at_centre = table.friction_on == "centre"
+    return race_friction(law, case.bearing, angles, at_centre=at_centre)
 
 
 def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:

@@ -68,7 +68,7 @@ class ContactShape:
 
 
 @dataclass(frozen=True)
-class _HertzLaw:
+class HertzLaw:
     """A coefficient of friction that depends on the local sliding, over the Hertz ellipse."""
 
     shape: ContactShape
@@ -93,7 +93,7 @@ class _HertzLaw:
 
 
 @dataclass(frozen=True)
-class CoulombLaw(_HertzLaw):
+class CoulombLaw(HertzLaw):
     """Coulomb friction with dead band and ramp (Ambrosio): zero to v_0, full from v_1 on."""
 
     friction: float = 0.1  # mu [-]
@@ -116,7 +116,7 @@ class CoulombLaw(_HertzLaw):
 
 
 @dataclass(frozen=True)
-class FourConstantLaw(_HertzLaw):
+class FourConstantLaw(HertzLaw):
     """mu = (A + B s) exp(-C s) + D of bearing dynamics codes, s the local slide over the
     entrainment speed.
 

@@ -23,14 +23,14 @@ from bearing import (
     solve_traction_equilibrium,
 )
 from bearing.dynamics.bodies import ring_body
-from bearing.dynamics.friction import RaceFriction, four_constant_friction
+from bearing.dynamics.friction import RaceFriction, race_friction
 from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from bearing.dynamics.record import join
 from bearing.dynamics.simulation import simulation
 from bearing.friction.balance import balance_driven_balls
 from bearing.friction.law import BallTraction
 from bearing.friction.race_tables import build_race_tables
-from bearing.friction.sources import LawTraction
+from bearing.friction.sources import FourConstantTraction, LawTraction
 from cases import load_case
 from ehl import Lubricant
 from ehl.traction.laws import four_constants
@@ -94,7 +94,9 @@ def test_steady_motion_is_the_traction_equilibrium(axial):
     still = simulation(BEARING, operation, DynamicsModel(
         options=DynamicsOptions(end_time=1.0, sample_interval=1.0), ring=ring_body(BEARING), friction=RaceFriction()
     ))  # fmt: skip
-    friction = four_constant_friction(BEARING, still.point.angles, four_constants(0.05, 0.03, 0.03))
+    friction = race_friction(
+        FourConstantTraction(constants=four_constants(0.05, 0.03, 0.03)), BEARING, still.point.angles
+    )
     compare(settled(operation, friction, tolerance=1e-5, longest_step=2e-6), operation, friction)
 
 

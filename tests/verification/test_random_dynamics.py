@@ -13,7 +13,7 @@ import pytest
 
 from bearing import Bearing, Material, Operation, contact_angle_to_clearance
 from bearing.dynamics.bodies import cage_body, ring_body
-from bearing.dynamics.friction import RaceFriction, coulomb_friction, four_constant_friction
+from bearing.dynamics.friction import RaceFriction, race_friction
 from bearing.dynamics.inputs import (
     CageBody,
     DynamicsModel,
@@ -26,6 +26,7 @@ from bearing.dynamics.inputs import (
     Start,
 )
 from bearing.dynamics.simulation import Simulation, simulation
+from bearing.friction.sources import FourConstantTraction, RampedCoulombTraction
 from ehl.traction.laws import four_constants
 
 SEED = 734821
@@ -125,10 +126,15 @@ def random_friction(random: np.random.Generator, bearing: Bearing) -> RaceFricti
         return RaceFriction()
     centre = bool(random.random() < 0.5)
     if kind == 1:
-        return coulomb_friction(bearing, (angle, angle), random.uniform(0.01, 0.2), (0.0, 0.05), at_centre=centre)
+        return race_friction(
+            RampedCoulombTraction(friction=random.uniform(0.01, 0.2), ramp=(0.0, 0.05)),
+            bearing,
+            (angle, angle),
+            at_centre=centre,
+        )
     largest = random.uniform(0.03, 0.1)
     found = four_constants(largest, random.uniform(0.01, 0.1), random.uniform(0.3, 0.9) * largest)
-    return four_constant_friction(bearing, (angle, angle), found, at_centre=centre)
+    return race_friction(FourConstantTraction(constants=found), bearing, (angle, angle), at_centre=centre)
 
 
 def random_cage(random: np.random.Generator, bearing: Bearing) -> CageBody | None:

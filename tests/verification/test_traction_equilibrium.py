@@ -9,11 +9,11 @@ from numpy.testing import assert_allclose
 
 from bearing import Operation, Race, solve_quasistatic, solve_traction_equilibrium
 from bearing.dynamics.bodies import ring_body
-from bearing.dynamics.friction import RaceFriction, four_constant_friction
+from bearing.dynamics.friction import RaceFriction, race_friction
 from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from bearing.dynamics.simulation import simulation
 from bearing.friction.law import BallTraction
-from bearing.friction.sources import LawTraction
+from bearing.friction.sources import FourConstantTraction, LawTraction
 from ehl.traction.laws import four_constants
 
 from .test_dynamics_equilibrium import BEARING, OIL, motion, settled
@@ -26,7 +26,9 @@ def test_steady_dynamics_is_the_traction_equilibrium_with_its_loads():
     still = simulation(
         BEARING, operation, DynamicsModel(options=options, ring=ring_body(BEARING), friction=RaceFriction())
     )
-    friction = four_constant_friction(BEARING, still.point.angles, four_constants(0.05, 0.03, 0.03))
+    friction = race_friction(
+        FourConstantTraction(constants=four_constants(0.05, 0.03, 0.03)), BEARING, still.point.angles
+    )
     record, layout, _ = settled(operation, friction)
     races = record.races[-1, :, 0]  # columns as `bearing.dynamics.arrays.RACE_NAMES`
 

@@ -10,9 +10,10 @@ from numpy.testing import assert_allclose
 
 from bearing import Race
 from bearing.dynamics import _kernels
-from bearing.dynamics.friction import coulomb_friction, four_constant_friction
+from bearing.dynamics.friction import race_friction
 from bearing.dynamics.inputs import Guidance, LoadType
 from bearing.dynamics.simulation import simulation
+from bearing.friction.sources import FourConstantTraction, LawTraction, RampedCoulombTraction
 from ehl.traction._kernels import hertz_friction
 from ehl.traction.quadrature import ellipse_rings
 
@@ -41,8 +42,8 @@ def test_kernel_agrees_with_its_twin(setup, guidance, law):
     angles = (radians(16.0), radians(14.0))
     friction = {
         "none": None,
-        "coulomb": coulomb_friction(bearing, angles, 0.08, (0.001, 0.02)),
-        "four constants": four_constant_friction(bearing, angles, (-0.03, 3.6, 46.0, 0.03)),
+        "coulomb": race_friction(RampedCoulombTraction(friction=0.08, ramp=(0.001, 0.02)), bearing, angles),
+        "four constants": race_friction(FourConstantTraction(constants=(-0.03, 3.6, 46.0, 0.03)), bearing, angles),
     }[law]
     model = setup.model(
         bearing,
@@ -71,7 +72,7 @@ def test_kernel_agrees_with_its_twin(setup, guidance, law):
 
 def test_a_reduced_model_moves_what_it_has(setup):
     bearing = setup.bearing_7008(5)
-    friction = four_constant_friction(bearing, (0.0, 0.0), (-0.03, 3.6, 46.0, 0.03))
+    friction = race_friction(FourConstantTraction(constants=(-0.03, 3.6, 46.0, 0.03)), bearing, (0.0, 0.0))
     sim = simulation(bearing, setup.operation(5000.0, 0.0, 80.0), setup.model(bearing, friction))
     dy, layout = np.zeros(sim.layout.size), sim.layout
     y = shaken(sim, np.random.default_rng(9001))
@@ -81,6 +82,13 @@ def test_a_reduced_model_moves_what_it_has(setup):
     assert sim.equations["dynamic"] == 1 + 1 + 3 * 5
     assert not moving[[0, 2, 3, 4]].any()  # of the ring only y
     assert moving[5:11].tolist() == [False, False, False, True, False, False]
+
+
+def test_a_law_that_is_not_compiled_is_refused(setup):
+    """Torque and traction equilibrium take any law with `forces`, the equations of motion compiled ones alone."""
+    bearing, angles = setup.bearing_7008(), (0.0, 0.0)
+    with pytest.raises(ValueError, match="neither a coefficient nor a traction table"):
+        race_friction(LawTraction(laws=dict.fromkeys(Race, object())), bearing, angles)
 
 
 def test_schedule_is_linear_between_its_rows():
@@ -97,7 +105,9 @@ def test_schedule_is_linear_between_its_rows():
 def test_the_light_quadrature_holds_the_full_one(setup):
     """48 points over the ellipse against 512: force within 1 % of mu Q, spin moment within 2 % of mu Q b."""
     bearing = setup.bearing_7008()
-    data = four_constant_friction(bearing, (radians(15.0),) * 2, (-0.03, 3.6, 46.0, 0.03)).data(Race.INNER)
+    data = race_friction(FourConstantTraction(constants=(-0.03, 3.6, 46.0, 0.03)), bearing, (radians(15.0),) * 2).data(
+        Race.INNER
+    )
     for slide_x, slide_y, spin in ((0.1, 0.0, 0.0), (0.02, 0.05, 400.0), (0.0, 0.0, 800.0), (2.0, 0.1, 200.0)):
         found = np.zeros((2, 8))
         for row, disc in enumerate((ellipse_rings(4, 12, staggered=True), ellipse_rings(16, 32))):

@@ -1,0 +1,81 @@
+"""The compiled motion of balls on races against the map that torque and traction equilibrium take."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from bearing import Race, solve_quasistatic
+from bearing.contacts.contacts import contact_conditions
+from bearing.contacts.motion import ball_speeds, motion_map
+from bearing.dynamics.arrays import (
+    ANGLE,
+    AXIS,
+    BODY_COLUMNS,
+    CENTRE,
+    ENTRAINMENT,
+    MOTION_COLUMNS,
+    ROLL,
+    SLIDE_X,
+    SLIDE_Y,
+    SPIN,
+    TURN,
+)
+from bearing.dynamics.assembly import constants
+from bearing.dynamics.contact._race_kernels import race_motion
+from ehl import Lubricant
+
+OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9)
+DRAWS = 5
+
+
+def compiled_motion(bearing, c, contact, ring_speed, orbit, rotation):
+    """A row of `race_motion`: the ball on the pitch circle, the ring moved along its axis to give the angle."""
+    radius = 0.5 * bearing.pitch_diameter
+    inner = contact.race is Race.INNER
+    centre, groove = (c.inner_centre, c.inner_groove) if inner else (c.outer_centre, c.outer_groove)
+    outward = np.array([0.0, np.cos(contact.azimuth), np.sin(contact.azimuth)])
+    axle = np.array([1.0, 0.0, 0.0])
+    tangent = np.cross(axle, outward)
+    turn = rotation[0] * axle + rotation[1] * outward + rotation[2] * tangent + orbit * axle
+    body, row = np.zeros(BODY_COLUMNS), np.zeros(MOTION_COLUMNS)
+    body[CENTRE] = (centre - radius) * np.tan(contact.contact_angle)
+    body[AXIS] = 1.0
+    body[TURN] = ring_speed
+    vectors = (tuple(vector) for vector in (radius * outward, orbit * radius * tangent, turn))
+    race_motion(c, body, centre, groove, *vectors, row)
+    return row
+
+
+@pytest.mark.parametrize("name", ["7008", "6208"])
+def test_compiled_motion_is_that_of_the_map(setup, bearings, name):
+    """Slides and entrainment to 1e-10 of the entrainment speed, spin and rolling to 1e-10 of the ball's speed.
+
+    At random loads, speeds of both rings and motions of the balls. The map has the balls on the pitch circle.
+    """
+    bearing = setup.bearing_7008() if name == "7008" else replace(bearings.b6208, bore=40e-3, width=18e-3)
+    c, random = constants(bearing, setup.model(bearing)), np.random.default_rng(7008)
+    for _ in range(DRAWS):
+        axial, radial = random.uniform(50.0, 500.0, 2)
+        outer_speed = random.uniform(-100.0, 100.0)
+        solved = solve_quasistatic(
+            bearing, setup.operation(random.uniform(2e3, 2e4), axial, radial, outer_speed=outer_speed)
+        )
+        contacts = contact_conditions(solved, OIL)
+        orbit, rotation = ball_speeds(solved)
+        orbit = orbit * random.uniform(0.9, 1.1, orbit.shape)
+        rotation = rotation + random.normal(0.0, 0.05 * np.abs(rotation).max(), rotation.shape)
+        move = motion_map(solved, contacts)
+        ball, race = move.bodies(orbit, rotation)
+        for n, contact in enumerate(contacts):
+            k = move.ball[n]
+            row = compiled_motion(bearing, c, contact, move.ring_speed[n], orbit[k], rotation[k])
+            speed = 0.5 * (ball + race)[n, 0]
+            size = np.array([speed, speed, *[np.linalg.norm(rotation[k])] * 2])
+            expected = (ball - race)[n] / size
+            assert_allclose(row[ANGLE], contact.contact_angle, rtol=1e-10)
+            assert_allclose(row[ENTRAINMENT], speed, rtol=1e-10)
+            assert_allclose(row[[SLIDE_X, SLIDE_Y, SPIN, ROLL]] / size, expected, rtol=0.0, atol=1e-10)
