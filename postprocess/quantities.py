@@ -44,10 +44,11 @@ def quantities(
 
     Each row is key, title, attribute of the part and, where there are any, symbol and short title.
     """
-    return tuple(
-        Quantity(key, title, source + name, null, *short, words=words)
-        for key, title, name, *short in rows
-    )
+    declared = []
+    for key, title, name, *names in rows:
+        symbol, short = (*names, "", "")[:2]
+        declared.append(Quantity(key, title, source + name, null, symbol, short, words))
+    return tuple(declared)
 
 
 def value_of(record: Any, key: str, source: str) -> Any:

@@ -215,8 +215,7 @@ def _warn(file: BearingFile) -> None:
         warnings.warn(note, stacklevel=2)
     law = file.friction.traction
     if file.dynamics is not None and law not in (None, "films", file.dynamics.friction):
-        simulated = file.dynamics.friction
-        note = f'friction.traction = "{law}", and the simulation has "{simulated}" (dynamics.friction)'
+        note = f'friction.traction = "{law}", but dynamics.friction = "{file.dynamics.friction}"'
         warnings.warn(note, stacklevel=2)
     prefix = "bearing."
     assumed = {name.removeprefix(prefix) for name in file.assumed if name.startswith(prefix)}

@@ -72,7 +72,7 @@ def _contact_dataset(document: dict[str, Any]) -> xr.Dataset:
         if quantity.null:
             attrs["comment"] = f"NaN: {quantity.null}"
         column = np.array([np.nan if value is None else value for value in values])
-        variables[quantity.key] = ("contact", column, attrs)
+        variables[quantity.key] = (("contact",), column, attrs)
     return xr.Dataset(variables)
 
 
