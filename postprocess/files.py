@@ -33,13 +33,14 @@ def atomic_path(path: Path) -> Iterator[Path]:
     temporary = Path(name)
     try:
         yield temporary
-        os.chmod(temporary, 0o666 & ~_umask())  # mkstemp gives 0600
+        os.chmod(temporary, 0o666 & ~umask())  # mkstemp gives 0600
         os.replace(temporary, path)
     finally:
         temporary.unlink(missing_ok=True)
 
 
-def _umask() -> int:
+def umask() -> int:
+    """Permissions that new files of this user do not get."""
     mask = os.umask(0)
     os.umask(mask)
     return mask

@@ -1,7 +1,7 @@
 """Numbers and lists as text."""
 
 from math import ceil, floor, inf, isfinite, log10
-from typing import Any
+from typing import Any, TypeGuard
 
 from ehl.units import unit_of
 
@@ -54,3 +54,8 @@ def unit_text(key: str) -> str:
     """Unit of a key with the signs of a page."""
     unit = unit_of(key)
     return SYMBOLS.get(unit, unit)
+
+
+def is_number(value: Any) -> TypeGuard[float]:
+    """Whether a value is a number; a truth value is none."""
+    return isinstance(value, int | float) and not isinstance(value, bool)

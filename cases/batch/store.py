@@ -15,8 +15,10 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+from postprocess.files import umask
+
 from ..format.problems import CaseError
-from ..runs.output_directory import check_output, umask
+from ..runs.output_directory import check_output
 
 POINTS = "points"
 CONTACTS = "contacts"

@@ -11,7 +11,6 @@ import typer
 
 from ..format.problems import CaseError
 from ..runs.interrupt import say
-from ..runs.output_directory import add_to_manifest
 from .app import app
 from .terminal import NOT_CONVERGED, guarded, print_lines
 
@@ -59,6 +58,8 @@ def report(directory: Directory, quiet: Errors = False) -> None:
 
     with _as_case_errors(directory):
         path = write_report(directory)
+    from ..runs.output_directory import add_to_manifest
+
     add_to_manifest(directory, path.name)
     if not quiet:
         say(f"report in {path}")

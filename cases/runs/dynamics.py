@@ -104,16 +104,16 @@ def run_dynamics(
         )
     try:
         model = build_model(case, tables, notify)
-        made = simulation(case.bearing, case.operation, model)
+        run = simulation(case.bearing, case.operation, model)
         if restart is not None:
-            load_restart(made, restart, case_key(case))
-            made.messages.append(
-                f"dynamics: gone on at t = {made.state.time:.6g} s; loads of the summary "
+            load_restart(run, restart, case_key(case))
+            run.messages.append(
+                f"dynamics: continued at t = {run.state.time:.6g} s; loads of the summary "
                 "from there"
             )
     except ValueError as problem:
         raise CaseError([f"{name}: {problem}"]) from problem
-    return _stream(case, made, history, notify)
+    return _stream(case, run, history, notify)
 
 
 def _table(case: Case, name: str) -> DynamicsTable:
@@ -131,43 +131,43 @@ def case_key(case: Case) -> str:
     return json.dumps(case.document, sort_keys=True)
 
 
-def _stream(case: Case, made: Simulation, history: Path, notify: Progress) -> DynamicsResults:
+def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> DynamicsResults:
     """Step, write, count; on Ctrl-C what there is so far goes up with `Interrupted`."""
     began = perf_counter()
     running = RunningStatistics(case.bearing.balls)
-    end = made.model.options.end_time
-    first = made.state.time
+    end = run.model.options.end_time
+    first = run.state.time
     attributes = _attributes(case)
 
     def results() -> DynamicsResults:
         return DynamicsResults(
             version=version(),
             case=case.document,
-            simulation=made,
+            simulation=run,
             running=running,
             history=history,
-            messages=(*case.warnings, *_assumed(made.model), *made.messages),
-            timing={"simulation": made.wall, "total": perf_counter() - began},
+            messages=(*case.warnings, *_assumed(run.model), *run.messages),
+            timing={"simulation": run.wall, "total": perf_counter() - began},
         )
 
     with HistoryWriter(history, case.bearing.balls, attributes) as writer:
         try:
-            pieces = made.pieces()
+            pieces = run.pieces()
             while True:
                 # state, history and statistics stay in step
                 with finish_first("the samples under way"):
                     record = next(pieces, None)
                     if record is not None:
                         writer.add(record)
-                        running.add(record, made.start_energy)
+                        running.add(record, run.start_energy)
                 if record is None:
                     break
-                share = (made.state.time - first) / (end - first)
+                share = (run.state.time - first) / (end - first)
                 left = (perf_counter() - began) * (1.0 - share) / share
-                done = round(made.state.time * MILLISECONDS)
+                done = round(run.state.time * MILLISECONDS)
                 notify(done, round(end * MILLISECONDS), f"simulated ms, {left:.0f} s left")
         except KeyboardInterrupt:
-            raise Interrupted(results(), made) from None
+            raise Interrupted(results(), run) from None
     return results()
 
 
@@ -275,7 +275,7 @@ def _friction(
 
 
 def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
-    """Traction tables of both races, read or made."""
+    """Traction tables of both races, read or built."""
     if path is None:
         found = run_table(case, progress=notify).tables
     else:

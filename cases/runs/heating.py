@@ -35,7 +35,7 @@ def self_heated(case: Case) -> SelfHeatingSolution | None:
     ) -> float:
         return _torque(case, given.model, state, contacts, oil)
 
-    warm = SelfHeatingProblem(
+    problem = SelfHeatingProblem(
         bearing=given.delivered,
         operation=case.operation,
         model=model,
@@ -47,13 +47,13 @@ def self_heated(case: Case) -> SelfHeatingSolution | None:
     )
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # the search looks beyond the range of the oil's data
-        found = solve_self_heating(warm, given.cooling, given.model)
-    if found.balance is None or not found.converged:
-        return found
+        solution = solve_self_heating(problem, given.cooling, given.model)
+    if solution.balance is None or not solution.converged:
+        return solution
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        given.oil(found.balance.temperature)
-    return replace(found, note="; ".join(str(warning.message) for warning in caught))
+        given.oil(solution.balance.temperature)
+    return replace(solution, note="; ".join(str(warning.message) for warning in caught))
 
 
 def _torque(
@@ -71,7 +71,7 @@ def _torque(
         If the model does not apply; the message says why.
     """
     assert case.friction is not None  # of every bearing case
-    found = model_torque(state, contacts, oil, case.friction, name)
-    if found.total is None:
-        raise ValueError(f"the torque model {name} {found.note}")
-    return found.total
+    torque = model_torque(state, contacts, oil, case.friction, name)
+    if torque.total is None:
+        raise ValueError(f"the torque model {name} {torque.note}")
+    return torque.total

@@ -7,6 +7,8 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
+from postprocess.files import umask
+
 from ..format.problems import CaseError
 
 # what we wrote, so that a later run replaces that and nothing else
@@ -119,10 +121,3 @@ def _remove_empty(file: Path, directory: Path) -> None:
         if folder == directory or not folder.is_dir() or any(folder.iterdir()):
             return
         folder.rmdir()
-
-
-def umask() -> int:
-    """Permissions that new files of this user do not get."""
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

@@ -18,6 +18,7 @@ from ehl.units import unit_of, unit_symbol, without_unit
 from ..bearing.plots_torque import LABELS
 from ..main_results import BATCH_PANELS, MAIN_QUANTITY, main_results
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
+from ..text import is_number
 from .results import BatchPoint, BatchResults
 from .summary import scalar_numbers
 
@@ -60,7 +61,7 @@ def varied_keys(results: BatchResults) -> list[Varied]:
     for key in results.keys:
         values = [point.values.get(key) for point in results.points]
         different = {str(value) for value in values if value is not None}
-        if len(different) > 1 and all(value is None or _is_number(value) for value in values):
+        if len(different) > 1 and all(value is None or is_number(value) for value in values):
             numbers.append((len(different), Varied(label=axis_label(key), values=tuple(values))))
         elif len(different) > 1:
             wordy.append(key)
@@ -331,7 +332,3 @@ def _line(axes: Axes, data: PlotData, style: dict[str, Any]) -> None:
     failed = data.part(~data.sound)
     if failed.x.size:
         axes.plot(failed.x, failed.y, "x", markersize=7, color=style["color"])
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) and not isinstance(value, bool)

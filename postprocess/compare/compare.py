@@ -4,12 +4,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import hypot, inf
 from pathlib import Path
-from typing import Any, TypeGuard
+from typing import Any
 
 from ehl.units import unit_of
 
 from ..main_results import main_results
 from ..report.page import read_summary
+from ..text import is_number
 
 NOT_COMPARED = ("oilfilm", "case", "messages", "timing_s", "sweep", "file", "resumed", "key")
 OF_THE_SOLUTION = frozenset(  # how a result was computed
@@ -166,7 +167,7 @@ def _differences(first: dict[str, Any], second: dict[str, Any]) -> Iterator[Diff
     for path in dict.fromkeys((*first, *second)):
         a, b = first.get(path), second.get(path)
         noise = ROUND_OFF * max(scale.get(_group(path), 0.0) for scale in scales)
-        if _is_number(a) and _is_number(b) and max(abs(a), abs(b)) <= noise:
+        if is_number(a) and is_number(b) and max(abs(a), abs(b)) <= noise:
             continue
         covered = _covered(path, a, b, first, second)
         yield Difference(path=path, first=a, second=b, relative=relative(a, b), covered=covered)
@@ -176,7 +177,7 @@ def _scales(values: dict[str, Any]) -> dict[str, float]:
     """Largest magnitude among the numbers of one unit that belong together."""
     scales: dict[str, float] = {}
     for path, value in values.items():
-        if _is_number(value):
+        if is_number(value):
             group = _group(path)
             scales[group] = max(scales.get(group, 0.0), abs(value))
     return scales
@@ -189,15 +190,11 @@ def _group(path: str) -> str:
     return name if bracket or unit_of(last) or not unit_of(name) else block
 
 
-def _is_number(value: Any) -> TypeGuard[float]:
-    return isinstance(value, int | float) and not isinstance(value, bool)
-
-
 def relative(a: Any, b: Any) -> float | None:
     """Difference over the larger magnitude [-]; None where they are not two numbers."""
     if a == b:
         return 0.0
-    if not (_is_number(a) and _is_number(b)):
+    if not (is_number(a) and is_number(b)):
         return None
     return abs(a - b) / max(abs(a), abs(b))
 

@@ -186,7 +186,7 @@ def test_ctrl_c_in_the_middle_of_the_steps(tmp_path):
     rest = run_dynamics(case, "case", tmp_path / "rest.nc", restart=tmp_path / "out_restart.npz")
     np.testing.assert_array_equal(rest.simulation.state.y, whole.simulation.state.y)
     np.testing.assert_allclose(rest.simulation.state.shares.sum(axis=2), 0.012, rtol=1e-9)
-    assert any("gone on at t" in message for message in rest.messages)
+    assert any("continued at t" in message for message in rest.messages)
     with open_history(tmp_path / "out") as first, open_history(tmp_path / "rest.nc") as second:
         assert first.sizes["time"] + second.sizes["time"] == 2400
         assert 0.0 < float(second["time"][0] - first["time"][-1]) < 5.1e-6
