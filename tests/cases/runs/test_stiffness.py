@@ -56,8 +56,8 @@ def test_the_table_for_the_rotor_code(folder):
 def test_the_table_in_the_terminal_fits(tmp_path):
     found = run(CASE, "-o", str(tmp_path / "out"), "--points", "2", "--speeds", "0", "60000")
     assert found.exit_code == 0
-    assert max(len(line.rstrip()) for line in found.output.splitlines()) <= 80
-    assert "60000" in found.output
+    assert max(len(line.rstrip()) for line in found.stdout.splitlines()) <= 80
+    assert "60000" in found.stdout
 
 
 def test_speeds_without_equilibrium_are_flagged(tmp_path):
