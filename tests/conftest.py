@@ -12,7 +12,7 @@ import pytest
 from filelock import FileLock
 
 SEED = "OILFILM_SEED"
-SHARE = 0.1  # of the slow tests of a file that are in the sample, one at least
+SHARE = 0.1  # of the slow tests that are in the sample
 WORKER = "PYTEST_XDIST_WORKER" in os.environ
 
 
@@ -31,14 +31,15 @@ def pytest_terminal_summary(terminalreporter, config):
 
 @pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(items):
-    """Mark as `sample` a tenth of each file's slow tests, another one every day."""
+    """Mark as `sample` a tenth of the slow tests, drawn file by file, another one every day."""
     slow = defaultdict(list)
     for item in items:
         if item.get_closest_marker("slow"):
             slow[item.location[0]].append(item)
     for name, tests in slow.items():
         draw = random.Random(f"{os.environ[SEED]} {name}")
-        for item in draw.sample(tests, max(1, round(SHARE * len(tests)))):
+        whole, part = divmod(SHARE * len(tests), 1.0)
+        for item in draw.sample(tests, int(whole) + (draw.random() < part)):
             item.add_marker("sample")
 
 
