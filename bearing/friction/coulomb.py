@@ -16,7 +16,7 @@ laws: the full integral over the ellipse, and the one of narrow ellipses, which 
 (lines of pure rolling; Jones, 1959). Array axes: contacts first.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cache
 
@@ -179,11 +179,7 @@ def coulomb_law(
 ) -> ContactLaw:
     """Coulomb's mu [-] over the ellipses of all contacts, one value or one a contact."""
     ellipses = contact_ellipses(solution, contacts, friction)
-    return ContactLaw(
-        evaluate=lambda motion, numbers: coulomb_dissipation(motion, ellipses.take(numbers)),
-        reference_force=ellipses.friction * ellipses.load,
-        has_rolling_resistance=False,
-    )
+    return _law(ellipses, coulomb_dissipation)
 
 
 def line_law(
@@ -191,10 +187,20 @@ def line_law(
 ) -> ContactLaw:
     """As `coulomb_law` by lines of pure rolling: without sliding across the rolling direction."""
     ellipses = contact_ellipses(solution, contacts, friction)
+    return _law(ellipses, line_dissipation, longitudinal_only=True)
+
+
+def _law(
+    ellipses: Ellipses,
+    dissipation: Callable[[Array, Ellipses], Dissipation],
+    *,
+    longitudinal_only: bool = False,
+) -> ContactLaw:
+    """A dissipation over ellipses as the law of their contacts; no rolling resistance."""
     return ContactLaw(
-        evaluate=lambda motion, numbers: line_dissipation(motion, ellipses.take(numbers)),
+        evaluate=lambda motion, numbers: dissipation(motion, ellipses.take(numbers)),
         reference_force=ellipses.friction * ellipses.load,
-        longitudinal_only=True,
+        longitudinal_only=longitudinal_only,
         has_rolling_resistance=False,
     )
 

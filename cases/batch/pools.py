@@ -25,10 +25,6 @@ PATIENCE = 10.0  # for a scheduler to answer [s]
 PORT = 8786  # of a Dask scheduler, its default
 
 
-class WorkerLost(Exception):  # noqa: N818
-    """The worker of a point is gone: killed, out of memory, switched off."""
-
-
 class Pool(Protocol):
     """What the engine needs of a place to compute."""
 

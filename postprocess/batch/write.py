@@ -13,7 +13,6 @@ from ..files import Variables, write_csv, write_dataset
 from .results import BatchResults
 from .summary import results_as_columns
 
-BATCH_TABLE = "batch.csv"
 RACES = ("inner", "outer")
 
 

@@ -16,7 +16,6 @@ COLOURS = (
     "#7a6a5a #b3476a #4a7fc1 #e08a5a #2f6b3a #b9a0cf"
 ).split()
 INK = "#1b1f24"
-LINE = "#d5dae1"
 FONT = 'font-family="system-ui, sans-serif"'
 
 
