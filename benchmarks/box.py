@@ -5,7 +5,7 @@ Mesh size is kept, so that only the box changes; boxes in Hertz semi-axes. A par
 
 from __future__ import annotations
 
-from cases.verification.limits import BOX_CONTACTS, BOX_SCALES, box_film
+from verification.limits import BOX_CONTACTS, BOX_SCALES, box_film
 
 
 def main():

@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import sys
 
-from cases.verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
-from cases.verification.costs import deflection_time
 from ehl import SolverOptions, solve_contact
+from verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
+from verification.costs import deflection_time
 
 CONTACTS = (
     CIRCULAR_20_10,

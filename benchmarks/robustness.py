@@ -9,10 +9,10 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from cases.verification.page import markdown
-from cases.verification.robustness import sweep
-from cases.verification.robustness_page import robustness_section
-from cases.verification.run import SWEEP
+from verification.page import markdown
+from verification.robustness import sweep
+from verification.robustness_page import robustness_section
+from verification.run import SWEEP
 
 
 def progress(done, total, state):

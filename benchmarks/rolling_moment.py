@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from unittest.mock import patch
 
-from cases.verification.contacts import race_6208
 from ehl import SolverOptions, solve_contact
 from ehl.scaling import scale_contact
 from ehl.traction.rolling_moment import moment_of_doubling, rolling_moment
+from verification.contacts import race_6208
 
 HEAVY = [((-4.0 * f, 1.57 * f, 2.88), int(256 * f) + 1) for f in (1, 2, 4)]  # box in semi-axes, points
 LIGHT = [((-33.0 * f, 2.2 * f, 14.0 * f), int(128 * f) + 1) for f in (1, 2, 4)]

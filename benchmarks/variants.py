@@ -15,12 +15,12 @@ from functools import partial
 import numpy as np
 from scipy import fft
 
-from cases.verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
 from ehl import SolverOptions, solve_contact
 from ehl.grid import Grid
 from ehl.multigrid import cycle as multigrid
 from ehl.multigrid.flow_model import entrainment_factors
 from ehl.solid.deformation import deflect, deflection_kernel
+from verification.contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
 
 CONTACTS = (CIRCULAR_20_10, CIRCULAR_200_10, Named(name="6208 outer", conditions=race_6208(1611.8, outer=True)))
 REPEATS = 5

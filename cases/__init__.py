@@ -5,7 +5,6 @@
 | format | case files: tables, rules, conversion to SI |
 | runs | one case run: bearing, contact, slip, stiffness, tables, dynamics |
 | batch | many points of one case |
-| verification | the verification page of the contact solver |
 | cli | the command line |
 | library | shipped cases, sweeps and printed reference values (TOML, CSV) |
 | version | version of the program |

@@ -21,7 +21,6 @@ stiffness    - results of a stiffness study
 table        - tables of results for a terminal of 80 columns
 text         - numbers and lists as text
 traction     - results of traction tables
-verification - pictures of the verification page
 writer       - all output of a run into one directory
 """
 

@@ -20,6 +20,7 @@ from bearing.friction.table_files import save_race_tables
 from bearing.geometry import Race
 from bearing.operation import BallKinematics
 from ehl import Lubricant
+from ehl.multigrid.threads import cores
 from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.table import TableRange
@@ -29,7 +30,6 @@ from ..format.document import check_document
 from ..format.problems import CaseError
 from ..format.traction import fitting_tables, tables_of_file
 from ..runs.equilibrium import case_equilibrium
-from ..runs.films import cores
 from ..version import version
 from .contact_cache import content_key
 from .points import Point, Sweep

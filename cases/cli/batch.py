@@ -108,8 +108,9 @@ def _kept(directory: Path | None) -> Iterator[None]:
 
 def _pool(plan: Sweep, workers: int | None, scheduler: str | None) -> Callable[[], Pool]:
     def start() -> Pool:
+        from ehl.multigrid.threads import cores
+
         from ..batch.pools import ClusterPool, LocalPool
-        from ..runs.films import cores
         from ..runs.kernel_cache import compiled_stamp
 
         if scheduler is not None:

@@ -70,8 +70,9 @@ def contact(
     if not isinstance(loaded, ContactCase):
         raise CaseError([f"{case}: is a bearing; run it with 'oilfilm run {case}'"])
     directory = results_directory(case, output, as_json)
+    from ehl.multigrid.threads import cores
+
     from ..runs.contact import run_contact
-    from ..runs.films import cores
 
     with progress_bar(quiet=quiet) as progress:
         progress(0, 1, "film")

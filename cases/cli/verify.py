@@ -8,16 +8,18 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from verification.names import SectionName
+
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
-from ..verification.names import SectionName
 from .app import Json, Output, Quiet, app
 from .terminal import NOT_CONVERGED, guarded, print_lines, progress_bar
 
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from ..verification.page import Section
+    from postprocess.results import BearingResults
+    from verification.page import Section
 
 DIRECTORY = Path("verify_results")
 SEED = 20261  # of the sweep shown in the docs
@@ -57,37 +59,68 @@ def verify(
         raise CaseError(
             ["--seed: found without --robustness; it is the seed of the random contacts"]
         )
-    if robustness is None:
-        directory = None if as_json and output is None else output or DIRECTORY
-        sections = _page(list(section or SectionName), directory, quick=quick, quiet=quiet)
-    else:
-        directory = output or DIRECTORY
-        sections = [
-            _sweep(robustness, SEED if seed is None else seed, directory, quick=quick, quiet=quiet)
-        ]
+    directory = None if as_json and output is None and robustness is None else output or DIRECTORY
+    sections = _sections(section, robustness, seed, directory, quick=quick, quiet=quiet)
     return _report(sections, directory, as_json=as_json, quiet=quiet)
+
+
+def _sections(
+    names: list[SectionName] | None,
+    draws: int | None,
+    seed: int | None,
+    directory: Path | None,
+    *,
+    quick: bool,
+    quiet: bool,
+) -> list[Section]:
+    from verification.page import ForeignFileError
+
+    try:
+        if draws is None or directory is None:
+            return _page(names or list(SectionName), directory, quick=quick, quiet=quiet)
+        seed = SEED if seed is None else seed
+        return [_sweep(draws, seed, directory, quick=quick, quiet=quiet)]
+    except ForeignFileError as error:
+        raise CaseError([str(error)]) from None
 
 
 def _page(
     names: list[SectionName], directory: Path | None, *, quick: bool, quiet: bool
 ) -> list[Section]:
-    from ..verification.run import PAGE, check_page, run_sections, write_page
+    from verification.run import PAGE, check_page, run_sections, write_page
+
+    from ..runs.output_directory import check_output
 
     if directory is not None:
+        check_output(directory)
         check_page(directory, PAGE)
     with progress_bar(quiet=quiet) as progress:
-        sections = run_sections(names, progress, quick=quick)
+        sections = run_sections(names, progress, _run_bearing, quick=quick)
     if directory is not None:
         with finish_first(f"results in {directory}"):
             write_page(sections, directory, PAGE)
     return sections
 
 
-def _sweep(draws: int, seed: int, directory: Path, *, quick: bool, quiet: bool) -> Section:
-    from ..verification.robustness import POINTS, QUICK_POINTS, sweep
-    from ..verification.robustness_page import robustness_section
-    from ..verification.run import SWEEP, SWEEP_PAGE, check_page, write_page
+def _run_bearing() -> BearingResults:
+    from verification.costs import BEARING
 
+    from ..format.case import Case, load_case
+    from ..runs.bearing import run_case
+
+    case = load_case(BEARING)
+    assert isinstance(case, Case)
+    return run_case(case)
+
+
+def _sweep(draws: int, seed: int, directory: Path, *, quick: bool, quiet: bool) -> Section:
+    from verification.robustness import POINTS, QUICK_POINTS, sweep
+    from verification.robustness_page import robustness_section
+    from verification.run import SWEEP, SWEEP_PAGE, check_page, write_page
+
+    from ..runs.output_directory import check_output
+
+    check_output(directory)
     check_page(directory, SWEEP_PAGE)
     points = QUICK_POINTS if quick else POINTS
     try:
@@ -106,7 +139,7 @@ def _sweep(draws: int, seed: int, directory: Path, *, quick: bool, quiet: bool) 
 
 
 def _report(sections: list[Section], directory: Path | None, *, as_json: bool, quiet: bool) -> int:
-    from ..verification.run import document
+    from verification.run import document
 
     results = document(sections)
     if directory is not None and not quiet:

@@ -1,6 +1,5 @@
 """Films of the contacts of a bearing, equal ones solved once, in parallel."""
 
-import os
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, as_completed
 from dataclasses import fields, replace
@@ -9,6 +8,7 @@ from math import degrees, isclose
 from bearing.contacts.contact import BearingContact
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
+from ehl.multigrid.threads import cores
 
 from ..format.case import Case
 from ..format.rows import ball_at
@@ -27,13 +27,6 @@ EQUAL = 1e-9  # relative difference below which two contacts count as one [-]
 
 # compared absolutely, too
 MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "spin", "mean_spin")
-
-
-def cores() -> int:
-    """Cores this process may use [-]."""
-    return (
-        len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    )
 
 
 def wanted_contacts(

@@ -22,13 +22,14 @@ from bearing.studies.slip import (
     minimum_radial_load_skf,
     slip_surface,
 )
+from ehl.multigrid.threads import cores
 from postprocess.slip.results import MinimumLoads, SlipResults
 
 from ..format.case import Case
 from ..format.operation import SlipTable
 from ..format.problems import CaseError
 from ..version import version
-from .films import Progress, cores
+from .films import Progress
 
 # centrifugal force a source evidently used, over the true one [-]
 PRINTED_FORCE = {"half centrifugal force": 0.5}

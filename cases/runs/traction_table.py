@@ -8,6 +8,7 @@ from time import perf_counter
 
 from bearing.friction.race_tables import build_race_tables, build_temperature_tables, race_progress
 from ehl import Lubricant, SolverOptions
+from ehl.multigrid.threads import cores
 from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions
 from ehl.traction.table.full_solves import full_solves
@@ -23,7 +24,7 @@ from ..format.problems import CaseError
 from ..format.shipped import find_case
 from ..version import version
 from .equilibrium import case_equilibrium
-from .films import Progress, cores
+from .films import Progress
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,11 +1,18 @@
 """Threads that share the lines of a grid: the compiled kernels release the interpreter's lock."""
 
+import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 
 # nodes of the smallest grid that is shared: below, the hand-over costs more than it saves
 SHARED_NODES = 2**15
+
+
+def cores() -> int:
+    """Cores this process may use [-]."""
+    affinity = hasattr(os, "sched_getaffinity")
+    return len(os.sched_getaffinity(0)) if affinity else os.cpu_count() or 1
 
 
 class Threads:

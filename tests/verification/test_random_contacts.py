@@ -11,13 +11,13 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from numpy.testing import assert_allclose
 
-from cases.verification.contacts import from_groups
-from cases.verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
 from ehl import DensityLaw, Lubricant, MoesConditions, SolverOptions, solve_contact
 from ehl.grid import Grid
 from ehl.multigrid.thin_film import FALLBACK as THIN_FILM
 from ehl.scaling import CLOSED_FORM_LAWS, scale_contact
 from ehl.solid.deformation import deflect, deflection_kernel
+from verification.contacts import from_groups
+from verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
 
 from ..reference.ehl.reynolds import flow_properties, reynolds_operator
 

@@ -13,20 +13,19 @@ from numpy.testing import assert_allclose
 from typer.testing import CliRunner
 
 from cases.cli.main import app
-from cases.format.problems import CaseError
-from cases.verification.asymptotes import asymptotes
-from cases.verification.contacts import NAMED, from_groups, moes
-from cases.verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
-from cases.verification.limits import approach_formula
-from cases.verification.names import SectionName
-from cases.verification.page import Check, Section, Table, markdown
-from cases.verification.rigid import half_kapitza, reynolds_over_sommerfeld
-from cases.verification.robustness import Finished, read_finished, strongest, sweep
-from cases.verification.robustness_page import robustness_section
-from cases.verification.run import MAKERS, document
 from ehl.closed_form.film import moes_film_nijenbanning
 from ehl.conditions import moes_groups
 from ehl.scaling import scale_contact
+from verification.asymptotes import asymptotes
+from verification.contacts import NAMED, from_groups, moes
+from verification.draws import LARGEST_EXPONENT, LARGEST_PRESSURE, draws
+from verification.limits import approach_formula
+from verification.names import SectionName
+from verification.page import Check, ForeignFileError, Section, Table, markdown
+from verification.rigid import half_kapitza, reynolds_over_sommerfeld
+from verification.robustness import Finished, read_finished, strongest, sweep
+from verification.robustness_page import robustness_section
+from verification.run import MAKERS, document
 
 PAGES = Path(__file__).parents[3] / "docs" / "validation"
 POINTS = (65,)
@@ -182,15 +181,15 @@ def test_sweep_is_resumed(tmp_path):
 def test_sweep_refuses_the_file_of_another(tmp_path):
     file = tmp_path / "robustness.jsonl"
     sweep(1, 5323, file, silent, POINTS)
-    with pytest.raises(CaseError, match="--seed 5323"):
+    with pytest.raises(ForeignFileError, match="--seed 5323"):
         sweep(1, 5324, file, silent, POINTS)
     file.write_text("something else\n", encoding="utf-8")
-    with pytest.raises(CaseError, match="no sweep"):
+    with pytest.raises(ForeignFileError, match="no sweep"):
         sweep(1, 5323, file, silent, POINTS)
 
 
 def test_interrupted_sweep_keeps_what_is_finished(tmp_path, monkeypatch):
-    from cases.verification import robustness
+    from verification import robustness
 
     solve, count = robustness.solve_draw, []
 
@@ -301,7 +300,7 @@ def test_the_page_of_random_contacts_is_that_of_its_file():
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in SectionName if name is not SectionName.COST])
 def test_the_page_in_the_docs_is_up_to_date(name):
-    from cases.verification.run import run_sections
+    from verification.run import run_sections
 
     (section,) = run_sections([name], silent)
     page = (PAGES / "verification.md").read_text(encoding="utf-8").splitlines()

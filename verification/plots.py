@@ -11,8 +11,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ehl.solution import Array
-
-from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, write_figure
+from postprocess.plot_style import (
+    INK,
+    INNER_COLOUR,
+    OUTER_COLOUR,
+    PAGE_WIDTH,
+    REFERENCE,
+    write_figure,
+)
 
 MARKERS = "os^Dv<>P"
 

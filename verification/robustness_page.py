@@ -4,9 +4,8 @@ from collections import Counter
 from collections.abc import Sequence
 from functools import partial
 
-from postprocess.verification.plots import MapPoint, draw_robustness
-
 from .page import Check, Picture, Section, Table, columns, text
+from .plots import MapPoint, draw_robustness
 from .robustness import POINTS, RESOLVABLE, THIN_FILM, Finished, strongest
 
 OUTCOMES = ("converged and resolved", "converged, unresolved", "failed")

@@ -6,12 +6,18 @@ from dataclasses import dataclass
 from importlib import resources
 from typing import Any, TypeVar
 
-from ..runs.films import cores
+from ehl.multigrid.threads import cores
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
 
+Progress = Callable[[int, int, str], None]  # done, in all, what is being done
+
 PICTURES = "images"  # folder of the pictures, beside the page
+
+
+class ForeignFileError(ValueError):
+    """A file that stands in the way; the message says which, and what to do."""
 
 
 @dataclass(frozen=True, slots=True)

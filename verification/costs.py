@@ -2,7 +2,7 @@
 
 import time
 import tracemalloc
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -11,12 +11,11 @@ import numpy as np
 from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.grid import Grid
 from ehl.solid.deformation import deflect, deflection_kernel
-from postprocess.verification.plots import ScalingCurve, draw_scaling
+from postprocess.results import BearingResults
 
-from ..format.case import Case, load_case
-from ..runs.bearing import run_case
 from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, Named, race_6208
 from .page import Check, Picture, Section, Table, columns, text
+from .plots import ScalingCurve, draw_scaling
 
 POINTS = (65, 129, 257, 513, 1025, 2049)
 FEW_POINTS = (65, 129, 257)
@@ -106,8 +105,8 @@ def measure(contact: Named, points: int) -> Cost:
     )
 
 
-def costs(quick: bool = False) -> Section:
-    """Scaling of the solve, and the time of all contacts of a bearing."""
+def costs(quick: bool = False, run_bearing: Callable[[], BearingResults] | None = None) -> Section:
+    """Scaling of the solve, and the time of all contacts of a bearing that is run."""
     solve_contact(CIRCULAR_20_10.conditions, SolverOptions(points=65))  # compile
     points, contacts = (FEW_POINTS, CONTACTS[:1]) if quick else (POINTS, CONTACTS)
     measured = {contact.name: [measure(contact, n) for n in points] for contact in contacts}
@@ -117,8 +116,8 @@ def costs(quick: bool = False) -> Section:
         " | µs per unknown | over 257 | bytes per unknown"
     )
     tables = [Table("Cost of a solve:", head, rows)]
-    if not quick:
-        tables.append(_bearing())
+    if run_bearing is not None and not quick:
+        tables.append(_bearing_table(run_bearing))
     curves = [
         ScalingCurve(
             label=name,
@@ -181,18 +180,16 @@ def _checks(name: str, costs: Sequence[Cost]) -> list[Check]:
     return checks
 
 
-def _bearing() -> Table:
-    """All contacts of the 6208, kernels compiled."""
-    case = load_case(BEARING)
-    assert isinstance(case, Case)
-    runs = [run_case(case) for _ in range(3)][1:]
+def _bearing_table(run_bearing: Callable[[], BearingResults]) -> Table:
+    """All contacts of a bearing, kernels compiled."""
+    runs = [run_bearing() for _ in range(3)][1:]
     best = min(runs, key=lambda run: run.timing["contacts"])
     solved = [s for s in best.solutions if s is not None]
     distinct = {id(s): s for s in solved}.values()
     converged = sum(s.converged for s in solved)
     row = (
         BEARING,
-        str(case.solver.points),
+        str(best.case["ehl"]["points"]),
         f"{len(solved)}, {len(distinct)} distinct",
         str(converged),
     )

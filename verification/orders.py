@@ -11,7 +11,6 @@ from ehl.multigrid import _kernels
 from ehl.multigrid.far_field import far_field
 from ehl.scaling import scale_contact
 from ehl.solid.deformation import deflect, deflection_kernel
-from postprocess.verification.plots import Curve, draw_orders
 
 from .contacts import (
     CIRCULAR_20_10,
@@ -25,6 +24,7 @@ from .contacts import (
 )
 from .converged_films import ConvergedFilms, fully_converged_films
 from .page import Check, Picture, Section, Table, columns, each, text
+from .plots import Curve, draw_orders
 
 POINTS = (65, 129, 257, 513, 1025)
 FEW_POINTS = (65, 129, 257)

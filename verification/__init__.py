@@ -17,5 +17,6 @@
 | draws | random contacts |
 | robustness | the sweep over random contacts, kept draw by draw |
 | robustness_page | its tables and map |
+| plots | pictures of the page |
 | run | all sections and the files they write |
 """

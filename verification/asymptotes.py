@@ -9,10 +9,10 @@ import numpy as np
 from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.closed_form.film import moes_film_nijenbanning
 from ehl.closed_form.hertz import hertz_coefficients
-from postprocess.verification.plots import Curve, draw_moes
 
 from .contacts import OIL, WATER_LIKE, MoesConditions, moes
 from .page import Check, Picture, Section, Table, columns, each, percent, text
+from .plots import Curve, draw_moes
 
 LUBRICANT = (0.0, 2.5, 5.0, 10.0, 20.0)  # L of the diagram
 # of the films of the regimes and of the diagram

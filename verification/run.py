@@ -1,16 +1,13 @@
 """All sections of the verification page, and the files they make."""
 
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
 from postprocess.files import atomic_path
-from postprocess.verification.plots import draw_pictures
+from postprocess.results import BearingResults
 
-from ..format.problems import CaseError
-from ..runs.films import Progress
-from ..runs.output_directory import check_output
 from .asymptotes import moes_diagram
 from .costs import costs
 from .elements import elements
@@ -19,7 +16,8 @@ from .formulas import formulas
 from .limits import hertz_limit, same_contact
 from .names import SectionName
 from .orders import orders
-from .page import PICTURES, Section, markdown, text
+from .page import PICTURES, ForeignFileError, Progress, Section, markdown, text
+from .plots import draw_pictures
 from .rigid import rigid_limit
 
 PAGE = "verification.md"
@@ -27,7 +25,7 @@ SWEEP_PAGE = "robustness.md"
 SWEEP = "robustness.jsonl"
 TITLES = {PAGE: "Verification of the contact solver", SWEEP_PAGE: "Random contacts"}
 
-MAKERS = {
+MAKERS: dict[SectionName, Callable[..., Section]] = {
     SectionName.ORDERS: orders,
     SectionName.HERTZ: hertz_limit,
     SectionName.RIGID: rigid_limit,
@@ -41,33 +39,32 @@ MAKERS = {
 
 
 def run_sections(
-    names: Sequence[SectionName], progress: Progress, *, quick: bool = False
+    names: Sequence[SectionName],
+    progress: Progress,
+    run_bearing: Callable[[], BearingResults] | None = None,
+    *,
+    quick: bool = False,
 ) -> list[Section]:
-    """Compute sections one after the other; each uses all cores but the one on cost."""
+    """Compute sections one after the other; each uses all cores but the one on cost.
+
+    `run_bearing` runs the bearing of the cost section, whose table of it is left out without.
+    """
     sections = []
     for done, name in enumerate(names):
         progress(done, len(names), name.value)
-        sections.append(MAKERS[name](quick))
+        bearing = (run_bearing,) if name is SectionName.COST else ()
+        sections.append(MAKERS[name](quick, *bearing))
     progress(len(names), len(names), "pictures")
     return sections
 
 
 def check_page(directory: Path, page: str) -> None:
-    """Whether the page can be written to `directory`, before anything is computed.
-
-    Raises
-    ------
-    CaseError
-        If the folder cannot be written, or a file of the page's name is there that is not such a
-        page.
-    """
-    check_output(directory)
+    """Raise `ForeignFileError` if a file of the page's name is there that is not such a page."""
     path = directory / page
-    if path.exists() and not path.read_text(encoding="utf-8", errors="replace").startswith(
-        f"# {TITLES[page]}\n"
-    ):
-        raise CaseError(
-            [f"{path}: not written by oilfilm, will not be replaced; choose another -o"]
+    title = f"# {TITLES[page]}\n"
+    if path.exists() and not path.read_text(encoding="utf-8", errors="replace").startswith(title):
+        raise ForeignFileError(
+            f"{path}: not written by oilfilm, will not be replaced; choose another -o"
         )
 
 

@@ -16,7 +16,6 @@ from ehl.multigrid.full_multigrid import (
     full_multigrid,
 )
 from ehl.scaling import scale_contact
-from postprocess.verification.plots import Curve, draw_hertz
 
 from .contacts import (
     CIRCULAR_20_10,
@@ -30,6 +29,7 @@ from .contacts import (
     race_6208,
 )
 from .page import Check, Picture, Section, Table, columns, each, percent, text
+from .plots import Curve, draw_hertz
 
 SLOWER = (1.0, 4.0, 16.0, 64.0, 256.0)  # speed of M 20, L 10 divided by this
 BOX_CAPTION = """\

@@ -13,10 +13,10 @@ from ehl.closed_form.film import (
     film_hamrock_dowson_minimum,
     film_nijenbanning_central,
 )
-from postprocess.verification.plots import FormulaMap, draw_formulas
 
 from .contacts import NAMED, from_groups, moes
 from .page import Check, Picture, Section, Table, each, percent, text
+from .plots import FormulaMap, draw_formulas
 
 LOADS = (5.0, 15.0, 50.0, 150.0, 500.0, 1500.0)  # M
 LUBRICANT = (2.0, 5.0, 10.0, 20.0)  # L

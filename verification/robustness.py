@@ -2,7 +2,7 @@
 
 import json
 import threading
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from dataclasses import asdict, dataclass, fields
 from math import isfinite
@@ -11,17 +11,16 @@ from typing import Any
 
 from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.multigrid.thin_film import FALLBACK as THIN_FILM
+from ehl.multigrid.threads import cores
 from ehl.scaling import scale_contact
 
-from ..format.problems import CaseError
-from ..runs.films import cores
 from .draws import Draw, draws
+from .page import ForeignFileError, Progress
 
 POINTS = (257, 513, 1025)
 QUICK_POINTS = (65,)
 RESOLVABLE = 10.0  # Hmin/(S hx^2) at the most points from which a contact counts as resolvable
 DAMPED = "damping halved in passing"
-Progress = Callable[[int, int, str], None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,7 +122,7 @@ def sweep(
 
     Raises
     ------
-    CaseError
+    ForeignFileError
         If the file holds another sweep.
     KeyboardInterrupt
         With the finished draws in the file.
@@ -172,7 +171,7 @@ def read_finished(file: Path, head: dict[str, Any] | None = None) -> list[Finish
 
     Raises
     ------
-    CaseError
+    ForeignFileError
         If the file is none of a sweep, or of another one.
     """
     try:
@@ -181,15 +180,13 @@ def read_finished(file: Path, head: dict[str, Any] | None = None) -> list[Finish
         if "seed" not in own or any(set(line) != keys for line in lines):
             raise ValueError(file)
     except (OSError, ValueError, TypeError):
-        raise CaseError(
-            [f"{file}: is no sweep of random contacts; move it away, or choose another -o"]
+        raise ForeignFileError(
+            f"{file}: is no sweep of random contacts; move it away, or choose another -o"
         ) from None
     if head is not None and own != head:
-        raise CaseError(
-            [
-                f"{file}: holds the sweep with {own}, wanted is {head}; "
-                f"choose another -o, or --seed {own['seed']}"
-            ]
+        raise ForeignFileError(
+            f"{file}: holds the sweep with {own}, wanted is {head}; "
+            f"choose another -o, or --seed {own['seed']}"
         )
     names = ("measures", "first_measures")
     return [Finished(**(line | {name: tuple(line[name]) for name in names})) for line in lines]

@@ -1,4 +1,0 @@
-"""Pictures of the verification page.
-
-plots - pictures of the verification page
-"""
