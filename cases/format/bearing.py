@@ -11,7 +11,7 @@ from bearing.torque.inputs import ANGULAR_CONTACT
 from bearing.torque.skf import Series, skf_series
 from ehl.units import MICROMETRE
 
-from .fields import Name, Table, above, between, described, length
+from .fields import Name, Table, above, between, described, length, within
 from .problems import MISSING, CaseFault, shown
 from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
 
@@ -19,72 +19,42 @@ from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
 class BearingTable(Table):
     """Geometry and materials of the bearing."""
 
-    name: Name | None = described(None, "entry of the catalogue; the keys below override it")
+    name: Name | None = described("entry of the catalogue; the keys below override it")
     ball_diameter_mm: float | None = length("diameter of the balls")
     pitch_diameter_mm: float | None = length("diameter of the circle of the ball centres")
     balls: int | None = between(3, 1000, "number of balls")
-    inner_groove_radius_mm: float | None = length(
-        "radius of the inner raceway's groove in section"
-    )
-    outer_groove_radius_mm: float | None = length(
-        "radius of the outer raceway's groove in section"
-    )
+    inner_groove_radius_mm: float | None = length("radius of the inner raceway in section")
+    outer_groove_radius_mm: float | None = length("radius of the outer raceway in section")
     diametral_clearance_um: float | None = between(
-        -1.0e3, 1.0e4, "radial internal clearance on the diameter; or free_contact_angle_deg"
+        -1e3, 1e4, "radial internal clearance on the diameter; or free_contact_angle_deg"
     )
-    free_contact_angle_deg: float | None = between(
-        0.0, 80.0, "contact angle without load; or diametral_clearance_um"
-    )
-    ring_material: Name | None = described(None, "material of both rings")
-    inner_ring_material: Name | None = described(
-        None, "material of the inner ring where it differs"
-    )
-    outer_ring_material: Name | None = described(
-        None, "material of the outer ring where it differs"
-    )
-    ball_material: Name | None = described(None, "material of the balls")
-    cage_material: Name | None = described(
-        None, "for the dynamics, and for the thermal growth of the cage"
-    )
-    first_ball_azimuth_deg: float = between(
-        -360.0, 360.0, "azimuth of ball 1 from the load line", default=0.0
-    )
+    free_contact_angle_deg: float | None = between(0, 80, "unloaded; or diametral_clearance_um")
+    ring_material: Name | None = described("material of both rings")
+    inner_ring_material: Name | None = described("material of the inner ring where it differs")
+    outer_ring_material: Name | None = described("material of the outer ring where it differs")
+    ball_material: Name | None = described("material of the balls")
+    cage_material: Name | None = described("for the simulation and the cage's thermal growth")
+    first_ball_azimuth_deg: float = within(360, "azimuth of ball 1 from the load line", 0.0)
     bore_mm: float | None = length("bore diameter")
     outside_diameter_mm: float | None = length("outside diameter")
     width_mm: float | None = length("width of the rings")
-    inner_shoulder_diameter_mm: float | None = length(
-        "of the lands beside the inner groove, for the cut of ellipses"
-    )
-    outer_shoulder_diameter_mm: float | None = length(
-        "of the lands beside the outer groove, for the cut of ellipses"
-    )
+    inner_shoulder_diameter_mm: float | None = length("inner lands, for the cut of ellipses")
+    outer_shoulder_diameter_mm: float | None = length("outer lands, for the cut of ellipses")
     nominal_contact_angle_deg: float | None = between(
-        0.0, 80.0, "of the rating life; left out, free_contact_angle_deg, or 0 without that"
+        0, 80, "of the rating life; left out, free_contact_angle_deg, or 0 without that"
     )
-    basic_dynamic_rating_kN: float | None = above(
-        0.0, 1.0e6, "C_r of the catalogue for the rating life; left out, from the geometry"
-    )
-    basic_static_rating_kN: float | None = above(
-        0.0, 1.0e6, "C_0 of the catalogue for the static safety; left out, from the geometry"
-    )
-    skf_series: Name | None = described(
-        None, "of SKF's friction constants; left out, from the designation in name"
-    )
+    basic_dynamic_rating_kN: float | None = above(0, 1e6, "catalogue C_r; else from the geometry")
+    basic_static_rating_kN: float | None = above(0, 1e6, "catalogue C_0; else from the geometry")
+    skf_series: Name | None = described("of SKF's friction constants; else by designation in name")
 
 
 class SurfaceTable(Table):
     """Root-mean-square roughness, for the lambda ratio."""
 
-    inner_ring_roughness_um: float = between(
-        0.0, 100.0, "rms roughness of the inner raceway", default=...
-    )
-    outer_ring_roughness_um: float = between(
-        0.0, 100.0, "rms roughness of the outer raceway", default=...
-    )
-    ball_roughness_um: float = between(0.0, 100.0, "rms roughness of the balls", default=...)
-    kappa_exponent: float = above(
-        0.0, 5.0, "kappa of the solved film, lambda to this power; 1.3 is unverified", default=1.3
-    )
+    inner_ring_roughness_um: float = between(0, 100, "rms roughness of the inner raceway", ...)
+    outer_ring_roughness_um: float = between(0, 100, "rms roughness of the outer raceway", ...)
+    ball_roughness_um: float = between(0, 100, "rms roughness of the balls", ...)
+    kappa_exponent: float = above(0, 5, "kappa = lambda to this power; 1.3 is unverified", 1.3)
 
 
 GEOMETRY = (

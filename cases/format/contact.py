@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 from typing import Any, Literal
 
-from pydantic import Field, model_validator
+from pydantic import model_validator
 
 from bearing.material import Material, reduced_modulus
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
@@ -20,6 +20,7 @@ from .fields import (
     above,
     between,
     described,
+    within,
 )
 from .problems import MISSING, CaseFault, shown
 from .rules import CaseValues, KnownNames, Needs, Where, known
@@ -28,22 +29,16 @@ from .rules import CaseValues, KnownNames, Needs, Where, known
 class ContactEhlTable(Table):
     """Grid of a single contact."""
 
-    points: Points = Field(
-        257, description="nodes along the entrainment on the finest level, 2^k + 1"
-    )
+    points: Points = described("nodes along the entrainment on the finest level, 2^k + 1", 257)
     tolerance: float | None = between(
-        1e-5,
-        0.5,
-        "wanted relative error bar of the films; `points`, 1025 if left out, is then "
-        "the most taken",
+        1e-5, 0.5, "relative error bar of the films; `points`, or 1025, is then the most taken"
     )
     domain: Domain | None = described(
-        None,
-        "[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses",
+        "[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses"
     )
 
     film_model: Literal["newtonian", "shear-thinning", "thermal"] = described(
-        "newtonian", "physics of the film: oil by [lubricant] rheology, and with heat"
+        "physics of the film: oil by [lubricant] rheology, and with heat", "newtonian"
     )
 
     @model_validator(mode="before")
@@ -62,53 +57,37 @@ class ContactEhlTable(Table):
 class EhlTable(ContactEhlTable):
     """Grid of the contacts, and which of them are solved."""
 
-    film_maps: FilmMaps = described("all", "balls whose films are solved")
+    film_maps: FilmMaps = described("balls whose films are solved", "all")
     subsurface_stress: bool = described(
-        False, "also write the stress in the races below every solved pressure, for ParaView"
+        "also write the stress in the races below every solved pressure, for ParaView", False
     )
 
 
 class ContactTable(Table):
     """A single contact: by dimensions, or by Moes' groups."""
 
-    load_N: float | None = above(0.0, FORCE_MAXIMUM, "normal load")
-    radius_x_mm: float | None = between(
-        LENGTH_MINIMUM, 1.0e6, "reduced radius of curvature along x"
-    )
-    radius_y_mm: float | None = between(
-        LENGTH_MINIMUM, 1.0e6, "reduced radius of curvature along y"
-    )
+    load_N: float | None = above(0, FORCE_MAXIMUM, "normal load")
+    radius_x_mm: float | None = between(LENGTH_MINIMUM, 1e6, "reduced radius of curvature along x")
+    radius_y_mm: float | None = between(LENGTH_MINIMUM, 1e6, "reduced radius of curvature along y")
     reduced_modulus_GPa: float | None = above(
-        0.0, 5.0e3, "E', 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2; or material_1 and material_2"
+        0, 5e3, "E', 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2; or material_1 and material_2"
     )
-    material_1: Name | None = described(None, "material of body 1, the ball")
-    material_2: Name | None = described(None, "material of body 2, the race")
-    coating_thickness_um: float | None = above(
-        0.0, 1.0e5, "of body 1, whose material_1 is that of the coating; 0 if left out"
+    material_1: Name | None = described("material of body 1, the ball")
+    material_2: Name | None = described("material of body 2, the race")
+    coating_thickness_um: float | None = above(0, 1e5, "of body 1, of material_1; else 0")
+    substrate_material: Name | None = described("below the coating; needs coating_thickness_um")
+    entrainment_speed_m_s: float | None = above(0, 1e4, "u_m = (u1 + u2)/2")
+    slide_roll_ratio: float | None = within(1e6, "(u1 - u2)/u_m; 0 if left out")
+    lateral_slide_ratio: float | None = within(1e6, "(v1 - v2)/u_m, at right angles; else 0")
+    spin_rad_s: float | None = within(1e7, "of body 1 on 2 about the normal into 2; 0 if left out")
+    mean_spin_rad_s: float | None = within(
+        1e7, "of both bodies together; left out, body 2 does not turn: half the spin"
     )
-    substrate_material: Name | None = described(
-        None, "material below the coating; needs coating_thickness_um"
-    )
-    entrainment_speed_m_s: float | None = above(0.0, 1.0e4, "u_m = (u1 + u2)/2")
-    slide_roll_ratio: float | None = between(-1.0e6, 1.0e6, "(u1 - u2)/u_m; 0 if left out")
-    lateral_slide_ratio: float | None = between(
-        -1.0e6, 1.0e6, "(v1 - v2)/u_m, at right angles to the entrainment; 0 if left out"
-    )
-    spin_rad_s: float | None = between(
-        -1.0e7, 1.0e7, "of body 1 against body 2 about the normal into body 2; 0 if left out"
-    )
-    mean_spin_rad_s: float | None = between(
-        -1.0e7, 1.0e7, "of both bodies together; left out, body 2 does not turn: half the spin"
-    )
-    moes_M: float | None = above(0.0, 1.0e7, "M = W (2U)^(-3/4)")
-    moes_L: float | None = between(0.0, 1.0e3, "L = G (2U)^(1/4)")
-    radius_ratio: float | None = between(1.0e-4, 1.0e4, "Rx/Ry with Moes' groups; 1 if left out")
-    entrainment_angle_deg: float = between(
-        -360.0, 360.0, "direction of the entrainment, from x towards y", default=0.0
-    )
-    temperature_C: float = between(
-        -100.0, 500.0, "temperature of an oil of the library", default=40.0
-    )
+    moes_M: float | None = above(0, 1e7, "M = W (2U)^(-3/4)")
+    moes_L: float | None = between(0, 1e3, "L = G (2U)^(1/4)")
+    radius_ratio: float | None = between(1e-4, 1e4, "Rx/Ry with Moes' groups; 1 if left out")
+    entrainment_angle_deg: float = within(360, "direction of the entrainment, x towards y", 0.0)
+    temperature_C: float = between(-100, 500, "temperature of an oil of the library", 40.0)
 
 
 DIMENSIONS = ("load_N", "radius_x_mm", "radius_y_mm", "entrainment_speed_m_s")

@@ -16,6 +16,7 @@ from .fields import (
     above,
     between,
     described,
+    within,
 )
 from .friction import SIMULATED, CoefficientLaw, FrictionTable
 from .problems import MISSING, CaseFault
@@ -25,74 +26,54 @@ from .rules import Below, CaseValues, Excludes
 class DynamicsTable(Table):
     """Time simulation: `oilfilm dynamics`."""
 
-    end_time_s: float = above(0.0, 1.0e4, "simulated time", default=...)
+    end_time_s: float = above(0, 1e4, "simulated time", ...)
     output_interval_us: float | None = above(
-        0.0, 1.0e9, "between rows of the history; left out, a 2000th of the simulated time"
+        0, 1e9, "between rows of the history; left out, a 2000th of the simulated time"
     )
     start: Literal["quasi-static", "rolling", "rest"] = described(
-        "quasi-static", "equilibrium; balls rolling on the outer race; or at rest there"
+        "equilibrium; balls rolling on the outer race; or at rest there", "quasi-static"
     )
     equations: Literal["by load", "radial", "axial", "combined", "planar", "general"] = described(
-        "by load", "the fewest that the loads allow, or those named"
+        "the fewest that the loads allow, or those named", "by load"
     )
     speed_table_rpm: SpeedTable | None = described(
-        None,
-        "[[time in s, speed of the inner ring], ...], linear between, instead of a constant speed",
+        "[[time in s, speed of the inner ring], ...], linear between, instead of a constant speed"
     )
     load_table_N: LoadTable | None = described(
-        None, "[[time in s, fx, fy, fz], ...], linear between, instead of a constant load"
+        "[[time in s, fx, fy, fz], ...], linear between, instead of a constant load"
     )
     contact_law: Literal[
         "hertz", "lankarani-nikravesh", "hunt-crossley", "flores", "lubricated"
     ] = described(
-        "lankarani-nikravesh",
         "normal force; lubricated: the traction table's film between ball and race",
+        "lankarani-nikravesh",
     )
-    restitution: float = above(0.0, 1.0, "e that the contact law is given", default=0.9)
+    restitution: float = above(0, 1, "e that the contact law is given", 0.9)
     impact_speed_floor_m_s: float = above(
-        0.0,
-        1.0e3,
-        "least speed that counts as that of an impact; damps lasting contacts",
-        default=0.05,
+        0, 1e3, "least speed that counts as that of an impact; damps lasting contacts", 0.05
     )
     race_stiffness: Literal["hertz", "planar", "planar as printed"] = described(
-        "hertz",
-        "of the grooved race, or of a sphere on the race's circle as in Shan et al. (2023)",
+        "of the grooved race, or a sphere on the race's circle, Shan et al. (2023)", "hertz"
     )
     friction: Literal[CoefficientLaw, "coulomb", "table", "none"] = described(
-        "four constants",
-        "of ball on race, by the constants in [friction]; table: of films solved before",
+        "of ball on race, constants in [friction]; table: solved films", "four constants"
     )
     friction_on: Literal["ellipse", "centre"] = described(
-        "ellipse", "a coefficient counts over the Hertz ellipse, or at its centre alone"
+        "a coefficient counts over the Hertz ellipse, or at its centre alone", "ellipse"
     )
-    friction_dead_band_m_s: float = between(
-        0.0, 100.0, "coulomb: v0, no friction below", default=0.0
-    )
-    friction_full_m_s: float = above(0.0, 100.0, "coulomb: v1, all of it above", default=0.05)
-    ball_drag_N: float | None = between(
-        0.0, 1.0e4, "of one ball at the kinematic speed of the operation; grows with its square"
-    )
-    mixture_density_kg_m3: float | None = between(
-        0.0, 2.0e4, "of oil and air, for the drag of the balls instead of ball_drag_N"
-    )
-    drag_coefficient: float = between(0.0, 10.0, "of a ball in the mixture", default=0.47)
-    gravity_m_s2: Gravity = described((0.0, 0.0, 0.0), "[x, y, z]")
-    ring_mass_kg: float | None = above(
-        0.0, 1.0e6, "inner ring and what turns with it; left out, of the ring alone"
-    )
-    ring_damping_N_s_m: float = between(
-        0.0, 1.0e9, "of the inner ring's support along x, y, z", default=0.0
-    )
-    unbalance_g_mm: float = between(0.0, 1.0e9, "of the inner ring", default=0.0)
-    unbalance_phase_deg: float = between(-360.0, 360.0, "from +y at time zero", default=0.0)
-    cage_film: bool = described(True, "oil film in the pockets and lands of the cage")
-    cage_friction_ramp_m_s: float = above(
-        0.0, 100.0, "sliding speed up to which friction of pockets and lands rises", default=0.01
-    )
-    tolerance: float = between(
-        1.0e-8, 1.0e-2, "of a step, in units of contact approach", default=1.0e-4
-    )
+    friction_dead_band_m_s: float = between(0, 100, "coulomb: v0, no friction below", 0.0)
+    friction_full_m_s: float = above(0, 100, "coulomb: v1, all of it above", 0.05)
+    ball_drag_N: float | None = between(0, 1e4, "of a ball at its kinematic speed; grows as v^2")
+    mixture_density_kg_m3: float | None = between(0, 2e4, "of oil and air; or ball_drag_N")
+    drag_coefficient: float = between(0, 10, "of a ball in the mixture", 0.47)
+    gravity_m_s2: Gravity = described("[x, y, z]", (0.0, 0.0, 0.0))
+    ring_mass_kg: float | None = above(0, 1e6, "ring and what turns with it; else ring alone")
+    ring_damping_N_s_m: float = between(0, 1e9, "of the inner ring's support along x, y, z", 0.0)
+    unbalance_g_mm: float = between(0, 1e9, "of the inner ring", 0.0)
+    unbalance_phase_deg: float = within(360, "from +y at time zero", 0.0)
+    cage_film: bool = described("oil film in the pockets and lands of the cage", True)
+    cage_friction_ramp_m_s: float = above(0, 100, "sliding speed up to which friction rises", 0.01)
+    tolerance: float = between(1e-8, 1e-2, "of a step, in units of contact approach", 1.0e-4)
 
 
 LARGEST_HISTORY = 2_000_000  # rows
@@ -152,33 +133,22 @@ def simulated_friction(table: FrictionTable) -> dict[str, float]:
 class CageTable(Table):
     """The cage."""
 
-    pocket_friction: float | None = between(
-        0.0, 1.0, "Coulomb's mu of ball against pocket; left out, no friction of the cage"
-    )
-    guided_by: Literal["balls", "inner ring", "outer ring"] = described(
-        "balls", "what the cage runs on"
-    )
-    land_diameter_mm: float | None = above(0.0, LENGTH_MAXIMUM, "of the guiding land")
-    land_width_mm: float | None = above(0.0, LENGTH_MAXIMUM, "of both lands together")
-    land_clearance_um: float | None = above(0.0, 1.0e4, "radial, between cage and land")
+    pocket_friction: float | None = between(0, 1, "Coulomb's mu of the pockets; else no friction")
+    guided_by: Literal["balls", "inner ring", "outer ring"] = described("what guides it", "balls")
+    land_diameter_mm: float | None = above(0, LENGTH_MAXIMUM, "of the guiding land")
+    land_width_mm: float | None = above(0, LENGTH_MAXIMUM, "of both lands together")
+    land_clearance_um: float | None = above(0, 1e4, "radial, between cage and land")
     land_friction: float = between(
-        0.0,
-        1.0,
-        "Coulomb's mu where the film of the land is used up; for the dynamics",
-        default=0.0,
+        0, 1, "Coulomb's mu where the film is used up; for the dynamics", 0.0
     )
     pocket_clearance_mm: float | None = above(
-        0.0, 100.0, "diametral, pocket less ball; for the dynamics, estimated if left out"
+        0, 100, "diametral, pocket less ball; left out, estimated"
     )
-    thickness_mm: float | None = above(
-        0.0, LENGTH_MAXIMUM, "radial; for the dynamics, estimated if left out"
-    )
-    width_mm: float | None = above(
-        0.0, LENGTH_MAXIMUM, "axial; for the dynamics, estimated if left out"
-    )
-    mass_g: float | None = above(0.0, 1.0e6, "for the dynamics; left out, from the dimensions")
+    thickness_mm: float | None = above(0, LENGTH_MAXIMUM, "radial; left out, estimated")
+    width_mm: float | None = above(0, LENGTH_MAXIMUM, "axial; left out, estimated")
+    mass_g: float | None = above(0, 1e6, "left out, from the dimensions")
     polar_inertia_g_mm2: float | None = above(
-        0.0, 1.0e15, "about the bearing's axis, for the dynamics; left out, from the dimensions"
+        0, 1e15, "about the bearing's axis; left out, from the dimensions"
     )
 
 

@@ -82,9 +82,14 @@ def length(description: str) -> Any:
     return between(LENGTH_MINIMUM, LENGTH_MAXIMUM, description)
 
 
-def described(default: Any, description: str) -> Any:
-    """A value whose type says what is allowed."""
-    return Field(default, description=description)
+def within(limit: float, description: str, default: Any = None) -> Any:
+    """A number from -limit to limit."""
+    return between(-limit, limit, description, default)
+
+
+def described(description: str, default: Any = None, **limits: Any) -> Any:
+    """A value whose type, and `limits`, say what is allowed."""
+    return Field(default, description=description, **limits)
 
 
 def checked(parse: Callable[[object], object], allowed: str) -> BeforeValidator:

@@ -4,13 +4,13 @@ from collections.abc import Callable, Iterator
 from itertools import chain
 from typing import Any
 
-from pydantic import Field, PrivateAttr
+from pydantic import PrivateAttr
 
 from . import bearing, contact, dynamics, fits, friction, lubricant, operation, rows
 from .bearing import BearingTable, SurfaceTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .dynamics import CageTable, DynamicsTable
-from .fields import Table
+from .fields import Table, between, described
 from .fits import FitTable, TemperaturesTable
 from .friction import FrictionTable
 from .lubricant import LubricantTable, OilTable
@@ -24,14 +24,12 @@ from .rules import CaseValues, KnownNames, Relation, relation_faults
 class CaseFile(Table):
     """What every case file holds."""
 
-    schema_version: int = Field(ge=1, le=1, description="version of this format")
-    title: str = Field("", description="one line for tables and plots")
-    source: str = Field("", description="paper, table or page the numbers come from")
-    assumed: tuple[str, ...] = Field(
-        (), strict=False, description="keys (table.key) whose values no source gives"
-    )
+    schema_version: int = between(1, 1, "version of this format", ...)
+    title: str = described("one line for tables and plots", "")
+    source: str = described("paper, table or page the numbers come from", "")
+    assumed: tuple[str, ...] = described("table.key whose value no source gives", (), strict=False)
     lubricant: LubricantTable
-    materials: dict[str, MaterialTable] = Field({}, description="materials by name")
+    materials: dict[str, MaterialTable] = described("materials by name", {})
     _notes: tuple[str, ...] = PrivateAttr(())  # on keys of an older version
 
     def model_post_init(self, context: Any) -> None:
@@ -58,14 +56,10 @@ class BearingFile(CaseFile):
     friction: FrictionTable = FrictionTable()
     cage: CageTable | None = None
     dynamics: DynamicsTable | None = None
-    rows: tuple[RowTable, ...] | None = Field(
-        None,
-        strict=False,
-        min_length=1,
-        max_length=8,
-        description="rows of balls on the one inner ring",
+    rows: tuple[RowTable, ...] | None = described(
+        "rows of balls on the one inner ring", strict=False, min_length=1, max_length=8
     )
-    lubricants: dict[str, OilTable] = Field({}, description="oils by name")
+    lubricants: dict[str, OilTable] = described("oils by name", {})
 
 
 class ContactFile(CaseFile):
@@ -73,7 +67,7 @@ class ContactFile(CaseFile):
 
     contact: ContactTable
     ehl: ContactEhlTable = ContactEhlTable()
-    lubricants: dict[str, OilTable] = Field({}, description="oils by name")
+    lubricants: dict[str, OilTable] = described("oils by name", {})
 
 
 OF_BOTH: tuple[Relation, ...] = lubricant.RELATIONS

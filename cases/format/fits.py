@@ -18,7 +18,7 @@ from bearing.operation import Operation
 from ehl import Lubricant
 from ehl.units import ZERO_CELSIUS
 
-from .fields import LENGTH_MAXIMUM, Name, Table, between, described, length
+from .fields import LENGTH_MAXIMUM, Name, Table, between, described, length, within
 from .friction import FrictionTable
 from .lubricant import Oil, lubricant
 from .problems import CaseFault, UnfitKey
@@ -28,23 +28,14 @@ from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
 class FitTable(Table):
     """Seats of the rings; the clearance of [bearing] is then the one before mounting."""
 
-    inner_ring_interference_um: float = between(
-        -1.0e3,
-        1.0e3,
-        "on the diameter, at rest and at reference_C; negative is loose",
-        default=0.0,
+    inner_ring_interference_um: float = within(
+        1e3, "on the diameter, at rest and at reference_C; negative is loose", 0.0
     )
-    outer_ring_interference_um: float = between(
-        -1.0e3, 1.0e3, "likewise, in the housing", default=0.0
-    )
-    shaft_bore_mm: float = between(
-        0.0, LENGTH_MAXIMUM, "inner diameter of a hollow shaft", default=0.0
-    )
-    housing_outside_diameter_mm: float | None = length(
-        "outside of the housing; left out, the outer ring is free"
-    )
-    shaft_material: Name = described("bearing steel", "material of the shaft")
-    housing_material: Name = described("bearing steel", "material of the housing")
+    outer_ring_interference_um: float = within(1e3, "likewise, in the housing", 0.0)
+    shaft_bore_mm: float = between(0, LENGTH_MAXIMUM, "inner diameter of a hollow shaft", 0.0)
+    housing_outside_diameter_mm: float | None = length("left out, the outer ring is free")
+    shaft_material: Name = described("material of the shaft", "bearing steel")
+    housing_material: Name = described("material of the housing", "bearing steel")
 
 
 class TemperaturesTable(Table):
@@ -52,18 +43,14 @@ class TemperaturesTable(Table):
     operation.temperature_C.
     """
 
-    inner_ring_C: float = between(-200.0, 1000.0, "inner ring", default=...)
-    outer_ring_C: float = between(-200.0, 1000.0, "outer ring", default=...)
-    ball_C: float = between(-200.0, 1000.0, "balls", default=...)
-    shaft_C: float | None = between(-200.0, 1000.0, "shaft; left out, as the inner ring")
-    housing_C: float | None = between(-200.0, 1000.0, "housing; left out, as the outer ring")
-    cage_C: float | None = between(
-        -200.0, 1000.0, "cage, of bearing.cage_material; for the change of its clearances"
-    )
-    oil_inlet_C: float | None = between(-200.0, 1000.0, "recorded only")
-    reference_C: float = between(
-        -200.0, 1000.0, "at which clearance and fits were measured", default=20.0
-    )
+    inner_ring_C: float = between(-200, 1000, "inner ring", ...)
+    outer_ring_C: float = between(-200, 1000, "outer ring", ...)
+    ball_C: float = between(-200, 1000, "balls", ...)
+    shaft_C: float | None = between(-200, 1000, "shaft; left out, as the inner ring")
+    housing_C: float | None = between(-200, 1000, "housing; left out, as the outer ring")
+    cage_C: float | None = between(-200, 1000, "cage, for the change of its clearances")
+    oil_inlet_C: float | None = between(-200, 1000, "recorded only")
+    reference_C: float = between(-200, 1000, "at which clearance and fits were measured", 20.0)
 
 
 INNER = Where("fit.inner_ring_interference_um", nonzero=True)

@@ -6,8 +6,6 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Literal
 
-from pydantic import Field
-
 from bearing.friction.resistance import Cage
 from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.inputs import FrictionInput
@@ -29,110 +27,58 @@ CoefficientLaw = Literal["four constants"]
 class FrictionTable(Table):
     """Friction torque; every key may be left out, and leaves out the models that need it."""
 
-    coefficient: float | None = above(
-        0.0, 1.0, "Coulomb's mu; left out, SKF's mu_sl, and 0.05 in a simulation"
-    )
+    coefficient: float | None = above(0, 1, "Coulomb's mu; else SKF's mu_sl, 0.05 in a simulation")
     traction: Literal["films", "table", CoefficientLaw, "coulomb"] | None = described(
-        None,
-        "friction of balls on races in traction equilibrium; left out, that of the case's films",
+        "friction of balls on races in traction equilibrium; left out, that of the case's films"
     )
-    traction_table: str | None = Field(
-        None, min_length=1, description="file of `oilfilm table`, with traction table"
-    )
-    traction_maximum: float | None = above(
-        0.0, 1.0, "four constants: largest coefficient kappa_max; left out, 0.05 in a simulation"
-    )
-    traction_maximum_slide: float | None = above(
-        0.0, 10.0, "four constants: slide-roll ratio of it; left out, 0.03 in a simulation"
-    )
-    traction_limit: float | None = between(
-        0.0, 1.0, "four constants: coefficient at large slide; left out, 0.03 in a simulation"
-    )
+    traction_table: str | None = described("file of `oilfilm table`", min_length=1)
+    traction_maximum: float | None = above(0, 1, "largest coefficient; 0.05 if simulated")
+    traction_maximum_slide: float | None = above(0, 10, "its slide-roll ratio; 0.03 if simulated")
+    traction_limit: float | None = between(0, 1, "coefficient at large slide; 0.03 if simulated")
     models: Literal["main", "all"] = described(
-        "main",
-        "torque models shown: main are integrated, skf, palmgren and coulomb; all "
-        "adds those of single papers",
+        "main: integrated, skf, palmgren and coulomb; all: those of single papers, too", "main"
     )
     lubrication: Literal["oil bath", "low oil bath", "oil jet", "grease", "oil air"] = described(
-        "low oil bath", "how the oil comes to the bearing, for SKF's model and Palmgren's"
+        "how the oil comes to the bearing, for SKF's model and Palmgren's", "low oil bath"
     )
     oil: Literal["mineral", "synthetic", "transmission fluid"] = described(
-        "mineral", "kind of base oil, for SKF's mu_EHL"
+        "base oil, for SKF's mu_EHL", "mineral"
     )
     boundary_coefficient: float = above(
-        0.0,
-        1.0,
-        "of asperities that touch: SKF's mu_bl, and of the films with [surface]",
-        default=0.12,
+        0, 1, "of asperities that touch: SKF's mu_bl, and of the films with [surface]", 0.12
     )
-    full_film_coefficient: float | None = above(
-        0.0, 1.0, "SKF's mu_EHL; left out, by the kind of oil"
-    )
+    full_film_coefficient: float | None = above(0, 1, "SKF's mu_EHL; left out, by the kind of oil")
     oil_level_mm: float = between(
-        0.0,
-        LENGTH_MAXIMUM,
-        "above the lowest contact point of the outer raceway; SKF's drag",
-        default=0.0,
+        0, LENGTH_MAXIMUM, "above the lowest contact point of the outer raceway; SKF's drag", 0.0
     )
     drag_factor: float | None = between(
-        0.0, 1.0, "SKF's V_M; left out, from a third party's digitised diagram (unverified)"
+        0, 1, "SKF's V_M; left out, from a third party's digitised diagram (unverified)"
     )
-    sealed: bool = described(False, "contact seals on both sides, for SKF's model")
-    seal_diameter_mm: float | None = above(
-        0.0, LENGTH_MAXIMUM, "of the seal's lip; left out, the bore"
-    )
+    sealed: bool = described("contact seals on both sides, for SKF's model", False)
+    seal_diameter_mm: float | None = above(0, LENGTH_MAXIMUM, "of the seal's lip; else the bore")
     hysteresis_loss: float | None = between(
-        0.0, 1.0, "share of the elastic energy lost in rolling, beta_a; for the model yao"
+        0, 1, "share of the elastic energy lost in rolling, beta_a; for the model yao"
     )
-    oil_fraction: float | None = between(
-        0.0, 1.0, "share of the cavity filled with oil, for the drag of the balls"
-    )
+    oil_fraction: float | None = between(0, 1, "share of oil in the cavity; drag of the balls")
     supply_mL_min: float | None = between(
-        0.0,
-        1.0e6,
-        "oil supplied, for the model starved, with [surface] and bearing.width_mm; "
-        "or inlet_film_um",
+        0, 1e6, "for the model starved, with [surface], bearing.width_mm; or inlet_film_um"
     )
-    supply_track_share: float = above(
-        0.0,
-        1.0,
-        "share of it that lands on the tracks; an assumption without a source",
-        default=0.5,
-    )
-    supply_loss: float = between(
-        0.0,
-        1.0,
-        "share of the layer on a track lost between two balls; an assumption, likewise",
-        default=0.05,
-    )
-    supply_residence_s: float = between(
-        0.0,
-        1.0e6,
-        "mean time that oil stays in the bearing; an assumption, likewise",
-        default=20.0,
-    )
+    supply_track_share: float = above(0, 1, "share on the tracks; assumed, no source", 0.5)
+    supply_loss: float = between(0, 1, "share lost between balls; likewise assumed", 0.05)
+    supply_residence_s: float = between(0, 1e6, "mean time in the bearing; likewise assumed", 20.0)
     heat_transfer_W_K: float | None = above(
-        0.0, 1.0e5, "heat to the surroundings per kelvin; needed for the block self_heating"
+        0, 1e5, "heat to the surroundings per kelvin; needed for the block self_heating"
     )
-    ambient_C: float = between(-100.0, 300.0, "temperature of the surroundings", default=20.0)
-    cooling_oil_mL_min: float | None = between(
-        0.0, 1.0e7, "oil that carries heat away; left out, supply_mL_min"
-    )
-    cooling_oil_C: float | None = between(
-        -100.0, 300.0, "temperature at which it comes; left out, ambient_C"
-    )
+    ambient_C: float = between(-100, 300, "temperature of the surroundings", 20.0)
+    cooling_oil_mL_min: float | None = between(0, 1e7, "oil that cools it; else supply_mL_min")
+    cooling_oil_C: float | None = between(-100, 300, "temperature as it comes; else ambient_C")
     heating_torque: Literal[
         "skf", "palmgren", "houpert", "yao", "starved", "pure_rolling_lines", "coulomb"
-    ] = described("skf", "torque model that heats the bearing")
-    palmgren_viscous_factor: float | None = between(
-        0.0, 100.0, "f_0; left out, by bearing and lubrication"
-    )
-    palmgren_load_factor: float | None = between(
-        0.0, 1.0, "f_1; left out, from the load with unverified constants"
-    )
+    ] = described("torque model that heats the bearing", "skf")
+    palmgren_viscous_factor: float | None = between(0, 100, "f_0; else by bearing and lubrication")
+    palmgren_load_factor: float | None = between(0, 1, "f_1; else by the load, unverified")
     as_printed: bool = described(
-        False,
-        "SKF's sliding moment also with half of its radial part, as one paper's tables have it",
+        "SKF's sliding moment also with half of its radial part, as one paper prints it", False
     )
 
 

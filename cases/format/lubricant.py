@@ -5,14 +5,12 @@ from dataclasses import dataclass
 from math import log
 from typing import Any, Literal
 
-from pydantic import Field
-
 from bearing.library.lubricants import library_lubricant, lubricant_data
 from ehl import DensityLaw, Lubricant, ViscosityLaw
 from ehl.oil.lubricant import ThermalProperties
 from ehl.units import from_si, to_si
 
-from .fields import Name, Table, above, between, described, rounded
+from .fields import Name, Table, above, between, described, rounded, within
 from .free_volume import (
     LAWS_WITH_CONSTANTS,
     free_volume,
@@ -26,108 +24,82 @@ from .toml_lines import Path
 
 
 class OilTable(Table):
-    """An oil of the case's own, by its properties at the temperature of operation."""
+    """An oil of the case: properties at ambient pressure and the temperature of operation."""
 
-    viscosity_mPa_s: float | None = above(
-        0.0, 1.0e6, "dynamic viscosity at ambient pressure; or kinematic_viscosity_mm2_s"
-    )
-    kinematic_viscosity_mm2_s: float | None = above(
-        0.0, 1.0e6, "kinematic viscosity at ambient pressure; or viscosity_mPa_s"
-    )
-    pressure_viscosity_1_GPa: float | None = between(
-        0.0, 100.0, "d(ln eta)/dp at ambient pressure"
-    )
-    density_kg_m3: float | None = above(0.0, 2.0e4, "density at ambient pressure")
+    viscosity_mPa_s: float | None = above(0, 1e6, "dynamic; or kinematic_viscosity_mm2_s")
+    kinematic_viscosity_mm2_s: float | None = above(0, 1e6, "kinematic; or viscosity_mPa_s")
+    pressure_viscosity_1_GPa: float | None = between(0, 100, "d(ln eta)/dp at ambient pressure")
+    density_kg_m3: float | None = above(0, 2e4, "density at ambient pressure")
     viscosity_law: (
         Literal["roelands", "barus", "isoviscous", "tait-doolittle", "yasutomi"] | None
     ) = described(
-        None, "pressure dependence of the viscosity; the last two for oils with their constants"
+        "pressure dependence of the viscosity; the last two for oils with their constants"
     )
-    roelands_z: float | None = above(
-        0.0, 2.0, "Roelands' exponent; left out, from Roelands' identity"
-    )
-    roelands_pressure_MPa: float | None = above(0.0, 1.0e4, "Roelands' reference pressure")
+    roelands_z: float | None = above(0, 2, "Roelands' exponent; left out, from Roelands' identity")
+    roelands_pressure_MPa: float | None = above(0, 1e4, "Roelands' reference pressure")
     density_law: Literal["dowson-higginson", "incompressible", "tait"] | None = described(
-        None, "pressure dependence of the density; tait for oils with its constants"
+        "pressure dependence of the density; tait for oils with its constants"
     )
-    tait_bulk_modulus_GPa: float | None = above(
-        0.0, 100.0, "Tait's K_0, at ambient pressure and tait_temperature_C"
-    )
-    tait_bulk_modulus_derivative: float | None = above(0.0, 100.0, "Tait's K_0' = dK/dp")
+    tait_bulk_modulus_GPa: float | None = above(0, 100, "Tait's K_0 at tait_temperature_C")
+    tait_bulk_modulus_derivative: float | None = above(0, 100, "Tait's K_0' = dK/dp")
     tait_temperature_C: float | None = between(
-        -200.0, 500.0, "of Tait's and Doolittle's constants; left out, that of operation"
+        -200, 500, "of Tait's and Doolittle's constants; left out, that of operation"
     )
     tait_bulk_modulus_temperature_1_K: float | None = between(
-        0.0, 1.0, "b of K_0 exp[-b (T - T_R)]; 0 if left out"
+        0, 1, "b of K_0 exp[-b (T - T_R)]; 0 if left out"
     )
     tait_expansion_1_K: float | None = between(
-        0.0, 0.1, "a of V_R [1 + a (T - T_R)], volume at ambient pressure; 0 if left out"
+        0, 0.1, "a of V_R [1 + a (T - T_R)], volume at ambient pressure; 0 if left out"
     )
-    doolittle_factor: float | None = above(0.0, 100.0, "Doolittle's B")
-    doolittle_occupied_share: float | None = Field(
-        None,
-        gt=0.0,
-        lt=1.0,
-        description="Doolittle's R, occupied over total volume at tait_temperature_C",
+    doolittle_factor: float | None = above(0, 100, "Doolittle's B")
+    doolittle_occupied_share: float | None = described(
+        "Doolittle's R, occupied over total volume at tait_temperature_C", gt=0, lt=1
     )
-    doolittle_occupied_expansion_1_K: float | None = between(
-        -0.1, 0.1, "of the occupied volume; left out, the constants hold at every temperature"
+    doolittle_occupied_expansion_1_K: float | None = within(
+        0.1, "of the occupied volume; left out, the constants hold at every temperature"
     )
-    yasutomi_glass_temperature_C: float | None = above(-273.15, 500.0, "T_g at ambient pressure")
-    yasutomi_glass_rise_K: float | None = above(0.0, 1.0e4, "A_1 of T_g + A_1 ln(1 + A_2 p)")
-    yasutomi_glass_pressure_1_GPa: float | None = above(0.0, 1.0e3, "A_2 of it")
+    yasutomi_glass_temperature_C: float | None = above(-273.15, 500, "T_g at ambient pressure")
+    yasutomi_glass_rise_K: float | None = above(0, 1e4, "A_1 of T_g + A_1 ln(1 + A_2 p)")
+    yasutomi_glass_pressure_1_GPa: float | None = above(0, 1e3, "A_2 of it")
     yasutomi_expansivity_1_GPa: float | None = above(
-        0.0, 1.0e3, "b_1 of (1 + b_1 p)^b_2, or B_2 of 1 - B_1 ln(1 + B_2 p)"
+        0, 1e3, "b_1 of (1 + b_1 p)^b_2, or B_2 of 1 - B_1 ln(1 + B_2 p)"
     )
     yasutomi_expansivity_exponent: float | None = between(
-        -10.0, 0.0, "b_2, of the improved law; or yasutomi_expansivity_factor"
+        -10, 0, "b_2, of the improved law; or yasutomi_expansivity_factor"
     )
     yasutomi_expansivity_factor: float | None = above(
-        0.0, 100.0, "B_1, of the first law; or yasutomi_expansivity_exponent"
+        0, 100, "B_1, of the first law; or yasutomi_expansivity_exponent"
     )
-    yasutomi_slope: float | None = above(0.0, 100.0, "C_1")
-    yasutomi_width_K: float | None = above(0.0, 1.0e4, "C_2")
-    thermal_conductivity_W_m_K: float | None = above(0.0, 10.0, "for film_model thermal")
-    specific_heat_J_kg_K: float | None = above(0.0, 1.0e4, "for film_model thermal")
-    viscosity_temperature_1_K: float | None = between(
-        0.0, 1.0, "-d(ln eta)/dT, for film_model thermal"
-    )
-    thermal_expansion_1_K: float | None = between(0.0, 0.01, "for film_model thermal")
+    yasutomi_slope: float | None = above(0, 100, "C_1")
+    yasutomi_width_K: float | None = above(0, 1e4, "C_2")
+    thermal_conductivity_W_m_K: float | None = above(0, 10, "for film_model thermal")
+    specific_heat_J_kg_K: float | None = above(0, 1e4, "for film_model thermal")
+    viscosity_temperature_1_K: float | None = between(0, 1, "-d(ln eta)/dT; film_model thermal")
+    thermal_expansion_1_K: float | None = between(0, 0.01, "for film_model thermal")
     rheology: Literal["newtonian", "ree-eyring", "carreau-yasuda"] | None = described(
-        None, "shear law of the friction; left out, Ree-Eyring with assumed constants"
+        "shear law of the friction; left out, Ree-Eyring with assumed constants"
     )
-    eyring_stress_MPa: float | None = above(
-        0.0, 1.0e3, "Eyring's stress; left out, 2 Lambda/alpha, assumed"
-    )
+    eyring_stress_MPa: float | None = above(0, 1e3, "Eyring's; else 2 Lambda/alpha (assumed)")
     limiting_stress_coefficient: float | None = above(
-        0.0, 1.0, "Lambda of the limiting stress Lambda p; left out, assumed but for Newton's law"
+        0, 1, "Lambda of the limiting stress Lambda p; left out, assumed but for Newton's law"
     )
-    carreau_modulus_MPa: float | None = above(0.0, 1.0e3, "G of Carreau's law")
-    carreau_exponent: float | None = above(0.0, 1.0, "n of Carreau's law")
-    yasuda_exponent: float | None = above(
-        0.0, 10.0, "a of Carreau and Yasuda's law; 2 if left out"
-    )
+    carreau_modulus_MPa: float | None = above(0, 1e3, "G of Carreau's law")
+    carreau_exponent: float | None = above(0, 1, "n of Carreau's law")
+    yasuda_exponent: float | None = above(0, 10, "a of Carreau and Yasuda's law; 2 if left out")
 
 
 class LubricantTable(OilTable):
     """The lubricant: a name, or its properties at the temperature of operation."""
 
-    name: Name | None = described(
-        None, "oil of [lubricants] or of the library; the keys here override it"
-    )
+    name: Name | None = described("oil of [lubricants] or the library; the keys here override it")
     supply: Literal["flooded", "starved"] | None = described(
-        None,
-        "what the total of the torque is for; left out, starved with inlet_film_um "
-        "or supply_mL_min",
+        "of the total torque; else starved with inlet_film_um or supply_mL_min"
     )
     inlet_film_um: float | None = between(
-        0.0,
-        1.0e4,
-        "layer of oil that every contact finds at its inlet, on both surfaces "
-        "together; or supply_mL_min",
+        0, 1e4, "layer at every inlet, both surfaces together; or supply_mL_min"
     )
     contamination_factor: float | None = between(
-        0.0, 1.0, "e_C of ISO 281, 1 clean; left out, no modified life is computed"
+        0, 1, "e_C of ISO 281, 1 clean; left out, no modified life is computed"
     )
 
 

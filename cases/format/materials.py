@@ -3,8 +3,6 @@
 from collections.abc import Iterable, Mapping
 from typing import Any, Literal
 
-from pydantic import Field
-
 from bearing.library.names import matching_name
 from bearing.material import Material, MaterialKind, list_materials, load_material
 from ehl.units import from_si
@@ -19,26 +17,20 @@ THERMAL = {  # field: key of [materials.NAME]
 
 
 class MaterialTable(Table):
-    """A material of the case's own, before those of the library."""
+    """A material of the case, before those of the library; what it leaves out of thermal data and
+    kind is taken from the library's of this name.
+    """
 
-    youngs_modulus_GPa: float = above(0.0, 2.0e3, "Young's modulus", default=...)
-    poisson_ratio: float = Field(ge=0.0, lt=0.5, description="Poisson's ratio")
-    density_kg_m3: float = above(0.0, 3.0e4, "density", default=...)
-    thermal_expansion_um_m_K: float | None = between(
-        -100.0, 1.0e3, "linear thermal expansion; left out, that of the library's of this name"
+    youngs_modulus_GPa: float = above(0, 2e3, "Young's modulus", ...)
+    poisson_ratio: float = described("Poisson's ratio", ..., ge=0, lt=0.5)
+    density_kg_m3: float = above(0, 3e4, "density", ...)
+    thermal_expansion_um_m_K: float | None = between(-100, 1e3, "linear thermal expansion")
+    thermal_conductivity_W_m_K: float | None = above(0, 1e4, "thermal conductivity")
+    specific_heat_J_kg_K: float | None = above(0, 1e5, "specific heat capacity")
+    kind: Literal["bearing steel", "silicon nitride", "other"] | None = described(
+        'for the rating life; else "other"'
     )
-    thermal_conductivity_W_m_K: float | None = above(
-        0.0, 1.0e4, "thermal conductivity; left out, that of the library's of this name"
-    )
-    specific_heat_J_kg_K: float | None = above(
-        0.0, 1.0e5, "specific heat capacity; left out, that of the library's of this name"
-    )
-    kind: Literal["bearing steel", "silicon nitride", "other"] | None = Field(
-        None,
-        description="for the rating life; left out, that of the library's of this name, or "
-        '"other"',
-    )
-    source: str = described("case file", "where the numbers come from")
+    source: str = described("where the numbers come from", "case file")
 
 
 def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[str, Material]:

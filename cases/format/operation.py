@@ -3,8 +3,6 @@
 from collections.abc import Iterator
 from typing import Any, Literal
 
-from pydantic import Field
-
 from bearing.operation import BallKinematics, Curvature, Model, Operation
 
 from .fields import (
@@ -23,6 +21,7 @@ from .fields import (
     above,
     between,
     described,
+    within,
 )
 from .friction import FrictionTable
 from .problems import CaseFault, shown
@@ -32,32 +31,18 @@ from .rules import CaseValues, Excludes
 class OperationTable(Table):
     """Speeds, loads or displacements of the inner ring, temperature."""
 
-    inner_speed_rpm: float = between(
-        -SPEED_MAXIMUM, SPEED_MAXIMUM, "speed of the inner ring", default=0.0
-    )
-    outer_speed_rpm: float = between(
-        -SPEED_MAXIMUM, SPEED_MAXIMUM, "speed of the outer ring", default=0.0
-    )
-    radial_load_N: float | None = between(
-        -FORCE_MAXIMUM, FORCE_MAXIMUM, "force on the inner ring along +y, the load line"
-    )
-    axial_load_N: float | None = between(
-        -FORCE_MAXIMUM, FORCE_MAXIMUM, "force on the inner ring along +x"
-    )
-    force_N: Force | None = described(None, "[fx, fy, fz] instead of radial and axial load")
-    moment_N_mm: Moment | None = described(None, "[my, mz]; the ring is then free to tilt")
+    inner_speed_rpm: float = within(SPEED_MAXIMUM, "speed of the inner ring", 0.0)
+    outer_speed_rpm: float = within(SPEED_MAXIMUM, "speed of the outer ring", 0.0)
+    radial_load_N: float | None = within(FORCE_MAXIMUM, "inner ring, along +y, the load line")
+    axial_load_N: float | None = within(FORCE_MAXIMUM, "inner ring, along +x")
+    force_N: Force | None = described("[fx, fy, fz] instead of radial and axial load")
+    moment_N_mm: Moment | None = described("[my, mz]; the ring is then free to tilt")
     displacement_um: Displacement | None = described(
-        None, '[x, y, z] of the inner ring instead of a load; "free" where the load decides'
+        '[x, y, z] of the inner ring instead of a load; "free" where the load decides'
     )
-    tilt_mrad: Tilt | None = described(
-        None, '[about y, about z] of the inner ring; "free" where the moment decides'
-    )
-    tilt: Literal["held", "free"] | None = described(
-        None, "without tilt_mrad: held at zero, or free"
-    )
-    temperature_C: float = between(
-        -100.0, 500.0, "temperature of the oil in the contacts", default=40.0
-    )
+    tilt_mrad: Tilt | None = described('[about y, about z]; "free" where the moment decides')
+    tilt: Literal["held", "free"] | None = described("without tilt_mrad: held at zero, or free")
+    temperature_C: float = between(-100, 500, "temperature of the oil in the contacts", 40.0)
 
 
 class ModelTable(Table):
@@ -66,12 +51,11 @@ class ModelTable(Table):
     ball_kinematics: Literal[
         "half and half", "outer race control", "inner race control", "traction equilibrium"
     ] = described(
+        "what fixes the balls' axis of rotation; traction equilibrium by friction.traction",
         "half and half",
-        "what fixes the balls' axis of rotation; left out with friction.traction, "
-        "traction equilibrium",
     )
     curvature: Literal["operating", "free"] = described(
-        "operating", "contact angle at which the curvatures of the contacts are taken"
+        "contact angle at which the curvatures of the contacts are taken", "operating"
     )
 
 
@@ -159,30 +143,21 @@ class SlipTable(Table):
     [operation].
     """
 
-    speeds_rpm: SpeedRange = Field(description="[first, last] speed of the inner ring in the maps")
-    axial_loads_N: AxialRange = Field(
-        description="[first, last] axial load in the map of slip factors"
-    )
-    points: int = between(2, 201, "speeds and axial loads of the maps, evenly spaced", default=51)
-    critical_speeds_rpm: tuple[CriticalSpeed, ...] = Field(
-        (),
-        strict=False,
-        max_length=6,
-        description="speeds at which the critical loads of each ball are computed",
+    speeds_rpm: SpeedRange = described("[first, last] speed of the inner ring in the maps", ...)
+    axial_loads_N: AxialRange = described("[first, last] axial load, map of slip factors", ...)
+    points: int = between(2, 201, "speeds and axial loads of the maps, evenly spaced", 51)
+    critical_speeds_rpm: tuple[CriticalSpeed, ...] = described(
+        "speeds of the critical loads of each ball", (), strict=False, max_length=6
     )
     critical_radial_loads_N: RadialRange = described(
-        (0.0, 200.0), "[first, last] radial load of the critical curves"
+        "[first, last] radial load of the critical curves", (0.0, 200.0)
     )
-    critical_points: int = between(
-        2, 201, "radial loads of the critical curves, evenly spaced", default=21
-    )
-    limit: float = above(0.0, 1.0e3, "slip factor below which a ball slips", default=10.0)
+    critical_points: int = between(2, 201, "radial loads of the critical curves, evenly apart", 21)
+    limit: float = above(0, 1e3, "slip factor below which a ball slips", 10.0)
     as_printed: Literal["half centrifugal force"] | None = described(
-        None, "a slip of a source to be shown beside ours; the maps stay right"
+        "a slip of a source to be shown beside ours; the maps stay right"
     )
-    minimum_axial_load_factor_kN: float | None = above(
-        0.0, 1.0e3, "A of the SKF catalogue, F_am = A (n/1000)^2"
-    )
+    minimum_axial_load_factor_kN: float | None = above(0, 1e3, "A of SKF: F_am = A (n/1000)^2")
     minimum_radial_load_factor_kN: float | None = above(
-        0.0, 1.0e3, "k_r of the SKF catalogue, F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2"
+        0, 1e3, "k_r of the SKF catalogue, F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2"
     )

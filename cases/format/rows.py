@@ -5,14 +5,12 @@ from dataclasses import replace
 from itertools import combinations
 from typing import Any, Literal
 
-from pydantic import Field
-
 from bearing.geometry import Bearing
 from bearing.operation import Curvature, Model
 from bearing.rows import Row
 from bearing.studies.preload import preloaded_row
 
-from .fields import FORCE_MAXIMUM, LENGTH_MAXIMUM, Table, between, is_number
+from .fields import FORCE_MAXIMUM, LENGTH_MAXIMUM, Table, between, described, is_number, within
 from .problems import CaseFault, shown
 from .rules import CaseValues
 
@@ -22,21 +20,14 @@ class RowTable(Table):
     face, tandem.
     """
 
-    axial_position_mm: float = between(
-        -LENGTH_MAXIMUM,
-        LENGTH_MAXIMUM,
-        "middle of the row from the point where loads act",
-        default=...,
+    axial_position_mm: float = within(
+        LENGTH_MAXIMUM, "middle of the row from the point where loads act", ...
     )
-    loaded_by: Literal["+x", "-x"] = Field(description="push of the inner ring that loads the row")
-    preload_N: float | None = between(
-        0.0, FORCE_MAXIMUM, "axial force of the row at rest, inner ring in its place"
-    )
-    preload_um: float | None = between(
-        -1.0e4, 1.0e4, "or displacement beyond first touch; negative leaves play"
-    )
-    first_ball_azimuth_deg: float | None = between(
-        -360.0, 360.0, "azimuth of its first ball; left out, that of [bearing]"
+    loaded_by: Literal["+x", "-x"] = described("push of the inner ring that loads the row", ...)
+    preload_N: float | None = between(0, FORCE_MAXIMUM, "axial, at rest, inner ring in its place")
+    preload_um: float | None = within(1e4, "or beyond first touch; negative leaves play")
+    first_ball_azimuth_deg: float | None = within(
+        360, "azimuth of its first ball; left out, that of [bearing]"
     )
 
 

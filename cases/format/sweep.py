@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, WithJsonSchema
+from pydantic import BeforeValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from .fields import Name, Points, Table, above, between, described
@@ -36,59 +36,40 @@ _KEYS_SCHEMA = WithJsonSchema(
 class HypercubeOptions(Table):
     """Options of [latin_hypercube], beside the keys it samples."""
 
-    samples: int = between(1, 100_000, "points", default=...)
-    seed: int = between(
-        0, 2**63 - 1, "of the random numbers; another one gives other points", default=58_201
-    )
+    samples: int = between(1, 100_000, "points", ...)
+    seed: int = between(0, 2**63 - 1, "of the random numbers: other seed, other points", 58_201)
 
 
 class SensitivityTable(Table):
     """Finite differences about the case: each key by itself, up and down."""
 
     keys: Annotated[Any, BeforeValidator(_check_keys), _KEYS_SCHEMA] = described(
-        "assumed", "keys to vary; those the case marks assumed if left out"
+        "keys to vary; those the case marks assumed if left out", "assumed"
     )
-    step: float = above(0.0, 0.5, "relative change of each key up and down", default=0.02)
+    step: float = above(0, 0.5, "relative change of each key up and down", 0.02)
 
 
 class SweepFile(Table):
     """A sweep: `oilfilm batch`."""
 
-    schema_version: int = between(1, 1, "version of this format", default=1)
-    title: str = described("", "one line for tables and plots")
-    case: Name = Field(
-        description="a case file, relative to this file, or the name of a shipped case"
-    )
+    schema_version: int = between(1, 1, "version of this format", 1)
+    title: str = described("one line for tables and plots", "")
+    case: Name = described("a case file, relative to this one, or the name of a shipped case", ...)
     compute: Literal["run", "torque", "slip", "dynamics", "table"] = described(
-        "run", "what is computed at every point"
+        "what is computed at every point", "run"
     )
-    fields: bool = described(
-        False, "whether film maps or histories of every point are kept, too (netCDF)"
+    fields: bool = described("also film maps or histories of every point (netCDF)", False)
+    table: str | None = described(
+        "traction tables of `oilfilm table`, relative to this file; else computed", min_length=1
     )
-    table: str | None = Field(
-        None,
-        min_length=1,
-        description="traction tables from `oilfilm table`, relative to this file; left out, made",
+    table_points: Points = described("nodes of each film along x of tables that are made", 257)
+    plot: tuple[str, ...] = described(
+        "numbers of batch.csv that --plot draws; else main results", (), strict=False, max_length=8
     )
-    table_points: Points = Field(
-        257, description="nodes of each film along x of tables that are made"
-    )
-    plot: tuple[str, ...] = Field(
-        (),
-        strict=False,
-        max_length=8,
-        description="numbers of batch.csv that --plot draws; left out, the main results",
-    )
-    fixed: dict[str, Any] = described(
-        {}, "values by key that every point has in place of the case's"
-    )
-    sweep: dict[str, Any] = described(
-        {}, "lists of values by key; all their combinations are points"
-    )
-    combinations: tuple[dict[str, Any], ...] = Field(
-        (), strict=False, description="single points, one table each"
-    )
-    latin_hypercube: Annotated[tuple[dict[str, Any], ...], BeforeValidator(_as_list)] = Field(
-        (), strict=False, description="[first, last] by key, sampled; several tables add up"
+    fixed: dict[str, Any] = described("values by key, at every point in place of the case's", {})
+    sweep: dict[str, Any] = described("lists of values by key; every combination is a point", {})
+    combinations: tuple[dict[str, Any], ...] = described("points, a table each", (), strict=False)
+    latin_hypercube: Annotated[tuple[dict[str, Any], ...], BeforeValidator(_as_list)] = described(
+        "[first, last] by key, sampled; several tables add up", (), strict=False
     )
     sensitivity: SensitivityTable | None = None
