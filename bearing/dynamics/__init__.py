@@ -7,7 +7,6 @@ arrays         - numbers and arrays that the compiled equations of motion share
 assembly       - from bearing, operation and model to the arrays of the compiled equations
 bodies         - masses and inertias of ring and cage, and the equations their loads need
 contact        - forces between two bodies of a bearing: normal laws, friction, lubricated lands
-films          - films between balls and races: how a load follows from the distance
 friction       - friction of balls on races for the compiled equations of motion
 initial        - the state from which a simulation starts: the quasi-static equilibrium
 inputs         - what a time simulation is given: cage, laws, loads over time, options

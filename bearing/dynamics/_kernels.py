@@ -21,93 +21,75 @@ from ._state_kernels import (
     times,
     vector,
     velocities,
-    write,
 )
 from .arrays import (
-    AXIS,
-    CAGE_BODY,
     CAGE_LOAD,
-    CENTRE,
-    CHURNING,
-    DRIVE_INNER,
-    DRIVE_OUTER,
+    CONTACT,
     ELASTIC,
     FORCE,
-    GIVEN_COLUMNS,
     GIVEN_FORCE,
     GIVEN_MOMENT,
     GUIDED_BY_BALLS,
+    GUIDED_BY_INNER_RING,
     INNER,
     INNER_SPEED,
     KINETIC,
     LAND,
-    LAND_APPROACH,
-    LOADS,
     MOMENT,
     OUTER,
     OUTER_SPEED,
     POCKET,
-    POCKET_APPROACH,
     POTENTIAL,
-    RACE_APPROACH,
-    RING_LOAD,
-    SCHEDULED,
-    SUPPORT,
-    TIME,
-    TURN,
-    VELOCITY,
+    WORK,
+    Body,
 )
 from .contact._cage_kernels import cage_land, pocket_forces
 from .contact._kernels import elastic_energy
-from .contact._race_kernels import race_forces, race_friction, race_motions
+from .contact._race_kernels import race_forces
 from .layout import BODIES, CAGE, CAGE_ROTATION, CAGE_TILT, FREE_TURN, RING, RING_TILT
 
 
 @compiled
-def schedule_at(schedule, t, out):
+def schedule_at(times, schedule, t, out):
     """Speeds, force and moment of the schedule at a time; returns the inner acceleration."""
-    n = schedule.shape[0]
-    k = 0
-    while k < n - 2 and t >= schedule[k + 1, TIME]:
-        k += 1
-    if n == 1 or t >= schedule[n - 1, TIME]:
-        out[:] = schedule[n - 1, SCHEDULED:]
+    last = times.size - 1
+    if t >= times[last] or last == 0:
+        out[:] = schedule[last]
         return 0.0
+    k = 0
+    while k < last - 1 and t >= times[k + 1]:
+        k += 1
     before = schedule[k]
     after = schedule[k + 1]
-    span = after[TIME] - before[TIME]
-    share = max(0.0, (t - before[TIME]) / span)
-    for given in range(GIVEN_COLUMNS):
-        column = SCHEDULED + given
-        out[given] = before[column] + share * (after[column] - before[column])
-    return (after[SCHEDULED + INNER_SPEED] - before[SCHEDULED + INNER_SPEED]) / span
+    span = times[k + 1] - times[k]
+    share = max(0.0, (t - times[k]) / span)
+    for column in range(out.size):
+        out[column] = before[column] + share * (after[column] - before[column])
+    return (after[INNER_SPEED] - before[INNER_SPEED]) / span
 
 
 @compiled
-def place_body(y, first, tilt, first_velocity, spin, body):
-    """Row of a body from its coordinates, `tilt` the index of its tilts, and its axial speed."""
+def place_body(y, first, tilt, first_velocity, spin):
+    """A body from its coordinates, `tilt` the index of its tilts, and its axial speed."""
     ty = y[first + tilt]
     tz = y[first + tilt + 1]
     size = 1.0 / np.sqrt(1.0 + ty * ty + tz * tz)
     axis = (size, tz * size, -ty * size)
-    write(body, CENTRE, vector(y, first))
-    write(body, AXIS, axis)
-    write(body, VELOCITY, vector(y, first_velocity))
-    write(body, TURN, times(spin, axis))
-    body[TURN + 1] += y[first_velocity + tilt]
-    body[TURN + 2] += y[first_velocity + tilt + 1]
+    rate = first_velocity + tilt
+    x, y_turn, z_turn = times(spin, axis)
+    turn = (x, y_turn + y[rate], z_turn + y[rate + 1])
+    return Body(vector(y, first), axis, vector(y, first_velocity), turn)
 
 
 @compiled
-def place_bodies(balls, y, inner_speed, outer_speed, bodies):
-    """Rows of inner ring, outer ring and cage."""
-    bodies[OUTER, :] = 0.0
-    bodies[OUTER, AXIS] = 1.0
-    bodies[OUTER, TURN] = outer_speed
+def place_bodies(balls, y, inner_speed, outer_speed):
+    """Inner ring, outer ring and cage."""
     v = velocities(balls)
-    place_body(y, 0, RING_TILT, v, inner_speed, bodies[INNER])
+    still = (0.0, 0.0, 0.0)
+    outer = Body(still, (1.0, 0.0, 0.0), still, (outer_speed, 0.0, 0.0))
     cage_speed = y[v + RING + CAGE_ROTATION]
-    place_body(y, RING, CAGE_TILT, v + RING, cage_speed, bodies[CAGE_BODY])
+    inner = place_body(y, 0, RING_TILT, v, inner_speed)
+    return inner, outer, place_body(y, RING, CAGE_TILT, v + RING, cage_speed)
 
 
 @compiled
@@ -120,7 +102,7 @@ def ball_equations(c, free, y, forces, power, dy):
         w = ball_turn(c.balls, j)
         speed = norm(vector(y, v))
         pull = c.drag * speed
-        power[CHURNING] += pull * speed * speed
+        power[WORK.churning] += pull * speed * speed
         for i in range(3):
             force = forces[j, FORCE + i] - pull * y[v + i]
             dy[x + i] = y[v + i]
@@ -145,8 +127,8 @@ def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
         dy[i] = v
         force = pushes[i] + load[FORCE + i] - c.ring_damping * v
         dy[first + i] = free[i] * (force / c.ring_mass + gravity[i])
-        power[LOADS] += pushes[i] * v
-        power[SUPPORT] += c.ring_damping * v * v
+        power[WORK.loads] += pushes[i] * v
+        power[WORK.support] += c.ring_damping * v * v
     tilting = first + RING_TILT
     wy = y[tilting]
     wz = y[tilting + 1]
@@ -157,8 +139,8 @@ def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
     mz = given[GIVEN_MOMENT + 1] + load[MOMENT + 2] + gyro * wy
     dy[tilting] = free[RING_TILT] * my / c.ring_transverse
     dy[tilting + 1] = free[RING_TILT + 1] * mz / c.ring_transverse
-    power[LOADS] += given[GIVEN_MOMENT] * wy + given[GIVEN_MOMENT + 1] * wz
-    power[DRIVE_INNER] -= spin * dot(vector(load, MOMENT), vector(body, AXIS))
+    power[WORK.loads] += given[GIVEN_MOMENT] * wy + given[GIVEN_MOMENT + 1] * wz
+    power[WORK.drive_inner] -= spin * dot(vector(load, MOMENT), body.axis)
 
 
 @compiled
@@ -176,7 +158,7 @@ def cage_equations(c, free, y, load, body, dy):
     turning = first + CAGE_ROTATION
     tilting = first + CAGE_TILT
     gyro = c.cage_polar * y[turning]
-    about = dot(vector(load, MOMENT), vector(body, AXIS))
+    about = dot(vector(load, MOMENT), body.axis)
     my = load[MOMENT + 1] - gyro * y[tilting + 1]
     mz = load[MOMENT + 2] + gyro * y[tilting]
     dy[turning] = free[RING + CAGE_ROTATION] * about / c.cage_polar
@@ -185,56 +167,52 @@ def cage_equations(c, free, y, load, body, dy):
 
 
 @compiled
-def contact_forces(p, y):
-    """All contacts: forces on balls, ring, cage; powers; states."""
+def contact_forces(p, y, inner, outer, cage):
+    """All contacts: forces on balls, rings, cage; powers; states."""
     c = p.constants
-    bodies = p.bodies
+    kind = p.friction_kind
+    memory = p.memory
     loads = p.loads
     power = p.power
     forces = p.forces
-    outer_load = p.outer_load
     power[:] = 0.0
     loads[:] = 0.0
     forces[:] = 0.0
-    outer_load[:] = 0.0
-    # 1. motion of the balls on the races, friction there
-    race_motions(c, bodies, y, p.motion)
-    kind = p.friction_kind
-    race_friction(kind, p.friction_inner, p.normal[INNER], p.motion[INNER], p.friction[INNER])
-    race_friction(kind, p.friction_outer, p.normal[OUTER], p.motion[OUTER], p.friction[OUTER])
-    # 2. forces of races and balls
-    for race in range(2):
-        load = loads[RING_LOAD] if race == INNER else outer_load
-        race_forces(
-            c, kind, race, bodies[race], p.normal[race], p.memory, p.motion[race],
-            p.friction[race], forces, load, power, p.race_out[race],
-        )  # fmt: skip
-    power[DRIVE_OUTER] -= bodies[OUTER, TURN] * outer_load[MOMENT]
+    # 1. races and balls
+    race_forces(
+        c, INNER, inner, kind, p.friction_inner, p.normal[INNER], memory, y, p.friction,
+        forces, loads[INNER], power, p.race_out[INNER],
+    )  # fmt: skip
+    race_forces(
+        c, OUTER, outer, kind, p.friction_outer, p.normal[OUTER], memory, y, p.friction,
+        forces, loads[OUTER], power, p.race_out[OUTER],
+    )  # fmt: skip
+    power[WORK.drive_outer] -= outer.turn[0] * loads[OUTER, MOMENT]
     if c.cage_mass <= 0.0:
         return
-    # 3. forces of pockets and lands
+    # 2. pockets and lands
     pocket_forces(
-        c, bodies[CAGE_BODY], p.normal[POCKET], p.memory, p.pocket_angle, y,
+        c, cage, p.normal[POCKET], memory, p.pocket_angle, y,
         forces, loads[CAGE_LOAD], power, p.pocket_out,
     )  # fmt: skip
     if c.guide == GUIDED_BY_BALLS:
         return
+    ring = inner if c.guide == GUIDED_BY_INNER_RING else outer
     for side in range(2):
-        impact_speed = p.memory[LAND * c.balls + side]
-        cage_land(c, side, bodies, p.normal[LAND], impact_speed, loads, power, p.land_out)
+        impact_speed = memory[LAND * c.balls + side]
+        cage_land(c, side, ring, cage, p.normal[LAND], impact_speed, loads, power, p.land_out)
 
 
 @compiled
 def derivative(t, y, p, dy):
     """Rates of the state vector; contact states and powers are left in the arrays of `p`."""
     c, given, free = p.constants, p.given, p.free
-    acceleration = schedule_at(p.schedule, t, given)
-    place_bodies(c.balls, y, given[INNER_SPEED], given[OUTER_SPEED], p.bodies)
-    contact_forces(p, y)
+    acceleration = schedule_at(p.times, p.schedule, t, given)
+    inner, outer, cage = place_bodies(c.balls, y, given[INNER_SPEED], given[OUTER_SPEED])
+    contact_forces(p, y, inner, outer, cage)
     ball_equations(c, free, y, p.forces, p.power, dy)
-    ring = p.bodies[INNER]
-    ring_equations(c, free, y, given, acceleration, p.loads[RING_LOAD], ring, p.power, dy)
-    cage_equations(c, free, y, p.loads[CAGE_LOAD], p.bodies[CAGE_BODY], dy)
+    ring_equations(c, free, y, given, acceleration, p.loads[INNER], inner, p.power, dy)
+    cage_equations(c, free, y, p.loads[CAGE_LOAD], cage, dy)
     dy[ring_angle(c.balls)] = given[INNER_SPEED]
     dy[accumulators(c.balls) :] = p.power
 
@@ -255,9 +233,9 @@ def energies(y, p, out):
             kinetic += 0.5 * (c.ball_mass * v * v + c.ball_inertia * w * w)
             weight -= free[BODIES + i] * c.ball_mass * gravity[i] * y[ball_position(j) + i]
         for race in range(2):
-            elastic += elastic_energy(p.normal[race], p.race_out[race, j, RACE_APPROACH])
+            elastic += elastic_energy(p.normal[race], p.race_out[race, j, CONTACT.approach])
         if c.cage_mass > 0.0:
-            elastic += elastic_energy(p.normal[POCKET], p.pocket_out[j, POCKET_APPROACH])
+            elastic += elastic_energy(p.normal[POCKET], p.pocket_out[j, CONTACT.approach])
     first = velocities(c.balls)
     for i in range(3):
         kinetic += 0.5 * (c.ring_mass * y[first + i] ** 2 + c.cage_mass * y[first + RING + i] ** 2)
@@ -272,7 +250,7 @@ def energies(y, p, out):
         + 0.5 * c.cage_polar * y[first + RING + CAGE_ROTATION] ** 2
     )
     if c.cage_mass > 0.0 and c.guide != GUIDED_BY_BALLS:
-        elastic += elastic_energy(p.normal[LAND], p.land_out[0, LAND_APPROACH]) + elastic_energy(
-            p.normal[LAND], p.land_out[1, LAND_APPROACH]
-        )
+        law = p.normal[LAND]
+        sides = p.land_out[:, CONTACT.approach]
+        elastic += elastic_energy(law, sides[0]) + elastic_energy(law, sides[1])
     out[KINETIC], out[ELASTIC], out[POTENTIAL] = kinetic, elastic, weight

@@ -50,17 +50,21 @@ def vector(row, first):
 
 
 @compiled
-def write(row, first, a):
-    """Put a vector into an array from a place on."""
-    row[first], row[first + 1], row[first + 2] = a
-
-
-@compiled
 def accumulate(row, first, a):
     """Add a vector to three numbers of an array from a place on."""
     row[first] += a[0]
     row[first + 1] += a[1]
     row[first + 2] += a[2]
+
+
+@compiled
+def ball_motion(y, balls, ball):
+    """Position, velocity and angular velocity of a ball."""
+    return (
+        vector(y, ball_position(ball)),
+        vector(y, ball_velocity(balls, ball)),
+        vector(y, ball_turn(balls, ball)),
+    )
 
 
 @compiled

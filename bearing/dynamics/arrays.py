@@ -12,45 +12,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Vector = tuple[float, float, float]
 
 # rows of `normal` and, times the number of balls, first places in `memory`
 INNER, OUTER, POCKET, LAND = range(4)
+CAGE_LOAD = 2  # row of `loads` after INNER and OUTER
 STIFFNESS, EXPONENT, DAMPING = range(3)  # columns of `normal`
 # `friction_kind`; FILM: a traction table whose films separate the bodies
 FRICTIONLESS, COEFFICIENT, TABLE, FILM = range(4)
 GUIDED_BY_BALLS, GUIDED_BY_INNER_RING, GUIDED_BY_OUTER_RING = range(3)
 
-CAGE_BODY = 2  # row of `bodies` after INNER and OUTER
-# first columns of the vectors in `bodies`
-CENTRE = 0
-AXIS = 3
-VELOCITY = 6
-TURN = 9
-BODY_COLUMNS = 12
-RING_LOAD, CAGE_LOAD = range(2)  # rows of `loads`
-# first columns of the vectors in `loads`, `forces`, `outer_load`
+# first columns of the two vectors in `loads` and `forces`
 FORCE = 0
 MOMENT = 3
 LOAD_COLUMNS = 6
 
-# columns of `given`; those of `schedule` are the time and these
+# columns of `schedule` and `given`
 INNER_SPEED = 0
 OUTER_SPEED = 1
 GIVEN_FORCE = 2
 GIVEN_MOMENT = 5
 GIVEN_COLUMNS = 7
-TIME = 0
-SCHEDULED = 1
-
-# columns of `motion`: vectors (normal into the race, entrainment, across it, contact point) ...
-NORMAL = 0
-X_AXIS = 3
-Y_AXIS = 6
-POINT = 9
-# ... and what `RACE_NAMES` describes; ROLL: relative turn about the y axis [rad/s]
-SLIDE_X, SLIDE_Y, SPIN, ROLL, ENTRAINMENT = range(12, 17)
-APPROACH_SPEED, ANGLE, APPROACH, THICKNESS = range(17, 21)
-MOTION_COLUMNS = 21
 
 # columns of `friction`, as the kernels of `ehl.traction` write them
 FORCE_X, FORCE_Y, SPIN_MOMENT, ROLL_MOMENT = range(4)
@@ -58,38 +40,78 @@ CENTRAL_FILM = 5
 FILM_DAMPING = 7
 FRICTION_COLUMNS = 8
 
-RACE_NAMES = (  # columns of `race_out`
-    "load",  # [N]
-    # of the elastic bodies, over the film where the contact is lubricated [m]; negative: gap
-    "approach",
-    "approach_speed",  # [m/s]
-    "contact_angle",  # [rad]
-    "entrainment_speed",  # [m/s]
-    "slide_x",  # ball less race along the entrainment [m/s]
-    "slide_y",  # [m/s]
-    "spin",  # [rad/s]
-    "friction_x",  # on the ball [N]
-    "friction_y",  # [N]
-    # of a traction table, central [m]; 0: without a table, in the record of an open contact too
-    "film",
-)
-RACE_COLUMNS = len(RACE_NAMES)
-RACE_FORCE, RACE_APPROACH, RACE_RATE, RACE_ANGLE, RACE_ENTRAINMENT = range(5)
-RACE_SLIDE_X, RACE_SLIDE_Y, RACE_SPIN, RACE_FRICTION_X, RACE_FRICTION_Y, RACE_FILM = range(5, 11)
-POCKET_FORCE, POCKET_APPROACH, POCKET_RATE = range(3)  # of `pocket_out` [N], [m], [m/s]
-POCKET_COLUMNS = 3
-LAND_APPROACH, LAND_RATE = range(2)  # of `land_out` [m], [m/s]
-LAND_COLUMNS = 2
-STEP_LOAD, STEP_FILM = range(2)  # of `films` [N], [m]
-
-# accumulators: work put in, energy dissipated, energy that films take up (negative what they give
-# in lifting balls) [J]
-DRIVE_INNER, DRIVE_OUTER, LOADS = range(3)
-FRICTION_INNER, FRICTION_OUTER, RACE_DAMPING, POCKET_DAMPING = range(3, 7)
-POCKET_FRICTION, LAND_FRICTION, CHURNING, SUPPORT = range(7, 11)
-FILMS = 11
-ACCUMULATORS = 12
+STEP_LOAD, STEP_FILM = range(2)  # columns of `films` [N], [m]
 KINETIC, ELASTIC, POTENTIAL = range(3)  # columns of the stored energies [J]
+
+
+class ContactColumns(NamedTuple):
+    """Columns of `race_out`, the first three also of `pocket_out` and `land_out`."""
+
+    load: int  # [N]
+    # of the elastic bodies, over the film where the contact is lubricated [m]; negative: gap
+    approach: int
+    approach_speed: int  # [m/s]
+    contact_angle: int  # [rad]
+    entrainment_speed: int  # [m/s]
+    slide_x: int  # ball less race along the entrainment [m/s]
+    slide_y: int  # [m/s]
+    spin: int  # [rad/s]
+    friction_x: int  # on the ball [N]
+    friction_y: int  # [N]
+    # of a traction table, central [m]; 0: without a table, in the record of an open contact too
+    film: int
+
+
+class WorkColumns(NamedTuple):
+    """Accumulators: work put in, energy dissipated, energy that films take up, negative what they
+    give in lifting balls [J].
+    """
+
+    drive_inner: int
+    drive_outer: int
+    loads: int
+    friction_inner: int
+    friction_outer: int
+    race_damping: int
+    pocket_damping: int
+    pocket_friction: int
+    land_friction: int
+    churning: int
+    support: int
+    films: int
+
+
+RACE_COLUMNS = len(ContactColumns._fields)
+POCKET_COLUMNS = 3
+ACCUMULATORS = len(WorkColumns._fields)
+CONTACT = ContactColumns(*range(RACE_COLUMNS))
+WORK = WorkColumns(*range(ACCUMULATORS))
+
+
+class Body(NamedTuple):
+    """Motion of inner ring, outer ring or cage."""
+
+    centre: Vector  # [m]
+    axis: Vector  # [-]
+    velocity: Vector  # of the centre [m/s]
+    turn: Vector  # angular velocity [rad/s]
+
+
+class RaceMotion(NamedTuple):
+    """Motion of a ball on a race."""
+
+    normal: Vector  # into the race [-]
+    x_axis: Vector  # along the entrainment [-]
+    y_axis: Vector  # [-]
+    point: Vector  # of contact [m]
+    slide_x: float  # [m/s]
+    slide_y: float  # [m/s]
+    spin: float  # [rad/s]
+    roll: float  # relative turn about the y axis [rad/s]
+    entrainment: float  # [m/s]
+    approach_speed: float  # [m/s]
+    angle: float  # of contact [rad]
+    approach: float  # of the bodies as if rigid [m]
 
 
 class FrictionData(NamedTuple):
@@ -139,7 +161,7 @@ class Constants(NamedTuple):
     land_viscosity: float  # [Pa s]
     land_friction: float  # mu [-]
     drag: float  # of a ball over the square of its speed [N s^2/m^2]
-    gravity: tuple[float, float, float]  # [m/s^2]
+    gravity: Vector  # [m/s^2]
     floor: float  # least speed that counts as that of an impact [m/s]
 
 
@@ -153,19 +175,17 @@ class EquationData(NamedTuple):
     friction_outer: FrictionData
     free: Array  # 1 or 0 for the 5 coordinates of the ring, 6 of the cage, 6 of a ball
     pocket_angle: Array  # of each pocket in the cage, shape (Z,) [rad]
-    # time [s], speeds of inner and outer ring [rad/s], force [N], moment [N m]; shape (n, 8)
+    times: Array  # of the rows of the schedule, shape (n,) [s]
+    # speeds of inner and outer ring [rad/s], force [N], moment [N m]; shape (n, GIVEN_COLUMNS)
     schedule: Array
     # speed of the impact that began each contact [m/s]: inner, outer, pocket of each ball, lands
     memory: Array
-    bodies: Array  # scratch: inner ring, outer ring, cage, shape (3, BODY_COLUMNS)
-    given: Array  # scratch: speeds, force, moment of the schedule, shape (GIVEN_COLUMNS,)
-    outer_load: Array  # scratch: force and moment on the outer ring, shape (6,) [N], [N m]
-    motion: Array  # scratch: motion of balls on races, shape (2, Z, MOTION_COLUMNS)
-    friction: Array  # scratch: friction of the races, shape (2, Z, FRICTION_COLUMNS)
+    given: Array  # scratch: the schedule at a time, shape (GIVEN_COLUMNS,)
+    friction: Array  # scratch: friction of one ball on a race, shape (FRICTION_COLUMNS,)
     forces: Array  # scratch: force and moment on each ball, shape (Z, 6) [N], [N m]
     race_out: Array  # state of the races' contacts, shape (2, Z, RACE_COLUMNS)
     pocket_out: Array  # of the pockets, shape (Z, POCKET_COLUMNS)
-    land_out: Array  # of the two lands, shape (2, LAND_COLUMNS)
+    land_out: Array  # of the two lands, shape (2, POCKET_COLUMNS)
     films: Array  # load and film of the races' contacts after the last step, shape (2, Z, 2)
     power: Array  # into and out of the accumulators [W], shape (ACCUMULATORS,)
-    loads: Array  # of the contacts on inner ring and cage, shape (2, 6) [N], [N m]
+    loads: Array  # of the contacts on inner ring, outer ring and cage, shape (3, 6) [N], [N m]

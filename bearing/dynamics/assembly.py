@@ -11,16 +11,13 @@ from ..operation import Operation
 from ..quasistatic.kinematics import ball_mass
 from .arrays import (
     ACCUMULATORS,
-    BODY_COLUMNS,
     FILM,
     FRICTION_COLUMNS,
     GIVEN_COLUMNS,
     GUIDED_BY_BALLS,
     GUIDED_BY_INNER_RING,
     GUIDED_BY_OUTER_RING,
-    LAND_COLUMNS,
     LOAD_COLUMNS,
-    MOTION_COLUMNS,
     OUTER,
     POCKET_COLUMNS,
     RACE_COLUMNS,
@@ -32,7 +29,7 @@ from .arrays import (
     FrictionData,
 )
 from .bodies import free_coordinates, load_type
-from .films.laws import check_film
+from .friction import check_film
 from .inputs import CageBody, DynamicsModel, Guidance, NormalContact, NormalLaw
 from .laws import damping_factor
 
@@ -72,20 +69,18 @@ def assemble(
         friction_outer=races[1],
         free=np.concatenate([free[0], free[1] if cage is not None else np.zeros(6), free[2]]),
         pocket_angle=np.asarray(bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)),
-        schedule=schedule_rows(operation, model),
+        times=np.array(model.times, dtype=np.float64),
+        schedule=np.array(model.rows(operation), dtype=np.float64),
         memory=np.full(3 * n + 2, model.normal.impact_floor),
-        bodies=np.zeros((3, BODY_COLUMNS)),
         given=np.zeros(GIVEN_COLUMNS),
-        outer_load=np.zeros(LOAD_COLUMNS),
-        motion=np.zeros((2, n, MOTION_COLUMNS)),
-        friction=np.zeros((2, n, FRICTION_COLUMNS)),
+        friction=np.zeros(FRICTION_COLUMNS),
         forces=np.zeros((n, LOAD_COLUMNS)),
         race_out=np.zeros((2, n, RACE_COLUMNS)),
         pocket_out=np.zeros((n, POCKET_COLUMNS)),
-        land_out=np.full((2, LAND_COLUMNS), -1.0),
+        land_out=np.full((2, POCKET_COLUMNS), -1.0),
         films=np.zeros((2, n, 2)),
         power=np.zeros(ACCUMULATORS),
-        loads=np.zeros((2, LOAD_COLUMNS)),
+        loads=np.zeros((3, LOAD_COLUMNS)),
     )
 
 
@@ -97,7 +92,7 @@ def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) 
     ------
     ValueError
         Where a lubricated contact has no table, or its load does not rise with the approach
-        (`films.laws.check_film`).
+        (`check_film`).
     """
     if model.normal.law is not NormalLaw.LUBRICATED:
         return model.friction.kind
@@ -175,13 +170,6 @@ def normal_laws(
     rows.append((0.0 if cage is None else cage.pocket_stiffness, HERTZ_EXPONENT, other))
     rows.append((0.0 if cage is None else cage.land_stiffness, 1.0, other))
     return np.array(rows)
-
-
-def schedule_rows(operation: Operation, model: DynamicsModel) -> Array:
-    """Rows of time, speeds, force, moment; loads on fixed coordinates count nothing."""
-    times = (0.0,) if model.schedule is None else model.schedule.time
-    rows = np.column_stack([times, np.array(model.rows(operation))])
-    return np.ascontiguousarray(rows, dtype=np.float64)
 
 
 def scales(data: EquationData, load: float, tolerance: float, ramp: float) -> Array:

@@ -7,16 +7,20 @@ import numpy as np
 
 from ehl.traction.laws import CoulombLaw, FrictionLaw, HertzLaw
 from ehl.traction.quadrature import ellipse_rings
-from ehl.traction.table.table import TractionTable
+from ehl.traction.table.table import LOAD_POWER, TractionTable
 
 from ..friction.sources import RaceTraction
 from ..geometry import Bearing, Race
-from .arrays import COEFFICIENT, FRICTIONLESS, TABLE, FrictionData
+from .arrays import COEFFICIENT, EXPONENT, FRICTIONLESS, STIFFNESS, TABLE, Array, FrictionData
+from .contact._film_kernels import film_and_slope, weights
 
 # quadrature over the ellipse: force within 1 % of mu Q of 512 points (tests)
 RINGS = 4
 RAYS = 12
 CENTRE = np.array([[0.0], [0.0], [1.0]])  # one point with all of the load [-]
+# loads and speeds at which the films of a table are checked before a simulation
+LOADS = 120
+SPEEDS = 13
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,3 +76,32 @@ def race_friction(
         for race, angle in zip((Race.INNER, Race.OUTER), angles, strict=True)
     )
     return RaceFriction(inner=inner, outer=outer, at_centre=at_centre)
+
+
+def check_film(data: FrictionData, law: Array, name: str) -> None:
+    """Check that the load rises with the approach over a whole table: no film thickens faster than
+    the bodies give way.
+
+    `data`: of a race with a table; `law`, shape (3,): K [N/m^n], n [-], chi [-]; `name`: of the
+    race.
+
+    Raises
+    ------
+    ValueError
+        Where a film rises with the load so steeply.
+    """
+    first, density, nodes = data.axes[:2].T
+    last = first + (nodes - 1) / density
+    lightest, heaviest = ((-place) ** (1.0 / LOAD_POWER) for place in (first[0], last[0]))
+    loads = np.geomspace(lightest, heaviest, LOADS)
+    approach = (loads / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
+    for speed in np.geomspace(np.exp(first[1]), np.exp(last[1]), SPEEDS):
+        at_speed = weights(np.log(speed), data.axes[1])
+        films = [film_and_slope(data.axes, data.scalars, q, at_speed, 1.0)[0] for q in loads]
+        rises = np.diff(approach - np.array(films))
+        if np.any(rises <= 0.0):
+            raise ValueError(
+                f"lubricated contact: the film of the {name} race's table rises near "
+                f"{loads[int(np.argmin(rises))]:.3g} N and {speed:.3g} m/s faster than the bodies "
+                "give way; make a finer table (oilfilm table --points)"
+            )

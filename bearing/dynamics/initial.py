@@ -16,7 +16,6 @@ from .arrays import (
     INNER_SPEED,
     OUTER,
     OUTER_SPEED,
-    SCHEDULED,
     STIFFNESS,
     Array,
     EquationData,
@@ -120,7 +119,7 @@ def initial_state(
     """State vector at time zero, see `layout` [m, rad, m/s, rad/s]."""
     layout = Layout(bearing.balls)
     y = np.zeros(layout.size)
-    given = data.schedule[0, SCHEDULED:]
+    given = data.schedule[0]
     inner, outer = given[INNER_SPEED], given[OUTER_SPEED]
     cosines, sines = np.cos(data.pocket_angle), np.sin(data.pocket_angle)
     if point.equilibrium is None or start is Start.ROLLING:

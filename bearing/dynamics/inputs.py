@@ -21,7 +21,7 @@ class NormalLaw(Enum):
 
     HERTZ: elastic; LANKARANI_NIKRAVESH (1990): 3 (1 - e^2)/4; HUNT_CROSSLEY (1975): 3 (1 - e)/2;
     FLORES (2011): 8 (1 - e)/(5 e); LUBRICATED: film and elastic bodies in series, the film and its
-    squeeze damping from the traction table (`films.laws`).
+    squeeze damping from the traction table (`contact._film_kernels`).
     """
 
     HERTZ = "hertz"
@@ -238,12 +238,17 @@ class DynamicsModel:
     friction_ramp: float = 0.01
     notes: Mapping[str, str] = field(default_factory=dict)
 
+    @property
+    def times(self) -> tuple[float, ...]:
+        """Of the rows of the schedule [s]."""
+        return (0.0,) if self.schedule is None else self.schedule.time
+
     def rows(self, operation: Operation) -> list[tuple[float, ...]]:
         """Speeds [rad/s], force [N] and moment [N m] at each time of the schedule, or those of the
         operation; zero on a coordinate with a prescribed displacement.
         """
         if self.schedule is not None:
-            return [tuple(row) for row in self.schedule.values]
+            return list(self.schedule.values)
         loads = (0.0 if value is None else value for value in operation.loads)
         return [(operation.inner_speed, operation.outer_speed, *loads)]
 

@@ -10,7 +10,7 @@ import numpy as np
 from ..geometry import Bearing
 from ..operation import Operation
 from ._kernels import derivative, energies
-from .arrays import GIVEN_FORCE, OUTER, SCHEDULED, STIFFNESS, Array, EquationData
+from .arrays import GIVEN_FORCE, GIVEN_MOMENT, OUTER, STIFFNESS, Array, EquationData
 from .assembly import assemble, scales
 from .bodies import equation_counts
 from .initial import StartingPoint, initial_state, starting_point
@@ -71,9 +71,9 @@ class Simulation:
     @property
     def reference_load(self) -> float:
         """Largest load over the number of balls, at least `REFERENCE_LOAD` [N]."""
-        first = SCHEDULED + GIVEN_FORCE
-        rows = self.data.schedule[:, first : first + 3]
-        return max(REFERENCE_LOAD, float(np.linalg.norm(rows, axis=1).max()) / self.bearing.balls)
+        forces = self.data.schedule[:, GIVEN_FORCE:GIVEN_MOMENT]
+        largest = float(np.linalg.norm(forces, axis=1).max())
+        return max(REFERENCE_LOAD, largest / self.bearing.balls)
 
     @property
     def frequency(self) -> float:

@@ -4,16 +4,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from .arrays import (
-    GIVEN_FORCE,
-    INNER_SPEED,
-    OUTER_SPEED,
-    POCKET_FORCE,
-    RACE_FORCE,
-    SCHEDULED,
-    TIME,
-    Array,
-)
+from .arrays import CONTACT, GIVEN_FORCE, INNER_SPEED, OUTER_SPEED, WORK, Array
 from .laws import kinematic_cage_speed
 from .layout import CAGE_ROTATION, Layout
 from .record import Record
@@ -24,20 +15,7 @@ STUDENT = 2.2622  # 97.5 % of Student's distribution with BATCHES - 1 degrees of
 SMALLEST_SAMPLE = 2 * BATCHES  # values, below which no interval is given
 SMALLEST_ORBIT = 1.0e-12  # of a centre, below which it has no whirl [m]
 AVERAGED_SHARE = 1.0 / 3.0  # of the time, over which speeds are averaged [-]
-MECHANISMS = (
-    "drive_inner",
-    "drive_outer",
-    "loads",
-    "friction_inner",
-    "friction_outer",
-    "race_damping",
-    "pocket_damping",
-    "pocket_friction",
-    "land_friction",
-    "churning",
-    "support",
-    "films",
-)  # in the order of the accumulators; films: taken up, negative where they lift balls
+MECHANISMS = WORK._fields
 INPUTS = 3  # of them put energy in
 LOSSES = slice(INPUTS, -1)  # those that dissipate it; the last, the films, gives or takes
 
@@ -66,7 +44,7 @@ class RunningStatistics:
         self.centres.append(
             np.hstack([record.state[:, part][:, 1:3] for part in (layout.ring, layout.cage)])
         )
-        loads, pockets = record.races[..., RACE_FORCE], record.pockets[..., POCKET_FORCE]
+        loads, pockets = record.races[..., CONTACT.load], record.pockets[..., CONTACT.load]
         if not self.rows:
             self.load_sum, self.load_largest = np.zeros(loads.shape[1:]), np.zeros(loads.shape[1:])
             self.pocket_largest = np.zeros(self.balls)
@@ -152,14 +130,14 @@ def simulation_statistics(
 
 def nominal_angle(simulation: Simulation) -> float:
     """Contact angle of the kinematic speed [rad]: the free one under an axial load, else zero."""
-    axial = np.any(simulation.data.schedule[:, SCHEDULED + GIVEN_FORCE])
+    axial = np.any(simulation.data.schedule[:, GIVEN_FORCE])
     return simulation.bearing.free_contact_angle if axial else 0.0
 
 
 def _kinematic(simulation: Simulation, times: Array) -> float:
-    rows = simulation.data.schedule
+    data = simulation.data
     inner, outer = (
-        float(np.interp(times, rows[:, TIME], rows[:, SCHEDULED + ring]).mean())
+        float(np.interp(times, data.times, data.schedule[:, ring]).mean())
         for ring in (INNER_SPEED, OUTER_SPEED)
     )
     return kinematic_cage_speed(simulation.bearing, inner, outer, nominal_angle(simulation))

@@ -12,7 +12,7 @@ import numpy as np
 import xarray
 import xarray as xr
 
-from bearing.dynamics.arrays import RACE_NAMES
+from bearing.dynamics.arrays import ContactColumns
 from bearing.dynamics.layout import Layout
 from bearing.dynamics.record import Record
 from bearing.dynamics.statistics import MECHANISMS
@@ -54,7 +54,7 @@ def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], An
         "ring_load": (("time", "load"), record.loads[:, :6], "N, N m"),
         "cage_load": (("time", "load"), record.loads[:, 6:], "N, N m"),
     }
-    for k, (name, unit) in enumerate(zip(RACE_NAMES, RACE_UNITS, strict=True)):
+    for k, (name, unit) in enumerate(zip(ContactColumns._fields, RACE_UNITS, strict=True)):
         quantities[f"contact_{name}"] = (("time", "race", "ball"), record.races[..., k], unit)
     return quantities
 

@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 
+from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
 from bearing.dynamics.laws import kinematic_cage_speed
 from bearing.dynamics.simulation import Simulation
 from bearing.dynamics.statistics import (
@@ -100,7 +101,8 @@ def _energy(numbers: SimulationStatistics) -> dict[str, Any]:
 def _frequencies(simulation: Simulation, numbers: SimulationStatistics) -> dict[str, Any]:
     """Defect frequencies, kinematic and with the cage speed of the simulation [Hz]."""
     schedule, balls = simulation.data.schedule, simulation.bearing.balls
-    inner, outer = schedule[-1, 1] / (2.0 * np.pi), schedule[-1, 2] / (2.0 * np.pi)
+    inner = schedule[-1, INNER_SPEED] / (2.0 * np.pi)
+    outer = schedule[-1, OUTER_SPEED] / (2.0 * np.pi)
     angle = nominal_angle(simulation)
     speeds = {
         "kinematic": kinematic_cage_speed(simulation.bearing, inner, outer, angle),

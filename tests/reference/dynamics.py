@@ -2,6 +2,7 @@
 kernels are tested against. Traction tables are looked up within their range.
 """
 
+from math import exp, log
 from typing import NamedTuple
 
 import numpy as np
@@ -22,14 +23,15 @@ from bearing.dynamics.arrays import (
     EquationData,
     FrictionData,
 )
-from bearing.dynamics.films.laws import film, table_loads
 from bearing.dynamics.layout import Layout
-from ehl.traction.table.table import TractionTable
+from ehl.traction.table.splines import spline_weights
+from ehl.traction.table.table import LOAD_POWER, TractionTable, load_place
 
 from .ehl.traction import table_forces
 
 X = np.array([1.0, 0.0, 0.0])
 LIMIT = 0.95  # of the eccentricity of a land's film [-]
+CENTRAL_FILM = 3  # column of a table's scalars: logarithm of the central film
 SLOPE_STEP = 1.0e-6  # of the load for the film's slope at the table's end [-]
 
 
@@ -80,6 +82,34 @@ def normal_force(law: Array, approach: Array, speed: Array, impact_speed: Array)
     """
     elastic = law[STIFFNESS] * np.maximum(approach, 0.0) ** law[EXPONENT]
     return np.maximum(0.0, elastic * (1.0 + law[DAMPING] * speed / impact_speed))
+
+
+def table_loads(data: FrictionData) -> tuple[float, float]:
+    """Smallest and largest load of a table [N]."""
+    first, density, nodes = data.axes[0]
+    smallest, largest = ((-place) ** (1.0 / LOAD_POWER) for place in (first, first + (nodes - 1) / density))
+    return float(smallest), float(largest)
+
+
+def table_speeds(data: FrictionData) -> tuple[float, float]:
+    """Smallest and largest entrainment speed of a table [m/s]."""
+    first, density, nodes = data.axes[1]
+    return exp(first), exp(first + (nodes - 1) / density)
+
+
+def film(data: FrictionData, load: float, speed: float) -> float:
+    """Central film of a table [m]; beyond its ends that at the end, but in proportion to slower
+    speeds.
+
+    `data`: of a race with a table; `load`, `speed`: Q [N] and entrainment speed u [m/s].
+    """
+    slowest, fastest = table_speeds(data)
+    places = (load_place(float(np.clip(load, *table_loads(data)))), log(min(max(speed, slowest), fastest)))
+    values: Array = data.scalars[..., CENTRAL_FILM]
+    for place, (first, density, nodes) in zip(places, data.axes[:2], strict=True):
+        start, weights = spline_weights((place - first) * density, int(nodes))
+        values = np.tensordot(weights, values[start : start + 4], axes=1)
+    return exp(float(values)) * min(1.0, speed / slowest)
 
 
 def elastic_approach(data: FrictionData, law: Array, distance: float, speed: float) -> float:

@@ -127,9 +127,10 @@ def run_up_series() -> dict[str, Run]:
 def slip_in_time(found: Run) -> tuple[Any, Any]:
     """Times [s] and slip of the cage [-], means of a hundredth of the time each."""
     time, turned = np.concatenate(found.running.time), np.concatenate(found.running.cage_rotation)
-    rows = found.simulation.data.schedule
+    data = found.simulation.data
+    between = 0.5 * (time[1:] + time[:-1])
     ring = np.concatenate(
-        [[0.0], np.cumsum(np.diff(time) * np.interp(0.5 * (time[1:] + time[:-1]), rows[:, 0], rows[:, 1]))]
+        [[0.0], np.cumsum(np.diff(time) * np.interp(between, data.times, data.schedule[:, 0]))]
     )
     step = max(1, time.size // 100)
     place = np.arange(0, time.size, step)
@@ -179,7 +180,7 @@ def other_rows(runs: dict[str, Run], ups: dict[str, Run]) -> str:
     ]
     for name, found in runs.items():
         o = found.statistics
-        slip = 100.0 * (1.0 - cage(found) / (NO_SLIP * found.simulation.data.schedule[-1, 1] / RPM))
+        slip = 100.0 * (1.0 - cage(found) / (NO_SLIP * found.simulation.data.schedule[-1, 0] / RPM))
         impacts = o.shares[:, :, 2].mean(axis=1)
         cells = [
             f"{cage(found):.1f}",

@@ -1,6 +1,7 @@
 """Forces between two bodies of a bearing: normal laws, friction, lubricated lands.
 
 _cage_kernels - balls in pockets and the cage on its guiding lands, compiled
+_film_kernels - a ball on a race over the film of a traction table, compiled
 _kernels      - laws of the contacts, compiled: normal force, friction, motion of a point, films
 _race_kernels - balls on races, compiled: where and how they meet, friction, forces
 """

@@ -4,42 +4,8 @@ import numpy as np
 
 from ehl.compiled import compiled
 
-from .._state_kernels import (
-    accumulate,
-    ball_position,
-    ball_turn,
-    ball_velocity,
-    cross,
-    dot,
-    minus,
-    norm,
-    plus,
-    times,
-    vector,
-)
-from ..arrays import (
-    AXIS,
-    CAGE_BODY,
-    CAGE_LOAD,
-    CENTRE,
-    DRIVE_OUTER,
-    FORCE,
-    GUIDED_BY_INNER_RING,
-    INNER,
-    LAND_APPROACH,
-    LAND_FRICTION,
-    LAND_RATE,
-    MOMENT,
-    OUTER,
-    POCKET,
-    POCKET_APPROACH,
-    POCKET_DAMPING,
-    POCKET_FORCE,
-    POCKET_FRICTION,
-    POCKET_RATE,
-    RING_LOAD,
-    TURN,
-)
+from .._state_kernels import accumulate, ball_motion, cross, dot, minus, norm, plus, times
+from ..arrays import CAGE_LOAD, CONTACT, FORCE, GUIDED_BY_INNER_RING, INNER, MOMENT, POCKET, WORK
 from ..layout import CAGE_ROTATION, RING
 from ._kernels import (
     add_load,
@@ -55,13 +21,13 @@ from ._kernels import (
 @compiled
 def pocket_motion(c, body, angle, position, velocity, turn):
     """Where a ball meets its pocket: normal, point, slide vector and size, approach and rate."""
-    axis = vector(body, AXIS)
+    axis = body.axis
     e1, e2 = np.cos(angle), np.sin(angle)
     tilted = e1 * axis[1] + e2 * axis[2]
     outward = (-tilted * axis[0], e1 - tilted * axis[1], e2 - tilted * axis[2])
     outward = times(1.0 / norm(outward), outward)
     around = cross(axis, outward)
-    offset = minus(position, vector(body, CENTRE))
+    offset = minus(position, body.centre)
     across = dot(offset, around)
     axial = dot(offset, axis)
     radial = dot(offset, outward) - c.pocket_circle if c.pocket_circle > 0.0 else 0.0
@@ -85,21 +51,19 @@ def pocket_forces(c, body, law, memory, angles, y, forces, load, power, pocket_o
     """Forces of pockets on balls: contact with friction, shear of a film on the loaded side."""
     rotation = y[RING + CAGE_ROTATION]
     for j in range(c.balls):
-        position = vector(y, ball_position(j))
-        velocity = vector(y, ball_velocity(c.balls, j))
-        turn = vector(y, ball_turn(c.balls, j))
+        position, velocity, turn = ball_motion(y, c.balls, j)
         normal, point, slide, speed, rate, approach = pocket_motion(
             c, body, angles[j] + rotation, position, velocity, turn
         )
         push = normal_force(law, approach, rate, memory[POCKET * c.balls + j])
-        pocket_out[j, POCKET_FORCE] = push
-        pocket_out[j, POCKET_APPROACH] = approach
-        pocket_out[j, POCKET_RATE] = rate
+        pocket_out[j, CONTACT.load] = push
+        pocket_out[j, CONTACT.approach] = approach
+        pocket_out[j, CONTACT.approach_speed] = rate
         pull = c.pocket_shear * wall_shear(c.ball_radius, max(c.film_least, -approach))
         if speed > 0.0:
             pull += push * ramped(c.pocket_friction, speed, c.friction_ramp) / speed
-        power[POCKET_DAMPING] += (push - elastic_force(law, approach)) * rate
-        power[POCKET_FRICTION] += pull * speed * speed
+        power[WORK.pocket_damping] += (push - elastic_force(law, approach)) * rate
+        power[WORK.pocket_friction] += pull * speed * speed
         force = minus(times(-pull, slide), times(push, normal))
         add_load(load, body, point, times(-1.0, force))
         accumulate(forces[j], FORCE, force)
@@ -117,9 +81,10 @@ def land_contact(c, law, impact_speed, eccentricity, velocity, slide_about, out)
     uy, uz = (ey / e, ez / e) if e > 0.0 else (1.0, 0.0)
     approach = e - c.land_clearance
     rate = vy * uy + vz * uz
-    out[LAND_APPROACH] = approach
-    out[LAND_RATE] = rate
+    out[CONTACT.approach] = approach
+    out[CONTACT.approach_speed] = rate
     push = normal_force(law, approach, rate, impact_speed)
+    out[CONTACT.load] = push
     slide = slide_about + uy * vz - uz * vy
     grip = -push * ramped(c.land_friction, abs(slide), c.friction_ramp)
     grip = grip * (1.0 if slide >= 0.0 else -1.0)
@@ -127,23 +92,22 @@ def land_contact(c, law, impact_speed, eccentricity, velocity, slide_about, out)
 
 
 @compiled
-def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
+def cage_land(c, side, ring, cage, law, impact_speed, loads, power, land_out):
     """One land of the guiding ring and the cage: film, its friction, and the solid contact.
 
     The friction of the film is the journal's, the couple of its force the sleeve's; the journal is
     the ring inside the cage (-1) or the cage inside the ring (+1).
     """
     inside = c.guide == GUIDED_BY_INNER_RING
-    ring = bodies[INNER] if inside else bodies[OUTER]
-    cage = bodies[CAGE_BODY]
     journal = -1.0 if inside else 1.0
     # 1. eccentricity, its rate, and the speeds of the two surfaces
     offset = (2.0 * side - 1.0) * c.land_offset
-    on_cage = plus(vector(cage, CENTRE), times(offset, vector(cage, AXIS)))
-    on_ring = plus(vector(ring, CENTRE), times(offset, vector(ring, AXIS)))
+    on_cage = plus(cage.centre, times(offset, cage.axis))
+    on_ring = plus(ring.centre, times(offset, ring.axis))
     _, ey, ez = minus(on_cage, on_ring)
     _, vy, vz = minus(point_velocity(cage, on_cage), point_velocity(ring, on_ring))
-    cage_speed, ring_speed = cage[TURN], ring[TURN]
+    cage_speed = cage.turn[0]
+    ring_speed = ring.turn[0]
     speed_difference = cage_speed - ring_speed
     # 2. film
     fy, fz, factor = land_film(
@@ -166,10 +130,10 @@ def cage_land(c, side, bodies, law, impact_speed, loads, power, land_out):
     add_load(loads[CAGE_LOAD], cage, on_cage, (0.0, fy, fz))
     loads[CAGE_LOAD, MOMENT] += turning
     if inside:
-        add_load(loads[RING_LOAD], ring, on_ring, (0.0, -fy, -fz))
-        loads[RING_LOAD, MOMENT] += at_ring
+        add_load(loads[INNER], ring, on_ring, (0.0, -fy, -fz))
+        loads[INNER, MOMENT] += at_ring
     else:
-        power[DRIVE_OUTER] -= ring_speed * at_ring
-    power[LAND_FRICTION] -= (
+        power[WORK.drive_outer] -= ring_speed * at_ring
+    power[WORK.land_friction] -= (
         fy * vy + fz * vz + turning * cage_speed + at_ring * ring_speed + stored_power
     )

@@ -1,16 +1,15 @@
 """Laws of the contacts, compiled: normal force, friction, motion of a point, films.
 
-A body is a row of numbers: centre, axis, velocity, angular velocity (`arrays.CENTRE`, ...). Every
-pair gets opposite forces at one point, and the power lost there follows from the velocities of the
-two bodies at that point: the energies close.
+Every pair of bodies gets opposite forces at one point, and the power lost there follows from the
+velocities of the two bodies at that point: the energies close.
 """
 
 import numpy as np
 
 from ehl.compiled import compiled
 
-from .._state_kernels import accumulate, cross, minus, plus, vector
-from ..arrays import CENTRE, DAMPING, EXPONENT, FORCE, MOMENT, STIFFNESS, TURN, VELOCITY
+from .._state_kernels import accumulate, cross, minus, plus
+from ..arrays import DAMPING, EXPONENT, FORCE, MOMENT, STIFFNESS
 
 # of the lubrication asymptote of a sphere at a wall, see `wall_shear` [-]
 WALL_SHEAR_SLOPE = 8.0 / 15.0
@@ -59,15 +58,14 @@ def wall_shear(radius, film):
 @compiled
 def point_velocity(body, point):
     """Velocity of a point of a body."""
-    turned = cross(vector(body, TURN), minus(point, vector(body, CENTRE)))
-    return plus(vector(body, VELOCITY), turned)
+    return plus(body.velocity, cross(body.turn, minus(point, body.centre)))
 
 
 @compiled
 def add_load(load, body, point, force):
     """Add a force at a point to the force on a body and to the moment about its centre."""
     accumulate(load, FORCE, force)
-    accumulate(load, MOMENT, cross(minus(point, vector(body, CENTRE)), force))
+    accumulate(load, MOMENT, cross(minus(point, body.centre), force))
 
 
 @compiled

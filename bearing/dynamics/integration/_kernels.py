@@ -15,23 +15,17 @@ from .._kernels import derivative, energies
 from .._state_kernels import accumulators, ball_turn, plus, times, vector
 from ..arrays import (
     CAGE_LOAD,
+    CONTACT,
     EXPONENT,
     FILM,
-    FILMS,
+    INNER,
     LAND,
-    LAND_APPROACH,
-    LAND_RATE,
     LOAD_COLUMNS,
     POCKET,
-    POCKET_APPROACH,
-    POCKET_RATE,
-    RACE_APPROACH,
-    RACE_FILM,
-    RACE_RATE,
-    RING_LOAD,
     STEP_FILM,
     STEP_LOAD,
     STIFFNESS,
+    WORK,
 )
 from ..contact._kernels import elastic_force
 
@@ -129,10 +123,10 @@ def contact_state(c, law, approach, speed, age):
 
 
 @compiled
-def remember_onset(memory, onset, place, approach, rate, floor, t):
+def remember_onset(memory, onset, place, contact, floor, t):
     """Speed of approach and time of an open contact; those of a closed one stay as it began."""
-    if approach <= 0.0:
-        memory[place] = max(floor, rate)
+    if contact[CONTACT.approach] <= 0.0:
+        memory[place] = max(floor, contact[CONTACT.approach_speed])
         onset[place] = t
 
 
@@ -144,19 +138,17 @@ def after_step(p, t, h, onset, states, shares):
     for race in range(2):
         for j in range(c.balls):
             place = race * c.balls + j
-            approach = p.race_out[race, j, RACE_APPROACH]
-            rate = p.race_out[race, j, RACE_RATE]
+            contact = p.race_out[race, j]
             age = t - onset[place]
-            state = contact_state(c, p.normal[race], approach, memory[place], age)
+            speed = memory[place]
+            state = contact_state(c, p.normal[race], contact[CONTACT.approach], speed, age)
             states[race, j] = state
             shares[race, j, state] += h
-            remember_onset(memory, onset, place, approach, rate, c.floor, t)
+            remember_onset(memory, onset, place, contact, c.floor, t)
     for j in range(c.balls):
-        approach, rate = p.pocket_out[j, POCKET_APPROACH], p.pocket_out[j, POCKET_RATE]
-        remember_onset(memory, onset, POCKET * c.balls + j, approach, rate, c.floor, t)
+        remember_onset(memory, onset, POCKET * c.balls + j, p.pocket_out[j], c.floor, t)
     for side in range(2):
-        approach, rate = p.land_out[side, LAND_APPROACH], p.land_out[side, LAND_RATE]
-        remember_onset(memory, onset, LAND * c.balls + side, approach, rate, c.floor, t)
+        remember_onset(memory, onset, LAND * c.balls + side, p.land_out[side], c.floor, t)
 
 
 @compiled
@@ -165,8 +157,8 @@ def mark_films(p):
     for race in range(2):
         for j in range(p.constants.balls):
             out = p.race_out[race, j]
-            p.films[race, j, STEP_LOAD] = elastic_force(p.normal[race], out[RACE_APPROACH])
-            p.films[race, j, STEP_FILM] = out[RACE_FILM]
+            p.films[race, j, STEP_LOAD] = elastic_force(p.normal[race], out[CONTACT.approach])
+            p.films[race, j, STEP_FILM] = out[CONTACT.film]
 
 
 @compiled
@@ -174,12 +166,12 @@ def add_film_work(p, y):
     """After a step: energy taken up by separating films, -integral of Q dh_c, O(h^2)."""
     if p.friction_kind != FILM:
         return
-    place = accumulators(p.constants.balls) + FILMS
+    place = accumulators(p.constants.balls) + WORK.films
     for race in range(2):
         for j in range(p.constants.balls):
             out = p.race_out[race, j]
-            load = elastic_force(p.normal[race], out[RACE_APPROACH])
-            change = out[RACE_FILM] - p.films[race, j, STEP_FILM]
+            load = elastic_force(p.normal[race], out[CONTACT.approach])
+            change = out[CONTACT.film] - p.films[race, j, STEP_FILM]
             y[place] -= 0.5 * (load + p.films[race, j, STEP_LOAD]) * change
     mark_films(p)
 
@@ -275,11 +267,11 @@ def sample(y, p, history, record, row):
     record.races[row] = p.race_out
     for race in range(2):
         for j in range(p.constants.balls):
-            if p.race_out[race, j, RACE_APPROACH] <= 0.0:
-                record.races[row, race, j, RACE_FILM] = 0.0
+            if p.race_out[race, j, CONTACT.approach] <= 0.0:
+                record.races[row, race, j, CONTACT.film] = 0.0
     record.pockets[row] = p.pocket_out
     energies(y, p, record.energy[row])
-    record.loads[row, :LOAD_COLUMNS] = p.loads[RING_LOAD]
+    record.loads[row, :LOAD_COLUMNS] = p.loads[INNER]
     record.loads[row, LOAD_COLUMNS:] = p.loads[CAGE_LOAD]
     record.contact_state[row] = history.states
     record.attitude[row] = history.attitude

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from bearing.dynamics import _kernels
+from bearing.dynamics.arrays import CAGE_LOAD
 from bearing.dynamics.inputs import Guidance, LoadType
 from bearing.dynamics.simulation import simulation
 
@@ -30,7 +31,7 @@ def displaced(setup, guidance, by):
 @pytest.mark.parametrize("by", [0.3e-3, -2e-3])
 def test_balls_hold_a_cage_that_they_guide(setup, by):
     """Pockets along the radius would let it go: the balls can make way. Spherical ones push it back."""
-    push = displaced(setup, Guidance.BALLS, by).data.loads[1]
+    push = displaced(setup, Guidance.BALLS, by).data.loads[CAGE_LOAD]
     assert push[1] * np.sign(by) < -1.0
     assert abs(push[1]) > 10.0 * abs(push[2])
 

@@ -10,9 +10,8 @@ from numpy.testing import assert_allclose
 
 from bearing import Race
 from bearing.dynamics import _kernels
-from bearing.dynamics.films import _kernels as film_kernels
-from bearing.dynamics.films.laws import check_film, film
-from bearing.dynamics.friction import RaceFriction
+from bearing.dynamics.contact import _film_kernels as film_kernels
+from bearing.dynamics.friction import RaceFriction, check_film
 from bearing.dynamics.inputs import LoadType, NormalContact, NormalLaw, Schedule
 from bearing.dynamics.integration.methods import advance_implicit
 from bearing.dynamics.simulation import simulation
@@ -26,7 +25,7 @@ from ehl.traction.response import normal_response
 from ehl.traction.table.splines import spline_coefficients
 from ehl.traction.table.table import LOAD_POWER, TableContact, TableError, TableRange, TractionTable
 
-from ...reference.dynamics import accelerations, elastic_approach
+from ...reference.dynamics import accelerations, elastic_approach, film
 
 OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)
 LOADS, SPEEDS = (2.0, 800.0), (0.5, 20.0)

@@ -92,13 +92,14 @@ def test_a_law_that_is_not_compiled_is_refused(setup):
 
 
 def test_schedule_is_linear_between_its_rows():
-    rows = np.array([[0.0, 0, 0, 0, 0, 0, 0, 0], [0.1, 100, 10, 1, 2, 3, 4, 5], [0.3, 50, 10, 1, 2, 3, 4, 5.0]])
+    times = np.array([0.0, 0.1, 0.3])
+    rows = np.array([[0, 0, 0, 0, 0, 0, 0], [100, 10, 1, 2, 3, 4, 5], [50, 10, 1, 2, 3, 4, 5.0]])
     out = np.zeros(7)
-    assert _kernels.schedule_at(rows, 0.05, out) == pytest.approx(1000.0)
+    assert _kernels.schedule_at(times, rows, 0.05, out) == pytest.approx(1000.0)
     assert_allclose(out, [50.0, 5.0, 0.5, 1.0, 1.5, 2.0, 2.5])
-    assert _kernels.schedule_at(rows, 0.2, out) == pytest.approx(-250.0)
+    assert _kernels.schedule_at(times, rows, 0.2, out) == pytest.approx(-250.0)
     assert_allclose(out[0], 75.0)
-    assert _kernels.schedule_at(rows, 1.0, out) == 0.0
+    assert _kernels.schedule_at(times, rows, 1.0, out) == 0.0
     assert_allclose(out[0], 50.0)
 
 

@@ -11,19 +11,7 @@ from numpy.testing import assert_allclose
 from bearing import Race, solve_quasistatic
 from bearing.contacts.contacts import contact_conditions
 from bearing.contacts.motion import ball_speeds, motion_map
-from bearing.dynamics.arrays import (
-    ANGLE,
-    AXIS,
-    BODY_COLUMNS,
-    CENTRE,
-    ENTRAINMENT,
-    MOTION_COLUMNS,
-    ROLL,
-    SLIDE_X,
-    SLIDE_Y,
-    SPIN,
-    TURN,
-)
+from bearing.dynamics.arrays import Body
 from bearing.dynamics.assembly import constants
 from bearing.dynamics.contact._race_kernels import race_motion
 from ehl import Lubricant
@@ -33,7 +21,7 @@ DRAWS = 5
 
 
 def compiled_motion(bearing, c, contact, ring_speed, orbit, rotation):
-    """A row of `race_motion`: the ball on the pitch circle, the ring moved along its axis to give the angle."""
+    """`race_motion`: the ball on the pitch circle, the ring moved along its axis to give the angle."""
     radius = 0.5 * bearing.pitch_diameter
     inner = contact.race is Race.INNER
     centre, groove = (c.inner_centre, c.inner_groove) if inner else (c.outer_centre, c.outer_groove)
@@ -41,13 +29,11 @@ def compiled_motion(bearing, c, contact, ring_speed, orbit, rotation):
     axle = np.array([1.0, 0.0, 0.0])
     tangent = np.cross(axle, outward)
     turn = rotation[0] * axle + rotation[1] * outward + rotation[2] * tangent + orbit * axle
-    body, row = np.zeros(BODY_COLUMNS), np.zeros(MOTION_COLUMNS)
-    body[CENTRE] = (centre - radius) * np.tan(contact.contact_angle)
-    body[AXIS] = 1.0
-    body[TURN] = ring_speed
+    still = (0.0, 0.0, 0.0)
+    place = ((centre - radius) * np.tan(contact.contact_angle), 0.0, 0.0)
+    body = Body(centre=place, axis=(1.0, 0.0, 0.0), velocity=still, turn=(ring_speed, 0.0, 0.0))
     vectors = (tuple(vector) for vector in (radius * outward, orbit * radius * tangent, turn))
-    race_motion(c, body, centre, groove, *vectors, row)
-    return row
+    return race_motion(c, body, centre, groove, *vectors)
 
 
 @pytest.mark.parametrize("name", ["7008", "6208"])
@@ -76,6 +62,7 @@ def test_compiled_motion_is_that_of_the_map(setup, bearings, name):
             speed = 0.5 * (ball + race)[n, 0]
             size = np.array([speed, speed, *[np.linalg.norm(rotation[k])] * 2])
             expected = (ball - race)[n] / size
-            assert_allclose(row[ANGLE], contact.contact_angle, rtol=1e-10)
-            assert_allclose(row[ENTRAINMENT], speed, rtol=1e-10)
-            assert_allclose(row[[SLIDE_X, SLIDE_Y, SPIN, ROLL]] / size, expected, rtol=0.0, atol=1e-10)
+            assert_allclose(row.angle, contact.contact_angle, rtol=1e-10)
+            assert_allclose(row.entrainment, speed, rtol=1e-10)
+            motion = (row.slide_x, row.slide_y, row.spin, row.roll)
+            assert_allclose(motion / size, expected, rtol=0.0, atol=1e-10)

@@ -8,11 +8,10 @@ and the entrainment speed u.
 import numpy as np
 
 from ehl.compiled import compiled
-from ehl.traction._kernels import LOAD_POWER
+from ehl.traction._kernels import CENTRAL_FILM, LOAD_POWER
 
 from ..arrays import EXPONENT, STIFFNESS
 
-LOG_FILM = 3  # column of a table's scalars: logarithm of the central film
 NEWTON_STEPS = 40
 # last step of Newton's iteration over the approach; the error left is its square [-]
 STEP_TOLERANCE = 1.0e-9
@@ -50,7 +49,7 @@ def film_and_slope(axes, scalars, load, at_speed, share):
     logarithm = 0.0
     steep = 0.0
     for a in range(4):
-        c = scalars[i + a, j : j + 4, LOG_FILM]
+        c = scalars[i + a, j : j + 4, CENTRAL_FILM]
         mean = v[0] * c[0] + v[1] * c[1] + v[2] * c[2] + v[3] * c[3]
         logarithm += w[a] * mean
         steep += d[a] * mean
