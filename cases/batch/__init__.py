@@ -7,6 +7,7 @@
 | faults | faults of points placed in the sweep file |
 | plotted | numbers that a sweep file asks to be drawn |
 | sweep | a sweep file read, expanded and checked |
+| keys | names of points, tables and contacts: hashes of all they depend on |
 | contact_cache | solved contacts shared by points |
 | tables | traction tables shared by points |
 | compute | results of one point |

@@ -66,9 +66,7 @@ def factorial(file: SweepFile) -> tuple[Iterator[Variation], int, list[CaseFault
     for setting in settings:
         if not isinstance(setting.value, list) or not setting.value:
             found = f"found {shown(setting.value)}"
-            problems.append(
-                CaseFault(path=setting.where, found=found, allowed="allowed: a list of values")
-            )
+            problems.append(CaseFault(setting.where, found, "allowed: a list of values"))
     if problems or not settings:
         return iter(()), 0, problems
     choices = [[Setting(s.key, s.where, value) for value in s.value] for s in settings]
@@ -101,17 +99,13 @@ def hypercube(
     )
     problems = [
         CaseFault(
-            path=s.where,
-            found=f"found {shown(s.value)}",
-            allowed="allowed: [first, last], two numbers, first < last",
+            s.where, f"found {shown(s.value)}", "allowed: [first, last], two numbers, first < last"
         )
         for s in settings
         if not _is_range(s.value)
     ]
     if not settings:
-        problems.append(
-            CaseFault(path=where, found="no keys", allowed="needed: keys with their [first, last]")
-        )
+        problems.append(CaseFault(where, "no keys", "needed: keys with their [first, last]"))
     if problems:
         return [], problems
     rng = random.Random(options.seed)
@@ -173,13 +167,9 @@ def differences(
             notes.append(f"sensitivity: {key} left out, {reason}")
         else:
             allowed = "allowed: keys of the case with a number that is not 0"
-            problems.append(
-                CaseFault(path=where, found=f"{key} = {shown(value)}", allowed=allowed)
-            )
+            problems.append(CaseFault(where, f"{key} = {shown(value)}", allowed))
     if len(variations) == 1 and not problems:
-        problems.append(
-            CaseFault(path=where, found="no key to vary", allowed="needed: a list of keys")
-        )
+        problems.append(CaseFault(where, "no key to vary", "needed: a list of keys"))
     return variations, notes, problems
 
 
@@ -199,7 +189,7 @@ def hypercubes(
         except ValidationError as error:
             schema = HypercubeOptions.model_json_schema()
             faults += [
-                CaseFault(path=(*where, *p.path), found=p.found, allowed=p.allowed)
+                CaseFault((*where, *p.path), p.found, p.allowed)
                 for p in schema_faults(error.errors(include_url=False), schema)
             ]
         else:

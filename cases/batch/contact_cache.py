@@ -1,11 +1,9 @@
 """Solved contacts on disk, named after all they depend on: equal ones are solved once."""
 
-import hashlib
 import io
 import json
 from collections.abc import Callable
-from dataclasses import asdict, fields, is_dataclass
-from enum import Enum
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
 
@@ -20,35 +18,11 @@ from ehl import (
     solve_contact,
 )
 
-from ..version import version
+from .keys import content_key
 from .store import write_file
 
+NESTED = (ConvergenceRecord, FilmValue)  # dataclasses of a solution
 MOST_BYTES = 4_000_000_000  # the cache of a batch grows no further
-
-
-def content_key(*objects: Any) -> str:
-    """Hash of dataclasses and values to the last bit."""
-    return hashlib.sha256(repr([version(), *map(_plain, objects)]).encode()).hexdigest()[:32]
-
-
-def _plain(value: Any) -> Any:
-    """The content of a value such that equal text means equal content."""
-    if is_dataclass(value):
-        return [
-            type(value).__name__,
-            *((f.name, _plain(getattr(value, f.name))) for f in fields(value)),
-        ]
-    if isinstance(value, Enum):
-        return [type(value).__name__, value.name]
-    if isinstance(value, float):
-        return value.hex()
-    if isinstance(value, tuple | list):
-        return [_plain(item) for item in value]
-    if hasattr(value, "tobytes"):
-        return [str(value.dtype), value.shape, value.tobytes()]
-    if value is None or isinstance(value, str | int | bool):
-        return value
-    raise TypeError(f"no key for {type(value).__name__}")
 
 
 def cached_solver(folder: Path) -> Callable[[ContactConditions, SolverOptions], ContactSolution]:
@@ -74,19 +48,16 @@ def store(path: Path, solution: ContactSolution) -> None:
     arrays: dict[str, Any] = {}
     rest: dict[str, Any] = {}
     for item in fields(solution):
-        value = getattr(solution, item.name)
+        value: Any = getattr(solution, item.name)
         if isinstance(value, np.ndarray):
             arrays[item.name] = value
         elif item.name not in ("conditions", "options"):
-            rest[item.name] = (
-                asdict(value) if is_dataclass(value) and not isinstance(value, type) else value
-            )
+            rest[item.name] = asdict(value) if isinstance(value, NESTED) else value
     try:
         header = json.dumps(rest, default=lambda scalar: scalar.item())  # NumPy's own
     except (TypeError, AttributeError, ValueError):  # holds what a file of this kind cannot
         return
-    size = sum(file.stat().st_size for file in path.parent.glob("*.npz"))
-    if size > MOST_BYTES:
+    if sum(file.stat().st_size for file in path.parent.glob("*.npz")) > MOST_BYTES:
         return
     data = io.BytesIO()
     np.savez(data, header=np.frombuffer(header.encode(), dtype=np.uint8), **arrays)
@@ -100,15 +71,15 @@ def load(
     try:
         with np.load(path, allow_pickle=False) as file:
             arrays = {name: file[name] for name in file.files if name != "header"}
-            rest = json.loads(file["header"].tobytes())
+            rest = json.loads(file["header"].tobytes(), object_hook=_tuples)
         for name, value in rest.items():
-            if isinstance(value, dict):
-                kind: Any = ConvergenceRecord if name == "record" else FilmValue
-                rest[name] = kind(
-                    **{k: tuple(v) if isinstance(v, list) else v for k, v in value.items()}
-                )
-            elif isinstance(value, list):
-                rest[name] = tuple(value)
+            kind: Any = ConvergenceRecord if name == "record" else FilmValue
+            rest[name] = kind(**value) if isinstance(value, dict) else value
         return ContactSolution(conditions=conditions, options=options, **arrays, **rest)
     except (OSError, ValueError, KeyError, TypeError, EOFError):
         return None
+
+
+def _tuples(content: dict[str, Any]) -> dict[str, Any]:
+    """A dictionary whose lists are tuples, as solutions have them."""
+    return {k: tuple(v) if isinstance(v, list) else v for k, v in content.items()}

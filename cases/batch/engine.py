@@ -7,35 +7,32 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from time import perf_counter
-from typing import Any
 
-from .points import Receipt, Sweep, Task
+from ..runs.films import Progress
+from .keys import WITHOUT_CONTACTS
+from .points import Point, Receipt, Sweep, Task
 from .pools import Pool
-from .store import SWEEP_FILE, finished_keys, open_folder, write_file, write_point
+from .store import FAILED, LOST, SWEEP_FILE, finished_keys, open_folder, write_file, write_point
 from .tables import prepare_tables, table_path
-from .worker import FAILED, LOST, failure
+from .worker import failure
 
-Notify = Callable[[int, int, str], None]
 TICK = 1.0  # the time left is updated at least as often [s]
-# tables that leave the contacts as they are
-WITHOUT_EFFECT = ("surface", "slip", "friction", "cage", "dynamics")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Batch:
-    """What a batch did: points finished before, computed, failed, and the wall time [s]."""
+    """What a batch did: points finished before, and the wall time [s]."""
 
     sweep: Sweep
     directory: Path
     resumed: frozenset[str]
-    computed: frozenset[str]
     wall: float
 
 
 class ProgressEstimate:
     """Rate and time left, from the points computed so far."""
 
-    def __init__(self, total: int, notify: Notify) -> None:
+    def __init__(self, total: int, notify: Progress) -> None:
         self.total = total
         self.done = 0
         self.resumed = 0
@@ -71,25 +68,18 @@ def run_batch(
     pool: Callable[[], Pool],
     *,
     resume: bool = False,
-    progress: Notify | None = None,
+    progress: Progress | None = None,
 ) -> Batch:
-    """Compute every point of a sweep that is not finished yet.
+    """Compute every point of a sweep that is not finished yet, into the folder of the batch.
 
     Parameters
     ----------
-    directory : Path
-        Folder of the batch.
     pool : callable
         Starts the workers; called only if there is something to compute.
     resume : bool
         Whether finished points in `directory` are taken over.
     progress : callable, optional
         Called with the points done, the points in all, and a word on rate and time left.
-
-    Returns
-    -------
-    Batch
-        The results themselves are in `directory`.
 
     Raises
     ------
@@ -101,67 +91,51 @@ def run_batch(
     start = perf_counter()
     open_folder(directory, resume=resume)
     write_file(directory / SWEEP_FILE, sweep.text.encode("utf-8"))
-    documents = {point.key: point.document for point in sweep.points}
-    finished = finished_keys(directory, documents)
-    pace = ProgressEstimate(len(documents), progress or (lambda done, total, state: None))
+    points = {point.key: point for point in sweep.points}
+    finished = finished_keys(directory, points)
+    pace = ProgressEstimate(len(points), progress or (lambda done, total, state: None))
     pace.resumed = len(finished)
     pace.tell()
-    waiting = [key for key in documents if key not in finished]
-    tables = _tables(sweep, waiting, directory, pace)
-    if waiting and any(key not in tables.failed for key in waiting):
+    waiting = [points[key] for key in points if key not in finished]
+    failed = _without_tables(sweep, waiting, directory, pace)
+    waiting = [point for point in waiting if point.key not in failed]
+    if waiting:
         with _closing(pool()) as workers:
-            share = any(key.partition(".")[0] in WITHOUT_EFFECT for key in sweep.keys)
             folder = str(directory.resolve()) if workers.shares_folder else None
-            common: dict[str, Any] = {
-                "compute": sweep.compute,
-                "fields": sweep.fields,
-                "share": share,
-                "folder": folder,
-            }
-            common["table_points"] = sweep.table_points
-            tasks = (
-                Task(key=k, document=documents[k], tables=tables.files.get(k), **common)
-                for k in waiting
-                if k not in tables.failed
-            )
+            tasks = (_task(sweep, point, directory, folder) for point in waiting)
             _execute(tasks, workers, directory, pace)
     return Batch(
-        sweep=sweep,
-        directory=directory,
-        resumed=frozenset(finished),
-        computed=frozenset(waiting),
-        wall=perf_counter() - start,
+        sweep=sweep, directory=directory, resumed=frozenset(finished), wall=perf_counter() - start
     )
 
 
-@dataclass(frozen=True, slots=True)
-class _PointTables:
-    """Files of traction tables by point, and points recorded as failed for want of tables."""
+def _task(sweep: Sweep, point: Point, directory: Path, folder: str | None) -> Task:
+    path = None if point.tables is None else table_path(directory, point.tables)
+    return Task(
+        key=point.key,
+        document=point.document,
+        compute=sweep.compute,
+        fields=sweep.fields,
+        share=any(key.partition(".")[0] in WITHOUT_CONTACTS for key in sweep.keys),
+        folder=folder,
+        tables=None if path is None else str(path.resolve()),
+        table_points=sweep.table_points,
+    )
 
-    files: dict[str, str]
-    failed: frozenset[str]
 
-
-def _tables(
-    sweep: Sweep, waiting: list[str], directory: Path, pace: ProgressEstimate
-) -> _PointTables:
-    """Build the traction tables that points need; points without them are recorded."""
-    unfinished = set(waiting)
-    names = {point.key: point.tables for point in sweep.points if point.tables is not None}
-    if not any(key in names for key in waiting):
-        return _PointTables({}, frozenset())
-    problems = prepare_tables(sweep, unfinished, directory, pace.notify)
-    failed = {
-        key: problems[name]
-        for key, name in names.items()
-        if key in unfinished and name in problems
-    }
+def _without_tables(
+    sweep: Sweep, waiting: list[Point], directory: Path, pace: ProgressEstimate
+) -> set[str]:
+    """Build the traction tables that points need; points for want of them are recorded."""
+    if all(point.tables is None for point in waiting):
+        return set()
+    problems = prepare_tables(sweep, {point.key for point in waiting}, directory, pace.notify)
+    failed = {point.key: problems[point.tables] for point in waiting if point.tables in problems}
     for key, message in failed.items():
-        write_point(directory, key, failure(key, FAILED, message))
+        write_point(directory, key, failure(key, FAILED, message).files)
         pace.done += 1
-    files = {key: str(table_path(directory, name).resolve()) for key, name in names.items()}
     pace.start = perf_counter()  # the rate is that of the points
-    return _PointTables(files, frozenset(failed))
+    return set(failed)
 
 
 @contextmanager
@@ -225,9 +199,7 @@ def _keep(
         elif isinstance(error, OSError | CancelledError | MemoryError):
             raise
         else:
-            receipt = Receipt(
-                key=task.key, status=FAILED, files=failure(task.key, FAILED, _words(error))
-            )
+            receipt = failure(task.key, FAILED, _words(error))
     if receipt.files:
         write_point(directory, task.key, receipt.files)
     pace.done += 1
@@ -246,11 +218,8 @@ def _alone(task: Task, pool: Pool, directory: Path, pace: ProgressEstimate) -> N
 
 def _given_up(task: Task, message: str) -> Receipt:
     advice = "killed from outside, or out of memory; fewer points of the mesh, or fewer workers"
-    return Receipt(
-        key=task.key, status=LOST, files=failure(task.key, LOST, f"{message} ({advice})")
-    )
+    return failure(task.key, LOST, f"{message} ({advice})")
 
 
 def _words(error: BaseException) -> str:
-    text: Any = " ".join(str(error).split())[:300]
-    return f"{type(error).__name__}: {text}"
+    return f"{type(error).__name__}: {' '.join(str(error).split())[:300]}"

@@ -34,9 +34,7 @@ def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Itera
             if given:
                 found = f"the case itself gives {given[0]}, which overrides the library's"
                 yield CaseFault(
-                    path=setting.where,
-                    found=found,
-                    allowed=f"allowed with a case that names a {table} only",
+                    setting.where, found, f"allowed with a case that names a {table} only"
                 )
 
 
@@ -54,16 +52,12 @@ def located_faults(
                 if same or not problem.path
                 else f"{'.'.join(map(str, problem.path))}: {problem.found}"
             )
-            yield CaseFault(
-                path=setting.where, found=found, allowed=problem.allowed, nearest=problem.nearest
-            )
+            yield CaseFault(setting.where, found, problem.allowed, nearest=problem.nearest)
         else:
             values = ", ".join(f"{s.key} = {shown(s.value)}" for s in variation.settings)
             place = f"{'.'.join(map(str, problem.path))}: " if problem.path else ""
             found = f"point {number} ({values}): {place}{problem.found}"
-            yield CaseFault(
-                path=("case",), found=found, allowed=problem.allowed, nearest=problem.nearest
-            )
+            yield CaseFault(("case",), found, problem.allowed, nearest=problem.nearest)
 
 
 def _meets(path: Path, problem: Path) -> bool:

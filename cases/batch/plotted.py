@@ -27,13 +27,9 @@ def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseFault]:
             nearest = next(
                 (whole for whole in known if whole.endswith(f".{name}")), nearest_name(name, known)
             )
-            yield CaseFault(
-                path=("plot", k), found=f"found {shown(name)}", allowed=allowed, nearest=nearest
-            )
+            yield CaseFault(("plot", k), f"found {shown(name)}", allowed, nearest=nearest)
         elif name in names[:k]:
-            yield CaseFault(
-                path=("plot", k), found=f"found {shown(name)} twice", allowed="allowed: once"
-            )
+            yield CaseFault(("plot", k), f"found {shown(name)} twice", "allowed: once")
     units = [unit_of(name) for name in names]
     if 1 < len(set(units)) and (len(set(units)) < len(units) or len(units) > MOST_PANELS):
         found = (
@@ -41,4 +37,4 @@ def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseFault]:
             f"{', '.join(unit or 'no unit' for unit in dict.fromkeys(units))}"
         )
         allowed = f"allowed: all in one unit, or up to {MOST_PANELS} in one unit each"
-        yield CaseFault(path=("plot",), found=found, allowed=allowed)
+        yield CaseFault(("plot",), found, allowed)

@@ -27,7 +27,6 @@ class Point:
 class Sweep:
     """A sweep ready to run: text of the file, name of the case, file of tables, points."""
 
-    name: str
     text: str
     title: str
     case: str
@@ -36,7 +35,7 @@ class Sweep:
     keys: tuple[str, ...]
     points: tuple[Point, ...]
     messages: tuple[str, ...] = ()
-    assumed: tuple[str, ...] = field(default=())
+    assumed: tuple[str, ...] = ()
     table: FilePath | None = None
     table_points: int = 257
     plot: tuple[str, ...] = ()
@@ -57,12 +56,9 @@ class Task:
     program: str = field(default_factory=version)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Receipt:
-    """Answer of a worker: status, wall time [s], and files where it did not write them."""
+    """Answer of a worker: status, and files where it did not write them."""
 
-    key: str
     status: str
-    message: str = ""
-    wall: float = 0.0
     files: dict[str, bytes] = field(default_factory=dict)

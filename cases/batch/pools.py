@@ -7,11 +7,12 @@ from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 from multiprocessing import active_children, connection, get_context, parent_process
 from pathlib import Path
-from typing import Any, Protocol
+from typing import Any
 
 from ..format.problems import CaseError
 from .points import Receipt, Task
-from .worker import DONE, compute_point
+from .store import DONE
+from .worker import compute_point
 
 THREADS = (
     "OMP_NUM_THREADS",
@@ -23,32 +24,6 @@ THREADS = (
 AHEAD = 2  # points in the hands of each worker, so that none waits for the next one
 PATIENCE = 10.0  # for a scheduler to answer [s]
 PORT = 8786  # of a Dask scheduler, its default
-
-
-class Pool(Protocol):
-    """What the engine needs of a place to compute."""
-
-    shares_folder: bool  # whether workers write into the folder of the batch themselves
-
-    def capacity(self) -> int:
-        """Points to hand out at a time [-]."""
-        ...
-
-    def submit(self, task: Task) -> Future[Receipt]:
-        """Hand out a point."""
-        ...
-
-    def lost(self, error: BaseException) -> bool:
-        """Whether this error means that a worker is gone."""
-        ...
-
-    def rebuild(self) -> bool:
-        """Replace lost workers; whether the points they had are to be handed out again."""
-        ...
-
-    def close(self, *, at_once: bool) -> None:
-        """End the workers."""
-        ...
 
 
 def prepare_worker() -> None:
@@ -68,15 +43,11 @@ def _end_with(sentinel: Any) -> None:
 class LocalPool:
     """Processes of this machine.
 
-    Parameters
-    ----------
-    workers : int
-    compiled : Path, optional
-        File that stands once the kernels are compiled; as long as it does not, points are handed
-        out one at a time, so that not every worker compiles the same.
+    As long as the file `compiled` does not stand, points are handed out one at a time, so that
+    not every worker compiles the same kernels.
     """
 
-    shares_folder = True
+    shares_folder = True  # workers write into the folder of the batch themselves
 
     def __init__(self, workers: int, compiled: Path | None = None) -> None:
         self.workers, self._compiled = workers, compiled
@@ -115,11 +86,10 @@ class LocalPool:
         """Whether this error means that a worker is gone."""
         return isinstance(error, BrokenProcessPool)
 
-    def rebuild(self) -> bool:
+    def rebuild(self) -> None:
         """A new pool in place of the broken one, which lost every point it held."""
         self._executor.shutdown(wait=True, cancel_futures=True)
         self._executor = self._start()
-        return True
 
     def close(self, *, at_once: bool) -> None:
         """End the workers, at once or when they have finished."""
@@ -138,8 +108,9 @@ class ClusterPool:
         try:
             from distributed import Client
         except ImportError:
-            message = "--scheduler: needs the package distributed: pip install 'oilfilm[cluster]'"
-            raise CaseError([message]) from None
+            raise CaseError(
+                "--scheduler: needs the package distributed: pip install 'oilfilm[cluster]'"
+            ) from None
         try:
             self._client = Client(
                 scheduler_address(address), timeout=PATIENCE, set_as_default=False
@@ -147,7 +118,7 @@ class ClusterPool:
         except (OSError, TimeoutError, ValueError) as error:
             text = " ".join(str(error).split())[:200]
             raise CaseError(
-                [f"--scheduler {address}: no Dask scheduler answers there: {text}"]
+                f"--scheduler {address}: no Dask scheduler answers there: {text}"
             ) from None
         self._executor: Executor = self._client.get_executor(pure=False)
         self._tables: dict[str, Any] = {}
@@ -169,9 +140,8 @@ class ClusterPool:
         """Whether this error means that a worker is gone; Dask has then tried others already."""
         return type(error).__name__ == "KilledWorker"
 
-    def rebuild(self) -> bool:
+    def rebuild(self) -> None:
         """Nothing to do: the scheduler replaces workers, and retries points, by itself."""
-        return False
 
     def close(self, *, at_once: bool) -> None:
         """Leave the cluster, which goes on by itself."""
@@ -187,3 +157,6 @@ def scheduler_address(address: str) -> str:
     if "://" in address or ":" in address:
         return address
     return f"tcp://{address}:{PORT}"
+
+
+Pool = LocalPool | ClusterPool

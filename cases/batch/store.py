@@ -24,28 +24,25 @@ POINTS = "points"
 CONTACTS = "contacts"
 TABLES = "tables"
 SWEEP_FILE = "sweep.toml"
+DONE = "done"
+FAILED = "failed"
+LOST = "lost"
 
 
 def open_folder(directory: Path, *, resume: bool) -> None:
     """Make the folder of a batch, or open that of an earlier one.
 
-    Raises
-    ------
-    CaseError
-        If it holds something else, or finished points and `resume` is not wanted, or cannot be
-        written.
+    `CaseError` if it holds something else, or finished points and `resume` is not wanted, or
+    cannot be written.
     """
     check_output(directory)
     if directory.exists() and any(directory.iterdir()) and not (directory / SWEEP_FILE).exists():
         raise CaseError(
-            [
-                f"{directory}: holds other files; allowed with -o: a new directory, or "
-                "that of a batch"
-            ]
+            f"{directory}: holds other files; allowed with -o: a new directory, or that of a batch"
         )
     if not resume and any((directory / POINTS).glob("*.json")):
         allowed = "allowed: --resume to go on, or another -o"
-        raise CaseError([f"{directory}: holds finished points of an earlier batch; {allowed}"])
+        raise CaseError(f"{directory}: holds finished points of an earlier batch; {allowed}")
     (directory / POINTS).mkdir(parents=True, exist_ok=True)
     # of a process that was killed while it wrote
     for left in (directory / POINTS).glob(".*.part"):
@@ -79,17 +76,11 @@ def read_point(directory: Path, key: str) -> dict[str, Any] | None:
         record = json.loads((directory / POINTS / f"{key}.json").read_text(encoding="utf-8"))
     except (OSError, ValueError, RecursionError):
         return None
-    return (
-        record
-        if isinstance(record, dict) and record.get("key") == key and "status" in record
-        else None
-    )
+    whole = isinstance(record, dict) and record.get("key") == key and "status" in record
+    return record if whole else None
 
 
 def finished_keys(directory: Path, keys: Iterable[str]) -> set[str]:
     """Those of `keys` that have been computed; points that failed are to be tried again."""
-    return {
-        key
-        for key in keys
-        if (record := read_point(directory, key)) and record["status"] == "done"
-    }
+    records = {key: read_point(directory, key) for key in keys}
+    return {key for key, record in records.items() if record and record["status"] == DONE}

@@ -1,19 +1,17 @@
 """A sweep file: read, expanded into points, each checked as a case before anything runs."""
 
-import hashlib
-import json
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path as FilePath
 from typing import Any
 
 from pydantic import ValidationError
 
-from ..format.case import Case, ContactCase, case_of_file
-from ..format.document import check_document, parse, read_text
-from ..format.problems import CaseError, CaseFault, schema_faults
+from ..format.case import Case, ContactCase, case_of_document
+from ..format.document import parse, read_text
+from ..format.problems import CaseError, CaseFault, faults_error, schema_faults
 from ..format.shipped import find_case, find_sweep
-from ..format.sweep import SweepFile
-from ..format.toml_lines import Path, key_lines
+from ..format.sweep import SensitivityTable, SweepFile
 from ..version import version
 from .blocks import (
     MOST_POINTS,
@@ -27,35 +25,38 @@ from .blocks import (
     listed,
 )
 from .faults import located_faults, overridden_names
+from .keys import BESIDE_TRACTION_TABLES, DESCRIBING, digest, document_text
 from .plotted import plot_problems
 from .points import Point, Sweep
 from .tables import (
     bodies_and_oil,
-    file_hash,
     foreign_points,
     needs_tables,
     with_equilibrium,
-    with_tables,
+    with_table_names,
 )
 
 FORMAT = 1  # of what a point leaves on disk
-UNIMPORTANT = ("title", "source", "assumed")  # for what is computed
-# likewise, for traction tables
-TABLES_IGNORE = ("surface", "slip", "friction", "cage", "dynamics", "ehl")
+MOST_FAULTS = 1000  # from which on no further point is checked
+
+
+@dataclass(frozen=True, slots=True)
+class _Source:
+    """Text and name of a sweep file, the folder where its files are sought first."""
+
+    text: str
+    name: str
+    folder: FilePath
+
+    def error(self, faults: Iterable[CaseFault]) -> CaseError:
+        """The faults with their lines."""
+        return faults_error(faults, self.name, self.text)
 
 
 def read_sweep(name_or_path: str | FilePath) -> Sweep:
-    """Read a sweep file and check each of its points as a case.
+    """Read a sweep file, or a shipped one by its name, and check each of its points as a case.
 
-    Parameters
-    ----------
-    name_or_path : str or Path
-        A sweep file, or the name (stem) of a shipped one.
-
-    Raises
-    ------
-    CaseError
-        With one line for every error.
+    `CaseError` with one line for every error.
     """
     path = find_sweep(name_or_path)
     return sweep_from_text(read_text(path), str(path), path.parent)
@@ -63,35 +64,31 @@ def read_sweep(name_or_path: str | FilePath) -> Sweep:
 
 def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Sweep:
     """The sweep that the text of a file describes; its case is sought in `folder` first."""
-    document = parse(text, name)
-    lines = key_lines(text)
+    source = _Source(text, name, folder or FilePath())
     try:
-        file = SweepFile.model_validate(document)
+        file = SweepFile.model_validate(parse(text, name))
     except ValidationError as error:
-        raise _error(
-            name, lines, schema_faults(error.errors(include_url=False), _schema())
-        ) from None
-    case_file = _case_file(file.case, folder, name, lines)
+        schema = SweepFile.model_json_schema()
+        raise source.error(schema_faults(error.errors(include_url=False), schema)) from None
+    case_file = _case_file(file.case, source)
     fixed = Variation("fixed", tuple(block_settings(file.fixed, ("fixed",))))
     base = with_values(parse(read_text(case_file), str(case_file)), fixed)
     variations, notes, problems = _variations(file, base)
     problems += plot_problems(file.plot, "contact" if "contact" in base else file.compute)
     if problems:
-        raise _error(name, lines, problems)
-    keys = tuple(
-        dict.fromkeys(setting.key for variation in variations for setting in variation.settings)
-    )
-    points, common, examples = _points(file, base, variations, fixed, keys, (name, lines))
-    points, table = _with_tables(file, folder, (points, common, examples), (name, lines))
+        raise source.error(problems)
+    keys = tuple(dict.fromkeys(s.key for variation in variations for s in variation.settings))
+    points, examples = _points(file, base, variations, fixed, keys, source)
+    table = _table_file(file, points, examples, source)
+    given = None if table is None else digest(table.read_bytes())
     return Sweep(
-        name=name,
         text=text,
         title=file.title or _title(str(base.get("title") or file.case), keys),
         case=file.case,
         compute=file.compute,
         fields=file.fields,
         keys=keys,
-        points=points,
+        points=with_table_names(points, given, file.table_points),
         messages=tuple(notes),
         assumed=tuple(key for key in base.get("assumed", ()) if isinstance(key, str)),
         table=table,
@@ -100,58 +97,38 @@ def sweep_from_text(text: str, name: str, folder: FilePath | None = None) -> Swe
     )
 
 
-def _with_tables(
-    file: SweepFile,
-    folder: FilePath | None,
-    checked: tuple[tuple[Point, ...], dict[int, str], dict[str, Case]],
-    place: tuple[str, dict[Path, int]],
-) -> tuple[tuple[Point, ...], FilePath | None]:
-    """The points with the names of their traction tables, and the file that the sweep names."""
-    points, common, examples = checked
-    table = _table_file(file, folder, bool(common), place)
-    if table is not None:
-        wrong = foreign_points(table, common, examples)
-        if wrong:
-            raise _error(*place, [_foreign(reason, numbers) for reason, numbers in wrong.items()])
-    digest = None if table is None else file_hash(table)
-    return with_tables(points, common, digest, file.table_points), table
-
-
 def _table_file(
-    file: SweepFile, folder: FilePath | None, needed: bool, place: tuple[str, dict[Path, int]]
+    file: SweepFile, points: list[Point], examples: dict[str, Case], source: _Source
 ) -> FilePath | None:
-    """The traction tables that the sweep file names, if its points need any."""
+    """The traction tables that the sweep file names, which must be those of its points."""
     if file.table is None:
         return None
-    reason = None
-    if not needed:
-        reason = "no point needs traction tables"
-        allowed = (
-            'allowed: with compute = "torque" and no law in friction.traction, or '
-            'dynamics.friction = "table"'
-        )
-    path = (folder or FilePath()) / file.table
+    path = source.folder / file.table
     try:
-        if reason is None and not path.is_file():
-            reason = f"{file.table}: there is no such file"
-            allowed = "allowed: a file that `oilfilm table` wrote"
+        unreadable = None if path.is_file() else f"{file.table}: there is no such file"
     except (OSError, ValueError) as error:
-        reason = f"{file.table!r}: {error}"
+        unreadable = f"{file.table!r}: {error}"
+    if not examples:
+        law = 'no law in friction.traction, or dynamics.friction = "table"'
+        allowed = f'allowed: with compute = "torque" and {law}'
+        faults = [CaseFault(("table",), "no point needs traction tables", allowed)]
+    elif unreadable is not None:
         allowed = "allowed: a file that `oilfilm table` wrote"
-    if reason is not None:
-        raise _error(*place, [CaseFault(path=("table",), found=reason, allowed=allowed)])
+        faults = [CaseFault(("table",), unreadable, allowed)]
+    else:
+        faults = [_foreign(*wrong) for wrong in foreign_points(path, points, examples).items()]
+    if faults:
+        raise source.error(faults)
     return path
 
 
-def _foreign(reason: str, numbers: Sequence[int]) -> CaseFault:
+def _foreign(reason: str, numbers: list[int]) -> CaseFault:
     """Tables of other bodies or another oil than some points have."""
     others = f" and {len(numbers) - 1} others" if len(numbers) > 1 else ""
     allowed = (
         "allowed: tables that `oilfilm table` made of the same bearing and oil, or table left out"
     )
-    return CaseFault(
-        path=("table",), found=f"{reason}: point {numbers[0]}{others}", allowed=allowed
-    )
+    return CaseFault(("table",), f"{reason}: point {numbers[0]}{others}", allowed)
 
 
 def _title(case: str, keys: tuple[str, ...]) -> str:
@@ -160,25 +137,13 @@ def _title(case: str, keys: tuple[str, ...]) -> str:
     return f"{case}; varied: {', '.join(names[:4])}{' ...' if len(names) > 4 else ''}"
 
 
-def _schema() -> dict[str, Any]:
-    return SweepFile.model_json_schema()
-
-
-def _error(name: str, lines: dict[Path, int], problems: Iterable[CaseFault]) -> CaseError:
-    ordered = sorted(problems, key=lambda problem: problem.line_in(lines))
-    return CaseError(dict.fromkeys(problem.text(name, lines) for problem in ordered))
-
-
-def _case_file(case: str, folder: FilePath | None, name: str, lines: dict[Path, int]) -> FilePath:
+def _case_file(case: str, source: _Source) -> FilePath:
     """The case beside the sweep file if there is one, else as every command finds it."""
-    beside = None if folder is None else folder / case
     try:
-        if beside is not None and beside.is_file():
-            return beside
-        return find_case(case)
+        beside = source.folder / case
+        return beside if beside.is_file() else find_case(case)
     except (CaseError, OSError, ValueError) as error:
-        problem = CaseFault(path=("case",), found=str(error).partition("\n")[0])
-        raise _error(name, lines, [problem]) from None
+        raise source.error([CaseFault(("case",), str(error).partition("\n")[0])]) from None
 
 
 def _variations(
@@ -191,11 +156,8 @@ def _variations(
     problems += faults
     count += sum(options.samples for _, options, _ in cubes) + len(file.combinations)
     if count > MOST_POINTS:
-        problems.append(
-            CaseFault(
-                path=(), line=1, found=f"{count} points", allowed=f"allowed: at most {MOST_POINTS}"
-            )
-        )
+        allowed = f"allowed: at most {MOST_POINTS}"
+        problems.append(CaseFault((), f"{count} points", allowed, line=1))
     if problems:
         return [], [], problems
     variations: list[Variation] = [*combinations, *listed(file)]
@@ -204,35 +166,30 @@ def _variations(
         variations += sampled
         problems += faults
     if file.sensitivity is not None:
-        changed, notes, faults = _sensitivity(file, base)
+        changed, notes, faults = _sensitivity(file.sensitivity, base)
         variations += changed
         problems += faults
     if not variations and not problems:
         allowed = "needed: [sweep], [[combinations]], [latin_hypercube] or [sensitivity] with keys"
-        problems.append(CaseFault(path=(), line=1, found="no points", allowed=allowed))
+        problems.append(CaseFault((), "no points", allowed, line=1))
     return variations, notes, problems
 
 
 def _sensitivity(
-    file: SweepFile, base: dict[str, Any]
+    table: SensitivityTable, base: dict[str, Any]
 ) -> tuple[list[Variation], list[str], list[CaseFault]]:
-    assert file.sensitivity is not None  # checked before
-    case, problems = _checked(base, "case")
-    if case is None:
-        return (
-            [],
-            [],
-            [
-                CaseFault(
-                    path=("sensitivity",),
-                    found="the case itself cannot be run",
-                    allowed=problems[0].found,
-                )
-            ],
-        )
-    names = file.sensitivity.keys
-    keys = case.assumed if names == "assumed" else tuple(names)
-    return differences(file.sensitivity, keys, {key: _value(case.document, key) for key in keys})
+    try:
+        case = case_of_document(base)
+    except CaseError as error:
+        found = "the case itself cannot be run"
+        return [], [], [CaseFault(("sensitivity",), found, _faults(error)[0].found)]
+    keys = case.assumed if table.keys == "assumed" else tuple(table.keys)
+    return differences(table, keys, {key: _value(case.document, key) for key in keys})
+
+
+def _faults(error: CaseError) -> list[CaseFault]:
+    """Faults of a case; of a bound of the physics only its message is known."""
+    return [*error.problems] or [CaseFault((), message, line=1) for message in error.messages]
 
 
 def _value(document: dict[str, Any], key: str) -> Any:
@@ -240,21 +197,6 @@ def _value(document: dict[str, Any], key: str) -> Any:
     for part in case_path(key):
         node = node.get(part) if isinstance(node, dict) else None
     return node
-
-
-def _checked(
-    document: dict[str, Any], name: str
-) -> tuple[Case | ContactCase | None, list[CaseFault]]:
-    """A document as a case, or what is wrong with it."""
-    file, problems = check_document(document)
-    if file is None or problems:
-        return None, problems
-    try:
-        return case_of_file(file, name), []
-    except CaseError as error:
-        return None, [*error.problems] or [
-            CaseFault(path=(), line=1, found=message) for message in error.messages
-        ]
 
 
 def with_values(base: dict[str, Any], variation: Variation) -> dict[str, Any]:
@@ -279,74 +221,69 @@ def _points(
     variations: list[Variation],
     fixed: Variation,
     keys: tuple[str, ...],
-    place: tuple[str, dict[Path, int]],
-) -> tuple[tuple[Point, ...], dict[int, str], dict[str, Case]]:
-    """Every variation as a checked point, by their numbers what those that need tables must have
-    in common, and a case of each kind of these.
+    source: _Source,
+) -> tuple[list[Point], dict[str, Case]]:
+    """Every variation as a checked point, with what those that share traction tables must have in
+    common in place of the name of these, and a case for each of that.
 
     `CaseError` with the problems of all of them, each reported once.
     """
-    points = []
-    common = dict[int, str]()
+    points: list[Point] = []
     problems = list(overridden_names(base, variations))
     examples: dict[str, Case] = {}
     for number, variation in enumerate(variations, 1):
         document = with_values(base, variation)
         if file.compute == "torque":
             document = with_equilibrium(document)
-        case, faults = _checked(document, f"point {number}")
-        if case is None:
-            problems += located_faults(faults, variation, fixed, number)
-        elif not problems:
-            points.append(
-                Point(
-                    number=number,
-                    block=variation.block,
-                    values={key: _value(case.document, key) for key in keys},
-                    document=document,
-                    resolved=case.document,
-                    key=point_key(case.document, file),
-                )
+        try:
+            case = case_of_document(document, f"point {number}")
+        except CaseError as error:
+            problems += located_faults(_faults(error), variation, fixed, number)
+            if len(problems) > MOST_FAULTS:
+                break
+            continue
+        if problems:
+            continue
+        common = None
+        if isinstance(case, Case) and needs_tables(case, file.compute):
+            common = bodies_and_oil(case)
+            examples.setdefault(common, case)
+        points.append(
+            Point(
+                number=number,
+                block=variation.block,
+                values={key: _value(case.document, key) for key in keys},
+                document=document,
+                resolved=case.document,
+                key=point_key(case.document, file),
+                tables=common,
             )
-            problems += _kind(file, case, number)
-            if isinstance(case, Case) and needs_tables(case, file.compute):
-                common[number] = bodies_and_oil(case)
-                examples.setdefault(common[number], case)
-        if len(problems) > 1000:
-            break
+        )
+        problems += _kind(file, case, number)
     if problems:
-        raise _error(*place, problems)
-    return tuple(points), common, examples
+        raise source.error(problems)
+    return points, examples
 
 
 def _kind(file: SweepFile, case: Case | ContactCase, number: int) -> Iterator[CaseFault]:
     """Whether what is to be computed can be computed of this case."""
     wrong = None
-    if file.compute != "run" and not isinstance(case, Case):
-        wrong = "the case is a single contact"
-    elif isinstance(case, Case) and file.compute in ("slip", "dynamics"):
-        wrong = (
-            None
-            if getattr(case.file, file.compute) is not None
-            else f"the case has no table [{file.compute}]"
-        )
-    elif (
-        isinstance(case, Case) and file.compute in ("torque", "table") and len(case.rows or ()) > 1
-    ):
+    if not isinstance(case, Case):
+        wrong = "the case is a single contact" if file.compute != "run" else None
+    elif file.compute in ("slip", "dynamics") and getattr(case.file, file.compute) is None:
+        wrong = f"the case has no table [{file.compute}]"
+    elif file.compute in ("torque", "table") and len(case.rows or ()) > 1:
         wrong = "the case has several rows of balls"
     if wrong is not None:
-        yield CaseFault(
-            path=("compute",), found=f"point {number}: {wrong}", allowed='allowed: "run"'
-        )
+        yield CaseFault(("compute",), f"point {number}: {wrong}", 'allowed: "run"')
 
 
 def point_key(resolved: dict[str, Any], file: SweepFile) -> str:
     """Name of a point: a hash of all its results depend on, the program's version included."""
-    unimportant = (*UNIMPORTANT, *TABLES_IGNORE) if file.compute == "table" else UNIMPORTANT
-    content = {key: value for key, value in resolved.items() if key not in unimportant}
+    without = BESIDE_TRACTION_TABLES if file.compute == "table" else DESCRIBING
+    content = {key: value for key, value in resolved.items() if key not in without}
     whole: dict[str, Any] = {"case": content, "compute": file.compute, "fields": file.fields}
     whole |= {"oilfilm": version(), "format": FORMAT}
     if file.compute == "table":
         whole["table_points"] = file.table_points
-    text = json.dumps(whole, sort_keys=True, ensure_ascii=False, default=str)
-    return hashlib.sha256(text.encode()).hexdigest()[:20]
+    return digest(document_text(whole))

@@ -4,20 +4,23 @@ before the points.
 tables/NAME.zip     both races; NAME is a hash of the inputs of all points that share them
 """
 
-import hashlib
-import json
 import os
 import shutil
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
 
-from bearing.friction.race_tables import LOAD_SPAN, Tables, table_contacts, table_range
+from bearing.friction.race_tables import (
+    LOAD_SPAN,
+    Tables,
+    race_progress,
+    table_contacts,
+    table_range,
+)
 from bearing.friction.sources import FilmTraction
 from bearing.friction.table_files import save_race_tables
-from bearing.geometry import Race
 from bearing.operation import BallKinematics
 from ehl import Lubricant
 from ehl.multigrid.threads import cores
@@ -25,28 +28,14 @@ from ehl.oil.rheology import Rheology
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.table import TableRange
 
-from ..format.case import Case, ContactCase, case_of_file
-from ..format.document import check_document
-from ..format.problems import CaseError
+from ..format.case import Case, ContactCase, case_of_document
 from ..format.traction import fitting_tables, tables_of_file
-from ..runs.equilibrium import case_equilibrium
+from ..runs.equilibrium import case_equilibrium, without_traction_equilibrium
+from ..runs.films import Progress
 from ..version import version
-from .contact_cache import content_key
+from .keys import BESIDE_TRACTION_TABLES, content_key, digest, document_text
 from .points import Point, Sweep
 from .store import TABLES
-
-UNAFFECTED = (
-    "title",
-    "source",
-    "assumed",
-    "surface",
-    "slip",
-    "friction",
-    "cage",
-    "dynamics",
-    "ehl",
-)
-Progress = Callable[[int, int, str], None]
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
@@ -55,11 +44,8 @@ def needs_tables(case: Case | ContactCase, compute: str) -> bool:
         return False
     if compute == "torque":
         return case.traction is None or isinstance(case.traction.source, FilmTraction)
-    return (
-        compute == "dynamics"
-        and case.file.dynamics is not None
-        and case.file.dynamics.friction == "table"
-    )
+    simulated = case.file.dynamics
+    return compute == "dynamics" and simulated is not None and simulated.friction == "table"
 
 
 def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
@@ -67,35 +53,28 @@ def with_equilibrium(document: dict[str, Any]) -> dict[str, Any]:
     model = document.get("model", {})
     if "bearing" not in document or not isinstance(model, dict) or "ball_kinematics" in model:
         return document
-    return {
-        **document,
-        "model": {**model, "ball_kinematics": BallKinematics.TRACTION_EQUILIBRIUM.value},
-    }
+    balanced = {**model, "ball_kinematics": BallKinematics.TRACTION_EQUILIBRIUM.value}
+    return {**document, "model": balanced}
 
 
 def bodies_and_oil(case: Case) -> str:
     """Hash of what points that share tables must have in common."""
+    temperature = case.operation.temperature
     try:
         return content_key(
-            case.bearing,
-            case.lubricant,
-            case.rheology,
-            case.operation.temperature,
-            case.films.solids,
+            case.bearing, case.lubricant, case.rheology, temperature, case.films.solids
         )
     except TypeError:
-        return json.dumps(case.document, sort_keys=True, default=str)
+        return document_text(case.document)
 
 
-def with_tables(
-    points: Sequence[Point], common: dict[int, str], given: str | None, nodes: int
-) -> tuple[Point, ...]:
+def with_table_names(points: Sequence[Point], given: str | None, nodes: int) -> tuple[Point, ...]:
     """The points with the names of their tables, which their own names then depend on, too.
 
     Parameters
     ----------
-    common : dict of str
-        By the numbers of the points that need tables, what they must have in common.
+    points : sequence of Point
+        Those that need tables with what they must have in common in place of the name.
     given : str or None
         Hash of the tables that the sweep file names.
     nodes : int
@@ -103,63 +82,45 @@ def with_tables(
     """
     sharing: dict[str, set[str]] = {}
     for point in points:
-        if point.number in common:
-            content = {
-                key: value for key, value in point.resolved.items() if key not in UNAFFECTED
-            }
-            text = json.dumps(content, sort_keys=True, ensure_ascii=False, default=str)
-            sharing.setdefault(common[point.number], set()).add(text)
+        if point.tables is not None:
+            text = document_text(point.resolved, BESIDE_TRACTION_TABLES)
+            sharing.setdefault(point.tables, set()).add(text)
     names = {
-        same: given or _hash(same, *sorted(texts), str(nodes), version())
-        for same, texts in sharing.items()
+        common: given or digest(common, *sorted(texts), str(nodes), version())
+        for common, texts in sharing.items()
     }
 
     def named(point: Point) -> Point:
-        tables = names.get(common.get(point.number, ""))
-        return (
-            point
-            if tables is None
-            else replace(point, tables=tables, key=_hash(point.key, tables))
-        )
+        if point.tables is None:
+            return point
+        name = names[point.tables]
+        return replace(point, tables=name, key=digest(point.key, name))
 
     return tuple(map(named, points))
 
 
-def _hash(*texts: str) -> str:
-    return hashlib.sha256("\n".join(texts).encode()).hexdigest()[:20]
-
-
 def foreign_points(
-    path: Path, common: Mapping[int, str], examples: Mapping[str, Case]
+    path: Path, points: Sequence[Point], examples: Mapping[str, Case]
 ) -> dict[str, list[int]]:
     """Points that the tables of a file were not made for, by what is wrong; none of damaged ones,
     which are reported later.
 
-    `common` has by the number of a point what it must have in common with others, `examples` a
-    case of each kind.
+    `examples` has a case for each set of points that have in common what tables depend on.
     """
     try:
         tables = tables_of_file(path)
     except ValueError:
         return {}
     wrong: dict[str, list[int]] = {}
-    reasons = {}
-    for same, case in examples.items():
+    for common, case in examples.items():
         assert case.rheology is not None  # of every bearing case
         oil = (case.lubricant, case.rheology)
         try:
             fitting_tables(tables(*oil), path.name, case.bearing, *oil, case.films.solids)
         except ValueError as problem:
-            reasons[same] = str(problem).replace(str(path), path.name)
-    for number, same in common.items():
-        if same in reasons:
-            wrong.setdefault(reasons[same], []).append(number)
-    return wrong
-
-
-def file_hash(path: Path) -> str:
-    """Name of given tables, by their content."""
-    return hashlib.sha256(path.read_bytes()).hexdigest()[:20]
+            numbers = [point.number for point in points if point.tables == common]
+            wrong.setdefault(str(problem).replace(str(path), path.name), []).extend(numbers)
+    return {reason: sorted(numbers) for reason, numbers in wrong.items()}
 
 
 def table_path(directory: Path, name: str) -> Path:
@@ -168,14 +129,14 @@ def table_path(directory: Path, name: str) -> Path:
 
 
 def prepare_tables(
-    sweep: Sweep, names: Iterable[str], directory: Path, progress: Progress
+    sweep: Sweep, keys: Collection[str], directory: Path, progress: Progress
 ) -> dict[str, str]:
     """Make the traction tables that points still to be computed need, those that are there already
     left as they are.
 
     Parameters
     ----------
-    names : iterable of str
+    keys : collection of str
         Names of the points.
     directory : Path
         Of the batch.
@@ -187,11 +148,9 @@ def prepare_tables(
     dict of str
         Why tables could not be built, by their name.
     """
-    keys = set(names)
     problems = {}
-    for name in dict.fromkeys(
-        point.tables for point in sweep.points if point.tables and point.key in keys
-    ):
+    wanted = (point.tables for point in sweep.points if point.key in keys)
+    for name in dict.fromkeys(name for name in wanted if name is not None):
         path = table_path(directory, name)
         try:
             if path.exists():
@@ -219,7 +178,7 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
 
     Rolling radii are those of the heaviest contact of each race among all points.
     """
-    cases = [case_of_document(point.document) for point in sweep.points if point.tables == name]
+    cases = [_bearing_case(point) for point in sweep.points if point.tables == name]
     states = []
     for k, case in enumerate(cases):
         progress(k, len(cases), "loads of the points, for traction tables")
@@ -239,36 +198,28 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
         states, key=lambda state: float(max(state.outer_load.max(), state.inner_load.max()))
     )
     options = TableOptions(points=sweep.table_points, workers=cores())
-    tables = {}
-    for race, contact in table_contacts(
-        heaviest, oil, rheology, solids=cases[0].films.solids
-    ).items():
+    contacts = table_contacts(heaviest, oil, rheology, solids=cases[0].films.solids)
 
-        def notify(done: int, total: int, state: str, race: Race = race) -> None:
-            progress(done, total, f"traction tables, {race.value} race: {state}")
+    def notify(done: int, total: int, state: str) -> None:
+        progress(done, total, f"traction tables, {state}")
 
-        tables[race] = build_table(contact, whole, options, notify)
-    return tables
+    return {
+        race: build_table(contact, whole, options, race_progress(notify, race))
+        for race, contact in contacts.items()
+    }
+
+
+def _bearing_case(point: Point) -> Case:
+    case = case_of_document(point.document)
+    assert isinstance(case, Case)  # checked with the sweep
+    return case
 
 
 def _without_films(case: Case) -> Case:
-    """Half and half instead of an equilibrium by films; loads hardly depend on it."""
+    """The case without films behind its equilibrium; loads hardly depend on them."""
     if case.traction is None or not isinstance(case.traction.source, FilmTraction):
         return case
-    model = case.model
-    if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
-        model = replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
-    return replace(case, model=model, traction=None)
-
-
-def case_of_document(document: dict[str, Any]) -> Case:
-    """A point's case, which was checked with the sweep."""
-    file, problems = check_document(document)
-    if file is None or problems:
-        raise CaseError(problem.text("case", {}) for problem in problems)
-    case = case_of_file(file, "case")
-    assert isinstance(case, Case)  # checked with the sweep
-    return case
+    return replace(case, model=without_traction_equilibrium(case.model), traction=None)
 
 
 @lru_cache(maxsize=2)

@@ -58,7 +58,7 @@ def batch(  # noqa: PLR0913
     from ..batch.sweep import read_sweep
 
     if workers is not None and scheduler is not None:
-        raise CaseError(["--workers, --scheduler: found together; allowed: one of them"])
+        raise CaseError("--workers, --scheduler: found together; allowed: one of them")
     plan = read_sweep(sweep)
     keep = output is not None or resume or not as_json
     with _folder(output or Path(f"{Path(sweep).stem}_results"), keep=keep) as directory:

@@ -68,7 +68,7 @@ def contact(
 
     loaded = load_case(case)
     if not isinstance(loaded, ContactCase):
-        raise CaseError([f"{case}: is a bearing; run it with 'oilfilm run {case}'"])
+        raise CaseError(f"{case}: is a bearing; run it with 'oilfilm run {case}'")
     directory = results_directory(case, output, as_json)
     from ehl.multigrid.threads import cores
 
@@ -190,7 +190,7 @@ def table(  # noqa: PLR0913
     )
     if path is not None and (path.is_dir() or not path.parent.is_dir()):
         raise CaseError(
-            [f"{path}: cannot be written; allowed with -o: a file in a folder that exists"]
+            f"{path}: cannot be written; allowed with -o: a file in a folder that exists"
         )
     from ..runs.traction_table import run_table, temperature_axis, with_full_solves
 

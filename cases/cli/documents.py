@@ -43,11 +43,11 @@ def _as_case_errors(*directories: Path) -> Iterator[None]:
     """What is wrong with a folder of results is bad input."""
     for directory in directories:
         if not directory.is_dir():
-            raise CaseError([f"{directory}: no such directory; allowed: a directory of results"])
+            raise CaseError(f"{directory}: no such directory; allowed: a directory of results")
     try:
         yield
     except ValueError as error:
-        raise CaseError([str(error)]) from error
+        raise CaseError(str(error)) from error
 
 
 @app.command()
@@ -168,7 +168,7 @@ def export(
     """Write films and finite elements as meshes for other programs."""
     file = output or Path(f"films.{mesh_format}")
     if file.suffix.lower() != f".{mesh_format}":
-        raise CaseError([f"--output {file}: allowed: a .{mesh_format} file, as --format says"])
+        raise CaseError(f"--output {file}: allowed: a .{mesh_format} file, as --format says")
     from ..runs.export import export_meshes
 
     with _as_case_errors(directory):

@@ -54,7 +54,7 @@ def dynamics(
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
         raise CaseError(
-            [f"--animate {animation}: allowed: a .gif file, and results that are written (-o)"]
+            f"--animate {animation}: allowed: a .gif file, and results that are written (-o)"
         )
     from ..runs.dynamics import Interrupted, run_dynamics
 

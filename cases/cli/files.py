@@ -119,10 +119,10 @@ def init(
         with path.open("x", encoding="utf-8", newline="\n") as file:
             file.write(text)
     except FileExistsError:
-        raise CaseError([f"{path}: exists already; choose another name"]) from None
+        raise CaseError(f"{path}: exists already; choose another name") from None
     except (OSError, ValueError) as error:
         raise CaseError(
-            [f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}"]
+            f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}"
         ) from None
     print_lines(f"{path} written; change it, then: oilfilm validate {path}")
 

@@ -30,7 +30,7 @@ def load_bearing(name: str, needed: str) -> Case:
 
     case = load_case(name)
     if not isinstance(case, Case):
-        raise CaseError([f"{name}: is a single contact; {needed}"])
+        raise CaseError(f"{name}: is a single contact; {needed}")
     return case
 
 

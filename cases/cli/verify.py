@@ -54,10 +54,10 @@ def verify(
 ) -> int:
     """Compute the verification page of the contact solver: orders, limits, films, costs."""
     if robustness is not None and section:
-        raise CaseError(["--robustness, --section: found together; allowed: one of them"])
+        raise CaseError("--robustness, --section: found together; allowed: one of them")
     if robustness is None and seed is not None:
         raise CaseError(
-            ["--seed: found without --robustness; it is the seed of the random contacts"]
+            "--seed: found without --robustness; it is the seed of the random contacts"
         )
     directory = None if as_json and output is None and robustness is None else output or DIRECTORY
     sections = _sections(section, robustness, seed, directory, quick=quick, quiet=quiet)
@@ -81,7 +81,7 @@ def _sections(
         seed = SEED if seed is None else seed
         return [_sweep(draws, seed, directory, quick=quick, quiet=quiet)]
     except ForeignFileError as error:
-        raise CaseError([str(error)]) from None
+        raise CaseError(str(error)) from None
 
 
 def _page(

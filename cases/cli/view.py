@@ -48,7 +48,7 @@ def view(
     """Look at results in three dimensions."""
     if not directory.is_dir():
         raise CaseError(
-            [f"{directory}: no such directory; allowed: a directory of results of 'oilfilm run'"]
+            f"{directory}: no such directory; allowed: a directory of results of 'oilfilm run'"
         )
     from postprocess.scene import scene
 
@@ -67,7 +67,7 @@ def view(
         if screenshot is None and html is None and movie is None:
             scene.show(directory, options)
     except ValueError as error:
-        raise CaseError([str(error)]) from error
+        raise CaseError(str(error)) from error
     except scene.RenderingError as error:
         say(f"oilfilm: {error}")
         return FAILED

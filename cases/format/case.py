@@ -20,7 +20,7 @@ from ehl.oil.rheology import Rheology
 from . import bearing as bearings
 from . import contact as contacts
 from . import fits
-from .document import read_text, validate_text
+from .document import check_document, read_text, validate_text
 from .dynamics import cage_friction, guiding_land
 from .files import BearingFile, ContactFile
 from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, film_physics
@@ -105,6 +105,14 @@ def load_case(name_or_path: str | Path) -> Case | ContactCase:
 def case_from_text(text: str, name: str) -> Case | ContactCase:
     """The case that the text of a case file describes; `name` stands for the file in messages."""
     return case_of_file(validate_text(text, name), name, text)
+
+
+def case_of_document(document: dict[str, Any], name: str = "case") -> Case | ContactCase:
+    """The case of a parsed document that has no lines; `CaseError` with its faults."""
+    file, faults = check_document(document)
+    if file is None or faults:
+        raise CaseError((fault.text(name, {}) for fault in faults), faults)
+    return case_of_file(file, name)
 
 
 def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> Case | ContactCase:

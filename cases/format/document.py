@@ -27,6 +27,7 @@ from .problems import (
     CaseError,
     CaseFault,
     dotted,
+    faults_error,
     nearest_name,
     resolved,
     schema_faults,
@@ -34,7 +35,7 @@ from .problems import (
 )
 from .rows import RowTable
 from .rules import CaseValues, KnownNames
-from .toml_lines import Path, key_lines
+from .toml_lines import Path
 
 LARGEST_FILE = 1_000_000  # [bytes]
 NOT_SUPPORTED = "not supported by this version"
@@ -87,9 +88,7 @@ def validate_text(text: str, name: str) -> BearingFile | ContactFile:
     document = parse(text, name)
     file, faults = check_document(document)
     if file is None or faults:
-        lines = key_lines(text)
-        ordered = sorted(faults, key=lambda fault: fault.line_in(lines))
-        raise CaseError(dict.fromkeys(fault.text(name, lines) for fault in ordered))
+        raise faults_error(faults, name, text)
     return file
 
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from ehl.units import UNITS
 
-from .toml_lines import Path, find_line
+from .toml_lines import Path, find_line, key_lines
 
 MISSING = "missing"
 SIMILARITY = 0.65  # of difflib, from which on a name counts as a slip of another
@@ -50,9 +50,17 @@ class UnfitKey(ValueError):  # noqa: N818
 class CaseError(ValueError):
     """A case that cannot be run, with a line for each error and what is known of its key."""
 
-    def __init__(self, messages: Iterable[str], problems: Iterable[CaseFault] = ()) -> None:
-        self.messages, self.problems = tuple(messages), tuple(problems)
+    def __init__(self, messages: str | Iterable[str], problems: Iterable[CaseFault] = ()) -> None:
+        self.messages = (messages,) if isinstance(messages, str) else tuple(messages)
+        self.problems = tuple(problems)
         super().__init__("\n".join(self.messages))
+
+
+def faults_error(faults: Iterable[CaseFault], name: str, text: str) -> CaseError:
+    """The faults of a file, in the order of its lines, each once."""
+    lines = key_lines(text)
+    ordered = sorted(faults, key=lambda fault: fault.line_in(lines))
+    return CaseError(dict.fromkeys(fault.text(name, lines) for fault in ordered))
 
 
 def dotted(path: Path) -> str:

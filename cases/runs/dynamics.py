@@ -97,10 +97,8 @@ def run_dynamics(
     table = _table(case, name)
     if tables is not None and table.friction != "table":
         raise CaseError(
-            [
-                f'{name}: traction tables are for dynamics.friction = "table", found '
-                f'"{table.friction}"'
-            ]
+            f'{name}: traction tables are for dynamics.friction = "table", found '
+            f'"{table.friction}"'
         )
     try:
         model = build_model(case, tables, notify)
@@ -112,17 +110,17 @@ def run_dynamics(
                 "from there"
             )
     except ValueError as problem:
-        raise CaseError([f"{name}: {problem}"]) from problem
+        raise CaseError(f"{name}: {problem}") from problem
     return _stream(case, run, history, notify)
 
 
 def _table(case: Case, name: str) -> DynamicsTable:
     if case.file.dynamics is None:
         raise CaseError(
-            [f"{name}: has no table [dynamics]; it needs end_time_s, see docs/reference/cases.md"]
+            f"{name}: has no table [dynamics]; it needs end_time_s, see docs/reference/cases.md"
         )
     if case.rows is not None and len(case.rows) > 1:
-        raise CaseError([f"{name}: [[rows]]: a simulation takes one row of balls"])
+        raise CaseError(f"{name}: [[rows]]: a simulation takes one row of balls")
     return case.file.dynamics
 
 

@@ -1,12 +1,11 @@
-"""Equilibrium of the bearing of a case: under a hypothesis on the balls, or in traction
-equilibrium.
-"""
+"""Equilibrium of a case: under a hypothesis on the balls, or in traction equilibrium."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 
 from bearing.friction.equilibrium import solve_traction_equilibrium
-from bearing.operation import BallKinematics
+from bearing.operation import BallKinematics, Model
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.rows import SINGLE
@@ -22,6 +21,13 @@ def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
     if case.traction is None:
         raise ValueError("traction equilibrium needs the friction of ball on race, found none")
     return partial(solve_traction_equilibrium, traction=with_workers(case.traction))
+
+
+def without_traction_equilibrium(model: Model) -> Model:
+    """Half and half in place of traction equilibrium: loads hardly depend on it."""
+    if model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
+        return model
+    return replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
 
 
 def case_equilibrium(case: Case) -> QuasistaticSolution:

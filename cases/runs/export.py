@@ -8,8 +8,8 @@ from ehl.solid.coating import Coating
 from postprocess.reader import open_results
 from postprocess.scene.export import export_results
 
-from ..format.case import ContactCase, case_of_file
-from ..format.document import check_document
+from ..format.case import ContactCase, case_of_document
+from ..format.problems import CaseError
 
 
 def export_meshes(directory: Path, file: Path) -> tuple[Path, ...]:
@@ -21,8 +21,10 @@ def _coating(directory: Path) -> Coating | None:
     """The coating of a single contact, from the case that its results hold."""
     with open_results(directory) as tree:
         document = json.loads(tree.attrs["case"])
-    file, problems = check_document(document) if "contact" in document else (None, [])
-    case = None if file is None or problems else case_of_file(file, "case")
+    try:
+        case = case_of_document(document) if "contact" in document else None
+    except CaseError:  # a case of an earlier version
+        return None
     if isinstance(case, ContactCase) and isinstance(case.conditions, ContactConditions):
         return case.conditions.coating
     return None

@@ -10,12 +10,12 @@ from bearing.heating.self_heating import (
     SelfHeatingSolution,
     solve_self_heating,
 )
-from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.torque.breakdown import model_torque
 from ehl import Lubricant
 
 from ..format.case import Case
+from .equilibrium import without_traction_equilibrium
 
 
 def self_heated(case: Case) -> SelfHeatingSolution | None:
@@ -26,9 +26,6 @@ def self_heated(case: Case) -> SelfHeatingSolution | None:
     given = case.heating
     if given is None or case.operation.inner_speed == case.operation.outer_speed:
         return None
-    model = case.model
-    if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
-        model = replace(model, ball_kinematics=BallKinematics.HALF_AND_HALF)
 
     def torque(
         state: QuasistaticSolution, contacts: Sequence[BearingContact], oil: Lubricant
@@ -38,7 +35,7 @@ def self_heated(case: Case) -> SelfHeatingSolution | None:
     problem = SelfHeatingProblem(
         bearing=given.delivered,
         operation=case.operation,
-        model=model,
+        model=without_traction_equilibrium(case.model),
         oil=given.oil,
         torque=torque,
         fit=given.fit,

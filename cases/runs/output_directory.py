@@ -21,17 +21,14 @@ def check_output(directory: Path) -> None:
     """Whether results can be written to `directory`; `CaseError` before computing if not."""
     if directory.exists() and not directory.is_dir():
         raise CaseError(
-            [
-                f"{directory}: is not a directory; allowed with -o: a new directory, or "
-                "one of results"
-            ]
+            f"{directory}: is not a directory; allowed with -o: a new directory, or one of results"
         )
     try:
         directory.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=directory if directory.exists() else directory.parent):
             pass
     except OSError as error:
-        raise CaseError([f"{directory}: cannot be written: {error.strerror or error}"]) from None
+        raise CaseError(f"{directory}: cannot be written: {error.strerror or error}") from None
 
 
 def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str, ...]:
@@ -80,10 +77,8 @@ def _replace(temporary: Path, directory: Path, files: list[str]) -> None:
     foreign = [name for name in files if name not in earlier and (directory / name).exists()]
     if foreign:
         raise CaseError(
-            [
-                f"{directory / foreign[0]}: not written by oilfilm, will not be replaced; "
-                "choose another -o"
-            ]
+            f"{directory / foreign[0]}: not written by oilfilm, will not be replaced; "
+            "choose another -o"
         )
     (directory / LAST).unlink(missing_ok=True)
     for name in sorted(set(earlier) - set(files)):

@@ -93,22 +93,17 @@ def _study(case: Case, name: str) -> tuple[SlipStudy, SlipTable]:
     table = case.file.slip
     if table is None:
         needs = "it needs speeds_rpm and axial_loads_N, see docs/reference/cases.md"
-        raise CaseError([f"{name}: has no table [slip]; {needs}"])
+        raise CaseError(f"{name}: has no table [slip]; {needs}")
     operation = case.operation
     if operation.force[0] is None or (table.critical_speeds_rpm and operation.force[1] is None):
         varied = "the axial load" if operation.force[0] is None else "the radial load"
         raise CaseError(
-            [
-                f"{name}: [operation] displacement_um: slip maps vary {varied}; allowed: a "
-                "load there"
-            ]
+            f"{name}: [operation] displacement_um: slip maps vary {varied}; allowed: a load there"
         )
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         raise CaseError(
-            [
-                f"{name}: [model] ball_kinematics: slip maps take a hypothesis; allowed: "
-                "one of the others"
-            ]
+            f"{name}: [model] ball_kinematics: slip maps take a hypothesis; allowed: "
+            "one of the others"
         )
     study = SlipStudy(
         bearing=case.bearing, operation=operation, model=case.model, limit=table.limit

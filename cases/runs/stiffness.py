@@ -30,9 +30,7 @@ def run_stiffness(
     """
     first, last = speeds or (0.0, case.operation.inner_speed)
     if first == last:
-        raise CaseError(
-            [f"{name}: the inner ring stands still; give --speeds FIRST LAST in r/min"]
-        )
+        raise CaseError(f"{name}: the inner ring stands still; give --speeds FIRST LAST in r/min")
     start = perf_counter()
     steps = [first + (last - first) * k / (points - 1) for k in range(points)]
     study = stiffness_over_speed(

@@ -50,10 +50,8 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
         celsius = []
     if len(celsius) < 2 or any(not b > a for a, b in pairwise(celsius)):
         raise CaseError(
-            [
-                f"--temperatures: {text!r}; allowed: two or more rising numbers of degrees "
-                "Celsius, 40,60,80"
-            ]
+            f"--temperatures: {text!r}; allowed: two or more rising numbers of degrees "
+            "Celsius, 40,60,80"
         )
     path = find_case(name)
     file = validate_text(read_text(path), str(path))
@@ -71,13 +69,11 @@ def temperature_axis(name: str, text: str) -> TemperatureAxis:
     try:
         first, last = (oil_at(one)[0] for one in (temperatures[0], temperatures[-1]))
     except ValueError as problem:
-        raise CaseError([f"--temperatures: {problem}"]) from None
+        raise CaseError(f"--temperatures: {problem}") from None
     if first.viscosity == last.viscosity:
         raise CaseError(
-            [
-                f"--temperatures: {name} gives the viscosity at one temperature only; "
-                "allowed with an oil of the library"
-            ]
+            f"--temperatures: {name} gives the viscosity at one temperature only; "
+            "allowed with an oil of the library"
         )
     return TemperatureAxis(temperatures=temperatures, oil_at=oil_at)
 
@@ -98,12 +94,12 @@ def run_table(
     try:
         SolverOptions(points=points)
     except ValueError as problem:
-        raise CaseError([f"--points: {problem}"]) from None
+        raise CaseError(f"--points: {problem}") from None
     assert case.rheology is not None  # of every bearing case
     start = perf_counter()
     state = case_equilibrium(case)
     if not state.converged:
-        raise CaseError([f"no table without an equilibrium of the bearing: {state.message}"])
+        raise CaseError(f"no table without an equilibrium of the bearing: {state.message}")
     options = TableOptions(points=points, workers=workers or cores())
     solids = case.films.solids
     try:
@@ -119,7 +115,7 @@ def run_table(
             own = min(max(case.operation.temperature, over.temperatures[0]), over.temperatures[-1])
             tables = {race: table.at(own) for race, table in over_temperature.items()}
     except ValueError as problem:
-        raise CaseError([f"no table: {problem}"]) from None
+        raise CaseError(f"no table: {problem}") from None
     return TractionResults(
         version=version(),
         case=case.document,

@@ -14,9 +14,9 @@ from typer.testing import CliRunner
 
 import postprocess
 from cases import CaseError
-from cases.batch import engine
-from cases.batch.contact_cache import cached_solver, content_key
+from cases.batch.contact_cache import cached_solver
 from cases.batch.engine import ProgressEstimate, duration, run_batch
+from cases.batch.keys import WITHOUT_CONTACTS, content_key
 from cases.batch.points import Receipt, Task
 from cases.batch.pools import LocalPool, scheduler_address
 from cases.batch.results import gathered, write_batch
@@ -539,9 +539,9 @@ def test_the_result_of_a_lost_future_is_kept_when_it_was_written(tmp_path):
     run_batch(sweep, tmp_path / "out", HerePool)
     point = sweep.points[0]
     task = Task(key=point.key, document={}, compute="run", fields=False, share=False, folder=str(tmp_path / "out"))
-    assert compute_point(task) == Receipt(key=point.key, status="done")
+    assert compute_point(task) == Receipt("done")
 
 
 def test_only_tables_that_leave_contacts_alone_make_a_cache_worth_its_disk():
-    assert "surface" in engine.WITHOUT_EFFECT
-    assert "lubricant" not in engine.WITHOUT_EFFECT
+    assert "surface" in WITHOUT_CONTACTS
+    assert "lubricant" not in WITHOUT_CONTACTS

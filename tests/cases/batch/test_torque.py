@@ -10,7 +10,8 @@ from cases import load_case, run_case
 from cases.batch.engine import run_batch
 from cases.batch.results import gathered
 from cases.batch.sweep import sweep_from_text
-from cases.batch.tables import _without_films, case_of_document, shared_tables
+from cases.batch.tables import _without_films, shared_tables
+from cases.format.case import case_of_document
 from cases.format.shipped import find_case
 from postprocess import summary
 

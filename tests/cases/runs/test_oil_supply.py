@@ -6,8 +6,7 @@ import pytest
 
 from bearing.supply.supply import starvation_exponent, starved_share
 from cases.batch.sweep import read_sweep
-from cases.batch.tables import case_of_document
-from cases.format.case import case_from_text
+from cases.format.case import case_from_text, case_of_document
 from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from cases.runs.contact import run_contact

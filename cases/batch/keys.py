@@ -1,0 +1,49 @@
+"""Names of points, tables and contacts on disk: hashes of all they depend on."""
+
+import hashlib
+import json
+from dataclasses import fields, is_dataclass
+from enum import Enum
+from typing import Any
+
+from ..version import version
+
+# tables of a case that leave its contacts as they are
+WITHOUT_CONTACTS = ("surface", "slip", "friction", "cage", "dynamics")
+DESCRIBING = ("title", "source", "assumed")  # keys of a case without effect on results
+BESIDE_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
+
+
+def digest(*texts: str | bytes) -> str:
+    """Hash of texts, or of the content of a file."""
+    parts = [text if isinstance(text, bytes) else text.encode() for text in texts]
+    return hashlib.sha256(b"\n".join(parts)).hexdigest()[:20]
+
+
+def document_text(document: dict[str, Any], without: tuple[str, ...] = ()) -> str:
+    """A document in one line, equal for equal content."""
+    content = {key: value for key, value in document.items() if key not in without}
+    return json.dumps(content, sort_keys=True, ensure_ascii=False, default=str)
+
+
+def content_key(*objects: Any) -> str:
+    """Hash of dataclasses and values to the last bit."""
+    return hashlib.sha256(repr([version(), *map(_plain, objects)]).encode()).hexdigest()[:32]
+
+
+def _plain(value: Any) -> Any:
+    """The content of a value such that equal text means equal content."""
+    if is_dataclass(value):
+        content = ((f.name, _plain(getattr(value, f.name))) for f in fields(value))
+        return [type(value).__name__, *content]
+    if isinstance(value, Enum):
+        return [type(value).__name__, value.name]
+    if isinstance(value, float):
+        return value.hex()
+    if isinstance(value, tuple | list):
+        return [_plain(item) for item in value]
+    if hasattr(value, "tobytes"):
+        return [str(value.dtype), value.shape, value.tobytes()]
+    if value is None or isinstance(value, str | int | bool):
+        return value
+    raise TypeError(f"no key for {type(value).__name__}")
