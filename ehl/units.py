@@ -22,52 +22,56 @@ MILLION = 1e6  # revolutions of a rating life [-]
 
 @dataclass(frozen=True, slots=True)
 class Unit:
-    """A unit of keys: its text and its scale."""
+    """A unit of keys: its text, its scale, and the text of the SI unit it is a multiple of."""
 
     text: str
     si: float = 1.0  # of one unit [SI]
+    base: str = ""  # where the unit is not of SI itself
     zero: float = 0.0  # of zero units [SI]
 
 
 UNITS = {
     "N": Unit("N"),
-    "kN": Unit("kN", KILONEWTON),
-    "mm": Unit("mm", MILLIMETRE),
-    "um": Unit("um", MICROMETRE),
-    "g": Unit("g", 1e-3),
+    "kN": Unit("kN", KILONEWTON, "N"),
+    "mm": Unit("mm", MILLIMETRE, "m"),
+    "um": Unit("um", MICROMETRE, "m"),
+    "g": Unit("g", 1e-3, "kg"),
     "kg": Unit("kg"),
-    "g_mm": Unit("g mm", 1e-6),
-    "g_mm2": Unit("g mm2", 1e-9),
-    "deg": Unit("deg", pi / 180.0),
-    "mrad": Unit("mrad", MILLIRADIAN),
+    "g_mm": Unit("g mm", 1e-6, "kg m"),
+    "g_mm2": Unit("g mm2", 1e-9, "kg m2"),
+    "deg": Unit("deg", pi / 180.0, "rad"),
+    "mrad": Unit("mrad", MILLIRADIAN, "rad"),
     "rad_s": Unit("rad/s"),
-    "rpm": Unit("rpm", RPM),
+    "rpm": Unit("rpm", RPM, "rad/s"),
+    "krpm": Unit("1000 rpm", 1000.0 * RPM, "rad/s"),
     "Hz": Unit("Hz"),
-    "C": Unit("degC", 1.0, ZERO_CELSIUS),
+    "C": Unit("degC", 1.0, "K", ZERO_CELSIUS),
     "K": Unit("K"),
     "s": Unit("s"),
-    "ms": Unit("ms", 1e-3),
-    "us": Unit("us", 1e-6),
+    "ms": Unit("ms", 1e-3, "s"),
+    "us": Unit("us", 1e-6, "s"),
     "m_s": Unit("m/s"),
     "m_s2": Unit("m/s2"),
     "N_s_m": Unit("N s/m"),
-    "mL_min": Unit("mL/min", 1e-6 / 60.0),
+    "N_um": Unit("N/um", 1.0 / MICROMETRE, "N/m"),
+    "N_m_mrad": Unit("N m/mrad", 1.0 / MILLIRADIAN, "N m/rad"),
+    "mL_min": Unit("mL/min", 1e-6 / 60.0, "m3/s"),
     "J": Unit("J"),
     "W": Unit("W"),
     "W_K": Unit("W/K"),
     "W_m_K": Unit("W/(m K)"),
     "J_kg_K": Unit("J/(kg K)"),
-    "N_mm": Unit("N mm", NEWTON_MILLIMETRE),
-    "MPa": Unit("MPa", MEGAPASCAL),
-    "GPa": Unit("GPa", GIGAPASCAL),
-    "GPa_m_s": Unit("GPa m/s", GIGAPASCAL),
-    "1_GPa": Unit("1/GPa", 1e-9),
+    "N_mm": Unit("N mm", NEWTON_MILLIMETRE, "N m"),
+    "MPa": Unit("MPa", MEGAPASCAL, "Pa"),
+    "GPa": Unit("GPa", GIGAPASCAL, "Pa"),
+    "GPa_m_s": Unit("GPa m/s", GIGAPASCAL, "Pa m/s"),
+    "1_GPa": Unit("1/GPa", 1e-9, "1/Pa"),
     "1_K": Unit("1/K"),
-    "mPa_s": Unit("mPa s", 1e-3),
-    "mm2_s": Unit("mm2/s", 1e-6),
+    "mPa_s": Unit("mPa s", 1e-3, "Pa s"),
+    "mm2_s": Unit("mm2/s", 1e-6, "m2/s"),
     "kg_m3": Unit("kg/m3"),
-    "um_m_K": Unit("um/(m K)", 1e-6),
-    "Mrev": Unit("10^6 rev", MILLION),
+    "um_m_K": Unit("um/(m K)", 1e-6, "1/K"),
+    "Mrev": Unit("10^6 rev", MILLION, "rev"),
 }
 NO_UNIT = Unit("")
 # last words of keys that have no unit, whatever block they stand in
@@ -76,7 +80,7 @@ DIMENSIONLESS = frozenset(
     "converged equilibrium resolved".split()
 )
 LONGEST = max(suffix.count("_") for suffix in UNITS) + 1  # words of a unit
-SYMBOLS = {"um": "µm", "degC": "°C"}  # in pictures
+SYMBOLS = {"um": "µm", "degC": "°C", "N/um": "N/µm"}  # in pictures
 
 
 def _split(key: str) -> tuple[list[str], Unit | None]:
@@ -112,6 +116,12 @@ def unit_of(path: str) -> str:
     ''
     """
     return unit(path).text
+
+
+def si_unit_of(path: str) -> str:
+    """Text of the SI unit of a dotted path, empty if it has none."""
+    own = unit(path)
+    return own.base or own.text
 
 
 def unit_symbol(path: str) -> str:

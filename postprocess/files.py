@@ -4,8 +4,9 @@ import csv
 import json
 import os
 import tempfile
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 from math import isfinite
 from pathlib import Path
 from typing import Any
@@ -14,11 +15,13 @@ import xarray as xr
 
 # dimensions, values, attributes by name
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
+Table = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
 # of the netCDF file, raised when an older reader would misread it; 1: x along the entrainment
 FORMAT = 2
 SUMMARY_FILE = "summary.json"
 CONTACTS_FILE = "contacts.csv"
 FIELDS_FILE = "results.nc"
+SPEED_COLUMN = "speed [r/min]"  # of studies over the speed of the inner ring
 
 
 @contextmanager
@@ -99,15 +102,42 @@ def attempt(name: str, write: Callable[[], object]) -> tuple[str, ...]:
 
 
 def write_dataset(
-    variables: Variables, coordinates: set[str], attributes: dict[str, Any], path: Path
+    variables: Variables, attributes: dict[str, Any], path: Path, coordinates: Collection[str] = ()
 ) -> None:
-    """Write one netCDF-4 data set; `coordinates` are the names of those among the variables."""
-    data = {name: value for name, value in variables.items() if name not in coordinates}
-    coords = {name: value for name, value in variables.items() if name in coordinates}
-    dataset = xr.Dataset(data, coords, attributes | {"oilfilm_format": FORMAT})
+    """Write one netCDF-4 data set.
+
+    Coordinates are the variables named as their dimension, and those of `coordinates`.
+    """
+    dataset = xr.Dataset(variables, attrs=attributes | {"oilfilm_format": FORMAT})
+    dataset = dataset.set_coords([name for name in coordinates if name in variables])
     with atomic_path(path) as temporary:
         dataset.to_netcdf(temporary, engine="h5netcdf")
         dataset.close()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StudyFiles:
+    """Files of a study: its summary, tables by name, and its data set."""
+
+    kind: str
+    document: dict[str, Any]
+    tables: dict[str, Table]
+    variables: Variables
+    attributes: dict[str, Any] = field(default_factory=dict)
+    number: str = ""  # format of the numbers in tables, in full if it is empty
+
+
+def write_study(files: StudyFiles, folder: Path, draw: Callable[[], object]) -> tuple[str, ...]:
+    """Write pictures, tables, data set, last the summary; pictures that failed are messages."""
+    folder.mkdir(parents=True, exist_ok=True)
+    problems = attempt("plots", draw)
+    for name, (header, rows) in files.tables.items():
+        write_csv(folder / f"{name}.csv", header, rows, files.number)
+    document = files.document | {"messages": [*files.document["messages"], *problems]}
+    attributes = root_attributes(document, files.kind) | files.attributes
+    write_dataset(files.variables, attributes, folder / FIELDS_FILE)
+    write_json(document, folder / SUMMARY_FILE)
+    return problems
 
 
 def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:

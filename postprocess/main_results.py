@@ -3,10 +3,8 @@
 from typing import Any
 
 from .bearing.contacts import CONTACT_QUANTITY
-from .bearing.heating import KEYS as HEATING
-from .bearing.supply import KEYS as SUPPLY
-from .bearing.torque import AS_PRINTED, MODELS
-from .quantities import quantities
+from .bearing.quantities import CAGE_SPEED, HEATING, LIFE_RATING, SUPPLY, TORQUE, TORQUE_MODELS
+from .quantities import Quantity, by_key
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
 SIMULATION = (
@@ -29,26 +27,23 @@ THINNEST = (  # of a bearing's thinnest film
     *("film_minimum_um", "film_minimum_uncertainty_um", "film_central_um"),
     *("film_central_uncertainty_um", "lambda_ratio"),
 )
-LIFE = "basic_reference_rating_Mrev"
+LIFE = LIFE_RATING[0].key
 # titles and symbols of what tables and pictures of a batch show, derived from whole summaries
-MAIN_QUANTITY = CONTACT_QUANTITY | {
-    quantity.key: quantity
-    for quantity in quantities(
-        "",
-        "",
-        ("load_maximum_N", "largest load", "", "Q max"),
-        ("hertz_pressure_maximum_GPa", "largest Hertz pressure", "", "p_h max"),
-        ("film_minimum_dimensionless", "minimum film", "", "h_min"),
-        ("torque_N_mm", "torque", "", "torque"),
-        ("cage_speed_rpm", "cage speed", "", "cage"),
-        ("cage_speed_ratio", "cage over kinematic speed", "", "of kinem."),
-        ("slip_factor_minimum", "smallest slip factor", "", "SF min"),
-        ("balls_slipping", "balls slipping", "", "slip"),
-        ("minimum_preload_N", "minimum preload", "", "preload"),
-        ("inner_largest_coefficient", "largest coefficient, inner race", "", "µ inner"),
-        ("outer_largest_coefficient", "largest coefficient, outer race", "", "µ outer"),
+MAIN_QUANTITY = CONTACT_QUANTITY | by_key(
+    (
+        Quantity("load_maximum_N", "largest load", symbol="Q max"),
+        Quantity("hertz_pressure_maximum_GPa", "largest Hertz pressure", symbol="p_h max"),
+        Quantity("film_minimum_dimensionless", "minimum film", symbol="h_min"),
+        TORQUE,
+        CAGE_SPEED,
+        Quantity("cage_speed_ratio", "cage over kinematic speed", symbol="of kinem."),
+        Quantity("slip_factor_minimum", "smallest slip factor", symbol="SF min"),
+        Quantity("balls_slipping", "balls slipping", symbol="slip"),
+        Quantity("minimum_preload_N", "minimum preload", symbol="preload"),
+        Quantity("inner_largest_coefficient", "largest coefficient, inner race", symbol="µ inner"),
+        Quantity("outer_largest_coefficient", "largest coefficient, outer race", symbol="µ outer"),
     )
-}
+)
 BATCH_COLUMNS = (  # of the terminal's table, the last that fit
     *("load_maximum_N", "hertz_pressure_maximum_GPa"),
     *("film_central_um", "film_minimum_um", "film_minimum_dimensionless"),
@@ -95,18 +90,13 @@ def result_names(kind: str) -> tuple[str, ...]:
     names = tuple(main_results(nothing.get(kind, {"contacts": []})))
     if kind not in ("run", "torque"):
         return names
-    parts = {
-        **{name: (*members, "total") for name, members in MODELS.items()},
-        AS_PRINTED: ("sliding", "total"),
-    }
     torques = [
-        f"torque_N_mm.models.{name}.{part}" for name, members in parts.items() for part in members
+        f"torque_N_mm.models.{name}.{part}"
+        for name, model in TORQUE_MODELS.items()
+        for part in (*model.parts, "total")
     ]
-    blocks = [
-        f"{block}.{key}"
-        for block, keys in (("supply", SUPPLY), ("self_heating", HEATING))
-        for key in keys
-    ]
+    blocks = [f"supply.{own.key}" for own in SUPPLY]
+    blocks += [f"self_heating.{own.key}" for own in HEATING]
     return (*names, "torque_N_mm.total", *torques, *blocks)
 
 

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ehl.units import from_si, unit_of
+from ehl.units import from_si, si_unit_of, unit_of, unit_symbol, without_unit
 
 
 @dataclass(frozen=True, slots=True)
@@ -16,7 +16,8 @@ class Quantity:
     """One output quantity.
 
     Its value is the attribute `source`, a dotted path in a record, in SI; null where a part of the
-    path is None, for the reason `null`. Without a `source` it is derived from a whole summary.
+    path is None, for the reason `null`. Without a `source` it is derived from a whole summary or,
+    in a picture, from a history.
     """
 
     key: str
@@ -32,37 +33,58 @@ class Quantity:
         """Title and unit of a column."""
         return self.title if self.words else f"{self.title} [{unit_of(self.key) or '-'}]"
 
+    @property
+    def label(self) -> str:
+        """Title and unit of an axis."""
+        return f"{self.title} [{unit_symbol(self.key) or '-'}]"
+
+    @property
+    def si_attributes(self) -> dict[str, str]:
+        """The unit of a netCDF variable in SI."""
+        return {"units": si_unit_of(self.key) or "1"}
+
+    def in_unit(self, value: Any) -> Any:
+        """A number or an array in SI, in the unit of the key; None stays None."""
+        return from_si(self.key, value)
+
     def value(self, record: Any) -> Any:
-        """The value of a record, in the unit of the key."""
-        return value_of(record, self.key, self.source)
+        """The value of a record, in the unit of the key; None where a part of its path is None."""
+        value = record
+        for name in self.source.split("."):
+            if value is None:
+                return None
+            value = getattr(value, name)
+        return self.in_unit(value)
 
 
 def quantities(
-    source: str, null: str, *rows: tuple[str, ...], words: bool = False
+    source: str, null: str, *rows: str | tuple[str, ...], words: bool = False
 ) -> tuple[Quantity, ...]:
     """Quantities of one part of a record.
 
-    Each row is key, title, attribute of the part and, where there are any, symbol and short title.
+    Each row is a key or key, title, attribute of the part, symbol and short title; where title or
+    attribute are left out, they are the words of the key.
     """
     declared = []
-    for key, title, name, *names in rows:
-        symbol, short = (*names, "", "")[:2]
-        declared.append(Quantity(key, title, source + name, null, symbol, short, words))
+    for row in rows:
+        key, *names = (row,) if isinstance(row, str) else row
+        title, name, symbol, short = (*names, "", "", "", "")[:4]
+        title = title or without_unit(key)
+        path = source + (name or without_unit(key).replace(" ", "_"))
+        declared.append(Quantity(key, title, path, null, symbol, short, words))
     return tuple(declared)
 
 
-def value_of(record: Any, key: str, source: str) -> Any:
-    """The attribute at a dotted path in the unit of the key; None where a part of it is None."""
-    value = record
-    for name in source.split("."):
-        if value is None:
-            return None
-        value = getattr(value, name)
-    return from_si(key, value)
+def by_key(declared: Iterable[Quantity]) -> dict[str, Quantity]:
+    """Quantities by their keys."""
+    return {quantity.key: quantity for quantity in declared}
 
 
-def values_of(record: Any, sources: Mapping[str, str] | Iterable[Quantity]) -> dict[str, Any]:
-    """Values of quantities, or of attributes by key, in the units of the keys."""
-    if isinstance(sources, Mapping):
-        return {key: value_of(record, key, source) for key, source in sources.items()}
-    return {quantity.key: quantity.value(record) for quantity in sources}
+def values_of(record: Any, declared: Iterable[Quantity]) -> dict[str, Any]:
+    """Values of a record by key, in the units of the keys."""
+    return {quantity.key: quantity.value(record) for quantity in declared}
+
+
+def rows_of(columns: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:
+    """A dictionary for each row of columns of equal length."""
+    return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]

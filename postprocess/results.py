@@ -19,6 +19,10 @@ from ehl.traction.shear import TractionResult
 from .text import listed
 
 STIFFNESS_ORDER = ("x", "y", "z", "ty", "tz")  # directions of a ring
+STIFFNESS_UNITS = [  # force and moment over shift and tilt
+    *[["N/m"] * 3 + ["N/rad"] * 2 for _ in range(3)],
+    *[["N m/m"] * 3 + ["N m/rad"] * 2 for _ in range(2)],
+]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

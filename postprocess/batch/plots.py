@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ehl.solution import Array
 from ehl.units import unit_of, unit_symbol, without_unit
 
-from ..bearing.plots_torque import LABELS
+from ..bearing.quantities import TORQUE_MODELS, TORQUE_PARTS
 from ..main_results import BATCH_PANELS, MAIN_QUANTITY, main_results
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
 from ..text import is_number
@@ -24,14 +24,6 @@ from .summary import scalar_numbers
 
 BATCH_PLOT = "over_keys.png"
 MODELS = "torque_N_mm.models."
-PARTS = {
-    "total": "sum",
-    "ME": "$M_E$ hysteresis",
-    "MD": "$M_D$ differential sliding",
-    "MS": "$M_S$ spin",
-    "MC": "$M_C$ cage",
-    "ML": "$M_L$ oil",
-}  # of a model, where the name of the number is no word
 LINES = ("#1b1f24", "#b23a3a", "#4c78a8", "#d67b1f", "#5a8f5a", "#8c6bb1", "#79b7c9", "#a65e7d")
 STYLES = ("-", "--", "-.", ":")
 MARKERS = "osD^vP*X"
@@ -194,7 +186,7 @@ def draw_together(
         if not keys[0].words:
             axes.locator_params(axis="x", nbins=9 // len(values) + 2)
     _common_axis(panels[0], least)
-    words = f"{LABELS[model]}: torque" if model else _common_words(shown)
+    words = f"{TORQUE_MODELS[model].title}: torque" if model else _common_words(shown)
     panels[0].set_ylabel(f"{words} [{quantity_unit(shown[0])}]")
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, ncols=min(len(labels), 4), loc="outside lower center")
@@ -243,8 +235,12 @@ def quantity_label(name: str, model: str | None = None) -> str:
     """A number in words; of a torque its model and part, without the `model` of all numbers."""
     if name.startswith(MODELS):
         own, part = name.removeprefix(MODELS).split(".")
-        words = PARTS.get(part, part)
-        return words if own == model else LABELS[own] + ("" if part == "total" else f", {words}")
+        words = TORQUE_PARTS.get(part, part)
+        return (
+            words
+            if own == model
+            else TORQUE_MODELS[own].title + ("" if part == "total" else f", {words}")
+        )
     if name in MAIN_QUANTITY:
         return MAIN_QUANTITY[name].title
     return without_unit(name.rpartition(".")[2])

@@ -37,7 +37,7 @@ def write_batch_netcdf(results: BatchResults, path: Path) -> None:
     """
     variables: Variables = {}
     # netCDF lists them with spaces between
-    coordinates = {"point", *(key for key in results.keys if " " not in key)}
+    coordinates = [key for key in results.keys if " " not in key]
     for name, values in results_as_columns(results).items():
         unit = _unit(name, values)
         variables[name] = (("point",), _array(values), {"units": unit} if unit else {})
@@ -57,7 +57,7 @@ def write_batch_netcdf(results: BatchResults, path: Path) -> None:
         "keys": json.dumps(results.keys),
         "converged": int(results.converged),
     }
-    write_dataset(variables, coordinates | {"ball", "race"}, attributes, path)
+    write_dataset(variables, attributes, path, coordinates)
 
 
 def _array(values: list[Any]) -> np.ndarray[Any, Any]:

@@ -13,7 +13,7 @@ from ehl import ContactSolution
 from ehl.units import to_si
 
 from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
-from ..quantities import quantities, values_of
+from ..quantities import by_key, quantities, values_of
 from ..results import BearingResults
 from ..text import listed
 
@@ -143,7 +143,7 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
     ),
     *quantities("contact.", "", ("note", "note", "note"), words=True),
 )
-CONTACT_QUANTITY = {quantity.key: quantity for quantity in CONTACT_QUANTITIES}
+CONTACT_QUANTITY = by_key(CONTACT_QUANTITIES)
 TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of their uncertainty
     "load_N": ".1f",
     "hertz_pressure_GPa": ".3f",

@@ -7,16 +7,7 @@ from ehl.units import from_si
 
 from ..quantities import values_of
 from ..results import BearingResults
-
-SOURCES = {
-    "temperature_C": "balance.temperature",
-    "torque_N_mm": "balance.torque",
-    "power_W": "balance.power",
-    "oil_W": "oil_heat",
-    "viscosity_mPa_s": "viscosity",
-    "clearance_um": "clearance",
-}
-KEYS = tuple(SOURCES)
+from .quantities import HEATING
 
 
 def heating_block(results: BearingResults) -> dict[str, Any]:
@@ -27,7 +18,7 @@ def heating_block(results: BearingResults) -> dict[str, Any]:
     heating = results.heating
     balanced = heating is not None and heating.balance is not None and heating.converged
     return {
-        **values_of(heating if balanced else None, SOURCES),
+        **values_of(heating if balanced else None, HEATING),
         "torque_model": None if heating is None else heating.model,
         "converged": None if heating is None else heating.converged,
     }

@@ -9,27 +9,12 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from bearing.torque.models import ModelTorque
-from ehl.units import NEWTON_MILLIMETRE
 
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE
 from ..results import BearingResults
+from .quantities import BALL_QUANTITY, TORQUE, TORQUE_MODELS
 from .torque import shown_torques
 
-LABELS = {
-    "integrated": "integrated films",
-    "pure_rolling_lines": "pure rolling lines",
-    "balanced_lines": "lines, balanced",
-    "coulomb": "Coulomb, 2-D, balanced",
-    "constant_coulomb": "lines, µ = 0.07",
-    "kakuta": "Kakuta",
-    "houpert": "Houpert",
-    "starved": "by oil supply",
-    "skf": "SKF",
-    "skf_lambda": "SKF, λ of the films",
-    "skf_as_printed": "SKF, as printed",
-    "palmgren": "Palmgren",
-    "yao": "Yao et al.",
-}
 OIL = "#4c78a8"
 SLIDING = "#d67b1f"
 SPIN = "#b23a3a"
@@ -73,23 +58,25 @@ def draw_torque(figure: Figure, results: BearingResults) -> None:
         return
     upper, lower = figure.subplots(2, 1, height_ratios=[0.26 * len(known) + 0.5, 1.6])
     draw_models(upper, known, torque.chosen)
-    _draw_balls(lower, results, shares / NEWTON_MILLIMETRE)
+    _draw_balls(lower, results, TORQUE.in_unit(shares))
 
 
 def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None = None) -> None:
     """Horizontal stacked bars of models [N mm], the chosen one in bold."""
     sizes = [sum(map(abs, model.components.values())) for model in models.values()]
     visible = VISIBLE * max(sizes, default=0.0)
-    names = [name for name in LABELS if name in models]
+    names = [name for name in TORQUE_MODELS if name in models]
     for row, name in enumerate(names):
         _draw_bar(axes, row, models[name], visible)
-    axes.set_yticks(range(len(names)), [LABELS[name] for name in names])
+    axes.set_yticks(range(len(names)), [TORQUE_MODELS[name].title for name in names])
     for label, name in zip(axes.get_yticklabels(), names, strict=True):
         if name == chosen:
             label.set_fontweight("bold")
     axes.invert_yaxis()
-    axes.set_xlim(right=1.13 * max(_millimetres(model.total or 0.0) for model in models.values()))
-    axes.set_xlabel("torque, N mm")
+    axes.set_xlim(
+        right=1.13 * max(TORQUE.in_unit(model.total or 0.0) for model in models.values())
+    )
+    axes.set_xlabel(TORQUE.label)
     axes.spines[["top", "right"]].set_visible(False)
     parts = [item for model in models.values() for item in model.components.items()]
     used = {part for part, value in parts if abs(value) > visible}
@@ -101,18 +88,14 @@ def draw_models(axes: Axes, models: dict[str, ModelTorque], chosen: str | None =
 def _draw_bar(axes: Axes, row: int, model: ModelTorque, visible: float) -> None:
     right = left = 0.0
     for _, colour, members in KINDS:
-        value = _millimetres(sum(model.components.get(part, 0.0) for part in members))
-        if abs(value) <= _millimetres(visible):
+        value = TORQUE.in_unit(sum(model.components.get(part, 0.0) for part in members))
+        if abs(value) <= TORQUE.in_unit(visible):
             continue
         start = right if value > 0.0 else left
         axes.barh(row, value, left=start, color=colour, height=0.72)
         right, left = (right + value, left) if value > 0.0 else (right, left + value)
-    total = f" {_millimetres(model.total or 0.0):.4g}"
+    total = f" {TORQUE.in_unit(model.total or 0.0):.4g}"
     axes.text(max(right, 0.0), row, total, va="center", fontsize=7)
-
-
-def _millimetres(torque: float) -> float:
-    return torque / NEWTON_MILLIMETRE
 
 
 def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None:
@@ -122,6 +105,6 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
     axes.set_xlim(-190.0, 190.0)
     axes.set_xticks(range(-180, 181, 60))
     axes.axvline(0.0, color=INK, linewidth=0.5, linestyle=":")
-    axes.set_xlabel("azimuth from the load line, °")
-    axes.set_ylabel("contacts of a ball, N mm")
+    axes.set_xlabel(f"{BALL_QUANTITY['azimuth_deg'].label} from the load line")
+    axes.set_ylabel(f"contacts of a ball: {TORQUE.label}")
     axes.spines[["top", "right"]].set_visible(False)

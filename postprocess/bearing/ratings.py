@@ -9,37 +9,7 @@ from ehl.units import from_si, to_si
 from ..quantities import values_of
 from ..results import BearingResults
 from .contacts import lambda_ratio
-
-LIFE_KEYS = ("basic_reference_rating_Mrev", "modified_reference_rating_Mrev", "a_iso", "kappa")
-FILM_KEYS = ("kappa_film", "a_iso_film", "modified_reference_rating_film_Mrev")
-LIFE = {
-    "basic_reference_rating_Mrev": "basic_life",
-    "modified_reference_rating_Mrev": "modified_life",
-    "a_iso": "life_factor",
-    "kappa": "viscosity_ratio",
-    "basic_dynamic_rating_kN": "dynamic_rating",
-    "dynamic_equivalent_load_N": "equivalent_load",
-    "fatigue_load_limit_N": "fatigue_load_limit",
-    "contamination_factor": "rating.contamination_factor",
-    "nominal_contact_angle_deg": "rating.nominal_contact_angle",
-    "static_safety": "static_safety",
-    "basic_static_rating_kN": "static_rating",
-    "static_equivalent_load_N": "static_load",
-    "static_safety_factor": "static_safety_factor",
-}
-CLEARANCE = {
-    **{
-        f"{name}_um": name
-        for name in (
-            *("initial", "mounted", "operating", "inner_fit", "outer_fit", "thermal"),
-            *("centrifugal", "inner_interference", "outer_interference"),
-        )
-    },
-    "inner_pressure_MPa": "inner_pressure",
-    "outer_pressure_MPa": "outer_pressure",
-    "cage_pocket_change_um": "cage.pocket",
-    "cage_land_change_um": "cage.land",
-}
+from .quantities import CLEARANCE, FILM_LIFE, LIFE_RATING, LOAD_RATING
 
 
 def life_block(results: BearingResults) -> dict[str, Any]:
@@ -47,9 +17,9 @@ def life_block(results: BearingResults) -> dict[str, Any]:
 
     None where it does not apply.
     """
-    if results.life is None:
-        return dict.fromkeys((*LIFE_KEYS, *FILM_KEYS))
-    return values_of(results.life, LIFE) | film_life(results)
+    life = results.life
+    loads = () if life is None else LOAD_RATING
+    return values_of(life, (*LIFE_RATING, *loads)) | film_life(results)
 
 
 def least_lambda(results: BearingResults) -> float | None:
@@ -72,22 +42,19 @@ def film_life(results: BearingResults) -> dict[str, float | None]:
     In place of the viscosity; None where they do not apply.
     """
     life = results.life
-    values: dict[str, float | None] = dict.fromkeys(FILM_KEYS)
     least = least_lambda(results)
     if life is None or life.viscosity_ratio is None or least is None:
-        return values
+        return dict.fromkeys(FILM_LIFE)
     kappa = least ** results.case["surface"]["kappa_exponent"]
-    values["kappa_film"] = kappa
+    values = dict.fromkeys(FILM_LIFE) | {"kappa_film": kappa}
     cleanliness = life.rating.contamination_factor
     limit = life.fatigue_load_limit
     if cleanliness is None or limit is None or life.basic_life is None or kappa < SMALLEST_KAPPA:
         return values
     assert life.equivalent_load is not None  # where there is a life
     factor = life_factor(kappa, cleanliness * limit / life.equivalent_load)
-    return values | {
-        "a_iso_film": factor,
-        "modified_reference_rating_film_Mrev": from_si("life_Mrev", factor * life.basic_life),
-    }
+    modified = from_si("life_Mrev", factor * life.basic_life)
+    return values | {"a_iso_film": factor, "modified_reference_rating_film_Mrev": modified}
 
 
 def clearance_block(results: BearingResults) -> dict[str, float | None]:
@@ -153,26 +120,27 @@ def _cage_messages(results: BearingResults) -> Iterator[str]:
 
 def rating_rows(results: BearingResults) -> dict[str, str]:
     """Lines of the terminal's table: clearance where it was computed, life where there is one."""
-    rows = {}
     budget = results.clearance
     life = results.life
+    rows = {}
     if budget is not None:
         lengths = (budget.initial, budget.mounted, budget.operating)
         values = [from_si("clearance_um", length) for length in lengths]
         rows["clearance"] = "{:.1f} µm delivered, {:.1f} mounted, {:.1f} operating".format(*values)
     if life is None:
         return rows
-    if life.basic_life is not None:
-        rows["rating life"] = f"{from_si('life_Mrev', life.basic_life):.4g} million revolutions"
-        if life.modified_life is not None:
-            modified = from_si("life_Mrev", life.modified_life)
-            rows["rating life"] += f", modified {modified:.4g} (a_ISO {life.life_factor:.3g})"
-    if life.static_safety_factor is not None:
-        rows["static safety"] = f"S_0 {life.static_safety_factor:.3g}"
-        if life.static_safety is not None:
-            rows["static safety"] += f", by pressure {life.static_safety:.3g}"
-    if life.viscosity_ratio is not None:
-        rows["viscosity ratio"] = f"κ {life.viscosity_ratio:.3g}"
+    known = values_of(life, (*LIFE_RATING, *LOAD_RATING))
+    basic, modified, factor, kappa = (known[quantity.key] for quantity in LIFE_RATING)
+    if basic is not None:
+        rows["rating life"] = f"{basic:.4g} million revolutions"
+        if modified is not None:
+            rows["rating life"] += f", modified {modified:.4g} (a_ISO {factor:.3g})"
+    if known["static_safety_factor"] is not None:
+        rows["static safety"] = f"S_0 {known['static_safety_factor']:.3g}"
+        if known["static_safety"] is not None:
+            rows["static safety"] += f", by pressure {known['static_safety']:.3g}"
+    if kappa is not None:
+        rows["viscosity ratio"] = f"κ {kappa:.3g}"
         film = film_life(results)["kappa_film"]
         if film is not None:
             rows["viscosity ratio"] += (

@@ -4,33 +4,25 @@ from collections.abc import Iterator
 from typing import Any
 
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.rating.frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
-from ehl.units import from_si
+from bearing.rating.frequencies import bearing_frequencies, kinematic_frequencies
 
+from ..quantities import values_of
 from ..results import BearingResults
-
-FREQUENCIES = ("cage", "ball_pass_outer", "ball_pass_inner", "ball_spin")
-
-
-def frequency_block(frequencies: Frequencies) -> dict[str, float]:
-    """Frequencies by name [Hz]."""
-    return {name: getattr(frequencies, name) for name in FREQUENCIES}
+from .quantities import CAGE_SPEED, FREQUENCIES, RING_LOAD, ROW
 
 
 def kinematic_block(results: BearingResults) -> dict[str, float]:
     """Frequencies of rolling at the nominal contact angle, as catalogues have them [Hz]."""
     state, life = results.quasistatic, results.life
     angle = state.bearing.free_contact_angle if life is None else life.rating.nominal_contact_angle
-    return frequency_block(kinematic_frequencies(state.bearing, state.operation, angle))
+    return values_of(kinematic_frequencies(state.bearing, state.operation, angle), FREQUENCIES)
 
 
 def frequency_lines(results: BearingResults) -> dict[str, str]:
     """A line of the terminal's table [Hz]; none where the rings turn together."""
     own = results.frequencies
-    if not own.ball_spin > 0.0:
-        return {}
-    passing = f"BPFO {own.ball_pass_outer:.1f}, BPFI {own.ball_pass_inner:.1f}"
-    return {"frequencies": f"cage {own.cage:.1f}, {passing}, BSF {own.ball_spin:.1f} Hz"}
+    texts = [f"{frequency.symbol} {frequency.value(own):.1f}" for frequency in FREQUENCIES]
+    return {"frequencies": f"{', '.join(texts)} Hz"} if own.ball_spin > 0.0 else {}
 
 
 def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
@@ -38,17 +30,16 @@ def row_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
     blocks = []
     for index, row in enumerate(state.rows):
         alone = state.row(index)
-        values = {
-            "axial_position_mm": row.axial_position,
-            "offset_um": row.offset,
-            "force_N": list(alone.ring_force),
-            "moment_N_mm": alone.ring_moment,
-            "balls_loaded": int((alone.inner_load > 0.0).sum()),
-            "cage_speed_rpm": alone.cage_speed,
-        }
-        block = {key: from_si(key, value) for key, value in values.items()}
-        frequencies = frequency_block(bearing_frequencies(alone))
-        blocks.append({"row": index + 1, **block, "frequencies_Hz": frequencies})
+        blocks.append(
+            {
+                "row": index + 1,
+                **values_of(row, ROW),
+                **values_of(alone, RING_LOAD),
+                "balls_loaded": int((alone.inner_load > 0.0).sum()),
+                CAGE_SPEED.key: CAGE_SPEED.value(alone),
+                "frequencies_Hz": values_of(bearing_frequencies(alone), FREQUENCIES),
+            }
+        )
     return blocks
 
 
@@ -62,10 +53,8 @@ def row_messages(results: BearingResults) -> Iterator[str]:
 
 def row_lines(state: QuasistaticSolution) -> dict[str, str]:
     """Lines of the terminal's table, one a row, none for a single row; loads in [N]."""
-    if len(state.rows) == 1:
-        return {}
     lines = {}
-    for block in row_blocks(state):
+    for block in row_blocks(state) if len(state.rows) > 1 else ():
         x, y, z = (round(force, 1) + 0.0 for force in block["force_N"])
         cage = f"{block['balls_loaded']} balls loaded, cage {block['cage_speed_rpm']:.1f} rpm"
         lines[f"row {block['row']}"] = f"x {x:.1f}, y {y:.1f}, z {z:.1f} N, {cage}"

@@ -4,36 +4,24 @@ from collections.abc import Iterator
 from typing import Any
 
 from bearing.quasistatic.solution import QuasistaticSolution
-from ehl.units import from_si
 
 from ..contact.summary import contact_summary, solution_messages
 from ..files import plain
-from ..results import STIFFNESS_ORDER, BearingResults, ContactResults, distinct_contacts
+from ..quantities import rows_of, values_of
+from ..results import (
+    STIFFNESS_ORDER,
+    STIFFNESS_UNITS,
+    BearingResults,
+    ContactResults,
+    distinct_contacts,
+)
 from .contacts import contact_messages, contact_records, contact_values
 from .heating import heating_block, heating_messages
+from .quantities import BALL_QUANTITIES, CAGE_SPEED, FREQUENCIES, RING
 from .ratings import clearance_block, life_block, rating_messages
-from .rolling import rolling_messages
-from .rows import frequency_block, kinematic_block, row_blocks, row_messages
+from .rows import kinematic_block, row_blocks, row_messages
 from .supply import supply_block, supply_messages
-from .torque import torque_block, torque_messages
-
-BALL_QUANTITIES = {  # unit in SI, and key of the summary where it has the quantity
-    "azimuth": ("rad", "azimuth_deg"),
-    "inner_load": ("N", ""),
-    "outer_load": ("N", ""),
-    "inner_contact_angle": ("rad", ""),
-    "outer_contact_angle": ("rad", ""),
-    "ball_axial": ("m", ""),
-    "ball_radial": ("m", ""),
-    "centrifugal_force": ("N", "centrifugal_force_N"),
-    "gyroscopic_moment": ("N m", "gyroscopic_moment_N_mm"),
-    "orbit_speed": ("rad/s", "orbit_speed_rad_s"),
-    "spin_speed": ("rad/s", "spin_speed_rad_s"),
-    "attitude": ("rad", "attitude_deg"),
-    "pivot_speed": ("rad/s", "pivot_speed_rad_s"),
-    "inner_friction": ("N", "inner_friction_N"),
-    "outer_friction": ("N", "outer_friction_N"),
-}
+from .torque import rolling_messages, torque_block, torque_messages
 
 
 def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
@@ -70,12 +58,12 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
             "message": state.message,
         },
         "rows": row_blocks(state),
-        "cage_speed_rpm": from_si("cage_speed_rpm", state.cage_speed),
-        "balls": [_ball(state, i) for i in range(len(state.azimuth))],
+        "cage_speed_rpm": CAGE_SPEED.value(state),
+        "balls": rows_of(_balls(state)),
         "contacts": [contact_values(record) for record in contact_records(results)],
         "clearance": clearance_block(results),
         "life": life_block(results),
-        "frequencies_Hz": frequency_block(results.frequencies),
+        "frequencies_Hz": values_of(results.frequencies, FREQUENCIES),
         "kinematic_frequencies_Hz": kinematic_block(results),
         "torque_N_mm": torque_block(results),
         "supply": supply_block(results),
@@ -85,28 +73,14 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
 
 
 def _ring(state: QuasistaticSolution) -> dict[str, Any]:
-    translation, rotation = ("N/m", "N/rad"), ("N m/m", "N m/rad")
-    values = {
-        "displacement_um": state.displacement,
-        "tilt_mrad": state.tilt,
-        "force_N": state.ring_force,
-        "moment_N_mm": state.ring_moment,
-    }
-    stiffness = {
-        "order": list(STIFFNESS_ORDER),
-        "matrix": state.stiffness,
-        "units": [[u[0]] * 3 + [u[1]] * 2 for u in [translation] * 3 + [rotation] * 2],
-    }
-    return {key: from_si(key, value) for key, value in values.items()} | {"stiffness": stiffness}
+    matrix = {"order": list(STIFFNESS_ORDER), "matrix": state.stiffness, "units": STIFFNESS_UNITS}
+    return values_of(state, RING) | {"stiffness": matrix}
 
 
-def _ball(state: QuasistaticSolution, i: int) -> dict[str, Any]:
-    values = {
-        key: from_si(key, getattr(state, name)[i])
-        for name, (_, key) in BALL_QUANTITIES.items()
-        if key
-    }
-    return {"ball": i + 1, "row": int(state.row_of_ball[i]) + 1, **values}
+def _balls(state: QuasistaticSolution) -> dict[str, Any]:
+    """Columns of the balls."""
+    numbers = {"ball": range(1, len(state.azimuth) + 1), "row": state.row_of_ball + 1}
+    return numbers | values_of(state, BALL_QUANTITIES)
 
 
 def _bearing_messages(results: BearingResults) -> Iterator[str]:

@@ -6,14 +6,10 @@ from typing import Any
 
 from bearing.supply.starved_films import StarvedFilm, of_driven_balls
 from bearing.torque.breakdown import TorqueBreakdown
-from ehl.units import from_si
 
 from ..results import BearingResults
+from .quantities import SUPPLY
 
-KEYS = (
-    *("film_share", "film_share_least", "lambda_least", "oil_fraction"),
-    *("torque_N_mm", "flooded_torque_N_mm"),
-)
 FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is reported flooded [-]
 
 
@@ -34,8 +30,8 @@ def supply_block(results: BearingResults) -> dict[str, Any]:
         None if starved is None else starved.total,
         None if starved is None else starved.flooded,
     )
-    block = {key: from_si(key, value) for key, value in zip(KEYS, values, strict=True)}
-    return {"kind": supply_kind(results), **block}
+    pairs = zip(SUPPLY, values, strict=True)
+    return {"kind": supply_kind(results)} | {own.key: own.in_unit(value) for own, value in pairs}
 
 
 def supply_kind(results: BearingResults) -> str:

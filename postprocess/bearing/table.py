@@ -8,12 +8,14 @@ from rich.table import Table
 from rich.text import Text
 
 from ehl import ContactSolution
-from ehl.units import GIGAPASCAL, MICROMETRE, RPM
+from ehl.units import GIGAPASCAL, MICROMETRE
 
+from ..quantities import values_of
 from ..results import BearingResults, ContactResults
 from ..table import facts_table, number_table
 from ..text import NOTHING, number, unit_text, value_with_error
 from .contacts import CONTACT_QUANTITY, TERMINAL_COLUMNS, ContactRecord, contact_records
+from .quantities import CAGE_SPEED, RING
 from .ratings import rating_rows
 from .rows import frequency_lines, row_lines
 from .supply import supply_rows
@@ -32,26 +34,27 @@ def result_table(results: BearingResults | ContactResults) -> Group:
 
 def _bearing_table(results: BearingResults) -> Table:
     state = results.quasistatic
-    x, y, z = (value / MICROMETRE for value in state.displacement)
+    titles = {quantity.key: quantity.title for quantity in (*RING, CAGE_SPEED)}
+    ring = values_of(state, (*RING, CAGE_SPEED))
+    x, y, z = ring["displacement_um"]
+    tilt_y, tilt_z = ring["tilt_mrad"]
     rows = {
-        "ring displacement": f"x {x:.2f}, y {y:.2f}, z {z:.2f} µm".replace("-0.00", "0.00"),
-        "ring tilt": f"y {state.tilt[0] * 1e3:.3f}, z {state.tilt[1] * 1e3:.3f} mrad",
-        "ring load": "x {:.1f}, y {:.1f}, z {:.1f} N".format(
-            *(round(v, 1) + 0.0 for v in state.ring_force)
+        "displacement_um": f"x {x:.2f}, y {y:.2f}, z {z:.2f} µm".replace("-0.00", "0.00"),
+        "tilt_mrad": f"y {tilt_y:.3f}, z {tilt_z:.3f} mrad",
+        "force_N": "x {:.1f}, y {:.1f}, z {:.1f} N".format(
+            *(round(v, 1) + 0.0 for v in ring["force_N"])
         ),
-        "cage speed": f"{state.cage_speed / RPM:.1f} rpm",
+        "cage_speed_rpm": f"{ring['cage_speed_rpm']:.1f} rpm",
         "balls loaded": f"{int((state.inner_load > 0.0).sum())} of {len(state.azimuth)}",
         "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",
     }
     if not state.converged:
         rows["equilibrium"] = f"NOT CONVERGED: {state.message}"
     if not state.tilt.any():
-        del rows["ring tilt"]
-    rows |= (
-        row_lines(state) | frequency_lines(results) | rating_rows(results) | torque_rows(results)
-    )
-    rows |= supply_rows(results)
-    return facts_table(rows)
+        del rows["tilt_mrad"]
+    rows = {titles.get(key, key): text for key, text in rows.items()}
+    rows |= row_lines(state) | frequency_lines(results) | rating_rows(results)
+    return facts_table(rows | torque_rows(results) | supply_rows(results))
 
 
 def _contacts_table(results: BearingResults) -> Table:

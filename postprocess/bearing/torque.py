@@ -4,43 +4,16 @@ from collections.abc import Iterator
 from typing import Any
 
 from bearing.operation import BallKinematics
-from bearing.torque.breakdown import TorqueBreakdown
+from bearing.torque.breakdown import NAMES, TorqueBreakdown
 from bearing.torque.models import ModelTorque
+from bearing.torque.rolling_extent import RollingExtent, rolling_extent
 from bearing.torque.shear_torque import SolvedShear
-from ehl.units import from_si
 
 from ..quantities import values_of
 from ..results import BearingResults
-from .rolling import rolling_block
+from .quantities import AS_PRINTED, POWER_BALANCE, ROLLING_EXTENT, TORQUE, TORQUE_MODELS
 
-UNIT = "torque_N_mm"
-MODELS = {
-    "integrated": ("rolling", "sliding", "spin", "curvature", "asperity", "cage", "drag"),
-    "pure_rolling_lines": ("spin", "rotation", "orbit"),
-    "skf": ("rolling", "sliding", "seal", "drag"),
-    "houpert": ("spin", "curvature", "hydrodynamic"),
-    "palmgren": ("viscous", "load"),
-    "yao": ("ME", "MD", "MS", "MC", "ML"),
-    "balanced_lines": ("spin", "rotation", "orbit"),
-    "coulomb": ("sliding", "spin", "curvature"),
-    "kakuta": ("spin", "rotation", "orbit"),
-    "constant_coulomb": ("spin", "rotation", "orbit"),
-    "skf_lambda": ("rolling", "sliding", "seal", "drag"),
-    "starved": ("rolling", "film", "asperity", "cage", "drag"),
-}
-AS_PRINTED = "skf_as_printed"  # only where a case asks for it
-AS_PRINTED_PARTS = ("sliding",)
-POWER_BALANCE = {
-    "shaft_W": "torque.shaft_power",
-    "heat_W": "torque.heat",
-    "resisted_W": "torque.resisted",
-    "imbalance": "torque.imbalance",
-    "traction_equilibrium": "closed",
-    "hypothesis_torque_N_mm": "hypothesis.total",
-    "hypothesis_imbalance": "hypothesis.imbalance",
-}
-
-
+LARGE_SHARE = 0.05  # of the torque: from there on it is reported that the boxes decide
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
 
 
@@ -52,7 +25,7 @@ def shown_models(results: BearingResults) -> tuple[str, ...]:
     """
     torque = results.torque
     asked = results.case.get("friction", {}).get("models", "main")
-    names = tuple(MODELS) if asked == "all" else MAIN
+    names = NAMES if asked == "all" else MAIN
     if torque is None:
         return names
     more = (torque.chosen, "starved" if torque.films else None, AS_PRINTED)
@@ -75,34 +48,26 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
     """Torque of the models [N mm], None where one does not apply; `total` is that of `model`."""
     torque = results.torque
     shear = None if torque is None else torque.shear
+    hypothesis = None if shear is None else results.quasistatic.model.ball_kinematics.value
+    extent = _extent(results)
     return {
-        "total": None if torque is None else from_si(UNIT, torque.total),
+        "total": TORQUE.value(torque),
         "model": None if torque is None else torque.chosen,
         "coulomb_coefficient": None if torque is None else torque.coefficient,
         "models": {name: _model(torque, name) for name in shown_models(results)},
-        "power_balance": _power_balance(results),
-        "per_ball_N_mm": None if shear is None else from_si(UNIT, shear.torque.per_ball),
-        "rolling_extent": rolling_block(results),
+        "power_balance": {**values_of(shear, POWER_BALANCE), "hypothesis": hypothesis},
+        "per_ball_N_mm": None if shear is None else TORQUE.in_unit(shear.torque.per_ball),
+        "rolling_extent": {part.source: part.value(extent) for part in ROLLING_EXTENT},
     }
 
 
 def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]:
-    parts = (*MODELS.get(name, AS_PRINTED_PARTS), "total")
+    parts = (*TORQUE_MODELS[name].parts, "total")
     if torque is None:
         return dict.fromkeys(parts)
     model = torque.models[name]
     values = model.components | {"total": model.total}
-    return {part: from_si(UNIT, values.get(part)) for part in parts}
-
-
-def _power_balance(results: BearingResults) -> dict[str, Any]:
-    """Rings' power and heat of the films [W], and how far they are apart.
-
-    Balanced, and under the hypothesis on the balls' motion.
-    """
-    shear = None if results.torque is None else results.torque.shear
-    kinematics = results.quasistatic.model.ball_kinematics.value
-    return values_of(shear, POWER_BALANCE) | {"hypothesis": None if shear is None else kinematics}
+    return {part: TORQUE.in_unit(values.get(part)) for part in parts}
 
 
 def torque_messages(results: BearingResults) -> Iterator[str]:
@@ -129,7 +94,7 @@ def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
     if torque.chosen == "integrated" and torque.shear is not None:
         return f"integrated model{_balance_text(results, torque.shear)}"
     if torque.chosen == "starved":
-        flooded = None if torque.starved is None else from_si(UNIT, torque.starved.flooded)
+        flooded = None if torque.starved is None else TORQUE.in_unit(torque.starved.flooded)
         ample = "" if flooded is None else f", {flooded:.4g} N mm if flooded"
         rest = "null without films" if torque.shear is None else "those of flooded films"
         return f"model starved, at the supply{ample}; power_balance and per_ball_N_mm {rest}"
@@ -160,13 +125,46 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
     torque = results.torque
     if torque is None or torque.total is None:
         return {}
-    totals = {
-        name: f"{from_si(UNIT, model.total):.4g}" for name, model in shown_torques(results).items()
-    }
-    rows = {"friction torque": f"{from_si(UNIT, torque.total):.4g} N mm ({torque.chosen})"}
     others = [
-        f"{name.replace('_', ' ')} {total}"
-        for name, total in totals.items()
+        f"{name.replace('_', ' ')} {TORQUE.value(model):.4g}"
+        for name, model in shown_torques(results).items()
         if name != torque.chosen
     ]
+    rows = {"friction torque": f"{TORQUE.value(torque):.4g} N mm ({torque.chosen})"}
     return rows | ({"other models": ", ".join(others)} if others else {})
+
+
+def rolling_messages(results: BearingResults) -> Iterator[str]:
+    """Why there is nothing beyond a box, and whether the boxes decide much of the torque."""
+    if any(film is None or not film.converged for film in results.solutions):
+        yield "contacts.rolling_moment_N_mm: null where there is no film that converged"
+    extent = _extent(results)
+    if extent is None:
+        yield (
+            "torque_N_mm.rolling_extent: null, the integrated torque is not there or not that of "
+            "solved films"
+        )
+        return
+    if extent.within_extent is None:
+        yield f"torque_N_mm.rolling_extent: null beyond the boxes, {extent.note}"
+        return
+    assert extent.beyond_box is not None and extent.beyond_extent is not None
+    total = None if results.torque is None else results.torque.total
+    torque = extent.box if total is None else total
+    if max(abs(extent.beyond_box), abs(extent.beyond_extent)) > LARGE_SHARE * torque:
+        box, beyond, counted, within, doubling = (
+            f"{part.value(extent):.4g}" for part in ROLLING_EXTENT
+        )
+        yield (
+            "torque_N_mm: the rolling part depends on the films' boxes: of its "
+            f"{box} N mm, {counted} lie farther than half the smaller reduced radius from the "
+            f"contacts, and {beyond} up to there lie beyond the boxes; oil up to that distance "
+            f"gives {within} N mm, up to twice of it {doubling} more"
+        )
+
+
+def _extent(results: BearingResults) -> RollingExtent | None:
+    torque = results.torque
+    if torque is None or torque.shear is None or not torque.shear.tractions:
+        return None
+    return rolling_extent(results.quasistatic, results.tractions, results.solutions)

@@ -7,13 +7,15 @@ import numpy as np
 import xarray as xr
 
 from bearing.contacts.contact import BearingContact
+from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
 from ehl.units import unit_of
 
 from ..files import Variables, atomic_path, contact_name, root_attributes, write_csv
 from ..results import STIFFNESS_ORDER, BearingResults, ContactResults
 from .contacts import CONTACT_QUANTITIES
-from .summary import BALL_QUANTITIES, summary
+from .quantities import BALL_QUANTITY, CAGE_SPEED
+from .summary import summary
 
 COMPRESSION = {"zlib": True, "complevel": 4, "shuffle": True, "dtype": "float32"}
 
@@ -53,7 +55,7 @@ def write_netcdf(
 
 
 def _bearing_groups(results: BearingResults) -> dict[str, xr.Dataset]:
-    groups = {"/ring": _ring_dataset(results), "/balls": _ball_dataset(results)}
+    groups = {"/ring": _ring_dataset(results), "/balls": _ball_dataset(results.quasistatic)}
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         if solution is not None:
             dataset = _field_dataset(solution).assign_attrs(_placement(contact))
@@ -164,17 +166,16 @@ def _ring_dataset(results: BearingResults) -> xr.Dataset:
             "displacement": ("freedom", np.r_[state.displacement, state.tilt], {"units": units}),
             "force": ("freedom", np.r_[state.ring_force, state.ring_moment], {"units": units}),
             "stiffness": (("freedom", "freedom_2"), np.asarray(state.stiffness), {"units": units}),
-            "cage_speed": ((), state.cage_speed, {"units": "rad/s"}),
+            "cage_speed": ((), state.cage_speed, CAGE_SPEED.si_attributes),
         },
         coords={"freedom": list(STIFFNESS_ORDER), "freedom_2": list(STIFFNESS_ORDER)},
         attrs=attrs | {n: float(v) for n, v in optional.items() if v is not None},
     )
 
 
-def _ball_dataset(results: BearingResults) -> xr.Dataset:
-    state = results.quasistatic
+def _ball_dataset(state: QuasistaticSolution) -> xr.Dataset:
     data = {
-        n: ("ball", np.asarray(getattr(state, n), dtype=np.float64), {"units": u})
-        for n, (u, _) in BALL_QUANTITIES.items()
+        ball.source: ("ball", np.asarray(getattr(state, ball.source), float), ball.si_attributes)
+        for ball in BALL_QUANTITY.values()
     }
     return xr.Dataset(data, coords={"ball": np.arange(1, len(state.azimuth) + 1)})

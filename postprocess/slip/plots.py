@@ -12,14 +12,15 @@ from matplotlib.axes import Axes
 from matplotlib.colors import ListedColormap, TwoSlopeNorm
 from matplotlib.figure import Figure
 
-from bearing.studies.slip import CriticalCurves, slip_factors
+from bearing.studies.slip import CriticalCurves
 from ehl.solution import Array
-from ehl.units import RPM
+from ehl.units import from_si
 
+from ..bearing.quantities import BALL_QUANTITY
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, write_figure
+from .quantities import AXIAL_LOAD, RADIAL_LOAD, SLIP_FACTOR, SPEED, WORST_FACTOR
 from .results import SlipResults
 
-KRPM = 1000.0 * RPM
 # of the contour lines, limit 10 [-]
 LEVELS = np.array([0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, 200.0])
 DEEPEST = 0.01  # of the limit: where the colours end [-]
@@ -27,6 +28,12 @@ MOST_TICKS = 12  # azimuths that are named [-]
 NO_LOAD = 1e-3  # slip factor that counts as none [-]
 UNLOADED = "#c9ced4"  # where a ball carries no load at the inner race
 SAME = 1.0e-6  # relative difference below which two balls have one curve [-]
+LOAD_STYLES: dict[str, Any] = {
+    "hirano_N": {"color": INNER_COLOUR, "linewidth": 1.8},
+    "as_printed_N": {"color": OUTER_COLOUR, "linestyle": "--"},
+    "skf_axial_N": {"color": REFERENCE, "linestyle": "-."},
+    "skf_radial_N": {"color": REFERENCE, "linestyle": ":"},
+}
 
 
 def write_slip_plots(results: SlipResults, directory: Path) -> None:
@@ -57,7 +64,7 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
     surface = results.surface
     factors = np.log10(np.clip(surface.minimum.T / results.limit, DEEPEST, 1.0 / DEEPEST))
     shown = np.ma.masked_invalid(factors)
-    x = surface.speeds / KRPM
+    x = SPEED.in_unit(surface.speeds)
     y = surface.axial_loads
     # the ends are too dark
     reach = 1.25 * max(float(np.ma.max(np.ma.abs(shown))), 0.1) if shown.count() else 1.0
@@ -73,23 +80,22 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
         )
         axes.clabel(lines, fmt={v: f"{results.limit * 10.0**v:.3g}" for v in thin}, fontsize=6.5)
     _limit_line(axes, results)
-    label = "slip factor of the worst ball, $Q_i\\,\\sin\\alpha_i/F_c$"
-    bar = figure.colorbar(image, ax=axes, label=label, aspect=30)
+    bar = figure.colorbar(image, ax=axes, label=WORST_FACTOR.label, aspect=30)
     ticks = [v for v in np.log10(levels / results.limit) if -reach <= v <= reach]
     bar.set_ticks(ticks, labels=[f"{results.limit * 10.0**v:.3g}" for v in ticks])
     if shown.count():
         bar.ax.set_ylim(min(float(shown.min()), -0.05), max(float(shown.max()), 0.05))
-    axes.set_xlabel("speed of the inner ring [1000 r/min]")
-    axes.set_ylabel("axial load [N]")
-    axes.set_xlim(x[0], x[-1])
-    axes.set_ylim(y[0], y[-1])
+    axes.set_xlabel(SPEED.label)
+    axes.set_ylabel(AXIAL_LOAD.label)
+    axes.set(xlim=(x[0], x[-1]), ylim=(y[0], y[-1]))
 
 
 def _limit_line(axes: Axes, results: SlipResults) -> None:
     """The minimum preload over speed, where the worst ball's factor is the limit."""
     minimum = results.minimum
     grid = slice(0, minimum.count)
-    axes.plot(minimum.speeds[grid] / KRPM, minimum.hirano[grid], color=INK, linewidth=2.0)
+    speeds = SPEED.in_unit(minimum.speeds[grid])
+    axes.plot(speeds, minimum.hirano[grid], color=INK, linewidth=2.0)
     top = results.surface.axial_loads[-1]
     note = f"heavy line: factor {results.limit:g}; no ball slips above it"
     if not (minimum.hirano[grid] <= top).any():
@@ -135,11 +141,10 @@ def draw_critical_loads(figure: Figure, results: SlipResults) -> None:
         end = max(float(np.nanmax(worst)) * 1.08, 1.0)
         style: Any = {"color": INNER_COLOUR, "alpha": 0.08, "lw": 0}
         axes.fill_betweenx(curve.radial_loads, worst, end, **style)
-        axes.set_title(f"{curve.speed / RPM:.0f} r/min")
-        axes.set_xlabel("axial load [N]")
-        axes.set_xlim(left=0.0, right=end)
-        axes.set_ylim(curve.radial_loads[0], curve.radial_loads[-1])
-    panels[0, 0].set_ylabel("radial load [N]")
+        axes.set_title(f"{from_si('speed_rpm', curve.speed):.0f} r/min")
+        axes.set_xlabel(AXIAL_LOAD.label)
+        axes.set(xlim=(0.0, end), ylim=(curve.radial_loads[0], curve.radial_loads[-1]))
+    panels[0, 0].set_ylabel(RADIAL_LOAD.label)
     beside: Any = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5), "title_fontsize": 7}
     panels[0, -1].legend(title="ball (from load line)", **beside)
     figure.supxlabel(
@@ -152,27 +157,19 @@ def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
     figure.set_size_inches(0.72 * PAGE_WIDTH, 3.6)
     axes: Axes = figure.subplots()
     minimum = results.minimum
+    x = SPEED.in_unit(minimum.speeds)
     grid = slice(0, minimum.count)
-    x = minimum.speeds[grid] / KRPM
-    label = f"Hirano, factor {results.limit:g}"
-    axes.plot(x, minimum.hirano[grid], color=INNER_COLOUR, linewidth=1.8, label=label)
-    styles = {
-        "as_printed": ("as printed: half the centrifugal force", OUTER_COLOUR, "--"),
-        "skf_axial": ("SKF minimum axial load", REFERENCE, "-."),
-        "skf_radial": ("SKF minimum radial load", REFERENCE, ":"),
-    }
-    for name, (label, colour, dashes) in styles.items():
-        values = getattr(minimum, name)
-        if values is not None:
-            axes.plot(x, values[grid], color=colour, linestyle=dashes, label=label)
+    for load, values in minimum.given():
+        limit = f", factor {results.limit:g}" if load.key == "hirano_N" else ""
+        axes.plot(x[grid], values[grid], label=load.title + limit, **LOAD_STYLES[load.key])
     if minimum.own and np.isfinite(minimum.hirano[-1]):
-        at = minimum.speeds[-1] / KRPM, minimum.hirano[-1]
+        at = x[-1], minimum.hirano[-1]
         axes.plot(*at, "o", color=INNER_COLOUR, markersize=4)
         style: Any = {"textcoords": "offset points", "ha": "right", "fontsize": 7}
         axes.annotate(f"{at[1]:.0f} N", at, xytext=(-6, 3), **style)
-    axes.set_xlabel("speed of the inner ring [1000 r/min]")
+    axes.set_xlabel(SPEED.label)
     axes.set_ylabel("minimum load [N]")
-    axes.set_xlim(x[0], x[-1])
+    axes.set_xlim(x[0], x[minimum.count - 1])
     axes.set_ylim(bottom=0.0)
     axes.legend(loc="upper left")
 
@@ -181,7 +178,7 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
     """Slip factor of every ball at the case's own operation, over its azimuth [deg]."""
     figure.set_size_inches(0.72 * PAGE_WIDTH, 3.2)
     axes: Axes = figure.subplots()
-    factors = slip_factors(results.state)
+    factors = results.factors
     azimuths = np.degrees(results.state.azimuth) % 360.0
     finite = np.where(np.isfinite(factors), factors, 0.0)
     _ball_bars(axes, azimuths, finite, factors < results.limit)
@@ -191,14 +188,14 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
         axes.plot(azimuths, finite / results.printed_force, "D", label=label, **style)
     style = {"color": INK, "linewidth": 1.0, "linestyle": "--"}
     axes.axhline(results.limit, label=f"limit {results.limit:g}", **style)
-    axes.set_xlabel("azimuth of the ball from the load line [deg]")
-    axes.set_ylabel("slip factor $Q_i\\,\\sin\\alpha_i/F_c$")
+    axes.set_xlabel(f"{BALL_QUANTITY['azimuth_deg'].label} from the load line")
+    axes.set_ylabel(SLIP_FACTOR.label)
     every = -(-len(azimuths) // MOST_TICKS)
     axes.set_xticks(azimuths[::every], [f"{a:.4g}" for a in azimuths[::every]])
     highest = float(finite.max()) / (results.printed_force or 1.0)
     axes.set_ylim(0.0, 1.3 * max(results.limit, highest))
     x, y, _ = results.state.ring_force
-    speed = results.state.operation.inner_speed / RPM
+    speed = from_si("speed_rpm", results.state.operation.inner_speed)
     title = f"{speed:.0f} r/min, axial {round(x) + 0:d} N, radial {round(y) + 0:d} N"
     axes.set_title(title, fontsize=7.0, color=REFERENCE)
     axes.legend(loc="upper right", ncols=3, columnspacing=1.2)

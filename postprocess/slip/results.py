@@ -5,10 +5,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from bearing.quasistatic.solution import QuasistaticSolution
-from bearing.studies.slip import CriticalCurves, SlipSurface
+from bearing.studies.slip import CriticalCurves, SlipSurface, slip_factors
 from ehl.solution import Array
 
+from ..quantities import Quantity
 from ..results import Results
+from .quantities import MINIMUM_LOADS
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,18 +29,10 @@ class MinimumLoads:
         """Speeds of the grid [-], without the case's own."""
         return len(self.speeds) - self.own
 
-    def by_key(self) -> dict[str, Array | None]:
-        """The loads [N] by the names they have in files."""
-        return {
-            "hirano_N": self.hirano,
-            "as_printed_N": self.as_printed,
-            "skf_axial_N": self.skf_axial,
-            "skf_radial_N": self.skf_radial,
-        }
-
-    def given(self) -> dict[str, Array]:
-        """Those of `by_key` [N] that there are."""
-        return {key: values for key, values in self.by_key().items() if values is not None}
+    def given(self) -> list[tuple[Quantity, Array]]:
+        """The loads [N] that there are."""
+        loads = [(load, load.value(self)) for load in MINIMUM_LOADS]
+        return [(load, values) for load, values in loads if values is not None]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,6 +45,11 @@ class SlipResults(Results):
     curves: tuple[CriticalCurves, ...]
     minimum: MinimumLoads
     printed_force: float | None  # centrifugal force of the source over ours [-]
+
+    @property
+    def factors(self) -> Array:
+        """Slip factors of the balls at the operation of the case [-]."""
+        return slip_factors(self.state)
 
     @property
     def problems(self) -> tuple[str, ...]:

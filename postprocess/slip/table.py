@@ -9,18 +9,20 @@ from rich.text import Text
 
 from ehl.units import from_si
 
+from ..bearing.quantities import BALL_QUANTITY
 from ..table import number_table
-from ..text import number
+from ..text import number, unit_text
+from .quantities import SLIP_FACTOR
 from .results import SlipResults
 from .summary import ball_values
 
 MOST_ROWS = 11  # speeds listed
 STYLE: dict[str, Any] = {"padding": (0, 2, 0, 0), "collapse_padding": True}
-LOAD_NAMES = {
-    "hirano_N": "Hirano",
-    "as_printed_N": "as printed",
-    "skf_axial_N": "SKF axial",
-    "skf_radial_N": "radial",
+COLUMNS = {  # of the balls, with the format of their numbers
+    "azimuth_deg": ".1f",
+    "inner_load_N": ".1f",
+    "inner_contact_angle_deg": ".2f",
+    "centrifugal_force_N": ".2f",
 }
 
 
@@ -43,20 +45,15 @@ def slip_table(results: SlipResults) -> Group:
 
 def _balls_table(results: SlipResults) -> Table:
     printed = results.printed_force is not None
-    rows = [
-        [
-            f"{ball['ball']}",
-            f"{ball['azimuth_deg'] % 360.0:.1f}",
-            f"{ball['inner_load_N']:.1f}",
-            f"{ball['inner_contact_angle_deg']:.2f}",
-            f"{ball['centrifugal_force_N']:.2f}",
-            number(ball["slip_factor"], ".3f"),
-            *([number(ball["slip_factor_as_printed"], ".3f")] if printed else []),
-            "slips" if ball["slips"] else "",
-        ]
-        for ball in ball_values(results)
-    ]
-    headers = ["ball", "ψ °", "Qi N", "αi °", "Fc N", "SF", *["as printed"] * printed, ""]
+    factors = ("slip_factor", *["slip_factor_as_printed"] * printed)
+    rows = []
+    for ball in ball_values(results):
+        ball["azimuth_deg"] %= 360.0
+        cells = [f"{ball[key]:{digits}}" for key, digits in COLUMNS.items()]
+        cells += [number(ball[key], ".3f") for key in factors]
+        rows.append([str(ball["ball"]), *cells, "slips" if ball["slips"] else ""])
+    headers = ["ball", *(f"{BALL_QUANTITY[key].symbol} {unit_text(key)}" for key in COLUMNS)]
+    headers += [SLIP_FACTOR.symbol, *["as printed"] * printed, ""]
     return number_table(headers, rows, **STYLE)
 
 
@@ -65,15 +62,15 @@ def _loads_table(results: SlipResults) -> Table:
     loads = minimum.given()
     count = minimum.count
     chosen = np.unique(np.linspace(0, count - 1, min(MOST_ROWS, count)).round()).astype(int)
+    speeds = from_si("speeds_rpm", minimum.speeds)
     rows = [
         [
-            f"{from_si('speed_rpm', minimum.speeds[index]):.0f}"
-            + (" *" if index == count else ""),
-            *(number(float(values[index]), ".1f") for values in loads.values()),
+            f"{speeds[index]:.0f}" + (" *" if index == count else ""),
+            *(number(float(values[index]), ".1f") for _, values in loads),
         ]
         for index in (*chosen, *([count] if minimum.own else []))
     ]
-    table = number_table(["r/min", *(LOAD_NAMES[key] for key in loads)], rows, **STYLE)
+    table = number_table(["r/min", *(load.symbol for load, _ in loads)], rows, **STYLE)
     if minimum.own:
         table.caption = "* the case's own speed"
     return table

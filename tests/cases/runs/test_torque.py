@@ -6,11 +6,11 @@ from math import pi
 
 import pytest
 
+from bearing.torque.breakdown import NAMES
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from postprocess import summary
-from postprocess.bearing.torque import MODELS
 
 TEXT = """
 schema_version = 1
@@ -51,7 +51,7 @@ def test_models_of_papers_are_shown_where_they_are_asked_for():
     assert tuple(document["torque_N_mm"]["models"]) == ("integrated", "skf", "palmgren", "coulomb")
     assert not any("models.yao" in message for message in document["messages"])
     models, _ = torque_of(text)
-    assert set(models["models"]) == set(MODELS)
+    assert set(models["models"]) == set(NAMES)
     shown = document["torque_N_mm"]["models"]
     assert shown == {name: models["models"][name] for name in shown}
 

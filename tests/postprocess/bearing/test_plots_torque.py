@@ -12,16 +12,15 @@ from matplotlib.figure import Figure
 from bearing.torque.breakdown import NAMES, TorqueBreakdown
 from bearing.torque.models import ModelTorque, summed
 from bearing.torque.shear_torque import IntegratedTorque, SolvedShear
-from postprocess.bearing.plots_torque import KINDS, LABELS, draw_models, draw_torque
-from postprocess.bearing.torque import MODELS
+from postprocess.bearing.plots_torque import KINDS, draw_models, draw_torque
+from postprocess.bearing.quantities import TORQUE_MODELS
 
 
 def test_every_model_has_a_label_and_every_component_one_colour():
-    assert set(LABELS) == {*NAMES, "skf_as_printed"}
-    assert set(MODELS) == set(NAMES)
+    assert set(TORQUE_MODELS) == {*NAMES, "skf_as_printed"}
     parts = [part for _, _, members in KINDS for part in members]
     assert len(parts) == len(set(parts))
-    assert {part for members in MODELS.values() for part in members} <= set(parts)
+    assert {part for model in TORQUE_MODELS.values() for part in model.parts} <= set(parts)
 
 
 def test_bars_end_where_the_components_do():

@@ -1,0 +1,138 @@
+"""Quantities of a bearing beside those of its contacts (`contacts`), each declared once."""
+
+from typing import NamedTuple
+
+from ..quantities import Quantity, by_key, quantities
+
+RING_LOAD = quantities(
+    "", "", ("force_N", "ring load", "ring_force"), ("moment_N_mm", "ring moment", "ring_moment")
+)
+RING = (  # the inner ring in equilibrium
+    *quantities("", "", ("displacement_um", "ring displacement"), ("tilt_mrad", "ring tilt")),
+    *RING_LOAD,
+)
+CAGE_SPEED = Quantity("cage_speed_rpm", "cage speed", "cage_speed", symbol="cage")
+BALL_QUANTITIES = quantities(  # arrays of an equilibrium, an entry a ball
+    "",
+    "",
+    ("azimuth_deg", "", "", "ψ"),
+    ("centrifugal_force_N", "", "", "Fc"),
+    *("gyroscopic_moment_N_mm", "orbit_speed_rad_s", "spin_speed_rad_s", "attitude_deg"),
+    *("pivot_speed_rad_s", "inner_friction_N", "outer_friction_N"),
+)
+CONTACTS_OF_BALLS = quantities(  # not in the summary, whose contacts have them
+    "",
+    "",
+    ("inner_load_N", "", "", "Qi"),
+    "outer_load_N",
+    ("inner_contact_angle_deg", "", "", "αi"),
+    *("outer_contact_angle_deg", "ball_axial_mm", "ball_radial_mm"),
+)
+BALL_QUANTITY = by_key((*BALL_QUANTITIES, *CONTACTS_OF_BALLS))
+ROW = quantities("", "", "axial_position_mm", "offset_um")
+FREQUENCIES = quantities(  # in a block that has the unit
+    "",
+    "",
+    ("cage", "", "", "cage"),
+    ("ball_pass_outer", "", "", "BPFO"),
+    ("ball_pass_inner", "", "", "BPFI"),
+    ("ball_spin", "", "", "BSF"),
+)
+LIFE_RATING = quantities(
+    "",
+    "no rating was asked for, or it does not apply",
+    ("basic_reference_rating_Mrev", "rating life", "basic_life"),
+    ("modified_reference_rating_Mrev", "modified rating life", "modified_life"),
+    ("a_iso", "life factor", "life_factor", "a_ISO"),
+    ("kappa", "viscosity ratio", "viscosity_ratio", "κ"),
+)
+LOAD_RATING = quantities(  # only where a rating was asked for
+    "",
+    "it does not apply",
+    ("basic_dynamic_rating_kN", "", "dynamic_rating"),
+    ("dynamic_equivalent_load_N", "", "equivalent_load"),
+    "fatigue_load_limit_N",
+    ("contamination_factor", "", "rating.contamination_factor"),
+    ("nominal_contact_angle_deg", "", "rating.nominal_contact_angle"),
+    ("static_safety", "static safety by pressure"),
+    ("basic_static_rating_kN", "", "static_rating"),
+    ("static_equivalent_load_N", "", "static_load"),
+    ("static_safety_factor", "static safety", "", "S_0"),
+)
+FILM_LIFE = ("kappa_film", "a_iso_film", "modified_reference_rating_film_Mrev")
+CLEARANCE = quantities(
+    "",
+    "the case gives neither [fit] nor [temperatures], or no cage_C",
+    *("initial_um", "mounted_um", "operating_um", "inner_fit_um", "outer_fit_um", "thermal_um"),
+    *("centrifugal_um", "inner_interference_um", "outer_interference_um"),
+    *("inner_pressure_MPa", "outer_pressure_MPa"),
+    ("cage_pocket_change_um", "", "cage.pocket"),
+    ("cage_land_change_um", "", "cage.land"),
+)
+SUPPLY = quantities(
+    "",
+    "the supply is flooded",
+    *("film_share", "film_share_least", "lambda_least", "oil_fraction"),
+    *("torque_N_mm", "flooded_torque_N_mm"),
+)
+HEATING = quantities(
+    "",
+    "there is no balance of friction and cooling",
+    ("temperature_C", "", "balance.temperature"),
+    ("torque_N_mm", "", "balance.torque"),
+    ("power_W", "", "balance.power"),
+    ("oil_W", "heat of the oil", "oil_heat"),
+    *("viscosity_mPa_s", "clearance_um"),
+)
+POWER_BALANCE = quantities(
+    "",
+    "the integrated torque is not there",
+    ("shaft_W", "power of the rings", "torque.shaft_power"),
+    ("heat_W", "heat of the contacts", "torque.heat"),
+    ("resisted_W", "power against resistances", "torque.resisted"),
+    ("imbalance", "", "torque.imbalance"),
+    ("traction_equilibrium", "", "closed"),
+    ("hypothesis_torque_N_mm", "torque under the hypothesis", "hypothesis.total"),
+    ("hypothesis_imbalance", "imbalance under the hypothesis", "hypothesis.imbalance"),
+)
+TORQUE = Quantity("torque_N_mm", "torque", "total", symbol="torque")
+ROLLING_EXTENT = quantities(
+    "",
+    "the integrated torque is not that of films",
+    *("box_N_mm", "beyond_box_N_mm", "beyond_extent_N_mm", "within_extent_N_mm", "doubling_N_mm"),
+)
+
+
+class TorqueModel(NamedTuple):
+    """A model of the friction torque: its title, and the components that it has."""
+
+    title: str
+    parts: tuple[str, ...]
+
+
+AS_PRINTED = "skf_as_printed"  # only where a case asks for it
+TORQUE_MODELS = {
+    "integrated": TorqueModel(
+        "integrated films", ("rolling", "sliding", "spin", "curvature", "asperity", "cage", "drag")
+    ),
+    "pure_rolling_lines": TorqueModel("pure rolling lines", ("spin", "rotation", "orbit")),
+    "skf": TorqueModel("SKF", ("rolling", "sliding", "seal", "drag")),
+    "houpert": TorqueModel("Houpert", ("spin", "curvature", "hydrodynamic")),
+    "palmgren": TorqueModel("Palmgren", ("viscous", "load")),
+    "yao": TorqueModel("Yao et al.", ("ME", "MD", "MS", "MC", "ML")),
+    "balanced_lines": TorqueModel("lines, balanced", ("spin", "rotation", "orbit")),
+    "coulomb": TorqueModel("Coulomb, 2-D, balanced", ("sliding", "spin", "curvature")),
+    "kakuta": TorqueModel("Kakuta", ("spin", "rotation", "orbit")),
+    "constant_coulomb": TorqueModel("lines, µ = 0.07", ("spin", "rotation", "orbit")),
+    "skf_lambda": TorqueModel("SKF, λ of the films", ("rolling", "sliding", "seal", "drag")),
+    "starved": TorqueModel("by oil supply", ("rolling", "film", "asperity", "cage", "drag")),
+    AS_PRINTED: TorqueModel("SKF, as printed", ("sliding",)),
+}
+TORQUE_PARTS = {  # titles of components, where the name is no word
+    "total": "sum",
+    "ME": "$M_E$ hysteresis",
+    "MD": "$M_D$ differential sliding",
+    "MS": "$M_S$ spin",
+    "MC": "$M_C$ cage",
+    "ML": "$M_L$ oil",
+}
