@@ -5,8 +5,8 @@ from math import inf
 
 import numpy as np
 
-from ehl.traction.laws import CoulombLaw, FrictionLaw, HertzLaw
-from ehl.traction.quadrature import ellipse_rings
+from ehl.traction.laws import EllipseLaw, FrictionLaw
+from ehl.traction.quadrature import EllipseRule, ellipse_nodes
 from ehl.traction.table.table import LOAD_POWER, TractionTable
 
 from ..friction.sources import RaceTraction
@@ -14,9 +14,6 @@ from ..geometry import Bearing, Race
 from .arrays import COEFFICIENT, EXPONENT, FRICTIONLESS, STIFFNESS, TABLE, Array, FrictionData
 from .contact._film_kernels import film_and_slope, weights
 
-# quadrature over the ellipse: force within 1 % of mu Q of 512 points (tests)
-RINGS = 4
-RAYS = 12
 CENTRE = np.array([[0.0], [0.0], [1.0]])  # one point with all of the load [-]
 # loads and speeds at which the films of a table are checked before a simulation
 LOADS = 120
@@ -36,7 +33,7 @@ class RaceFriction:
     def __post_init__(self) -> None:
         if type(self.inner) is not type(self.outer):
             raise ValueError("friction: inner and outer race need the same kind of law")
-        if not isinstance(self.inner, HertzLaw | TractionTable | None):
+        if not isinstance(self.inner, EllipseLaw | TractionTable | None):
             name = type(self.inner).__name__
             raise ValueError(f"friction: {name} is neither a coefficient nor a traction table")
 
@@ -50,19 +47,19 @@ class RaceFriction:
     @property
     def ramp(self) -> float:
         """Sliding speed within which Coulomb friction reverses; infinite for other laws [m/s]."""
-        laws = [law for law in (self.inner, self.outer) if isinstance(law, CoulombLaw)]
-        return min((law.slide_full - law.slide_none for law in laws), default=inf)
+        laws = [law for law in (self.inner, self.outer) if isinstance(law, EllipseLaw)]
+        return min((law.coefficient.reversal_speed for law in laws), default=inf)
 
     def data(self, race: Race) -> FrictionData:
         """Arrays of one race for the kernel [SI]."""
         law = self.inner if race is Race.INNER else self.outer
-        disc = CENTRE if self.at_centre else ellipse_rings(RINGS, RAYS, staggered=True)
+        disc = CENTRE if self.at_centre else ellipse_nodes(EllipseRule.TIME_STEPS)
         if isinstance(law, TractionTable):
             return FrictionData(disc, np.zeros(1), np.zeros(5), *law.kernel_arguments())
         no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)), np.zeros((1,) * 6))
-        if not isinstance(law, HertzLaw):
+        if not isinstance(law, EllipseLaw):
             return FrictionData(disc, np.zeros(1), np.zeros(5), *no_table)
-        return FrictionData(disc, law.kernel_law(), law.shape.constants, *no_table)
+        return FrictionData(disc, law.coefficient.kernel_law, law.shape.constants, *no_table)
 
 
 def race_friction(

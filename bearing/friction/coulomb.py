@@ -18,12 +18,11 @@ laws: the full integral over the ellipse, and the one of narrow ellipses, which 
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.traction.quadrature import ellipse_lines
+from ehl.traction.quadrature import EllipseRule, ellipse_nodes
 
 from ..contacts.contact import BearingContact
 from ..contacts.shape import groove_curvature_radius
@@ -33,9 +32,6 @@ from . import _kernels
 from .balance import BalancedFriction, balance_balls, curvature_slip
 from .law import TINY, ContactLaw, Dissipation
 
-# lines along the rolling direction and nodes of each: force to 1.5 % of mu Q at worst motions
-LINE_NODES = 48
-CHORD_NODES = 8
 # e of Coulomb's law, over the largest sliding that the curvature of the contact makes [-]
 ROUNDING = 3.0e-3
 
@@ -145,14 +141,8 @@ def coulomb_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
         [e.friction * e.load, e.semi_axis_x, e.semi_axis_y, 0.5 / e.radius, e.rounding], axis=1
     )
     result = Dissipation(np.empty(n), np.empty((n, 4)), np.empty((n, 4, 4)))
-    _kernels.coulomb_sums(_quadrature(), shapes, motion, *result)
+    _kernels.coulomb_sums(ellipse_nodes(EllipseRule.BALANCE), shapes, motion, *result)
     return result
-
-
-@cache
-def _quadrature() -> Array:
-    """Places x/b and y/a, and shares of the load, shape (3, nodes) [-]."""
-    return ellipse_lines(LINE_NODES, CHORD_NODES)
 
 
 def contact_ellipses(

@@ -12,7 +12,8 @@ import numpy as np
 from ehl.conditions import ContactConditions
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
-from ehl.traction.laws import CoulombLaw, FourConstantLaw, FrictionLaw
+from ehl.traction.coefficient_kernels import Coefficient
+from ehl.traction.laws import EllipseLaw, FrictionLaw
 
 from ..contacts.contact import BearingContact
 from ..contacts.shape import contact_shape
@@ -57,44 +58,20 @@ class LawTraction(RaceTraction):
         return self.laws[race]
 
 
-@dataclass(frozen=True, kw_only=True)
-class FourConstantTraction(RaceTraction):
-    """mu = (A + B s) exp(-C s) + D over the ellipse of every contact, s the local slide over the
-    entrainment speed.
-    """
+@dataclass(frozen=True)
+class CoefficientTraction(RaceTraction):
+    """A coefficient of friction by the local sliding, over the ellipse of every contact."""
 
-    # A to D [-], see `ehl.traction.laws.four_constants`
-    constants: tuple[float, float, float, float]
+    coefficient: Coefficient
 
     @property
     def description(self) -> str:
         """Where the friction comes from, for messages."""
-        values = ", ".join(f"{constant:.4g}" for constant in self.constants)
-        return f"law of four constants, (A + B s) exp(-C s) + D with {values}"
+        return self.coefficient.description
 
-    def race_law(self, bearing: Bearing, race: Race, angle: float) -> FourConstantLaw:
+    def race_law(self, bearing: Bearing, race: Race, angle: float) -> EllipseLaw:
         """The law over the ellipse of a race at a contact angle [rad]."""
-        a, b, c, d = self.constants
-        return FourConstantLaw(contact_shape(bearing, race, angle), a=a, b=b, c=c, d=d)
-
-
-@dataclass(frozen=True, kw_only=True)
-class RampedCoulombTraction(RaceTraction):
-    """Coulomb's friction over the ellipse with dead band and ramp (Ambrosio 2003)."""
-
-    friction: float  # mu [-]
-    ramp: tuple[float, float]  # v_0 and v_1: none below, all of it above [m/s]
-
-    @property
-    def description(self) -> str:
-        """Where the friction comes from, for messages."""
-        return f"Coulomb's law with a ramp of the sliding speed, mu = {self.friction:g}"
-
-    def race_law(self, bearing: Bearing, race: Race, angle: float) -> CoulombLaw:
-        """The law over the ellipse of a race at a contact angle [rad]."""
-        none, full = self.ramp
-        shape = contact_shape(bearing, race, angle)
-        return CoulombLaw(shape, friction=self.friction, slide_none=none, slide_full=full)
+        return EllipseLaw(contact_shape(bearing, race, angle), self.coefficient)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -5,7 +5,7 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from ehl.traction.laws import FrictionLaw, HertzLaw
+from ehl.traction.laws import EllipseLaw, FrictionLaw
 from ehl.traction.table.table import TractionTable
 
 from ..contacts.contact import BearingContact
@@ -41,7 +41,7 @@ def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw])
         evaluate=evaluate,
         reference_force=REFERENCE_TRACTION * load,
         is_potential=False,
-        has_rolling_resistance=not all(isinstance(law, HertzLaw) for law in laws),
+        has_rolling_resistance=not all(isinstance(law, EllipseLaw) for law in laws),
     )
 
 
@@ -60,7 +60,7 @@ def _groups(
     kinds: dict[object, list[int]] = {}
     for number, (contact, law) in enumerate(zip(contacts, laws, strict=True)):
         if contact.conditions is not None:
-            alike = type(law) if isinstance(law, HertzLaw) else id(law)
+            alike = type(law.coefficient) if isinstance(law, EllipseLaw) else id(law)
             kinds.setdefault(alike, []).append(number)
     groups = []
     for numbers in kinds.values():
@@ -74,12 +74,15 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
     """Minus the forces and their slopes of some contacts, by number, place and motion, for laws
     like the first.
     """
-    if isinstance(first, HertzLaw):
-        disc = first.disc
-        blank = (first.kernel_law(), first.shape.constants)
-        alike = [law if isinstance(law, type(first)) else None for law in laws]
-        constants = np.array([blank[0] if law is None else law.kernel_law() for law in alike])
-        shapes = np.array([blank[1] if law is None else law.shape.constants for law in alike])
+    if isinstance(first, EllipseLaw):
+        kind = type(first.coefficient)
+        alike = [
+            law if isinstance(law, EllipseLaw) and isinstance(law.coefficient, kind) else first
+            for law in laws
+        ]
+        disc = first.kernel_arguments[0]
+        constants = np.array([law.coefficient.kernel_law for law in alike])
+        shapes = np.array([law.shape.constants for law in alike])
 
         def coefficients(
             numbers: NDArray[np.int64], places: Array, motion: Array

@@ -1,16 +1,18 @@
 """[dynamics] and [cage]: the time simulation, and the cage for friction and simulation."""
 
 from collections.abc import Iterator
-from typing import Literal
+from typing import Annotated, Literal
 
 from bearing.friction.resistance import Cage
 from bearing.geometry import Race
+from ehl.traction.coefficient_kernels import COEFFICIENTS
 from ehl.units import RPM
 
 from .fields import (
     LENGTH_MAXIMUM,
     Gravity,
     LoadTable,
+    OneOf,
     SpeedTable,
     Table,
     above,
@@ -18,7 +20,7 @@ from .fields import (
     described,
     within,
 )
-from .friction import SIMULATED, CoefficientLaw, FrictionTable
+from .friction import SIMULATED, FrictionTable
 from .problems import MISSING, CaseFault
 from .rules import Below, CaseValues, Excludes
 
@@ -55,7 +57,7 @@ class DynamicsTable(Table):
     race_stiffness: Literal["hertz", "planar", "planar as printed"] = described(
         "of the grooved race, or a sphere on the race's circle, Shan et al. (2023)", "hertz"
     )
-    friction: Literal[CoefficientLaw, "coulomb", "table", "none"] = described(
+    friction: Annotated[str, OneOf(*COEFFICIENTS, "coulomb", "table", "none")] = described(
         "of ball on race, constants in [friction]; table: solved films", "four constants"
     )
     friction_on: Literal["ellipse", "centre"] = described(

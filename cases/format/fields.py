@@ -13,7 +13,7 @@ from pydantic import (
     StringConstraints,
     WithJsonSchema,
 )
-from pydantic_core import PydanticCustomError
+from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 
 from ehl.units import to_si, without_unit
 
@@ -102,6 +102,16 @@ def checked(parse: Callable[[object], object], allowed: str) -> BeforeValidator:
         return parsed
 
     return BeforeValidator(check)
+
+
+class OneOf:
+    """One of these words, as `Literal` for words that no annotation can list."""
+
+    def __init__(self, *words: str) -> None:
+        self.words = words
+
+    def __get_pydantic_core_schema__(self, *_: Any) -> CoreSchema:
+        return core_schema.literal_schema(list(self.words))
 
 
 def list_schema(length: int, *, free: bool = False) -> WithJsonSchema:

@@ -4,7 +4,9 @@ import re
 import warnings
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
+
+from pydantic import create_model
 
 from bearing.friction.resistance import Cage
 from bearing.supply.supply import InletFilm, Supply
@@ -12,29 +14,43 @@ from bearing.torque.inputs import FrictionInput
 from bearing.torque.skf import Lubrication
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology, ShearLaw
+from ehl.traction.coefficient_kernels import COEFFICIENTS, Constant
 from ehl.units import MEGAPASCAL, to_si
 
 from .bearing import BearingTable, SurfaceTable, roughness
-from .fields import LENGTH_MAXIMUM, Table, above, between, described
+from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
 from .problems import MISSING, CaseFault, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
 
-# coefficients over the ellipse, for traction equilibrium and simulation alike
-CoefficientLaw = Literal["four constants"]
+# constants of the coefficients over the ellipse, with the law of each, and their keys
+CONSTANTS = [(name, c) for name, law in COEFFICIENTS.items() for c in law.constants]
 
 
-class FrictionTable(Table):
-    """Friction torque; every key may be left out, and leaves out the models that need it."""
+def _with_constants(table: type[Table]) -> type[Table]:
+    """A table with the keys of all laws of a coefficient behind its own."""
+    fields: dict[str, Any] = {}
+    for _, c in CONSTANTS:
+        limited = above if c.positive else between
+        text = f"{c.text}; {c.simulated:g} if simulated"
+        fields[c.key] = (float | None, limited(0, c.largest, text))
+    return create_model(table.__name__, __base__=table, **fields)
+
+
+@_with_constants
+class LawTable(Table):
+    """The law of friction of balls on races."""
 
     coefficient: float | None = above(0, 1, "Coulomb's mu; else SKF's mu_sl, 0.05 in a simulation")
-    traction: Literal["films", "table", CoefficientLaw, "coulomb"] | None = described(
+    traction: Annotated[str, OneOf("films", "table", *COEFFICIENTS, "coulomb")] | None = described(
         "friction of balls on races in traction equilibrium; left out, that of the case's films"
     )
     traction_table: str | None = described("file of `oilfilm table`", min_length=1)
-    traction_maximum: float | None = above(0, 1, "largest coefficient; 0.05 if simulated")
-    traction_maximum_slide: float | None = above(0, 10, "its slide-roll ratio; 0.03 if simulated")
-    traction_limit: float | None = between(0, 1, "coefficient at large slide; 0.03 if simulated")
+
+
+class FrictionTable(LawTable):
+    """Friction torque; every key may be left out, and leaves out the models that need it."""
+
     models: Literal["main", "all"] = described(
         "main: integrated, skf, palmgren and coulomb; all: those of single papers, too", "main"
     )
@@ -82,15 +98,8 @@ class FrictionTable(Table):
     )
 
 
-FOUR_CONSTANTS = ("traction_maximum", "traction_maximum_slide", "traction_limit")
-FOUR = Where("friction.traction", "four constants")
-# defaults of the four constants and of Coulomb's mu, for a simulation [-]
-SIMULATED = {
-    "traction_maximum": 0.05,
-    "traction_maximum_slide": 0.03,
-    "traction_limit": 0.03,
-    "coefficient": 0.05,
-}
+# defaults of the laws' constants and of Coulomb's mu, for a simulation [-]
+SIMULATED = {c.key: c.simulated for _, c in CONSTANTS} | {"coefficient": 0.05}
 HEATED = Where("friction.heat_transfer_W_K")
 STARVED = 'with heating_torque = "starved"'
 # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
@@ -105,17 +114,25 @@ def _only_with(where: Where, *names: str) -> Iterator[Relation]:
         yield OnlyWith(f"friction.{name}", (where,), default)
 
 
+def _constant_relations(law: str, constant: Constant) -> Iterator[Relation]:
+    """A law's constant is needed with it, and has no effect but with it or in a simulation."""
+    key = f"friction.{constant.key}"
+    chosen = Where("friction.traction", law)
+    yield Needs(key, chosen)
+    yield OnlyWith(key, (chosen, Where("dynamics")))
+    if constant.below:
+        high = f"friction.{constant.below}"
+        yield Below(key, high, key, high_default=SIMULATED[constant.below])
+
+
 RELATIONS: tuple[Relation, ...] = (
     Needs("friction.coefficient", Where("friction.traction", "coulomb")),
     Needs("friction.traction_table", Where("friction.traction", "table")),
     OnlyWith("friction.traction_table", (Where("friction.traction", "table"),)),
-    *(Needs(f"friction.{name}", FOUR) for name in FOUR_CONSTANTS),
-    *(OnlyWith(f"friction.{name}", (FOUR, Where("dynamics"))) for name in FOUR_CONSTANTS),
-    Below(
-        "friction.traction_limit",
-        "friction.traction_maximum",
-        "friction.traction_limit",
-        high_default=SIMULATED["traction_maximum"],
+    *(
+        relation
+        for name, constant in CONSTANTS
+        for relation in _constant_relations(name, constant)
     ),
     *_only_with(HEATED, "ambient_C", "cooling_oil_mL_min", "cooling_oil_C", "heating_torque"),
     *_only_with(

@@ -13,23 +13,22 @@ from bearing.friction.law import BallTraction, TractionLaw
 from bearing.friction.race_tables import Solids, Tables
 from bearing.friction.resistance import resistance_of
 from bearing.friction.sources import (
+    CoefficientTraction,
     CoulombTraction,
     FilmTraction,
-    FourConstantTraction,
     LawTraction,
-    RaceTraction,
 )
 from bearing.friction.table_files import load_tables
 from bearing.geometry import Bearing, contact_modulus, reduced_radii
 from bearing.torque.inputs import FrictionInput
 from ehl import Lubricant
 from ehl.oil.rheology import Rheology
-from ehl.traction.laws import four_constants
+from ehl.traction.coefficient_kernels import COEFFICIENTS
 from ehl.traction.table.table import TableContact, TractionTable
 from ehl.traction.table.temperature import TemperatureTable
 
 from .film_model import CaseFilms, FilmPhysics
-from .friction import FOUR_CONSTANTS, FrictionTable
+from .friction import FrictionTable
 from .problems import UnfitKey
 
 FILM_POINTS = 129  # along x of the films that traction is taken from, at most [-]
@@ -74,14 +73,14 @@ def _law(
     return coefficient_source(table.traction, dict(table))
 
 
-def coefficient_source(name: str | None, constants: Mapping[str, Any]) -> RaceTraction | None:
+def coefficient_source(
+    name: str | None, constants: Mapping[str, Any]
+) -> CoefficientTraction | None:
     """The coefficient over the ellipse with this name and the constants of [friction] [-]; None
     for another kind of law.
     """
-    if name == "four constants":
-        values = (constants[key] for key in FOUR_CONSTANTS)
-        return FourConstantTraction(constants=four_constants(*values))
-    return None
+    law = COEFFICIENTS.get(name or "")
+    return None if law is None else CoefficientTraction(law.of_case(constants))
 
 
 def _films(friction: FrictionInput, films: CaseFilms) -> FilmTraction:

@@ -25,8 +25,9 @@ from bearing.dynamics.laws import drag_of_force, drag_of_mixture, normal_contact
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
 from bearing.dynamics.statistics import RunningStatistics
-from bearing.friction.sources import RampedCoulombTraction
+from bearing.friction.sources import CoefficientTraction
 from bearing.geometry import Race
+from ehl.traction.coefficient_kernels import RampedCoulomb
 from postprocess.dynamics.history import HistoryWriter
 from postprocess.dynamics.results import DynamicsResults
 
@@ -265,8 +266,9 @@ def _friction(
     constants = simulated_friction(case.file.friction)
     law = coefficient_source(table.friction, constants)
     if law is None:
-        ramp = (table.friction_dead_band_m_s, table.friction_full_m_s)
-        law = RampedCoulombTraction(friction=constants["coefficient"], ramp=ramp)
+        none, full = table.friction_dead_band_m_s, table.friction_full_m_s
+        mu = constants["coefficient"]
+        law = CoefficientTraction(RampedCoulomb(friction=mu, slide_none=none, slide_full=full))
     angles = starting_point(case.bearing, case.operation, model).angles
     at_centre = table.friction_on == "centre"
     return race_friction(law, case.bearing, angles, at_centre=at_centre)

@@ -1,15 +1,16 @@
 """Traction of a lubricated contact: sliding inside the ellipse, shear on both surfaces, forces,
 moments, tables.
 
-_kernels        - sums over the nodes of a film, and lookups in a table, compiled
-film_quadrature - quadrature over a solved film, and its sliding forces for many motions
-heated          - shear of films that sliding heats
-laws            - friction of a rolling contact as a law: Coulomb, four constants
-quadrature      - rings and lines of nodes over the ellipse of Hertz
-response        - stiffness and damping of a lubricated contact
-rolling_moment  - hydrodynamic rolling moment of a contact's oil, in the box and beyond
-shear           - shear stress on both surfaces of a solved contact, and its integrals
-table           - traction tables: films, sampling, storage, interpolation
+_kernels            - sums over the nodes of a film, and lookups in a table, compiled
+coefficient_kernels - coefficients by the local sliding, each law whole: Coulomb, four constants
+film_quadrature     - quadrature over a solved film, and its sliding forces for many motions
+heated              - shear of films that sliding heats
+laws                - friction of a rolling contact as a law: coefficients over the ellipse
+quadrature          - rings and lines of nodes over the ellipse of Hertz
+response            - stiffness and damping of a lubricated contact
+rolling_moment      - hydrodynamic rolling moment of a contact's oil, in the box and beyond
+shear               - shear stress on both surfaces of a solved contact, and its integrals
+table               - traction tables: films, sampling, storage, interpolation
 """
 
 import lazy_loader

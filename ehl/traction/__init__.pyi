@@ -1,11 +1,5 @@
-from .laws import (
-    ContactShape,
-    CoulombLaw,
-    FourConstantLaw,
-    FrictionLaw,
-    TractionForces,
-    four_constants,
-)
+from .coefficient_kernels import FourConstants, RampedCoulomb
+from .laws import ContactShape, EllipseLaw, FrictionLaw, TractionForces
 from .response import NormalResponse, normal_response
 from .shear import Cavitation, ShearFields, TractionResult, integrate_traction, shear_fields
 from .table.build import TableOptions, build_table
@@ -16,10 +10,11 @@ from .table.temperature import TemperatureTable, build_temperature_table
 __all__ = [
     "Cavitation",
     "ContactShape",
-    "CoulombLaw",
-    "FourConstantLaw",
+    "EllipseLaw",
+    "FourConstants",
     "FrictionLaw",
     "NormalResponse",
+    "RampedCoulomb",
     "ShearFields",
     "TableContact",
     "TableError",
@@ -31,7 +26,6 @@ __all__ = [
     "TractionTable",
     "build_table",
     "build_temperature_table",
-    "four_constants",
     "inputs_digest",
     "integrate_traction",
     "load_table",

@@ -11,6 +11,7 @@ from numba.extending import intrinsic, overload
 
 from ..compiled import compiled
 from ..oil._rheology_kernels import inverse_sine, shear_stress
+from .coefficient_kernels import coefficient
 
 # rows of the nodes of a film; spread: a twelfth of the squared size
 X, Y, AREA, FILM, VISCOSITY, LIMIT, SPREAD_X, SPREAD_Y = range(8)
@@ -301,9 +302,9 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
     """Friction over the Hertz ellipse with a coefficient that depends on the local sliding; out as
     `table_lookup`.
 
-    disc, shape (3, n): x/a, y/b, share of the load. law: kind (0 Coulomb, 1 four constants), then
-    Coulomb's coefficient, v_0, v_1 [m/s] or A, B, C, D, and v_0. constants: semi-axes x and y at 1
-    N, R_x, 1/(2R), curvature difference. Film, stiffness and damping are zero.
+    disc, shape (3, n): x/a, y/b, share of the load. law: as `coefficient` takes it. constants:
+    semi-axes x and y at 1 N, R_x, 1/(2R), curvature difference. Film, stiffness and damping are
+    zero.
     """
     third = np.cbrt(max(load, 0.0))
     a = constants[0] * third
@@ -331,17 +332,3 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
     out[4] = -(f_x * slide_x + f_y * slide_y + m_n * spin + m_y * rolling)
     out[5] = out[6] = out[7] = 0.0
     return 0
-
-
-@compiled
-def coefficient(law, slide, speed):
-    """Friction coefficient at a local sliding speed [m/s] and an entrainment speed [m/s]."""
-    if law[0] == 0.0:
-        low = law[2]
-        high = law[3]
-        if slide <= low:
-            return 0.0
-        return law[1] if slide >= high else law[1] * (slide - low) / (high - low)
-    ratio = slide / max(abs(speed), 1e-300)
-    ramp = 1.0 if ratio >= law[5] else ratio / law[5]
-    return ramp * ((law[1] + law[2] * ratio) * np.exp(-law[3] * ratio) + law[4])

@@ -18,10 +18,31 @@ or lines of 48 x 8. A line meets the step where the sliding along it changes sig
 nodes of a ring one by one.
 """
 
+from enum import Enum
+from functools import cache
+
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+
+
+class EllipseRule(Enum):
+    """Quadratures by what they serve; why each has its nodes stands above."""
+
+    FORCES = "rings 16 x 32"  # of one contact at a given motion
+    BALANCE = "lines 48 x 8"  # of Coulomb friction on balls
+    TIME_STEPS = "rings 4 x 12, staggered"  # of a simulation
+
+
+@cache
+def ellipse_nodes(rule: EllipseRule) -> Array:
+    """x/a, y/b and share of the load of a rule's nodes, shape (3, n) [-]."""
+    if rule is EllipseRule.FORCES:
+        return ellipse_rings(16, 32)
+    if rule is EllipseRule.BALANCE:
+        return ellipse_lines(48, 8)
+    return ellipse_rings(4, 12, staggered=True)
 
 
 def ellipse_rings(rings: int, rays: int, *, staggered: bool = False) -> Array:

@@ -8,10 +8,10 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from bearing.friction.coulomb import Ellipses
-from bearing.friction.coulomb import _quadrature as _rule
 from bearing.friction.law import Dissipation
 from bearing.geometry import Array
 from bearing.torque.sliding import SlidingContact
+from ehl.traction.quadrature import EllipseRule, ellipse_nodes
 
 # of the quadrature over the ellipse
 RADII = 24
@@ -21,7 +21,7 @@ ANGLES = 64
 def coulomb_dissipation_twin(motion: Array, ellipses: Ellipses) -> Dissipation:
     """As `coulomb_dissipation`, in NumPy; motion in [m/s], [rad/s]."""
     a, b = ellipses.semi_axis_y[:, None], ellipses.semi_axis_x[:, None]
-    places_x, places_y, weight = _rule()
+    places_x, places_y, weight = ellipse_nodes(EllipseRule.BALANCE)
     x, y = b * places_x, a * places_y
     curved = -(y**2) / (2.0 * ellipses.radius[:, None])
     k = motion[:, :, None]

@@ -30,10 +30,10 @@ from bearing.dynamics.simulation import simulation
 from bearing.friction.balance import balance_driven_balls
 from bearing.friction.law import BallTraction
 from bearing.friction.race_tables import build_race_tables
-from bearing.friction.sources import FourConstantTraction, LawTraction
+from bearing.friction.sources import CoefficientTraction, LawTraction
 from cases import load_case
 from ehl import Lubricant
-from ehl.traction.laws import four_constants
+from ehl.traction.coefficient_kernels import FourConstants
 from ehl.traction.table.build import TableOptions
 
 STEEL = Material(name="test steel", youngs_modulus=206e9, poisson_ratio=0.3, density=7800.0)
@@ -94,9 +94,7 @@ def test_steady_motion_is_the_traction_equilibrium(axial):
     still = simulation(BEARING, operation, DynamicsModel(
         options=DynamicsOptions(end_time=1.0, sample_interval=1.0), ring=ring_body(BEARING), friction=RaceFriction()
     ))  # fmt: skip
-    friction = race_friction(
-        FourConstantTraction(constants=four_constants(0.05, 0.03, 0.03)), BEARING, still.point.angles
-    )
+    friction = race_friction(CoefficientTraction(FourConstants.of_curve(0.05, 0.03, 0.03)), BEARING, still.point.angles)
     compare(settled(operation, friction, tolerance=1e-5, longest_step=2e-6), operation, friction)
 
 

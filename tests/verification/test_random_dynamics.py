@@ -26,8 +26,8 @@ from bearing.dynamics.inputs import (
     Start,
 )
 from bearing.dynamics.simulation import Simulation, simulation
-from bearing.friction.sources import FourConstantTraction, RampedCoulombTraction
-from ehl.traction.laws import four_constants
+from bearing.friction.sources import CoefficientTraction
+from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
 
 SEED = 734821
 LAWS = (NormalLaw.HERTZ, NormalLaw.LANKARANI_NIKRAVESH, NormalLaw.HUNT_CROSSLEY, NormalLaw.FLORES)
@@ -127,14 +127,14 @@ def random_friction(random: np.random.Generator, bearing: Bearing) -> RaceFricti
     centre = bool(random.random() < 0.5)
     if kind == 1:
         return race_friction(
-            RampedCoulombTraction(friction=random.uniform(0.01, 0.2), ramp=(0.0, 0.05)),
+            CoefficientTraction(RampedCoulomb(friction=random.uniform(0.01, 0.2), slide_none=0.0, slide_full=0.05)),
             bearing,
             (angle, angle),
             at_centre=centre,
         )
     largest = random.uniform(0.03, 0.1)
-    found = four_constants(largest, random.uniform(0.01, 0.1), random.uniform(0.3, 0.9) * largest)
-    return race_friction(FourConstantTraction(constants=found), bearing, (angle, angle), at_centre=centre)
+    found = FourConstants.of_curve(largest, random.uniform(0.01, 0.1), random.uniform(0.3, 0.9) * largest)
+    return race_friction(CoefficientTraction(found), bearing, (angle, angle), at_centre=centre)
 
 
 def random_cage(random: np.random.Generator, bearing: Bearing) -> CageBody | None:

@@ -13,8 +13,8 @@ from bearing.dynamics.friction import RaceFriction, race_friction
 from bearing.dynamics.inputs import DynamicsModel, DynamicsOptions
 from bearing.dynamics.simulation import simulation
 from bearing.friction.law import BallTraction
-from bearing.friction.sources import FourConstantTraction, LawTraction
-from ehl.traction.laws import four_constants
+from bearing.friction.sources import CoefficientTraction, LawTraction
+from ehl.traction.coefficient_kernels import FourConstants
 
 from .test_dynamics_equilibrium import BEARING, OIL, motion, settled
 
@@ -26,9 +26,7 @@ def test_steady_dynamics_is_the_traction_equilibrium_with_its_loads():
     still = simulation(
         BEARING, operation, DynamicsModel(options=options, ring=ring_body(BEARING), friction=RaceFriction())
     )
-    friction = race_friction(
-        FourConstantTraction(constants=four_constants(0.05, 0.03, 0.03)), BEARING, still.point.angles
-    )
+    friction = race_friction(CoefficientTraction(FourConstants.of_curve(0.05, 0.03, 0.03)), BEARING, still.point.angles)
     record, layout, _ = settled(operation, friction)
     races = record.races[-1, :, 0]  # columns as `bearing.dynamics.arrays.RACE_NAMES`
 

@@ -15,14 +15,14 @@ from bearing import BallKinematics, Model, contact_conditions, solve_quasistatic
 from bearing.contacts.motion import bearing_kinematics
 from bearing.friction.balance import ring_power
 from bearing.friction.law import BallTraction, TractionLaw
-from bearing.friction.sources import CoulombTraction, FilmTraction, FourConstantTraction
+from bearing.friction.sources import CoefficientTraction, CoulombTraction, FilmTraction
 from bearing.quasistatic.solution import QuasistaticSolution
 from cases import load_case
 from cases.format.case import Case
 from cases.format.film_model import NEWTONIAN, CaseFilms
 from cases.runs.traction_films import PooledFilms
 from ehl import SolverOptions
-from ehl.traction.laws import four_constants
+from ehl.traction.coefficient_kernels import FourConstants
 from postprocess.plot_style import PAGE_WIDTH, RC, save
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -65,7 +65,7 @@ def sources(case: Case) -> dict[str, TractionLaw]:
     solver = PooledFilms(case=CaseFilms(options=SolverOptions(points=POINTS), films=NEWTONIAN))
     return {
         FILMS: FilmTraction(solve=solver, rheology=case.rheology),
-        FOUR: FourConstantTraction(constants=four_constants(0.05, 0.03, 0.03)),
+        FOUR: CoefficientTraction(FourConstants.of_curve(0.05, 0.03, 0.03)),
         COULOMB: CoulombTraction(friction=0.07),
     }
 

@@ -13,8 +13,9 @@ from bearing.dynamics import _kernels
 from bearing.dynamics.friction import race_friction
 from bearing.dynamics.inputs import Guidance, LoadType
 from bearing.dynamics.simulation import simulation
-from bearing.friction.sources import FourConstantTraction, LawTraction, RampedCoulombTraction
+from bearing.friction.sources import CoefficientTraction, LawTraction
 from ehl.traction._kernels import hertz_friction
+from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
 from ehl.traction.quadrature import ellipse_rings
 
 from ...reference.dynamics import accelerations
@@ -42,8 +43,10 @@ def test_kernel_agrees_with_its_twin(setup, guidance, law):
     angles = (radians(16.0), radians(14.0))
     friction = {
         "none": None,
-        "coulomb": race_friction(RampedCoulombTraction(friction=0.08, ramp=(0.001, 0.02)), bearing, angles),
-        "four constants": race_friction(FourConstantTraction(constants=(-0.03, 3.6, 46.0, 0.03)), bearing, angles),
+        "coulomb": race_friction(
+            CoefficientTraction(RampedCoulomb(friction=0.08, slide_none=0.001, slide_full=0.02)), bearing, angles
+        ),
+        "four constants": race_friction(CoefficientTraction(FourConstants(-0.03, 3.6, 46.0, 0.03)), bearing, angles),
     }[law]
     model = setup.model(
         bearing,
@@ -72,7 +75,7 @@ def test_kernel_agrees_with_its_twin(setup, guidance, law):
 
 def test_a_reduced_model_moves_what_it_has(setup):
     bearing = setup.bearing_7008(5)
-    friction = race_friction(FourConstantTraction(constants=(-0.03, 3.6, 46.0, 0.03)), bearing, (0.0, 0.0))
+    friction = race_friction(CoefficientTraction(FourConstants(-0.03, 3.6, 46.0, 0.03)), bearing, (0.0, 0.0))
     sim = simulation(bearing, setup.operation(5000.0, 0.0, 80.0), setup.model(bearing, friction))
     dy, layout = np.zeros(sim.layout.size), sim.layout
     y = shaken(sim, np.random.default_rng(9001))
@@ -106,9 +109,9 @@ def test_schedule_is_linear_between_its_rows():
 def test_the_light_quadrature_holds_the_full_one(setup):
     """48 points over the ellipse against 512: force within 1 % of mu Q, spin moment within 2 % of mu Q b."""
     bearing = setup.bearing_7008()
-    data = race_friction(FourConstantTraction(constants=(-0.03, 3.6, 46.0, 0.03)), bearing, (radians(15.0),) * 2).data(
-        Race.INNER
-    )
+    data = race_friction(
+        CoefficientTraction(FourConstants(-0.03, 3.6, 46.0, 0.03)), bearing, (radians(15.0),) * 2
+    ).data(Race.INNER)
     for slide_x, slide_y, spin in ((0.1, 0.0, 0.0), (0.02, 0.05, 400.0), (0.0, 0.0, 800.0), (2.0, 0.1, 200.0)):
         found = np.zeros((2, 8))
         for row, disc in enumerate((ellipse_rings(4, 12, staggered=True), ellipse_rings(16, 32))):

@@ -15,7 +15,8 @@ from bearing.dynamics.integration.methods import advance_implicit
 from bearing.dynamics.laws import damping_factor
 from bearing.dynamics.record import empty_record
 from bearing.dynamics.simulation import from_state, simulation
-from bearing.friction.sources import FourConstantTraction, RampedCoulombTraction
+from bearing.friction.sources import CoefficientTraction
+from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
 
 from ...reference.impact import restitution_returned
 
@@ -112,7 +113,11 @@ def test_momentum_and_angular_momentum_of_ball_and_cage(setup):
 def test_the_energies_close(setup, kind, axial, radial, guidance):
     """What is put in is stored or lost by a named mechanism, to 0.1 % of the work."""
     bearing = setup.bearing_7008(7)
-    friction = race_friction(RampedCoulombTraction(friction=0.06, ramp=(0.0, 0.05)), bearing, (radians(15.0),) * 2)
+    friction = race_friction(
+        CoefficientTraction(RampedCoulomb(friction=0.06, slide_none=0.0, slide_full=0.05)),
+        bearing,
+        (radians(15.0),) * 2,
+    )
     land = {"land_diameter": 50e-3, "land_width": 4e-3, "land_clearance": 0.1e-3, "land_friction": 0.08}
     model = setup.model(
         bearing,
@@ -160,7 +165,7 @@ def test_reduced_equations_equal_the_general_ones(setup, reduced, full, axial, r
     """Where symmetry keeps the other coordinates at rest, they make no difference: to the tolerance of the steps."""
     bearing = setup.bearing_7008(6)
     angle = radians(15.0) if axial else 0.0
-    friction = race_friction(FourConstantTraction(constants=CONSTANTS), bearing, (angle, angle))
+    friction = race_friction(CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (angle, angle))
     ends = []
     for kind in (reduced, full):
         model = setup.model(bearing, friction, equations=kind, end_time=1e-3, drag=0.005)
@@ -178,7 +183,10 @@ def test_a_stiff_problem_goes_to_lsoda(setup):
     """Friction that turns within 0.3 mm/s: the explicit steps are given up, LSODA reaches the end, and says so."""
     bearing = setup.bearing_7008(3)
     friction = race_friction(
-        RampedCoulombTraction(friction=0.1, ramp=(0.0, 3e-4)), bearing, (radians(15.0),) * 2, at_centre=True
+        CoefficientTraction(RampedCoulomb(friction=0.1, slide_none=0.0, slide_full=3e-4)),
+        bearing,
+        (radians(15.0),) * 2,
+        at_centre=True,
     )
     model = setup.model(bearing, friction, cage=False, end_time=4e-4, sample_interval=2e-4)
     sim = simulation(bearing, setup.operation(5000.0, 100.0), model)
@@ -192,7 +200,7 @@ def test_a_stiff_problem_goes_to_lsoda(setup):
 def test_explicit_steps_return_when_a_stiff_start_is_over(setup):
     """From rest the four-constant law turns within no sliding speed at all; at speed it does not: as with LSODA on."""
     bearing, axial = setup.bearing_7008(3), 60.0
-    friction = race_friction(FourConstantTraction(constants=CONSTANTS), bearing, (radians(15.0),) * 2)
+    friction = race_friction(CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2)
     rows = tuple((rpm * setup.RPM, 0.0, axial, 0.0, 0.0, 0.0, 0.0) for rpm in (0.0, 5000.0))
     schedule, ends = Schedule(time=(0.0, 1e-3), values=rows), []
     for stay in (False, True):
@@ -222,7 +230,7 @@ def test_lsoda_goes_on_where_a_trial_of_explicit_steps_fails(setup, monkeypatch,
         return failure, empty_record(times[:1], 3)
 
     bearing, ends = setup.bearing_7008(3), []
-    friction = race_friction(FourConstantTraction(constants=CONSTANTS), bearing, (radians(15.0),) * 2)
+    friction = race_friction(CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2)
     model = setup.model(bearing, friction, cage=False, end_time=1e-4, sample_interval=2e-5)
     monkeypatch.setattr("bearing.dynamics.simulation.advance_explicit", fail)
     for trial in (True, False):
@@ -240,7 +248,7 @@ def test_lsoda_goes_on_where_a_trial_of_explicit_steps_fails(setup, monkeypatch,
 
 def test_lsoda_agrees_with_the_explicit_method(setup):
     bearing = setup.bearing_7008(3)
-    friction = race_friction(FourConstantTraction(constants=CONSTANTS), bearing, (radians(15.0),) * 2)
+    friction = race_friction(CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2)
     ends = []
     for stiff in (False, True):
         model = setup.model(bearing, friction, end_time=3e-4, sample_interval=1e-4, tolerance=1e-6)

@@ -16,7 +16,8 @@ from bearing.dynamics.inputs import LoadType, NormalContact, Schedule
 from bearing.dynamics.laws import kinematic_cage_speed
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
-from bearing.friction.sources import FourConstantTraction, RampedCoulombTraction
+from bearing.friction.sources import CoefficientTraction
+from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # kappa_max 0.05 at s 0.03, 0.03 at large s
 
@@ -63,7 +64,7 @@ def test_loads_of_the_7008_at_5000_rpm(setup, axial, load):
         for kinematics in (BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL)
     ]
     assert_allclose(by_control[0], load, rtol=2e-3)
-    friction = race_friction(FourConstantTraction(constants=CONSTANTS), bearing, (radians(15.0),) * 2)
+    friction = race_friction(CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2)
     sim = simulation(bearing, setup.operation(5000.0, axial), setup.model(bearing, friction, end_time=2e-3, cage=False))
     inner = setup.run(sim).races[-10:, 0, :, 0].mean()
     assert by_control[1] < inner < by_control[0]
@@ -72,7 +73,7 @@ def test_loads_of_the_7008_at_5000_rpm(setup, axial, load):
 def test_steady_axial_load_rolls_at_the_kinematic_speed(setup):
     """Without drag the balls keep to the kinematic speed of their contact angles within the slip by curvature."""
     bearing = setup.bearing_7008(6)
-    friction = race_friction(FourConstantTraction(constants=CONSTANTS), bearing, (radians(15.0),) * 2)
+    friction = race_friction(CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2)
     sim = simulation(bearing, setup.operation(5000.0, 50.0), setup.model(bearing, friction, end_time=3e-3))
     record = setup.run(sim)
     orbit = np.linalg.norm(record.state[-1, sim.layout.ball_speed].reshape(-1, 3), axis=1)
@@ -84,7 +85,7 @@ def test_steady_axial_load_rolls_at_the_kinematic_speed(setup):
 def test_gross_skid_begins_where_drag_is_twice_the_largest_traction(setup, share, skids):
     """2 kappa_max Qi within 15 %: below it the balls keep up, above it they fall back for good."""
     bearing = setup.bearing_7008(3)
-    friction = race_friction(FourConstantTraction(constants=CONSTANTS), bearing, (radians(15.0),) * 2)
+    friction = race_friction(CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2)
     load = 3 * 5.0 * np.sin(radians(16.0))
     speed = 5000.0 * setup.RPM
     orbit = kinematic_cage_speed(bearing, speed, 0.0, radians(15.0))
@@ -103,7 +104,10 @@ def test_plateau_of_the_6304(setup):
     (plateau,) = printed("shan_2023_cage_speed")
     bearing = setup.bearing_6304()
     friction = race_friction(
-        RampedCoulombTraction(friction=0.05, ramp=(1e-3, 0.1)), bearing, (0.0, 0.0), at_centre=True
+        CoefficientTraction(RampedCoulomb(friction=0.05, slide_none=1e-3, slide_full=0.1)),
+        bearing,
+        (0.0, 0.0),
+        at_centre=True,
     )
     normal = NormalContact(inner_stiffness=9.103e9, outer_stiffness=1.1935e10)
     model = setup.model(
@@ -122,7 +126,7 @@ def test_plateau_of_the_6304(setup):
 def test_finer_tolerance_changes_little(setup):
     """The axial cage speed by less than 0.1 %."""
     bearing = setup.bearing_7008(6)
-    friction = race_friction(FourConstantTraction(constants=CONSTANTS), bearing, (radians(15.0),) * 2)
+    friction = race_friction(CoefficientTraction(FourConstants(*CONSTANTS)), bearing, (radians(15.0),) * 2)
     ends = []
     for tolerance in (1e-4, 1e-5):
         model = setup.model(bearing, friction, end_time=4e-3, tolerance=tolerance, drag=0.005)
@@ -135,7 +139,10 @@ def test_finer_tolerance_under_radial_load_stays_within_the_interval(setup):
     """Loose balls do not repeat: their mean speed with steps ten times finer lies within the intervals told."""
     bearing = setup.bearing_6304()
     friction = race_friction(
-        RampedCoulombTraction(friction=0.05, ramp=(1e-3, 0.1)), bearing, (0.0, 0.0), at_centre=True
+        CoefficientTraction(RampedCoulomb(friction=0.05, slide_none=1e-3, slide_full=0.1)),
+        bearing,
+        (0.0, 0.0),
+        at_centre=True,
     )
     found = []
     for tolerance in (1e-4, 1e-5):

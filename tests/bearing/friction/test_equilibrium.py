@@ -24,14 +24,15 @@ from bearing.contacts.shape import contact_shape
 from bearing.friction.balance import balance_driven_balls, curvature_slip, ring_power
 from bearing.friction.law import BallTraction
 from bearing.friction.resistance import Cage, Resistance, resistance_of
-from bearing.friction.sources import CoulombTraction, FourConstantTraction, LawTraction
+from bearing.friction.sources import CoefficientTraction, CoulombTraction, LawTraction
 from ehl import Lubricant
-from ehl.traction.laws import CoulombLaw, four_constants
+from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
+from ehl.traction.laws import EllipseLaw
 
 from ..quasistatic.test_random_bearings import random_bearing, random_operation
 
 OIL = Lubricant(viscosity=0.02, pressure_viscosity=18e-9)  # makes contact conditions; the friction is a law's
-FOUR = FourConstantTraction(constants=four_constants(0.05, 0.03, 0.03))
+FOUR = CoefficientTraction(FourConstants.of_curve(0.05, 0.03, 0.03))
 COULOMB = CoulombTraction(friction=0.06)
 E_X = np.array([1.0, 0.0, 0.0])
 
@@ -177,7 +178,7 @@ class RollingResistance:
     """Coulomb's law and a moment against rolling as oil makes it, which light contacts cannot overcome."""
 
     def __init__(self, shape):
-        self.law = CoulombLaw(shape=shape, friction=0.05, slide_full=0.02)
+        self.law = EllipseLaw(shape, RampedCoulomb(friction=0.05, slide_full=0.02))
 
     def forces(self, *motion):
         """As the law, less 1e-3 N m."""

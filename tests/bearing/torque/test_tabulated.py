@@ -21,7 +21,8 @@ from bearing.torque.sliding import shaft_speed
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.rheology import Rheology
-from ehl.traction.laws import ContactShape, CoulombLaw, FourConstantLaw
+from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
+from ehl.traction.laws import ContactShape, EllipseLaw
 from ehl.traction.table.table import TableContact, TableError, TableRange, TractionTable, load_place
 
 OIL = Lubricant(viscosity=0.0174, pressure_viscosity=18e-9)
@@ -43,7 +44,7 @@ def coulomb_laws(state, contacts, ramp):
             curvature_radius=motion.curvature_radius,
             curvature_difference=motion.curvature_difference,
         )
-        laws[race] = CoulombLaw(shape=shape, friction=MU, slide_full=ramp)
+        laws[race] = EllipseLaw(shape, RampedCoulomb(friction=MU, slide_full=ramp))
     return laws
 
 
@@ -141,7 +142,7 @@ def test_compiled_friction_of_many_contacts_is_that_of_each_law(axial, kind):
         by_race = coulomb_laws(state, contacts, 1e-3)
         if kind == "four constants":
             by_race = {
-                race: FourConstantLaw(law.shape, a=-0.03, b=3.6, c=46.0, d=0.03) for race, law in by_race.items()
+                race: EllipseLaw(law.shape, FourConstants(-0.03, 3.6, 46.0, 0.03)) for race, law in by_race.items()
             }
     laws = [by_race[contact.race] for contact in contacts]
     if kind == "other":

@@ -6,7 +6,7 @@ from math import radians
 
 import pytest
 
-from bearing.friction.sources import CoulombTraction, FilmTraction, FourConstantTraction
+from bearing.friction.sources import CoefficientTraction, CoulombTraction, FilmTraction
 from bearing.friction.table_files import save_race_tables
 from bearing.operation import BallKinematics
 from cases.format.case import case_from_text
@@ -46,7 +46,7 @@ def test_a_law_named_makes_traction_equilibrium_the_default():
     named = case(TEXT + LAW)
     assert named.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
     assert named.document["model"]["ball_kinematics"] == "traction equilibrium"
-    assert isinstance(named.traction.source, FourConstantTraction)
+    assert isinstance(named.traction.source, CoefficientTraction)
     kept = case(TEXT + LAW + '[model]\nball_kinematics = "inner race control"\n')
     assert kept.model.ball_kinematics is BallKinematics.INNER_RACE_CONTROL
     coulomb = case(TEXT + '[friction]\ntraction = "coulomb"\ncoefficient = 0.06\n')

@@ -7,7 +7,7 @@ from math import asinh, exp, log
 import numpy as np
 
 from ehl.oil.rheology import shear_stress
-from ehl.traction.laws import CoulombLaw
+from ehl.traction.coefficient_kernels import RampedCoulomb
 from ehl.traction.table.splines import spline_weights
 from ehl.traction.table.table import load_place, spinning_scale, vertex_slide
 
@@ -41,19 +41,19 @@ def summed_forces(kinematics, nodes, stress, sliding):
 def law_forces(law, load, speed, slide_x, slide_y, spin):
     """F_x, F_y [N], M_n, M_y [N m] of a coefficient over the Hertz ellipse, as `law.forces`."""
     a, b, radius, curvature, difference = law.shape.constants
-    x, y, share = law.disc * np.array([[a * np.cbrt(load)], [b * np.cbrt(load)], [load]])
+    x, y, share = law.kernel_arguments[0] * np.array([[a * np.cbrt(load)], [b * np.cbrt(load)], [load]])
     rolling = speed / radius - 0.5 * difference * slide_x
     s_x = slide_x - spin * y - rolling * curvature * y * y
     s_y = slide_y + spin * x
     s = np.hypot(s_x, s_y)
-    pull = share * coefficient(law, s, speed) / np.where(s > 0.0, s, 1.0)
+    pull = share * coefficient(law.coefficient, s, speed) / np.where(s > 0.0, s, 1.0)
     t_x, t_y = pull * s_x, pull * s_y
     return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), (curvature * y * y * t_x).sum()])
 
 
 def coefficient(law, slide, speed):
     """Coefficient of friction [-] of a law at a local sliding speed and an entrainment speed [m/s]."""
-    if isinstance(law, CoulombLaw):
+    if isinstance(law, RampedCoulomb):
         return law.friction * np.clip((slide - law.slide_none) / (law.slide_full - law.slide_none), 0.0, 1.0)
     s = slide / max(abs(speed), 1e-300)
     return np.minimum(s / law.dead_band, 1.0) * ((law.a + law.b * s) * np.exp(-law.c * s) + law.d)

@@ -17,9 +17,9 @@ import ehl
 from ehl.kinematics import ContactKinematics, contact_kinematics
 from ehl.oil.rheology import Rheology, ShearLaw
 from ehl.solid.heat import SolidThermal
-from ehl.traction import _kernels
+from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb, coefficient
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
-from ehl.traction.laws import ContactShape, CoulombLaw, FourConstantLaw, four_constants
+from ehl.traction.laws import ContactShape, EllipseLaw
 from ehl.traction.response import normal_response
 from ehl.traction.shear import integrate_traction
 from ehl.traction.table.build import TableOptions, build_table
@@ -295,17 +295,17 @@ SHAPE = ContactShape(semi_axis_x=1e-4, semi_axis_y=6e-4, radius_x=4.8e-3, curvat
     [((0.05, 0.03, 0.03), (-0.03, 3.64488, 45.9363, 0.03)), ((0.05, 1.0, 0.036), (-0.036, 0.10178, 1.5473, 0.036))],
 )
 def test_four_constants_from_a_traction_curve(given, expected):
-    constants = four_constants(*given)
-    assert_allclose(constants, expected, rtol=5e-5)
-    law = FourConstantLaw(SHAPE, *constants)
+    law = FourConstants.of_curve(*given)
+    assert_allclose((law.a, law.b, law.c, law.d), expected, rtol=5e-5)
     slides = np.linspace(0.5, 1.5, 2001) * given[1]
-    largest = max(_kernels.coefficient(law.kernel_law(), slide, 1.0) for slide in slides)
+    largest = max(coefficient(law.kernel_law, slide, 1.0) for slide in slides)
     assert_allclose(largest, given[0], rtol=1e-6)
 
 
 @pytest.mark.parametrize("zero", [0.01, 0.03, 0.04])
 def test_four_constants_with_friction_at_no_slide(zero):
-    a, b, c, d = four_constants(0.05, 0.03, 0.03, zero)
+    law = FourConstants.of_curve(0.05, 0.03, 0.03, zero)
+    a, b, c, d = law.a, law.b, law.c, law.d
     assert_allclose(a + d, zero, atol=1e-12)
     assert_allclose((a + b * 0.03) * np.exp(-c * 0.03) + d, 0.05)
     assert_allclose(b, c * (a + b * 0.03))
@@ -314,8 +314,8 @@ def test_four_constants_with_friction_at_no_slide(zero):
 @pytest.mark.parametrize(
     "law",
     [
-        CoulombLaw(SHAPE, friction=0.05, slide_none=0.01, slide_full=0.1),
-        FourConstantLaw(SHAPE, -0.03, 3.64, 45.9, 0.03),
+        EllipseLaw(SHAPE, RampedCoulomb(friction=0.05, slide_none=0.01, slide_full=0.1)),
+        EllipseLaw(SHAPE, FourConstants(-0.03, 3.64, 45.9, 0.03)),
     ],
     ids=["coulomb", "four constants"],
 )
@@ -326,10 +326,11 @@ def test_compiled_law_agrees_with_its_reference(law):
 
 def test_coulomb_law_on_the_ellipse():
     """Sliding as a whole mu Q; below the dead band nothing; curvature slip as the line model, 3 % of its quadrature."""
-    flat = CoulombLaw(replace(SHAPE, curvature_radius=np.inf), friction=0.05, slide_none=1e-3, slide_full=2e-3)
+    coulomb = RampedCoulomb(friction=0.05, slide_none=1e-3, slide_full=2e-3)
+    flat = EllipseLaw(replace(SHAPE, curvature_radius=np.inf), coulomb)
     assert_allclose(flat.forces(500.0, 15.0, -1.0, 0.0, 0.0).force_x, 25.0)
     assert flat.forces(500.0, 15.0, 5e-4, 0.0, 0.0).force_x == 0.0
-    law = CoulombLaw(SHAPE, friction=0.05, slide_full=1e-9)
+    law = EllipseLaw(SHAPE, RampedCoulomb(friction=0.05, slide_full=1e-9))
     b = 6e-4 * 500.0 ** (1 / 3)
     slide = 15.0 / 4.8e-3 * (0.347296 * b) ** 2 / (2.0 * 6e-3)
     found = law.forces(500.0, 15.0, slide, 0.0, 0.0)
@@ -340,10 +341,10 @@ def test_coulomb_law_on_the_ellipse():
 @pytest.mark.parametrize(
     ("make", "field"),
     [
-        (lambda: CoulombLaw(SHAPE, friction=-1.0), "friction"),
-        (lambda: CoulombLaw(SHAPE, slide_none=2.0, slide_full=1.0), "slide_full"),
-        (lambda: FourConstantLaw(SHAPE, dead_band=0.0), "dead_band"),
-        (lambda: four_constants(0.02, 0.03, 0.03), "largest"),
+        (lambda: RampedCoulomb(friction=-1.0), "friction"),
+        (lambda: RampedCoulomb(slide_none=2.0, slide_full=1.0), "slide_full"),
+        (lambda: FourConstants(dead_band=0.0), "dead_band"),
+        (lambda: FourConstants.of_curve(0.02, 0.03, 0.03), "largest"),
         (lambda: TableRange(load=(0.0, 1.0), speed=(1.0, 2.0)), "load"),
         (lambda: TableRange(load=(1.0, 2.0), speed=(1.0, 2.0), spin=0.0), "spin"),
     ],

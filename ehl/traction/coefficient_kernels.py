@@ -1,0 +1,200 @@
+"""Coefficients of friction by the local sliding, each law whole: name, constants, formula.
+
+To add one: its formula, a branch in `coefficient` under the next kind, and its class, listed in
+`COEFFICIENTS` where cases name it. Its constants become keys of [friction]; torque, traction
+equilibrium and simulation take it over the Hertz ellipse (`laws.EllipseLaw`).
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import e, exp, inf, isfinite
+from typing import ClassVar, Self
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.optimize import brentq
+
+from ..compiled import compiled
+
+Array = NDArray[np.float64]
+
+COULOMB, FOUR_CONSTANTS = range(2)  # kinds, the first number of a law
+MU, NONE, FULL = range(1, 4)  # behind it, of Coulomb's law
+A, B, C, D, BAND = range(1, 6)  # and of that of four constants
+# slide over entrainment speed up to which a four-constant law rises from zero [-]: a
+# regularisation, far below the slide of the largest coefficient (about 0.03)
+DEAD_BAND = 1e-4
+
+
+@compiled
+def coefficient(law: Array, slide: float, speed: float) -> float:
+    """Friction coefficient [-] of a kind and its constants at a local sliding speed and an
+    entrainment speed [m/s].
+    """
+    if law[0] == COULOMB:
+        return _ramped_coulomb(law, slide)
+    return _four_constants(law, slide / max(abs(speed), 1e-300))
+
+
+@compiled
+def _ramped_coulomb(law: Array, slide: float) -> float:
+    """Zero up to v_0 [m/s], mu [-] from v_1 on, a ramp between."""
+    if slide <= law[NONE]:
+        return 0.0
+    if slide >= law[FULL]:
+        return law[MU]
+    return law[MU] * (slide - law[NONE]) / (law[FULL] - law[NONE])
+
+
+@compiled
+def _four_constants(law: Array, ratio: float) -> float:
+    """(A + B s) exp(-C s) + D at a slide over the entrainment speed s, ramped up to s_0 [-]."""
+    ramp = 1.0 if ratio >= law[BAND] else ratio / law[BAND]
+    return ramp * ((law[A] + law[B] * ratio) * np.exp(-law[C] * ratio) + law[D])
+
+
+@dataclass(frozen=True, slots=True)
+class Constant:
+    """A constant of a law as case files have it in [friction], at most `largest` [-]."""
+
+    key: str
+    largest: float
+    text: str
+    simulated: float  # where a simulation leaves it out [-]
+    positive: bool = True  # zero is not allowed
+    below: str = ""  # key of the constant that it must not reach
+
+
+class Coefficient(ABC):
+    """A coefficient of friction by the local sliding."""
+
+    constants: ClassVar[tuple[Constant, ...]] = ()
+
+    @classmethod
+    def of_case(cls, values: Mapping[str, float]) -> Self:
+        """The law with the values of its `constants` [-]."""
+        return cls(*(values[constant.key] for constant in cls.constants))
+
+    @property
+    @abstractmethod
+    def description(self) -> str:
+        """The law and its numbers, for messages."""
+
+    @property
+    @abstractmethod
+    def kernel_law(self) -> Array:
+        """Kind and constants as `coefficient` takes them, [-] and [m/s]."""
+
+    @property
+    def reversal_speed(self) -> float:
+        """Sliding speed within which friction reverses; infinite where it follows the entrainment
+        [m/s].
+        """
+        return inf
+
+
+@dataclass(frozen=True, kw_only=True)
+class RampedCoulomb(Coefficient):
+    """Coulomb friction with dead band and ramp (Ambrosio, 2003): zero to v_0, full from v_1 on."""
+
+    friction: float = 0.1  # mu [-]
+    slide_none: float = 0.0  # v_0, sliding speed [m/s]
+    slide_full: float = 1e-3  # v_1, sliding speed [m/s]
+
+    def __post_init__(self) -> None:
+        if not (isfinite(self.friction) and self.friction >= 0.0):
+            raise ValueError(
+                f"friction must be zero or positive and finite, got {self.friction!r}"
+            )
+        if not 0.0 <= self.slide_none < self.slide_full:
+            raise ValueError(
+                f"slide_full must exceed slide_none {self.slide_none}, got {self.slide_full!r}"
+            )
+
+    @property
+    def description(self) -> str:
+        """The law and its numbers, for messages."""
+        return f"Coulomb's law with a ramp of the sliding speed, mu = {self.friction:g}"
+
+    @property
+    def kernel_law(self) -> Array:
+        """Kind, mu [-], v_0, v_1 [m/s]."""
+        return np.array([COULOMB, self.friction, self.slide_none, self.slide_full])
+
+    @property
+    def reversal_speed(self) -> float:
+        """Width of the ramp [m/s]."""
+        return self.slide_full - self.slide_none
+
+
+@dataclass(frozen=True)
+class FourConstants(Coefficient):
+    """mu = (A + B s) exp(-C s) + D of bearing dynamics codes, s the local slide over the
+    entrainment speed.
+
+    Below `dead_band` the coefficient rises linearly from zero, for friction has no direction where
+    nothing slides.
+    """
+
+    constants = (
+        Constant("traction_maximum", 1, "largest coefficient", 0.05),
+        Constant("traction_maximum_slide", 10, "its slide-roll ratio", 0.03),
+        Constant(
+            "traction_limit", 1, "coefficient at large slide", 0.03, False, "traction_maximum"
+        ),
+    )
+    a: float = 0.0  # A [-]
+    b: float = 0.0  # B [-]
+    c: float = 1.0  # C [-]
+    d: float = 0.0  # D [-]
+    dead_band: float = DEAD_BAND  # s up to which the coefficient is ramped [-]
+
+    def __post_init__(self) -> None:
+        if not all(isfinite(value) for value in (self.a, self.b, self.c, self.d)):
+            raise ValueError(f"a, b, c, d must be finite, got {(self.a, self.b, self.c, self.d)}")
+        if not self.dead_band > 0.0:
+            raise ValueError(f"dead_band must be positive, got {self.dead_band!r}")
+
+    @classmethod
+    def of_case(cls, values: Mapping[str, float]) -> Self:
+        """The law through the values of its `constants` [-]."""
+        return cls.of_curve(*(values[constant.key] for constant in cls.constants))
+
+    @classmethod
+    def of_curve(cls, largest: float, slide: float, limit: float, zero: float = 0.0) -> Self:
+        """The law of a traction curve: the largest value kappa_max at the slide s, the limit
+        kappa_inf at large s, and kappa_0 at s = 0 [-].
+
+        D = kappa_inf, A = kappa_0 - kappa_inf, and with q = C s: B = C A/(1 - q),
+        A exp(-q)/(1 - q) = kappa_max - D.
+        """
+        if not (isfinite(slide) and slide > 0.0):
+            raise ValueError(f"slide must be positive and finite, got {slide!r}")
+        if not largest > max(limit, zero):
+            raise ValueError(f"largest must exceed limit {limit} and zero {zero}, got {largest!r}")
+        a, rise = zero - limit, largest - limit
+        if a == 0.0:
+            return cls(0.0, e * rise / slide, 1.0 / slide, limit)
+
+        def excess(q: float) -> float:
+            return a * exp(-q) - rise * (1.0 - q)
+
+        q = brentq(excess, 0.0, 1.0) if a > 0.0 else brentq(excess, 1.0, 2.0 - a / rise)
+        c = float(q) / slide
+        return cls(a, c * a / (1.0 - float(q)), c, limit)
+
+    @property
+    def description(self) -> str:
+        """The law and its numbers, for messages."""
+        values = ", ".join(f"{constant:.4g}" for constant in (self.a, self.b, self.c, self.d))
+        return f"law of four constants, (A + B s) exp(-C s) + D with {values}"
+
+    @property
+    def kernel_law(self) -> Array:
+        """Kind, A to D, dead band [-]."""
+        return np.array([FOUR_CONSTANTS, self.a, self.b, self.c, self.d, self.dead_band])
+
+
+# those that [friction] traction and [dynamics] friction name
+COEFFICIENTS: dict[str, type[Coefficient]] = {"four constants": FourConstants}
