@@ -16,7 +16,6 @@ from .multigrid.full_multigrid import (
     ATTEMPTS,
     Attempt,
     AttemptResult,
-    DivergedError,
     Progress,
     contact_multigrid,
     full_multigrid,
@@ -188,9 +187,8 @@ def _pilot(contact: ScaledContact, progress: Progress) -> tuple[tuple[float, flo
         result = AttemptResult(
             state=contact_multigrid(pilot, _box(contact, film, scale), options, ATTEMPTS[0])
         )
-        try:
-            full_multigrid(result, options, Progress())
-        except DivergedError:
+        full_multigrid(result, options, Progress())
+        if not result.films:
             progress.fallbacks.append("pilot solve diverged: box from the film formula")
             return _box(contact, contact.film_guess, 1.5), contact.film_guess
         progress.deflected_nodes += result.state.deflected_nodes()

@@ -3,7 +3,6 @@ a list of attempts with other settings where one fails.
 """
 
 from collections.abc import Iterator
-from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from math import ceil, inf, sqrt
 
@@ -54,10 +53,6 @@ ORIGIN_CELLS = 32
 SMALLEST_FILM = 1e-12  # keeps a relative change finite
 
 Films = list[tuple[float, float]]  # central and minimum film of each level, coarsest first
-
-
-class DivergedError(Exception):
-    """The iteration diverged in spite of its guards."""
 
 
 @dataclass(slots=True, kw_only=True)
@@ -187,10 +182,9 @@ def solve_with_fallbacks(
         result = AttemptResult(
             state=contact_multigrid(contact, domain, options, attempt, flow_model)
         )
-        with suppress(DivergedError):
-            limit = replace(options, max_cycles=attempt.cycles_factor * options.max_cycles)
-            steps = lighter if attempt.from_lighter else ()
-            full_multigrid(result, limit, progress, attempt.finer_start, steps)
+        limit = replace(options, max_cycles=attempt.cycles_factor * options.max_cycles)
+        steps = lighter if attempt.from_lighter else ()
+        full_multigrid(result, limit, progress, attempt.finer_start, steps)
         progress.deflected_nodes += result.state.deflected_nodes()
         if best is None or result.converged() or result.remaining_error() < best.remaining_error():
             best = result
@@ -237,18 +231,14 @@ def full_multigrid(
     lighter: tuple[ScaledContact, ...] = (),
 ) -> None:
     """Solve level after level; the load on the first of them is reached through those of
-    `lighter`.
-
-    Raises
-    ------
-    DivergedError
-        If the iteration diverges; `result.films` is empty then.
+    `lighter`. If the iteration diverges, `result.films` is empty.
     """
     state = result.state
     films = []
     finest = len(state.levels) - 1
     first = _starting_level(state, finer)
-    _start_in_steps(state, first, lighter, progress)
+    if not _start_in_steps(state, first, lighter, progress):
+        return
     for index in range(first, finest + 1):
         # 1. start from the level below, Venner and Lubrecht (2000), sec. 3.5
         if index > first:
@@ -256,8 +246,8 @@ def full_multigrid(
             start_level(state, index, interpolate_cubic(below.P, below.grid.symmetric))
         # 2. a few cycles, on the finest level until it has converged
         if index < finest:
-            for _ in _guarded_cycles(state, index, LEVEL_CYCLES, progress):
-                pass
+            if not _cycle_on(state, index, LEVEL_CYCLES, progress):
+                return
             films.append(film_values(state.levels[index].grid, state.levels[index].H))
         else:
             _finish(result, films, options, progress)
@@ -286,40 +276,40 @@ def _start(state: Multigrid, index: int) -> None:
 
 def _start_in_steps(
     state: Multigrid, index: int, lighter: tuple[ScaledContact, ...], progress: Progress
-) -> None:
+) -> bool:
     """Start a level from the solution under the last of the lighter loads, the first of them from
-    a Hertz pressure.
+    a Hertz pressure; False if one of them diverged.
 
     In the scales of each load's own Hertz contact grid and kernel are the same.
     """
-    wanted = state.contact
-    pressure = None
-    for contact in (*lighter, wanted):
-        state.contact = contact
-        if pressure is None:
-            _start(state, index)
+    before = None
+    for contact in (*lighter, state.contact):
+        step = state if contact is state.contact else replace(state, contact=contact)
+        if before is None:
+            _start(step, index)
         else:
-            start_level(state, index, pressure)
-            state.approach += contact.film_guess - central_film(
-                state.levels[index].grid, state.levels[index].H
-            )
-            update_film(state, index)
-        if contact is not wanted:
-            for _ in _guarded_cycles(state, index, STEP_CYCLES, progress):
-                pass
-            pressure = state.levels[index].P.copy()
+            step.approach, step.exterior = before.approach, before.exterior
+            step.damping = before.damping
+            start_level(step, index, step.levels[index].P.copy())
+            level = step.levels[index]
+            step.approach += contact.film_guess - central_film(level.grid, level.H)
+            update_film(step, index)
+        if step is not state and not _cycle_on(step, index, STEP_CYCLES, progress):
+            return False
+        before = step
+    return True
+
+
+def _cycle_on(state: Multigrid, index: int, count: int, progress: Progress) -> bool:
+    """A number of cycles on a level; False if they diverged."""
+    return inf not in _guarded_cycles(state, index, count, progress)
 
 
 def _guarded_cycles(
     state: Multigrid, index: int, count: int, progress: Progress
 ) -> Iterator[float]:
     """Run cycles on a level and yield the mean residual; one that diverges is undone and repeated
-    with half the damping.
-
-    Raises
-    ------
-    DivergedError
-        If three halvings do not help.
+    with half the damping. If three halvings do not help, the last residual is infinite.
     """
     last = inf
     halvings = 0
@@ -330,7 +320,8 @@ def _guarded_cycles(
         if residual == inf:
             restore(state, index, before)
             if halvings == HALVINGS:
-                raise DivergedError
+                yield inf
+                return
             halvings += 1
             state.damping = state.damping.halved()
             progress.fallbacks.append("cycle undone, damping halved")
@@ -377,6 +368,9 @@ def _finish(
     acceleration = Acceleration()
     before = (level.P.copy(), state.approach)
     for residual in _guarded_cycles(state, index, options.max_cycles, progress):
+        if residual == inf:
+            result.films = []
+            return
         result.add_cycle(residual)
         result.films = [*films, result.film[-1]]
         if result.converged():

@@ -81,15 +81,15 @@ def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> Norma
     start = state.approach
     pressure = level.P.copy()
     content = _content(state, oil)
-    load = state.contact.load
     # 2. a little more load: stiffness, and how the oil in the film follows h_0
-    state.contact = replace(state.contact, load=(1.0 + LOAD_STEP) * load)
-    steady = _relax(state, cycles)
-    softer = state.approach - start
-    follow = (_content(state, oil) - content) / softer
+    heavier = replace(
+        state, contact=replace(state.contact, load=(1.0 + LOAD_STEP) * state.contact.load)
+    )
+    steady = _relax(heavier, cycles)
+    softer = heavier.approach - start
+    follow = (_content(heavier, oil) - content) / softer
     # 3. the same load with bodies that approach: damping
-    state.contact = replace(state.contact, load=load)
-    state.approach = start
+    state.exterior = heavier.exterior
     start_level(state, index, pressure)
     rate = SQUEEZE_STEP * solution.film_central_dimensionless.value
     level.f = rate * follow
