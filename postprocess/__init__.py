@@ -10,7 +10,6 @@ dynamics     - results of a time simulation
 files        - JSON, CSV and netCDF files of results
 main_results - what is looked at first in a summary of any kind, by keys with their units
 plot_style   - common to all plots: type sizes, colours, colour maps, the part of a contact shown
-plots        - PNG plots of a run: one figure per distinct contact, film and pressure per azimuth
 quantities   - output quantities: each is declared once: key, unit, title, getter
 reader       - one loader for the folders of all commands: run, contact, batch, slip, stiffness
 report       - the HTML report of a result folder
@@ -18,6 +17,7 @@ results      - results of a run as handed to the output: everything in SI
 scene        - three-dimensional views, files for ParaView, meshes for other programs
 slip         - results of a slip study
 stiffness    - results of a stiffness study
+summaries    - the summary of a run, of a bearing or of a single contact
 table        - tables of results for a terminal of 80 columns
 text         - numbers and lists as text
 traction     - results of traction tables

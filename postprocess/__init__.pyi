@@ -1,6 +1,7 @@
-from .bearing.summary import summary
+from .contact.results import ContactResults
 from .reader import open_results
-from .results import BearingResults, ContactResults
+from .results import BearingResults
+from .summaries import summary
 from .writer import write_results
 
 __all__ = ["BearingResults", "ContactResults", "open_results", "summary", "write_results"]

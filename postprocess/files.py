@@ -20,6 +20,7 @@ Table = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
 FORMAT = 2
 SUMMARY_FILE = "summary.json"
 CONTACTS_FILE = "contacts.csv"
+COMPRESSION = {"zlib": True, "complevel": 4, "shuffle": True, "dtype": "float32"}  # of fields
 FIELDS_FILE = "results.nc"
 SPEED_COLUMN = "speed [r/min]"  # of studies over the speed of the inner ring
 
@@ -56,10 +57,18 @@ def write_json(document: dict[str, Any], path: Path) -> None:
         temporary.write_text(text + "\n", encoding="utf-8")
 
 
+def plain_document(document: dict[str, Any]) -> dict[str, Any]:
+    """A summary in plain JSON types, with a message for each number that is not finite."""
+    lost: list[str] = []
+    values: dict[str, Any] = plain(document, "", lost)
+    values["messages"] += [f"{path}: null, the computed value is not finite" for path in lost]
+    return values
+
+
 def plain(value: Any, path: str = "", lost: list[str] | None = None) -> Any:
     """Plain JSON types; a number that is not finite becomes None, its path is added to `lost`."""
     if isinstance(value, dict):
-        return {key: plain(item, f"{path}.{key}", lost) for key, item in value.items()}
+        return {key: plain(v, f"{path}.{key}".lstrip("."), lost) for key, v in value.items()}
     if isinstance(value, list | tuple):
         return [plain(item, f"{path}[{i}]", lost) for i, item in enumerate(value)]
     if hasattr(value, "tolist"):  # arrays and scalars of NumPy
@@ -138,6 +147,18 @@ def write_study(files: StudyFiles, folder: Path, draw: Callable[[], object]) -> 
     write_dataset(files.variables, attributes, folder / FIELDS_FILE)
     write_json(document, folder / SUMMARY_FILE)
     return problems
+
+
+def write_tree(groups: dict[str, xr.Dataset], path: Path) -> None:
+    """Write the groups of one netCDF-4 file; fields of contacts (`P`, `h`, `T`) as float32."""
+    tree = xr.DataTree.from_dict(groups)
+    encoding = {
+        node.path: {name: COMPRESSION for name in ("P", "h", "T") if name in node.data_vars}
+        for node in tree.subtree
+    }
+    with atomic_path(path) as temporary:
+        tree.to_netcdf(temporary, engine="h5netcdf", encoding=encoding)
+        tree.close()
 
 
 def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:

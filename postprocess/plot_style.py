@@ -103,18 +103,14 @@ def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:
 
 
 def write_figures(
-    folder: Path, figures: Iterable[tuple[str, Callable[[Figure], object]]], named: str = ""
+    directory: Path, figures: Iterable[tuple[str, Callable[[Figure], object]]]
 ) -> tuple[str, ...]:
-    """Write PNG pictures by stem; those that cannot be drawn come back as messages.
-
-    `named` is the folder's name in the messages.
-    """
+    """Write PNG pictures by their paths without suffix; what cannot be drawn is a message."""
     problems = []
-    for stem, draw in figures:
+    for name, draw in figures:
         try:
-            write_figure(folder / f"{stem}.png", draw)
+            write_figure(directory / f"{name}.png", draw)
         # of a field that nobody thought of
         except (ValueError, ArithmeticError, LookupError, RuntimeError) as error:
-            what = f"{type(error).__name__}: {error}"
-            problems.append(f"{named}{stem}.png not written: {what}")
+            problems.append(f"{name}.png not written: {type(error).__name__}: {error}")
     return tuple(problems)

@@ -28,7 +28,7 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     xarray.DataTree
         SI, but for batches, whose variables name their units. `tree.attrs` has the `kind`, the
         program's version (`oilfilm`) and the input as JSON (`case`); groups of a bearing as
-        in `write_netcdf`. Close it when done.
+        in `write_bearing_netcdf`. Close it when done.
 
     Raises
     ------

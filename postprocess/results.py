@@ -14,7 +14,6 @@ from bearing.rating.frequencies import Frequencies
 from bearing.rating.life import LifeRating
 from bearing.torque.breakdown import TorqueBreakdown
 from ehl import ContactSolution, Lubricant
-from ehl.traction.shear import TractionResult
 
 from .text import listed
 
@@ -74,19 +73,6 @@ class BearingResults(Results):
             and films
             and (self.heating is None or self.heating.converged)
         )
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ContactResults(Results):
-    """One single contact, computed."""
-
-    solution: ContactSolution
-    traction: TractionResult | None = None
-
-    @property
-    def converged(self) -> bool:
-        """Whether the film converged."""
-        return self.solution.converged
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -1,14 +1,16 @@
 """All output of a run into one directory."""
 
-from dataclasses import replace
 from pathlib import Path
 
-from .bearing.summary import summary
-from .bearing.write import write_contacts_csv, write_netcdf
+from .bearing.plots import write_bearing_plots
+from .bearing.write import write_bearing_netcdf, write_contacts_csv
+from .contact.plots import write_contact_plots
+from .contact.results import ContactResults
+from .contact.write import write_contact_netcdf
 from .files import CONTACTS_FILE, FIELDS_FILE, SUMMARY_FILE, attempt, write_json
-from .plots import write_plots
-from .results import BearingResults, ContactResults
+from .results import BearingResults
 from .scene.vtk import write_collection, write_subsurface
+from .summaries import summary
 
 
 def write_results(
@@ -35,16 +37,23 @@ def write_results(
     """
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)
-    problems = (
-        *attempt("plots", lambda: write_plots(results, folder)),
-        *attempt("VTK", lambda: _write_vtk(results, folder)),
-    )
-    document = summary(replace(results, messages=(*results.messages, *problems)))
-    write_netcdf(results, folder / FIELDS_FILE, document)
-    if isinstance(results, BearingResults):
+    problems = attempt("plots", lambda: _write_plots(results, folder))
+    problems += attempt("VTK", lambda: _write_vtk(results, folder))
+    document = summary(results)
+    document["messages"] += problems
+    if isinstance(results, ContactResults):
+        write_contact_netcdf(results, folder / FIELDS_FILE, document)
+    else:
+        write_bearing_netcdf(results, folder / FIELDS_FILE, document)
         write_contacts_csv(document, folder / CONTACTS_FILE)
     write_json(document, folder / SUMMARY_FILE)
     return problems
+
+
+def _write_plots(results: BearingResults | ContactResults, folder: Path) -> tuple[str, ...]:
+    if isinstance(results, ContactResults):
+        return write_contact_plots(results, folder)
+    return write_bearing_plots(results, folder)
 
 
 def _write_vtk(results: BearingResults | ContactResults, folder: Path) -> None:

@@ -14,9 +14,11 @@ from bearing.friction.sources import LawTraction
 from bearing.friction.table_files import save_race_tables
 from postprocess import summary
 from postprocess.batch.summary import OUTSIDE
-from postprocess.bearing.write import write_netcdf
+from postprocess.bearing.write import write_bearing_netcdf
+from postprocess.contact.results import ContactResults
+from postprocess.contact.write import write_contact_netcdf
 from postprocess.dynamics.summary import dynamics_summary
-from postprocess.results import BearingResults, ContactResults
+from postprocess.results import BearingResults
 from postprocess.slip.summary import slip_summary
 from postprocess.traction.summary import traction_summary
 
@@ -75,7 +77,10 @@ def _with_fields(results: BearingResults | ContactResults, task: Task) -> Comput
         return document, {}
     with tempfile.TemporaryDirectory(prefix="oilfilm-") as temporary:
         path = Path(temporary) / "results.nc"
-        write_netcdf(results, path, document)
+        if isinstance(results, ContactResults):
+            write_contact_netcdf(results, path, document)
+        else:
+            write_bearing_netcdf(results, path, document)
         return document, {".nc": path.read_bytes()}
 
 

@@ -39,6 +39,8 @@ def run(
     """Run a bearing case: loads, film maps, pictures, VTK."""
     loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'")
     directory = results_directory(case, output, as_json)
+    from postprocess.bearing.table import bearing_table
+
     from ..runs.bearing import Interrupted, run_case
 
     try:
@@ -51,7 +53,7 @@ def run(
             save(stop.results, target)
             say(f"finished films in {target}")
         raise KeyboardInterrupt from None
-    return finish(results, directory, as_json=as_json, quiet=quiet)
+    return finish(results, bearing_table, directory, as_json=as_json, quiet=quiet)
 
 
 @app.command()
@@ -71,6 +73,7 @@ def contact(
         raise CaseError(f"{case}: is a bearing; run it with 'oilfilm run {case}'")
     directory = results_directory(case, output, as_json)
     from ehl.multigrid.threads import cores
+    from postprocess.contact.table import contact_table
 
     from ..runs.contact import run_contact
 
@@ -80,7 +83,7 @@ def contact(
             loaded, finite_element=method is Method.FINITE_ELEMENT, workers=cores()
         )
         save(results, directory, progress)
-    return finish(results, directory, as_json=as_json, quiet=quiet)
+    return finish(results, contact_table, directory, as_json=as_json, quiet=quiet)
 
 
 @app.command()

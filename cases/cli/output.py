@@ -16,7 +16,8 @@ if TYPE_CHECKING:
 
     from rich.console import Group
 
-    from postprocess.results import BearingResults, ContactResults
+    from postprocess.contact.results import ContactResults
+    from postprocess.results import BearingResults
 
     from ..format.case import Case
     from ..runs.films import Progress
@@ -70,15 +71,18 @@ def save_with(write: Callable[[Path], tuple[str, ...]], directory: Path | None) 
 
 
 def finish(
-    results: BearingResults | ContactResults, directory: Path | None, *, as_json: bool, quiet: bool
+    results: BearingResults | ContactResults,
+    table: Callable[[Any], Group],
+    directory: Path | None,
+    *,
+    as_json: bool,
+    quiet: bool,
 ) -> int:
     """Print the results of a run and what did not converge."""
     from postprocess import summary
-    from postprocess.bearing.table import result_table
 
-    return report(
-        summary(results), lambda: result_table(results), directory, as_json=as_json, quiet=quiet
-    )
+    document = summary(results)
+    return report(document, lambda: table(results), directory, as_json=as_json, quiet=quiet)
 
 
 def say_notes(messages: list[str]) -> None:

@@ -7,7 +7,7 @@ from ehl import ContactConditions, ContactSolution, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.kinematics import contact_kinematics
 from ehl.traction.shear import TractionResult, integrate_traction
-from postprocess.results import ContactResults
+from postprocess.contact.results import ContactResults
 
 from ..format.case import ContactCase
 from ..format.film_model import FilmModel

@@ -1,9 +1,10 @@
-"""Figures of the whole bearing: film or pressure of every ball over the azimuth, and the load
-zone.
-"""
+"""Figures of a bearing: film or pressure of every ball over the azimuth, load zone, contacts."""
 
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import partial
 from math import degrees, pi
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,7 +15,7 @@ from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
 from ehl.units import GIGAPASCAL, MICROMETRE
 
-from ..contact.plots import draw_map
+from ..contact.plots import draw_contact, draw_map, film_text
 from ..contact.view import ContactView, contact_view
 from ..plot_style import (
     INK,
@@ -27,8 +28,10 @@ from ..plot_style import (
     SHOWN_SIDE,
     common_film_range,
     film_ticks,
+    write_figures,
 )
-from ..results import BearingResults
+from ..results import BearingResults, distinct_contacts
+from .plots_torque import draw_torque
 
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
 ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
@@ -116,6 +119,28 @@ def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
     x_in = max((-SHOWN_INLET * v.half_x for v in views), default=1.0)
     x_out = max((SHOWN_OUTLET * v.half_x for v in views), default=1.0)
     return -x_in, x_out, max((SHOWN_SIDE * v.half_y for v in views), default=1.0)
+
+
+def write_bearing_plots(results: BearingResults, directory: Path) -> tuple[str, ...]:
+    """Draw load zone, torque and contacts, equal ones once; figures that failed are messages."""
+    return write_figures(directory, _figures(results))
+
+
+def _figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], None]]]:
+    yield "plots/load_zone", partial(draw_load_zone, results=results)
+    if results.torque is not None and results.torque.total is not None:
+        yield "plots/torque", partial(draw_torque, results=results)
+    groups = distinct_contacts(results)
+    for quantity in ("film", "pressure") if groups else ():
+        draw = partial(draw_per_azimuth, results=results, quantity=quantity)
+        yield f"plots/{quantity}_per_azimuth", draw
+    for group in groups:
+        first = group.contacts[0]
+        view = contact_view(group.solution)
+        place = f"$Q$ = {first.load:.4g} N, contact angle {degrees(first.contact_angle):.1f}°"
+        title = f"{results.title}\n{group.label}\n{place}, {film_text(view)}"
+        name = f"plots/{first.race.value}_ball{first.ball:02d}"
+        yield name, partial(draw_contact, view=view, title=title)
 
 
 def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> None:

@@ -1,20 +1,14 @@
-"""The summary of results: the rim where the named units appear."""
+"""Summary of a bearing."""
 
 from collections.abc import Iterator
 from typing import Any
 
 from bearing.quasistatic.solution import QuasistaticSolution
 
-from ..contact.summary import contact_summary, solution_messages
-from ..files import plain
+from ..contact.summary import solution_messages
+from ..files import plain_document
 from ..quantities import rows_of, values_of
-from ..results import (
-    STIFFNESS_ORDER,
-    STIFFNESS_UNITS,
-    BearingResults,
-    ContactResults,
-    distinct_contacts,
-)
+from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS, BearingResults, distinct_contacts
 from .contacts import contact_messages, contact_records, contact_values
 from .heating import heating_block, heating_messages
 from .quantities import BALL_QUANTITIES, CAGE_SPEED, FREQUENCIES, RING
@@ -24,32 +18,10 @@ from .supply import supply_block, supply_messages
 from .torque import rolling_messages, torque_block, torque_messages
 
 
-def summary(results: BearingResults | ContactResults) -> dict[str, Any]:
-    """Results as one JSON document in named units, the keys as published.
-
-    Returns
-    -------
-    dict
-        Plain JSON types; lengths [um] or [mm], pressures [GPa], angles [deg] as the keys say. What
-        does not apply is None with the reason under "messages"; no value is NaN or infinite.
-    """
-    if isinstance(results, ContactResults):
-        document = contact_summary(results)
-    else:
-        document = bearing_summary(results)
-    lost: list[str] = []
-    values = {
-        key: value if key == "messages" else plain(value, key, lost)
-        for key, value in document.items()
-    }
-    values["messages"] += [f"{path}: null, the computed value is not finite" for path in lost]
-    return values
-
-
 def bearing_summary(results: BearingResults) -> dict[str, Any]:
     """The document of a bearing in named units."""
     state = results.quasistatic
-    return results.head(results.converged, _bearing_messages(results)) | {
+    document = {
         "ring": _ring(state),
         "equilibrium": {
             "converged": state.converged,
@@ -70,6 +42,8 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "self_heating": heating_block(results),
         "timing_s": dict(results.timing),
     }
+    head = results.head(results.converged, _bearing_messages(results))
+    return plain_document(head | document)
 
 
 def _ring(state: QuasistaticSolution) -> dict[str, Any]:

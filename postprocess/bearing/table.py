@@ -1,4 +1,4 @@
-"""Results as tables for a terminal of 80 columns."""
+"""A bearing in the terminal."""
 
 from math import degrees
 from typing import Any
@@ -8,10 +8,9 @@ from rich.table import Table
 from rich.text import Text
 
 from ehl import ContactSolution
-from ehl.units import GIGAPASCAL, MICROMETRE
 
 from ..quantities import values_of
-from ..results import BearingResults, ContactResults
+from ..results import BearingResults
 from ..table import facts_table, number_table
 from ..text import NOTHING, number, unit_text, value_with_error
 from .contacts import CONTACT_QUANTITY, TERMINAL_COLUMNS, ContactRecord, contact_records
@@ -24,11 +23,9 @@ from .torque import torque_rows
 DECIMALS = 4  # of films [um]; more do not fit 80 columns, and beside a lambda ratio one less
 
 
-def result_table(results: BearingResults | ContactResults) -> Group:
+def bearing_table(results: BearingResults) -> Group:
     """A few lines on the whole, then one line per contact, units as the headers say."""
     title = Text(results.title, style="bold")
-    if isinstance(results, ContactResults):
-        return Group(title, _contact_table(results))
     return Group(title, _bearing_table(results), _contacts_table(results), *_legend(results))
 
 
@@ -96,13 +93,6 @@ def _contact_cell(record: ContactRecord, key: str, most: int) -> str:
     return number(value + 0.0, TERMINAL_COLUMNS[key])
 
 
-def _film(solution: ContactSolution, name: str) -> str:
-    """Film and its uncertainty [um]."""
-    value = getattr(solution, name)
-    error = getattr(solution, f"{name}_uncertainty")
-    return value_with_error(value / MICROMETRE, error / MICROMETRE, most=DECIMALS)
-
-
 def _flags(solution: ContactSolution | None) -> str:
     if solution is None:
         return ""
@@ -113,43 +103,3 @@ def _legend(results: BearingResults) -> list[str]:
     flags = "".join(_flags(s) for s in results.solutions)
     meanings = {"!": "! not converged", "?": "? film not resolved on this grid"}
     return ["  ".join(text for flag, text in meanings.items() if flag in flags)] if flags else []
-
-
-def _contact_table(results: ContactResults) -> Table:
-    solution = results.solution
-    rows = _contact_rows(solution) | _traction_row(results)
-    if not solution.converged:
-        rows["NOT CONVERGED"] = solution.message
-    if not solution.resolved:
-        rows["NOT RESOLVED"] = f"{solution.message}; take a larger [ehl] points"
-    return facts_table(rows)
-
-
-def _traction_row(results: ContactResults) -> dict[str, str]:
-    """Traction coefficient [-] and heat [W], where the surfaces slide."""
-    traction = results.traction
-    if traction is None or not traction.sliding_loss > 0.0:
-        return {}
-    return {
-        "traction": f"coefficient {traction.coefficient:.4f}, heat {traction.power_loss:.4g} W"
-    }
-
-
-def _contact_rows(solution: ContactSolution) -> dict[str, str]:
-    central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
-    rows = {
-        "M, L": f"{solution.moes_load:.4g}, {solution.moes_lubricant:.4g}",
-        "central film": f"{value_with_error(central.value, central.uncertainty)} a²/Rx",
-        "minimum film": f"{value_with_error(minimum.value, minimum.uncertainty)} a²/Rx",
-    }
-    if solution.film_scale is not None:
-        rows["central film"] += f" = {_film(solution, 'film_central')} µm"
-        rows["minimum film"] += f" = {_film(solution, 'film_minimum')} µm"
-    if solution.hertz_pressure > 0.0:
-        pressures = (solution.hertz_pressure / GIGAPASCAL, solution.pressure_maximum / GIGAPASCAL)
-        rows["pressure"] = "Hertz {:.4g} GPa, largest {:.4g} GPa".format(*pressures)
-    nx, ny = solution.P.shape
-    x_in, x_out, y_half = solution.domain
-    rows["box"] = f"x/a {x_in:.3g} ... {x_out:.3g}, |y|/b < {y_half:.3g}, {nx} x {ny} points"
-    rows["work"] = f"{solution.record.cycles} cycles, {solution.record.wall_time:.2f} s"
-    return rows

@@ -6,7 +6,10 @@ interferogram - a film map as an optical interferometer would see it, beside pic
 line_cut      - film and pressure along a line through a contact, as a table
 plots         - figure of one contact: film map, pressure map, and both along the two centre lines
 quantities    - quantities of the film of one contact, single or in a bearing
+results       - results of one single contact
 summary       - summary of a single contact
 supply        - oil supply of a single contact: its film where the inlet layer starves it
+table         - a single contact in the terminal
 view          - the part of a contact that pictures show
+write         - fields of contacts as netCDF groups, and the file of a single contact
 """

@@ -1,6 +1,8 @@
 """Figure of one contact: film map, pressure map, and both along the two centre lines."""
 
 from collections.abc import Sequence
+from functools import partial
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -16,9 +18,11 @@ from ..plot_style import (
     OUTER_COLOUR,
     PAGE_WIDTH,
     REFERENCE,
+    write_figures,
 )
 from ..text import value_with_error
-from .view import ContactView
+from .results import ContactResults
+from .view import ContactView, contact_view
 
 HEIGHT = 5.9  # of the figure [in]
 LINES = 8  # contour intervals of a map
@@ -35,6 +39,16 @@ LINE_BOTTOM = 0.125
 LINE_HEIGHT = 0.245
 FILM_COLOUR = INNER_COLOUR
 PRESSURE_COLOUR = OUTER_COLOUR
+
+
+def write_contact_plots(results: ContactResults, directory: Path) -> tuple[str, ...]:
+    """Draw the contact into the folder `plots`; a figure that failed is a message."""
+    solution = results.solution
+    view = contact_view(solution)
+    groups = f"$M$ = {solution.moes_load:.4g}, $L$ = {solution.moes_lubricant:.4g}"
+    title = f"{results.title}\n{groups}, {film_text(view)}"
+    draw = partial(draw_contact, view=view, title=title)
+    return write_figures(directory, [("plots/contact", draw)])
 
 
 def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
@@ -213,9 +227,8 @@ def _film_line(axes: Axes, view: ContactView, s: Array, film: Array) -> None:
 
 
 def film_text(view: ContactView) -> str:
-    """Central and minimum film with their uncertainties, in the unit of the plots ([um] or
-    [a^2/Rx]).
-    """
+    """Central and minimum film with their uncertainties ([um] or [a^2/Rx]), and any doubt."""
     central = value_with_error(view.central, view.central_uncertainty)
     minimum = value_with_error(view.minimum, view.minimum_uncertainty)
-    return f"$h_c$ = {central} {view.film_unit}, $h_{{min}}$ = {minimum} {view.film_unit}"
+    doubt = f" ({view.doubt})" if view.doubt else ""
+    return f"$h_c$ = {central} {view.film_unit}, $h_{{min}}$ = {minimum} {view.film_unit}{doubt}"

@@ -7,8 +7,9 @@ from ehl import ContactConditions, ContactSolution
 from ehl.traction.rolling_moment import rolling_moment
 from ehl.units import MILLIMETRE, from_si
 
-from ..results import ContactResults
+from ..files import plain_document
 from .quantities import NO_TRACTION, FilmRecord, film_values, formula_films
+from .results import ContactResults
 from .supply import contact_starved_values, contact_supply_messages
 
 WIDE_ERROR = 0.1  # error bar over the film from which it is reported [-]
@@ -36,7 +37,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
     a = solution.semi_axis_x
     pressure = solution.hertz_pressure if solution.hertz_pressure > 0.0 else None
     record = _record(results)
-    return results.head(results.converged, _messages(results, record)) | {
+    document = {
         "load_N": None if given is None else given.load,
         "moes_M": solution.moes_load,
         "moes_L": solution.moes_lubricant,
@@ -64,6 +65,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "film_formulas_um": formula_films(given),
         "timing_s": dict(results.timing),
     }
+    return plain_document(results.head(results.converged, _messages(results, record)) | document)
 
 
 def _record(results: ContactResults) -> FilmRecord:

@@ -7,7 +7,7 @@ from bearing.supply.supply import compression, starvation_exponent, starved_shar
 from ehl import ContactConditions
 from ehl.units import from_si, to_si
 
-from ..results import ContactResults
+from .results import ContactResults
 
 KEYS = ("starved_film_share", "starved_film_central_um", "starved_film_minimum_um")
 

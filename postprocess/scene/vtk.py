@@ -22,8 +22,9 @@ from ehl.solution import Array
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 from ..contact.frame import principal_coordinates
+from ..contact.results import ContactResults
 from ..files import atomic_path, contact_name
-from ..results import BearingResults, ContactResults
+from ..results import BearingResults
 from .geometry import (
     SET_BACK,
     Placement,

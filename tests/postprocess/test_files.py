@@ -11,7 +11,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from postprocess import open_results, summary
-from postprocess.bearing.write import write_contacts_csv, write_netcdf
+from postprocess.bearing.write import write_bearing_netcdf, write_contacts_csv
+from postprocess.contact.write import write_contact_netcdf
 from postprocess.files import atomic_path, write_json
 
 xr = pytest.importorskip("xarray")
@@ -20,7 +21,7 @@ xr = pytest.importorskip("xarray")
 @pytest.fixture(scope="module")
 def run_folder(bearing_results, tmp_path_factory):
     folder = tmp_path_factory.mktemp("run")
-    write_netcdf(bearing_results, folder / "results.nc")
+    write_bearing_netcdf(bearing_results, folder / "results.nc", summary(bearing_results))
     return folder
 
 
@@ -58,7 +59,7 @@ def test_fields_are_read_when_used(run_folder):
 
 
 def test_moes_input_in_its_own_units(moes_results, tmp_path):
-    write_netcdf(moes_results, tmp_path / "results.nc")
+    write_contact_netcdf(moes_results, tmp_path / "results.nc", summary(moes_results))
     with open_results(tmp_path) as tree:
         data = tree["contacts/contact"].to_dataset()
         assert data["h"].attrs["units"] == "a^2/Rx"
@@ -88,7 +89,7 @@ def test_the_first_format_is_read(contact_results, tmp_path):
     """Written before a grid could lie at an angle to the entrainment."""
     from postprocess.scene.patch import Patch
 
-    write_netcdf(contact_results, tmp_path / "new.nc")
+    write_contact_netcdf(contact_results, tmp_path / "new.nc", summary(contact_results))
     with xr.open_datatree(tmp_path / "new.nc", engine="h5netcdf") as tree:
         old = tree.load()
     old.attrs["oilfilm_format"] = 1

@@ -9,11 +9,12 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl import FilmValue
-from postprocess import plots, summary
-from postprocess.bearing.plots import ball_columns
-from postprocess.bearing.table import result_table
+from postprocess import summary
+from postprocess.bearing.plots import ball_columns, write_bearing_plots
+from postprocess.bearing.table import bearing_table
+from postprocess.contact import plots
+from postprocess.contact.plots import write_contact_plots
 from postprocess.contact.view import contact_view
-from postprocess.plots import write_plots
 from postprocess.text import value_with_error
 
 pytest.importorskip("matplotlib")
@@ -54,9 +55,9 @@ def test_failed_solution_is_drawn_all_the_same(bearing_results, tmp_path, value)
         resolved=False,
     )
     results = replace(bearing_results, solutions=(bad, other, *(None for _ in others)))
-    assert write_plots(results, tmp_path) == ()
+    assert write_bearing_plots(results, tmp_path) == ()
     assert "null" in " ".join(summary(results)["messages"])
-    result_table(results)
+    bearing_table(results)
 
 
 def test_a_figure_that_fails_is_named(contact_results, tmp_path, monkeypatch):
@@ -64,7 +65,8 @@ def test_a_figure_that_fails_is_named(contact_results, tmp_path, monkeypatch):
         raise ValueError("no such colour")
 
     monkeypatch.setattr(plots, "draw_contact", broken)
-    assert write_plots(contact_results, tmp_path) == ("plots/contact.png not written: ValueError: no such colour",)
+    problems = write_contact_plots(contact_results, tmp_path)
+    assert problems == ("plots/contact.png not written: ValueError: no such colour",)
 
 
 def test_mirrored_balls_share_a_column(bearing_results):

@@ -148,11 +148,11 @@ def test_at_rest_nothing_is_starved():
 def test_the_terminal_tells_the_supply():
     from rich.console import Console
 
-    from postprocess.bearing.table import result_table
+    from postprocess.bearing.table import bearing_table
 
     console = Console(width=80)
     with console.capture() as capture:
-        console.print(result_table(run_case(case_from_text(with_film(0.2), "case.toml"))))
+        console.print(bearing_table(run_case(case_from_text(with_film(0.2), "case.toml"))))
     text = capture.get()
     assert "N mm (starved)" in text
     assert "inlet film: loaded films" in text

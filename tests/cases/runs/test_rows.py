@@ -11,8 +11,8 @@ from cases import load_case, run_case
 from cases.format.case import case_from_text
 from cases.format.problems import CaseError
 from postprocess import summary
-from postprocess.bearing.table import result_table
-from postprocess.plots import write_plots
+from postprocess.bearing.plots import write_bearing_plots
+from postprocess.bearing.table import bearing_table
 from postprocess.scene.vtk import bodies
 
 CASE = """\
@@ -53,7 +53,7 @@ def test_a_pair_in_the_summary(pair, tmp_path):
     assert [ball["row"] for ball in found["balls"]] == [1] * 18 + [2] * 18
     assert len({(contact["ball"], contact["race"]) for contact in found["contacts"]}) == 72
     assert any("mean over 2 rows" in message for message in found["messages"])
-    assert write_plots(pair, tmp_path) == ()
+    assert write_bearing_plots(pair, tmp_path) == ()
 
 
 def test_a_single_row_is_listed_too():
@@ -73,7 +73,7 @@ def test_bodies_of_both_rows(pair):
 def test_the_terminal_tells_where_a_row_begins(pair):
     def lines(results):
         console = Console(width=80, record=True, file=io.StringIO())
-        console.print(result_table(results))
+        console.print(bearing_table(results))
         return [line.strip() for line in console.export_text().splitlines()]
 
     assert [line for line in lines(pair) if line in ("row 1", "row 2")] == ["row 1", "row 2"]

@@ -7,13 +7,14 @@ from dataclasses import replace
 import numpy as np
 from rich.console import Console
 
-from postprocess.bearing.table import result_table
+from postprocess.bearing.table import bearing_table
+from postprocess.contact.table import contact_table
 
 
-def printed(results):
+def printed(results, table=bearing_table):
     console = Console(width=80, file=None, record=True, force_terminal=False, quiet=False)
     with console.capture() as capture:
-        console.print(result_table(results))
+        console.print(table(results))
     return capture.get()
 
 
@@ -71,5 +72,5 @@ def test_flags_are_explained(bearing_results):
 
 
 def test_single_contact(contact_results, moes_results):
-    assert "µm" in printed(contact_results)
-    assert "µm" not in printed(moes_results)
+    assert "µm" in printed(contact_results, contact_table)
+    assert "µm" not in printed(moes_results, contact_table)

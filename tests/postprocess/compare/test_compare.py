@@ -12,19 +12,23 @@ from typer.testing import CliRunner
 
 from cases.cli.main import app
 from postprocess import open_results, summary
-from postprocess.bearing.write import write_netcdf
+from postprocess.bearing.write import write_bearing_netcdf
 from postprocess.compare.compare import compare, relative
 from postprocess.compare.table import comparison_table
 from postprocess.contact.fields import open_contact
 from postprocess.contact.interferogram import Optics, intensity, write_interferogram
 from postprocess.contact.line_cut import write_line_cut
+from postprocess.contact.results import ContactResults
+from postprocess.contact.write import write_contact_netcdf
 from postprocess.files import FIELDS_FILE, SUMMARY_FILE, write_json
 
 
 def write_results(results, folder):
     """The numbers and fields of a run, without its pictures."""
     document = summary(results)
-    write_netcdf(results, folder / FIELDS_FILE, document)
+    is_contact = isinstance(results, ContactResults)
+    write = write_contact_netcdf if is_contact else write_bearing_netcdf
+    write(results, folder / FIELDS_FILE, document)
     write_json(document, folder / SUMMARY_FILE)
 
 

@@ -1,0 +1,21 @@
+"""Results of one single contact."""
+
+from dataclasses import dataclass
+
+from ehl import ContactSolution
+from ehl.traction.shear import TractionResult
+
+from ..results import Results
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ContactResults(Results):
+    """One single contact, computed."""
+
+    solution: ContactSolution
+    traction: TractionResult | None = None
+
+    @property
+    def converged(self) -> bool:
+        """Whether the film converged."""
+        return self.solution.converged

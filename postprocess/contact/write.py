@@ -1,0 +1,65 @@
+"""Fields of contacts as netCDF groups, and the file of a single contact."""
+
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import xarray as xr
+
+from ehl import ContactSolution
+
+from ..files import Variables, root_attributes, write_tree
+from .results import ContactResults
+
+
+def write_contact_netcdf(results: ContactResults, path: Path, document: dict[str, Any]) -> None:
+    """Write input and fields as netCDF-4: groups `/` (version, case, messages) and
+    `/contacts/contact`, as `field_dataset`; `document` is the summary.
+    """
+    root = xr.Dataset(attrs=root_attributes(document, "contact"))
+    write_tree({"/": root, "/contacts/contact": field_dataset(results.solution)}, path)
+
+
+def field_dataset(solution: ContactSolution) -> xr.Dataset:
+    """P and h over the contact plane, SI; in Moes input lengths are in units of a, films of
+    a^2/Rx.
+    """
+    length, film, scale = solution.semi_axis_x, solution.film_scale, solution.hertz_pressure
+    unit, film_unit = ("a", "a^2/Rx") if length is None or film is None else ("m", "m")
+    a, h = length or 1.0, film or 1.0
+    plane = ("x", "y")
+    of_film = {"units": film_unit}
+    of_pressure = {"units": "Pa" if scale > 0.0 else "p_h", "long_name": "pressure"}
+    pressure = (solution.P * (scale or 1.0)).astype(np.float32)
+    thickness = (solution.H * h).astype(np.float32)
+    fields: Variables = {
+        "P": (plane, pressure, of_pressure),
+        "h": (plane, thickness, of_film | {"long_name": "film thickness"}),
+    }
+    if solution.state is not None and solution.state.temperature is not None:
+        attrs = {"units": "K", "long_name": "mean temperature of the film"}
+        fields["T"] = (plane, solution.state.temperature.astype(np.float32), attrs)
+    for name in ("film_central", "film_minimum"):
+        value = getattr(solution, f"{name}_dimensionless")
+        fields[name] = ((), value.value * h, of_film)
+        fields[f"{name}_uncertainty"] = ((), value.uncertainty * h, of_film)
+    return xr.Dataset(
+        fields,
+        coords={
+            "x": ("x", solution.X * a, {"units": unit, "long_name": "along the entrainment"}),
+            "y": ("y", solution.Y * a, {"units": unit, "long_name": "across the entrainment"}),
+        },
+        attrs={
+            "semi_axis_x": a,
+            "semi_axis_y": a * solution.semi_axis_ratio,
+            "semi_axis_units": unit,
+            "hertz_pressure": scale,
+            "hertz_pressure_units": "Pa",
+            "entrainment_angle": float(solution.conditions.entrainment_angle),
+            "frame_angle": solution.frame_angle,
+            "moes_load": solution.moes_load,
+            "moes_lubricant": solution.moes_lubricant,
+            "converged": int(solution.converged),
+            "resolved": int(solution.resolved),
+        },
+    )
