@@ -10,9 +10,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from ..format.fields import is_number
-from ..format.problems import CaseFault, schema_faults, shown
+from ..format.problems import CaseFault, Path, schema_faults, shown
 from ..format.sweep import HypercubeOptions, SensitivityTable, SweepFile
-from ..format.toml_lines import Path
 
 MOST_POINTS = 100_000
 NAMED = ("materials", "lubricants")  # tables whose keys stand below a name

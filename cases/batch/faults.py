@@ -3,8 +3,7 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from ..format.problems import CaseFault, shown
-from ..format.toml_lines import Path
+from ..format.problems import CaseFault, Path, shown
 from .blocks import Variation, case_path
 
 HIDING = {

@@ -2,26 +2,23 @@
 
 In each module of a table: its keys with range and default, its rules, its conversion.
 
-bearing       - [bearing] and [surface]: geometry and materials of the bearing
-case          - a case: what a checked file describes, in SI
-contact       - [contact] of a single contact, and [ehl]
-document      - reading and checking of a whole document, every fault at once
-dynamics      - [dynamics] and [cage]: the time simulation, the cage
-fields        - types, ranges and units of single values
-files         - which tables a case file has, and all their rules
-film_model    - physics of the films: Newtonian, thinning under shear, or with heat
-fits          - [fit] and [temperatures]: seats, clearance in operation, heat balance
-free_volume   - constants of Tait, Doolittle and Yasutomi of an oil
-friction      - [friction] and the shear law of the oil
-library_names - names and values of the libraries of bearings, materials and oils
-lubricant     - [lubricant] and [lubricants.NAME]: the oil at the temperature of operation
-materials     - [materials.NAME]: materials of the case and of the library
-operation     - [operation], [model] and [slip]: speeds, loads, assumptions, slip maps
-problems      - faults of a case file as sentences: line, key, found, allowed, nearest name
-rows          - [[rows]]: rows of balls, and the balls whose films are wanted
-rules         - relations between keys as data, and their checker
-shipped       - case files that come with the program
-sweep         - files of sweeps
-toml_lines    - lines on which the keys of a TOML document stand
-traction      - [friction] traction: friction of balls on races, tables from a file
+bearing     - [bearing] and [surface]: geometry and materials of the bearing
+case        - a case: what a checked file describes, in SI
+contact     - [contact] of a single contact; [ehl]: grid and physics of the films
+document    - a whole file: its tables, read and checked with every fault at once
+dynamics    - [dynamics] and [cage]: the time simulation, the cage
+fields      - types, ranges and units of single values
+fits        - [fit] and [temperatures]: seats, clearance in operation, heat balance
+free_volume - constants of Tait, Doolittle and Yasutomi of an oil
+friction    - [friction] and the shear law of the oil
+library     - names and values of the libraries of bearings, materials and oils
+lubricant   - [lubricant] and [lubricants.NAME]: the oil at the temperature of operation
+materials   - [materials.NAME]: materials of the case and of the library
+operation   - [operation], [model] and [slip]: speeds, loads, assumptions, slip maps
+problems    - faults of a case file as sentences: line, key, found, allowed, nearest name
+rows        - [[rows]]: rows of balls, and the balls whose films are wanted
+rules       - relations between keys as data, and their checker
+shipped     - case files that come with the program
+sweep       - files of sweeps
+traction    - [friction] traction: friction of balls on races, tables from a file
 """

@@ -9,11 +9,11 @@ from bearing.material import Material
 from bearing.operation import RatingInput
 from bearing.torque.inputs import ANGULAR_CONTACT
 from bearing.torque.skf import Series, skf_series
-from ehl.units import MICROMETRE
+from ehl.units import MICROMETRE, from_si, to_si
 
 from .fields import Name, Table, above, between, described, length, within
-from .problems import MISSING, CaseFault, shown
-from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
+from .problems import CaseFault, shown
+from .rules import CaseValues, Needs, Where, bounded
 
 
 class BearingTable(Table):
@@ -64,8 +64,17 @@ GEOMETRY = (
     "inner_groove_radius_mm",
     "outer_groove_radius_mm",
 )
+DIMENSIONS = (  # that may be left out
+    "first_ball_azimuth_deg",
+    "bore_mm",
+    "outside_diameter_mm",
+    "width_mm",
+    "inner_shoulder_diameter_mm",
+    "outer_shoulder_diameter_mm",
+)
 RING_MATERIALS = ("inner_ring_material", "outer_ring_material")
 CLEARANCE = ("diametral_clearance_um", "free_contact_angle_deg")
+ALTERNATIVES = (CLEARANCE, ("ring_material", *RING_MATERIALS))  # a case gives one of a row
 CLEARANCE_AGREEMENT_UM = 0.5  # clearance and contact angle agree within this, or within 1 %
 RELATIONS = (
     *(
@@ -73,35 +82,26 @@ RELATIONS = (
         for name in (*GEOMETRY, "ball_material")
     ),
     Needs("bearing.cage_material", Where("temperatures.cage_C")),
+    *(
+        Needs(
+            "bearing.ring_material", Where("bearing"), "needed: a material", (f"bearing.{ring}",)
+        )
+        for ring in RING_MATERIALS
+    ),
+    Needs(
+        f"bearing.{CLEARANCE[0]}",
+        Where("bearing"),
+        f"needed: {' or '.join(CLEARANCE)}",
+        (f"bearing.{CLEARANCE[1]}",),
+    ),
 )
 
 
-def bearing_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
-    """What the relations of [bearing] do not say: parts that fit into each other, names."""
-    yield from _required(values)
+def faults(values: CaseValues) -> Iterator[CaseFault]:
+    """What the relations of [bearing] do not say: parts that fit into each other, the series."""
     yield from _clearance_faults(values)
     yield from _dimension_faults(values)
     yield from _series_faults(values)
-    for name in ("ring_material", *RING_MATERIALS, "ball_material"):
-        yield from known(("bearing", name), values.get("bearing", name), names.materials)
-    if values.given("temperatures", "cage_C") or values.given("dynamics"):
-        material = values.get("bearing", "cage_material")
-        yield from known(("bearing", "cage_material"), material, names.materials)
-
-
-def _required(values: CaseValues) -> Iterator[CaseFault]:
-    """A material of both rings; a clearance or a contact angle."""
-
-    def given(name: str) -> bool:
-        return values.given("bearing", name)
-
-    if values.get("bearing") is None:
-        return
-    if not given("ring_material") and not all(map(given, RING_MATERIALS)):
-        yield CaseFault(("bearing", "ring_material"), MISSING, "needed: a material")
-    if not any(map(given, CLEARANCE)):
-        allowed = f"needed: {' or '.join(CLEARANCE)}"
-        yield CaseFault(("bearing", CLEARANCE[0]), MISSING, allowed)
 
 
 def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
@@ -168,10 +168,10 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
 def _groove_distance(values: CaseValues) -> float | None:
     """Distance of the grooves' centres of curvature, r_i + r_o - D [um]; None where not known."""
     keys = ("ball_diameter_mm", "inner_groove_radius_mm", "outer_groove_radius_mm")
-    ball, inner, outer = (values.get("bearing", name) for name in keys)
+    ball, inner, outer = (to_si(key, values.get("bearing", key)) for key in keys)
     if None in (ball, inner, outer):
         return None
-    return float(1e3 * (inner + outer - ball))
+    return float(from_si(CLEARANCE[0], inner + outer - ball))
 
 
 def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
@@ -218,18 +218,13 @@ def material_names(table: BearingTable) -> tuple[str, str, str]:
 def bearing(table: BearingTable, materials: dict[str, Material], title: str) -> Bearing:
     """Geometry [m, rad] and materials of the bearing; `title` stands in for its name."""
     ball, inner, outer = material_names(table)
-    si = table.si()
-    same = (
-        "ball_diameter pitch_diameter balls inner_groove_radius outer_groove_radius bore width "
-        "outside_diameter inner_shoulder_diameter outer_shoulder_diameter first_ball_azimuth"
-    )
     return Bearing(
         name=table.name or title or "bearing",
-        diametral_clearance=_clearance(si),
+        diametral_clearance=_clearance(table.si()),
         ball_material=materials[ball],
         inner_ring_material=materials[inner],
         outer_ring_material=materials[outer],
-        **{name: si[name] for name in same.split()},
+        **table.si(*GEOMETRY, *DIMENSIONS),
     )
 
 

@@ -6,7 +6,7 @@ from math import radians
 from pathlib import Path
 from typing import Any
 
-from bearing.fits.clearance import ClearanceBudget, Fit
+from bearing.fits.clearance import ClearanceBudget
 from bearing.friction.law import BallTraction
 from bearing.geometry import Bearing
 from bearing.library.bearings import warn_of_estimates
@@ -20,44 +20,48 @@ from ehl.oil.rheology import Rheology
 from . import bearing as bearings
 from . import contact as contacts
 from . import fits
-from .document import check_document, read_text, validate_text
+from .contact import NEWTONIAN, CaseFilms, FilmPhysics
+from .document import BearingFile, ContactFile, check_document, read_text, validate_text
 from .dynamics import cage_friction, guiding_land
-from .files import BearingFile, ContactFile
-from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, film_physics
 from .fits import HeatingInput
 from .friction import friction, rheology
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
 from .materials import material_table, materials
 from .operation import model, operation
-from .problems import CaseError, UnfitKey
+from .problems import CaseError, UnfitKey, key_lines
 from .rows import rows
 from .shipped import find_case
-from .toml_lines import key_lines
 from .traction import ball_traction
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Case:
-    """A bearing case, SI."""
+class AnyCase:
+    """What every case has, SI."""
 
     title: str
     source: str
     assumed: tuple[str, ...]  # keys of the case file whose values no source gives
+    solver: SolverOptions
+    document: dict[str, Any]  # the case file as run, defaults and library values filled in
+    warnings: tuple[str, ...] = ()  # of the libraries, about their values
+    films: FilmPhysics = NEWTONIAN  # what the films are solved with
+    rheology: Rheology | None = None  # how the oil shears; None with Moes' groups
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Case(AnyCase):
+    """A bearing case, SI."""
+
     bearing: Bearing
     lubricant: Lubricant
     operation: Operation
     model: Model
     # friction of balls on races, where the case names it or takes traction equilibrium
     traction: BallTraction | None
-    solver: SolverOptions
     film_maps: str | tuple[float, ...]  # "all", "loaded", "none", or azimuths of balls [rad]
-    document: dict[str, Any]  # the case file as run, defaults and library values filled in
     file: BearingFile  # the tables as checked, in the units of the file
-    warnings: tuple[str, ...] = ()  # of the libraries, about their values
     friction: FrictionInput | None = None  # what the friction torque models need
     heating: HeatingInput | None = None  # the heat balance, where the case has one
-    films: FilmPhysics = NEWTONIAN  # what the films are solved with
-    rheology: Rheology | None = None  # how the oil shears
     rating: RatingInput | None = None  # what the rating life needs beyond the loads
     # where fits or temperatures change it; `bearing` has the operating one
     clearance: ClearanceBudget | None = None
@@ -65,33 +69,15 @@ class Case:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class ContactCase:
+class ContactCase(AnyCase):
     """A single-contact case, SI."""
 
-    title: str
-    source: str
-    assumed: tuple[str, ...]
     conditions: ContactConditions | MoesConditions
-    solver: SolverOptions
-    document: dict[str, Any]
-    films: FilmPhysics = NEWTONIAN  # what the film is solved with
-    rheology: Rheology | None = None  # how the oil shears; None with Moes' groups
     temperature: float | None = None  # of the oil [K]
-    warnings: tuple[str, ...] = ()
 
 
 def load_case(name_or_path: str | Path) -> Case | ContactCase:
-    """Read a case.
-
-    Parameters
-    ----------
-    name_or_path : str or Path
-        A case file, or the name (stem) of a shipped case.
-
-    Returns
-    -------
-    Case or ContactCase
-        All quantities in SI.
+    """Read a case, SI: a case file, or the name (stem) of a shipped case.
 
     Raises
     ------
@@ -143,78 +129,44 @@ def _bearing_case(file: BearingFile) -> Case:
     shear = rheology(oil, fluid)
     # 2. the bearing, as delivered and in operation
     library = _materials(file)
+    cage = (library.get(file.bearing.cage_material or ""), guiding_land(file.cage))
     delivered = bearings.bearing(file.bearing, library, file.title)
     seats = fits.fit(file.fit, library)
-    bearing, clearance = _in_operation(file, delivered, at, seats, library)
+    bearing, clearance = fits.in_operation(delivered, at, seats, file.temperatures, cage)
     # 3. the films, and the friction of balls on races
     assumptions = model(file.model, file.friction)
     bodies = (bearing.ball_material, bearing.inner_ring_material)
-    films = film_physics(file.ehl.film_model, shear, bodies)
-    cage = cage_friction(file.cage)
-    torque = friction(file.friction, file.bearing, file.lubricant, cage, file.surface)
-    case_films = CaseFilms(options=contacts.solver_options(file.ehl), films=films)
+    films = contacts.case_films(file.ehl, shear, bodies)
+    pockets = cage_friction(file.cage)
+    torque = friction(file.friction, file.bearing, file.lubricant, pockets, file.surface)
+    balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
+    traction = None
+    if balanced or file.friction.traction is not None:
+        traction = ball_traction(file.friction, torque, bearing, fluid, films)
+    maps = file.ehl.film_maps
     return Case(
-        title=file.title,
-        source=file.source,
-        assumed=file.assumed,
+        **_common(file, films),
+        document=_bearing_document(file, fluid, library, assumptions),
         bearing=bearing,
         lubricant=fluid,
         operation=at,
         model=assumptions,
-        traction=_traction(file, assumptions, torque, bearing, fluid, case_films),
-        solver=case_films.options,
-        film_maps=_film_maps(file.ehl.film_maps),
-        document=_bearing_document(file, fluid, library, assumptions),
+        traction=traction,
+        film_maps=maps if isinstance(maps, str) else tuple(map(radians, maps)),
         file=file,
         rating=bearings.rating(file.bearing, file.lubricant.contamination_factor),
         friction=torque,
         heating=fits.heating(file.friction, file.temperatures, oil, fluid, delivered, seats),
-        films=films,
-        rheology=shear,
         clearance=clearance,
         rows=rows(file.rows, delivered, assumptions.curvature),
     )
 
 
-def _materials(file: BearingFile) -> dict[str, Material]:
-    """Materials of the bearing, its seats, and of a cage whose temperature is given."""
-    cage = file.bearing.cage_material
-    heated = file.temperatures is not None and file.temperatures.cage_C is not None
-    names = [*_material_names(file), *([cage] if cage and heated else [])]
-    return materials(file.materials, names)
-
-
-def _in_operation(
-    file: BearingFile,
-    delivered: Bearing,
-    at: Operation,
-    seats: Fit | None,
-    library: dict[str, Material],
-) -> tuple[Bearing, ClearanceBudget | None]:
-    """The bearing with its clearance in operation, and the budget of that [m]."""
-    material = library.get(file.bearing.cage_material or "")
-    cage = fits.heated_cage(delivered, file.temperatures, material, guiding_land(file.cage))
-    return fits.in_operation(delivered, at, seats, file.temperatures, cage)
-
-
-def _traction(
-    file: BearingFile,
-    assumptions: Model,
-    torque: FrictionInput,
-    bearing: Bearing,
-    oil: Lubricant,
-    films: CaseFilms,
-) -> BallTraction | None:
-    """Friction of balls on races; None where neither [friction] nor the model needs it."""
-    balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
-    if file.friction.traction is None and not balanced:
-        return None
-    return ball_traction(file.friction, torque, bearing, oil, films)
-
-
-def _film_maps(wanted: str | tuple[float, ...]) -> str | tuple[float, ...]:
-    """Which films are wanted: a word, or azimuths of balls [rad]."""
-    return wanted if isinstance(wanted, str) else tuple(radians(azimuth) for azimuth in wanted)
+def _common(file: BearingFile | ContactFile, films: CaseFilms) -> dict[str, Any]:
+    """Fields of a case that come from its file as they are, and how its films are solved."""
+    names = ("title", "source", "assumed")
+    own = {name: getattr(file, name) for name in names}
+    return {**own, "solver": films.options, "films": films.films, "rheology": films.films.rheology}
 
 
 def _warn(file: BearingFile) -> None:
@@ -223,7 +175,10 @@ def _warn(file: BearingFile) -> None:
         warnings.warn(note, stacklevel=2)
     law = file.friction.traction
     if file.dynamics is not None and law not in (None, "films", file.dynamics.friction):
-        note = f'friction.traction = "{law}", but dynamics.friction = "{file.dynamics.friction}"'
+        note = (
+            f'two laws of friction: friction.traction = "{law}" in traction equilibrium, '
+            f'dynamics.friction = "{file.dynamics.friction}" in the simulation'
+        )
         warnings.warn(note, stacklevel=2)
     prefix = "bearing."
     assumed = {name.removeprefix(prefix) for name in file.assumed if name.startswith(prefix)}
@@ -234,6 +189,14 @@ def _material_names(file: BearingFile) -> list[str]:
     """Materials of the bearing and its seats."""
     seats = [] if file.fit is None else [file.fit.shaft_material, file.fit.housing_material]
     return [*bearings.material_names(file.bearing), *seats]
+
+
+def _materials(file: BearingFile) -> dict[str, Material]:
+    """Materials of the bearing, its seats, and of a cage whose temperature is given."""
+    cage = file.bearing.cage_material
+    heated = file.temperatures is not None and file.temperatures.cage_C is not None
+    names = [*_material_names(file), *([cage] if cage and heated else [])]
+    return materials(file.materials, names)
 
 
 def _contact_case(file: ContactFile) -> ContactCase:
@@ -250,14 +213,9 @@ def _contact_case(file: ContactFile) -> ContactCase:
     document["lubricant"] = _lubricant_document(document, lubricant_keys(fluid, moes=moes))
     bodies = [library[name] for name in names[:2] if name is not None]
     return ContactCase(
-        title=file.title,
-        source=file.source,
-        assumed=file.assumed,
-        conditions=contacts.contact(table, library, fluid),
-        solver=contacts.solver_options(file.ehl),
+        **_common(file, contacts.case_films(file.ehl, shear, bodies)),
         document=document,
-        films=film_physics(file.ehl.film_model, shear, bodies),
-        rheology=shear,
+        conditions=contacts.contact(table, library, fluid),
         temperature=temperature,
     )
 

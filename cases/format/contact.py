@@ -1,13 +1,25 @@
-"""[contact] of a single contact, and [ehl] of both kinds of case."""
+"""[contact] of a single contact; [ehl] of both kinds of case, grid and physics of the films."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from enum import Enum
 from typing import Any, Literal
 
 from pydantic import model_validator
 
 from bearing.material import Material, reduced_modulus
-from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
+from ehl import (
+    ContactConditions,
+    ContactSolution,
+    Lubricant,
+    MoesConditions,
+    SolverOptions,
+    solve_contact,
+)
+from ehl.generalized.solver import solve_generalized
+from ehl.oil.rheology import Rheology
 from ehl.solid.coating import Coating
+from ehl.solid.heat import SolidThermal
 
 from .fields import (
     FORCE_MAXIMUM,
@@ -22,8 +34,8 @@ from .fields import (
     described,
     within,
 )
-from .problems import MISSING, CaseFault, shown
-from .rules import CaseValues, KnownNames, Needs, Where, known
+from .problems import CaseFault, shown
+from .rules import CaseValues, Excludes, Needs, Relation, Where
 
 
 class ContactEhlTable(Table):
@@ -45,13 +57,9 @@ class ContactEhlTable(Table):
     @classmethod
     def _budget(cls, table: Any) -> Any:
         """A tolerance without points may take up to 1025 of them."""
-        if (
-            isinstance(table, dict)
-            and table.get("tolerance") is not None
-            and "points" not in table
-        ):
-            return {**table, "points": 1025}
-        return table
+        if not isinstance(table, dict) or table.get("tolerance") is None:
+            return table
+        return {"points": 1025, **table}
 
 
 class EhlTable(ContactEhlTable):
@@ -91,62 +99,112 @@ class ContactTable(Table):
 
 
 DIMENSIONS = ("load_N", "radius_x_mm", "radius_y_mm", "entrainment_speed_m_s")
-MODULUS = ("reduced_modulus_GPa", "material_1", "material_2")
+MODULUS = "reduced_modulus_GPa"
+BODIES = ("material_1", "material_2")
 KINEMATICS = ("slide_roll_ratio", "lateral_slide_ratio", "spin_rad_s", "mean_spin_rad_s")
 COATING = ("coating_thickness_um", "substrate_material")
-GROUPS = ("moes_M", "moes_L", "radius_ratio")
-BODIES = ("material_1", "material_2", "substrate_material")
-RELATIONS = (
+GROUPS = ("contact.moes_M", "contact.moes_L", "contact.radius_ratio")
+RELATIONS: tuple[Relation, ...] = (
     *(
         Needs(f"contact.{name}", Where(f"contact.{reason}"))
         for reason in COATING
-        for name in (*COATING, "material_1", "material_2")
+        for name in (*COATING, *BODIES)
+    ),
+    *(
+        Excludes(f"contact.{name}", group, "dimensions, or Moes' groups, not both")
+        for name in (*DIMENSIONS, MODULUS, *BODIES, *KINEMATICS, *COATING)
+        for group in GROUPS
+    ),
+    *(
+        Needs(name, Where(group), "needed: moes_M and moes_L")
+        for name in GROUPS[:2]
+        for group in GROUPS
+    ),
+    *(
+        Needs(f"contact.{name}", Where("contact"), "needed, or moes_M and moes_L", GROUPS)
+        for name in DIMENSIONS
+    ),
+    *(Excludes(f"contact.{MODULUS}", f"contact.{body}") for body in BODIES),
+    *(
+        Needs(
+            f"contact.{MODULUS}",
+            Where("contact"),
+            "needed: reduced_modulus_GPa, or material_1 and material_2",
+            (*GROUPS, f"contact.{body}"),
+        )
+        for body in BODIES
     ),
 )
 
 
-def contact_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
-    """Dimensions or Moes' groups, each complete, not both; materials by name."""
-    if values.get("contact") is not None:
-        by_groups = any(values.given("contact", name) for name in GROUPS)
-        yield from _group_faults(values) if by_groups else _dimension_faults(values)
-    for name in BODIES:
-        yield from known(("contact", name), values.get("contact", name), names.materials)
-
-
-def _group_faults(values: CaseValues) -> Iterator[CaseFault]:
-    for name in (*DIMENSIONS, *MODULUS, *KINEMATICS, *COATING):
-        if values.given("contact", name):
-            found = "found together with Moes' groups"
-            allowed = "allowed: dimensions, or Moes' groups, not both"
-            yield CaseFault(("contact", name), found, allowed)
-    for name in GROUPS[:2]:
-        if not values.given("contact", name):
-            yield CaseFault(("contact", name), MISSING, "needed: moes_M and moes_L")
-
-
-def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
-    for name in DIMENSIONS:
-        if not values.given("contact", name):
-            yield CaseFault(("contact", name), MISSING, "needed, or moes_M and moes_L")
-    modulus, *bodies = (values.given("contact", name) for name in MODULUS)
-    path = ("contact", MODULUS[0])
-    if modulus and any(bodies):
-        found = "found together with the materials of the bodies"
-        yield CaseFault(path, found, "allowed: one of them")
-    elif not modulus and not all(bodies):
-        yield CaseFault(path, MISSING, "needed: reduced_modulus_GPa, or material_1 and material_2")
-
-
-def film_model_faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseFault]:
     """A film of a thinning oil or with heat has lengths, one with heat bodies by material."""
     film_model = values.get("ehl", "film_model")
     if film_model in ("thermal", "shear-thinning") and values.given("contact", "moes_M"):
         found = f"found {shown(film_model)} with Moes' groups"
         yield CaseFault(("ehl", "film_model"), found, 'allowed: dimensions, or "newtonian"')
-    if film_model == "thermal" and values.given("contact", MODULUS[0]):
-        found = f"found {MODULUS[0]} with film_model thermal"
-        yield CaseFault(("contact", MODULUS[0]), found, "allowed: material_1 and material_2")
+    if film_model == "thermal" and values.given("contact", MODULUS):
+        found = f"found {MODULUS} with film_model thermal"
+        yield CaseFault(("contact", MODULUS), found, "allowed: material_1 and material_2")
+
+
+class FilmModel(Enum):
+    """Physics of the films."""
+
+    NEWTONIAN = "newtonian"
+    SHEAR_THINNING = "shear-thinning"
+    THERMAL = "thermal"
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class FilmPhysics:
+    """Film model of a case with what it needs."""
+
+    model: FilmModel = FilmModel.NEWTONIAN
+    rheology: Rheology | None = None
+    # body 1, the ball, and body 2, the race
+    solids: tuple[SolidThermal, SolidThermal] | None = None
+
+    def solve(self, conditions: ContactConditions, options: SolverOptions) -> ContactSolution:
+        """Film of one contact; lengths in [m], pressures in [Pa]."""
+        if self.model is FilmModel.NEWTONIAN or self.rheology is None:
+            return solve_contact(conditions, options)
+        base = self.rheology.unlimited  # at the limit the flow has no finite tangent
+        solids = self.solids if self.model is FilmModel.THERMAL else None
+        return solve_generalized(conditions, base, solids=solids, options=options).contact
+
+    @property
+    def messages(self) -> tuple[str, ...]:
+        """Notes on results with this model."""
+        if self.model is FilmModel.NEWTONIAN or self.rheology is None:
+            return ()
+        law = self.rheology.law.value
+        limited = self.rheology.limiting_coefficient is not None
+        law += " oil, its limiting stress in the traction only" if limited else " oil"
+        if self.model is FilmModel.SHEAR_THINNING:
+            return (f"film: generalized Reynolds equation, {law}, of uniform temperature",)
+        return (
+            f"film: generalized Reynolds equation, {law}, with heat",
+            "traction and torque: sheared at the temperatures the film was solved with",
+        )
+
+
+NEWTONIAN = FilmPhysics()
+
+
+@dataclass(frozen=True, kw_only=True)
+class CaseFilms:
+    """Solves the films of many contacts, one after the other."""
+
+    options: SolverOptions
+    films: FilmPhysics
+
+    def __call__(
+        self, conditions: Sequence[ContactConditions | None]
+    ) -> Sequence[ContactSolution | None]:
+        """Films [m] of the contacts that have conditions."""
+        solve = self.films.solve
+        return [None if one is None else solve(one, self.options) for one in conditions]
 
 
 def contact(
@@ -154,32 +212,24 @@ def contact(
 ) -> ContactConditions | MoesConditions:
     """The contact: load [N], radii [m], E' [Pa], speeds [m/s, rad/s]; or Moes' groups [-]."""
     si = table.si()
-    angle = si["entrainment_angle"]
     if table.moes_M is not None and table.moes_L is not None:
         return MoesConditions(
             load_parameter=table.moes_M,
             lubricant_parameter=table.moes_L,
-            radius_ratio=1.0 if table.radius_ratio is None else table.radius_ratio,
+            radius_ratio=table.radius_ratio or 1.0,
             lubricant=oil,
-            entrainment_angle=angle,
+            entrainment_angle=si["entrainment_angle"],
         )
     modulus = si["reduced_modulus"]
     if modulus is None:
         assert table.material_1 and table.material_2  # checked before
         modulus = reduced_modulus(materials[table.material_1], materials[table.material_2])
+    given = table.si(*DIMENSIONS, *KINEMATICS, "entrainment_angle_deg")
     return ContactConditions(
-        load=si["load"],
-        radius_x=si["radius_x"],
-        radius_y=si["radius_y"],
         reduced_modulus=modulus,
-        entrainment_speed=si["entrainment_speed"],
         lubricant=oil,
-        entrainment_angle=angle,
-        slide_roll_ratio=table.slide_roll_ratio or 0.0,
-        lateral_slide_ratio=table.lateral_slide_ratio or 0.0,
-        spin=table.spin_rad_s or 0.0,
-        mean_spin=table.mean_spin_rad_s,
         coating=_coating(table, materials),
+        **{name: value for name, value in given.items() if value is not None},
     )
 
 
@@ -188,8 +238,7 @@ def _coating(table: ContactTable, materials: Mapping[str, Material]) -> Coating 
     if table.coating_thickness_um is None:
         return None
     assert table.material_1 and table.substrate_material  # checked before
-    coating = materials[table.material_1]
-    substrate = materials[table.substrate_material]
+    coating, substrate = materials[table.material_1], materials[table.substrate_material]
     return Coating(
         thickness=table.si()["coating_thickness"],
         youngs_modulus=coating.youngs_modulus,
@@ -206,6 +255,34 @@ def contact_defaults(table: ContactTable) -> dict[str, float]:
     return {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}
 
 
-def solver_options(table: ContactEhlTable) -> SolverOptions:
-    """Grid of the contacts [-]."""
-    return SolverOptions(points=table.points, domain=table.domain, tolerance=table.tolerance)
+def case_films(
+    table: ContactEhlTable, shear: Rheology | None, bodies: Sequence[Material]
+) -> CaseFilms:
+    """Grid [-] and physics of the films, SI; with heat by the thermal properties of ball and race.
+
+    Raises
+    ------
+    ValueError
+        If the film has heat and a body has no thermal properties.
+    """
+    options = SolverOptions(points=table.points, domain=table.domain, tolerance=table.tolerance)
+    model = FilmModel(table.film_model)
+    solids = None
+    if model is FilmModel.THERMAL:
+        ball, race = map(_solid, bodies)
+        solids = (ball, race)
+    films = FilmPhysics(model=model, rheology=shear, solids=solids)
+    return CaseFilms(options=options, films=films)
+
+
+def _solid(body: Material) -> SolidThermal:
+    if body.thermal_conductivity is None or body.specific_heat is None:
+        raise ValueError(
+            f"materials.{body.name}: thermal_conductivity_W_m_K and specific_heat_J_kg_K are "
+            'needed with ehl.film_model = "thermal"'
+        )
+    return SolidThermal(
+        conductivity=body.thermal_conductivity,
+        density=body.density,
+        specific_heat=body.specific_heat,
+    )

@@ -1,31 +1,32 @@
 """A case document: read, checked as a whole, with every fault at once."""
 
 import tomllib
-from collections.abc import Iterable
+from collections.abc import Iterator
 from dataclasses import replace
 from functools import cache
-from itertools import pairwise
+from itertools import chain, pairwise
 from pathlib import Path as FilePath
+from types import ModuleType
 from typing import Any
 
-from pydantic import TypeAdapter, ValidationError
+from pydantic import PrivateAttr, TypeAdapter, ValidationError
 
-from bearing.library.bearings import list_bearings, load_catalogue_entry
-from bearing.library.lubricants import list_lubricants
-from bearing.library.names import matching_name
-from bearing.material import list_materials
-
-from .bearing import GEOMETRY, BearingTable
-from .dynamics import RENAMED
-from .fields import Table
-from .files import BearingFile, ContactFile, bearing_faults, contact_faults
-from .library_names import catalogue_values, with_library_names
-from .lubricant import OilTable
+from . import bearing, contact, dynamics, fits, friction, lubricant, operation, rows
+from .bearing import BearingTable, SurfaceTable
+from .contact import ContactEhlTable, ContactTable, EhlTable
+from .dynamics import RENAMED, CageTable, DynamicsTable
+from .fields import Table, between, described
+from .fits import FitTable, TemperaturesTable
+from .friction import FrictionTable
+from .library import name_faults, with_catalogue, with_library_names
+from .lubricant import LubricantTable, OilTable
 from .materials import MaterialTable
+from .operation import ModelTable, OperationTable, SlipTable
 from .problems import (
     MISSING,
     CaseError,
     CaseFault,
+    Path,
     dotted,
     faults_error,
     nearest_name,
@@ -34,26 +35,84 @@ from .problems import (
     shown,
 )
 from .rows import RowTable
-from .rules import CaseValues, KnownNames
-from .toml_lines import Path
+from .rules import CaseValues, relation_faults
 
 LARGEST_FILE = 1_000_000  # [bytes]
-NOT_SUPPORTED = "not supported by this version"
-LATER_TABLES = ("load_cases",)
-LATER_VALUES = {("model", "ball_kinematics"): ("minimum dissipation",)}
-NOT_OFFERED = {
-    "minimum dissipation": (
-        "not offered, since it jumps between the two race controls and has no balance there; "
-        "allowed: 'traction equilibrium', which balances the friction, or one of the race "
-        "controls (docs/theory/bearing.md)"
-    )
-}
+LATER_TABLE = "load_cases"
+NOT_OFFERED = "minimum dissipation"
+WHY_NOT_OFFERED = (
+    "not offered, since it jumps between the two race controls and has no balance there; allowed: "
+    "'traction equilibrium', which balances the friction, or one of the race controls "
+    "(docs/theory/bearing.md)"
+)
 NAMED_TABLES: dict[str, type[Table]] = {
     "materials": MaterialTable,
     "lubricants": OilTable,
     "rows": RowTable,
 }
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
+
+
+class CaseFile(Table):
+    """What every case file holds."""
+
+    schema_version: int = between(1, 1, "version of this format", ...)
+    title: str = described("one line for tables and plots", "")
+    source: str = described("paper, table or page the numbers come from", "")
+    assumed: tuple[str, ...] = described("table.key whose value no source gives", (), strict=False)
+    lubricant: LubricantTable
+    materials: dict[str, MaterialTable] = described("materials by name", {})
+    _notes: tuple[str, ...] = PrivateAttr(())  # on keys of an older version
+
+    def model_post_init(self, context: Any) -> None:
+        """Keep the notes that the file was read with."""
+        self._notes = tuple(context or ())
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was read in another way than it is written."""
+        return self._notes
+
+
+class BearingFile(CaseFile):
+    """A bearing case: `oilfilm run`."""
+
+    bearing: BearingTable
+    operation: OperationTable
+    model: ModelTable = ModelTable()
+    ehl: EhlTable = EhlTable()
+    surface: SurfaceTable | None = None
+    fit: FitTable | None = None
+    temperatures: TemperaturesTable | None = None
+    slip: SlipTable | None = None
+    friction: FrictionTable = FrictionTable()
+    cage: CageTable | None = None
+    dynamics: DynamicsTable | None = None
+    rows: tuple[RowTable, ...] | None = described(
+        "rows of balls on the one inner ring", strict=False, min_length=1, max_length=8
+    )
+    lubricants: dict[str, OilTable] = described("oils by name", {})
+
+
+class ContactFile(CaseFile):
+    """A single contact: `oilfilm contact`."""
+
+    contact: ContactTable
+    ehl: ContactEhlTable = ContactEhlTable()
+    lubricants: dict[str, OilTable] = described("oils by name", {})
+
+
+# tables with relations, and functions for what these do not say
+OF_BEARINGS = (lubricant, bearing, fits, operation, rows, friction, dynamics)
+OF_CONTACTS = (lubricant, contact)
+
+
+def _conflicts(values: CaseValues, tables: tuple[ModuleType, ...]) -> Iterator[CaseFault]:
+    """Every conflict between values that are valid by themselves."""
+    relations = chain.from_iterable(table.RELATIONS for table in tables)
+    yield from relation_faults(relations, values)
+    yield from name_faults(values)
+    yield from chain.from_iterable(table.faults(values) for table in tables)
 
 
 def read_text(path: FilePath) -> str:
@@ -71,20 +130,7 @@ def read_text(path: FilePath) -> str:
 
 
 def validate_text(text: str, name: str) -> BearingFile | ContactFile:
-    """Check a case file as a whole.
-
-    Parameters
-    ----------
-    text : str
-        The file.
-    name : str
-        Its name, for messages.
-
-    Returns
-    -------
-    BearingFile or ContactFile
-        In the units of the file, catalogue values filled in.
-    """
+    """The checked file, in its units, catalogue values filled in; `name` stands in messages."""
     document = parse(text, name)
     file, faults = check_document(document)
     if file is None or faults:
@@ -97,15 +143,13 @@ def parse(text: str, name: str) -> dict[str, Any]:
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise CaseError(
-            [f"{name}:{_syntax_line(str(error), text)}: not valid TOML: {error}"]
-        ) from None
+        line = _syntax_line(str(error), text)
+        raise CaseError([f"{name}:{line}: not valid TOML: {error}"]) from None
     except RecursionError:
         raise CaseError([f"{name}:1: not usable: brackets are nested too deeply"]) from None
     except ValueError:
-        raise CaseError(
-            [f"{name}:1: not usable: a whole number has thousands of digits"]
-        ) from None
+        too_long = "a whole number has thousands of digits"
+        raise CaseError([f"{name}:1: not usable: {too_long}"]) from None
     if not document:
         raise CaseError([f"{name}:1: the file is empty; see 'oilfilm init'"])
     return document
@@ -129,22 +173,21 @@ def check_document(
     document, faults = _set_aside(document)
     document, moved, more = _with_new_names(document)
     faults += more
-    contact = "contact" in document and "bearing" not in document
+    contact_alone = "contact" in document and "bearing" not in document
     if "contact" in document and "bearing" in document:
         found = "found together with [bearing]"
         allowed = "allowed: a bearing, or a single contact"
         faults.append(CaseFault(("contact",), found, allowed))
         document = {key: value for key, value in document.items() if key != "contact"}
     # 2. values of the libraries
-    document, unknown = _with_catalogue(with_library_names(document))
+    document, unknown = with_catalogue(with_library_names(document))
     faults += unknown
     # 3. each value by itself, then the rules between those that are valid
-    model: type[BearingFile | ContactFile] = ContactFile if contact else BearingFile
+    model: type[BearingFile | ContactFile] = ContactFile if contact_alone else BearingFile
     file, wrong = _validate(model, document, moved)
     faults += wrong
     values = CaseValues(document, frozenset(fault.path for fault in faults))
-    rules = contact_faults if contact else bearing_faults
-    faults += rules(values, _names(values))
+    faults += _conflicts(values, OF_CONTACTS if contact_alone else OF_BEARINGS)
     faults += _assumed(values)
     faults = [replace(fault, path=moved.get(fault.path, fault.path)) for fault in faults]
     return file, _without_consequences(faults, unknown_bearing=bool(unknown))
@@ -160,18 +203,16 @@ def _without_consequences(faults: list[CaseFault], *, unknown_bearing: bool) -> 
 
 def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
     """Take out, with a fault, what the format knows and this version does not."""
-    faults = [CaseFault((key,), "found", NOT_SUPPORTED) for key in LATER_TABLES if key in document]
-    document = {
-        key: dict(value) if isinstance(value, dict) else value
-        for key, value in document.items()
-        if key not in LATER_TABLES
-    }
-    for (table, key), values in LATER_VALUES.items():
-        if isinstance(document.get(table), dict) and document[table].get(key) in values:
-            value = document[table].pop(key)
-            allowed = NOT_OFFERED.get(value, NOT_SUPPORTED)
-            found = f"found {shown(value)}"
-            faults.append(CaseFault((table, key), found, allowed))
+    faults = []
+    if LATER_TABLE in document:
+        faults.append(CaseFault((LATER_TABLE,), "found", "not supported by this version"))
+        document = {key: value for key, value in document.items() if key != LATER_TABLE}
+    model = document.get("model")
+    if isinstance(model, dict) and model.get("ball_kinematics") == NOT_OFFERED:
+        path = ("model", "ball_kinematics")
+        faults.append(CaseFault(path, f"found {shown(NOT_OFFERED)}", WHY_NOT_OFFERED))
+        others = {key: value for key, value in model.items() if key != path[1]}
+        document = {**document, "model": others}
     return document, faults
 
 
@@ -201,40 +242,15 @@ def _with_new_names(
         if new == "coefficient" and law != "coulomb":
             continue  # without its law it had no effect
         if friction.get(new, value) != value:
-            found = f"found together with friction.{new}"
+            both = f"found together with friction.{new}"
             allowed = f"allowed: friction.{new}, which replaces it"
-            faults.append(CaseFault(("dynamics", key), found, allowed))
+            faults.append(CaseFault(("dynamics", key), both, allowed))
         else:
             friction[new] = value
             moved["friction", new] = ("dynamics", key)
     if friction:
         document = {**document, "friction": friction}
     return {**document, "dynamics": simulation}, moved, faults
-
-
-def _with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
-    """The document with the values of the catalogue that [bearing] does not override."""
-    table = document.get("bearing")
-    if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
-        return document, []
-    known = tuple(list_bearings())
-    name = matching_name(table["name"], known)
-    if name is None:
-        # complete without the catalogue: a name of the user's own
-        if all(key in table for key in GEOMETRY):
-            return document, []
-        nearest = nearest_name(table["name"], known)
-        found = f"unknown bearing {shown(table['name'])}"
-        allowed = (
-            "" if nearest else "allowed: a name of 'oilfilm list bearings', or a complete geometry"
-        )
-        return document, [CaseFault(("bearing", "name"), found, allowed, nearest=nearest)]
-    entry = {
-        key: value
-        for key, value in load_catalogue_entry(name).items()
-        if key in BearingTable.model_fields
-    }
-    return {**document, "bearing": {**catalogue_values(entry, table), **table, "name": name}}, []
 
 
 def _validate(
@@ -245,11 +261,8 @@ def _validate(
         document = {**document, "schema_version": 1}
         allowed = "needed: schema_version = 1"
         missing = [CaseFault(("schema_version",), MISSING, allowed, line=1)]
-    notes = [
-        f"{dotted(old)}: is now {dotted(new)}, and will not be read under its old "
-        "name by the next version"
-        for new, old in moved.items()
-    ]
+    later = "and will not be read under its old name by the next version"
+    notes = [f"{dotted(old)}: is now {dotted(new)}, {later}" for new, old in moved.items()]
     try:
         return model.model_validate(document, context=notes), missing
     except ValidationError as error:
@@ -261,18 +274,7 @@ def _schema_of(model: type[BearingFile | ContactFile]) -> dict[str, Any]:
     return model.model_json_schema()
 
 
-def _names(values: CaseValues) -> KnownNames:
-    def with_own(table: str, library: Iterable[str]) -> tuple[str, ...]:
-        own = values.document.get(table)
-        return (*(own if isinstance(own, dict) else ()), *library)
-
-    oils: Iterable[str] = ()
-    if values.given("lubricant", "name"):  # the library of oils needs NumPy, most cases do not
-        oils = list_lubricants()
-    return KnownNames(with_own("materials", list_materials()), with_own("lubricants", oils))
-
-
-def _assumed(values: CaseValues) -> list[CaseFault]:
+def _assumed(values: CaseValues) -> Iterator[CaseFault]:
     """Names under `assumed` that are no keys of a case file."""
     schema = _schema_of(ContactFile if "contact" in values.document else BearingFile)
     tables = {
@@ -280,22 +282,17 @@ def _assumed(values: CaseValues) -> list[CaseFault]:
         for table, node in schema["properties"].items()
     }
     known = {f"{table}.{key}" for table, keys in tables.items() for key in keys}
-    faults = []
     for name in values.get("assumed") or ():
         if not isinstance(name, str) or name in known:
             continue
         table, _, rest = name.partition(".")
         if rest.rpartition(".")[2] not in NAMED_TABLES.get(table, Table).model_fields:
             found = f"unknown key {shown(name)}"
-            faults.append(CaseFault(("assumed",), found, nearest=nearest_name(name, known)))
-    return faults
+            yield CaseFault(("assumed",), found, nearest=nearest_name(name, known))
 
 
 def json_schema() -> dict[str, Any]:
     """JSON Schema of case files, for editors."""
     adapter: TypeAdapter[Any] = TypeAdapter(BearingFile | ContactFile)
-    return {
-        "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": "oilfilm case",
-        **adapter.json_schema(),
-    }
+    head = {"$schema": "https://json-schema.org/draft/2020-12/schema", "title": "oilfilm case"}
+    return {**head, **adapter.json_schema()}

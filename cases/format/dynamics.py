@@ -6,7 +6,7 @@ from typing import Annotated, Literal
 from bearing.friction.resistance import Cage
 from bearing.geometry import Race
 from ehl.traction.coefficient_kernels import COEFFICIENTS
-from ehl.units import RPM
+from ehl.units import from_si
 
 from .fields import (
     LENGTH_MAXIMUM,
@@ -21,8 +21,8 @@ from .fields import (
     within,
 )
 from .friction import SIMULATED, FrictionTable
-from .problems import MISSING, CaseFault
-from .rules import Below, CaseValues, Excludes
+from .problems import CaseFault
+from .rules import Below, CaseValues, Excludes, Needs, Where, bounded
 
 
 class DynamicsTable(Table):
@@ -78,60 +78,6 @@ class DynamicsTable(Table):
     tolerance: float = between(1e-8, 1e-2, "of a step, in units of contact approach", 1.0e-4)
 
 
-LARGEST_HISTORY = 2_000_000  # rows
-SAMPLES = 2000  # of a history by default
-RENAMED = {  # earlier keys, accepted for one version, and those of [friction] in their place
-    "friction_maximum": "traction_maximum",
-    "friction_maximum_slide": "traction_maximum_slide",
-    "friction_limit": "traction_limit",
-    "friction_coefficient": "coefficient",
-}
-RELATIONS = (
-    Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),
-    Below(
-        "dynamics.friction_dead_band_m_s",
-        "dynamics.friction_full_m_s",
-        "dynamics.friction_full_m_s",
-        low_default=0.0,
-    ),
-)
-
-
-def dynamics_faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A history of bearable length; tables for a lubricated contact."""
-    end = values.get("dynamics", "end_time_s")
-    interval = values.get("dynamics", "output_interval_us")
-    if end is not None and interval is not None and end > LARGEST_HISTORY * interval * 1e-6:
-        path = ("dynamics", "output_interval_us")
-        allowed = f"allowed: at least {end / LARGEST_HISTORY * 1e6:.3g}, {LARGEST_HISTORY} rows"
-        yield CaseFault(path, f"found {interval:g}", allowed)
-    lubricated = values.get("dynamics", "contact_law") == "lubricated"
-    if lubricated and values.get("dynamics", "friction") != "table":
-        path = ("dynamics", "contact_law")
-        allowed = 'needed: friction = "table", which holds film and damping'
-        yield CaseFault(path, 'found "lubricated"', allowed)
-
-
-def speed_table(table: DynamicsTable) -> tuple[tuple[float, float], ...] | None:
-    """Rows of time [s] and speed of the inner ring [rad/s]."""
-    rows = table.speed_table_rpm
-    return None if rows is None else tuple((time, speed * RPM) for time, speed in rows)
-
-
-def sample_interval(table: DynamicsTable) -> float:
-    """Time between rows of the history [s]."""
-    interval = table.si()["output_interval"]
-    if interval is None:
-        return table.end_time_s / SAMPLES
-    return float(min(interval, table.end_time_s))
-
-
-def simulated_friction(table: FrictionTable) -> dict[str, float]:
-    """The four constants and Coulomb's mu of a simulation [-], by their keys in [friction]."""
-    given = {name: getattr(table, name) for name in SIMULATED}
-    return {name: SIMULATED[name] if x is None else x for name, x in given.items()}
-
-
 class CageTable(Table):
     """The cage."""
 
@@ -156,29 +102,70 @@ class CageTable(Table):
 
 LAND = ("land_diameter_mm", "land_width_mm", "land_clearance_um")
 RACES = {"inner ring": Race.INNER, "outer ring": Race.OUTER}
+# a cage whose land is needed: for its friction, or its motion
+GUIDED_BY_RING = tuple(
+    Where("cage.guided_by", ring, also=(Where(use),))
+    for ring in RACES
+    for use in ("cage.pocket_friction", "dynamics")
+)
+LARGEST_HISTORY = 2_000_000  # rows
+SAMPLES = 2000  # of a history by default
+RENAMED = {  # earlier keys, accepted for one version, and those of [friction] in their place
+    "friction_maximum": "traction_maximum",
+    "friction_maximum_slide": "traction_maximum_slide",
+    "friction_limit": "traction_limit",
+    "friction_coefficient": "coefficient",
+}
+RELATIONS = (
+    Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),
+    Below(
+        "dynamics.friction_dead_band_m_s",
+        "dynamics.friction_full_m_s",
+        "dynamics.friction_full_m_s",
+        low_default=0.0,
+    ),
+    *(
+        Needs(f"cage.{name}", where, "needed where a ring guides the cage")
+        for name in LAND
+        for where in GUIDED_BY_RING
+    ),
+)
 
 
-def cage_faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A cage that a ring guides has a land, where its friction or its motion is computed."""
-    used = values.given("cage", "pocket_friction") or values.given("dynamics")
-    if not used or values.get("cage", "guided_by") not in RACES:
-        return
-    for name in LAND:
-        if not values.given("cage", name):
-            yield CaseFault(("cage", name), MISSING, "needed where a ring guides the cage")
+def faults(values: CaseValues) -> Iterator[CaseFault]:
+    """A history of bearable length; tables for a lubricated contact."""
+    end = values.get("dynamics", "end_time_s")
+    if end is not None:
+        least = from_si("output_interval_us", end / LARGEST_HISTORY)
+        allowed = f"at least {least:.3g}, {LARGEST_HISTORY} rows"
+        path = ("dynamics", "output_interval_us")
+        yield from bounded(values, path, lambda interval: interval >= least, allowed)
+    lubricated = values.get("dynamics", "contact_law") == "lubricated"
+    if lubricated and values.get("dynamics", "friction") != "table":
+        path = ("dynamics", "contact_law")
+        allowed = 'needed: friction = "table", which holds film and damping'
+        yield CaseFault(path, 'found "lubricated"', allowed)
+
+
+def sample_interval(table: DynamicsTable) -> float:
+    """Time between rows of the history [s]."""
+    interval = table.si()["output_interval"]
+    return table.end_time_s / SAMPLES if interval is None else min(interval, table.end_time_s)
+
+
+def simulated_friction(table: FrictionTable) -> dict[str, float]:
+    """The four constants and Coulomb's mu of a simulation [-], by their keys in [friction]."""
+    given = {name: getattr(table, name) for name in SIMULATED}
+    return {name: SIMULATED[name] if x is None else x for name, x in given.items()}
 
 
 def cage_friction(table: CageTable | None) -> Cage | None:
     """Friction of the cage [m]; None without a pocket's coefficient."""
     if table is None or table.pocket_friction is None:
         return None
-    si = table.si()
-    lands = ("land_diameter", "land_width", "land_clearance")
-    return Cage(
-        pocket_friction=table.pocket_friction,
-        outer_guided=table.guided_by == "outer ring",
-        **{name: si[name] if table.guided_by in RACES else None for name in lands},
-    )
+    land = table.si(*LAND) if table.guided_by in RACES else {}
+    outer_guided = table.guided_by == "outer ring"
+    return Cage(pocket_friction=table.pocket_friction, outer_guided=outer_guided, **land)
 
 
 def guiding_land(table: CageTable | None) -> tuple[Race, float] | None:

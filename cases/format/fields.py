@@ -2,7 +2,8 @@
 
 from collections.abc import Callable
 from functools import cache
-from math import isfinite
+from itertools import pairwise
+from math import inf, isfinite
 from typing import Annotated, Any, TypeGuard
 
 from pydantic import (
@@ -18,9 +19,9 @@ from pydantic_core import CoreSchema, PydanticCustomError, core_schema
 from ehl.units import to_si, without_unit
 
 FREE_WORD = "free"
-# [mm]
-LENGTH_MINIMUM = 1.0e-3
-LENGTH_MAXIMUM = 1.0e4
+FILM_MAPS = ["all", "loaded", "none"]
+LENGTH_MINIMUM = 1.0e-3  # [mm]
+LENGTH_MAXIMUM = 1.0e4  # [mm]
 FORCE_MAXIMUM = 1.0e8  # [N]
 SPEED_MAXIMUM = 1.0e6  # [rpm]
 ROWS_MAXIMUM = 10000  # of a table over time
@@ -28,27 +29,31 @@ DIGITS = 12  # of library values written back into the document; more is noise o
 
 
 class Table(BaseModel):
-    """A table of a case file: frozen, no unknown keys, no silent conversion of types, finite
-    numbers only.
-    """
+    """A table of a case file: frozen, finite numbers, no unknown keys, no conversion of types."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False)
 
-    def si(self) -> dict[str, Any]:
-        """Values in SI by their keys without units; keys that differ in the unit only are kept."""
-        names = [_without_unit(key) for key, _ in self]
+    def si(self, *keys: str) -> dict[str, Any]:
+        """Values in SI of some or all keys by their names without units; keys that differ in the
+        unit only keep it.
+        """
+        chosen = keys or tuple(type(self).model_fields)
+        names = [name_in_si(key) for key in chosen]
         return {
-            name if names.count(name) == 1 else key: _si(key, value)
-            for name, (key, value) in zip(names, self, strict=True)
+            name if names.count(name) == 1 else key: _si(key, getattr(self, key))
+            for name, key in zip(names, chosen, strict=True)
         }
 
 
 @cache
-def _without_unit(key: str) -> str:
+def name_in_si(key: str) -> str:
+    """A key without its unit."""
     return without_unit(key).replace(" ", "_")
 
 
 def _si(key: str, value: Any) -> Any:
+    if isinstance(value, tuple) and value and isinstance(value[0], tuple):  # rows over time
+        return tuple((row[0], *_si(key, row[1:])) for row in value)
     if isinstance(value, tuple):
         return tuple(_si(key, entry) for entry in value)
     return to_si(key, value) if is_number(value) else value
@@ -114,7 +119,7 @@ class OneOf:
         return core_schema.literal_schema(list(self.words))
 
 
-def list_schema(length: int, *, free: bool = False) -> WithJsonSchema:
+def _list_schema(length: int, *, free: bool = False) -> WithJsonSchema:
     """JSON Schema of a list of numbers, or of the word "free"."""
     number: dict[str, Any] = {"type": "number"}
     items = {"anyOf": [number, {"const": FREE_WORD}]} if free else number
@@ -123,58 +128,50 @@ def list_schema(length: int, *, free: bool = False) -> WithJsonSchema:
     )
 
 
+def _entries(value: object) -> list[Any]:
+    return list(value) if isinstance(value, list | tuple) else []
+
+
 def numbers(value: object, length: int, limit: float) -> tuple[float, ...] | None:
     """A list of so many numbers within +-`limit`; None if `value` is none."""
-    entries = value if isinstance(value, list | tuple) else ()
-    fine = len(entries) == length and all(is_number(x) and abs(x) <= limit for x in entries)
-    return tuple(float(x) for x in entries) if fine else None
+    entries = _entries(value)
+    fits = len(entries) == length and all(is_number(x) and abs(x) <= limit for x in entries)
+    return tuple(map(float, entries)) if fits else None
 
 
-def vector(length: int, limit: float) -> BeforeValidator:
-    """A list of numbers within +-`limit`."""
-    allowed = f"a list of {length} numbers from {-limit:g} to {limit:g}"
-    return checked(lambda value: numbers(value, length, limit), allowed)
-
-
-def _free_vector(length: int, limit: float) -> BeforeValidator:
-    """Likewise, with the word "free" for any of them."""
+def _vector(length: int, limit: float, *, free: bool = False) -> BeforeValidator:
+    """A list of numbers within +-`limit`, with the word "free" for any of them."""
 
     def parse(value: object) -> tuple[float | str, ...] | None:
-        entries = value if isinstance(value, list | tuple) else ()
-        fixed = numbers([0.0 if x == FREE_WORD else x for x in entries], length, limit)
-        if fixed is None:
+        words = [free and entry == FREE_WORD for entry in _entries(value)]
+        fixed = [0.0 if word else x for word, x in zip(words, _entries(value), strict=True)]
+        vector = numbers(fixed, length, limit)
+        if vector is None:
             return None
-        return tuple(
-            FREE_WORD if x == FREE_WORD else number
-            for x, number in zip(entries, fixed, strict=True)
-        )
+        return tuple(FREE_WORD if word else x for word, x in zip(words, vector, strict=True))
 
-    allowed = f'a list of {length} numbers from {-limit:g} to {limit:g} or the word "free"'
-    return checked(parse, allowed)
+    allowed = f"a list of {length} numbers from {-limit:g} to {limit:g}"
+    return checked(parse, f'{allowed} or the word "{FREE_WORD}"' if free else allowed)
 
 
 def _range(limit: float, sign: str) -> BeforeValidator:
     def parse(value: object) -> tuple[float, ...] | None:
         ends = numbers(value, 2, limit)
-        if ends is None or not ends[0] < ends[1] or (sign == "<" and ends[0] == 0.0):
+        if ends is None or not 0.0 <= ends[0] < ends[1] or (sign == "<" and ends[0] == 0.0):
             return None
-        return ends if ends[0] >= 0.0 else None
+        return ends
 
     return checked(parse, f"two numbers, [first, last], 0 {sign} first < last <= {limit:g}")
 
 
 def _over_time(columns: int, limit: float) -> BeforeValidator:
     def parse(value: object) -> tuple[tuple[float, ...], ...] | None:
-        entries = value if isinstance(value, list | tuple) else ()
-        if not 0 < len(entries) <= ROWS_MAXIMUM:
+        rows = [numbers(row, columns, inf) for row in _entries(value)[: ROWS_MAXIMUM + 1]]
+        table = tuple(row for row in rows if row is not None and max(map(abs, row[1:])) <= limit)
+        if len(table) < len(rows) or not 0 < len(table) <= ROWS_MAXIMUM or table[0][0] != 0.0:
             return None
-        rows = [numbers(row, columns, float("inf")) for row in entries]
-        table = tuple(row for row in rows if row is not None)
-        if len(table) < len(rows) or any(abs(x) > limit for row in table for x in row[1:]):
-            return None
-        times = [row[0] for row in table]
-        rising = all(a < b for a, b in zip(times, times[1:], strict=False))
-        return table if rising and times[0] == 0.0 else None
+        rising = all(before[0] < after[0] for before, after in pairwise(table))
+        return table if rising else None
 
     allowed = (
         f"rows of {columns} numbers, the first a rising time [s] from 0, "
@@ -199,9 +196,10 @@ def _domain(value: object) -> tuple[float, ...] | None:
 
 
 def _film_maps(value: object) -> object:
-    if isinstance(value, str) and value in ("all", "loaded", "none"):
+    if isinstance(value, str) and value in FILM_MAPS:
         return value
-    return numbers(value, len(value), 360.0) if isinstance(value, list | tuple) and value else None
+    azimuths = _entries(value)
+    return numbers(azimuths, len(azimuths), 360.0) if azimuths else None
 
 
 Name = Annotated[str, StringConstraints(min_length=1, max_length=200)]
@@ -210,35 +208,25 @@ Points = Annotated[
     checked(_points, "2^k + 1: 33, 65, 129, 257, 513, 1025, 2049 or 4097"),
     WithJsonSchema({"type": "integer", "minimum": 33}),
 ]
-Domain = Annotated[
-    Any,
-    checked(
-        _domain, "[x_in, x_out, y_half] in Hertz semi-axes with x_in < -1, x_out > 1, y_half > 1"
-    ),
-    list_schema(3),
-]
+DOMAIN = "[x_in, x_out, y_half] in Hertz semi-axes with x_in < -1, x_out > 1, y_half > 1"
+Domain = Annotated[Any, checked(_domain, DOMAIN), _list_schema(3)]
 FilmMaps = Annotated[
     Any,
     checked(_film_maps, '"all", "loaded", "none", or a list of azimuths of balls in degrees'),
     WithJsonSchema(
-        {
-            "anyOf": [
-                {"enum": ["all", "loaded", "none"]},
-                {"type": "array", "items": {"type": "number"}},
-            ]
-        }
+        {"anyOf": [{"enum": FILM_MAPS}, {"type": "array", "items": {"type": "number"}}]}
     ),
 ]
-SpeedRange = Annotated[Any, _range(SPEED_MAXIMUM, "<"), list_schema(2)]
-AxialRange = Annotated[Any, _range(FORCE_MAXIMUM, "<"), list_schema(2)]
-RadialRange = Annotated[Any, _range(FORCE_MAXIMUM, "<="), list_schema(2)]
+SpeedRange = Annotated[Any, _range(SPEED_MAXIMUM, "<"), _list_schema(2)]
+AxialRange = Annotated[Any, _range(FORCE_MAXIMUM, "<"), _list_schema(2)]
+RadialRange = Annotated[Any, _range(FORCE_MAXIMUM, "<="), _list_schema(2)]
 CriticalSpeed = Annotated[float, Field(gt=0.0, le=SPEED_MAXIMUM)]
-Force = Annotated[Any, vector(3, FORCE_MAXIMUM), list_schema(3)]
-Moment = Annotated[Any, vector(2, 1.0e10), list_schema(2)]
+Force = Annotated[Any, _vector(3, FORCE_MAXIMUM), _list_schema(3)]
+Moment = Annotated[Any, _vector(2, 1.0e10), _list_schema(2)]
 Gravity = Annotated[
-    Any, checked(lambda value: numbers(value, 3, 1e6), "three numbers, [x, y, z]"), list_schema(3)
+    Any, checked(lambda value: numbers(value, 3, 1e6), "three numbers, [x, y, z]"), _list_schema(3)
 ]
-Displacement = Annotated[Any, _free_vector(3, 1.0e5), list_schema(3, free=True)]
-Tilt = Annotated[Any, _free_vector(2, 100.0), list_schema(2, free=True)]
+Displacement = Annotated[Any, _vector(3, 1.0e5, free=True), _list_schema(3, free=True)]
+Tilt = Annotated[Any, _vector(2, 100.0, free=True), _list_schema(2, free=True)]
 SpeedTable = Annotated[Any, _over_time(2, SPEED_MAXIMUM), _over_time_schema(2)]
 LoadTable = Annotated[Any, _over_time(4, FORCE_MAXIMUM), _over_time_schema(4)]

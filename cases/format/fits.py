@@ -4,7 +4,6 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from bearing.fits.clearance import (
-    CageClearance,
     ClearanceBudget,
     Fit,
     TemperatureRise,
@@ -16,13 +15,13 @@ from bearing.heating.heat_balance import Cooling
 from bearing.material import Material
 from bearing.operation import Operation
 from ehl import Lubricant
-from ehl.units import ZERO_CELSIUS
+from ehl.units import to_si
 
 from .fields import LENGTH_MAXIMUM, Name, Table, between, described, length, within
 from .friction import FrictionTable
 from .lubricant import Oil, lubricant
 from .problems import CaseFault, UnfitKey
-from .rules import CaseValues, KnownNames, Needs, Where, bounded, known
+from .rules import CaseValues, Needs, Where, bounded
 
 
 class FitTable(Table):
@@ -62,8 +61,8 @@ RELATIONS = (
 )
 
 
-def fit_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
-    """Shaft and housing around the bearing, their materials."""
+def faults(values: CaseValues) -> Iterator[CaseFault]:
+    """Shaft and housing around the bearing."""
     bore = values.get("bearing", "bore_mm")
     if bore is not None:
         allowed = f"less than the bore of the bearing, {bore:g} mm"
@@ -73,8 +72,6 @@ def fit_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
         allowed = f"more than the outside diameter of the bearing, {outside:g} mm"
         path = ("fit", "housing_outside_diameter_mm")
         yield from bounded(values, path, lambda x: x > outside, allowed)
-    for name in ("shaft_material", "housing_material"):
-        yield from known(("fit", name), values.get("fit", name), names.materials)
 
 
 def fit(table: FitTable | None, materials: Mapping[str, Material]) -> Fit | None:
@@ -87,15 +84,12 @@ def fit(table: FitTable | None, materials: Mapping[str, Material]) -> Fit | None
         housing_material=materials[table.housing_material],
         inner_interference=si["inner_ring_interference"],
         outer_interference=si["outer_ring_interference"],
-        shaft_bore=si["shaft_bore"],
-        housing_outside_diameter=si["housing_outside_diameter"],
+        **table.si("shaft_bore_mm", "housing_outside_diameter_mm"),
     )
 
 
-def temperature_rise(table: TemperaturesTable | None) -> TemperatureRise | None:
+def _rises(table: TemperaturesTable) -> TemperatureRise:
     """Rise of the parts above the temperature of measurement [K]."""
-    if table is None:
-        return None
     parts = {
         "inner_ring": table.inner_ring_C,
         "outer_ring": table.outer_ring_C,
@@ -110,34 +104,25 @@ def in_operation(
     given: Bearing,
     operation: Operation,
     seats: Fit | None,
-    temperatures: TemperaturesTable | None,
-    cage: CageClearance | None,
+    table: TemperaturesTable | None,
+    cage: tuple[Material | None, tuple[Race, float] | None],
 ) -> tuple[Bearing, ClearanceBudget | None]:
-    """The bearing with its clearance in operation [m], and the budget, if that differs."""
-    if seats is None and temperatures is None:
+    """The bearing with its clearance in operation [m], and the budget, if that differs; `cage`:
+    its material, race and diameter of its land [m].
+    """
+    if seats is None and table is None:
         return given, None
-    budget = clearance_budget(given, operation, seats, temperature_rise(temperatures))
-    if temperatures is not None:
-        budget = replace(budget, cage=cage)
+    rises = None if table is None else _rises(table)
+    budget = clearance_budget(given, operation, seats, rises)
+    material, land = cage
+    if table is not None and rises and material and table.cage_C is not None:
+        rise = table.cage_C - table.reference_C
+        budget = replace(budget, cage=cage_clearance(given, material, rises, rise, land))
     return replace(given, diametral_clearance=budget.operating), budget
 
 
-def heated_cage(
-    given: Bearing,
-    temperatures: TemperaturesTable | None,
-    material: Material | None,
-    land: tuple[Race, float] | None,
-) -> CageClearance | None:
-    """Change of the cage's clearances by its temperature [m]; `land`: race and diameter [m]."""
-    rises = temperature_rise(temperatures)
-    if temperatures is None or rises is None or temperatures.cage_C is None or material is None:
-        return None
-    rise = temperatures.cage_C - temperatures.reference_C
-    return cage_clearance(given, material, rises, rise, land)
-
-
 # where no [temperatures] gives the one of measurement [K]
-REFERENCE = TemperaturesTable.model_fields["reference_C"].default + ZERO_CELSIUS
+REFERENCE = to_si("reference_C", TemperaturesTable.model_fields["reference_C"].default)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -171,13 +156,11 @@ def heating(
     """
     if table.heat_transfer_W_K is None:
         return None
-    reference = None
+    reference = None if fit is None else REFERENCE
     excess = 0.0
     if temperatures is not None:
         reference = temperatures.si()["reference"]
         excess = 0.5 * (temperatures.inner_ring_C - temperatures.outer_ring_C)
-    elif fit is not None:
-        reference = REFERENCE
     return HeatingInput(
         delivered=delivered,
         oil=lambda temperature: lubricant(oil, temperature),
@@ -193,17 +176,13 @@ def _cooling(table: FrictionTable, oil: Lubricant) -> Cooling:
     """Heat to the surroundings and to the oil that flows through [W/K, K]."""
     si = table.si()
     key = "supply_mL_min" if table.cooling_oil_mL_min is None else "cooling_oil_mL_min"
-    flow = si["supply"] if table.cooling_oil_mL_min is None else si["cooling_oil_mL_min"]
-    capacity = 0.0
-    if flow:
-        if oil.thermal is None:
-            needs = "the heat that oil carries needs lubricant.specific_heat_J_kg_K"
-            raise UnfitKey(("friction", key), needs)
-        capacity = flow * oil.density * oil.thermal.specific_heat
-    supplied = si["cooling_oil_C"]
+    flow = to_si(key, getattr(table, key))
+    if flow and oil.thermal is None:
+        needs = "the heat that oil carries needs lubricant.specific_heat_J_kg_K"
+        raise UnfitKey(("friction", key), needs)
     return Cooling(
         conductance=si["heat_transfer"],
         ambient=si["ambient"],
-        oil_flow=capacity,
-        oil_supply=si["ambient"] if supplied is None else supplied,
+        oil_flow=flow * oil.density * oil.thermal.specific_heat if flow and oil.thermal else 0.0,
+        oil_supply=si["ambient"] if table.cooling_oil_C is None else si["cooling_oil_C"],
     )

@@ -18,11 +18,11 @@ from ehl.oil.free_volume import (
     pressure_viscosity_yasutomi,
 )
 from ehl.oil.lubricant import PRESSURE_VISCOSITY_TOLERANCE
-from ehl.units import GIGAPASCAL, ZERO_CELSIUS
+from ehl.units import GIGAPASCAL, ZERO_CELSIUS, to_si
 
-from .problems import MISSING, CaseFault, UnfitKey, shown
+from .fields import name_in_si
+from .problems import MISSING, CaseFault, Path, UnfitKey, shown
 from .rules import CaseValues
-from .toml_lines import Path
 
 TAIT = ("tait_bulk_modulus_GPa", "tait_bulk_modulus_derivative")
 DOOLITTLE = ("doolittle_factor", "doolittle_occupied_share")
@@ -148,45 +148,30 @@ def _without_law(
 def free_volume(keys: dict[str, Any], temperature: float) -> dict[str, Any]:
     """Constants of an oil as fields of `Lubricant`, SI, at a temperature [K]."""
     constants: dict[str, Any] = {}
-    if TAIT[0] in keys:
-        celsius = keys.get(TEMPERATURE)
-        constants["tait"] = TaitVolume(
-            bulk_modulus=keys["tait_bulk_modulus_GPa"] * GIGAPASCAL,
-            bulk_modulus_derivative=keys["tait_bulk_modulus_derivative"],
-            reference_temperature=temperature if celsius is None else celsius + ZERO_CELSIUS,
-            bulk_modulus_temperature=keys.get("tait_bulk_modulus_temperature_1_K", 0.0),
-            expansion=keys.get("tait_expansion_1_K", 0.0),
+    tait, doolittle, yasutomi = (_of_family(family, keys) for family in FAMILIES)
+    if tait:
+        at = tait.pop("temperature", temperature)
+        constants["tait"] = TaitVolume(reference_temperature=at, **tait)
+    if doolittle:
+        constants["doolittle"] = DoolittleFreeVolume(**doolittle)
+    if yasutomi:
+        pressure, coefficient = (yasutomi.pop(name) for name in ("glass_pressure", "expansivity"))
+        power = "expansivity_exponent" in yasutomi  # the improved law; the first has a factor
+        other = yasutomi.pop("expansivity_exponent" if power else "expansivity_factor")
+        constants["yasutomi"] = YasutomiGlass(
+            glass_pressure_coefficient=pressure,
+            expansivity_1=coefficient if power else other,
+            expansivity_2=other if power else coefficient,
+            form=ExpansivityForm.POWER if power else ExpansivityForm.LOGARITHMIC,
+            **yasutomi,
         )
-    if DOOLITTLE[0] in keys:
-        constants["doolittle"] = DoolittleFreeVolume(
-            factor=keys["doolittle_factor"],
-            occupied_share=keys["doolittle_occupied_share"],
-            occupied_expansion=keys.get("doolittle_occupied_expansion_1_K"),
-        )
-    if "yasutomi_slope" in keys:
-        constants["yasutomi"] = _yasutomi(keys)
     return constants
 
 
-def _yasutomi(keys: dict[str, Any]) -> YasutomiGlass:
-    """The improved law with an exponent, the first one with a factor."""
-    coefficient = keys["yasutomi_expansivity_1_GPa"] / GIGAPASCAL
-    form = ExpansivityForm.LOGARITHMIC
-    if "yasutomi_expansivity_exponent" in keys:
-        form = ExpansivityForm.POWER
-        expansivity = (coefficient, keys["yasutomi_expansivity_exponent"])
-    else:
-        expansivity = (keys["yasutomi_expansivity_factor"], coefficient)
-    return YasutomiGlass(
-        glass_temperature=keys["yasutomi_glass_temperature_C"] + ZERO_CELSIUS,
-        glass_rise=keys["yasutomi_glass_rise_K"],
-        glass_pressure_coefficient=keys["yasutomi_glass_pressure_1_GPa"] / GIGAPASCAL,
-        expansivity_1=expansivity[0],
-        expansivity_2=expansivity[1],
-        slope=keys["yasutomi_slope"],
-        width=keys["yasutomi_width_K"],
-        form=form,
-    )
+def _of_family(family: str, keys: dict[str, Any]) -> dict[str, Any]:
+    """Constants of a family by their names without it, SI."""
+    given = [key for key in keys if key.startswith(f"{family}_")]
+    return {name_in_si(key).removeprefix(f"{family}_"): to_si(key, keys[key]) for key in given}
 
 
 def _coefficient(given: dict[str, Any]) -> float | None:

@@ -150,7 +150,7 @@ RELATIONS: tuple[Relation, ...] = (
 )
 
 
-def friction_faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseFault]:
     """A file of traction tables that is there; the supply that heats a starved bearing."""
     name = values.get("friction", "traction_table")
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):

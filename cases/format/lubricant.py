@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 from bearing.library.lubricants import library_lubricant, lubricant_data
 from ehl import DensityLaw, Lubricant, ViscosityLaw
-from ehl.oil.lubricant import ThermalProperties
+from ehl.oil.lubricant import ROELANDS_LOG_OFFSET, ROELANDS_PRESSURE, ThermalProperties
 from ehl.units import from_si, to_si
 
 from .fields import Name, Table, above, between, described, rounded, within
@@ -19,8 +19,7 @@ from .free_volume import (
     with_coefficient,
 )
 from .problems import MISSING, CaseFault, shown
-from .rules import CaseValues, Excludes, KnownNames, Where, known
-from .toml_lines import Path
+from .rules import CaseValues, Excludes, OnlyWith, Relation, Where
 
 
 class OilTable(Table):
@@ -107,12 +106,14 @@ VISCOSITIES = ("viscosity_mPa_s", "kinematic_viscosity_mm2_s")
 # 700 K, below which bearing.library.lubricants has its laws; the tables keep the lower end
 LIBRARY_TEMPERATURE_C = 426.85
 PRESSURE_VISCOSITY = "pressure_viscosity_1_GPa"
+ROELANDS_PRESSURE_KEY = "roelands_pressure_MPa"
 NUMBERS = {  # field of `Lubricant`: its key
     "pressure_viscosity": PRESSURE_VISCOSITY,
-    "roelands_pressure": "roelands_pressure_MPa",
+    "roelands_pressure": ROELANDS_PRESSURE_KEY,
     "roelands_z": "roelands_z",
     "density": "density_kg_m3",
 }
+LAWS = {"viscosity_law": ViscosityLaw, "density_law": DensityLaw}
 DENSITY = 870.0  # of an oil whose density is not given [kg/m^3]
 # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
 VISCOSITY_UNUSED = 1.0
@@ -122,13 +123,14 @@ SHEAR_KEYS = {  # constants of a shear law
     "carreau_exponent": "carreau-yasuda",
     "yasuda_exponent": "carreau-yasuda",
 }
-SHEAR_LAWS = ("newtonian", "ree-eyring", "carreau-yasuda")
+CARREAU = ("carreau_modulus_MPa", "carreau_exponent")
 HEAT_KEYS = ("thermal_conductivity_W_m_K", "specific_heat_J_kg_K", "viscosity_temperature_1_K")
 SUPPLIED = (Where("lubricant.inlet_film_um"), Where("friction.supply_mL_min"))
-RELATIONS = (
+RELATIONS: tuple[Relation, ...] = (
     Excludes("lubricant.kinematic_viscosity_mm2_s", "lubricant.viscosity_mPa_s"),
     Excludes("lubricant.inlet_film_um", "friction.supply_mL_min"),
     Excludes("lubricant.inlet_film_um", "contact.moes_M", "with dimensions"),
+    OnlyWith("lubricant.supply", SUPPLIED, default="flooded"),
 )
 
 
@@ -150,13 +152,8 @@ def oil_of(lubricant: dict[str, Any], lubricants: object) -> Oil:
     return Oil({**own, **lubricant}, of_library=False)
 
 
-def lubricant_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseFault]:
     """The oil by name or by its properties, complete, and its laws."""
-    yield from known(("lubricant", "name"), values.get("lubricant", "name"), names.lubricants)
-    starved = values.get("lubricant", "supply") == "starved"
-    if starved and not any(where.holds(values) for where in SUPPLIED):
-        allowed = "allowed: with inlet_film_um, or friction.supply_mL_min of a bearing"
-        yield CaseFault(("lubricant", "supply"), 'found "starved"', allowed)
     for name in values.get("lubricants") or ():
         first, second = (("lubricants", name, key) for key in VISCOSITIES)
         if values.given(*first) and values.given(*second):
@@ -167,7 +164,11 @@ def lubricant_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFaul
         return
     oil = oil_of(values.document["lubricant"], values.document.get("lubricants"))
     if oil.of_library:
-        yield from _library_temperature(values)
+        allowed = f"allowed with an oil of the library: below {LIBRARY_TEMPERATURE_C:g}"
+        for path in (("operation", "temperature_C"), ("contact", "temperature_C")):
+            given = values.get(*path)
+            if given is not None and given >= LIBRARY_TEMPERATURE_C:
+                yield CaseFault(path, f"found {shown(given)}", allowed)
     else:
         yield from _incomplete(oil.keys, moes=values.given("contact", "moes_M"))
     yield from _roelands_faults(oil.keys, values)
@@ -175,16 +176,6 @@ def lubricant_faults(values: CaseValues, names: KnownNames) -> Iterator[CaseFaul
     yield from free_volume_faults(oil.keys, values, of_library=oil.of_library)
     yield from _moes_pressure_scale(oil.keys, values)
     yield from _heat_faults(oil.keys, values)
-
-
-def _library_temperature(values: CaseValues) -> Iterator[CaseFault]:
-    """The laws of the library's oils end at a temperature."""
-    for table in ("operation", "contact"):
-        given = values.get(table, "temperature_C")
-        if given is not None and given >= LIBRARY_TEMPERATURE_C:
-            allowed = f"allowed with an oil of the library: below {LIBRARY_TEMPERATURE_C:g}"
-            path = (table, "temperature_C")
-            yield CaseFault(path, f"found {shown(given)}", allowed)
 
 
 def _incomplete(oil: dict[str, Any], *, moes: bool) -> Iterator[CaseFault]:
@@ -204,57 +195,48 @@ def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFa
     """Roelands' constants stand with his law, whose exponent must lie in its range."""
     law = oil.get("viscosity_law", "roelands")
     if law != "roelands":
-        for key in ("roelands_z", "roelands_pressure_MPa"):
+        found = f"found together with viscosity_law = {shown(law)}"
+        for key in ("roelands_z", ROELANDS_PRESSURE_KEY):
             if values.given("lubricant", key):
-                yield _foreign_constant(("lubricant", key), "viscosity_law", law, "roelands")
+                yield CaseFault(("lubricant", key), found, 'allowed with "roelands" only')
         return
-    eta, alpha = (values.get("lubricant", key) for key in (VISCOSITIES[0], PRESSURE_VISCOSITY))
-    pressure = values.get("lubricant", "roelands_pressure_MPa") or 196.0
+    keys = (VISCOSITIES[0], PRESSURE_VISCOSITY, ROELANDS_PRESSURE_KEY)
+    eta, alpha, pressure = (to_si(key, values.get("lubricant", key)) for key in keys)
     if eta is None or alpha is None or "roelands_z" in oil:
         return
-    scale = log(1e-3 * eta) + 9.67
-    exponent = alpha * pressure * 1e-3 / scale if scale > 0.0 else -1.0
+    scale = log(eta) + ROELANDS_LOG_OFFSET
+    exponent = alpha * (pressure or ROELANDS_PRESSURE) / scale if scale > 0.0 else -1.0
     if not 0.0 < exponent <= 2.0:
-        found = f"found {shown(alpha)}, with which Roelands' identity gives z = {exponent:.3g}"
+        key = PRESSURE_VISCOSITY if scale > 0.0 else VISCOSITIES[0]
+        found = f"found {shown(values.get('lubricant', key))}"
+        if scale > 0.0:
+            found += f", with which Roelands' identity gives z = {exponent:.3g}"
         allowed = (
-            "allowed: a viscosity and coefficient with 0 < z <= 2, a roelands_z, or "
-            "another viscosity_law"
+            "a viscosity and coefficient with 0 < z <= 2, a roelands_z, or another viscosity_law"
         )
-        key = PRESSURE_VISCOSITY
-        if scale <= 0.0:
-            key = VISCOSITIES[0]
-            found = f"found {shown(eta)}"
-        yield CaseFault(("lubricant", key), found, allowed)
-
-
-def _foreign_constant(path: Path, choice: str, law: object, own: str) -> CaseFault:
-    """A constant of the law `own` where another one is chosen."""
-    found = f"found together with {choice} = {shown(law)}"
-    return CaseFault(path, found, f'allowed with "{own}" only')
+        yield CaseFault(("lubricant", key), found, f"allowed: {allowed}")
 
 
 def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
     """Constants of a shear law stand with that law, in [lubricant] or in the named oil."""
     law = oil.get("rheology", "ree-eyring")
-    if law not in SHEAR_LAWS:
+    if law not in ("newtonian", *SHEAR_KEYS.values()):
         return
     named = ("lubricants", str(oil.get("name")))
     law_of_named = values.get(*named, "rheology") or "ree-eyring"
     for key, own in SHEAR_KEYS.items():
-        places: list[Path] = [("lubricant", key)] if values.given("lubricant", key) else []
-        if values.given(*named, key) and law_of_named != own:
-            places.append((*named, key))
-        if law != own and places:
-            fault = _foreign_constant(places[0], "rheology", law, own)
-            if "rheology" not in oil:
-                found = f'found without rheology = "{own}"'
-                fault = CaseFault(places[0], found, fault.allowed)
-            yield fault
-    if law == "carreau-yasuda":
-        for key in ("carreau_modulus_MPa", "carreau_exponent"):
-            if key not in oil:
-                allowed = 'needed with rheology = "carreau-yasuda"'
-                yield CaseFault(("lubricant", key), MISSING, allowed)
+        here = values.given("lubricant", key)
+        there = values.given(*named, key) and law_of_named != own
+        if law != own and (here or there):
+            without = f'found without rheology = "{own}"'
+            found = (
+                f"found together with rheology = {shown(law)}" if "rheology" in oil else without
+            )
+            path = ("lubricant", key) if here else (*named, key)
+            yield CaseFault(path, found, f'allowed with "{own}" only')
+    for key in CARREAU:
+        if law == "carreau-yasuda" and key not in oil:
+            yield CaseFault(("lubricant", key), MISSING, 'needed with rheology = "carreau-yasuda"')
 
 
 def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
@@ -271,8 +253,8 @@ def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[Ca
 def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
     """Thermal properties of the oil, all or none; all for a film with heat."""
     reasons = [key for key in HEAT_KEYS if key in oil]
-    if values.get("ehl", "film_model") == "thermal" and "name" not in oil and not reasons:
-        reasons = ['ehl.film_model = "thermal"']
+    if values.get("ehl", "film_model") == "thermal" and "name" not in oil:
+        reasons.append('ehl.film_model = "thermal"')
     for key in HEAT_KEYS:
         if reasons and key not in oil:
             yield CaseFault(("lubricant", key), MISSING, f"needed with {reasons[0]}")
@@ -282,13 +264,8 @@ def lubricant(oil: Oil, temperature: float) -> Lubricant:
     """The oil at a temperature [K], SI."""
     keys = oil.keys
     given: dict[str, Any] = {"name": keys.get("name", "")}
-    for field, key in NUMBERS.items():
-        if key in keys:
-            given[field] = to_si(key, keys[key])
-    if "viscosity_law" in keys:
-        given["viscosity_law"] = ViscosityLaw(keys["viscosity_law"])
-    if "density_law" in keys:
-        given["density_law"] = DensityLaw(keys["density_law"])
+    given |= {field: to_si(key, keys[key]) for field, key in NUMBERS.items() if key in keys}
+    given |= {name: law(keys[name]) for name, law in LAWS.items() if name in keys}
     constants = free_volume(keys, temperature)
     measured_at = to_si("tait_temperature_C", keys.get("tait_temperature_C"))
     if oil.of_library:
@@ -313,13 +290,10 @@ def lubricant(oil: Oil, temperature: float) -> Lubricant:
 def _of_library(
     given: dict[str, Any], temperature: float, *, own: bool
 ) -> tuple[Lubricant, float | None]:
-    """The library's oil at a temperature [K], and that at which its constants of free volume were
-    measured [K].
-
-    With the case's `own` constants it comes with the library's laws.
+    """The library's oil at a temperature [K], with the case's `own` constants by the library's
+    laws; and the temperature at which its constants of free volume were measured [K].
     """
-    chosen = ("viscosity_law", "density_law")
-    laws = {} if own else {key: given[key] for key in chosen if key in given}
+    laws = {} if own else {name: given[name] for name in LAWS if name in given}
     base = library_lubricant(given.pop("name"), temperature, **laws)
     return base, lubricant_data(base.name).get("doolittle", {}).get("reference_K")
 
@@ -338,15 +312,7 @@ def _set_viscosity(given: dict[str, Any], keys: dict[str, Any]) -> None:
 
 def lubricant_keys(oil: Lubricant, *, moes: bool) -> dict[str, Any]:
     """A lubricant as keys of [lubricant], in their units."""
-    numbers = {
-        "viscosity_mPa_s": oil.viscosity,
-        PRESSURE_VISCOSITY: oil.pressure_viscosity,
-        "density_kg_m3": oil.density,
-    }
-    if moes:
-        del numbers["viscosity_mPa_s"]
-    return {
-        **{key: rounded(from_si(key, value)) for key, value in numbers.items()},
-        "viscosity_law": oil.viscosity_law.value,
-        "density_law": oil.density_law.value,
-    }
+    numbers = {} if moes else {VISCOSITIES[0]: oil.viscosity}
+    numbers |= {PRESSURE_VISCOSITY: oil.pressure_viscosity, "density_kg_m3": oil.density}
+    laws = {name: getattr(oil, name).value for name in LAWS}
+    return {key: rounded(from_si(key, value)) for key, value in numbers.items()} | laws

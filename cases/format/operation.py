@@ -66,38 +66,25 @@ RELATIONS = (
 )
 
 
-def operation_faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseFault]:
     """A load or a displacement for each direction, a moment or a tilt about each axis, once."""
-    force = values.get("operation", "force_N") or (
-        values.get("operation", "axial_load_N"),
-        values.get("operation", "radial_load_N"),
-        None,
-    )
-    displacement = values.get("operation", "displacement_um") or ()
-    for direction, fixed, load in zip("xyz", displacement, force, strict=False):
-        if fixed != FREE_WORD and load:
-            found = (
-                f"found a displacement along {direction} together with a load of "
-                f"{shown(load)} N along {direction}"
-            )
-            yield _given_twice("displacement_um", found, "load")
+    components = [values.get("operation", f"{name}_load_N") for name in ("axial", "radial")]
+    force = values.get("operation", "force_N") or (*components, None)
     moment = values.get("operation", "moment_N_mm") or ()
     if values.get("operation", "tilt") == "held" and any(moment):
         found = 'found "held" together with a moment'
         yield CaseFault(("operation", "tilt"), found, 'allowed: "free", or no moment')
-    angles = values.get("operation", "tilt_mrad") or ()
-    for axis, angle, load in zip("yz", angles, moment, strict=False):
-        if angle != FREE_WORD and load:
-            found = (
-                f"found a tilt about {axis} together with a moment of {shown(load)} N mm "
-                f"about {axis}"
-            )
-            yield _given_twice("tilt_mrad", found, "moment")
-
-
-def _given_twice(name: str, found: str, load: str) -> CaseFault:
-    allowed = f'allowed: one of them; "{FREE_WORD}" in {name} where the {load} decides'
-    return CaseFault(("operation", name), found, allowed)
+    for name, loads, axes, motion, kind, unit in (
+        ("displacement_um", force, "xyz", "a displacement along", "load", "N along"),
+        ("tilt_mrad", moment, "yz", "a tilt about", "moment", "N mm about"),
+    ):
+        fixed = values.get("operation", name) or ()
+        for axis, at, load in zip(axes, fixed, loads, strict=False):
+            if at != FREE_WORD and load:
+                given = f"a {kind} of {shown(load)} {unit} {axis}"
+                found = f"found {motion} {axis} together with {given}"
+                allowed = f'allowed: one of them; "{FREE_WORD}" in {name} where the {kind} decides'
+                yield CaseFault(("operation", name), found, allowed)
 
 
 def operation(table: OperationTable) -> Operation:
@@ -108,9 +95,7 @@ def operation(table: OperationTable) -> Operation:
     tilt = _fixed(si["tilt_mrad"] or ((FREE_WORD,) * 2 if free else (0.0,) * 2))
     force = si["force"] or (si["axial_load"] or 0.0, si["radial_load"] or 0.0, 0.0)
     return Operation(
-        inner_speed=si["inner_speed"],
-        outer_speed=si["outer_speed"],
-        temperature=si["temperature"],
+        **table.si("inner_speed_rpm", "outer_speed_rpm", "temperature_C"),
         force=_loads(force, displacement),
         moment=_loads(si["moment"] or (0.0, 0.0), tilt),
         displacement=displacement,

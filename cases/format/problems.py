@@ -1,5 +1,9 @@
-"""Faults of a case file in words: line, key, found, allowed, nearest valid name."""
+"""Faults of a case file in words: line, key, found, allowed, nearest valid name.
 
+`tomllib` gives values, not lines: where a key stands in the text is read here.
+"""
+
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
@@ -7,7 +11,7 @@ from typing import Any
 
 from ehl.units import UNITS
 
-from .toml_lines import Path, find_line, key_lines
+Path = tuple[str | int, ...]
 
 MISSING = "missing"
 SIMILARITY = 0.65  # of difflib, from which on a name counts as a slip of another
@@ -15,6 +19,17 @@ SIMILARITY = 0.65  # of difflib, from which on a name counts as a slip of anothe
 OF_BEARINGS = (("operation",), ("model",), ("surface",), ("slip",), ("ehl", "film_maps"))
 SHOWN_NAMES = 12  # shown of a list of allowed keys
 SHOWN_CHARACTERS = 60  # characters of a found value that are shown
+KINDS = {
+    "string": "text in quotes",
+    "boolean": "true or false",
+    "object": "a table",
+    "array": "a list",
+}
+_KEY = re.compile(r"""\s*(?:"((?:[^"\\]|\\.)*)"|'([^']*)'|([A-Za-z0-9_-]+))\s*(\.|=|\]|,|\})?""")
+_OPAQUE = re.compile(
+    r'"""(?:[^\\]|\\.)*?"{3,5}|\'\'\'.*?\'{3,5}|"(?:[^"\\\n]|\\.)*"|\'[^\'\n]*\'|\#[^\n]*',
+    re.DOTALL,
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,7 +44,7 @@ class CaseFault:
 
     def line_in(self, lines: Mapping[Path, int]) -> int:
         """Line of the file [-] that the error belongs to."""
-        return find_line(dict(lines), self.path) if self.line is None else self.line
+        return find_line(lines, self.path) if self.line is None else self.line
 
     def text(self, file: str, lines: Mapping[Path, int]) -> str:
         """`file:line: table.key: found; allowed; did you mean nearest?`"""
@@ -115,11 +130,8 @@ def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseFault:
     if error["type"] == "choice":
         return CaseFault(path, found, f"allowed: {error['msg']}")
     node = schema_node(schema, path)
-    nearest = (
-        nearest_name(error["input"], node.get("enum", ()))
-        if isinstance(error["input"], str)
-        else None
-    )
+    given = error["input"]
+    nearest = nearest_name(given, node.get("enum", ())) if isinstance(given, str) else None
     return CaseFault(path, found, f"allowed: {allowed_values(node)}", nearest=nearest)
 
 
@@ -138,15 +150,10 @@ def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:
     nearest = nearest_name(key, names)
     if nearest and nearest.startswith(key + "_"):
         return CaseFault(path, "unknown key", "keys end in their unit", nearest=nearest)
-    shortened = (
-        [*names[:SHOWN_NAMES], "... (see docs/reference/cases.md)"]
-        if len(names) > SHOWN_NAMES + 2
-        else names
-    )
-    listed = "" if nearest else "allowed: " + ", ".join(shortened)
-    return CaseFault(
-        path, "unknown key" if parent else "unknown name", allowed=listed, nearest=nearest
-    )
+    if len(names) > SHOWN_NAMES + 2:
+        names[SHOWN_NAMES:] = ["... (see docs/reference/cases.md)"]
+    listed = "" if nearest else "allowed: " + ", ".join(names)
+    return CaseFault(path, "unknown key" if parent else "unknown name", listed, nearest=nearest)
 
 
 def resolved(schema: dict[str, Any], node: dict[str, Any]) -> dict[str, Any]:
@@ -182,21 +189,81 @@ def allowed_values(node: dict[str, Any]) -> str:
         word = "a number" if kind == "number" else "a whole number"
         if "minimum" in node and node["minimum"] == node.get("maximum"):
             return str(node["minimum"])
-        limits = [
-            f"{sign} {node[key]:g}"
-            for key, sign in (
-                ("exclusiveMinimum", ">"),
-                ("minimum", ">="),
-                ("exclusiveMaximum", "<"),
-                ("maximum", "<="),
-            )
-            if key in node
-        ]
+        signs = {
+            "exclusiveMinimum": ">",
+            "minimum": ">=",
+            "exclusiveMaximum": "<",
+            "maximum": "<=",
+        }
+        limits = [f"{sign} {node[key]:g}" for key, sign in signs.items() if key in node]
         return f"{word} {' and '.join(limits)}".strip()
-    words = {
-        "string": "text in quotes",
-        "object": "a table",
-        "array": "a list",
-        "boolean": "true or false",
-    }
-    return words.get(str(kind), "another value")
+    return KINDS.get(str(kind), "another value")
+
+
+def key_lines(text: str) -> dict[Path, int]:
+    """Line [-], from 1, of every table and key of a valid TOML document, by its path: table, ...,
+    key, with an index for each array of tables.
+
+    Keys of inline tables have the line of the statement they stand in.
+    """
+    lines: dict[Path, int] = {}
+    table: Path = ()
+    counts: dict[Path, int] = {}
+    for number, statement in _statements(text):
+        if statement.startswith("["):
+            array = statement.startswith("[[")
+            table = tuple(_dotted(statement.lstrip("[")))
+            if array:
+                lines.setdefault(table, number)
+                counts[table] = counts.get(table, -1) + 1
+                table = (*table, counts[table])
+            path = table
+        else:
+            path = (*table, *_dotted(statement))
+        for depth in range(1, len(path) + 1):
+            lines.setdefault(path[:depth], number)
+    return lines
+
+
+def find_line(lines: Mapping[Path, int], path: Path) -> int:
+    """Line [-] of `path`, or of the nearest table around it in the file; else 1."""
+    for depth in range(len(path), 0, -1):
+        if path[:depth] in lines:
+            return lines[path[:depth]]
+    return 1
+
+
+def _statements(text: str) -> list[tuple[int, str]]:
+    """Headers and key-value pairs, also over several lines, with the line each begins on."""
+    plain = _OPAQUE.sub(lambda match: "_" * len(match[0]), text)  # nothing but structure is left
+    statements = []
+    start = 0
+    depth = 0
+    for position, character in enumerate(plain + "\n"):
+        if character in "[{":
+            depth += 1
+        elif character in "]}":
+            depth -= 1
+        elif character == "\n" and depth <= 0:
+            statement = text[start:position].lstrip()
+            if statement and not statement.startswith("#"):
+                number = text.count("\n", 0, position - len(statement)) + 1
+                statements.append((number, statement.rstrip()))
+            start = position + 1
+            depth = 0
+    return statements
+
+
+def _dotted(statement: str) -> list[str]:
+    """The keys a statement opens with: `a."b c".d = 1` gives a, b c, d."""
+    keys = []
+    position = 0
+    while match := _KEY.match(statement, position):
+        quoted, literal, bare, after = match.groups()
+        if quoted and "\\" in quoted:
+            quoted = quoted.encode().decode("unicode_escape")
+        keys.append(quoted or literal or bare or "")
+        position = match.end()
+        if after != ".":
+            break
+    return keys

@@ -12,7 +12,7 @@ from bearing.studies.preload import preloaded_row
 
 from .fields import FORCE_MAXIMUM, LENGTH_MAXIMUM, Table, between, described, is_number, within
 from .problems import CaseFault, shown
-from .rules import CaseValues
+from .rules import CaseValues, Relation
 
 
 class RowTable(Table):
@@ -34,6 +34,9 @@ class RowTable(Table):
 AZIMUTH_AGREEMENT_DEG = 0.05  # a ball's azimuth in film_maps may be rounded to a tenth
 
 
+RELATIONS: tuple[Relation, ...] = ()
+
+
 def _row_tables(values: CaseValues) -> list[dict[str, Any]]:
     """The tables of [[rows]], none if there are none or the list is faulty."""
     tables = values.get("rows")
@@ -41,7 +44,7 @@ def _row_tables(values: CaseValues) -> list[dict[str, Any]]:
     return [table for table in tables if isinstance(table, dict)]
 
 
-def row_faults(values: CaseValues) -> Iterator[CaseFault]:
+def faults(values: CaseValues) -> Iterator[CaseFault]:
     """One preload a row; rows at least a ball diameter apart; no slip maps of several rows."""
     tables = _row_tables(values)
     for index, table in enumerate(tables):

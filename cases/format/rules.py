@@ -8,8 +8,7 @@ from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from .problems import MISSING, CaseFault, nearest_name, shown
-from .toml_lines import Path
+from .problems import MISSING, CaseFault, Path, shown
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,24 +38,21 @@ class CaseValues:
 
 
 @dataclass(frozen=True, slots=True)
-class KnownNames:
-    """The names a case may use."""
-
-    materials: tuple[str, ...]
-    lubricants: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
 class Where:
-    """A key or table that is given, or has a value; with `nonzero`, a number other than zero."""
+    """A key or table that is given, or has a value, a number with `nonzero` one other than zero;
+    where all of `also` hold, too.
+    """
 
     key: str
     value: str | None = None
     nonzero: bool = False
+    also: tuple["Where", ...] = ()
 
     def holds(self, values: CaseValues) -> bool:
         """Whether a document is like this."""
         path = _path(self.key)
+        if not all(where.holds(values) for where in self.also):
+            return False
         if len(path) == 1:
             return values.get(*path) is not None
         if self.value is not None:
@@ -95,16 +91,18 @@ class Excludes:
 
 @dataclass(frozen=True, slots=True)
 class Needs:
-    """A key, or a table, that must be given where another one is."""
+    """A key, or a table, that must be given where another one is, `unless` one of these is."""
 
     key: str
     where: Where
     allowed: str = ""
+    unless: tuple[str, ...] = ()
 
     def faults(self, values: CaseValues) -> Iterator[CaseFault]:
         """At the key, where it is left out."""
         path = _path(self.key)
-        if self.where.holds(values) and not values.given(*path):
+        given = any(values.given(*_path(key)) for key in (self.key, *self.unless))
+        if self.where.holds(values) and not given:
             allowed = self.allowed or f"needed with {self.where.text(path[0])}"
             yield CaseFault(path, MISSING, allowed)
 
@@ -169,15 +167,6 @@ def bounded(
     value = values.get(*path)
     if value is not None and not fits(value):
         yield CaseFault(path, f"found {shown(value)}", f"allowed: {allowed}")
-
-
-def known(path: Path, name: object, names: tuple[str, ...]) -> Iterator[CaseFault]:
-    """A fault where a name is none of those known."""
-    if isinstance(name, str) and name not in names:
-        nearest = nearest_name(name, names)
-        allowed = "" if nearest else f"allowed: {', '.join(names)}"
-        found = f"unknown name {shown(name)}"
-        yield CaseFault(path, found, allowed, nearest=nearest)
 
 
 def _path(key: str) -> tuple[str, ...]:

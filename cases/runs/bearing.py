@@ -20,7 +20,7 @@ from ehl import ContactSolution
 from postprocess.results import BearingResults
 
 from ..format.case import Case
-from ..format.film_model import FilmModel
+from ..format.contact import FilmModel
 from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, Solve, solve_contacts, wanted_contacts

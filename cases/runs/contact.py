@@ -10,7 +10,7 @@ from ehl.traction.shear import TractionResult, integrate_traction
 from postprocess.contact.results import ContactResults
 
 from ..format.case import ContactCase
-from ..format.film_model import FilmModel
+from ..format.contact import FilmModel
 from ..version import version
 from .films import _shared
 

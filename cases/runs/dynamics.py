@@ -32,7 +32,7 @@ from postprocess.dynamics.history import HistoryWriter
 from postprocess.dynamics.results import DynamicsResults
 
 from ..format.case import Case
-from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction, speed_table
+from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction
 from ..format.materials import materials
 from ..format.problems import CaseError
 from ..format.traction import coefficient_source, read_race_tables
@@ -213,7 +213,7 @@ def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsMo
             si["impact_speed_floor"],
             RaceStiffness(table.race_stiffness),
         ),
-        schedule=Schedule.from_tables(case.operation, speed_table(table), table.load_table_N),
+        schedule=Schedule.from_tables(case.operation, si["speed_table"], si["load_table"]),
         film_viscosity=case.lubricant.viscosity if table.cage_film else 0.0,
         friction_ramp=si["cage_friction_ramp"],
         notes=notes,

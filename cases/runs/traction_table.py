@@ -16,8 +16,7 @@ from ehl.units import ZERO_CELSIUS
 from postprocess.traction.results import TractionResults
 
 from ..format.case import Case, oil_of_file
-from ..format.document import read_text, validate_text
-from ..format.files import BearingFile
+from ..format.document import BearingFile, read_text, validate_text
 from ..format.friction import rheology
 from ..format.lubricant import lubricant
 from ..format.problems import CaseError

@@ -6,7 +6,7 @@ import re
 from pathlib import Path
 from typing import Any
 
-from cases.format.files import BearingFile, ContactFile
+from cases.format.document import BearingFile, ContactFile
 from cases.format.problems import allowed_values, resolved
 from ehl.units import unit_of
 

@@ -9,7 +9,7 @@ import pytest
 from cases.batch.engine import run_batch
 from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
-from cases.format.files import BearingFile, ContactFile
+from cases.format.document import BearingFile, ContactFile
 from ehl.units import UNITS, unit_of, without_unit
 from postprocess.compare.compare import _group
 

@@ -6,8 +6,8 @@ import tomllib
 
 import pytest
 
+from cases.format.problems import find_line, key_lines
 from cases.format.shipped import shipped_cases
-from cases.format.toml_lines import find_line, key_lines
 
 TEXT = '''# comment = 1 [not.a.table]
 title = "a [bracket] = # no comment"  # comment

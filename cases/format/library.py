@@ -1,0 +1,93 @@
+"""Names and values of the libraries of bearings, materials and oils in a case."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from bearing.library.bearings import list_bearings, load_catalogue_entry
+from bearing.library.lubricants import list_lubricants
+from bearing.library.names import matching_name
+from bearing.material import list_materials
+
+from .bearing import ALTERNATIVES, GEOMETRY, BearingTable
+from .problems import CaseFault, nearest_name, shown
+from .rules import CaseValues
+
+# tables whose keys with the word "material" name one
+OF_MATERIALS = ("bearing", "fit", "contact")
+INTERNAL_GEOMETRY = ("ball_diameter_mm", "pitch_diameter_mm", "balls")
+OF_THE_GEOMETRY = (  # hold for the catalogue's internal geometry only
+    "basic_dynamic_rating_kN",
+    "basic_static_rating_kN",
+    "inner_shoulder_diameter_mm",
+    "outer_shoulder_diameter_mm",
+)
+
+
+def _names(document: dict[str, Any]) -> Iterator[tuple[str, str, tuple[str, ...]]]:
+    """Table and key of every name of a material or an oil, and the names there are."""
+
+    def own(table: str) -> dict[str, Any]:
+        value = document.get(table)
+        return value if isinstance(value, dict) else {}
+
+    materials = (*own("materials"), *list_materials())
+    for table in OF_MATERIALS:
+        yield from ((table, key, materials) for key in own(table) if "material" in key)
+    if "name" in own("lubricant"):  # the library of oils needs NumPy, most cases do not
+        yield "lubricant", "name", (*own("lubricants"), *list_lubricants())
+
+
+def with_library_names(document: dict[str, Any]) -> dict[str, Any]:
+    """The document with names in the spelling of the libraries, whatever their case or hyphens."""
+    spelled = dict(document)
+    for table, key, names in _names(document):
+        given = document[table][key]
+        if isinstance(given, str):
+            spelled[table] = {**spelled[table], key: matching_name(given, names) or given}
+    return spelled
+
+
+def name_faults(values: CaseValues) -> Iterator[CaseFault]:
+    """Materials and oils that neither the case nor a library has; that of a cage where used."""
+    cage = values.given("temperatures", "cage_C") or values.given("dynamics")
+    for table, key, names in _names(values.document):
+        name = values.get(table, key)
+        if isinstance(name, str) and name not in names and (key != "cage_material" or cage):
+            nearest = nearest_name(name, names)
+            allowed = "" if nearest else f"allowed: {', '.join(names)}"
+            yield CaseFault((table, key), f"unknown name {shown(name)}", allowed, nearest=nearest)
+
+
+def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
+    """The document with the values of the catalogue that [bearing] does not override."""
+    table = document.get("bearing")
+    if not isinstance(table, dict) or not isinstance(table.get("name"), str) or not table["name"]:
+        return document, []
+    known = tuple(list_bearings())
+    name = matching_name(table["name"], known)
+    if name is None:
+        # complete without the catalogue: a name of the user's own
+        if all(key in table for key in GEOMETRY):
+            return document, []
+        nearest = nearest_name(table["name"], known)
+        allowed = "allowed: a name of 'oilfilm list bearings', or a complete geometry"
+        found = f"unknown bearing {shown(table['name'])}"
+        path = ("bearing", "name")
+        return document, [CaseFault(path, found, "" if nearest else allowed, nearest=nearest)]
+    return {**document, "bearing": {**_of_catalogue(name, table), **table, "name": name}}, []
+
+
+def _of_catalogue(name: str, table: dict[str, Any]) -> dict[str, Any]:
+    """What of a catalogue entry holds beside the keys that a case gives itself.
+
+    Ratings and shoulders of the catalogue belong to its internal geometry: a case that changes
+    that goes without.
+    """
+    entry = load_catalogue_entry(name)
+    unused: set[str] = entry.keys() - BearingTable.model_fields.keys()
+    for alternatives in ALTERNATIVES:
+        if any(key in table for key in alternatives):
+            unused.update(alternatives)
+    if any(key in table and table[key] != entry.get(key) for key in INTERNAL_GEOMETRY):
+        unused.update(OF_THE_GEOMETRY)
+    return {key: value for key, value in entry.items() if key not in unused}
