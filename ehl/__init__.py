@@ -1,5 +1,6 @@
 """Lubricated contacts: Hertz, Reynolds, elastic deflection; no bearings here.
 
+arrays         - the type of the arrays of numbers
 closed_form    - closed-form references: Hertz contact and stress, film formulas
 compiled       - how kernels are compiled, and when they count as out of date
 conditions     - operating conditions of one lubricated contact

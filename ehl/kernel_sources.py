@@ -8,6 +8,7 @@ PACKAGES = ("ehl", "bearing")
 CONSTANTS = (  # modules from which kernels take constants, beside other kernels
     "bearing/dynamics/arrays.py",
     "bearing/dynamics/layout.py",
+    "ehl/oil/lubricant.py",
     "ehl/traction/heated/nahme.py",
 )
 

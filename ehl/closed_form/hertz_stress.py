@@ -15,11 +15,11 @@ its likes. Stresses are negative in compression; depth counts into the body.
 from math import sqrt
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq, minimize_scalar
 from scipy.special import elliprd
 
-Array = NDArray[np.float64]
+from ..arrays import Array
+
 # the largest shear lies above this depth, in the smaller semi-axis: 0.48 (circle) to 0.79 (line)
 DEEPEST = 1.5
 

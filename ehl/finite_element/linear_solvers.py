@@ -3,11 +3,11 @@
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy import sparse
 from scipy.sparse import linalg
 
-Array = NDArray[np.float64]
+from ..arrays import Array
+
 # of GMRES
 RESTART = 80
 RESTARTS = 3

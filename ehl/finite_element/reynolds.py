@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 from scipy import sparse
 from skfem import Basis, BilinearForm, ElementQuad1, LinearForm, MeshQuad
 
+from ..arrays import Array
 from ..oil.lubricant import roelands_rise
 from ..scaling import ScaledContact
 
-Array = NDArray[np.float64]
 QUADRATURE = 4  # polynomial order that is integrated exactly
 SMALL_PECLET = 1e-3  # cell Peclet number below which its series is used
 

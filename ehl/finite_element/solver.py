@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
+from ..arrays import Array
 from ..conditions import ContactConditions, MoesConditions
 from ..grid import Grid, unfolded
 from ..multigrid.extrapolation import extrapolate
@@ -36,7 +37,6 @@ from .reynolds import (
     reynolds_residual,
 )
 
-Array = NDArray[np.float64]
 LEVELS = 3
 # along x: the compliance matrix is dense
 MAX_POINTS = 129

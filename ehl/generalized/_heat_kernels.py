@@ -28,15 +28,7 @@ LARGEST_STEP = 40.0  # [K] of one Newton step
 MIN_TEMPERATURE = 150.0
 MAX_TEMPERATURE = 2000.0
 # rows of the flow's workspace
-U = 0
-V = 1
-RATE_X = 2
-RATE_Y = 3
-CROSSING = 4
-INFLOW = 5
-ADVECTED = 6
-SOURCE = 7
-FLOW_ROWS = 8
+U, V, RATE_X, RATE_Y, CROSSING, INFLOW, ADVECTED, SOURCE, FLOW_ROWS = range(9)
 
 
 @compiled
@@ -147,10 +139,8 @@ def column_transport(
     j, i, mesh, symmetric, heat_density, temperature, inlet, mass, height, section, work, flow
 ):
     """Convection into a column: the upwind parts along x and y, and the flow through lines of
-    constant z/h.
-
-    mass: mass fluxes int_0^z rho u dz of all columns along x over rho_0 [m^2/s]; the column's own
-    is set here.
+    constant z/h. mass: mass fluxes int_0^z rho u dz of all columns along x over rho_0 [m^2/s]; the
+    column's own is set here.
     """
     ny, nx, n = temperature.shape
     cumulative = section[2]
@@ -183,10 +173,9 @@ def column_transport(
 @compiled
 def change_temperature(temperature, target, share):
     """Step of a share towards the target temperatures, in bounds; the largest change [K]."""
+    if not np.isfinite(target).all():
+        return np.inf
     largest = 0.0
-    for k in range(target.size):
-        if not np.isfinite(target[k]):
-            return np.inf
     for k in range(target.size):
         step = min(max(share * (target[k] - temperature[k]), -LARGEST_STEP), LARGEST_STEP)
         largest = max(largest, abs(step))
@@ -200,13 +189,10 @@ def solve_heat_column(
     temperature, inlet, history, response, middle, mass, work, flow, slope, out
 ):  # fmt: skip
     """Temperature and stress of one column by Newton's method; heat of shear [W/m^2] and whether
-    it converged.
-
-    heat: conductivity and rho_0 c of the oil.
+    it converged. heat: conductivity and rho_0 c of the oil.
     """
     n = section[0].size
     converged = False
-    dissipated = 0.0
     compression = np.empty(n)
     for turn in range(COLUMN_STEPS):
         # 1. stress at the last temperatures
@@ -233,6 +219,7 @@ def solve_heat_column(
         if largest < COLUMN_TOLERANCE:
             converged = solved
             break
+    dissipated = 0.0
     for k in range(n):
         dissipated += height * section[1][k] * flow[SOURCE, k]
     return dissipated, converged

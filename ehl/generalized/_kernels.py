@@ -51,13 +51,7 @@ HALVINGS = 60
 # share of the residual after a step from which on the next is as long as for an exponential law
 SLOW_REDUCTION = 0.2
 # rows of the workspace
-ETA = 0
-RHO = 1
-FLUIDITY = 2
-T_XX = 3
-T_XY = 4
-T_YY = 5
-ROWS = 6
+ETA, RHO, FLUIDITY, T_XX, T_XY, T_YY, ROWS = range(7)
 
 
 @compiled
@@ -70,10 +64,7 @@ def newtonian_stress(tau, limit, margin, rheology):
         excess = tau - share * limit
         slope = 1.0 / (1.0 - share)
         tau = -limit * np.log1p(-share)
-    law = rheology[0]
-    stress = rheology[1]
-    exponent = rheology[2]
-    breadth = rheology[3]
+    law, stress, exponent, breadth = rheology[:4]
     newtonian = shear_rate(tau, 1.0, np.inf, law, stress, exponent, breadth)
     if law == REE_EYRING:
         slope *= np.hypot(1.0, newtonian / stress)
@@ -86,38 +77,37 @@ def newtonian_stress(tau, limit, margin, rheology):
 @compiled
 def column_limit(p, temperature, eta, rate, rheology):
     """Limiting stress of a column [Pa], and the margin below it where the tangent begins [-]."""
-    limit = limiting_stress(
-        p, temperature, rheology[4], rheology[5], rheology[6], rheology[7], rheology[8]
-    )
-    base = shear_stress(
-        rate, eta.max(), np.inf, rheology[0], rheology[1], rheology[2], rheology[3]
-    )
+    limit = limiting_stress(p, temperature, *rheology[4:])
+    base = shear_stress(rate, eta.max(), np.inf, *rheology[:4])
     return limit, LIMIT_EXCESS / max(base / limit, 1.0)
 
 
 @compiled
-def _balance(tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology):
+def node_stress(middle, rise, node, limit, margin, rheology):
+    """Stress at a node and its direction, eta times the rate, eta/eta* and the slope."""
+    t_x, t_y = middle[0] + (node - 0.5) * rise[0], middle[1] + (node - 0.5) * rise[1]
+    magnitude = np.hypot(t_x, t_y)
+    newtonian, slope = newtonian_stress(magnitude, limit, margin, rheology)
+    if magnitude > 0.0:
+        direction = (t_x / magnitude, t_y / magnitude)
+        return (t_x, t_y), direction, newtonian, newtonian / magnitude, slope
+    return (t_x, t_y), (0.0, 0.0), newtonian, 1.0, slope
+
+
+@compiled
+def _balance(middle, rise, eta, rate, section, limit, margin, rheology):
     """Mean rate less the given one, its derivative by tau_m (xx, xy, yy), mean magnitude."""
     nodes, weights, _ = section
-    f_x = -rate[0]
-    f_y = -rate[1]
-    j_xx = 0.0
-    j_xy = 0.0
-    j_yy = 0.0
+    f_x, f_y = -rate[0], -rate[1]
+    j_xx = j_xy = j_yy = 0.0
     scale = np.hypot(rate[0], rate[1])
     for k in range(nodes.size):
-        t_x, t_y = tau_x + (nodes[k] - 0.5) * rise[0], tau_y + (nodes[k] - 0.5) * rise[1]
-        magnitude = np.hypot(t_x, t_y)
-        newtonian, slope = newtonian_stress(magnitude, limit, margin, rheology)
+        tau, (e_x, e_y), newtonian, relative, slope = node_stress(
+            middle, rise, nodes[k], limit, margin, rheology
+        )
         w = weights[k] / eta[k]
-        if magnitude > 0.0:
-            relative, e_x, e_y = newtonian / magnitude, t_x / magnitude, t_y / magnitude
-        else:
-            relative = 1.0
-            e_x = 0.0
-            e_y = 0.0
-        f_x += w * relative * t_x
-        f_y += w * relative * t_y
+        f_x += w * relative * tau[0]
+        f_y += w * relative * tau[1]
         scale += w * newtonian
         j_xx += w * (relative + (slope - relative) * e_x * e_x)
         j_xy += w * (slope - relative) * e_x * e_y
@@ -133,10 +123,9 @@ def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
     rise: h grad p [Pa]; eta: viscosity at the nodes [Pa s]; rate: difference of the surface
     velocities over h [1/s].
     """
+    column = (rise, eta, rate, section, limit, margin, rheology)
     tau_x, tau_y = start
-    f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(
-        tau_x, tau_y, rise, eta, rate, section, limit, margin, rheology
-    )
+    f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(start, *column)
     size = np.hypot(f_x, f_y)
     slow = False
     target = np.hypot(rate[0], rate[1])
@@ -153,9 +142,7 @@ def column_stress(start, rise, eta, rate, section, limit, margin, rheology):
         t_x, t_y = tau_x, tau_y
         for _ in range(HALVINGS):
             t_x, t_y = tau_x + share * d_x, tau_y + share * d_y
-            f_x, f_y, j_xx, j_xy, j_yy, scale = _balance(
-                t_x, t_y, rise, eta, rate, section, limit, margin, rheology
-            )
+            f_x, f_y, j_xx, j_xy, j_yy, scale = _balance((t_x, t_y), *column)
             if f_x * d_x + f_y * d_y <= -OVERSHOOT * before:
                 break
             share *= 0.5
@@ -173,7 +160,7 @@ def first_guess(eta, rate, section, limit, rheology):
     if size == 0.0:
         return 0.0, 0.0
     mean = 1.0 / (section[1] / eta).sum()
-    tau = shear_stress(size, mean, limit, rheology[0], rheology[1], rheology[2], rheology[3])
+    tau = shear_stress(size, mean, limit, *rheology[:4])
     return tau * rate[0] / size, tau * rate[1] / size
 
 
@@ -183,15 +170,9 @@ def column_fluidity(middle, rise, section, limit, margin, rheology, work):
     nodes = section[0]
     eta = work[ETA]
     for k in range(nodes.size):
-        t_x, t_y = middle[0] + (nodes[k] - 0.5) * rise[0], middle[1] + (nodes[k] - 0.5) * rise[1]
-        magnitude = np.hypot(t_x, t_y)
-        newtonian, slope = newtonian_stress(magnitude, limit, margin, rheology)
-        if magnitude > 0.0:
-            secant, e_x, e_y = newtonian / magnitude, t_x / magnitude, t_y / magnitude
-        else:
-            secant = 1.0
-            e_x = 0.0
-            e_y = 0.0
+        _, (e_x, e_y), _, secant, slope = node_stress(
+            middle, rise, nodes[k], limit, margin, rheology
+        )
         work[FLUIDITY, k] = secant / eta[k]
         work[T_XX, k] = (secant + (slope - secant) * e_x * e_x) / eta[k]
         work[T_XY, k] = (slope - secant) * e_x * e_y / eta[k]
@@ -276,8 +257,7 @@ def flow_factors(
     for j in range(ny):
         for i in range(nx):
             height = h[j, i]
-            u = speed_a[0, j, i]
-            v = speed_a[1, j, i]
+            u, v = speed_a[0, j, i], speed_a[1, j, i]
             du, dv = speed_b[0, j, i] - u, speed_b[1, j, i] - v
             if height <= 0.0:
                 poiseuille[j, i] = tangent[0, j, i] = tangent[1, j, i] = 1.0

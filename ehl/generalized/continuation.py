@@ -20,7 +20,6 @@ from math import inf, isfinite
 
 import numpy as np
 
-from ..conditions import ContactConditions
 from ..multigrid.acceleration import Acceleration
 from ..multigrid.cycle import Multigrid, start_level, update_film
 from ..multigrid.far_field import exterior_load
@@ -57,58 +56,42 @@ CYCLES_FACTOR = 3  # on the cycles of the options, at the full share
 FLOW_TOLERANCE = 0.03
 TEMPERATURE_RELAXATION = 0.3
 SETTLED_TEMPERATURE = 1.0  # largest change in a cycle [K] at which cycles are accelerated
-FILMS = ("film_central_dimensionless", "film_minimum_dimensionless")
 
 
 def solve_by_continuation(
-    conditions: ContactConditions,
-    options: SolverOptions,
-    flow: GeneralizedFlow,
-    newtonian: ContactSolution | None = None,
+    flow: GeneralizedFlow, options: SolverOptions, newtonian: ContactSolution | None = None
 ) -> tuple[ContactSolution, FlowState | None]:
     """The contact reached from its Newtonian film, not converged if that did not or if no step
-    succeeded, and the flow of its last cycle.
+    succeeded, and the flow of its last cycle; options without a tolerance.
 
     Film values keep the extrapolation and the error bar of the Newtonian film, in proportion.
-
-    Parameters
-    ----------
-    conditions : ContactConditions
-    options : SolverOptions
-        Mesh, box and number of cycles, without a tolerance.
-    flow : GeneralizedFlow
-        Its continuation says whether the factor follows the pressure.
-    newtonian : ContactSolution, optional
-        The Newtonian film, if it is known.
     """
     # 1. Newtonian film
-    plain = newtonian or solve_contact(conditions, options)
+    plain = newtonian or solve_contact(flow.conditions, options)
     follows = flow.continuation.follow_pressure
-    fallbacks = [*plain.record.fallbacks, CONTINUED, *([FOLLOWED_PRESSURE] if follows else [])]
+    fallbacks = (*plain.record.fallbacks, CONTINUED, *([FOLLOWED_PRESSURE] if follows else []))
     if not plain.converged:
         message = f"the Newtonian film is {plain.message}"
-        return _with_fallbacks(replace(plain, message=message), fallbacks), None
-    result = AttemptResult(state=_start(plain, options, flow))
+        return with_fallbacks(replace(plain, message=message), fallbacks), None
     # 2. share of rheology and heat
-    share, halvings = _raise_share(result.state, flow)
-    fallbacks += halvings * [SMALLER_STEP]
+    state, share, halvings = _raise_share(_start(plain, options, flow), flow)
+    fallbacks += halvings * (SMALLER_STEP,)
     # 3. cycles at the full share
+    result = AttemptResult(state=state)
     if share == 1.0:
         _finish(result, CYCLES_FACTOR * options.max_cycles)
     solution = _solution(plain, result) if result.films else _diverged(plain, share)
-    return _with_fallbacks(solution, fallbacks), result.state.levels[-1].flow_state
+    return with_fallbacks(solution, fallbacks), state.levels[-1].flow_state
 
 
-def _with_fallbacks(solution: ContactSolution, fallbacks: list[str]) -> ContactSolution:
-    return replace(solution, record=replace(solution.record, fallbacks=tuple(fallbacks)))
+def with_fallbacks(solution: ContactSolution, fallbacks: tuple[str, ...]) -> ContactSolution:
+    """The solution whose record names these fallbacks."""
+    return replace(solution, record=replace(solution.record, fallbacks=fallbacks))
 
 
 def _start(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow) -> Multigrid:
     """Levels on the grid of a solution: its damping, pressure and approach."""
-    assert isinstance(plain.conditions, ContactConditions)
-    scaled = [
-        scale_contact(plain.conditions, along_entrainment=turned) for turned in (False, True)
-    ]
+    scaled = [scale_contact(flow.conditions, along_entrainment=turned) for turned in (False, True)]
     contact = min(scaled, key=lambda frame: abs(frame.frame_angle - plain.frame_angle))
     contact = replace(contact, film_guess=plain.film_central_dimensionless.finest)
     tried = [attempt for attempt in ATTEMPTS if attempt.name in plain.record.fallbacks]
@@ -116,19 +99,21 @@ def _start(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow
     state = contact_multigrid(contact, plain.domain, options, attempt, flow)
     state.approach = plain.approach_dimensionless
     level = state.levels[-1]
-    index = len(state.levels) - 1
-    start_level(state, index, np.ascontiguousarray(plain.P.T[-level.grid.ny :]))
+    pressure = np.ascontiguousarray(plain.P.T[-level.grid.ny :])
+    start_level(state, len(state.levels) - 1, pressure)
     if state.far_field is not None:
         state.exterior = exterior_load(state.far_field, level.grid, level.H)
         level.load = contact.load - state.exterior
     return state
 
 
-def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[float, int]:
-    """Raise the share to 1 [-], the first cycles there included; the share reached, below 1 if
-    even the smallest step diverged, and the number of steps halved.
+def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, float, int]:
+    """Raise the share to 1 [-], the first cycles there included; the levels with the flow of the
+    last step, the share reached, below 1 if even the smallest step diverged, and the number of
+    steps halved.
     """
     follows = flow.continuation.follow_pressure
+    damped = Continuation(relaxation=TEMPERATURE_RELAXATION, follow_pressure=follows)
     largest = FOLLOWING_STEP if follows else 1.0
     reached = 0.0
     share = FIRST_SHARE
@@ -137,11 +122,10 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[float, int]:
     while reached < 1.0:
         before = snapshot(state, index)
         flow_before = state.levels[index].flow_state
-        continuation = Continuation(
-            share=share, relaxation=TEMPERATURE_RELAXATION, follow_pressure=follows
-        )
-        state.flow_model = replace(flow, continuation=continuation)
-        if _settles(state, FOLLOWING_CYCLES if follows else STEP_CYCLES):
+        at_share = replace(flow, continuation=replace(damped, share=share))
+        step = replace(state, flow_model=at_share)
+        if _settles(step, FOLLOWING_CYCLES if follows else STEP_CYCLES):
+            state = step
             reached = share
             share = min(STEP_GROWTH * share, 1.0, reached + largest)
             continue
@@ -150,10 +134,10 @@ def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[float, int]:
         share = 0.5 * (reached + share)
         halvings += 1
         if halvings <= HALVINGS:
-            state.damping = state.damping.halved()
+            state = replace(state, damping=state.damping.halved())
         if share - reached < SMALLEST_STEP:
             break
-    return reached, halvings
+    return state, reached, halvings
 
 
 def _settles(state: Multigrid, cycles: int) -> bool:
@@ -194,10 +178,8 @@ def _finish(result: AttemptResult, cycles: int) -> None:
 
 def _diverged(plain: ContactSolution, share: float) -> ContactSolution:
     """The Newtonian film, not converged."""
-    message = (
-        f"not converged: diverged from the Newtonian film at {share:.0%} of rheology and heat; "
-        "try more points"
-    )
+    where = f"from the Newtonian film at {share:.0%} of rheology and heat"
+    message = f"not converged: diverged {where}; try more points"
     return replace(plain, converged=False, message=message)
 
 
@@ -205,9 +187,6 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
     """Fields and film values of the finest grid."""
     _, P, H = unfold_symmetry(result.state)
     deflected = result.state.deflected_nodes() / result.state.levels[-1].P.size
-    central, minimum = (
-        _in_proportion(getattr(plain, name), result, kind) for kind, name in enumerate(FILMS)
-    )
     record = replace(
         plain.record,
         residual=tuple(result.residual),
@@ -221,8 +200,8 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
         plain,
         P=P,
         H=H,
-        film_central_dimensionless=central,
-        film_minimum_dimensionless=minimum,
+        film_central_dimensionless=_in_proportion(plain.film_central_dimensionless, result, 0),
+        film_minimum_dimensionless=_in_proportion(plain.film_minimum_dimensionless, result, 1),
         approach_dimensionless=result.state.approach,
         resolved=resolved,
         converged=result.converged(),
@@ -235,9 +214,5 @@ def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmVa
     """Central (0) or minimum (1) film, extrapolated in proportion to the Newtonian one [-]."""
     finest = result.films[-1][kind]
     ratio = finest / plain.finest
-    noise = result.remaining_error() * abs(finest)
-    return FilmValue(
-        value=ratio * plain.value,
-        uncertainty=abs(ratio) * plain.uncertainty + noise,
-        finest=finest,
-    )
+    uncertainty = abs(ratio) * plain.uncertainty + result.remaining_error() * abs(finest)
+    return FilmValue(value=ratio * plain.value, uncertainty=uncertainty, finest=finest)

@@ -1,10 +1,11 @@
 """Heat of a film and its surfaces, advanced by one sweep in each direction a cycle."""
 
+from copy import deepcopy
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..conditions import ContactConditions
 from ..grid import Grid
 from ..oil.numbers import oil_numbers
@@ -13,8 +14,6 @@ from ..scaling import ScaledContact
 from ..solid.heat import SolidThermal, history_weights, response_factor
 from . import _heat_kernels as _kernels
 from .section import FilmFields, Section, curvature, wall_slopes
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -27,15 +26,6 @@ class HeatState:
     dissipation: Array  # heat of shear over the film, shape (ny, nx) [W/m^2]
     change: float = 0.0  # largest change of a temperature in the last cycle [K]
     unsolved_columns: int = 0  # that did not converge in the last sweep [-]
-
-    def copy(self) -> "HeatState":
-        """With arrays of its own, for sweeps that change them in place."""
-        return HeatState(
-            temperature=self.temperature.copy(),
-            mass=self.mass.copy(),
-            flux=self.flux.copy(),
-            dissipation=self.dissipation.copy(),
-        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,9 +51,7 @@ class FilmHeat:
     @property
     def bulk(self) -> tuple[float, float]:
         """Temperatures of both bodies away from the contact [K]."""
-        first, second = (
-            self.inlet if s.temperature is None else s.temperature for s in self.solids
-        )
+        first, second = (solid.temperature or self.inlet for solid in self.solids)
         return first, second
 
     def advance(
@@ -75,71 +63,45 @@ class FilmHeat:
         across: tuple[Section, Rheology],
         last: HeatState | None,
     ) -> HeatState:
-        """Heat after one more sweep against and one along the flow.
+        """Heat after one more sweep against and one along the flow; that against it moves heat up
+        the recirculation of the inlet.
 
-        The sweep against it carries heat up the recirculation of the inlet.
-
-        Parameters
-        ----------
-        contact : ScaledContact
-        grid : Grid
-        fields : FilmFields
-        middle : ndarray, shape (2, ny, nx)
-            Stress in the middle of the film, a first guess that the solution replaces [Pa].
-        across : tuple of Section and Rheology
-        last : HeatState or None
-            Of the last cycle on this grid; None: its first.
+        middle: stress in the middle of the film, shape (2, ny, nx), a first guess that the
+        solution replaces [Pa]; last: of the last cycle on this grid, None in its first.
         """
-        along = contact.velocity_x >= 0.0
-        sweeps = [not along, along]
-        if last is None:
-            state = self._initial(fields.p.shape, across[0])
-            sweeps.insert(0, along)
-        else:
-            state = last.copy()
-        before = state.temperature.copy()
-        unsolved = 0
-        for forward in sweeps:
-            unsolved = self._sweep(contact, grid, fields, (middle, state), across, forward)
-        change = float(np.abs(state.temperature - before).max())
-        return replace(state, change=change, unsolved_columns=unsolved)
-
-    def _initial(self, shape: tuple[int, ...], section: Section) -> HeatState:
-        """Oil at the temperature of the inflow between walls at those of the bodies."""
-        n = section.nodes.size
-        temperature = np.full((*shape, n), self.inlet)
-        temperature[..., 0], temperature[..., -1] = self.bulk
-        return HeatState(
-            temperature=temperature,
-            mass=np.zeros((*shape, n)),
-            flux=np.zeros((2, *shape)),
-            dissipation=np.zeros(shape),
-        )
-
-    def _sweep(
-        self,
-        contact: ScaledContact,
-        grid: Grid,
-        fields: FilmFields,
-        unknowns: tuple[Array, HeatState],
-        across: tuple[Section, Rheology],
-        forward: bool,
-    ) -> int:
-        """Columns of all lines one after the other, in place; the number of unsolved ones."""
         oil = self.conditions.lubricant
-        middle, state = unknowns
         section, rheology = across
         a = contact.semi_axis_x
         assert a is not None and oil.thermal is not None
         speeds = (fields.speed_1, fields.speed_2)
         response = [response_factor(u[0], s, a) for u, s in zip(speeds, self.solids, strict=True)]
         heat = (oil.thermal.conductivity, oil.density * oil.thermal.specific_heat)
-        unsolved = _kernels.heat_sweep(
-            *(fields.p, fields.h, fields.gradient, *speeds),
-            *((grid.hx * a, grid.hy * a), grid.symmetric, forward),
-            *(oil_numbers(oil), heat, section.integration),
-            *((*wall_slopes(section), curvature(section)), kernel_rheology(rheology)),
-            *(self.inlet, self.bulk, np.stack(response), history_weights(grid.nx, grid.hx * a)),
-            *(state.temperature, middle, state.mass, state.flux, state.dissipation),
+        weights = history_weights(grid.nx, grid.hx * a)
+        along = contact.velocity_x >= 0.0
+        sweeps = [not along, along] if last else [along, not along, along]
+        # arrays of its own, which the sweeps change in place
+        state = deepcopy(last) if last else self._initial(fields.p.shape, section)
+        before = state.temperature.copy()
+        unsolved = 0
+        for forward in sweeps:
+            unsolved = _kernels.heat_sweep(
+                *(fields.p, fields.h, fields.gradient, *speeds),
+                *((grid.hx * a, grid.hy * a), grid.symmetric, forward),
+                *(oil_numbers(oil), heat, section.integration),
+                *((*wall_slopes(section), curvature(section)), kernel_rheology(rheology)),
+                *(self.inlet, self.bulk, np.stack(response), weights),
+                *(state.temperature, middle, state.mass, state.flux, state.dissipation),
+            )
+        change = float(np.abs(state.temperature - before).max())
+        return replace(state, change=change, unsolved_columns=int(unsolved))
+
+    def _initial(self, shape: tuple[int, ...], section: Section) -> HeatState:
+        """Oil at the temperature of the inflow between walls at those of the bodies."""
+        temperature = np.full((*shape, section.nodes.size), self.inlet)
+        temperature[..., 0], temperature[..., -1] = self.bulk
+        return HeatState(
+            temperature=temperature,
+            mass=np.zeros_like(temperature),
+            flux=np.zeros((2, *shape)),
+            dissipation=np.zeros(shape),
         )
-        return int(unsolved)

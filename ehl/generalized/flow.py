@@ -27,8 +27,8 @@ from dataclasses import dataclass, field, replace
 from math import inf
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..conditions import ContactConditions
 from ..grid import Grid
 from ..kinematics import contact_kinematics
@@ -40,8 +40,6 @@ from ..scaling import ScaledContact
 from . import _kernels
 from .film_heat import FilmHeat, HeatState
 from .section import FilmFields, Section, film_section
-
-Array = NDArray[np.float64]
 
 # relative change of the gradient, and change of ln(eta) by pressure, for difference quotients
 STEP = 0.02
@@ -68,7 +66,7 @@ class FlowState:
     pressure: Array  # [Pa]
     poiseuille: Array  # relaxed factor at that pressure [-]
     thinning: Array  # share of a change of ln(eta) by pressure that the factor takes back [-]
-    temperature: Array | None  # relaxed, as the flow used it, shape (ny, nx, n) [K]
+    temperature: Array  # relaxed, as the flow used it, shape (ny, nx, n) [K]
     heat: HeatState | None  # None: uniform temperature
     # change of ln(Poiseuille factor) in the cycle, weighted with the pressure's flow [-]
     change: float
@@ -111,13 +109,11 @@ class GeneralizedFlow:
         speed = self.conditions.entrainment_speed
         fields = film_fields(contact, grid, P, H, self.conditions)
         # 1. temperature across the film, with the stress in its middle of the last cycle
-        middle, heat = self._heated(contact, grid, fields, last)
-        temperature = self._temperature(P.shape, heat, last)
+        middle, heat, temperature = self._heated(contact, grid, fields, last)
         # 2. factors of Yang and Wen (1990), linearised
         new = self._linearised(fields, middle, temperature)
-        newtonian = np.maximum(fields.h, 0.0) ** 2 / (
-            12.0 * viscosity(fields.p, self.conditions.lubricant)
-        )
+        oil = self.conditions.lubricant
+        newtonian = np.maximum(fields.h, 0.0) ** 2 / (12.0 * viscosity(fields.p, oil))
         # 3. relaxation by 1/(1 + m)
         poiseuille = new.poiseuille
         couette_slope = new.couette_slope
@@ -127,7 +123,8 @@ class GeneralizedFlow:
             poiseuille = old * (new.poiseuille / old) ** (1.0 / (1.0 + new.power))
             couette_slope = couette_slope * np.minimum(poiseuille / new.poiseuille, 1.0)
             weight = new.poiseuille * newtonian * np.hypot(*fields.gradient)
-            change = _weighted_change(new.poiseuille, old, weight)
+            changes = weight * np.abs(np.log(new.poiseuille / old))
+            change = float(changes.sum() / max(float(weight.sum()), SMALLEST_WEIGHT))
         # 4. derivative of the Couette flux, from there to the Poiseuille term
         flow = (new.couette + couette_slope * newtonian * fields.gradient) / speed
         factors = FlowFactors(
@@ -142,7 +139,7 @@ class GeneralizedFlow:
             pressure=fields.p,
             poiseuille=poiseuille,
             thinning=new.thinning,
-            temperature=None if heat is None else temperature,
+            temperature=temperature,
             heat=heat,
             change=change,
             unsolved_columns=new.unsolved + (0 if heat is None else heat.unsolved_columns),
@@ -151,30 +148,24 @@ class GeneralizedFlow:
 
     def _heated(
         self, contact: ScaledContact, grid: Grid, fields: FilmFields, last: FlowState | None
-    ) -> tuple[Array, HeatState | None]:
-        """Stress in the middle of the film [Pa], NaN in the first cycle without heat, and heat."""
-        shape = (2, *fields.p.shape)
-        middle = np.full(shape, np.nan) if last is None else last.mid_stress.copy()
+    ) -> tuple[Array, HeatState | None, Array]:
+        """Stress in the middle of the film [Pa], NaN in the first cycle without heat; heat; and
+        the temperature that the flow uses at the nodes across the film, shape (ny, nx, n) [K].
+        """
+        middle = np.full_like(fields.gradient, np.nan) if last is None else last.mid_stress.copy()
+        operation = oil_numbers(self.conditions.lubricant)[4]
         if self.heat is None:
-            return middle, None
+            return middle, None, np.full((*fields.p.shape, self.section.nodes.size), operation)
         across = (self.section, self.rheology)
         before = None if last is None else last.heat
-        return middle, self.heat.advance(contact, grid, fields, middle, across, before)
-
-    def _temperature(
-        self, shape: tuple[int, ...], heat: HeatState | None, last: FlowState | None
-    ) -> Array:
-        """Temperature that the flow uses at the nodes across the film, shape (ny, nx, n) [K]."""
-        operation = oil_numbers(self.conditions.lubricant)[4]
-        if heat is None:
-            return np.full((*shape, self.section.nodes.size), operation)
+        heat = self.heat.advance(contact, grid, fields, middle, across, before)
         share, relaxation = self.continuation.share, self.continuation.relaxation
         temperature = heat.temperature
         if share < 1.0:
             temperature = operation + share * (temperature - operation)
-        if last is not None and last.temperature is not None and relaxation < 1.0:
+        if last is not None and relaxation < 1.0:
             temperature = last.temperature + relaxation * (temperature - last.temperature)
-        return temperature
+        return middle, heat, temperature
 
     def _linearised(self, fields: FilmFields, middle: Array, temperature: Array) -> _Linearised:
         """Factors and their derivatives; `middle`, the stress in the middle of the film [Pa], is
@@ -191,9 +182,8 @@ class GeneralizedFlow:
         higher = replace(fields, p=fields.p + rise)
         pressed = self._evaluate(higher, middle.copy(), temperature)[0]
         thicker = log_viscosity_ratio(higher.p, oil) - log_viscosity_ratio(fields.p, oil)
-        thinning = np.clip(
-            np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE), 0.0, 1.0
-        )
+        share = np.log(pressed / poiseuille) / np.maximum(thicker, SMALLEST_SLOPE)
+        thinning = np.clip(share, 0.0, 1.0)
         if self.continuation.follow_pressure:
             thinning = (thinning + power) / (1.0 + power)
         return _Linearised(
@@ -231,28 +221,15 @@ class GeneralizedFlow:
         self, fields: FilmFields, middle: Array, temperature: Array
     ) -> tuple[Array, Array, Array, int]:
         """Poiseuille factor [-], Couette velocity [m/s], larger tangent [-], unsolved columns."""
-        shape = fields.p.shape
-        poiseuille = np.empty(shape)
-        couette = np.empty((2, *shape))
-        tangent = np.empty((2, *shape))
-        columns = (
-            fields.p,
-            fields.h,
-            fields.gradient,
-            fields.speed_1,
-            fields.speed_2,
-            temperature,
-        )
+        poiseuille = np.empty_like(fields.p)
+        couette = np.empty_like(fields.gradient)
+        tangent = np.empty_like(fields.gradient)
+        motion = (fields.gradient, fields.speed_1, fields.speed_2)
         numbers = oil_numbers(self.conditions.lubricant)
         oil = (numbers, self.section.integration, kernel_rheology(self._rheology))
-        unsolved = _kernels.flow_factors(*columns, *oil, middle, poiseuille, couette, tangent)
+        columns = (fields.p, fields.h, *motion, temperature, *oil)
+        unsolved = _kernels.flow_factors(*columns, middle, poiseuille, couette, tangent)
         return poiseuille, couette, tangent.max(axis=0), int(unsolved)
-
-
-def _weighted_change(new: Array, old: Array, weight: Array) -> float:
-    """Mean change of ln(factor) [-]."""
-    changes = np.abs(np.log(new / old))
-    return float((weight * changes).sum() / max(float(weight.sum()), SMALLEST_WEIGHT))
 
 
 def film_fields(

@@ -1,24 +1,22 @@
-"""Nodes across the film, Gauss-Lobatto, with weights, integrals and derivatives."""
+"""Nodes across the film, Gauss-Lobatto, with weights, integrals and differences."""
 
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.polynomial import legendre
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..arrays import Array
 
 NODES = 11  # across the film: integrals exact for polynomials of degree 19
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Section:
-    """Nodes z/h across the film, walls included, with integration and differentiation."""
+    """Nodes z/h across the film, walls included, with integration."""
 
     nodes: Array  # z/h, shape (n,) [-]
     weights: Array  # of the integral over the film, shape (n,) [-]
     cumulative: Array  # C @ f: integral of f from 0 to each node, shape (n, n) [-]
-    derivative: Array  # D @ f: df/d(z/h) at each node, shape (n, n) [-]
 
     @property
     def integration(self) -> tuple[Array, Array, Array]:
@@ -38,39 +36,28 @@ class FilmFields:
 
 
 def film_section(count: int = NODES) -> Section:
-    """Legendre-Gauss-Lobatto nodes on [0, 1] and their matrices [-].
-
-    Parameters
-    ----------
-    count : int
-        Number of nodes, at least 3.
-    """
+    """Legendre-Gauss-Lobatto nodes on [0, 1], at least 3, and their matrices [-]."""
     if count < 3:
         raise ValueError(f"count must be at least 3, got {count}")
     highest = np.zeros(count)
     highest[-1] = 1.0  # P_(count - 1)
     x = np.concatenate(([-1.0], np.real(legendre.legroots(legendre.legder(highest))), [1.0]))
     weights = 2.0 / (count * (count - 1) * legendre.legval(x, highest) ** 2)
-    vandermonde = legendre.legvander(x, count - 1)
-    inverse = np.linalg.inv(vandermonde)
+    inverse = np.linalg.inv(legendre.legvander(x, count - 1))
     unit = np.eye(count)
-    integrals = np.stack(
-        [legendre.legval(x, legendre.legint(row, lbnd=-1.0)) for row in unit], axis=1
-    )
-    slopes = np.stack([legendre.legval(x, legendre.legder(row)) for row in unit], axis=1)
+    columns = [legendre.legval(x, legendre.legint(row, lbnd=-1.0)) for row in unit]
+    integrals = np.stack(columns, axis=1)
     return Section(
         nodes=0.5 * (x + 1.0),
         weights=np.asarray(0.5 * weights, dtype=np.float64),
         cumulative=0.5 * integrals @ inverse,
-        derivative=2.0 * slopes @ inverse,
     )
 
 
 def wall_slopes(section: Section) -> tuple[Array, Array]:
     """Weights of dT/d(z/h) at both walls on the three nodes next to each, shape (n,) [-]."""
     z = section.nodes
-    below = np.zeros(section.nodes.size)
-    above = np.zeros(section.nodes.size)
+    below, above = np.zeros((2, z.size))
     a, b = z[1], z[2]
     below[:3] = -(a + b) / (a * b), b / (a * (b - a)), -a / (b * (b - a))
     above[-3:] = -below[2::-1]
@@ -84,7 +71,6 @@ def curvature(section: Section) -> Array:
     for k in range(1, z.size - 1):
         down = z[k] - z[k - 1]
         up = z[k + 1] - z[k]
-        matrix[k, k - 1 : k + 2] = (
-            np.array([1.0 / down, -1.0 / down - 1.0 / up, 1.0 / up]) * 2.0 / (down + up)
-        )
+        weights = np.array([1.0 / down, -1.0 / down - 1.0 / up, 1.0 / up])
+        matrix[k, k - 1 : k + 2] = weights * 2.0 / (down + up)
     return matrix

@@ -4,8 +4,8 @@ from dataclasses import dataclass, replace
 from time import perf_counter
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..conditions import ContactConditions
 from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
@@ -15,12 +15,10 @@ from ..options import SolverOptions
 from ..solid.heat import SolidThermal
 from ..solution import ContactSolution
 from ..solver import solve_attempts, solve_contact
-from .continuation import FLOW_TOLERANCE, solve_by_continuation
+from .continuation import FLOW_TOLERANCE, solve_by_continuation, with_fallbacks
 from .film_heat import FilmHeat
 from .flow import Continuation, FlowState, GeneralizedFlow
 from .section import film_section
-
-Array = NDArray[np.float64]
 
 # of the columns that may stay unsolved or over the limiting stress, measured: they lie at the edge
 # of the cavity, where hardly anything flows
@@ -64,16 +62,15 @@ def solve_generalized(
     options: SolverOptions | None = None,
 ) -> GeneralizedSolution:
     """Pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen
-    (1990).
+    (1990). Newtonian and of uniform temperature it is that of `solve_contact`.
 
     Parameters
     ----------
     conditions : ContactConditions
-        With heat, its lubricant has a temperature and thermal properties.
+        With heat, its lubricant has a temperature and thermal properties, else ValueError.
     rheology : Rheology
     solids : tuple of SolidThermal, optional
-        Body 1 and body 2; None: uniform temperature. Newtonian and uniform is `solve_contact`
-        itself.
+        Body 1 and body 2; None: uniform temperature.
     oil_temperature : float, optional
         Of the oil that flows in [K]; None: the lubricant's temperature of operation.
     options : SolverOptions, optional
@@ -84,34 +81,25 @@ def solve_generalized(
         Shear and heat are one multigrid cycle behind pressure and film. The time of its record
         covers all methods that were tried; its FFTs are those of the last one, with those of the
         Newtonian film that it started from.
-
-    Raises
-    ------
-    ValueError
-        If properties that are needed are missing; the message names them.
     """
     options = options or SolverOptions()
     if rheology.newtonian and solids is None:
-        return GeneralizedSolution(
-            contact=solve_contact(conditions, options),
-            rheology=rheology,
-            nodes=film_section().nodes,
-        )
-    heat = (
-        None
-        if solids is None
-        else FilmHeat(conditions=conditions, solids=solids, oil_temperature=oil_temperature)
-    )
+        contact = solve_contact(conditions, options)
+        nodes = film_section().nodes
+        return GeneralizedSolution(contact=contact, rheology=rheology, nodes=nodes)
+    heat = None
+    if solids is not None:
+        heat = FilmHeat(conditions=conditions, solids=solids, oil_temperature=oil_temperature)
     flow = GeneralizedFlow(conditions=conditions, rheology=rheology, heat=heat)
     start = perf_counter()
-    contact, state = _first_converged(conditions, options, flow)
+    contact, state = _first_converged(flow, options)
     contact = replace(contact, record=replace(contact.record, wall_time=perf_counter() - start))
     solution = GeneralizedSolution(contact=contact, rheology=rheology, nodes=flow.section.nodes)
     return _with_oil_state(solution if state is None else _with_fields(solution, state))
 
 
 def _first_converged(
-    conditions: ContactConditions, options: SolverOptions, flow: GeneralizedFlow
+    flow: GeneralizedFlow, options: SolverOptions
 ) -> tuple[ContactSolution, FlowState | None]:
     """The solution of the first method that converges, else of the last, and the flow of its last
     cycle; the record names the methods. With a tolerance the first method alone, with all
@@ -119,54 +107,41 @@ def _first_converged(
     """
     # 1. full multigrid from a Hertz pressure, its first attempt alone
     alone = options.tolerance is None
-    contact, state = _checked(
-        *_solve(conditions, options, flow, ATTEMPTS[:1] if alone else ATTEMPTS)
-    )
+    contact, state = _full_multigrid(flow, options, ATTEMPTS[:1] if alone else ATTEMPTS)
     if contact.converged or not alone:
         return contact, state
     # 2. continuation from the Newtonian film, the factor frozen, then following the pressure
-    newtonian = solve_contact(conditions, options)
+    newtonian = solve_contact(flow.conditions, options)
     fallbacks = newtonian.record.fallbacks
     for follows in (False, True) if newtonian.converged else (False,):
-        contact, state = _checked(
-            *solve_by_continuation(
-                conditions,
-                options,
-                replace(flow, continuation=Continuation(follow_pressure=follows)),
-                newtonian,
-            )
-        )
+        continued = replace(flow, continuation=Continuation(follow_pressure=follows))
+        contact, state = _checked(*solve_by_continuation(continued, options, newtonian))
         fallbacks = (*fallbacks, *contact.record.fallbacks[len(newtonian.record.fallbacks) :])
         if contact.converged:
-            return replace(contact, record=replace(contact.record, fallbacks=fallbacks)), state
+            return with_fallbacks(contact, fallbacks), state
     # 3. full multigrid with all its attempts
-    contact, state = _checked(*_solve(conditions, options, flow, ATTEMPTS))
-    fallbacks = (*fallbacks, *contact.record.fallbacks)
-    return replace(contact, record=replace(contact.record, fallbacks=fallbacks)), state
+    contact, state = _full_multigrid(flow, options, ATTEMPTS)
+    return with_fallbacks(contact, (*fallbacks, *contact.record.fallbacks)), state
 
 
-def _solve(
-    conditions: ContactConditions,
-    options: SolverOptions,
-    flow: GeneralizedFlow,
-    attempts: tuple[Attempt, ...],
+def _full_multigrid(
+    flow: GeneralizedFlow, options: SolverOptions, attempts: tuple[Attempt, ...]
 ) -> tuple[ContactSolution, FlowState | None]:
     """Full multigrid from a Hertz pressure, and the flow of its last cycle."""
-    contact, levels = solve_attempts(conditions, options, flow, attempts)
-    return contact, levels.levels[-1].flow_state
+    contact, levels = solve_attempts(flow.conditions, options, flow, attempts)
+    return _checked(contact, levels.levels[-1].flow_state)
 
 
 def _with_fields(solution: GeneralizedSolution, state: FlowState) -> GeneralizedSolution:
     """The solution with stress and heat over the whole box."""
     ny = solution.contact.P.shape[1]
+    along, across = state.mid_stress
     solution = replace(
         solution,
         change=state.change,
         unsolved_columns=state.unsolved_columns,
         over_limit_columns=state.over_limit_columns,
-        mid_stress=np.stack(
-            (_whole(state.mid_stress[0], ny), _whole(state.mid_stress[1], ny, sign=-1.0))
-        ),
+        mid_stress=np.stack((_whole(along, ny), _whole(across, ny, sign=-1.0))),
     )
     heat = state.heat
     if heat is None:
@@ -183,21 +158,18 @@ def _with_fields(solution: GeneralizedSolution, state: FlowState) -> Generalized
 def _with_oil_state(solution: GeneralizedSolution) -> GeneralizedSolution:
     """The solution with the state of its oil, where the contact has dimensions."""
     contact = solution.contact
+    p = contact.pressure
     if contact.x is None or contact.y is None or contact.film is None:
         return solution
-    thinner = log_gradient_thinning(
-        contact.x, contact.y, contact.pressure, contact.film, solution.rheology
-    )
+    thinner = log_gradient_thinning(contact.x, contact.y, p, contact.film, solution.rheology)
     mean = None
     if solution.temperature is not None:
         weights = film_section(solution.nodes.size).weights
-        mean, profile = log_mean_fluidity(
-            solution.temperature, weights, contact.pressure, contact.conditions.lubricant
-        )
+        oil = contact.conditions.lubricant
+        mean, profile = log_mean_fluidity(solution.temperature, weights, p, oil)
         thinner = profile + thinner
-    return replace(
-        solution, contact=replace(contact, state=FilmState(temperature=mean, log_fluidity=thinner))
-    )
+    state = FilmState(temperature=mean, log_fluidity=thinner)
+    return replace(solution, contact=replace(contact, state=state))
 
 
 def _checked(
@@ -217,15 +189,11 @@ def _checked(
     if state.over_limit_columns > few:
         reason = f"{over}, where no oil of that law flows steadily"
     elif not state.change <= FLOW_TOLERANCE:
-        reason = (
-            f"shear and heat changed the flow by {state.change:.1e} in the last cycle; "
-            "try more cycles"
-        )
+        changed = f"shear and heat changed the flow by {state.change:.1e} in the last cycle"
+        reason = f"{changed}; try more cycles"
     elif state.unsolved_columns > few:
-        reason = (
-            f"{state.unsolved_columns} columns of film without a solution of shear and heat; "
-            "try more cycles"
-        )
+        columns = f"{state.unsolved_columns} columns of film without a solution of shear and heat"
+        reason = f"{columns}; try more cycles"
     else:
         return contact, state
     return replace(contact, converged=False, message=f"not converged: {reason}"), state

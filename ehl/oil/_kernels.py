@@ -6,22 +6,18 @@ oil: the array of `numbers.oil_numbers`.
 import numpy as np
 
 from ..compiled import compiled
+from .lubricant import (
+    DOWSON_HIGGINSON_DENOMINATOR,
+    DOWSON_HIGGINSON_NUMERATOR,
+    ROELANDS_TEMPERATURE,
+)
 
-# as `numbers.VISCOSITY_CODES`
-ISOVISCOUS = 0
-BARUS = 1
-ROELANDS = 2
-TAIT_DOOLITTLE = 3
-YASUTOMI = 4
-# as `numbers.DENSITY_CODES`
-INCOMPRESSIBLE = 0
-DOWSON_HIGGINSON = 1
-TAIT = 2
-ROELANDS_TEMPERATURE = 138.0  # as in `ehl.oil.lubricant`
-DOWSON_HIGGINSON_NUMERATOR = 0.6e-9
-DOWSON_HIGGINSON_DENOMINATOR = 1.7e-9
-V = 7  # as `numbers.VISCOSITY_START`
-T = 16  # `numbers.TAIT_START`
+# codes of the laws
+ISOVISCOUS, BARUS, ROELANDS, TAIT_DOOLITTLE, YASUTOMI = range(5)
+INCOMPRESSIBLE, DOWSON_HIGGINSON, TAIT = range(3)
+# where the constants of the viscosity law begin, and those of Tait
+V = 7
+T = 16
 EXPONENT_LIMIT = 600.0  # largest ln(eta/eta_0), keeps exp() finite
 SLOPE_STEP = 1e-3  # [K], of difference quotients by temperature
 
@@ -150,9 +146,7 @@ def density_slope(pressure, oil):
 @compiled
 def flow_properties(P, H, hertz_pressure, oil, speed, eps, rho, rho_slope, first, stop):
     """eps = rho H^3/(eta lambda), rho and d(rho)/dP [-] of the lines from `first` to before
-    `stop`, any law.
-
-    At the temperature of operation.
+    `stop`, any law, at the temperature of operation.
     """
     nx = P.shape[1]
     for j in range(first, stop):

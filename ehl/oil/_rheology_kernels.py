@@ -82,11 +82,3 @@ def shear_rate(tau, viscosity, limit, law, stress, exponent, breadth):
     if law == CARREAU_YASUDA:
         return stress * _carreau_inverse(tau / stress, exponent, breadth) / viscosity
     return tau / viscosity
-
-
-@compiled
-def effective_viscosity(rate, viscosity, limit, law, stress, exponent, breadth):
-    """eta* = tau/rate [Pa s]; the viscosity itself where the rate vanishes."""
-    if rate <= 0.0:
-        return viscosity
-    return shear_stress(rate, viscosity, limit, law, stress, exponent, breadth) / rate

@@ -1,8 +1,5 @@
 """Oils by their volume: Tait's equation of state, Doolittle's free volume, Yasutomi's glass
-temperature.
-
-Each is a frozen set of constants and a function of pressure and temperature; `lubricant.py`
-chooses among the laws. The constants belong to one oil and come with a source: none has a default.
+temperature. The constants belong to one oil and come with a source: none has a default.
 """
 
 from dataclasses import dataclass
@@ -10,11 +7,10 @@ from enum import Enum
 from math import log
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..ranges import require_finite, require_positive
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -47,10 +43,9 @@ class DoolittleFreeVolume:
         require_positive(self, "factor")
         if self.occupied_expansion is not None:
             require_finite(self, "occupied_expansion")
-        if not 0.0 < self.occupied_share < 1.0:
-            raise ValueError(
-                f"occupied_share must lie between 0 and 1, got {self.occupied_share!r}"
-            )
+        r = self.occupied_share
+        if not 0.0 < r < 1.0:
+            raise ValueError(f"occupied_share must lie between 0 and 1, got {r!r}")
 
 
 class ExpansivityForm(Enum):
@@ -111,16 +106,13 @@ def log_viscosity_yasutomi(p: ArrayLike, temperature: ArrayLike, glass: Yasutomi
     ends, that of the glass.
     """
     p = np.asarray(p, dtype=np.float64)
-    glass_temperature = glass.glass_temperature + glass.glass_rise * np.log1p(
-        glass.glass_pressure_coefficient * p
-    )
+    rise = glass.glass_rise * np.log1p(glass.glass_pressure_coefficient * p)
     if glass.form is ExpansivityForm.LOGARITHMIC:
         expansivity = 1.0 - glass.expansivity_1 * np.log1p(glass.expansivity_2 * p)
     else:
         expansivity = (1.0 + glass.expansivity_1 * p) ** glass.expansivity_2
-    distance = np.maximum(np.asarray(temperature) - glass_temperature, 0.0) * np.maximum(
-        expansivity, 0.0
-    )
+    above = np.asarray(temperature) - (glass.glass_temperature + rise)
+    distance = np.maximum(above, 0.0) * np.maximum(expansivity, 0.0)
     return -log(10.0) * glass.slope * distance / (glass.width + distance)
 
 
@@ -128,10 +120,9 @@ def pressure_viscosity_doolittle(
     tait: TaitVolume, doolittle: DoolittleFreeVolume, temperature: float
 ) -> float:
     """d(ln eta)/dp at p = 0 [1/Pa], B R O (V_0/V_R)/{K_0(T) [V_0/V_R - R O]^2}, T in [K]."""
-    above = (
-        0.0 if doolittle.occupied_expansion is None else temperature - tait.reference_temperature
-    )
-    occupied = 1.0 + (doolittle.occupied_expansion or 0.0) * above
+    expansion = doolittle.occupied_expansion
+    above = 0.0 if expansion is None else temperature - tait.reference_temperature
+    occupied = 1.0 + (expansion or 0.0) * above
     volume = 1.0 + tait.expansion * above
     modulus = tait.bulk_modulus * float(np.exp(-tait.bulk_modulus_temperature * above))
     r = doolittle.occupied_share
@@ -143,8 +134,7 @@ def pressure_viscosity_yasutomi(glass: YasutomiGlass, temperature: float) -> flo
     + D)^2, D = T - T_g0 [1/Pa].
     """
     distance = temperature - glass.glass_temperature
-    change = glass.expansivity_1 * glass.expansivity_2
-    if glass.form is ExpansivityForm.LOGARITHMIC:
-        change = -change
+    sign = -1.0 if glass.form is ExpansivityForm.LOGARITHMIC else 1.0
+    change = sign * glass.expansivity_1 * glass.expansivity_2
     closer = glass.glass_rise * glass.glass_pressure_coefficient - distance * change
     return log(10.0) * glass.slope * glass.width * closer / (glass.width + distance) ** 2

@@ -5,8 +5,9 @@ from enum import Enum
 from math import log
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..ranges import require_not_negative, require_positive
 from .free_volume import (
     DoolittleFreeVolume,
@@ -18,8 +19,6 @@ from .free_volume import (
     pressure_viscosity_yasutomi,
     relative_volume,
 )
-
-Array = NDArray[np.float64]
 
 ROELANDS_PRESSURE = 1.96e8  # p_r [Pa], Roelands (1966)
 # ln(eta_0 / eta_inf) = ln(eta_0) + 9.67, eta_0 in Pa s, Roelands (1966)
@@ -98,11 +97,8 @@ class Lubricant:
         """Roelands' z [-]: as given, or z = alpha p_r / (ln eta_0 + 9.67), Roelands (1966)."""
         if self.roelands_z is not None:
             return self.roelands_z
-        return (
-            self.pressure_viscosity
-            * self.roelands_pressure
-            / (log(self.viscosity) + ROELANDS_LOG_OFFSET)
-        )
+        rise = log(self.viscosity) + ROELANDS_LOG_OFFSET
+        return self.pressure_viscosity * self.roelands_pressure / rise
 
 
 def _require_constants(lubricant: Lubricant) -> None:
@@ -121,25 +117,18 @@ def _require_constants(lubricant: Lubricant) -> None:
     own = law_pressure_viscosity(lubricant)
     given = lubricant.pressure_viscosity
     if abs(given - own) > PRESSURE_VISCOSITY_TOLERANCE * own:
-        raise ValueError(
-            f"pressure_viscosity must be that of the law's constants, {own:.4e} 1/Pa, "
-            f"got {given!r}"
-        )
+        wanted = f"that of the law's constants, {own:.4e} 1/Pa"
+        raise ValueError(f"pressure_viscosity must be {wanted}, got {given!r}")
 
 
 def law_pressure_viscosity(lubricant: Lubricant) -> float:
     """d(ln eta)/dp at ambient pressure that the constants of the lubricant's law imply [1/Pa]."""
     oil = lubricant
-    temperature = lubricant.temperature
-    if (
-        oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE
-        and oil.tait
-        and oil.doolittle
-        and temperature
-    ):
-        return pressure_viscosity_doolittle(oil.tait, oil.doolittle, temperature)
-    if oil.viscosity_law is ViscosityLaw.YASUTOMI and oil.yasutomi and temperature:
-        return pressure_viscosity_yasutomi(oil.yasutomi, temperature)
+    law = oil.viscosity_law
+    if law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait and oil.doolittle and oil.temperature:
+        return pressure_viscosity_doolittle(oil.tait, oil.doolittle, oil.temperature)
+    if law is ViscosityLaw.YASUTOMI and oil.yasutomi and oil.temperature:
+        return pressure_viscosity_yasutomi(oil.yasutomi, oil.temperature)
     return oil.pressure_viscosity
 
 
@@ -156,24 +145,20 @@ def log_viscosity_ratio(
     """
     oil = lubricant
     p = np.asarray(p, dtype=np.float64)
-    reference, at = (0.0, 0.0) if oil.temperature is None else (oil.temperature, oil.temperature)
+    law = oil.viscosity_law
+    start = oil.temperature or 0.0
     above = np.zeros(()) if temperature is None else np.asarray(temperature) - _operation(oil)
-    if oil.viscosity_law is ViscosityLaw.YASUTOMI and oil.yasutomi is not None:
-        law = log_viscosity_yasutomi
-        glass = oil.yasutomi
-        return law(p, at + above, glass) - law(0.0, reference, glass)
-    if (
-        oil.viscosity_law is ViscosityLaw.TAIT_DOOLITTLE
-        and oil.tait is not None
-        and oil.doolittle is not None
-    ):
-        result = log_viscosity_doolittle(p, at + above, oil.tait, oil.doolittle)
-        result = result - log_viscosity_doolittle(0.0, reference, oil.tait, oil.doolittle)
+    if law is ViscosityLaw.YASUTOMI and oil.yasutomi:
+        reference = log_viscosity_yasutomi(0.0, start, oil.yasutomi)
+        return log_viscosity_yasutomi(p, start + above, oil.yasutomi) - reference
+    if law is ViscosityLaw.TAIT_DOOLITTLE and oil.tait and oil.doolittle:
+        result = log_viscosity_doolittle(p, start + above, oil.tait, oil.doolittle)
+        result = result - log_viscosity_doolittle(0.0, start, oil.tait, oil.doolittle)
         own = oil.doolittle.occupied_expansion is not None
         return result if own else result - _beta(oil, temperature) * above
-    if oil.viscosity_law is ViscosityLaw.ROELANDS and oil.pressure_viscosity > 0.0:
+    if law is ViscosityLaw.ROELANDS and oil.pressure_viscosity > 0.0:
         return _log_roelands(p, oil, None if temperature is None else above)
-    slope = oil.pressure_viscosity if oil.viscosity_law is ViscosityLaw.BARUS else 0.0
+    slope = oil.pressure_viscosity if law is ViscosityLaw.BARUS else 0.0
     return slope * p - _beta(oil, temperature) * above
 
 
@@ -187,11 +172,12 @@ def _log_roelands(p: Array, oil: Lubricant, above: Array | None) -> Array:
     s = oil.pressure_viscosity * p_r / z
     rise = roelands_rise(p / p_r, z)
     if above is not None:
-        room = _operation(oil) - ROELANDS_TEMPERATURE
+        lowest = ROELANDS_TEMPERATURE
+        start = _operation(oil)
+        room = start - lowest
         if room <= 0.0:
             raise ValueError(
-                f"temperature must exceed {ROELANDS_TEMPERATURE:g} K for Roelands' law, "
-                f"got {_operation(oil)}"
+                f"temperature must exceed {lowest:g} K for Roelands' law, got {start}"
             )
         # the law ends at 138 K, iterates may fall below
         relative = np.maximum(1.0 + above / room, 1e-3)
@@ -225,21 +211,19 @@ def density(p: ArrayLike, lubricant: Lubricant, temperature: ArrayLike | None = 
     exp[-e (T - T_0)] with the oil's thermal expansion e. Tait: rho_0 V(0, T_0)/V(p, T), with that
     factor if Tait's own expansion is zero.
     """
+    oil = lubricant
     p = np.asarray(p, dtype=np.float64)
-    if lubricant.density_law is DensityLaw.TAIT and lubricant.tait is not None:
-        start = _operation(lubricant)
+    if oil.density_law is DensityLaw.TAIT and oil.tait:
+        start = _operation(oil)
         now = start if temperature is None else temperature
-        ratio = relative_volume(0.0, start, lubricant.tait) / relative_volume(
-            p, now, lubricant.tait
-        )
-        if lubricant.tait.expansion > 0.0:
-            return lubricant.density * ratio
-    elif lubricant.density_law is DensityLaw.DOWSON_HIGGINSON:
+        ratio = relative_volume(0.0, start, oil.tait) / relative_volume(p, now, oil.tait)
+        if oil.tait.expansion > 0.0:
+            return oil.density * ratio
+    elif oil.density_law is DensityLaw.DOWSON_HIGGINSON:
         ratio = 1.0 + DOWSON_HIGGINSON_NUMERATOR * p / (1.0 + DOWSON_HIGGINSON_DENOMINATOR * p)
     else:
         ratio = np.ones_like(p)
-    if temperature is not None and lubricant.thermal is not None:
-        ratio = ratio * np.exp(
-            -lubricant.thermal.expansion * (np.asarray(temperature) - _operation(lubricant))
-        )
-    return lubricant.density * ratio
+    if temperature is not None and oil.thermal is not None:
+        above = np.asarray(temperature) - _operation(oil)
+        ratio = ratio * np.exp(-oil.thermal.expansion * above)
+    return oil.density * ratio

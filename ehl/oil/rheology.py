@@ -17,11 +17,10 @@ from math import inf
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from ..arrays import Array
 from ..ranges import require_finite, require_positive
-
-Array = NDArray[np.float64]
 
 SMALLEST_ARGUMENT = 1e-6  # of sinh(b)/b, which is 1 from there on to round-off
 # of exponentials: keeps the rate finite at stresses that only occur while iterating
@@ -67,14 +66,12 @@ class Rheology:
             require_positive(self, "eyring_stress")
         if self.law is ShearLaw.CARREAU_YASUDA:
             require_positive(self, "carreau_modulus", "yasuda_exponent")
-            if not 0.0 < self.carreau_exponent <= 1.0:
-                raise ValueError(
-                    f"carreau_exponent must lie in (0, 1], got {self.carreau_exponent!r}"
-                )
+            n = self.carreau_exponent
+            if not 0.0 < n <= 1.0:
+                raise ValueError(f"carreau_exponent must lie in (0, 1], got {n!r}")
         if self.limiting_coefficient is not None:
-            require_positive(
-                self, "limiting_coefficient", "limiting_minimum", "reference_temperature"
-            )
+            require_positive(self, "limiting_coefficient")
+            require_positive(self, "limiting_minimum", "reference_temperature")
             require_finite(self, "limiting_stress", "limiting_temperature_slope")
 
     @property
@@ -143,9 +140,8 @@ def limiting_stress(
     p = np.asarray(pressure, dtype=np.float64)
     if rheology.limiting_coefficient is None:
         return np.full_like(p, inf)
-    excess = (
-        0.0 if temperature is None else np.asarray(temperature) - rheology.reference_temperature
-    )
+    reference = rheology.reference_temperature
+    excess = 0.0 if temperature is None else np.asarray(temperature) - reference
     softening = np.maximum(1.0 + rheology.limiting_temperature_slope * excess, 0.0)
     with np.errstate(divide="ignore", invalid="ignore"):
         limit = rheology.limiting_stress + rheology.limiting_coefficient * p / softening
@@ -179,20 +175,6 @@ def shear_stress(
     return np.copysign(stress, rate)
 
 
-def effective_viscosity(
-    rate: ArrayLike,
-    viscosity: ArrayLike,
-    pressure: ArrayLike,
-    rheology: Rheology,
-    temperature: ArrayLike | None = None,
-) -> Array:
-    """eta* = tau/rate [Pa s], eta where the rate vanishes; arguments as `shear_stress`."""
-    rate, eta = np.asarray(rate, dtype=np.float64), np.asarray(viscosity, dtype=np.float64)
-    moving = rate != 0.0
-    stress = shear_stress(rate, eta, pressure, rheology, temperature)
-    return np.where(moving, stress / np.where(moving, rate, 1.0), eta)
-
-
 def shear_stress_vector(
     rates: tuple[ArrayLike, ArrayLike],
     viscosity: ArrayLike,
@@ -202,7 +184,9 @@ def shear_stress_vector(
 ) -> tuple[Array, Array]:
     """Stresses (tau_x, tau_y) [Pa] parallel to the rates (rate_x, rate_y) [1/s]."""
     x, y = (np.asarray(rate, dtype=np.float64) for rate in rates)
-    effective = effective_viscosity(np.hypot(x, y), viscosity, pressure, rheology, temperature)
+    rate = np.hypot(x, y)
+    stress = shear_stress(rate, viscosity, pressure, rheology, temperature)
+    effective = np.where(rate != 0.0, stress / np.where(rate != 0.0, rate, 1.0), viscosity)
     return effective * x, effective * y
 
 
@@ -212,8 +196,7 @@ def thinning_by_gradient(rise: Array, rheology: Rheology) -> Array:
 
     sinh(B)/B, B = h p_x/(2 tau_0), for any sliding along the gradient: Conry, Wang and Cusano
     (1987); `rise` is h p_x, the rise of the stress from wall to wall [Pa]. The direction of the
-    sliding is not taken into account. Other laws have no such factor that holds for any sliding:
-    1.
+    sliding is not taken into account. Other laws have no factor that holds for any sliding: 1.
     """
     if rheology.law is not ShearLaw.REE_EYRING:
         return np.ones_like(rise)

@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import sparse
 
+from ..arrays import Array
 from .coating import ScaledCoating
 from .layered import point_compliance
 
-Array = NDArray[np.float64]
 SAMPLES = 4001  # of the density of nodes
 
 

@@ -6,11 +6,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy import fft
 
+from ..arrays import Array
 from ..grid import Grid
 from .coating import ScaledCoating
 from .layered import patch_compliance
 
-Array = NDArray[np.float64]
 # part of the kernel that the line relaxation uses
 NEAR_LINES = 4
 NEAR_COLUMNS = 12

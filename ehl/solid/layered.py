@@ -4,13 +4,11 @@ from functools import lru_cache
 from math import ceil
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline
 
+from ..arrays import Array
 from .coating import ScaledCoating
 from .layered_fem import correction
-
-Array = NDArray[np.float64]
 
 # cells around the load in which the correction of a thin coating is averaged over the cell
 NEIGHBOURS = 6

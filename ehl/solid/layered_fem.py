@@ -27,7 +27,7 @@ from skfem import (
 )
 from skfem.helpers import ddot, grad, sym_grad
 
-Array = NDArray[np.float64]
+from ..arrays import Array
 
 REACH = 150.0  # outer edge in thicknesses
 FINEST = 0.08  # cell beside the load in thicknesses

@@ -21,10 +21,10 @@ No friction. The pressure is constant on every cell: second order in the mesh si
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.fft import irfft2, next_fast_len, rfft2
 
-Array = NDArray[np.float64]
+from ..arrays import Array
+
 EVEN_TOLERANCE = 1e-9  # relative difference of mesh sizes of an even grid [-]
 
 

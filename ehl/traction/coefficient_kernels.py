@@ -12,12 +12,10 @@ from math import e, exp, inf, isfinite
 from typing import ClassVar, Self
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.optimize import brentq
 
+from ..arrays import Array
 from ..compiled import compiled
-
-Array = NDArray[np.float64]
 
 COULOMB, FOUR_CONSTANTS = range(2)  # kinds, the first number of a law
 MU, NONE, FULL = range(1, 4)  # behind it, of Coulomb's law

@@ -10,12 +10,18 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import RectBivariateSpline
 
+from ..arrays import Array
 from ..oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
 from ..solution import ContactSolution
 from . import _kernels
-from .shear import Cavitation, dimensional_grid, pressure_viscosity, sheared_width, with_outlet
-
-Array = NDArray[np.float64]
+from .shear import (
+    Cavitation,
+    bounded_viscosity,
+    dimensional_conditions,
+    dimensional_grid,
+    sheared_width,
+    with_outlet,
+)
 
 HIGH_PRESSURE = 0.02  # of the largest pressure: what lies above it gets lines
 LINES = 64  # along x there
@@ -56,37 +62,37 @@ def film_quadrature(
     zone = hertz_zone(solution)
     blocks = low_pressure_blocks(with_outlet(solution))
     fields = np.concatenate([zone.fields.reshape(7, -1), blocks], axis=1)
-    film = np.maximum(fields[3], SMALLEST_FILM)
-    pressure = fields[4]
-    eta = pressure_viscosity(pressure, solution)
-    limit = limiting_stress(pressure, rheology, temperature)
-    friction = fields[2] * shear_stress(largest_slide / film, eta, pressure, rheology, temperature)
-    counts = strongest(friction, SHARE_LEFT_OUT * float(friction.sum()))
+    eta = bounded_viscosity(fields[4], dimensional_conditions(solution).lubricant)
+    return strongest_nodes(solution, fields, eta, rheology, largest_slide, temperature)
+
+
+def strongest_nodes(
+    solution: ContactSolution,
+    fields: Array,
+    viscosity: Array,
+    rheology: Rheology,
+    largest_slide: float,
+    temperature: Array | float | None,
+    further: float = 0.0,
+) -> FilmQuadrature:
+    """Nodes of the rows of `HertzZone.fields` without the weakest: a share of their friction and
+    that of further nodes [N] is left out; viscosity [Pa s], slide [m/s], temperature [K].
+    """
+    x, y, area, gap, pressure, width, breadth = fields
+    film = np.maximum(gap, SMALLEST_FILM)
+    friction = area * shear_stress(
+        largest_slide / film, viscosity, pressure, rheology, temperature
+    )
+    order = np.argsort(friction)
+    left_out = SHARE_LEFT_OUT * (further + float(friction.sum()))
+    chosen = order[np.cumsum(friction[order]) > left_out]
+    limit = np.broadcast_to(limiting_stress(pressure, rheology, temperature), x.shape)
+    rows = np.stack([x, y, area, film, viscosity, limit, width**2 / 12.0, breadth**2 / 12.0])
     return FilmQuadrature(
-        nodes=np.ascontiguousarray(film_quadrature_rows(fields, eta, limit)[:, counts]),
-        half_width=transverse_semi_axis(solution),
+        nodes=np.ascontiguousarray(rows[:, chosen]),
+        half_width=float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio,
         rheology=rheology,
     )
-
-
-def strongest(friction: Array, left_out: float) -> NDArray[np.intp]:
-    """Indices of the nodes without the weakest ones, whose sum may be left out [same unit]."""
-    order = np.argsort(friction)
-    counts: NDArray[np.intp] = order[np.cumsum(friction[order]) > left_out]
-    return counts
-
-
-def film_quadrature_rows(fields: Array, viscosity: Array, limit: Array) -> Array:
-    """Rows of `FilmQuadrature.nodes` from those of `HertzZone.fields`, [Pa s] and [Pa]."""
-    x, y, area, gap, _, width, breadth = fields
-    limits = np.broadcast_to(limit, x.shape)
-    film = np.maximum(gap, SMALLEST_FILM)
-    return np.stack([x, y, area, film, viscosity, limits, width**2 / 12.0, breadth**2 / 12.0])
-
-
-def transverse_semi_axis(solution: ContactSolution) -> float:
-    """Of the Hertz ellipse across x [m]."""
-    return float(solution.semi_axis_x or 0.0) * solution.semi_axis_ratio
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -123,16 +129,11 @@ def hertz_zone(solution: ContactSolution) -> HertzZone:
     span = (edges[:, 1] - edges[:, 0])[:, None]
     along = edges[:, :1] + span * shares
     across = np.broadcast_to(rows[:, None], along.shape)
-    fields = (
-        along,
-        across,
-        span * weights * width,
-        film(along, across, grid=False),
-        np.maximum(pressure(along, across, grid=False), 0.0),
-        span * weights,
-        np.full_like(along, width),
-    )
-    slopes = (pressure(along, across, dx=1, grid=False), pressure(along, across, dy=1, grid=False))
+    size = span * weights
+    place = (along, across)
+    p = np.maximum(pressure(*place, grid=False), 0.0)
+    fields = (*place, size * width, film(*place, grid=False), p, size, np.full_like(along, width))
+    slopes = (pressure(*place, dx=1, grid=False), pressure(*place, dy=1, grid=False))
     return HertzZone(
         fields=np.stack(fields), gradient=np.stack(slopes), span=span[:, 0], shares=shares
     )
@@ -140,13 +141,13 @@ def hertz_zone(solution: ContactSolution) -> HertzZone:
 
 def _panels() -> tuple[Array, Array]:
     """Places from edge to edge and their weights [-]."""
-    places = []
-    weights = []
+    places: list[float] = []
+    weights: list[float] = []
     for low, high, count in PANELS:
         nodes, own = np.polynomial.legendre.leggauss(count)
-        places.append(low + 0.5 * (high - low) * (nodes + 1.0))
-        weights.append(0.5 * (high - low) * own)
-    return np.concatenate(places), np.concatenate(weights)
+        places.extend(low + 0.5 * (high - low) * (nodes + 1.0))
+        weights.extend(0.5 * (high - low) * own)
+    return np.array(places), np.array(weights)
 
 
 def _around(chosen: NDArray[np.bool_]) -> slice:
@@ -161,13 +162,12 @@ def _crossings(places: Array, values: Array) -> tuple[float, float]:
     if positive.size == 0:
         return float(places[values.argmax()]), float(places[values.argmax()])
     ends = []
-    for inside, step in ((int(positive[0]), -1), (int(positive[-1]), 1)):
+    for inside, outside in ((positive[0], positive[0] - 1), (positive[-1], positive[-1] + 1)):
         end = float(places[inside])
-        outside = inside + step
         if 0 <= outside < places.size:
             drop = values[inside] - values[outside]
-            end += (places[outside] - places[inside]) * values[inside] / drop
-        ends.append(float(end))
+            end += float((places[outside] - places[inside]) * values[inside] / drop)
+        ends.append(end)
     return ends[0], ends[1]
 
 
@@ -191,13 +191,11 @@ def low_pressure_blocks(solution: ContactSolution, *further: Array) -> Array:
         return sums
 
     by_film = area / np.maximum(h, SMALLEST_FILM)
-    sheared = total(area)
-    used = sheared > 0.0
-    sheared = sheared[used]
+    used = total(area) > 0.0
+    sheared = total(area)[used]
     weight = total(by_film)[used]
-    means = [
-        total(by_film * field)[used] / weight for field in (x[:, None], y[None, :], p, *further)
-    ]
+    every = (x[:, None], y[None, :], p, *further)
+    means = [total(by_film * field)[used] / weight for field in every]
     sizes = [np.full(weight.size, BLOCK * float(np.mean(size))) for size in (size_x, size_y)]
     return np.stack([*means[:2], sheared, sheared / weight, means[2], *sizes, *means[3:]])
 
@@ -210,9 +208,8 @@ def sliding_forces(
     slide: slide_x, slide_y [m/s] and spin [rad/s]; rolling: relative speed [rad/s]; curvature:
     1/(2R) of the loaded surface [1/m].
     """
-    r = kernel_rheology(film.rheology)
     out = np.zeros((slide[0].size, _kernels.COLUMNS))
-    law = (r.law, r.stress, r.exponent, r.breadth)
+    law = kernel_rheology(film.rheology)[:4]
     surface = (curvature, film.half_width)
     _kernels.sliding_sums_many(film.nodes, law, (*slide, rolling), surface, out)
     return out

@@ -10,13 +10,11 @@ from math import inf
 from typing import NamedTuple, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from . import _kernels
 from .coefficient_kernels import Coefficient
 from .quadrature import EllipseRule, ellipse_nodes
-
-Array = NDArray[np.float64]
 
 
 class TractionForces(NamedTuple):

@@ -22,9 +22,8 @@ from enum import Enum
 from functools import cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..arrays import Array
 
 
 class EllipseRule(Enum):

@@ -16,8 +16,8 @@ under the same load, and c.
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..conditions import ContactConditions
 from ..multigrid.cycle import Damping, Multigrid, cycle, start_level
 from ..multigrid.full_multigrid import ATTEMPTS, CAUTIOUS, Attempt, contact_multigrid
@@ -25,8 +25,6 @@ from ..oil.lubricant import Lubricant, density
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution
-
-Array = NDArray[np.float64]
 
 # relative; the film's change is then a hundred times the error of the iteration
 LOAD_STEP = 0.02

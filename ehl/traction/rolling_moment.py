@@ -23,14 +23,12 @@ from dataclasses import dataclass
 from math import log
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..conditions import ContactConditions
 from ..multigrid.far_field import FarField, far_field
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
-
-Array = NDArray[np.float64]
 
 # assumed; there the gap under a sphere is 8 (1 - sqrt(3)/2) = 1.07 of the parabola
 SHARE_OF_RADIUS = 0.5

@@ -29,19 +29,16 @@ lubricated contacts.
 
 from dataclasses import dataclass, replace
 from enum import Enum
-from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..arrays import Array
 from ..conditions import ContactConditions
 from ..kinematics import ContactKinematics
 from ..oil.film_state import FilmState
 from ..oil.lubricant import Lubricant, viscosity
 from ..oil.rheology import Rheology, shear_stress_vector
 from ..solution import ContactSolution
-
-Array = NDArray[np.float64]
 
 # [Pa s] keeps products finite; every law with a bound on its stress has reached it long before
 LARGEST_VISCOSITY = 1e30
@@ -130,9 +127,8 @@ def shear_fields(
     width = sheared_width(h, p, cavitation)
     gap = np.maximum(h, np.finfo(np.float64).tiny)
     temperatures = film_temperature(solution, temperature)
-    t_x, t_y = shear_stress_vector((s_x / gap, s_y / gap), eta, p, rheology, temperatures)
-    t_x = width * t_x
-    t_y = width * t_y
+    stresses = shear_stress_vector((s_x / gap, s_y / gap), eta, p, rheology, temperatures)
+    t_x, t_y = (width * stress for stress in stresses)
     pump_x = -0.5 * h * np.gradient(p, x, axis=0)
     pump_y = -0.5 * h * np.gradient(p, y, axis=1)
     return ShearFields(
@@ -167,100 +163,77 @@ def integrate_traction(
     )
     k = kinematics
     load = dimensional_conditions(solution).load
-    total = _integrals(solution, k, fields)
-    sliding_x = -total.couette_x
-    sliding_y = -total.couette_y
+    parts = _integrals(solution, k, fields)
+    sliding_x, sliding_y = parts["sliding_force_x"], parts["sliding_force_y"]
+    hydrodynamic, curved = parts["hydrodynamic_moment"], parts["curvature_moment"]
+    heat = parts["sliding_loss"]
     # the horizontal part of the pressure is shared by the curvatures of the bodies
-    force_x = sliding_x + 0.5 * k.curvature_difference * total.hydrodynamic
-    pumping = -total.hydrodynamic * (k.rolling + 0.5 * k.curvature_difference * k.sliding_x)
+    force_x = sliding_x + 0.5 * k.curvature_difference * hydrodynamic
+    pumping = -hydrodynamic * (k.rolling + 0.5 * k.curvature_difference * k.sliding_x)
     # power of the rigid motion, against the heat of sliding
     along = sliding_x * k.sliding_x + sliding_y * k.sliding_y
-    mechanical = -(along + total.spin * k.spin + total.curved * k.rolling)
-    largest = max(abs(mechanical), abs(total.heat), np.finfo(np.float64).tiny)
+    mechanical = -(along + parts["spin_moment"] * k.spin + curved * k.rolling)
+    largest = max(abs(mechanical), abs(heat), np.finfo(np.float64).tiny)
     return TractionResult(
+        **parts,
         force_x=force_x,
         force_y=sliding_y,
-        sliding_force_x=sliding_x,
-        sliding_force_y=sliding_y,
-        pumping_force_x=total.pump_x,
-        pumping_force_y=total.pump_y,
-        spin_moment=total.spin,
-        rolling_moment_1=total.hydrodynamic + total.curved,
-        rolling_moment_2=-total.hydrodynamic - total.curved,
-        hydrodynamic_moment=total.hydrodynamic,
-        curvature_moment=total.curved,
-        tilting_moment=total.tilting,
-        power_loss=total.heat + pumping,
-        sliding_loss=total.heat,
+        rolling_moment_1=hydrodynamic + curved,
+        rolling_moment_2=-hydrodynamic - curved,
+        power_loss=heat + pumping,
         pumping_loss=pumping,
         coefficient=float(np.hypot(force_x, sliding_y)) / load,
-        cavitated_force=total.cavitated,
-        force_balance_error=_film_balance(solution, 2.0 * total.pump_x) / load,
-        power_balance_error=abs(mechanical - total.heat) / largest,
+        force_balance_error=_film_balance(solution, 2.0 * parts["pumping_force_x"]) / load,
+        power_balance_error=abs(mechanical - heat) / largest,
     )
-
-
-class _Integrals(NamedTuple):
-    """Over a contact, SI."""
-
-    couette_x: float
-    couette_y: float
-    pump_x: float
-    pump_y: float
-    hydrodynamic: float
-    tilting: float
-    curved: float
-    spin: float
-    heat: float
-    cavitated: float
 
 
 def _integrals(
     solution: ContactSolution, kinematics: ContactKinematics, fields: ShearFields
-) -> _Integrals:
+) -> dict[str, float]:
+    """Those of a `TractionResult` that are integrals over the contact, by name."""
     x, y, _ = dimensional_grid(solution)
     p = solution.pressure
     X = x[:, None]
     Y = y[None, :]
-    integral = _Integral(x, y)
+    weights = _area_weights(x, y)
     t_x, t_y = fields.couette_x, fields.couette_y
     dry = p <= 0.0
-    return _Integrals(
-        couette_x=integral(t_x),
-        couette_y=integral(t_y),
-        pump_x=0.5 * integral(fields.body_1_x + fields.body_2_x),
-        pump_y=0.5 * integral(fields.body_1_y + fields.body_2_y),
-        hydrodynamic=integral(X * p),
-        tilting=-integral(Y * p),
-        curved=-integral(kinematics.bow(Y) * t_x),
-        spin=integral(Y * t_x - X * t_y),
-        heat=integral(fields.heat),
-        cavitated=float(np.hypot(integral(dry * t_x), integral(dry * t_y))),
-    )
+
+    def integral(values: Array) -> float:
+        return float(np.sum(weights * values))
+
+    return {
+        "sliding_force_x": -integral(t_x),
+        "sliding_force_y": -integral(t_y),
+        "pumping_force_x": 0.5 * integral(fields.body_1_x + fields.body_2_x),
+        "pumping_force_y": 0.5 * integral(fields.body_1_y + fields.body_2_y),
+        "hydrodynamic_moment": integral(X * p),
+        "tilting_moment": -integral(Y * p),
+        "curvature_moment": -integral(kinematics.bow(Y) * t_x),
+        "spin_moment": integral(Y * t_x - X * t_y),
+        "sliding_loss": integral(fields.heat),
+        "cavitated_force": float(np.hypot(integral(dry * t_x), integral(dry * t_y))),
+    }
 
 
 def film_viscosity(solution: ContactSolution) -> Array:
     """Viscosity at the pressure of each node, shape (nx, ny) [Pa s]; of a film solved with heat or
     shear at its temperature, and thinned by the pressure's flow.
     """
+    oil = dimensional_conditions(solution).lubricant
     state = solution.state
     if state is None:
-        return pressure_viscosity(solution.pressure, solution)
-    oil = dimensional_conditions(solution).lubricant
-    eta: Array = bounded_viscosity(solution.pressure, oil, state.temperature)
-    return eta * np.exp(-state.log_fluidity)
+        return bounded_viscosity(solution.pressure, oil)
+    return bounded_viscosity(solution.pressure, oil, state.temperature) * np.exp(
+        -state.log_fluidity
+    )
 
 
 def film_temperature(solution: ContactSolution, inlet: float | None) -> Array | float | None:
     """Temperature of the sheared oil [K]: shape (nx, ny) with heat, else the inlet's."""
-    if solution.state is None or solution.state.temperature is None:
-        return inlet
-    return solution.state.temperature
-
-
-def pressure_viscosity(pressure: Array, solution: ContactSolution) -> Array:
-    """Viscosity [Pa s] of a solution's oil at pressures [Pa], at most `LARGEST_VISCOSITY`."""
-    return bounded_viscosity(pressure, dimensional_conditions(solution).lubricant)
+    state = solution.state
+    return inlet if state is None or state.temperature is None else state.temperature
 
 
 def bounded_viscosity(pressure: Array, oil: Lubricant, temperature: Array | None = None) -> Array:
@@ -317,12 +290,18 @@ def _state_with_outlet(state: FilmState | None) -> FilmState | None:
     """That of the last line for all lines further downstream."""
     if state is None:
         return None
-    more = ((0, OUTLET_NODES), (0, 0))
     temperature = state.temperature
-    if temperature is not None:
-        temperature = np.pad(temperature, more, mode="edge")
-    fluidity = np.pad(state.log_fluidity, more, mode="edge")
-    return FilmState(temperature=temperature, log_fluidity=fluidity)
+    return FilmState(
+        temperature=None if temperature is None else with_outlet_values(temperature),
+        log_fluidity=with_outlet_values(state.log_fluidity),
+    )
+
+
+def with_outlet_values(field: Array) -> Array:
+    """A field of the grid [any unit], shape (nx, ny), with those of its last line on all lines of
+    `with_outlet`.
+    """
+    return np.pad(field, ((0, OUTLET_NODES), (0, 0)), mode="edge")
 
 
 def _curvatures(solution: ContactSolution) -> tuple[float, float]:
@@ -339,21 +318,18 @@ def _film_balance(solution: ContactSolution, traction: float) -> float:
     x, y, h = dimensional_grid(solution)
     p = solution.pressure
     along, mixed = _curvatures(solution)
-    horizontal = _Integral(x, y)(p * (along * x[:, None] + mixed * y[None, :]))
+    slope = along * x[:, None] + mixed * y[None, :]
+    horizontal = float(np.sum(_area_weights(x, y) * (p * slope)))
     edges = np.trapezoid(p[-1] * h[-1], y) - np.trapezoid(p[0] * h[0], y)
     return float(traction - horizontal + edges)
 
 
-class _Integral:
-    """Trapezoidal rule over a grid."""
-
-    def __init__(self, x: Array, y: Array) -> None:
-        self.weight = np.gradient(x)[:, None] * np.gradient(y)[None, :]
-        for edge in (np.s_[0, :], np.s_[-1, :], np.s_[:, 0], np.s_[:, -1]):
-            self.weight[edge] *= 0.5
-
-    def __call__(self, values: Array) -> float:
-        return float(np.sum(self.weight * values))
+def _area_weights(x: Array, y: Array) -> Array:
+    """Of the trapezoidal rule over a grid [m^2]."""
+    weights: Array = np.gradient(x)[:, None] * np.gradient(y)[None, :]
+    for edge in (np.s_[0, :], np.s_[-1, :], np.s_[:, 0], np.s_[:, -1]):
+        weights[edge] *= 0.5
+    return weights
 
 
 def dimensional_grid(solution: ContactSolution) -> tuple[Array, Array, Array]:

@@ -74,7 +74,7 @@ def test_continuation_finds_the_same_film(heat, follows):
         heat=FilmHeat(conditions=CIRCULAR, solids=(STEEL, STEEL)) if heat else None,
         continuation=Continuation(follow_pressure=follows),
     )
-    there, state = solve_by_continuation(CIRCULAR, COARSE, flow)
+    there, state = solve_by_continuation(flow, COARSE)
     straight = solve_generalized(CIRCULAR, EYRING, solids=(STEEL, STEEL) if heat else None, options=COARSE).contact
     assert there.converged and straight.converged
     assert there.record.fallbacks == ((CONTINUED, FOLLOWED_PRESSURE) if follows else (CONTINUED,))
@@ -92,7 +92,7 @@ def test_continuation_to_a_newtonian_oil_stays_where_it_is():
     """1e15 Pa leaves (tau/tau_0)^2/6 < 1e-12; two directions and a whole grid where lateral sliding needs one."""
     conditions = replace(CIRCULAR, lateral_slide_ratio=0.02)
     flow = GeneralizedFlow(conditions=conditions, rheology=replace(EYRING, eyring_stress=1e15))
-    (there, _), plain = solve_by_continuation(conditions, COARSE, flow), solve_contact(conditions, COARSE)
+    (there, _), plain = solve_by_continuation(flow, COARSE), solve_contact(conditions, COARSE)
     assert there.converged and there.P.shape == plain.P.shape
     assert_allclose(there.film_central, plain.film_central, rtol=AT_REST)
 
@@ -137,7 +137,7 @@ def test_contact_that_stalls_from_hertz_pressure():
 @pytest.mark.slow
 def test_contact_that_swings_at_the_outlet():
     flow = GeneralizedFlow(conditions=SWINGING, rheology=EYRING, continuation=FOLLOWING)
-    solution, state = solve_by_continuation(SWINGING, SolverOptions(points=129), flow)
+    solution, state = solve_by_continuation(flow, SolverOptions(points=129))
     assert solution.converged and state.change < 0.03
     assert solution.record.fallbacks == (CONTINUED, FOLLOWED_PRESSURE)
     assert len(solution.record.residual) < 30
@@ -215,12 +215,12 @@ def test_a_film_that_heat_makes_too_thin_is_unresolved(monkeypatch):
     plain = solve_contact(conditions, COARSE)
     heat = FilmHeat(conditions=conditions, solids=(STEEL, STEEL))
     flow = GeneralizedFlow(conditions=conditions, rheology=EYRING, heat=heat)
-    heated = solve_by_continuation(conditions, COARSE, flow)[0]
+    heated = solve_by_continuation(flow, COARSE)[0]
     films = [solution.film_minimum_dimensionless.finest for solution in (plain, heated)]
     assert films[1] < 0.95 * films[0]
     mesh = float(plain.X[1] - plain.X[0])
     monkeypatch.setattr("ehl.solver.RESOLVED", np.mean(films) / (scale_contact(conditions).curvature_x * mesh**2))
     assert solve_contact(conditions, COARSE).resolved
-    heated = solve_by_continuation(conditions, COARSE, flow)[0]
+    heated = solve_by_continuation(flow, COARSE)[0]
     assert heated.converged and not heated.resolved
     assert "unresolved" in heated.message

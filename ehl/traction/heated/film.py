@@ -3,37 +3,32 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.interpolate import RegularGridInterpolator
 
+from ...arrays import Array
 from ...generalized.section import film_section
 from ...generalized.solver import GeneralizedSolution
 from ...oil.film_state import log_mean_fluidity
 from ...oil.lubricant import Lubricant, density, log_viscosity_ratio
-from ...oil.rheology import (
-    Rheology,
-    kernel_rheology,
-    limiting_stress,
-    shear_stress,
-    thinning_by_gradient,
-)
+from ...oil.rheology import Rheology, kernel_rheology, shear_stress, thinning_by_gradient
 from ...solid.heat import SolidThermal, response_factor
 from ..film_quadrature import (
-    SHARE_LEFT_OUT,
     SMALLEST_FILM,
     FilmQuadrature,
     HertzZone,
-    film_quadrature_rows,
     hertz_zone,
     low_pressure_blocks,
     sliding_forces,
-    strongest,
-    transverse_semi_axis,
+    strongest_nodes,
 )
-from ..shear import OUTLET_NODES, bounded_viscosity, dimensional_conditions, with_outlet
+from ..shear import (
+    bounded_viscosity,
+    dimensional_conditions,
+    dimensional_grid,
+    with_outlet,
+    with_outlet_values,
+)
 from . import _kernels
-
-Array = NDArray[np.float64]
 
 SOFTENING_STEP = 0.5  # [K], half of that of the difference quotient
 FALL_SPAN = 100.0  # [K] above the film's own temperature, where the fall of the softening is taken
@@ -87,21 +82,26 @@ def heated_film(
     contact = solution.contact
     conditions = dimensional_conditions(contact)
     oil = conditions.lubricant
-    if (
-        solution.temperature is None
-        or contact.x is None
-        or contact.y is None
-        or oil.thermal is None
-    ):
+    if solution.temperature is None or oil.thermal is None:
         raise ValueError("solution: no temperatures; solve the film with heat")
+    x, y, _ = dimensional_grid(contact)
     weights = film_section(solution.nodes.size).weights
     temperature, fluidity = log_mean_fluidity(solution.temperature, weights, contact.pressure, oil)
+    # 1. lines where the pressure is high
     zone = hertz_zone(contact)
-    at_nodes = _at_nodes(zone, contact.x, contact.y, temperature, fluidity)
+    places = np.moveaxis(zone.fields[:2], 0, -1)
+    at_nodes = [
+        RegularGridInterpolator((x, y), field)(places) for field in (temperature, fluidity)
+    ]
     lines = _lines(zone, at_nodes, oil, rheology, conditions.entrainment_speed)
-    area, film, viscosity, pressure, own_temperature = np.moveaxis(lines[..., 2:7], -1, 0)
-    friction = area * shear_stress(
-        largest_slide / film, viscosity, pressure, rheology, own_temperature
+    area, film, eta, pressure, own_temperature = np.moveaxis(lines[..., 2:7], -1, 0)
+    friction = area * shear_stress(largest_slide / film, eta, pressure, rheology, own_temperature)
+    # 2. nodes elsewhere, at the temperature of rolling
+    with_outlet_lines = with_outlet(contact), with_outlet_values(temperature)
+    *fields, temperature = low_pressure_blocks(*with_outlet_lines)
+    eta = bounded_viscosity(fields[4], oil, temperature)
+    others = strongest_nodes(
+        contact, np.stack(fields), eta, rheology, largest_slide, temperature, float(friction.sum())
     )
     return HeatedFilm(
         lines=HeatedLines(
@@ -114,29 +114,15 @@ def heated_film(
             semi_axis=float(contact.semi_axis_x or 0.0),
             rheology=rheology,
         ),
-        low_pressure=_low_pressure(
-            solution, temperature, rheology, largest_slide, float(friction.sum())
-        ),
+        low_pressure=others,
     )
 
 
-def _at_nodes(zone: HertzZone, x: Array, y: Array, *fields: Array) -> list[Array]:
-    """Fields of the grid [any unit] at the nodes of a zone, linear between the grid's."""
-    return [
-        RegularGridInterpolator((x, y), field)(np.moveaxis(zone.fields[:2], 0, -1))
-        for field in fields
-    ]
-
-
 def _lines(
-    zone: HertzZone,
-    temperature_and_fluidity: list[Array],
-    oil: Lubricant,
-    rheology: Rheology,
-    speed: float,
+    zone: HertzZone, at_nodes: list[Array], oil: Lubricant, rheology: Rheology, speed: float
 ) -> Array:
-    """Rows of `HeatedLines.lines`, from those of `log_mean_fluidity` at the nodes."""
-    temperature, fluidity = temperature_and_fluidity
+    """Columns of `HeatedLines.lines`, from those of `log_mean_fluidity` at the nodes."""
+    temperature, fluidity = at_nodes
     x, y, area, gap, pressure, along, across = zone.fields
     gap = np.maximum(gap, SMALLEST_FILM)
 
@@ -149,11 +135,8 @@ def _lines(
     soft = np.maximum(soft / (2.0 * SOFTENING_STEP), tiny)
     drop = np.maximum(log_viscosity(0.0) - log_viscosity(FALL_SPAN), tiny)
     fall = np.maximum(soft / drop - 1.0 / FALL_SPAN, 0.0)
-    eta = (
-        bounded_viscosity(pressure, oil, temperature)
-        * np.exp(-fluidity)
-        / thinning_by_gradient(gap * np.hypot(*zone.gradient), rheology)
-    )
+    thinning = thinning_by_gradient(gap * np.hypot(*zone.gradient), rheology)
+    eta = bounded_viscosity(pressure, oil, temperature) * np.exp(-fluidity) / thinning
     step = np.maximum(np.diff(zone.shares, prepend=0.0) * zone.span[:, None], SMALLEST_FILM)
     assert oil.thermal is not None
     heat_capacity = density(pressure, oil, temperature) * oil.thermal.specific_heat
@@ -161,32 +144,6 @@ def _lines(
     spread = (along**2 / 12.0, across**2 / 12.0)
     columns = (x, y, area, gap, eta, pressure, temperature, soft, fall, *spread, capacity)
     return np.stack(columns, axis=-1)
-
-
-def _low_pressure(
-    solution: GeneralizedSolution,
-    temperature: Array,
-    rheology: Rheology,
-    largest_slide: float,
-    friction: float,
-) -> FilmQuadrature:
-    """Nodes of low pressure at the temperature of rolling; friction of the lines [N]."""
-    contact = solution.contact
-    oil = dimensional_conditions(contact).lubricant
-    temperature = np.pad(temperature, ((0, OUTLET_NODES), (0, 0)), mode="edge")
-    *fields, temperature = low_pressure_blocks(with_outlet(contact), temperature)
-    rows = np.stack(fields)
-    film = np.maximum(rows[3], SMALLEST_FILM)
-    pressure = rows[4]
-    eta = bounded_viscosity(pressure, oil, temperature)
-    own = rows[2] * shear_stress(largest_slide / film, eta, pressure, rheology, temperature)
-    counts = strongest(own, SHARE_LEFT_OUT * (friction + float(own.sum())))
-    limit = limiting_stress(pressure, rheology, temperature)
-    return FilmQuadrature(
-        nodes=np.ascontiguousarray(film_quadrature_rows(rows, eta, limit)[:, counts]),
-        half_width=transverse_semi_axis(contact),
-        rheology=rheology,
-    )
 
 
 def line_history(places: Array) -> Array:
@@ -218,13 +175,12 @@ def heated_forces(
     forces = sliding_forces(film.low_pressure, slide, rolling, curvature)
     lines = film.lines
     law, *constants = kernel_rheology(lines.rheology)
-    stress, exponent, breadth, *limits = map(float, constants)
+    numbers = (law, *map(float, constants))
+    nodes = (lines.lines, lines.span, lines.history, lines.conductivity)
+    surface = (curvature, film.low_pressure.half_width)
+    response = lines.wall_response(slide[0])
+    motions = (*slide, rolling)
     _kernels.heated_sums_many(
-        (lines.lines, lines.span, lines.history, lines.conductivity),
-        ((law, stress, exponent, breadth), tuple(limits)),
-        lines.wall_response(slide[0]),
-        (*slide, rolling),
-        (curvature, film.low_pressure.half_width),
-        forces,
+        nodes, (numbers[:4], numbers[4:]), response, motions, surface, forces
     )
     return forces

@@ -1,9 +1,8 @@
 """Couette flow heated by itself (Nahme, 1940; Gruntfest, 1963), and its table for the kernels."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ...arrays import Array
 
 NEWTON_STEPS = 5  # from m = sqrt(X^2 + X) to round-off
 LARGEST_ROOT = 8.0  # of X in the table: ln(g) reaches 120 there

@@ -13,8 +13,8 @@ from dataclasses import dataclass, field, replace
 from math import log
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from .film import FilmSample, film_sample, relative_forces
 from .splines import left_out_error, spline_coefficients
 from .table import (
@@ -31,8 +31,6 @@ from .table import (
     spinning_scale,
     vertex_slide,
 )
-
-Array = NDArray[np.float64]
 
 # nodes of load, speed, slide_x, slide_y (its half above zero) and spin
 START = (12, 4, 41, 15, 27)

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from math import exp
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...generalized.solver import solve_generalized
 from ...oil.rheology import Rheology
 from ...options import SolverOptions
@@ -17,8 +17,6 @@ from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
 from ..heated.film import HeatedFilm, heated_film, heated_forces
 from ..response import NormalResponse, normal_response
 from .table import TableContact, TableRange
-
-Array = NDArray[np.float64]
 
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
 SCALE_SHARE = (0.02, 0.04, 1.6)

@@ -12,15 +12,13 @@ from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...generalized.solver import solve_generalized
 from ...oil.rheology import limiting_stress
 from ...options import SolverOptions
 from .film import table_film
 from .table import FullSolve, TableContact, TableRange, latin_hypercube
-
-Array = NDArray[np.float64]
 
 SLIDE_RATIOS = (1.0e-3, 0.1)  # between which the slide-roll ratios of the samples lie [-]
 SEED = 90731  # of the samples

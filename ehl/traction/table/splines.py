@@ -7,9 +7,8 @@ continuity of the third derivative at the second and the last but one node.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ...arrays import Array
 
 SMALLEST = 4  # nodes that the end conditions need
 

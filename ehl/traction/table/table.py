@@ -21,8 +21,8 @@ from functools import cached_property
 from math import inf, isfinite, log
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ...arrays import Array
 from ...closed_form.hertz import hertz_contact
 from ...conditions import ContactConditions
 from ...oil.lubricant import Lubricant
@@ -31,8 +31,6 @@ from ...solid.heat import SolidThermal
 from .. import _kernels
 from ..laws import TractionForces
 from .splines import spline_weights
-
-Array = NDArray[np.float64]
 
 LOAD_POWER = -0.2  # of the load in its coordinate
 SPIN_SHARE = 0.3  # of the sliding by spin at the end of the ellipse in the scale of slide_x

@@ -13,9 +13,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from ...arrays import Array
 from ...oil.lubricant import Lubricant
 from .build import Progress, TableOptions, build_table, check_table
-from .table import Array, TableContact, TableError, TableRange, TractionTable
+from .table import TableContact, TableError, TableRange, TractionTable
 
 NEAREST = 4  # tables whose polynomial gives those between
 OIL_TOLERANCE = 0.03  # relative, of an oil's viscosities against those between the tables

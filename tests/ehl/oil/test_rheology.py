@@ -12,7 +12,6 @@ from ehl.oil import _rheology_kernels as _kernels
 from ehl.oil.rheology import (
     Rheology,
     ShearLaw,
-    effective_viscosity,
     kernel_rheology,
     limiting_stress,
     shear_stress,
@@ -55,7 +54,8 @@ def test_small_stress_is_newtonian(rheology):
     """Every law starts as Newton's: the deviation is first order in the stress at most (with the limit)."""
     rate, viscosity = np.array([1e-2, 1.0, 10.0]), 0.1
     assert_allclose(shear_stress(rate, viscosity, 1e9, rheology), viscosity * rate, rtol=1e-6)
-    assert_allclose(effective_viscosity(np.array([0.0]), viscosity, 1e9, rheology), viscosity, rtol=0)
+    at_rest = shear_stress_vector((np.zeros(1), np.zeros(1)), viscosity, 1e9, rheology)
+    assert_allclose(at_rest, 0.0, atol=0)
 
 
 def test_rate_is_odd_and_increasing(rheology):
@@ -132,9 +132,6 @@ def test_kernels_agree(rheology, states):
         assert_allclose(stress, shear_stress(rate, viscosity, pressure, rheology, 350.0), rtol=ROUND_OFF)
         ours = _kernels.shear_rate(0.9 * stress, viscosity, limit, *base)
         assert_allclose(ours, shear_rate(0.9 * stress, viscosity, pressure, rheology, 350.0), rtol=ROUND_OFF)
-        effective = _kernels.effective_viscosity(rate, viscosity, limit, *base)
-        assert_allclose(effective, effective_viscosity(rate, viscosity, pressure, rheology, 350.0), rtol=ROUND_OFF)
-    assert _kernels.effective_viscosity(0.0, 0.3, np.inf, *base) == 0.3
 
 
 @pytest.mark.parametrize(
