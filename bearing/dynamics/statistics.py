@@ -80,6 +80,16 @@ class SimulationStatistics:
     largest_load: Array  # [N]
     largest_pocket_load: Array  # [N], shape (Z,)
 
+    @property
+    def cage_speed_ratio(self) -> float | None:
+        """Speed of the cage over the kinematic one [-]; None where that is zero."""
+        return self.cage_speed / self.kinematic_speed if self.kinematic_speed else None
+
+    @property
+    def cage_slip_ratio(self) -> float | None:
+        """Speed that the cage lacks, over the kinematic one [-]."""
+        return None if self.cage_speed_ratio is None else 1.0 - self.cage_speed_ratio
+
 
 def orbit_speeds(states: Array, layout: Layout) -> Array:
     """Angular speeds of the balls' centres about the axis [rad/s], shape (m, Z)."""

@@ -1,6 +1,4 @@
-"""The history of a time simulation on disk: one netCDF-4 file that grows piece by piece, named
-quantities, SI.
-"""
+"""The history of a time simulation: one netCDF-4 file that grows piece by piece, SI."""
 
 from pathlib import Path
 from types import TracebackType
@@ -9,10 +7,9 @@ from typing import Any, Self
 import h5netcdf
 import h5py
 import numpy as np
-import xarray
 import xarray as xr
 
-from bearing.dynamics.arrays import ContactColumns
+from bearing.dynamics.arrays import CONTACT, ContactColumns
 from bearing.dynamics.layout import Layout
 from bearing.dynamics.record import Record
 from bearing.dynamics.statistics import MECHANISMS
@@ -24,38 +21,40 @@ CAGE_NAMES = ("x", "y", "z", "rotation", "tilt_y", "tilt_z")
 RACE_UNITS = ("N", "m", "m/s", "rad", "m/s", "m/s", "m/s", "rad/s", "N", "N", "m")
 STATES = "0 free, 1 contact, 2 impact"
 CHUNK = 128  # rows
+KINDS = {"time": "f8", "ring_rotation": "f8", "contact_state": "i1"}  # all others in f4
+COMPRESSION: dict[str, Any] = {"compression": "gzip", "compression_opts": 1}
 
 
 def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], Any, str]]:
     """Dimensions, values and unit of every quantity of a record, by name; SI."""
     layout = Layout(balls)
-    m = record.time.size
-    three = ("time", "ball", "axis")
+    state = record.state
     ring, cage = ("time", "ring_coordinate"), ("time", "cage_coordinate")
+    pocket, race, load = ("time", "ball"), ("time", "race", "ball"), ("time", "load")
 
-    def of_balls(part: slice) -> Any:
-        return record.state[:, part].reshape(m, balls, 3)
+    def of_balls(part: slice, unit: str) -> tuple[tuple[str, ...], Any, str]:
+        return ("time", "ball", "axis"), state[:, part].reshape(len(state), balls, 3), unit
 
-    quantities: dict[str, tuple[tuple[str, ...], Any, str]] = {
-        "ring_position": (ring, record.state[:, layout.ring], "m, rad"),
-        "ring_velocity": (ring, record.state[:, layout.ring_speed], "m/s, rad/s"),
-        "cage_position": (cage, record.state[:, layout.cage], "m, rad"),
-        "cage_velocity": (cage, record.state[:, layout.cage_speed], "m/s, rad/s"),
-        "ring_rotation": (("time",), record.state[:, layout.ring_angle], "rad"),
-        "ball_position": (three, of_balls(layout.ball), "m"),
-        "ball_velocity": (three, of_balls(layout.ball_speed), "m/s"),
-        "ball_angular_velocity": (three, of_balls(layout.ball_turn), "rad/s"),
+    quantities = {
+        "ring_position": (ring, state[:, layout.ring], "m, rad"),
+        "ring_velocity": (ring, state[:, layout.ring_speed], "m/s, rad/s"),
+        "cage_position": (cage, state[:, layout.cage], "m, rad"),
+        "cage_velocity": (cage, state[:, layout.cage_speed], "m/s, rad/s"),
+        "ring_rotation": (("time",), state[:, layout.ring_angle], "rad"),
+        "ball_position": of_balls(layout.ball, "m"),
+        "ball_velocity": of_balls(layout.ball_speed, "m/s"),
+        "ball_angular_velocity": of_balls(layout.ball_turn, "rad/s"),
         "ball_attitude": (("time", "ball", "quaternion"), record.attitude, "1"),
-        "contact_state": (("time", "race", "ball"), record.contact_state, STATES),
-        "pocket_load": (("time", "ball"), record.pockets[..., 0], "N"),
-        "pocket_approach": (("time", "ball"), record.pockets[..., 1], "m"),
+        "contact_state": (race, record.contact_state, "1"),
+        "pocket_load": (pocket, record.pockets[..., CONTACT.load], "N"),
+        "pocket_approach": (pocket, record.pockets[..., CONTACT.approach], "m"),
         "energy": (("time", "form"), record.energy, "J"),
-        "work": (("time", "mechanism"), record.state[:, layout.energy], "J"),
-        "ring_load": (("time", "load"), record.loads[:, :6], "N, N m"),
-        "cage_load": (("time", "load"), record.loads[:, 6:], "N, N m"),
+        "work": (("time", "mechanism"), state[:, layout.energy], "J"),
+        "ring_load": (load, record.loads[:, :6], "N, N m"),
+        "cage_load": (load, record.loads[:, 6:], "N, N m"),
     }
     for k, (name, unit) in enumerate(zip(ContactColumns._fields, RACE_UNITS, strict=True)):
-        quantities[f"contact_{name}"] = (("time", "race", "ball"), record.races[..., k], unit)
+        quantities[f"contact_{name}"] = (race, record.races[..., k], unit)
     return quantities
 
 
@@ -82,8 +81,9 @@ class HistoryWriter:
             **{name: len(values) for name, values in coordinates.items()},
         }
         for name, values in coordinates.items():
-            data = np.asarray(values) if name == "ball" else np.array(values, dtype=object)
-            kind = data.dtype if name == "ball" else _text()
+            text = name != "ball"
+            data = np.array(values, dtype=object if text else None)
+            kind = h5py.string_dtype() if text else data.dtype
             self.file.create_variable(name, (name,), dtype=kind, data=data)
         self.file.attrs.update({"oilfilm_history": FORMAT, **attributes})
         self._created = False
@@ -101,19 +101,11 @@ class HistoryWriter:
 
     def _create(self, parts: dict[str, tuple[tuple[str, ...], Any, str]]) -> None:
         for name, (dimensions, values, unit) in parts.items():
-            exact = name in ("time", "ring_rotation")
-            kind = "i1" if name == "contact_state" else "f8" if exact else "f4"
-            variable = self.file.create_variable(
-                name,
-                dimensions,
-                dtype=kind,
-                chunks=(CHUNK, *values.shape[1:]),
-                compression="gzip",
-                compression_opts=1,
-            )
-            variable.attrs["units"] = "1" if name == "contact_state" else unit
-            if name == "contact_state":
-                variable.attrs["meaning"] = STATES
+            kind = KINDS.get(name, "f4")
+            form = {"chunks": (CHUNK, *values.shape[1:]), **COMPRESSION}
+            variable = self.file.create_variable(name, dimensions, dtype=kind, **form)
+            variable.attrs["units"] = unit
+        self.file.variables["contact_state"].attrs["meaning"] = STATES
         self._created = True
 
     def close(self) -> None:
@@ -132,18 +124,10 @@ class HistoryWriter:
         self.close()
 
 
-def _text() -> Any:
-    return h5py.string_dtype()
+def open_history(path: str | Path) -> xr.Dataset:
+    """Open the history of a time simulation; quantities are read from disk when first used.
 
-
-def open_history(path: str | Path) -> xarray.Dataset:
-    """Open the history of a time simulation; quantities are read from disk when they are first
-    used.
-
-    Raises
-    ------
-    ValueError
-        If there is none, or it is not ours.
+    Raises ValueError if there is none, or it is not ours.
     """
     path = Path(path)
     path = path / HISTORY_FILE if path.is_dir() else path

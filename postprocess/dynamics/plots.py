@@ -13,16 +13,20 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import MaxNLocator, MultipleLocator
 
 from bearing.dynamics.statistics import INPUTS, LOSSES
-from ehl.units import MICROMETRE, RPM
+from ehl.units import to_si
 
+from ..bearing.quantities import FREQUENCIES
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, write_figures
 from .history import open_history
+from .quantities import PLOTTED, STATES
 
 RACES = (("inner", INNER_COLOUR), ("outer", OUTER_COLOUR))
 STATE_COLOURS = ("#ffffff", "#7fa8d1", "#c1440e")  # free, contact, impact
 MECHANISM_COLOURS = (
     "#0b5394 #c1440e #3a7d44 #7a4fa3 #8a6d1d #1f9e9e #b8336a #666666 #d98c00".split()
 )
+TIME = PLOTTED["time_ms"]
+SPEED = PLOTTED["speed_rpm"]
 SHOWN_TURNS = 2.0  # turns of the cage in the pictures of one ball [-]
 ORBIT_POINTS = 4000  # of an orbit, the last ones
 SMALLEST_LOAD = 1.0e-2  # of the largest one; below, a traction factor says nothing [-]
@@ -45,18 +49,19 @@ def write_dynamics_plots(directory: Path, document: dict[str, Any]) -> tuple[str
 
 def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
     """Cage and balls [r/min] and the slip ratio of the cage [%] over time [ms]."""
-    top, bottom = _start(figure, document, 2, 1, 4.6, sharex=True)
-    time = _milliseconds(data)
-    cage = data["cage_velocity"].sel(cage_coordinate="rotation").to_numpy() / RPM
-    orbit = orbit_speed(data) / RPM
-    kinematic = kinematic_speed(data, document) / RPM
-    top.fill_between(
-        time, orbit.min(axis=1), orbit.max(axis=1), color=OUTER_COLOUR, alpha=0.25, linewidth=0
+    top, bottom = _over_time(figure, document)
+    time = TIME.in_unit(data["time"].to_numpy())
+    speeds = data["cage_velocity"].sel(cage_coordinate="rotation").to_numpy()
+    cage, orbit, kinematic = (
+        SPEED.in_unit(speed)
+        for speed in (speeds, orbit_speed(data), kinematic_speed(data, document))
     )
+    style: dict[str, Any] = {"color": OUTER_COLOUR, "alpha": 0.25, "linewidth": 0}
+    top.fill_between(time, orbit.min(axis=1), orbit.max(axis=1), **style)
     top.plot(time, orbit.mean(axis=1), color=OUTER_COLOUR, label="balls: mean, and all (shaded)")
     top.plot(time, cage, color=INNER_COLOUR, label="cage")
     top.plot(time, kinematic, "--", color=REFERENCE, label="kinematic")
-    top.set_ylabel("speed about the axis [r/min]")
+    top.set_ylabel(SPEED.label)
     top.legend()
     moving = kinematic > 0.02 * kinematic.max()
     slip = np.full(time.shape, np.nan)
@@ -64,26 +69,23 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     bottom.plot(time, slip, color=INNER_COLOUR)
     bottom.axhline(0.0, color=REFERENCE, linewidth=0.6)
     bottom.set_ylabel("slip of the cage [%]")
-    bottom.set_xlabel("time [ms]")
 
 
 def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
     """Normal and friction force of ball 1 on both races [N] over time [ms], the last turns of the
     cage.
     """
-    top, bottom = _start(figure, document, 2, 1, 4.6, sharex=True)
-    part = last_turns(data)
-    time = _milliseconds(part)
+    top, bottom = _over_time(figure, document)
+    part = last_turns(data).sel(ball=1)
+    time = TIME.in_unit(part["time"].to_numpy())
     for race, colour in RACES:
-        one = part.sel(race=race, ball=1)
-        top.plot(time, one["contact_load"], color=colour, label=f"{race} race", linewidth=0.9)
-        bottom.plot(
-            time, one["contact_friction_x"], color=colour, label=f"{race} race", linewidth=0.9
-        )
-    top.plot(time, part["pocket_load"].sel(ball=1), color=INK, label="pocket", linewidth=0.9)
-    top.set_ylabel("normal force on ball 1 [N]")
-    bottom.set_ylabel("friction along the entrainment [N]")
-    bottom.set_xlabel("time [ms]")
+        one = part.sel(race=race)
+        style: dict[str, Any] = {"color": colour, "label": f"{race} race", "linewidth": 0.9}
+        top.plot(time, one["contact_load"], **style)
+        bottom.plot(time, one["contact_friction_x"], **style)
+    top.plot(time, part["pocket_load"], color=INK, label="pocket", linewidth=0.9)
+    top.set_ylabel(PLOTTED["normal_force_N"].label)
+    bottom.set_ylabel(PLOTTED["friction_N"].label)
     top.legend(ncols=3, loc="lower center", bbox_to_anchor=(0.5, 1.0))
 
 
@@ -91,96 +93,91 @@ def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any])
     """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg], the last turns
     of the cage.
     """
-    top, bottom = _start(figure, document, 2, 1, 4.6, sharex=True)
-    part = last_turns(data)
-    place = part["ball_position"].sel(ball=1).to_numpy()
-    azimuth = np.degrees(np.unwrap(np.arctan2(place[:, 2], place[:, 1])))
+    top, bottom = _over_time(figure, document)
+    part = last_turns(data).sel(ball=1)
+    azimuth = PLOTTED["azimuth_deg"].in_unit(_turned(part))
     azimuth -= 360.0 * np.floor(azimuth[-1] / 360.0)
     for race, colour in RACES:
-        one = part.sel(race=race, ball=1)
-        load = one["contact_load"].to_numpy()
-        slide = np.hypot(one["contact_slide_x"].to_numpy(), one["contact_slide_y"].to_numpy())
-        pull = np.hypot(one["contact_friction_x"].to_numpy(), one["contact_friction_y"].to_numpy())
+        one = {name: values.to_numpy() for name, values in part.sel(race=race).items()}
+        load = one["contact_load"]
+        slide = np.hypot(one["contact_slide_x"], one["contact_slide_y"])
+        pull = np.hypot(one["contact_friction_x"], one["contact_friction_y"])
         loaded = load > SMALLEST_LOAD * max(float(load.max()), 1e-300)
         factor = np.divide(pull, load, out=np.full(load.shape, np.nan), where=loaded)
         slide = np.where(loaded, slide, np.nan)
         top.plot(azimuth, slide, color=colour, label=f"{race} race", linewidth=0.9)
         bottom.plot(azimuth, factor, color=colour, linewidth=0.9)
-    top.set_ylabel("sliding speed at the\ncontact's centre [m/s]")
-    bottom.set_ylabel("traction factor [-]")
-    bottom.set_xlabel("azimuth of ball 1 [deg]; the load line at multiples of 360")
-    bottom.xaxis.set_major_locator(_every(90.0))
+    top.set_ylabel(PLOTTED["sliding_speed_m_s"].label)
+    bottom.set_ylabel(PLOTTED["traction_factor"].label)
+    bottom.set_xlabel(f"{PLOTTED['azimuth_deg'].label}; the load line at multiples of 360")
+    bottom.xaxis.set_major_locator(MultipleLocator(90.0))
     top.legend(title="where loaded", ncols=2)
 
 
 def draw_states(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
     """Free, contact, impact of each ball at both races over time [ms]."""
-    axes = _start(figure, document, 2, 1, 4.2, sharex=True)
-    time = _milliseconds(data)
-    balls = data.sizes["ball"]
-    extent = (float(time[0]), float(time[-1]), balls + 0.5, 0.5)
+    axes = _over_time(figure, document, 4.2)
+    time = TIME.in_unit(data["time"].to_numpy())
+    extent = (float(time[0]), float(time[-1]), data.sizes["ball"] + 0.5, 0.5)
+    style: dict[str, Any] = {"aspect": "auto", "extent": extent, "interpolation": "nearest"}
     for ax, (race, _) in zip(axes, RACES, strict=True):
         kinds = data["contact_state"].sel(race=race).to_numpy().T
-        style: dict[str, Any] = {"aspect": "auto", "extent": extent, "interpolation": "nearest"}
         ax.imshow(kinds, cmap=ListedColormap(STATE_COLOURS), vmin=-0.5, vmax=2.5, **style)
         ax.set_ylabel(f"ball, {race} race")
-        ax.yaxis.set_major_locator(_every(max(1, balls // 6), integer=True))
-    axes[1].set_xlabel("time [ms]")
-    states = ("free", "contact", "impact")
+        ax.yaxis.set_major_locator(MaxNLocator(integer=True, nbins=7))
     keys = [
-        Patch(facecolor=c, edgecolor=INK, linewidth=0.4, label=w)
-        for c, w in zip(STATE_COLOURS, states, strict=True)
+        Patch(facecolor=colour, edgecolor=INK, linewidth=0.4, label=state)
+        for colour, state in zip(STATE_COLOURS, STATES, strict=True)
     ]
     figure.legend(handles=keys, loc="outside lower center", ncols=3)
 
 
 def draw_orbits(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
     """Orbits of the centres of ring and cage across the axis [um]; the load line points up."""
-    axes = _start(figure, document, 1, 2, 3.6)
+    axes = _start(figure, document, (1, 2), 3.6)
     late = data.isel(time=slice(-ORBIT_POINTS, None))
+    vertical, across = PLOTTED["y_um"], PLOTTED["z_um"]
     for ax, body, colour in zip(axes, ("ring", "cage"), (INNER_COLOUR, OUTER_COLOUR), strict=True):
         place = late[f"{body}_position"]
-        y, z = (
-            place.sel({f"{body}_coordinate": name}).to_numpy() / MICROMETRE for name in ("y", "z")
-        )
+        y = vertical.in_unit(place.sel({f"{body}_coordinate": "y"}).to_numpy())
+        z = across.in_unit(place.sel({f"{body}_coordinate": "z"}).to_numpy())
         ax.plot(z, y, color=colour, linewidth=0.5)
         ax.plot(z[-1], y[-1], "o", color=INK, markersize=3)
         whirl = document[f"{body}_whirl_speed_rpm"]
         turns = "" if whirl is None else f", turning at {whirl:.0f} r/min"
         ax.set_title(f"centre of the {'inner ring' if body == 'ring' else 'cage'}{turns}")
-        ax.set_xlabel("z [µm]")
+        ax.set_xlabel(across.label)
         ax.set_aspect("equal", adjustable="datalim")
         if np.ptp(y) == 0.0 and np.ptp(z) == 0.0:
             style = {"ha": "center", "transform": ax.transAxes, "color": REFERENCE}
             ax.text(0.5, 0.6, "fixed in these equations", **style)
-    axes[0].set_ylabel("y, along the load line [µm]")
+    axes[0].set_ylabel(vertical.label)
 
 
 def draw_spectrum(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
     """Spectrum of the ring along y, or x where y is fixed [um], and defect frequencies [Hz]."""
-    (ax,) = _start(figure, document, 1, 1, 3.4)
+    (ax,) = _start(figure, document, (1, 1), 3.4)
     defects = document["frequencies_Hz"]["with_slip"]
     frequency, amplitude, direction = ring_spectrum(data)
     shown = frequency <= SPECTRUM_REACH * max(defects["ball_pass_inner"], 1.0)
-    ax.semilogy(
-        frequency[shown][1:], amplitude[shown][1:] / MICROMETRE, color=INNER_COLOUR, linewidth=0.8
-    )
-    names = {"cage": "cage", "ball_pass_outer": "BPFO", "ball_pass_inner": "BPFI"}
-    for k, (key, word) in enumerate(names.items()):
-        ax.axvline(defects[key], color=OUTER_COLOUR, linestyle="--", linewidth=0.7)
-        label = f" {word} {defects[key]:.1f}"
-        style = {"color": OUTER_COLOUR, "va": "top", "transform": ax.get_xaxis_transform()}
-        ax.text(defects[key], 0.98 - 0.06 * k, label, **style)
-    ax.set_xlabel("frequency [Hz]; defect frequencies with the slip that came out")
-    ax.set_ylabel(f"inner ring along {direction} [µm]")
+    length = PLOTTED["amplitude_um"]
+    heights = length.in_unit(amplitude[shown][1:])
+    ax.semilogy(frequency[shown][1:], heights, color=INNER_COLOUR, linewidth=0.8)
+    style = {"color": OUTER_COLOUR, "va": "top", "transform": ax.get_xaxis_transform()}
+    for k, defect in enumerate(f for f in FREQUENCIES if f.key in defects):
+        value = defects[defect.key]
+        ax.axvline(value, color=OUTER_COLOUR, linestyle="--", linewidth=0.7)
+        ax.text(value, 0.98 - 0.06 * k, f" {defect.symbol} {value:.1f}", **style)
+    ax.set_xlabel(f"{PLOTTED['frequency_Hz'].label}; defect frequencies with the slip of the cage")
+    ax.set_ylabel(f"{length.label}, along {direction}")
 
 
 def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
     """Work put in, energy stored and lost by mechanism over time [J], and what is left over."""
-    top, bottom = _start(figure, document, 2, 1, 4.8, sharex=True, height_ratios=(3, 1))
-    time = _milliseconds(data)
+    top, bottom = _over_time(figure, document, 4.8, height_ratios=(3, 1))
+    time = TIME.in_unit(data["time"].to_numpy())
     work = data["work"].to_numpy().astype(np.float64)
-    names = [str(name) for name in data["mechanism"].to_numpy()]
+    names = [str(name).replace("_", " ") for name in data["mechanism"].to_numpy()]
     stored = data["energy"].to_numpy().astype(np.float64).sum(axis=1)
     put_in = work[:, :INPUTS].sum(axis=1)
     lost = work[:, LOSSES].sum(axis=1)
@@ -190,15 +187,14 @@ def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
     largest = np.abs(taken).max()
     for name, column, colour in zip(names[INPUTS:], taken.T, MECHANISM_COLOURS, strict=True):
         if np.abs(column).max() > 1e-3 * largest:
-            top.plot(time, column, color=colour, label=name.replace("_", " "), linewidth=0.9)
-    top.set_ylabel("energy [J]")
+            top.plot(time, column, color=colour, label=name, linewidth=0.9)
+    top.set_ylabel(PLOTTED["energy_J"].label)
     top.legend(ncols=2)
     residual = stored - stored[0] - (put_in - taken.sum(axis=1))
     residual -= residual[0]
     scale = max(np.abs(put_in).max(), np.abs(lost).max(), 1e-300)
     bottom.plot(time, 100.0 * residual / scale, color=INK, linewidth=0.9)
     bottom.set_ylabel("left over\n[% of the work]")
-    bottom.set_xlabel("time [ms]")
 
 
 def orbit_speed(data: xarray.Dataset) -> Any:
@@ -214,14 +210,13 @@ def kinematic_speed(data: xarray.Dataset, document: dict[str, Any]) -> Any:
     ring = np.gradient(angle, time) if time.size > 1 else np.ones(1)
     late = time >= time[-1] - (time[-1] - time[0]) / 3.0
     mean = float(ring[late].mean())
-    speed = document["kinematic_cage_speed_rpm"] * RPM
+    speed = to_si("speed_rpm", document["kinematic_cage_speed_rpm"])
     return np.full(time.shape, speed) if mean == 0.0 else ring * (speed / mean)
 
 
 def last_turns(data: xarray.Dataset) -> xarray.Dataset:
     """The end of a history: `SHOWN_TURNS` turns of ball 1, or all of it."""
-    place = data["ball_position"].sel(ball=1).to_numpy()
-    turned = np.unwrap(np.arctan2(place[:, 2], place[:, 1]))
+    turned = _turned(data.sel(ball=1))
     first = int(np.searchsorted(np.abs(turned - turned[-1]) < 2.0 * np.pi * SHOWN_TURNS, True))
     return data.isel(time=slice(first, None))
 
@@ -243,28 +238,35 @@ def ring_spectrum(data: xarray.Dataset) -> tuple[Any, Any, str]:
     return np.fft.rfftfreq(values.size, float(time[1] - time[0])), amplitude, direction
 
 
+def _turned(ball: xarray.Dataset) -> Any:
+    """Azimuth of a ball over time, without jumps [rad]."""
+    place = ball["ball_position"].to_numpy()
+    return np.unwrap(np.arctan2(place[:, 2], place[:, 1]))
+
+
+def _over_time(
+    figure: Figure, document: dict[str, Any], height: float = 4.6, **options: Any
+) -> Any:
+    """Two panels, one above the other, over the time [ms]."""
+    axes = _start(figure, document, (2, 1), height, sharex=True, **options)
+    axes[1].set_xlabel(TIME.label)
+    return axes
+
+
 def _start(
     figure: Figure,
     document: dict[str, Any],
-    rows: int,
-    columns: int,
+    panels: tuple[int, int],
     height: float,
     **options: Any,
 ) -> Any:
+    """Panels in rows and columns with a grid, below the title of the case."""
     figure.set_size_inches(PAGE_WIDTH, height)
     figure.suptitle(str(document["case"].get("title", "")), fontsize=8.5)
-    axes = figure.subplots(rows, columns, squeeze=False, **options)
-    for ax in axes.ravel():
+    axes = figure.subplots(*panels, squeeze=False, **options).ravel()
+    for ax in axes:
         ax.grid(linewidth=0.3, alpha=0.5)
-    return axes.ravel()
-
-
-def _milliseconds(data: xarray.Dataset) -> Any:
-    return 1000.0 * data["time"].to_numpy()
-
-
-def _every(step: float, *, integer: bool = False) -> Any:
-    return MaxNLocator(integer=True, nbins=7) if integer else MultipleLocator(step)
+    return axes
 
 
 PICTURES: dict[str, Callable[..., None]] = {

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
+from bearing.dynamics.integration._kernels import EVALUATIONS, REJECTED, STEPS
 from bearing.dynamics.laws import kinematic_cage_speed
 from bearing.dynamics.simulation import Simulation
 from bearing.dynamics.statistics import (
@@ -17,20 +18,12 @@ from bearing.dynamics.statistics import (
     simulation_statistics,
 )
 
-from ..quantities import values_of
+from ..files import plain
+from ..quantities import rows_of, values_of
+from .quantities import BALLS, RACES, RUN, SPEEDS, STATES
 from .results import DynamicsResults
 
 ENERGY_LIMIT = 1.0e-3  # of the work put in: a larger residual is flagged [-]
-STATES = ("free", "contact", "impact")
-SPEEDS = {
-    "cage_speed_rpm": "cage_speed",
-    "cage_speed_interval_rpm": "cage_interval",
-    "ball_orbit_speed_rpm": "orbit_speed",
-    "ball_orbit_speed_interval_rpm": "orbit_interval",
-    "kinematic_cage_speed_rpm": "kinematic_speed",
-    "ring_whirl_speed_rpm": "ring_whirl",
-    "cage_whirl_speed_rpm": "cage_whirl",
-}
 
 
 def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
@@ -40,25 +33,23 @@ def dynamics_summary(results: DynamicsResults) -> dict[str, Any]:
     """
     simulation = results.simulation
     numbers = simulation_statistics(simulation, results.running)
-    state = simulation.state
+    counters = simulation.state.counters
     balanced = numbers is not None and numbers.energy_error <= ENERGY_LIMIT
-    return results.head(simulation.converged and balanced, _messages(numbers)) | {
-        "simulated_s": state.time,
-        "wall_s": simulation.wall,
-        "steps": int(state.counters[0]),
-        "rejected_steps": int(state.counters[1]),
-        "evaluations": int(state.counters[4]),
-        "stiff": state.stiff,
-        "load_type": simulation.point.kind.value,
+    document = {
+        **values_of(simulation, RUN),
+        "steps": counters[STEPS],
+        "rejected_steps": counters[REJECTED],
+        "evaluations": counters[EVALUATIONS],
         "equations": simulation.equations["dynamic"],
         "equation_counts": simulation.equations,
-        **_speeds(numbers),
+        **values_of(numbers, SPEEDS),
         "energy": None if numbers is None else _energy(numbers),
-        "energy_balance_error": None if numbers is None else numbers.energy_error,
         "frequencies_Hz": None if numbers is None else _frequencies(simulation, numbers),
         "balls": [] if numbers is None else _balls(simulation, numbers),
         "timing_s": results.timing,
     }
+    head = results.head(simulation.converged and balanced, _messages(numbers))
+    return head | dict(plain(document))
 
 
 def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
@@ -75,17 +66,6 @@ def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
         yield (
             f"dynamics: no whirl: the centre of {' and '.join(still)} stays on the axis or is held"
         )
-
-
-def _speeds(numbers: SimulationStatistics | None) -> dict[str, float | None]:
-    """Means over the last third [r/min], half widths of their 95 % intervals, and ratios [-]."""
-    kinematic = None if numbers is None else numbers.kinematic_speed
-    ratio = numbers.cage_speed / kinematic if numbers is not None and kinematic else None
-    return {
-        **values_of(numbers, SPEEDS),
-        "cage_speed_ratio": ratio,
-        "cage_slip_ratio": None if ratio is None else 1.0 - ratio,
-    }
 
 
 def _energy(numbers: SimulationStatistics) -> dict[str, Any]:
@@ -120,19 +100,14 @@ def _frequencies(simulation: Simulation, numbers: SimulationStatistics) -> dict[
 
 def _balls(simulation: Simulation, numbers: SimulationStatistics) -> list[dict[str, Any]]:
     angles = np.degrees(simulation.data.pocket_angle) % 360.0
-    return [
-        {
-            "ball": j + 1,
-            "start_azimuth_deg": float(angles[j]),
-            **{
-                race: {
-                    **{state: float(numbers.shares[r, j, s]) for s, state in enumerate(STATES)},
-                    "mean_load_N": float(numbers.mean_load[r, j]),
-                    "largest_load_N": float(numbers.largest_load[r, j]),
-                }
-                for r, race in enumerate(("inner", "outer"))
-            },
-            "largest_pocket_load_N": float(numbers.largest_pocket_load[j]),
-        }
-        for j in range(simulation.bearing.balls)
-    ]
+    shares = np.moveaxis(numbers.shares, 2, 1)
+    loads = values_of(numbers, RACES)
+    races = {
+        race: rows_of(
+            dict(zip(STATES, shares[r], strict=True))
+            | {key: values[r] for key, values in loads.items()}
+        )
+        for r, race in enumerate(("inner", "outer"))
+    }
+    columns = {"ball": range(1, len(angles) + 1), "start_azimuth_deg": angles}
+    return rows_of(columns | races | values_of(numbers, BALLS))

@@ -6,8 +6,9 @@ from rich.console import Group
 from rich.text import Text
 
 from ..table import facts_table, number_table
+from .quantities import STATES
 
-HEADERS = ("ball", "free", "contact", "impact", "N", "free", "contact", "impact", "N")
+HEADERS = ("ball", *STATES, "N", *STATES, "N")
 TITLE = "share of the time at the inner race, and at the outer race; largest load"
 
 
@@ -17,7 +18,7 @@ def dynamics_table(document: dict[str, Any]) -> Group:
     for ball in document["balls"]:
         cells = [str(ball["ball"])]
         for race in ("inner", "outer"):
-            cells += [f"{ball[race][state]:.3f}" for state in ("free", "contact", "impact")]
+            cells += [f"{ball[race][state]:.3f}" for state in STATES]
             cells.append(f"{ball[race]['largest_load_N']:.3g}")
         rows.append(cells)
     states = number_table(HEADERS, rows, title=TITLE, title_style="")
