@@ -3,8 +3,8 @@
 from typing import Any
 
 from .bearing.contacts import CONTACT_QUANTITY
-from .bearing.quantities import CAGE_SPEED, HEATING, LIFE_RATING, SUPPLY, TORQUE, TORQUE_MODELS
-from .quantities import Quantity, by_key
+from .bearing.quantities import HEATING, LIFE_RATING, SUPPLY, TORQUE, TORQUE_MODELS
+from .quantities import CAGE_SPEED, Quantity, by_key
 
 CONTACT = ("load_N", "moes_M", "moes_L", "hertz_pressure_GPa")
 SIMULATION = (

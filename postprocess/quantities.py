@@ -88,3 +88,15 @@ def values_of(record: Any, declared: Iterable[Quantity]) -> dict[str, Any]:
 def rows_of(columns: Mapping[str, Iterable[Any]]) -> list[dict[str, Any]]:
     """A dictionary for each row of columns of equal length."""
     return [dict(zip(columns, row, strict=True)) for row in zip(*columns.values(), strict=True)]
+
+
+# of an equilibrium and of a simulation
+CAGE_SPEED = Quantity("cage_speed_rpm", "cage speed", "cage_speed", symbol="cage")
+FREQUENCIES = quantities(  # in a block that has the unit
+    "",
+    "",
+    ("cage", "", "", "cage"),
+    ("ball_pass_outer", "", "", "BPFO"),
+    ("ball_pass_inner", "", "", "BPFI"),
+    ("ball_spin", "", "", "BSF"),
+)

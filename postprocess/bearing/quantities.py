@@ -11,7 +11,6 @@ RING = (  # the inner ring in equilibrium
     *quantities("", "", ("displacement_um", "ring displacement"), ("tilt_mrad", "ring tilt")),
     *RING_LOAD,
 )
-CAGE_SPEED = Quantity("cage_speed_rpm", "cage speed", "cage_speed", symbol="cage")
 BALL_QUANTITIES = quantities(  # arrays of an equilibrium, an entry a ball
     "",
     "",
@@ -30,14 +29,6 @@ CONTACTS_OF_BALLS = quantities(  # not in the summary, whose contacts have them
 )
 BALL_QUANTITY = by_key((*BALL_QUANTITIES, *CONTACTS_OF_BALLS))
 ROW = quantities("", "", "axial_position_mm", "offset_um")
-FREQUENCIES = quantities(  # in a block that has the unit
-    "",
-    "",
-    ("cage", "", "", "cage"),
-    ("ball_pass_outer", "", "", "BPFO"),
-    ("ball_pass_inner", "", "", "BPFI"),
-    ("ball_spin", "", "", "BSF"),
-)
 LIFE_RATING = quantities(
     "",
     "no rating was asked for, or it does not apply",

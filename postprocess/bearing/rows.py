@@ -6,9 +6,9 @@ from typing import Any
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies, kinematic_frequencies
 
-from ..quantities import values_of
+from ..quantities import CAGE_SPEED, FREQUENCIES, values_of
 from ..results import BearingResults
-from .quantities import CAGE_SPEED, FREQUENCIES, RING_LOAD, ROW
+from .quantities import RING_LOAD, ROW
 
 
 def kinematic_block(results: BearingResults) -> dict[str, float]:

@@ -7,11 +7,11 @@ from bearing.quasistatic.solution import QuasistaticSolution
 
 from ..contact.summary import solution_messages
 from ..files import plain_document
-from ..quantities import rows_of, values_of
+from ..quantities import CAGE_SPEED, FREQUENCIES, rows_of, values_of
 from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS, BearingResults, distinct_contacts
 from .contacts import contact_messages, contact_records, contact_values
 from .heating import heating_block, heating_messages
-from .quantities import BALL_QUANTITIES, CAGE_SPEED, FREQUENCIES, RING
+from .quantities import BALL_QUANTITIES, RING
 from .ratings import clearance_block, life_block, rating_messages
 from .rows import kinematic_block, row_blocks, row_messages
 from .supply import supply_block, supply_messages

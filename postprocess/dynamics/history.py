@@ -30,7 +30,9 @@ def variables(record: Record, balls: int) -> dict[str, tuple[tuple[str, ...], An
     layout = Layout(balls)
     state = record.state
     ring, cage = ("time", "ring_coordinate"), ("time", "cage_coordinate")
-    pocket, race, load = ("time", "ball"), ("time", "race", "ball"), ("time", "load")
+    pocket = ("time", "ball")
+    race = ("time", "race", "ball")
+    load = ("time", "load")
 
     def of_balls(part: slice, unit: str) -> tuple[tuple[str, ...], Any, str]:
         return ("time", "ball", "axis"), state[:, part].reshape(len(state), balls, 3), unit

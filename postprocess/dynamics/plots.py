@@ -15,8 +15,8 @@ from matplotlib.ticker import MaxNLocator, MultipleLocator
 from bearing.dynamics.statistics import INPUTS, LOSSES
 from ehl.units import to_si
 
-from ..bearing.quantities import FREQUENCIES
 from ..plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE, write_figures
+from ..quantities import FREQUENCIES
 from .history import open_history
 from .quantities import PLOTTED, STATES
 

@@ -1,7 +1,6 @@
 """Quantities of a time simulation: of its run, its speeds, its balls, and of its pictures."""
 
-from ..bearing.quantities import CAGE_SPEED
-from ..quantities import by_key, quantities
+from ..quantities import CAGE_SPEED, by_key, quantities
 
 NO_INTERVAL = "there are fewer samples than a confidence interval needs"
 NO_WHIRL = "the centre stays on the axis or is held"
