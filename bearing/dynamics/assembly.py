@@ -14,9 +14,6 @@ from .arrays import (
     FILM,
     FRICTION_COLUMNS,
     GIVEN_COLUMNS,
-    GUIDED_BY_BALLS,
-    GUIDED_BY_INNER_RING,
-    GUIDED_BY_OUTER_RING,
     LOAD_COLUMNS,
     OUTER,
     POCKET_COLUMNS,
@@ -28,37 +25,33 @@ from .arrays import (
     EquationData,
     FrictionData,
 )
-from .bodies import free_coordinates, load_type
+from .bodies import free_coordinates
 from .friction import check_film
-from .inputs import CageBody, DynamicsModel, Guidance, NormalContact, NormalLaw
+from .initial import StartingPoint
+from .inputs import CageBody, DynamicsModel, Guidance, NormalLaw
 from .laws import damping_factor
+from .layout import CAGE, CAGE_ROTATION, RING, RING_TILT
 
 HERTZ_EXPONENT = 1.5
-RAMP_PART = 0.01  # of the ramp of the friction that an error of speed may make up [-]
+RAMP_SHARE = 0.01  # of the ramp of the friction that an error of speed may make up [-]
 NO_CAGE = CageBody(
     mass=1.0, polar_inertia=1.0, transverse_inertia=1.0, pocket_clearance=1.0, pocket_stiffness=1.0
 )
-GUIDES = {
-    Guidance.BALLS: GUIDED_BY_BALLS,
-    Guidance.INNER_RING: GUIDED_BY_INNER_RING,
-    Guidance.OUTER_RING: GUIDED_BY_OUTER_RING,
-}
 
 
 def assemble(
-    bearing: Bearing, operation: Operation, model: DynamicsModel, angles: tuple[float, float]
+    bearing: Bearing, operation: Operation, model: DynamicsModel, point: StartingPoint
 ) -> EquationData:
-    """The problem in numbers.
-
-    `angles`: contact angles, inner and outer, at which stiffnesses are taken [rad].
-    """
-    cage, n = model.cage, bearing.balls
-    kind = model.options.equations or load_type(operation, model)
-    free = [np.array(part, dtype=np.float64) for part in free_coordinates(kind, operation)]
+    """The problem in numbers; stiffnesses are taken at the contact angles of the start."""
+    cage = model.cage
+    n = bearing.balls
+    ring_free, cage_free, ball_free = free_coordinates(point.kind, operation)
     numbers = constants(bearing, model)
-    laws = normal_laws(bearing, model.normal, cage, angles)
+    laws = normal_laws(bearing, model, point.angles)
     races = [model.friction.data(race) for race in Race]
-    if cage is not None and cage.guidance is Guidance.BALLS and any(free[1][:3]):
+    if cage is None:
+        cage_free = (0,) * CAGE
+    elif cage.guidance is Guidance.BALLS and any(cage_free[:CAGE_ROTATION]):
         # else nothing would centre the cage
         numbers = numbers._replace(pocket_circle=0.5 * bearing.pitch_diameter)
     return EquationData(
@@ -67,7 +60,7 @@ def assemble(
         friction_kind=friction_kind(model, races, laws),
         friction_inner=races[0],
         friction_outer=races[1],
-        free=np.concatenate([free[0], free[1] if cage is not None else np.zeros(6), free[2]]),
+        free=np.array([*ring_free, *cage_free, *ball_free], dtype=np.float64),
         pocket_angle=np.asarray(bearing.first_ball_azimuth + 2.0 * pi / n * np.arange(n)),
         times=np.array(model.times, dtype=np.float64),
         schedule=np.array(model.rows(operation), dtype=np.float64),
@@ -85,14 +78,8 @@ def assemble(
 
 
 def friction_kind(model: DynamicsModel, races: list[FrictionData], laws: Array) -> int:
-    """Of the friction, as the kernel knows it: a table's films part the bodies of a lubricated
-    contact.
-
-    Raises
-    ------
-    ValueError
-        Where a lubricated contact has no table, or its load does not rise with the approach
-        (`check_film`).
+    """Of the friction, as the kernel knows it; ValueError where a lubricated contact has no table,
+    or its load does not rise with the approach (`check_film`).
     """
     if model.normal.law is not NormalLaw.LUBRICATED:
         return model.friction.kind
@@ -135,7 +122,7 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
         friction_ramp=model.friction_ramp,
         pocket_shear=6.0 * pi * model.film_viscosity * radius,
         film_least=cage.film_least,
-        guide=GUIDES[cage.guidance],
+        guide=tuple(Guidance).index(cage.guidance),
         land_radius=cage.land_radius,
         land_clearance=cage.land_clearance,
         land_width=cage.land_width,
@@ -148,31 +135,26 @@ def constants(bearing: Bearing, model: DynamicsModel) -> Constants:
     )
 
 
-def normal_laws(
-    bearing: Bearing, normal: NormalContact, cage: CageBody | None, angles: tuple[float, float]
-) -> Array:
+def normal_laws(bearing: Bearing, model: DynamicsModel, angles: tuple[float, float]) -> Array:
     """Stiffness [N/m^n], exponent, damping [-] of races, pocket, land, shape (4, 3)."""
+    normal = model.normal
+    cage = model.cage or NO_CAGE
     chi = damping_factor(normal.law, normal.restitution)
     rows = []
-    for race, angle, given in zip(
-        (Race.INNER, Race.OUTER),
-        angles,
-        (normal.inner_stiffness, normal.outer_stiffness),
-        strict=True,
-    ):
-        hertz = contact_stiffness(
-            *reduced_radii(bearing, race, angle), contact_modulus(bearing, race)
-        )
-        rows.append((given or hertz, HERTZ_EXPONENT, chi))
+    given = (normal.inner_stiffness, normal.outer_stiffness)
+    for race, angle, stiffness in zip(Race, angles, given, strict=True):
+        radii = reduced_radii(bearing, race, angle)
+        hertz = contact_stiffness(*radii, contact_modulus(bearing, race))
+        rows.append((stiffness or hertz, HERTZ_EXPONENT, chi))
     # a lubricated race leaves pocket and land to Lankarani and Nikravesh's law
     other_law = NormalLaw.LANKARANI_NIKRAVESH if normal.law is NormalLaw.LUBRICATED else normal.law
     other = damping_factor(other_law, normal.restitution)
-    rows.append((0.0 if cage is None else cage.pocket_stiffness, HERTZ_EXPONENT, other))
-    rows.append((0.0 if cage is None else cage.land_stiffness, 1.0, other))
+    rows.append((cage.pocket_stiffness, HERTZ_EXPONENT, other))
+    rows.append((cage.land_stiffness, 1.0, other))
     return np.array(rows)
 
 
-def scales(data: EquationData, load: float, tolerance: float, ramp: float) -> Array:
+def scales(data: EquationData, load: float, model: DynamicsModel) -> Array:
     """Size of a coordinate's and a speed's error that counts as one, shape (mechanical,) [m, rad,
     m/s, rad/s].
 
@@ -180,17 +162,17 @@ def scales(data: EquationData, load: float, tolerance: float, ramp: float) -> Ar
     of the vibration with this amplitude, but no more than a part of the ramp of the friction;
     angles of bodies: over the pitch radius, of balls: over their radius.
 
-    `load` [N]; `tolerance`: the part of approach and speed [-]; `ramp`: sliding speed within which
-    friction turns [m/s].
+    `load` [N]; `model`: with tolerance, the part of approach and speed, and ramp of the friction.
     """
+    tolerance = model.options.tolerance
     stiffness = float(data.normal[: OUTER + 1, STIFFNESS].min())
     length = (load / stiffness) ** (1.0 / HERTZ_EXPONENT)
     speed = length * np.sqrt(2.0 * HERTZ_EXPONENT * load / length / data.constants.ball_mass)
     pitch = 0.5 * (data.constants.inner_centre + data.constants.outer_centre)
     n = 3 * data.constants.balls
-    ring, cage = [1.0] * 3 + [1.0 / pitch] * 2, [1.0] * 3 + [1.0 / pitch] * 3
+    ring = [1.0] * RING_TILT + [1.0 / pitch] * (RING - RING_TILT)
+    cage = [1.0] * CAGE_ROTATION + [1.0 / pitch] * (CAGE - CAGE_ROTATION)
     place = np.array([*ring, *cage, *[1.0] * n])
-    motion = np.array([*ring, *cage, *[1.0] * n, *[1.0 / data.constants.ball_radius] * n])
-    return np.concatenate(
-        [tolerance * length * place, min(tolerance * speed, RAMP_PART * ramp) * motion]
-    )
+    turn = np.full(n, 1.0 / data.constants.ball_radius)
+    speed = min(tolerance * speed, RAMP_SHARE * model.friction.ramp)
+    return np.concatenate([tolerance * length * place, speed * place, speed * turn])

@@ -54,12 +54,13 @@ class RaceFriction:
         """Arrays of one race for the kernel [SI]."""
         law = self.inner if race is Race.INNER else self.outer
         disc = CENTRE if self.at_centre else ellipse_nodes(EllipseRule.TIME_STEPS)
+        coefficient = (np.zeros(1), np.zeros(5))
         if isinstance(law, TractionTable):
-            return FrictionData(disc, np.zeros(1), np.zeros(5), *law.kernel_arguments())
+            return FrictionData(disc, *coefficient, *law.kernel_arguments())
+        if isinstance(law, EllipseLaw):
+            coefficient = (law.coefficient.kernel_law, law.shape.constants)
         no_table = (np.zeros((5, 3)), np.zeros(1), np.zeros((1, 1, 1)), np.zeros((1,) * 6))
-        if not isinstance(law, EllipseLaw):
-            return FrictionData(disc, np.zeros(1), np.zeros(5), *no_table)
-        return FrictionData(disc, law.coefficient.kernel_law, law.shape.constants, *no_table)
+        return FrictionData(disc, *coefficient, *no_table)
 
 
 def race_friction(
@@ -68,10 +69,7 @@ def race_friction(
     """A law of torque and traction equilibrium on both races; contact angles, inner and outer
     [rad]; `at_centre`: see `RaceFriction`.
     """
-    inner, outer = (
-        source.race_law(bearing, race, angle)
-        for race, angle in zip((Race.INNER, Race.OUTER), angles, strict=True)
-    )
+    inner, outer = (source.race_law(bearing, *at) for at in zip(Race, angles, strict=True))
     return RaceFriction(inner=inner, outer=outer, at_centre=at_centre)
 
 

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from ..geometry import Bearing
-from ..operation import Model, Operation
+from ..operation import Operation
 from ..quasistatic.kinematics import centrifugal_force
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
@@ -23,7 +23,7 @@ from .arrays import (
 from .bodies import free_coordinates, load_type
 from .inputs import DynamicsModel, LoadType, Start
 from .laws import kinematic_cage_speed
-from .layout import BODIES, CAGE_ROTATION, Layout
+from .layout import BODIES, CAGE_ROTATION, FREE_TURN, Layout
 
 # share of the speed at which an equilibrium is sought for a start at rest [-]
 SMALLEST_SPEED_SHARE = 1.0e-3
@@ -46,47 +46,48 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
     """
     kind = model.options.equations or load_type(operation, model)
     first = first_operation(operation, model, kind)
-    free = bearing.free_contact_angle if first.force[0] else 0.0
     axial = kind not in (LoadType.RADIAL, LoadType.PLANAR) and any(
-        abs(row[GIVEN_FORCE]) > 0.0 for row in model.rows(operation)
+        row[GIVEN_FORCE] != 0.0 for row in model.rows(operation)
     )
-    nominal = (bearing.free_contact_angle, bearing.free_contact_angle) if axial else (free, free)
+    angle = bearing.free_contact_angle if axial or first.force[0] else 0.0
+    point = StartingPoint(kind=kind, angles=(angle, angle), equilibrium=None, messages=())
     if model.options.start is Start.ROLLING:
-        return StartingPoint(kind=kind, angles=nominal, equilibrium=None, messages=())
-    solution = _solve(bearing, first)
-    if solution is None or not solution.converged:
-        reason = "no equilibrium" if solution is None else solution.message
+        return point
+    solution = solve_quasistatic(bearing, first)
+    if not solution.converged:
         text = (
-            f"dynamics: no quasi-static start ({reason}); started with the balls rolling on the "
-            "outer race"
+            f"dynamics: no quasi-static start ({solution.message}); started with the balls "
+            "rolling on the outer race"
         )
-        return StartingPoint(kind=kind, angles=nominal, equilibrium=None, messages=(text,))
-    angles = mean_angles(solution, nominal)
-    return StartingPoint(kind=kind, angles=angles, equilibrium=solution, messages=())
+        return replace(point, messages=(text,))
+    angles = (
+        mean_angle(solution.inner_contact_angle, solution.inner_load, angle),
+        mean_angle(solution.outer_contact_angle, solution.outer_load, angle),
+    )
+    return replace(point, angles=angles, equilibrium=solution)
 
 
-def _solve(bearing: Bearing, operation: Operation) -> QuasistaticSolution | None:
-    try:
-        return solve_quasistatic(bearing, operation, Model())
-    except (ValueError, ArithmeticError, np.linalg.LinAlgError):
-        return None
+def mean_angle(angles: Array, loads: Array, nominal: float) -> float:
+    """Mean contact angle by load; nominal where nothing is loaded [rad]."""
+    total = np.sum(loads)
+    return float(np.sum(angles * loads) / total) if total > 0.0 else nominal
 
 
 def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) -> Operation:
     """The operation at time zero; coordinates that the equations fix are prescribed [SI]."""
     rows = model.rows(operation)
-    first = rows[0]
-    last = rows[-1]
     inner, outer = (
         a or SMALLEST_SPEED_SHARE * b
-        for a, b in zip(first[:GIVEN_FORCE], last[:GIVEN_FORCE], strict=True)
+        for a, b in zip(rows[0][:GIVEN_FORCE], rows[-1][:GIVEN_FORCE], strict=True)
     )
     ring = free_coordinates(kind, operation)[0]
-    loads: list[Any] = [
-        load if free else None for load, free in zip(first[GIVEN_FORCE:], ring, strict=True)
-    ]
-    given = [0.0 if value is None else value for value in operation.displacements]
-    places: list[Any] = [None if free else value for value, free in zip(given, ring, strict=True)]
+    loads: list[Any] = []
+    places: list[Any] = []
+    for load, place, free in zip(
+        rows[0][GIVEN_FORCE:], operation.displacements, ring, strict=True
+    ):
+        loads.append(load if free else None)
+        places.append(None if free else place or 0.0)
     return replace(
         operation,
         inner_speed=inner,
@@ -98,32 +99,17 @@ def first_operation(operation: Operation, model: DynamicsModel, kind: LoadType) 
     )
 
 
-def mean_angles(
-    solution: QuasistaticSolution, nominal: tuple[float, float]
-) -> tuple[float, float]:
-    """Load-weighted contact angles of an equilibrium; nominal where nothing is loaded [rad]."""
-    pairs = (
-        (solution.inner_contact_angle, solution.inner_load, nominal[0]),
-        (solution.outer_contact_angle, solution.outer_load, nominal[1]),
-    )
-    angles = [
-        float(np.sum(angle * load) / np.sum(load)) if np.sum(load) > 0.0 else other
-        for angle, load, other in pairs
-    ]
-    return angles[0], angles[1]
-
-
 def initial_state(
     bearing: Bearing, data: EquationData, point: StartingPoint, start: Start
 ) -> Array:
     """State vector at time zero, see `layout` [m, rad, m/s, rad/s]."""
     layout = Layout(bearing.balls)
     y = np.zeros(layout.size)
-    given = data.schedule[0]
-    inner, outer = given[INNER_SPEED], given[OUTER_SPEED]
     cosines, sines = np.cos(data.pocket_angle), np.sin(data.pocket_angle)
-    if point.equilibrium is None or start is Start.ROLLING:
-        axial, radial, orbit, spin = _rolling(bearing, data, point.angles, (inner, outer))
+    speeds = data.schedule[0, :GIVEN_FORCE]
+    # 1. balls: place, speed of the orbit, spin about axis and radius
+    if point.equilibrium is None:
+        axial, radial, orbit, spin = _rolling(bearing, data, point.angles, speeds)
     else:
         s = point.equilibrium
         y[layout.ring] = np.concatenate([s.displacement, s.tilt])
@@ -131,16 +117,19 @@ def initial_state(
         spin = np.stack(
             [orbit - s.spin_speed * np.cos(s.attitude), s.spin_speed * np.sin(s.attitude)]
         )
-    if start is Start.REST or not (inner or outer):
+    if start is Start.REST or not np.any(speeds):
         orbit, spin = 0.0 * orbit, 0.0 * spin
-    y[layout.ball] = np.stack([axial, radial * cosines, radial * sines], axis=1).ravel()
+    # 2. along the inertial axes, as far as the equations let them move
     speed = orbit * radial
-    free = data.free[BODIES:]
-    y[layout.ball_speed] = (
-        np.stack([0.0 * speed, -speed * sines, speed * cosines], axis=1) * free[:3]
-    ).ravel()
-    turns = np.stack([spin[0], spin[1] * cosines, spin[1] * sines], axis=1)
-    y[layout.ball_turn] = (turns * free[3:]).ravel()
+    ball_free = data.free[BODIES:FREE_TURN]
+    turn_free = data.free[FREE_TURN:]
+    place = np.stack([axial, radial * cosines, radial * sines], axis=1)
+    velocity = np.stack([0.0 * speed, -speed * sines, speed * cosines], axis=1) * ball_free
+    turn = np.stack([spin[0], spin[1] * cosines, spin[1] * sines], axis=1) * turn_free
+    y[layout.ball] = place.ravel()
+    y[layout.ball_speed] = velocity.ravel()
+    y[layout.ball_turn] = turn.ravel()
+    # 3. the cage goes round with the balls
     if data.constants.cage_mass > 0.0:
         y[layout.cage.start] = float(np.mean(axial))
         y[layout.cage_speed.start + CAGE_ROTATION] = float(np.mean(orbit))
@@ -148,23 +137,21 @@ def initial_state(
 
 
 def _rolling(
-    bearing: Bearing, data: EquationData, angles: tuple[float, float], speeds: tuple[float, float]
-) -> Any:
+    bearing: Bearing, data: EquationData, angles: tuple[float, float], speeds: Array
+) -> tuple[Array, Array, Array, Array]:
     """Balls on the outer race at the kinematic speed, pressed by their centrifugal force."""
-    n = bearing.balls
-    orbit = kinematic_cage_speed(bearing, *speeds, angles[1])
-    gamma = bearing.ball_diameter / bearing.pitch_diameter * np.cos(angles[1])
+    angle = angles[OUTER]
+    orbit = kinematic_cage_speed(bearing, speeds[INNER_SPEED], speeds[OUTER_SPEED], angle)
+    gamma = bearing.ball_diameter / bearing.pitch_diameter * np.cos(angle)
     force = centrifugal_force(data.constants.ball_mass, bearing.pitch_diameter, np.asarray(orbit))
     law = data.normal[OUTER]
     approach = (float(force) / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
     reach = bearing.outer_groove_radius - 0.5 * bearing.ball_diameter + approach
-    axial = reach * np.sin(angles[1])
-    radial = bearing.outer_centre_radius + reach * np.cos(angles[1])
-    roll = (orbit - speeds[1]) * (1.0 + gamma) / gamma
-    turn = np.array([orbit - roll * np.cos(angles[1]), roll * np.sin(angles[1])])
+    roll = (orbit - speeds[OUTER_SPEED]) * (1.0 + gamma) / gamma
+    each = np.ones(bearing.balls)
     return (
-        np.full(n, axial),
-        np.full(n, radial),
-        np.full(n, orbit),
-        np.repeat(turn[:, None], n, axis=1),
+        reach * np.sin(angle) * each,
+        (bearing.outer_centre_radius + reach * np.cos(angle)) * each,
+        orbit * each,
+        np.outer([orbit - roll * np.cos(angle), roll * np.sin(angle)], each),
     )

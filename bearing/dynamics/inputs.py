@@ -3,16 +3,22 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import Enum
-from math import isfinite
 
 import numpy as np
+
+from ehl.ranges import require_positive
 
 from ..operation import Operation
 from .arrays import GIVEN_COLUMNS, GIVEN_FORCE, INNER_SPEED
 from .friction import RaceFriction
 
-IMPACT_FLOOR = 0.05  # [m/s], see `NormalContact.impact_floor`
-TOLERANCE = 1.0e-4  # of the error of a step in units of `scales` [-]; see docs/theory/dynamics.md
+
+def given_values(operation: Operation) -> tuple[float, ...]:
+    """Speeds of the rings [rad/s], force [N] and moment [N m] of an operation; zero on a
+    coordinate with a prescribed displacement.
+    """
+    loads = (0.0 if load is None else load for load in operation.loads)
+    return (operation.inner_speed, operation.outer_speed, *loads)
 
 
 class NormalLaw(Enum):
@@ -80,7 +86,7 @@ class NormalContact:
     # (docs/theory/dynamics.md)
     restitution: float = 0.9  # [-]
     # smallest v_0: a lasting contact that began without an impact is damped as if by this speed
-    impact_floor: float = IMPACT_FLOOR  # [m/s]
+    impact_floor: float = 0.05  # [m/s]
     # K of a ball on a race; None: Hertz' of the grooved race
     inner_stiffness: float | None = None  # [N/m^1.5]
     outer_stiffness: float | None = None  # [N/m^1.5]
@@ -88,10 +94,12 @@ class NormalContact:
     def __post_init__(self) -> None:
         if not 0.0 < self.restitution <= 1.0:
             raise ValueError(f"restitution must lie in (0, 1], got {self.restitution!r}")
-        _positive("impact_floor", self.impact_floor)
-        for name in ("inner_stiffness", "outer_stiffness"):
-            if getattr(self, name) is not None:
-                _positive(name, getattr(self, name))
+        require_positive(self, "impact_floor")
+        stiffnesses = {
+            "inner_stiffness": self.inner_stiffness,
+            "outer_stiffness": self.outer_stiffness,
+        }
+        require_positive({name: k for name, k in stiffnesses.items() if k is not None})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -116,17 +124,10 @@ class CageBody:
     assumed: tuple[str, ...] = ()  # what was estimated rather than given
 
     def __post_init__(self) -> None:
-        for name in (
-            "mass",
-            "polar_inertia",
-            "transverse_inertia",
-            "pocket_clearance",
-            "pocket_stiffness",
-        ):
-            _positive(name, getattr(self, name))
+        require_positive(self, "mass", "polar_inertia", "transverse_inertia")
+        require_positive(self, "pocket_clearance", "pocket_stiffness")
         if self.guidance is not Guidance.BALLS:
-            for name in ("land_radius", "land_clearance", "land_width", "land_stiffness"):
-                _positive(name, getattr(self, name))
+            require_positive(self, "land_radius", "land_clearance", "land_width", "land_stiffness")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -142,8 +143,7 @@ class RingBody:
     assumed: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        for name in ("mass", "polar_inertia", "transverse_inertia"):
-            _positive(name, getattr(self, name))
+        require_positive(self, "mass", "polar_inertia", "transverse_inertia")
         if not self.damping >= 0.0:
             raise ValueError(f"damping must not be negative, got {self.damping!r}")
 
@@ -178,20 +178,18 @@ class Schedule:
         `speeds`: rows of time [s] and speed of the inner ring [rad/s]; `loads`: rows of time [s]
         and force along x, y, z [N].
         """
-        given = [np.array(table) for table in (speeds, loads) if table is not None]
-        if not given:
+        tables = [
+            (np.array(table), first_column)
+            for table, first_column in ((speeds, INNER_SPEED), (loads, GIVEN_FORCE))
+            if table is not None
+        ]
+        if not tables:
             return None
-        times = np.unique(np.concatenate([table[:, 0] for table in given]))
-        values = np.zeros((times.size, GIVEN_COLUMNS))
-        constant = [0.0 if load is None else load for load in operation.loads]
-        values[:] = [operation.inner_speed, operation.outer_speed, *constant]
-        if speeds is not None:
-            table = np.array(speeds)
-            values[:, INNER_SPEED] = np.interp(times, table[:, 0], table[:, 1])
-        if loads is not None:
-            table = np.array(loads)
-            for axis in range(3):
-                values[:, GIVEN_FORCE + axis] = np.interp(times, table[:, 0], table[:, 1 + axis])
+        times = np.unique(np.concatenate([table[:, 0] for table, _ in tables]))
+        values = np.tile(given_values(operation), (times.size, 1))
+        for table, first_column in tables:
+            for k, column in enumerate(table[:, 1:].T):
+                values[:, first_column + k] = np.interp(times, table[:, 0], column)
         rows = tuple(tuple(row) for row in values.tolist())
         return cls(time=tuple(times.tolist()), values=rows)
 
@@ -204,16 +202,16 @@ class DynamicsOptions:
     sample_interval: float  # between rows of the history [s]
     start: Start = Start.QUASI_STATIC
     equations: LoadType | None = None  # None: by the load (`load_type`)
-    # of a step's error in units of contact approach and of speed in its vibration
-    tolerance: float = TOLERANCE  # [-]
+    # None: a share of the vibration of a loaded ball (`simulation.STEP_ANGLE`)
+    longest_step: float | None = None  # [s]
+    # of a step's error in units of contact approach and of speed in its vibration, see
+    # docs/theory/dynamics.md
+    tolerance: float = 1.0e-4  # [-]
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0)  # along x, y, z [m/s^2]
     drag: float = 0.0  # of a ball over the square of its speed, C_D rho A/2 [N s^2/m^2]
-    # None: a part of the vibration of a loaded ball (`simulation.STEP_ANGLE`)
-    longest_step: float | None = None  # [s]
 
     def __post_init__(self) -> None:
-        for name in ("end_time", "sample_interval", "tolerance"):
-            _positive(name, getattr(self, name))
+        require_positive(self, "end_time", "sample_interval", "tolerance")
         if self.sample_interval > self.end_time:
             raise ValueError(
                 f"sample_interval must not exceed end_time {self.end_time}, "
@@ -244,15 +242,7 @@ class DynamicsModel:
         return (0.0,) if self.schedule is None else self.schedule.time
 
     def rows(self, operation: Operation) -> list[tuple[float, ...]]:
-        """Speeds [rad/s], force [N] and moment [N m] at each time of the schedule, or those of the
-        operation; zero on a coordinate with a prescribed displacement.
-        """
+        """`given_values` at each time of the schedule, or those of the operation."""
         if self.schedule is not None:
             return list(self.schedule.values)
-        loads = (0.0 if value is None else value for value in operation.loads)
-        return [(operation.inner_speed, operation.outer_speed, *loads)]
-
-
-def _positive(name: str, value: float) -> None:
-    if not (isfinite(value) and value > 0.0):
-        raise ValueError(f"{name} must be positive and finite, got {value!r}")
+        return [given_values(operation)]

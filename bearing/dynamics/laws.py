@@ -7,7 +7,7 @@ import numpy as np
 from ..friction.resistance import SPHERE_DRAG
 from ..geometry import Bearing, Race, contact_modulus
 from ..operation import Operation
-from .inputs import NormalContact, NormalLaw, RaceStiffness
+from .inputs import NormalLaw, RaceStiffness
 
 
 def damping_factor(law: NormalLaw, restitution: float) -> float:
@@ -30,46 +30,23 @@ def planar_stiffness(ball_radius: float, race_radius: float, modulus: float, rac
     E*): K = (2/3) E' sqrt(...).
     """
     sign = 1.0 if race is Race.INNER else -1.0
-    return (
-        2.0 / 3.0 * modulus * sqrt(ball_radius * race_radius / (race_radius + sign * ball_radius))
-    )
+    radius = ball_radius * race_radius / (race_radius + sign * ball_radius)
+    return 2.0 / 3.0 * modulus * sqrt(radius)
 
 
-def race_stiffnesses(
-    bearing: Bearing, kind: RaceStiffness
-) -> tuple[float, float] | tuple[None, None]:
-    """K of inner and outer race [N/m^1.5]; None where it is Hertz' of the grooved races."""
+def race_stiffnesses(bearing: Bearing, kind: RaceStiffness) -> dict[str, float]:
+    """K of inner and outer race [N/m^1.5] for a `NormalContact`; none where it is Hertz'."""
     if kind is RaceStiffness.HERTZ:
-        return None, None
+        return {}
     ball = 0.5 * bearing.ball_diameter
     bottom = bearing.inner_centre_radius - bearing.inner_groove_radius
     top = bearing.outer_centre_radius + bearing.outer_groove_radius
     surface = Race.INNER if kind is RaceStiffness.PLANAR_AS_PRINTED else Race.OUTER
-    return (
-        planar_stiffness(ball, bottom, contact_modulus(bearing, Race.INNER), Race.INNER),
-        planar_stiffness(ball, top, contact_modulus(bearing, Race.OUTER), surface),
-    )
-
-
-def normal_contact(
-    bearing: Bearing,
-    law: NormalLaw,
-    restitution: float,
-    impact_floor: float,
-    stiffness: RaceStiffness = RaceStiffness.HERTZ,
-) -> NormalContact:
-    """Normal law of all contacts with the stiffness of the races by one of the kinds.
-
-    `restitution` [-]; `impact_floor` [m/s].
-    """
-    inner, outer = race_stiffnesses(bearing, stiffness)
-    return NormalContact(
-        law=law,
-        restitution=restitution,
-        impact_floor=impact_floor,
-        inner_stiffness=inner,
-        outer_stiffness=outer,
-    )
+    inner_modulus, outer_modulus = (contact_modulus(bearing, race) for race in Race)
+    return {
+        "inner_stiffness": planar_stiffness(ball, bottom, inner_modulus, Race.INNER),
+        "outer_stiffness": planar_stiffness(ball, top, outer_modulus, surface),
+    }
 
 
 def vibration_frequency(stiffness: float, load: float, mass: float) -> float:

@@ -11,7 +11,7 @@ from .layout import Layout
 
 
 class Record(NamedTuple):
-    """Rows of the history [SI]: states, contacts (`arrays.RACE_NAMES`), pockets, energies."""
+    """Rows of the history [SI]: states, contacts (`arrays.ContactColumns`), pockets, energies."""
 
     time: Array  # (m,) [s]
     state: Array  # (m, size)

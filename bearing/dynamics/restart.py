@@ -15,9 +15,8 @@ ARRAYS = ("y", "memory", "onset", "contact_state", "shares", "attitude", "counte
 
 
 def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
-    """Write the state of a simulation; the file appears under its name when it is complete.
-
-    `case`: the case of the simulation, compared when it is read.
+    """Write the state of a simulation with its case, which is compared when it is read; the file
+    appears under its name when it is complete.
     """
     state = simulation.state
     head = {
@@ -29,23 +28,16 @@ def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
         "start_energy": simulation.start_energy,
     }
     stream = io.BytesIO()
-    np.savez(
-        stream, head=np.array(json.dumps(head)), **{name: getattr(state, name) for name in ARRAYS}
-    )
+    arrays = {name: getattr(state, name) for name in ARRAYS}
+    np.savez(stream, head=np.array(json.dumps(head)), **arrays)
     partial = path.with_name(path.name + ".partial")
     partial.write_bytes(stream.getvalue())
     os.replace(partial, path)
 
 
 def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
-    """Put a simulation where a file left it.
-
-    `simulation`: a new one of the same case; `case`: compared with that of the file.
-
-    Raises
-    ------
-    ValueError
-        If the file is damaged, of another version of the program, or of another case.
+    """Put a new simulation of the same case where a file left it; ValueError if the file is
+    damaged, of another version of the program, or of another case.
     """
     try:
         with np.load(path, allow_pickle=False) as data:

@@ -65,8 +65,7 @@ class Simulation:
     @property
     def scale(self) -> Array:
         """Errors that count as one, `assembly.scales` [SI]."""
-        tolerance = self.model.options.tolerance
-        return scales(self.data, self.reference_load, tolerance, self.model.friction.ramp)
+        return scales(self.data, self.reference_load, self.model)
 
     @property
     def reference_load(self) -> float:
@@ -76,21 +75,16 @@ class Simulation:
         return max(REFERENCE_LOAD, largest / self.bearing.balls)
 
     @property
-    def frequency(self) -> float:
-        """Angular frequency of the heaviest loaded ball between the races [rad/s]."""
-        stiffness = float(self.data.normal[: OUTER + 1, STIFFNESS].max())
-        mass = self.data.constants.ball_mass
-        return vibration_frequency(stiffness, HEAVIEST * self.reference_load, mass)
-
-    @property
     def control(self) -> StepControl:
-        """Limits of the steps [s]."""
+        """Limits of the steps, by the vibration of the heaviest loaded ball between races [s]."""
         options = self.model.options
-        longest = options.longest_step or STEP_ANGLE / self.frequency
+        stiffness = float(self.data.normal[: OUTER + 1, STIFFNESS].max())
+        heaviest = HEAVIEST * self.reference_load
+        frequency = vibration_frequency(stiffness, heaviest, self.data.constants.ball_mass)
         return StepControl(
             shortest=SHORTEST_STEP * options.end_time,
-            longest=min(longest, options.sample_interval),
-            stiff=STIFF_STEP * 2.0 * np.pi / self.frequency,
+            longest=min(options.longest_step or STEP_ANGLE / frequency, options.sample_interval),
+            stiff=STIFF_STEP * 2.0 * np.pi / frequency,
         )
 
     def sample_times(self) -> Array:
@@ -161,7 +155,7 @@ def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> 
     `operation`: speeds [rad/s], loads [N, N m] of the inner ring.
     """
     point = starting_point(bearing, operation, model)
-    data = assemble(bearing, operation, model, point.angles)
+    data = assemble(bearing, operation, model, point)
     y = initial_state(bearing, data, point, model.options.start)
     return from_state(bearing, operation, model, (point, data, y))
 

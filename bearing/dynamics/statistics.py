@@ -29,11 +29,16 @@ class RunningStatistics:
     cage_rotation: list[Array] = field(default_factory=list)  # [rad]
     orbit_speed: list[Array] = field(default_factory=list)  # mean of the balls [rad/s]
     centres: list[Array] = field(default_factory=list)  # y, z of ring and of cage, (m, 4) [m]
-    load_sum: Array = field(default_factory=lambda: np.zeros(0))  # [N]
-    load_largest: Array = field(default_factory=lambda: np.zeros(0))  # [N]
-    pocket_largest: Array = field(default_factory=lambda: np.zeros(0))  # [N]
+    load_sum: Array = field(init=False)  # (2, Z) [N]
+    load_largest: Array = field(init=False)  # (2, Z) [N]
+    pocket_largest: Array = field(init=False)  # (Z,) [N]
     residual: float = 0.0  # largest of the energies [J]
     rows: int = 0
+
+    def __post_init__(self) -> None:
+        self.load_sum = np.zeros((2, self.balls))
+        self.load_largest = np.zeros((2, self.balls))
+        self.pocket_largest = np.zeros(self.balls)
 
     def add(self, record: Record, start_energy: float) -> None:
         """Take a record in; start energy in [J]."""
@@ -44,10 +49,8 @@ class RunningStatistics:
         self.centres.append(
             np.hstack([record.state[:, part][:, 1:3] for part in (layout.ring, layout.cage)])
         )
-        loads, pockets = record.races[..., CONTACT.load], record.pockets[..., CONTACT.load]
-        if not self.rows:
-            self.load_sum, self.load_largest = np.zeros(loads.shape[1:]), np.zeros(loads.shape[1:])
-            self.pocket_largest = np.zeros(self.balls)
+        loads = record.races[..., CONTACT.load]
+        pockets = record.pockets[..., CONTACT.load]
         self.load_sum += loads.sum(axis=0)
         self.load_largest = np.maximum(self.load_largest, loads.max(axis=0))
         self.pocket_largest = np.maximum(self.pocket_largest, pockets.max(axis=0))
@@ -155,18 +158,11 @@ def _kinematic(simulation: Simulation, times: Array) -> float:
 
 def batch_interval(values: Array) -> float | None:
     """Half width of the 95 % confidence interval of the mean of evenly sampled values, by the
-    means of batches.
+    means of batches [unit of the values]; None below `SMALLEST_SAMPLE` values.
 
     The history is cut into `BATCHES` equal pieces, whose means are taken for independent: they are
     where a piece is longer than the slowest motion, so what goes round with the cage needs ten
     turns of it. A trend widens the interval.
-
-    `values`, shape (m,) [unit of the values].
-
-    Returns
-    -------
-    float or None
-        [unit of the values]; None below `SMALLEST_SAMPLE` values.
     """
     if values.size < SMALLEST_SAMPLE:
         return None
@@ -177,15 +173,9 @@ def batch_interval(values: Array) -> float | None:
 
 def whirl_speed(time: Array, place: Array) -> float | None:
     """Mean angular speed of a centre's path about its own mean, positive as the axis turns
-    [rad/s].
+    [rad/s]; None where the centre stays within a picometre, or of fewer than three samples.
 
     `time`, shape (m,) [s]; `place`, shape (m, 2): y and z of the centre [m].
-
-    Returns
-    -------
-    float or None
-        [rad/s]; None where the centre stays within a picometre, or there are fewer than three
-        samples.
     """
     off = place - place.mean(axis=0)
     if time.size < 3 or np.abs(off).max() < SMALLEST_ORBIT:

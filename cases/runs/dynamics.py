@@ -16,12 +16,13 @@ from bearing.dynamics.inputs import (
     DynamicsOptions,
     Guidance,
     LoadType,
+    NormalContact,
     NormalLaw,
     RaceStiffness,
     Schedule,
     Start,
 )
-from bearing.dynamics.laws import drag_of_force, drag_of_mixture, normal_contact
+from bearing.dynamics.laws import drag_of_force, drag_of_mixture, race_stiffnesses
 from bearing.dynamics.restart import load_restart
 from bearing.dynamics.simulation import Simulation, simulation
 from bearing.dynamics.statistics import RunningStatistics
@@ -206,12 +207,11 @@ def build_model(case: Case, tables: Path | None, notify: Progress) -> DynamicsMo
         ring=ring_body(case.bearing, si["ring_mass"], si["ring_damping"], unbalance),
         friction=RaceFriction(),
         cage=_cage(case, notes),
-        normal=normal_contact(
-            case.bearing,
-            NormalLaw(table.contact_law),
-            table.restitution,
-            si["impact_speed_floor"],
-            RaceStiffness(table.race_stiffness),
+        normal=NormalContact(
+            law=NormalLaw(table.contact_law),
+            restitution=table.restitution,
+            impact_floor=si["impact_speed_floor"],
+            **race_stiffnesses(case.bearing, RaceStiffness(table.race_stiffness)),
         ),
         schedule=Schedule.from_tables(case.operation, si["speed_table"], si["load_table"]),
         film_viscosity=case.lubricant.viscosity if table.cage_film else 0.0,

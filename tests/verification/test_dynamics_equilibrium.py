@@ -116,7 +116,7 @@ def compare(found, operation, friction):
     state, balance = balanced(operation, {Race.INNER: friction.inner, Race.OUTER: friction.outer})
     expected = balance.motions[0]
     found = motion(record.state[-1], layout)
-    races = record.races[-1, :, 0]  # columns as `bearing.dynamics.arrays.RACE_NAMES`
+    races = record.races[-1, :, 0]  # columns as `bearing.dynamics.arrays.ContactColumns`
     assert_allclose(found, [expected.orbit_speed, *expected.rotation], rtol=1e-3)
     assert_allclose(found[0], expected.orbit_speed, rtol=2e-5)
     assert_allclose(races[:, 0], [state.inner_load[0], state.outer_load[0]], rtol=1e-4)

@@ -28,7 +28,7 @@ def test_steady_dynamics_is_the_traction_equilibrium_with_its_loads():
     )
     friction = race_friction(CoefficientTraction(FourConstants.of_curve(0.05, 0.03, 0.03)), BEARING, still.point.angles)
     record, layout, _ = settled(operation, friction)
-    races = record.races[-1, :, 0]  # columns as `bearing.dynamics.arrays.RACE_NAMES`
+    races = record.races[-1, :, 0]  # columns as `bearing.dynamics.arrays.ContactColumns`
 
     source = LawTraction(laws={Race.INNER: friction.inner, Race.OUTER: friction.outer})
     traction = BallTraction(source=source, lubricant=OIL)

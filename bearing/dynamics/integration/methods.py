@@ -24,23 +24,14 @@ def advance_explicit(
 ) -> tuple[int, Record]:
     """Move a state on to the given times [s]; the kernel's status, and the rows reached.
 
-    `state`: brought up to date; `times`, shape (m,) [s]; `scale`, shape (mechanical,): errors that
-    count as one [SI].
+    `scale`, shape (mechanical,): errors that count as one [SI].
     """
     record = empty_record(times, data.constants.balls)
+    stages = np.zeros((STAGE_ROWS, state.y.size))
     status, rows, state.time, state.step = _kernels.advance_samples(
-        state.time,
-        state.y,
-        state.step,
-        data,
-        control,
-        scale,
-        np.zeros((STAGE_ROWS, state.y.size)),
-        np.zeros(state.y.size),
-        state.history,
-        state.counters,
-        record,
-    )
+        state.time, state.y, state.step, data, control, scale,
+        stages, np.zeros(state.y.size), state.history, state.counters, record,
+    )  # fmt: skip
     return int(status), first_rows(record, rows)
 
 
