@@ -5,16 +5,18 @@ from enum import Enum
 from math import isfinite
 from typing import Any
 
+from ehl.units import to_si
+
 from .library.names import library_data, matching_name
 
 DATA = "materials.toml"
-FIELDS = {  # field of Material: key of the data file and its unit in SI
-    "youngs_modulus": ("youngs_modulus_GPa", 1e9),
-    "poisson_ratio": ("poisson_ratio", 1.0),
-    "density": ("density_kg_m3", 1.0),
-    "thermal_expansion": ("thermal_expansion_um_m_K", 1e-6),
-    "thermal_conductivity": ("thermal_conductivity_W_m_K", 1.0),
-    "specific_heat": ("specific_heat_J_kg_K", 1.0),
+FIELDS = {  # of Material: key of the data file
+    "youngs_modulus": "youngs_modulus_GPa",
+    "poisson_ratio": "poisson_ratio",
+    "density": "density_kg_m3",
+    "thermal_expansion": "thermal_expansion_um_m_K",
+    "thermal_conductivity": "thermal_conductivity_W_m_K",
+    "specific_heat": "specific_heat_J_kg_K",
 }
 
 
@@ -69,14 +71,8 @@ def list_materials() -> tuple[str, ...]:
 
 
 def load_material(name: str) -> Material:
-    """Shipped material of this name, at room temperature.
-
-    `name`: one of `list_materials()`; case, spaces and hyphens do not matter.
-
-    Raises
-    ------
-    ValueError
-        If there is none of this name.
+    """Shipped material at room temperature by a name of `list_materials()`, case, spaces and
+    hyphens apart; ValueError if there is none of this name.
     """
     table = library_data(DATA)
     key = matching_name(name, table)
@@ -84,9 +80,9 @@ def load_material(name: str) -> Material:
         raise ValueError(f"material {name!r} is unknown; known: {', '.join(table)}")
     entry = material_data(key)
     numbers = {
-        field: entry[data]["value"] * unit
-        for field, (data, unit) in FIELDS.items()
-        if data in entry
+        field: float(to_si(key, entry[key]["value"]))
+        for field, key in FIELDS.items()
+        if key in entry
     }
     return Material(
         name=key,
@@ -95,22 +91,15 @@ def load_material(name: str) -> Material:
         ),
         kind=MaterialKind(entry.get("kind", "other")),
         unverified=tuple(
-            field
-            for field, (data, _) in FIELDS.items()
-            if not entry.get(data, {}).get("verified", True)
+            field for field, key in FIELDS.items() if not entry.get(key, {}).get("verified", True)
         ),
         **numbers,
     )
 
 
 def material_data(name: str) -> dict[str, Any]:
-    """What the data file says of a material: per number its value, range and source, in the units
-    of its key.
-
-    `name`: one of `list_materials()`.
-
-    Returns `kind`, and per number a dict of `value`, `range`, `source` and, where no source was
-    read, `verified` false.
+    """What the data file says of a material of `list_materials()`: `kind`, and per number, in the
+    unit of its key, `value`, `range`, `source` and, where no source was read, `verified` false.
     """
     entry = library_data(DATA)[name]
     return library_data(DATA)[str(entry["same_as"])] if "same_as" in entry else entry

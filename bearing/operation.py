@@ -23,10 +23,11 @@ class BallKinematics(Enum):
     TRACTION_EQUILIBRIUM = "traction equilibrium"
 
 
+# in the order in which traction equilibrium starts from them
 HYPOTHESES = (
+    BallKinematics.HALF_AND_HALF,
     BallKinematics.OUTER_RACE_CONTROL,
     BallKinematics.INNER_RACE_CONTROL,
-    BallKinematics.HALF_AND_HALF,
 )
 
 
@@ -90,6 +91,11 @@ class Operation:
                     f"{load_field} and {displacement_field}: degree of freedom {name} needs "
                     f"exactly one, has {given}"
                 )
+
+    @property
+    def shaft_speed(self) -> float:
+        """Speed of the inner ring relative to the outer, magnitude [rad/s]."""
+        return abs(self.inner_speed - self.outer_speed)
 
     @property
     def loads(self) -> tuple[float | None, ...]:

@@ -135,11 +135,6 @@ def without_unit(key: str) -> str:
     return " ".join(_split(key)[0])
 
 
-def si_factor(key: str) -> float:
-    """Value of one unit of a key [SI]."""
-    return unit(key).si
-
-
 def from_si(key: str, value: Any) -> Any:
     """A number or an array in SI, in the unit of its key; None stays None.
 

@@ -269,8 +269,3 @@ def _result(
             and change <= CAGE_TOLERANCE
         ),
     )
-
-
-def ring_power(solution: QuasistaticSolution, contact: BearingContact, force: Array) -> float:
-    """Power that a contact's ring feeds into it [W], from the forces (4,) on the ball."""
-    return -float(np.sum(force * motion_map(solution, [contact]).ring))

@@ -22,7 +22,7 @@ from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions
 from ..contacts.motion import contact_frames
 from ..geometry import Array, Bearing
-from ..operation import BallKinematics, Model, Operation
+from ..operation import HYPOTHESES, BallKinematics, Model, Operation
 from ..quasistatic.kinematics import PrescribedBalls, ball_mass
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic, solve_with_prescribed_balls
@@ -37,11 +37,6 @@ from .balance import (
 from .law import BallTraction, ContactLaw, TractionLaw
 from .newton import BALANCE_TOLERANCE
 
-STARTS = (
-    BallKinematics.HALF_AND_HALF,
-    BallKinematics.OUTER_RACE_CONTROL,
-    BallKinematics.INNER_RACE_CONTROL,
-)
 # change of the forces in a round over the largest load at which iterating stops [-]
 TARGET = 1.0e-11
 TOLERANCE = 1.0e-8  # change that is accepted [-]
@@ -51,11 +46,9 @@ FILM_ROUNDS = 4  # of solving films again at the last loads
 FILM_TOLERANCE = 1.0e-3  # change of a load over the largest from which films are solved anew [-]
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class _State:
-    """An equilibrium under prescribed motion and friction of the balls, and their balance
-    there.
-    """
+    """An equilibrium under prescribed motion and friction of the balls, and their balance."""
 
     solution: QuasistaticSolution
     balances: tuple[BalancedFriction, ...]  # row by row
@@ -81,45 +74,31 @@ def solve_traction_equilibrium(
 ) -> QuasistaticSolution:
     """Equilibrium of ring and balls with the friction of the races in balance on every ball.
 
-    Parameters
-    ----------
-    bearing, operation, model, initial_guess, rows
-        As in `solve_quasistatic`, SI; the ball kinematics of the model is not a hypothesis here
-        but traction equilibrium.
-    traction : BallTraction
-        Friction of ball on race and what holds the balls back.
-
-    Returns
-    -------
-    QuasistaticSolution
-        With `converged` False and a `message` where one of the balances was not found.
+    Arguments as in `solve_quasistatic`, SI; the ball kinematics of the model is traction
+    equilibrium. With `converged` False and a `message` where one of the balances was not found.
     """
     model = replace(model or Model(), ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM)
     start = _hypothesis(bearing, operation, model, initial_guess, rows)
     if not start.converged:
-        return replace(
-            start,
-            model=model,
-            message=f"traction equilibrium: no equilibrium to start from; {start.message}",
-        )
-    if operation.inner_speed == operation.outer_speed:
-        return replace(
-            start,
-            model=model,
-            message=f"{start.message}; the rings turn as one, no friction to balance",
-        )
+        message = f"traction equilibrium: no equilibrium to start from; {start.message}"
+        return replace(start, model=model, message=message)
+    if operation.shaft_speed == 0.0:
+        message = f"{start.message}; the rings turn as one, no friction to balance"
+        return replace(start, model=model, message=message)
     return _solved(replace(start, model=model), traction)
 
 
 def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSolution:
     """Equilibria with the friction made ready at the last one, until the loads stay constant."""
-    prescribed = _motion_and_friction(start)
+    known = {field.name: getattr(start, field.name) for field in fields(PrescribedBalls)}
+    prescribed = PrescribedBalls(**known)
     for films in range(1, FILM_ROUNDS + 1):
         # 1. friction ready near the last equilibrium: films are solved
-        try:
-            laws = [traction.source.refresh(contacts) for contacts in _contacts(start, traction)]
-        except ValueError as problem:
-            return replace(start, converged=False, message=f"no traction equilibrium: {problem}")
+        ready = [traction.source.refresh(contacts) for contacts in _contacts(start, traction)]
+        failed = "; ".join(refreshed.message for refreshed in ready if refreshed.message)
+        if failed:
+            return replace(start, converged=False, message=f"no traction equilibrium: {failed}")
+        laws = [refreshed.law for refreshed in ready]
         # 2. both balances in turn with these laws
         state = _iterate(start, prescribed, traction, laws)
         start = state.solution
@@ -146,7 +125,7 @@ def _hypothesis(
     rows: Sequence[Row],
 ) -> QuasistaticSolution:
     """Equilibrium under the first hypothesis that has one; the last one tried if none has."""
-    for kinematics in STARTS:
+    for kinematics in HYPOTHESES:
         assumed = replace(model, ball_kinematics=kinematics)
         solution = solve_quasistatic(bearing, operation, assumed, initial_guess, rows)
         if solution.converged:
@@ -158,9 +137,8 @@ def _contacts(
     solution: QuasistaticSolution, traction: BallTraction
 ) -> list[tuple[BearingContact, ...]]:
     """Contacts of each row, counted by themselves."""
-    return [
-        contact_conditions(solution.row(i), traction.lubricant) for i in range(len(solution.rows))
-    ]
+    rows = [solution.row(i) for i in range(len(solution.rows))]
+    return [contact_conditions(row, traction.lubricant) for row in rows]
 
 
 def _iterate(
@@ -208,19 +186,13 @@ def _failure_message(state: _State) -> str:
         worst = max(balance.residual for balance in state.balances)
         pushed = max(balance.cage_change for balance in state.balances)
         if worst <= BALANCE_TOLERANCE:
-            return (
-                "balls and cage find no common speed (the push of the cage still changes by "
-                f"{pushed:.1e} of it)"
-            )
-        return (
-            f"friction cannot balance a ball (force left {worst:.1e} of the friction that counts "
-            "as large)"
-        )
+            left = f"the push of the cage still changes by {pushed:.1e} of it"
+            return f"balls and cage find no common speed ({left})"
+        left = f"force left {worst:.1e} of the friction that counts as large"
+        return f"friction cannot balance a ball ({left})"
     if state.change > TOLERANCE:
-        return (
-            f"forces still change by {state.change:.1e} of the largest load after {MAX_ROUNDS} "
-            "rounds"
-        )
+        change = f"{state.change:.1e} of the largest load"
+        return f"forces still change by {change} after {MAX_ROUNDS} rounds"
     return ""
 
 
@@ -241,19 +213,11 @@ def _round(
         np.zeros(solution.azimuth.size, dtype=np.bool_) if before is None else before.cage_driven
     )
     if not solution.converged:
-        return _State(
-            solution=solution,
-            balances=(),
-            contacts=(),
-            cage_driven=cage_driven,
-            prescribed=prescribed,
-            balanced=prescribed,
-            change=np.inf,
-        )
+        return _State(solution, (), (), cage_driven, prescribed, prescribed, np.inf)
     cage_driven = cage_driven.copy()
     lubricated = _contacts(solution, traction)
-    balances = []
-    balanced = []
+    balances: list[BalancedFriction] = []
+    balanced: list[PrescribedBalls] = []
     for i, contacts in enumerate(lubricated):
         row = solution.row(i)
         part = slice(i * solution.bearing.balls, (i + 1) * solution.bearing.balls)
@@ -263,23 +227,16 @@ def _round(
         cage_driven[part] |= (row.inner_load > 0.0) & undriven
         balances.append(balance)
         balanced.append(_from_balance(row, contacts, balance))
-    joined = _joined(balanced)
-    return _State(
-        solution=solution,
-        balances=tuple(balances),
-        contacts=tuple(lubricated),
-        cage_driven=cage_driven,
-        prescribed=prescribed,
-        balanced=joined,
-        change=_change(solution, prescribed, joined),
+    names = [field.name for field in fields(PrescribedBalls)]
+    joined = PrescribedBalls(
+        **{name: np.concatenate([getattr(part, name) for part in balanced]) for name in names}
     )
-
-
-def _change(solution: QuasistaticSolution, old: PrescribedBalls, new: PrescribedBalls) -> float:
-    """Largest change of the forces that the balances pass on, over the largest load [-]."""
     weight = _orbit_weight(solution)
     largest = max(solution.inner_load.max(), solution.outer_load.max())
-    return float(np.abs(_vector(new, weight) - _vector(old, weight)).max() / largest)
+    step = np.abs(_vector(joined, weight) - _vector(prescribed, weight)).max()
+    change = float(step / largest)
+    parts = tuple(balances), tuple(lubricated)
+    return _State(solution, *parts, cage_driven, prescribed, joined, change)
 
 
 def _balance(
@@ -289,25 +246,11 @@ def _balance(
     traction: BallTraction,
     cage_driven: NDArray[np.bool_] | None,
 ) -> BalancedFriction:
-    """Balance of the balls of a row, without those that the cage carries; None: which these are is
-    not yet known.
-    """
+    """Balance of the balls of a row, without those driven by the cage; None: not yet known."""
     if cage_driven is None:
         return balance_driven_balls(row, contacts, law, traction.resistance)
-    return balance_balls(
-        row,
-        contacts,
-        law,
-        driven=(row.inner_load > 0.0) & ~cage_driven,
-        resistance=traction.resistance,
-    )
-
-
-def _motion_and_friction(solution: QuasistaticSolution) -> PrescribedBalls:
-    """Motion [rad/s] and friction [N] of an equilibrium."""
-    return PrescribedBalls(
-        **{field.name: getattr(solution, field.name) for field in fields(PrescribedBalls)}
-    )
+    driven = (row.inner_load > 0.0) & ~cage_driven
+    return balance_balls(row, contacts, law, driven=driven, resistance=traction.resistance)
 
 
 def _from_balance(
@@ -338,14 +281,6 @@ def _from_balance(
     )
 
 
-def _joined(parts: Sequence[PrescribedBalls]) -> PrescribedBalls:
-    """Those of all rows as one."""
-    names = [field.name for field in fields(PrescribedBalls)]
-    return PrescribedBalls(
-        **{name: np.concatenate([getattr(part, name) for part in parts]) for name in names}
-    )
-
-
 def _orbit_weight(solution: QuasistaticSolution) -> float:
     """Force that an orbit speed is worth, m d_m/2 times the fastest [N s/rad]."""
     bearing = solution.bearing
@@ -355,27 +290,17 @@ def _orbit_weight(solution: QuasistaticSolution) -> float:
 
 def _vector(prescribed: PrescribedBalls, weight: float) -> Array:
     """What the two balances pass on, as forces, shape (4, N) [N]."""
-    return np.stack(
-        [
-            weight * prescribed.orbit_speed,
-            prescribed.inner_friction,
-            prescribed.outer_friction,
-            prescribed.inner_drive,
-        ]
-    )
+    p = prescribed
+    friction = [p.inner_friction, p.outer_friction, p.inner_drive]
+    return np.stack([weight * p.orbit_speed, *friction])
 
 
 def _with_vector(prescribed: PrescribedBalls, vector: Array, weight: float) -> PrescribedBalls:
     """The same with other forces [N]; orbit speeds follow from theirs."""
     orbit, inner, outer, drive = vector
     orbit = orbit / weight if weight > 0.0 else prescribed.orbit_speed
-    return replace(
-        prescribed,
-        orbit_speed=orbit,
-        inner_friction=inner,
-        outer_friction=outer,
-        inner_drive=drive,
-    )
+    friction = {"inner_friction": inner, "outer_friction": outer, "inner_drive": drive}
+    return replace(prescribed, orbit_speed=orbit, **friction)
 
 
 class _Anderson:

@@ -14,6 +14,7 @@ from ehl.traction.shear import (
     film_temperature,
     film_viscosity,
     sheared_width,
+    trapezoidal_weights,
     with_outlet,
 )
 
@@ -195,7 +196,7 @@ def _film_nodes(
     assert film.x is not None and film.y is not None and film.film is not None
     x, y = np.broadcast_arrays(film.x[:, None], film.y[None, :])
     width = sheared_width(film.film, film.pressure, Cavitation.STRIATED)
-    area = _weights(film.x)[:, None] * _weights(film.y)[None, :]
+    area = trapezoidal_weights(film.x, film.y)
     hydrodynamic = float(np.sum(area * x * film.pressure))
     kinematics = bearing_kinematics(solution, contact)
     inlet = film_temperature(film, solution.operation.temperature)
@@ -228,10 +229,3 @@ def _counting(parts: Array, left_out: float) -> NDArray[np.bool_]:
     counting = np.ones(parts.size, dtype=np.bool_)
     counting[order[np.cumsum(parts.ravel()[order]) < left_out * parts.sum()]] = False
     return counting.reshape(parts.shape)
-
-
-def _weights(nodes: Array) -> Array:
-    """Weights of the trapezoidal rule, as `integrate_traction` has them [m]."""
-    weights = np.gradient(nodes)
-    weights[[0, -1]] *= 0.5
-    return np.asarray(weights)

@@ -11,7 +11,7 @@ of `RaceTraction` serves the equations of motion too (`dynamics.friction.race_fr
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import NamedTuple, Self
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,15 +67,22 @@ class TractionLaw(ABC):
     def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
         """Friction of the contacts of an equilibrium, at its loads [N] and contact angles."""
 
-    def refresh(self, contacts: Sequence[BearingContact]) -> Self:
-        """The law ready for equilibria with nearly these contacts; ValueError where that fails."""
+    def refresh(self, contacts: Sequence[BearingContact]) -> "Refreshed":
+        """The law ready for equilibria with nearly these contacts, or why it is not."""
         del contacts
-        return self
+        return Refreshed(self)
 
     def load_change(self, contacts: Sequence[BearingContact]) -> float:
         """Largest change of a load since `refresh`, over the largest load [-]."""
         del contacts
         return 0.0
+
+
+class Refreshed(NamedTuple):
+    """A law made ready; a `message` says why that failed."""
+
+    law: TractionLaw
+    message: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,7 +5,6 @@ films.
 from abc import abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Self
 
 import numpy as np
 
@@ -21,7 +20,7 @@ from ..geometry import Bearing, Race
 from ..quasistatic.solution import QuasistaticSolution
 from .coulomb import coulomb_law
 from .films import Asperities, film_law
-from .law import ContactLaw, TractionLaw
+from .law import ContactLaw, Refreshed, TractionLaw
 from .tables import contact_law
 
 SolveFilms = Callable[[Sequence[ContactConditions | None]], Sequence[ContactSolution | None]]
@@ -113,19 +112,21 @@ class FilmTraction(TractionLaw):
             "them"
         )
 
-    def refresh(self, contacts: Sequence[BearingContact]) -> Self:
-        """With films solved at the loads of contacts [N]; ValueError names the contact whose film
-        did not converge.
+    def refresh(self, contacts: Sequence[BearingContact]) -> Refreshed:
+        """With films solved at the loads of contacts [N], or the contact whose film failed, or why
+        the solver refuses one.
         """
-        films = self.solve([contact.conditions for contact in contacts])
+        try:
+            films = self.solve([contact.conditions for contact in contacts])
+        except ValueError as refused:
+            return Refreshed(self, str(refused))
+        message = ""
         for contact, film in zip(contacts, films, strict=True):
-            if film is not None and not film.converged:
-                raise ValueError(
-                    f"the film of ball {contact.ball} at the {contact.race.value} race did not "
-                    "converge"
-                )
+            if film is not None and not film.converged and not message:
+                place = f"ball {contact.ball} at the {contact.race.value} race"
+                message = f"the film of {place} did not converge"
         loads = tuple(contact.load for contact in contacts)
-        return replace(self, films=tuple(films), loads=loads)
+        return Refreshed(replace(self, films=tuple(films), loads=loads), message)
 
     def at(self, solution: QuasistaticSolution, contacts: Sequence[BearingContact]) -> ContactLaw:
         """Friction at the loads of an equilibrium [N], with the traction coefficients of the

@@ -71,20 +71,6 @@ def load_tables(path: Path) -> Tables | TemperatureTables:
         raise ValueError(f"{path}: no traction tables of a bearing, or damaged ones") from problem
 
 
-def load_race_tables(path: Path) -> Tables:
-    """As `load_tables`, from a file with a single temperature; ValueError for one with several."""
-    tables = {}
-    for race, table in load_tables(path).items():
-        if isinstance(table, TemperatureTable):
-            raise ValueError(
-                f"{path}: has tables at several temperatures; one of a single temperature is "
-                "needed "
-                "here"
-            )
-        tables[race] = table
-    return tables
-
-
 def _table(archive: zipfile.ZipFile, path: Path, name: str) -> TractionTable:
     return read_table(io.BytesIO(archive.read(f"{name}.npz")), str(path))
 

@@ -91,7 +91,7 @@ class SelfHeatingSolution:
 
 def self_heating(problem: SelfHeatingProblem, cooling: Cooling) -> HeatBalance:
     """Temperature [K] at which friction equals what surroundings and oil remove."""
-    speed = abs(problem.operation.inner_speed - problem.operation.outer_speed)
+    speed = problem.operation.shaft_speed
     return heat_balance(problem.torque_at, speed, cooling)
 
 

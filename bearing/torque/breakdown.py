@@ -9,7 +9,6 @@ from ..contacts.contact import BearingContact
 from ..quasistatic.solution import QuasistaticSolution
 from ..supply.starved_films import StarvedFilm, starved_films
 from ..supply.supply import Supply
-from . import sliding
 from .models import (
     FrictionInput,
     ModelTorque,
@@ -21,7 +20,7 @@ from .models import (
     summed,
     yao_model,
 )
-from .shear_torque import IntegratedTorque, SolvedShear
+from .shear_torque import SolvedShear
 from .starved import StarvedTorque, starved_torque
 
 INTEGRATED = "integrated"
@@ -79,25 +78,12 @@ def torque_breakdown(
     shear: SolvedShear | None = None,
     solutions: Sequence[ContactSolution | None] | None = None,
 ) -> TorqueBreakdown:
-    """Friction torque by every model.
+    """Friction torque [N m] by every model; at rest every model is left out.
 
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        Loads [N], speeds [rad/s].
-    lubricant : Lubricant
-        Viscosity [Pa s], density [kg/m^3].
-    shear : SolvedShear, optional
-        Shear of every lubricated contact; without it there is no integrated model.
-    solutions : sequence of ContactSolution or None, optional
-        Flooded films that a supply takes its share of; formulas where one is missing.
-
-    Returns
-    -------
-    TorqueBreakdown
-        [N m]; at rest every model is left out.
+    `shear`: of every lubricated contact, without it there is no integrated model; `solutions`:
+    flooded films that a supply takes its share of, formulas where one is missing.
     """
-    speed = sliding.shaft_speed(solution)
+    speed = solution.operation.shaft_speed
     if speed == 0.0:
         rest = ModelTorque(note="the rings do not turn against each other")
         return TorqueBreakdown(models=dict.fromkeys(NAMES, rest), coefficient=0.0)
@@ -105,9 +91,7 @@ def torque_breakdown(
     models = {
         INTEGRATED: _integrated(solution, lubricant, friction, shear, speed),
         **line_models(solution, contacts, mu, speed),
-        **skf_model(
-            solution, lubricant, friction, None if shear is None else shear.asperity_share
-        ),
+        **skf_model(solution, lubricant, friction, shear and shear.asperity_share),
         "palmgren": palmgren_model(solution, lubricant, friction),
         "yao": yao_model(solution, contacts, lubricant, friction, mu),
     }
@@ -115,28 +99,18 @@ def torque_breakdown(
     lambda_note = lacking.get("asperity", "needs the films and their roughness, [surface]")
     models.setdefault("skf_lambda", ModelTorque(note=lambda_note))
     models[STARVED], starved = _starved(solution, contacts, lubricant, friction, solutions)
+    films: tuple[StarvedFilm | None, ...] = ()
+    if friction.supply is not None:
+        balls = solution.bearing.balls
+        films = starved_films(contacts, friction.supply, balls, friction.roughness, solutions)
     order = [*NAMES, *(name for name in models if name not in NAMES)]
     return TorqueBreakdown(
         models={name: models[name] for name in order},
         coefficient=mu,
         shear=shear,
-        films=_films(solution, contacts, friction, solutions),
+        films=films,
         starved=starved,
         for_supply=friction.supply is not None and not friction.flooded,
-    )
-
-
-def _films(
-    solution: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    friction: FrictionInput,
-    solutions: Sequence[ContactSolution | None] | None,
-) -> tuple[StarvedFilm | None, ...]:
-    """What the supply leaves of the contacts' films; empty without one."""
-    if friction.supply is None:
-        return ()
-    return starved_films(
-        contacts, friction.supply, solution.bearing.balls, friction.roughness, solutions
     )
 
 
@@ -150,7 +124,7 @@ def model_torque(
     """Friction torque [N m] by one model that needs no films, without the work of the others; as
     `torque_breakdown`.
     """
-    speed = sliding.shaft_speed(solution)
+    speed = solution.operation.shaft_speed
     mu = coulomb_coefficient(solution, lubricant, friction)
     models = {
         SKF: lambda: skf_model(solution, lubricant, friction)[SKF],
@@ -168,13 +142,11 @@ def _integrated(
     shear: SolvedShear | None,
     speed: float,
 ) -> ModelTorque:
-    """Heat of the sheared films over the shaft's speed, by what the shear works against, cage and
-    churning.
-    """
+    """Heat of the sheared films over the shaft's speed by its parts, cage and churning."""
     if shear is None:
         return ModelTorque(note=NO_FILMS)
-    torque: IntegratedTorque = shear.torque
-    return summed(torque.parts | cage_and_drag(solution, lubricant, friction, speed), shear.note)
+    rest = cage_and_drag(solution, lubricant, friction, speed)
+    return summed(shear.torque.parts | rest, shear.note)
 
 
 def _starved(
@@ -185,18 +157,13 @@ def _starved(
     solutions: Sequence[ContactSolution | None] | None = None,
 ) -> tuple[ModelTorque, StarvedTorque | None]:
     """Torque at the oil supply given, first order."""
-    missing = [
-        name
-        for name, absent in (
-            ("lubricant.inlet_film_um or friction.supply_mL_min", friction.supply is None),
-            ("[surface]", friction.roughness is None),
-            (
-                "bearing.width_mm",
-                isinstance(friction.supply, Supply) and solution.bearing.width is None,
-            ),
-        )
-        if absent
-    ]
+    no_width = isinstance(friction.supply, Supply) and solution.bearing.width is None
+    needed = {
+        "lubricant.inlet_film_um or friction.supply_mL_min": friction.supply is None,
+        "[surface]": friction.roughness is None,
+        "bearing.width_mm": no_width,
+    }
+    missing = [name for name, absent in needed.items() if absent]
     if friction.supply is None or missing:
         return ModelTorque(note=f"needs {', '.join(missing)}"), None
     try:
@@ -205,6 +172,5 @@ def _starved(
         )
     except ValueError as error:
         return ModelTorque(note=str(error)), None
-    return summed(
-        {name: getattr(torque, name) for name in ("rolling", "film", "asperity", "cage", "drag")}
-    ), torque
+    parts = ("rolling", "film", "asperity", "cage", "drag")
+    return summed({name: getattr(torque, name) for name in parts}), torque

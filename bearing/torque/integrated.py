@@ -36,18 +36,16 @@ from .shear_torque import (
     no_balance_message,
 )
 
-ONE_MOMENT = {
-    "curvature": "the friction law has one moment about the transverse axis: "
-    "rolling holds the curvature slip"
-}
-NO_ROLLING_RESISTANCE = {
-    "rolling": "the friction law is a coefficient over the ellipse and knows no rolling "
-    "resistance of the oil"
-}
-NO_ASPERITIES = {
-    "asperity": "the friction law holds no minimum film, from which the share of asperities "
-    "follows"
-}
+# why a law of friction lacks parts of the torque
+ONE_MOMENT = (
+    "the friction law has one moment about the transverse axis: rolling holds the curvature slip"
+)
+NO_ROLLING_RESISTANCE = (
+    "the friction law is a coefficient over the ellipse and knows no rolling resistance of the oil"
+)
+NO_ASPERITIES = (
+    "the friction law holds no minimum film, from which the share of asperities follows"
+)
 
 
 def solved_shear(
@@ -58,26 +56,16 @@ def solved_shear(
     asperities: Asperities | None = None,
     resistance: Resistance = NO_RESISTANCE,
 ) -> SolvedShear:
-    """Torque [N m] of solved films under the hypothesis and in traction equilibrium.
-
-    Parameters
-    ----------
-    solution, contacts, films, rheology
-        As in `film_balance`; films of all lubricated contacts.
-    asperities : Asperities, optional
-        None: full films.
-    resistance : Resistance, optional
-        What holds the balls back beside the races.
+    """Torque [N m] of solved films under the hypothesis and in traction equilibrium; arguments as
+    in `film_balance`, films of all lubricated contacts.
     """
     pairs = [(c, film) for c, film in zip(contacts, films, strict=True) if film is not None]
-    shares = [
-        0.0 if asperities is None else asperities.share(contact, film) for contact, film in pairs
-    ]
+    shares = [0.0 if asperities is None else asperities.share(c, film) for c, film in pairs]
     boundary = 0.0 if asperities is None else asperities.boundary
-    loads = sum(contact.load for contact, _ in pairs)
+    loads = sum(c.load for c, _ in pairs)
     mean = None
     if asperities is not None and loads > 0.0:
-        mean = sum(s * contact.load for s, (contact, _) in zip(shares, pairs, strict=True)) / loads
+        mean = sum(s * c.load for s, (c, _) in zip(shares, pairs, strict=True)) / loads
     assumed = tuple(contact_traction(solution, c, film, rheology) for c, film in pairs)
     hypothesis = replace(
         integrated_torque(solution, assumed, shares, boundary),
@@ -85,15 +73,13 @@ def solved_shear(
     )
     balance = film_balance(solution, contacts, films, rheology, asperities, resistance)
     if not balance.converged:
+        note = no_balance_message(balance)
         return SolvedShear(
-            hypothesis=hypothesis,
-            asperity_share=mean,
-            tractions=assumed,
-            note=no_balance_message(balance),
+            hypothesis=hypothesis, asperity_share=mean, tractions=assumed, note=note
         )
+    motions = balance.motions
     tractions = tuple(
-        contact_traction(solution, c, film, rheology, balance.motions[c.ball - 1])
-        for c, film in pairs
+        contact_traction(solution, c, film, rheology, motions[c.ball - 1]) for c, film in pairs
     )
     torque = integrated_torque(solution, tractions, shares, boundary)
     shear = _balanced_shear(solution, hypothesis, torque, balance)
@@ -106,18 +92,8 @@ def law_torque(
     law: ContactLaw,
     resistance: Resistance = NO_RESISTANCE,
 ) -> SolvedShear:
-    """Torque [N m] by the friction of all contacts, under the hypothesis and in balance.
-
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        With rings that turn against each other [rad/s].
-    contacts : sequence of BearingContact
-        All of its contacts, inner then outer, ball by ball.
-    law : ContactLaw
-        Friction in [N], [N m].
-    resistance : Resistance, optional
-        What holds the balls back beside the races.
+    """Torque [N m] by the friction of all contacts, inner then outer, ball by ball, under the
+    hypothesis and in balance; the rings turn against each other.
     """
     kinematics = motion_map(solution, contacts)
     motion = kinematics.motion(*ball_speeds(solution))
@@ -126,7 +102,9 @@ def law_torque(
         _law_torque(solution, kinematics, law, motion, forces),
         resisted=resisted_power(solution, resistance),
     )
-    missing = (ONE_MOMENT if law.has_rolling_resistance else NO_ROLLING_RESISTANCE) | NO_ASPERITIES
+    missing = {"rolling": NO_ROLLING_RESISTANCE, "asperity": NO_ASPERITIES}
+    if law.has_rolling_resistance:
+        missing = {"curvature": ONE_MOMENT, "asperity": NO_ASPERITIES}
     balance = balance_driven_balls(solution, contacts, law, resistance)
     if not balance.converged:
         note = no_balance_message(balance)
@@ -180,17 +158,8 @@ def integrated_torque(
 ) -> IntegratedTorque:
     """Torque [N m] of the shear of all lubricated contacts at the motion of their tractions.
 
-    Parameters
-    ----------
-    solution : QuasistaticSolution
-        With rings that turn against each other [rad/s].
-    tractions : sequence of ContactTraction
-        Of every lubricated contact.
-    shares : sequence of float, optional
-        Part of each contact's load on asperities [-]; the oil's sliding stress counts for the
-        rest.
-    boundary : float
-        Friction of the asperities, mu_b [-].
+    `shares`: part of each contact's load on asperities [-], the oil's sliding stress counts for
+    the rest; `boundary`: friction of the asperities, mu_b [-].
     """
     pairs = zip(tractions, shares or [0.0] * len(tractions), strict=True)
     rows = [_film_powers(solution, traction, share, boundary) for traction, share in pairs]
@@ -234,7 +203,7 @@ def _torque_of_powers(
     """Sums over contacts of powers (contacts, 5) [W] as in `_film_powers` and of what the rings
     feed in against all forces (contacts, 4).
     """
-    speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
+    speed = solution.operation.shaft_speed
     shaft = -(forces * kinematics.ring).sum(axis=1)
     sums = np.column_stack([powers, shaft]).sum(axis=0)
     rolling, sliding, spin, curvature, asperity = (float(power) / speed for power in sums[:5])

@@ -56,7 +56,7 @@ def coulomb_coefficient(
     """
     if friction.coefficient is not None:
         return friction.coefficient
-    speed = sliding.shaft_speed(solution)
+    speed = solution.operation.shaft_speed
     mean = mean_diameter(solution.bearing)
     viscosity = lubricant.viscosity / lubricant.density
     return skf.sliding_friction(speed, viscosity, mean, friction.film_friction, friction.boundary)
@@ -85,11 +85,8 @@ def cage_and_drag(
     """Torque of cage and churning [N m] at a shaft's speed [rad/s], zero for what is not given."""
     cage = drag = 0.0
     if friction.cage is not None:
-        ring = (
-            solution.operation.outer_speed
-            if friction.cage.outer_guided
-            else solution.operation.inner_speed
-        )
+        speeds = solution.operation.inner_speed, solution.operation.outer_speed
+        ring = speeds[friction.cage.outer_guided]
         land = land_power(friction.cage, lubricant.viscosity, ring, solution.cage_speed)
         cage = (land + pocket_power(friction.cage, solution.bearing, solution, land)) / speed
     if friction.oil_fraction is not None:
@@ -104,9 +101,10 @@ def line_models(
     are compared with.
     """
     loaded = sliding.sliding_contacts(solution, contacts)
+    lines = sliding.pure_rolling_line_torque
     houpert = sliding.houpert_torque(loaded, speed, mu)
     return {
-        "pure_rolling_lines": _slid(sliding.pure_rolling_line_torque(loaded, speed, mu)),
+        "pure_rolling_lines": summed(lines(loaded, speed, mu)._asdict()),
         "balanced_lines": _balanced(solution, contacts, mu, speed),
         "houpert": summed(
             {
@@ -115,16 +113,10 @@ def line_models(
                 "hydrodynamic": rolling_power(contacts) / speed,
             }
         ),
-        "kakuta": _slid(sliding.kakuta_torque(loaded, speed, mu)),
-        "constant_coulomb": _slid(
-            sliding.pure_rolling_line_torque(loaded, speed, CONSTANT_COULOMB)
-        ),
+        "kakuta": summed(sliding.kakuta_torque(loaded, speed, mu)._asdict()),
+        "constant_coulomb": summed(lines(loaded, speed, CONSTANT_COULOMB)._asdict()),
         "coulomb": _coulomb(solution, contacts, mu, speed),
     }
-
-
-def _slid(torque: sliding.SlidingTorque) -> ModelTorque:
-    return summed({"spin": torque.spin, "rotation": torque.rotation, "orbit": torque.orbit})
 
 
 def _balanced(
@@ -133,22 +125,13 @@ def _balanced(
     """Lines in balance of force and moments on every ball."""
     balance = balanced_friction(solution, contacts, mu, lines=True)
     if not balance.converged:
-        return ModelTorque(
-            note=(
-                f"no balance of the friction on the balls (residual {balance.residual:.1e} of mu "
-                "Q)"
-            )
-        )
+        residual = f"residual {balance.residual:.1e} of mu Q"
+        return ModelTorque(note=f"no balance of the friction on the balls ({residual})")
     k, f = balance.kinematics, balance.forces
-    rotation = -(f[..., 3] * balance.ball_rolling).sum() / speed
-    spin = -(f[..., 2] * k[..., 2]).sum() / speed
-    return summed(
-        {
-            "spin": float(spin),
-            "rotation": float(rotation),
-            "orbit": float(balance.power.sum() / speed - spin - rotation),
-        }
-    )
+    rotation = float(-(f[..., 3] * balance.ball_rolling).sum() / speed)
+    spin = float(-(f[..., 2] * k[..., 2]).sum() / speed)
+    orbit = float(balance.power.sum()) / speed - spin - rotation
+    return summed({"spin": spin, "rotation": rotation, "orbit": orbit})
 
 
 def _coulomb(
@@ -157,12 +140,8 @@ def _coulomb(
     """The whole ellipse in balance of force and moments, with the gyroscopic couple."""
     balance = balanced_friction(solution, contacts, mu)
     if not balance.converged:
-        return ModelTorque(
-            note=(
-                f"Coulomb friction of {mu:.3g} does not hold the balls (residual "
-                f"{balance.residual:.1e} of mu Q)"
-            )
-        )
+        failure = f"does not hold the balls (residual {balance.residual:.1e} of mu Q)"
+        return ModelTorque(note=f"Coulomb friction of {mu:.3g} {failure}")
     k, f = balance.kinematics, balance.forces
     spin, curvature = (-float((f[..., j] * k[..., j]).sum()) / speed for j in (2, 3))
     slide = float(balance.power.sum()) / speed - spin - curvature
@@ -188,11 +167,9 @@ def skf_model(
     if isinstance(inputs, str):
         return dict.fromkeys(names, ModelTorque(note=inputs))
     inner, at = inputs
-    models = {"skf": _skf(skf.skf_torque(inner, at))}
+    models = {"skf": _skf(inner, at)}
     if asperity_share is not None:
-        models["skf_lambda"] = _skf(
-            skf.skf_torque(inner, replace(at, boundary_share=asperity_share))
-        )
+        models["skf_lambda"] = _skf(inner, replace(at, boundary_share=asperity_share))
     if friction.as_printed:
         models["skf_as_printed"] = summed({"sliding": skf.sliding_as_printed(inner, at)})
     return models
@@ -225,7 +202,7 @@ def _skf_inputs(
     return inner, skf.SkfOperation(
         radial_load=radial,
         axial_load=axial,
-        speed=sliding.shaft_speed(solution),
+        speed=solution.operation.shaft_speed,
         viscosity=lubricant.viscosity / lubricant.density,
         lubrication=friction.lubrication,
         oil=friction.oil,
@@ -236,15 +213,10 @@ def _skf_inputs(
     )
 
 
-def _skf(torque: skf.SkfTorque) -> ModelTorque:
-    return summed(
-        {
-            "rolling": torque.rolling,
-            "sliding": torque.sliding,
-            "seal": torque.seal,
-            "drag": torque.drag,
-        }
-    )
+def _skf(bearing: skf.SkfBearing, operation: skf.SkfOperation) -> ModelTorque:
+    torque = skf.skf_torque(bearing, operation)
+    names = ("rolling", "sliding", "seal", "drag")
+    return summed({name: getattr(torque, name) for name in names})
 
 
 def palmgren_model(
@@ -256,22 +228,21 @@ def palmgren_model(
     factor = friction.load_factor
     if factor is None:
         if friction.static_rating is None:
-            return ModelTorque(
-                note="needs bearing.basic_static_rating_kN or friction.palmgren_load_factor"
-            )
+            needed = "bearing.basic_static_rating_kN or friction.palmgren_load_factor"
+            return ModelTorque(note=f"needs {needed}")
         static = max(0.6 * radial + 0.5 * axial, radial)  # P_0 of ISO 76 for radial ball bearings
         factor = palmgren.load_factor(kind, static, friction.static_rating)
     viscous = friction.viscous_factor
     if viscous is None:
         viscous = palmgren.viscous_factor(kind, friction.lubrication.value)
-    torque = palmgren.palmgren_torque(
+    torques = palmgren.palmgren_torque(
         mean_diameter(solution.bearing),
-        sliding.shaft_speed(solution),
+        solution.operation.shaft_speed,
         lubricant.viscosity / lubricant.density,
         len(solution.rows) * viscous,
         (factor, palmgren.directed_load(kind, radial, axial)),
     )
-    return summed({"viscous": torque.viscous, "load": torque.load})
+    return summed(dict(zip(("viscous", "load"), torques, strict=True)))
 
 
 def yao_model(
@@ -288,30 +259,22 @@ def yao_model(
     M_S = 3/8 f_s sum E(k) a Q sin(alpha), E(k) the complete elliptic integral; M_E is
     `hysteresis_torque`.
     """
-    missing = [
-        key
-        for key, value in (
-            ("friction.hysteresis_loss", friction.hysteresis),
-            ("cage.pocket_friction", friction.cage),
-            ("friction.oil_fraction", friction.oil_fraction),
-        )
-        if value is None
-    ]
+    needed = {
+        "friction.hysteresis_loss": friction.hysteresis,
+        "cage.pocket_friction": friction.cage,
+        "friction.oil_fraction": friction.oil_fraction,
+    }
+    missing = [key for key, value in needed.items() if value is None]
     if friction.hysteresis is None or missing:
         return ModelTorque(note=f"needs {', '.join(missing)}")
     bearing = solution.bearing
-    speed = sliding.shaft_speed(solution)
+    speed = solution.operation.shaft_speed
+    ratio = bearing.pitch_diameter / (2.0 * bearing.ball_diameter)
     rotation = spin = 0.0
     for c in sliding.sliding_contacts(solution, contacts):
         slope = bearing.ball_diameter * cos(c.angle) / bearing.pitch_diameter
         curvature = 0.0806 * c.load * c.semi_axis**2 / c.radius
-        rotation += (
-            bearing.pitch_diameter
-            / (2.0 * bearing.ball_diameter)
-            * (1.0 - slope**2)
-            * curvature
-            * mu
-        )
+        rotation += ratio * (1.0 - slope**2) * curvature * mu
         spin += sliding.spin_moment(c, mu) * sin(abs(c.angle))
     rest = cage_and_drag(solution, lubricant, friction, speed)
     return summed(

@@ -2,57 +2,26 @@
 chapter 10).
 """
 
-import tomllib
-from dataclasses import dataclass
-from functools import cache
-from importlib.resources import files
-from typing import Any
+from ehl.units import MILLIMETRE, NEWTON_MILLIMETRE, RPM, from_si
 
-from ehl.units import RPM
+from ..library.names import library_data
 
-# in SI
-MM = 1e-3
-N_MM = 1e-3
-MM2_S = 1e-6
+DATA = "palmgren.toml"
 BRANCH = 2000.0  # nu n [mm^2/s r/min] from which the viscous moment rises with the speed
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class PalmgrenTorque:
-    """Moments [N m]."""
-
-    viscous: float  # M_0
-    load: float  # M_1
-
-    @property
-    def total(self) -> float:
-        """M_0 + M_1 [N m]."""
-        return self.viscous + self.load
-
-
-@cache
-def _data() -> dict[str, Any]:
-    return tomllib.loads(
-        (files("bearing.library") / "data" / "palmgren.toml").read_text(encoding="utf-8")
-    )
-
-
 def viscous_factor(kind: str, lubrication: str) -> float:
-    """f_0 of a kind of bearing and a way of lubrication [-].
-
-    `kind`: "deep groove" or "angular contact" [-]; `lubrication`: "grease", "oil bath", "low
-    oil bath" (as a bath), "oil jet" (twice the bath) or "oil air" (half of it) [-].
+    """f_0 [-] of a "deep groove" or "angular contact" bearing, lubricated by "grease", "oil bath",
+    "low oil bath" (as a bath), "oil jet" (twice the bath) or "oil air" (half of it).
     """
-    factors = _data()["viscous"]
-    return float(
-        factors.get(lubrication, 1.0)
-        * factors[kind]["grease" if lubrication == "grease" else "oil bath"]
-    )
+    factors = library_data(DATA)["viscous"]
+    base = factors[kind]["grease" if lubrication == "grease" else "oil bath"]
+    return float(factors.get(lubrication, 1.0) * base)
 
 
 def load_factor(kind: str, equivalent_static_load: float, static_rating: float) -> float:
     """f_1 = z (P_0/C_0)^y, in the middle of the range for z (unverified) [-]; loads in [N]."""
-    low, high, power = _data()["load"][kind]
+    low, high, power = library_data(DATA)["load"][kind]
     return float(0.5 * (low + high) * (equivalent_static_load / static_rating) ** power)
 
 
@@ -66,16 +35,14 @@ def directed_load(kind: str, radial: float, axial: float) -> float:
 
 def palmgren_torque(
     mean_diameter: float, speed: float, viscosity: float, viscous: float, load: tuple[float, float]
-) -> PalmgrenTorque:
-    """M_0 = f_0 1e-7 (nu n)^(2/3) d_m^3 above nu n = 2000, f_0 160e-7 d_m^3 below; M_1 = f_1 P_1
-    d_m.
+) -> tuple[float, float]:
+    """M_0 and M_1 [N m]: f_0 1e-7 (nu n)^(2/3) d_m^3 above nu n = 2000, f_0 160e-7 d_m^3 below;
+    f_1 P_1 d_m.
 
     `mean_diameter`: d_m [m]; `speed`: of the rotating ring [rad/s]; `viscosity`: kinematic
     [m^2/s]; `viscous`: f_0 [-]; `load`: f_1 [-] and P_1 [N].
     """
-    d = mean_diameter / MM
-    product = viscosity / MM2_S * abs(speed) / RPM
+    product = from_si("viscosity_mm2_s", viscosity) * abs(speed) / RPM
     growth = 1e-7 * product ** (2 / 3) if product >= BRANCH else 160e-7
-    return PalmgrenTorque(
-        viscous=viscous * growth * d**3 * N_MM, load=load[0] * load[1] * mean_diameter
-    )
+    viscous_moment = viscous * growth * (mean_diameter / MILLIMETRE) ** 3 * NEWTON_MILLIMETRE
+    return viscous_moment, load[0] * load[1] * mean_diameter

@@ -45,20 +45,13 @@ def rolling_extent(
     tractions: Sequence[ContactTraction | None],
     films: Sequence[ContactSolution | None],
 ) -> RollingExtent | None:
-    """Rolling torque of the solved boxes, beyond them, and within the stated distance.
+    """Rolling torque [N m] of the solved boxes, beyond them by Kapitza (1955), and within the
+    stated distance; None if the rings do not turn against each other.
 
-    Kapitza (1955) beyond the boxes; power of the moment at the motion of the tractions over the
-    speed of the shaft.
-
-    `solution`: speeds of the rings [rad/s]; `tractions`: of all contacts, None where there is
-    no film; `films`: of the same contacts.
-
-    Returns
-    -------
-    RollingExtent or None
-        [N m]; None if the rings do not turn against each other.
+    It is the power of the moment at the motion of the tractions over the speed of the shaft.
+    `tractions`, `films`: of all contacts, None where there is none.
     """
-    speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
+    speed = solution.operation.shaft_speed
     if speed == 0.0:
         return None
     box = beyond = counted = doubling = 0.0

@@ -45,20 +45,14 @@ class IntegratedTorque:
     @property
     def parts(self) -> dict[str, float]:
         """Those of the five that the friction distinguishes, by name [N m]."""
-        five = {
-            name: getattr(self, name)
-            for name in ("rolling", "sliding", "spin", "curvature", "asperity")
-        }
-        return {name: value for name, value in five.items() if value is not None}
+        names = ("rolling", "sliding", "spin", "curvature", "asperity")
+        return {name: getattr(self, name) for name in names if getattr(self, name) is not None}
 
     @property
     def imbalance(self) -> float:
-        """Rings' power less heat and drag, over the heat [-]: what accelerates balls that are not
-        in balance.
-        """
-        return (
-            (self.shaft_power - self.heat - self.resisted) / self.heat if self.heat > 0.0 else 0.0
-        )
+        """Rings' power less heat and drag, over the heat [-]; it speeds up the balls."""
+        left = self.shaft_power - self.heat - self.resisted
+        return left / self.heat if self.heat > 0.0 else 0.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -5,24 +5,18 @@ The published constants take loads in N, lengths in mm, speeds in r/min and visc
 and give N mm; the functions here take and give SI, and convert at the first and the last line.
 """
 
-import tomllib
 from dataclasses import dataclass, replace
 from enum import Enum
-from functools import cache
-from importlib.resources import files
 from math import acos, exp, pi, radians, sin, sqrt
-from typing import Any
 
-from ehl.units import RPM
+import numpy as np
 
-# in SI
-MM = 1e-3
-N_MM = 1e-3
-MM2_S = 1e-6
+from ehl.units import MILLIMETRE, NEWTON_MILLIMETRE, RPM, from_si
+
+from ..library.names import library_data
+
+DATA = "skf_friction.toml"
 BOUNDARY_FRICTION = 0.12  # mu_bl of a running bearing, 2018 edition; 0.15 at the start
-# K_rs
-STARVATION_OIL = 3e-8
-STARVATION_GREASE = 6e-8
 
 
 class Series(Enum):
@@ -42,6 +36,14 @@ class Lubrication(Enum):
     OIL_AIR = "oil air"
 
 
+# K_rs of the replenishment factor, Rolling bearings 10000 EN (2013), pages 104 to 106
+STARVATION = {
+    Lubrication.OIL_BATH: 0.0,
+    Lubrication.LOW_OIL_BATH: 3e-8,
+    Lubrication.OIL_JET: 3e-8,
+    Lubrication.GREASE: 6e-8,
+    Lubrication.OIL_AIR: 6e-8,
+}
 FULL_FILM_FRICTION = {"mineral": 0.05, "synthetic": 0.04, "transmission fluid": 0.1}  # mu_EHL
 
 
@@ -67,11 +69,6 @@ class SkfBearing:
     sealed: bool = False  # RS1 contact seals on both sides
     seal_diameter: float | None = None  # d_s [m]
     rows: int = 1
-
-    @property
-    def mean_diameter(self) -> float:
-        """d_m = (d + D)/2 [m]."""
-        return 0.5 * (self.bore + self.outside_diameter)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -110,32 +107,16 @@ class SkfTorque:
         return self.rolling + self.sliding + self.seal + self.drag
 
 
-@cache
-def _data() -> dict[str, Any]:
-    return tomllib.loads(
-        (files("bearing.library") / "data" / "skf_friction.toml").read_text(encoding="utf-8")
-    )
-
-
 def skf_series(kind: Series) -> tuple[str, ...]:
     """Names of the series of a kind of bearing [-]."""
-    return tuple(name for name in _data()[kind.value] if name != "K_Z")
+    return tuple(name for name in library_data(DATA)[kind.value] if name != "K_Z")
 
 
 def skf_constants(kind: Series, series: str) -> SkfConstants:
-    """Constants of a series.
-
-    Parameters
-    ----------
-    series : str
-        As in the catalogue, for example "62" or "72 B" [-].
-
-    Raises
-    ------
-    ValueError
-        If the model has no such series; the message lists those it has.
+    """Constants of a series as in the catalogue, for example "62" or "72 B" [-]; ValueError, with
+    those there are, if there is no such series.
     """
-    table = _data()[kind.value]
+    table = library_data(DATA)[kind.value]
     if series not in skf_series(kind):
         raise ValueError(f"unknown SKF series {series!r}; known: {', '.join(skf_series(kind))}")
     values = tuple(table[series])
@@ -150,48 +131,32 @@ def skf_constants(kind: Series, series: str) -> SkfConstants:
 
 
 def skf_torque(bearing: SkfBearing, operation: SkfOperation) -> SkfTorque:
-    """Frictional moment of a ball bearing.
-
-    Returns
-    -------
-    SkfTorque
-        Moments [N m].
-
-    Raises
-    ------
-    ValueError
-        If a deep groove bearing under axial load has no static rating.
+    """Frictional moment of a ball bearing [N m]; ValueError if a deep groove bearing under axial
+    load has no static rating.
     """
-    d, outside = bearing.bore / MM, bearing.outside_diameter / MM
+    d, outside = bearing.bore / MILLIMETRE, bearing.outside_diameter / MILLIMETRE
     mean = 0.5 * (d + outside)
     n = abs(operation.speed) / RPM
-    nu = operation.viscosity / MM2_S
+    nu = from_si("viscosity_mm2_s", operation.viscosity)
     rolling, sliding = _load_factors(bearing, operation, mean, n)
     inlet = 1.0 / (1.0 + 1.84e-9 * (n * mean) ** 1.28 * nu**0.64)
-    starved = {
-        Lubrication.OIL_BATH: 0.0,
-        Lubrication.LOW_OIL_BATH: STARVATION_OIL,
-        Lubrication.OIL_JET: STARVATION_OIL,
-        Lubrication.GREASE: STARVATION_GREASE,
-        Lubrication.OIL_AIR: STARVATION_GREASE,
-    }[operation.lubrication]
-    geometry = bearing.constants.geometry
-    replenished = exp(-starved * nu * n * (d + outside) * sqrt(geometry / (2.0 * (outside - d))))
-    film = (
-        FULL_FILM_FRICTION[operation.oil]
-        if operation.full_film_friction is None
-        else operation.full_film_friction
-    )
+    slenderness = sqrt(bearing.constants.geometry / (2.0 * (outside - d)))
+    replenished = exp(-STARVATION[operation.lubrication] * nu * n * (d + outside) * slenderness)
+    film = operation.full_film_friction
+    if film is None:
+        film = FULL_FILM_FRICTION[operation.oil]
     share = operation.boundary_share
     if share is None:
-        share = boundary_share(operation.speed, operation.viscosity, bearing.mean_diameter)
+        mean_diameter = 0.5 * (bearing.bore + bearing.outside_diameter)
+        share = boundary_share(operation.speed, operation.viscosity, mean_diameter)
     friction = share * operation.boundary_friction + (1.0 - share) * film
     turning = n > 0.0
+    rolling *= inlet * replenished * (nu * n) ** 0.6
     return SkfTorque(
-        rolling=inlet * replenished * rolling * (nu * n) ** 0.6 * N_MM if turning else 0.0,
-        sliding=sliding * friction * N_MM,
-        seal=_seal(bearing) * N_MM,
-        drag=_drag(bearing, operation, n, nu) * N_MM if turning else 0.0,
+        rolling=rolling * NEWTON_MILLIMETRE if turning else 0.0,
+        sliding=sliding * friction * NEWTON_MILLIMETRE,
+        seal=_seal(bearing) * NEWTON_MILLIMETRE,
+        drag=_drag(bearing, operation, n, nu) * NEWTON_MILLIMETRE if turning else 0.0,
         inlet_shear_factor=inlet,
         replenishment_factor=replenished,
         friction_coefficient=friction,
@@ -202,7 +167,8 @@ def boundary_share(speed: float, viscosity: float, mean_diameter: float) -> floa
     """phi_bl = exp(-2.6e-8 (n nu)^1.4 d_m), share of boundary friction [-]; [rad/s], [m^2/s],
     [m].
     """
-    return exp(-2.6e-8 * (abs(speed) / RPM * viscosity / MM2_S) ** 1.4 * mean_diameter / MM)
+    product = from_si("viscosity_mm2_s", abs(speed) / RPM * viscosity)
+    return exp(-2.6e-8 * product**1.4 * mean_diameter / MILLIMETRE)
 
 
 def sliding_friction(
@@ -224,17 +190,12 @@ def sliding_as_printed(bearing: SkfBearing, operation: SkfOperation) -> float:
     For comparison with its tables alone. The formula combines the loads under one root and takes
     the whole radial part.
     """
-    axial = (
-        skf_torque(bearing, replace(operation, radial_load=0.0)).sliding
-        if operation.axial_load
-        else 0.0
-    )
-    radial = (
-        skf_torque(bearing, replace(operation, axial_load=0.0)).sliding
-        if operation.radial_load
-        else 0.0
-    )
-    return axial + 0.5 * radial
+    moment = 0.0
+    if operation.axial_load:
+        moment += skf_torque(bearing, replace(operation, radial_load=0.0)).sliding
+    if operation.radial_load:
+        moment += 0.5 * skf_torque(bearing, replace(operation, axial_load=0.0)).sliding
+    return moment
 
 
 def _load_factors(
@@ -266,30 +227,27 @@ def _seal(bearing: SkfBearing) -> float:
     if not bearing.sealed:
         return 0.0
     lip = bearing.seal_diameter if bearing.seal_diameter is not None else bearing.bore
-    row = next(row for row in _data()["seal"] if bearing.outside_diameter / MM <= row["up_to"])
-    return float(row["K_S1"] * (lip / MM) ** 2.25 + row["K_S2"])
+    outside = bearing.outside_diameter / MILLIMETRE
+    row = next(row for row in library_data(DATA)["seal"] if outside <= row["up_to"])
+    return float(row["K_S1"] * (lip / MILLIMETRE) ** 2.25 + row["K_S2"])
 
 
 def _drag(bearing: SkfBearing, operation: SkfOperation, n: float, nu: float) -> float:
     """0.4 V_M K_ball d_m^5 n^2 + 1.093e-7 n^2 d_m^3 (n d_m^2 f_t/nu)^-1.379 R_s; twice for a jet
     [N mm].
     """
-    if (
-        operation.lubrication in (Lubrication.GREASE, Lubrication.OIL_AIR)
-        or operation.oil_level <= 0.0
-    ):
+    dry = operation.lubrication in (Lubrication.GREASE, Lubrication.OIL_AIR)
+    if dry or operation.oil_level <= 0.0:
         return 0.0
-    d = bearing.bore / MM
-    outside = bearing.outside_diameter / MM
+    d, outside = bearing.bore / MILLIMETRE, bearing.outside_diameter / MILLIMETRE
     geometry = bearing.constants.geometry
     mean = 0.5 * (d + outside)
-    level = min(operation.oil_level / MM, 1.2 * mean)
+    level = min(operation.oil_level / MILLIMETRE, 1.2 * mean)
     balls = bearing.rows * geometry * (d + outside) / (outside - d) * 1e-12
     angle = 2.0 * acos(max(min((0.6 * mean - level) / (0.6 * mean), 1.0), -1.0))
     wetted = sin(0.5 * angle) if angle <= pi else 1.0
-    surface = (
-        0.36 * mean**2 * (angle - sin(angle)) * 0.05 * geometry * (outside + d) / (outside - d)
-    )
+    slenderness = (outside + d) / (outside - d)
+    surface = 0.36 * mean**2 * (angle - sin(angle)) * 0.05 * geometry * slenderness
     stirred = drag_factor(level / mean) if operation.drag_factor is None else operation.drag_factor
     churning = 0.4 * stirred * balls * mean**5 * n**2
     stirring = 1.093e-7 * n**2 * mean**3 * (n * mean**2 * wetted / nu) ** -1.379 * surface
@@ -300,9 +258,5 @@ def drag_factor(level: float) -> float:
     """V_M at an oil level over the mean diameter [-], linear between points digitised by a third
     party (unverified).
     """
-    levels, values = _data()["drag"]["level"], _data()["drag"]["V_M"]
-    for k in range(1, len(levels)):
-        if level <= levels[k]:
-            share = (level - levels[k - 1]) / (levels[k] - levels[k - 1])
-            return float(values[k - 1] + share * (values[k] - values[k - 1]))
-    return float(values[-1])
+    drag = library_data(DATA)["drag"]
+    return float(np.interp(level, drag["level"], drag["V_M"]))

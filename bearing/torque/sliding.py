@@ -6,11 +6,13 @@ over the speed of the inner ring relative to the outer. All moments act between 
 against the spin, m_r against the rolling.
 """
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from math import sin
+from math import inf, sin
+from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial.polynomial import polyval
 from scipy.special import ellipe
 
 from ..contacts.contact import BearingContact
@@ -49,15 +51,12 @@ class SlidingContact:
     @property
     def spin_ratio(self) -> float:
         """E = 2 R w_s/(w_r a) [-]."""
-        return (
-            2.0 * self.radius * self.spin / (self.rolling * self.semi_axis)
-            if self.rolling > 0.0
-            else float("inf")
-        )
+        if self.rolling == 0.0:
+            return inf
+        return 2.0 * self.radius * self.spin / (self.rolling * self.semi_axis)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class SlidingTorque:
+class SlidingTorque(NamedTuple):
     """Torque on the shaft [N m] by what slides."""
 
     spin: float
@@ -68,11 +67,6 @@ class SlidingTorque:
     def total(self) -> float:
         """Sum [N m]."""
         return self.spin + self.rotation + self.orbit
-
-
-def shaft_speed(solution: QuasistaticSolution) -> float:
-    """Speed of the inner ring relative to the outer, magnitude [rad/s]."""
-    return abs(solution.operation.inner_speed - solution.operation.outer_speed)
 
 
 def sliding_contacts(
@@ -101,6 +95,23 @@ def sliding_contacts(
     )
 
 
+def _torque(
+    contacts: Sequence[SlidingContact],
+    speed: float,
+    friction: Callable[[SlidingContact], tuple[float, float]],
+) -> SlidingTorque:
+    """Torque at a shaft's speed [rad/s] by the spin moment and the curvature moment of each
+    contact [N m].
+    """
+    spin = rotation = orbit = 0.0
+    for c in contacts:
+        pivot, curvature = friction(c)
+        spin += pivot * c.spin
+        rotation += curvature * c.ball_rolling
+        orbit += curvature * c.orbit_rolling
+    return SlidingTorque(spin / speed, rotation / speed, orbit / speed)
+
+
 def pure_rolling_line_torque(
     contacts: Sequence[SlidingContact], speed: float, friction: float
 ) -> SlidingTorque:
@@ -108,14 +119,13 @@ def pure_rolling_line_torque(
 
     `speed`: of the shaft [rad/s]; `friction`: Coulomb's mu [-].
     """
-    spin = rotation = orbit = 0.0
-    for c in contacts:
+
+    def moments(c: SlidingContact) -> tuple[float, float]:
         lines = rolling_lines(c.spin_ratio)
-        moment = friction * c.load * c.semi_axis**2 / (2.0 * c.radius) * lines.curvature
-        spin += friction * c.load * c.semi_axis * lines.spin_moment * c.spin
-        rotation += moment * c.ball_rolling
-        orbit += moment * c.orbit_rolling
-    return SlidingTorque(spin=spin / speed, rotation=rotation / speed, orbit=orbit / speed)
+        curvature = friction * c.load * c.semi_axis**2 / (2.0 * c.radius) * lines.curvature
+        return friction * c.load * c.semi_axis * lines.spin_moment, curvature
+
+    return _torque(contacts, speed, moments)
 
 
 def kakuta_torque(
@@ -126,14 +136,13 @@ def kakuta_torque(
 
     Parameters as in `pure_rolling_line_torque`; torque in [N m].
     """
-    spin = rotation = orbit = 0.0
-    for c in contacts:
-        moment = friction * c.load * c.semi_axis**2 / (2.0 * c.radius) * SYMMETRIC_CURVATURE
-        rotation += moment * c.ball_rolling
-        orbit += moment * c.orbit_rolling
-        if c.inner:
-            spin += spin_moment(c, friction) * sin(abs(c.angle))
-    return SlidingTorque(spin=spin, rotation=rotation / speed, orbit=orbit / speed)
+
+    def moments(c: SlidingContact) -> tuple[float, float]:
+        slip = c.semi_axis**2 / (2.0 * c.radius)
+        return 0.0, friction * c.load * slip * SYMMETRIC_CURVATURE
+
+    spin = sum(spin_moment(c, friction) * sin(abs(c.angle)) for c in contacts if c.inner)
+    return _torque(contacts, speed, moments)._replace(spin=spin)
 
 
 def spin_moment(contact: SlidingContact, friction: float) -> float:
@@ -154,15 +163,12 @@ def houpert_torque(
     M_C = 0.0806 mu Q a^2/R f_c(E), M_P = 3/8 mu Q a f_p(E). Parameters as in
     `pure_rolling_line_torque`; [N m].
     """
-    spin = rotation = orbit = 0.0
-    for c in contacts:
+
+    def moments(c: SlidingContact) -> tuple[float, float]:
         ratio = min(c.spin_ratio, 1.0)
-        shape = max(float(np.polynomial.polynomial.polyval(ratio, HOUPERT_CURVATURE)), 0.0)
-        moment = 0.0806 * friction * c.load * c.semi_axis**2 / c.radius * shape
-        pivot = (
-            float(np.polynomial.polynomial.polyval(ratio, HOUPERT_SPIN)) if c.spin > 0.0 else 0.0
-        )
-        spin += 0.375 * friction * c.load * c.semi_axis * pivot * c.spin
-        rotation += moment * c.ball_rolling
-        orbit += moment * c.orbit_rolling
-    return SlidingTorque(spin=spin / speed, rotation=rotation / speed, orbit=orbit / speed)
+        shape = max(float(polyval(ratio, HOUPERT_CURVATURE)), 0.0)
+        pivot = float(polyval(ratio, HOUPERT_SPIN)) if c.spin > 0.0 else 0.0
+        curvature = 0.0806 * friction * c.load * c.semi_axis**2 / c.radius * shape
+        return 0.375 * friction * c.load * c.semi_axis * pivot, curvature
+
+    return _torque(contacts, speed, moments)

@@ -29,7 +29,7 @@ from ..supply.starved_films import (
 from ..supply.supply import InletFilm, Supply, cavity_volume, oil_fraction
 from .inputs import FrictionInput
 from .models import cage_and_drag
-from .sliding import pure_rolling_line_torque, shaft_speed, sliding_contacts
+from .sliding import pure_rolling_line_torque, sliding_contacts
 
 ROLLING_EXPONENT = 2.0  # of the film's share in that of the rolling resistance [-]
 
@@ -73,21 +73,12 @@ def starved_torque(
 ) -> StarvedTorque:
     """Friction torque of a bearing at a supply [N m].
 
-    Parameters
-    ----------
-    friction : FrictionInput
-        Its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or mu_EHL
-        that of the films; its `oil_fraction` [-] counts with an `InletFilm`, for a `Supply` tells
-        its own.
-    solutions : sequence of ContactSolution or None, optional
-        Flooded films; those of formulas where one is missing, as `starved_films` has it.
-
-    Raises
-    ------
-    ValueError
-        Without a roughness, at rest, or where a flooded film is not known.
+    `friction`: its `roughness` [m] and `boundary` [-] give the asperities' part, `coefficient` or
+    mu_EHL that of the films, its `oil_fraction` [-] counts with an `InletFilm`; `solutions`:
+    flooded films, those of formulas where one is missing. ValueError without a roughness, at
+    rest, or where a flooded film is not known.
     """
-    speed = shaft_speed(solution)
+    speed = solution.operation.shaft_speed
     if friction.roughness is None:
         raise ValueError("roughness is needed for the torque over the supply")
     if speed == 0.0:
@@ -125,21 +116,15 @@ def _of_films(
     friction: FrictionInput,
     films: Sequence[StarvedFilm | None],
 ) -> _OfFilms:
-    """Rolling resistance, and the lines of pure rolling as films and asperities share them [N
-    m].
-    """
-    speed = shaft_speed(solution)
+    """Rolling resistance, and the lines of pure rolling as films and asperities share them."""
+    speed = solution.operation.shaft_speed
     of_film = friction.film_friction if friction.coefficient is None else friction.coefficient
     rolling = film = asperity = 0.0
-    for contact, one in zip(contacts, films, strict=True):
-        rolling += (
-            (1.0 if one is None else one.share) ** ROLLING_EXPONENT
-            * contact_rolling_power(contact)
-            / speed
-        )
-    loaded = [
-        one for contact, one in zip(contacts, films, strict=True) if contact.hertz is not None
-    ]
+    pairs = list(zip(contacts, films, strict=True))
+    for contact, one in pairs:
+        share = 1.0 if one is None else one.share
+        rolling += share**ROLLING_EXPONENT * contact_rolling_power(contact) / speed
+    loaded = [one for contact, one in pairs if contact.hertz is not None]
     for one, lines in zip(loaded, sliding_contacts(solution, contacts), strict=True):
         share = 0.0 if one is None else asperity_share(one.lambda_ratio)
         slid = pure_rolling_line_torque([lines], speed, 1.0).total

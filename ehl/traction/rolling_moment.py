@@ -29,6 +29,7 @@ from ..conditions import ContactConditions
 from ..multigrid.far_field import FarField, far_field
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
+from .shear import trapezoidal_weights
 
 # assumed; there the gap under a sphere is 8 (1 - sqrt(3)/2) = 1.07 of the parabola
 SHARE_OF_RADIUS = 0.5
@@ -82,7 +83,9 @@ def rolling_moment(solution: ContactSolution, extent: float | None = None) -> Ro
         raise ValueError(f"extent must be positive, got {extent!r}")
     scale = solution.hertz_pressure * a**3
     reach = extent / a
-    moments = -_area(solution) * solution.X[:, None] * solution.P * scale
+    moments = (
+        -trapezoidal_weights(solution.X, solution.Y) * solution.X[:, None] * solution.P * scale
+    )
     box = float(moments.sum())
     if solution.options.domain is not None:
         return RollingMoment(
@@ -134,15 +137,6 @@ def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
     raise ValueError(
         f"the solution's frame at {solution.frame_angle:g} rad is none of the solver's"
     )
-
-
-def _area(solution: ContactSolution) -> Array:
-    """Weights of the trapezoidal rule over the grid, shape (nx, ny) [-]."""
-    along = np.gradient(solution.X)
-    across = np.gradient(solution.Y)
-    for widths in (along, across):
-        widths[[0, -1]] *= 0.5
-    return np.asarray(along[:, None] * across[None, :])
 
 
 def _share_outside(solution: ContactSolution, reach: float) -> Array:

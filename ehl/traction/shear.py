@@ -196,7 +196,7 @@ def _integrals(
     p = solution.pressure
     X = x[:, None]
     Y = y[None, :]
-    weights = _area_weights(x, y)
+    weights = trapezoidal_weights(x, y)
     t_x, t_y = fields.couette_x, fields.couette_y
     dry = p <= 0.0
 
@@ -319,13 +319,13 @@ def _film_balance(solution: ContactSolution, traction: float) -> float:
     p = solution.pressure
     along, mixed = _curvatures(solution)
     slope = along * x[:, None] + mixed * y[None, :]
-    horizontal = float(np.sum(_area_weights(x, y) * (p * slope)))
+    horizontal = float(np.sum(trapezoidal_weights(x, y) * (p * slope)))
     edges = np.trapezoid(p[-1] * h[-1], y) - np.trapezoid(p[0] * h[0], y)
     return float(traction - horizontal + edges)
 
 
-def _area_weights(x: Array, y: Array) -> Array:
-    """Of the trapezoidal rule over a grid [m^2]."""
+def trapezoidal_weights(x: Array, y: Array) -> Array:
+    """Weights of the trapezoidal rule over a grid, shape (nx, ny) [m^2]."""
     weights: Array = np.gradient(x)[:, None] * np.gradient(y)[None, :]
     for edge in (np.s_[0, :], np.s_[-1, :], np.s_[:, 0], np.s_[:, -1]):
         weights[edge] *= 0.5

@@ -16,7 +16,7 @@ from scipy.interpolate import CubicSpline
 
 from bearing import solve_quasistatic
 from bearing.friction.race_tables import build_race_tables
-from bearing.friction.table_files import load_race_tables, save_race_tables
+from bearing.friction.table_files import load_tables, save_race_tables
 from bearing.geometry import Race
 from cases import load_case
 from ehl import SolverOptions, solve_contact
@@ -80,9 +80,9 @@ def tables():
 def test_both_races_in_one_file(tables, tmp_path):
     path = tmp_path / "tables.zip"
     save_race_tables(tables, path)
-    read = load_race_tables(path)
+    read = load_tables(path)
     for race in Race:
         assert read[race].forces(500.0, 12.0, 0.1, 0.0, 0.0) == tables[race].forces(500.0, 12.0, 0.1, 0.0, 0.0)
     path.write_bytes(path.read_bytes()[:1000])
     with pytest.raises(ValueError, match="damaged"):
-        load_race_tables(path)
+        load_tables(path)

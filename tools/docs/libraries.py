@@ -116,7 +116,7 @@ def materials() -> Iterator[Sequence[str]]:
     for name in list_materials():
         data = material_data(name)
         cells = []
-        for key, _ in FIELDS.values():
+        for key in FIELDS.values():
             number = data.get(key)
             low, high = number["range"] if number else (0.0, 0.0)
             cells.append("–" if not number else f"{number['value']:g} ({low:g}–{high:g}){_dagger(number)}")

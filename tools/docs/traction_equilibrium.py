@@ -12,8 +12,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from bearing import BallKinematics, Model, contact_conditions, solve_quasistatic, solve_traction_equilibrium
-from bearing.contacts.motion import bearing_kinematics
-from bearing.friction.balance import ring_power
+from bearing.contacts.motion import bearing_kinematics, motion_map
 from bearing.friction.law import BallTraction, TractionLaw
 from bearing.friction.sources import CoefficientTraction, CoulombTraction, FilmTraction
 from bearing.quasistatic.solution import QuasistaticSolution
@@ -78,7 +77,7 @@ def imbalance(state: QuasistaticSolution, source: TractionLaw, case: Case) -> fl
     law = source.at(state, contacts)
     forces = -law.evaluate(motion, np.arange(len(contacts))).gradient
     heat = -float((forces * motion).sum())
-    shaft = sum(ring_power(state, contact, force) for contact, force in zip(contacts, forces, strict=True))
+    shaft = -float((forces * motion_map(state, contacts).ring).sum())
     return (shaft - heat) / heat
 
 

@@ -17,7 +17,7 @@ from bearing.friction.coulomb import balanced_friction
 from bearing.friction.law import BallTraction
 from bearing.friction.sources import CoulombTraction
 from bearing.torque.breakdown import torque_breakdown
-from bearing.torque.sliding import shaft_speed, sliding_contacts
+from bearing.torque.sliding import sliding_contacts
 from cases import Case, load_case
 
 DOCS = Path(__file__).parents[2] / "docs"
@@ -125,7 +125,7 @@ def line_errors() -> str:
     rows, case = [], CASES["6206_axial_500N"]
     for loads in ((100.0, 0.0), (500.0, 0.0), (2000.0, 0.0), (1000.0, 1000.0), (0.0, 500.0), (0.0, 2000.0)):
         _, state, contacts = solved(case, 500.0, loads)
-        speed = shaft_speed(state)
+        speed = state.operation.shaft_speed
         pair = [1e3 * balanced_friction(state, contacts, 0.1, lines=flag).power.sum() / speed for flag in (True, False)]
         inner = next(c for c in sliding_contacts(state, contacts) if c.inner)
         ratio = inner.semi_axis / inner.semi_axis_rolling

@@ -12,7 +12,6 @@ from scipy.special import ellipe
 from bearing import BallKinematics, Bearing, Material, Model, Operation, contact_conditions, solve_quasistatic
 from bearing.friction.coulomb import Ellipses, balanced_friction, coulomb_dissipation, line_dissipation
 from bearing.torque.pure_rolling_lines import rolling_lines
-from bearing.torque.sliding import shaft_speed
 from ehl import Lubricant
 
 from ...reference.coulomb import coulomb_dissipation_twin as reference
@@ -122,7 +121,7 @@ def test_balance_closes_the_energy_and_forgets_the_hypothesis(axial, radial):
             found = balanced_friction(state, contacts, 0.1, lines=lines)
             assert found.converged
             assert found.energy_error == pytest.approx(0.0, abs=1e-6)
-            torques.append(found.power.sum() / shaft_speed(state))
+            torques.append(found.power.sum() / state.operation.shaft_speed)
     assert torques[2] == pytest.approx(torques[0], rel=2e-4)
     assert torques[3] == pytest.approx(torques[1], rel=2e-4)
     assert 0.97 < torques[0] / torques[1] < 1.0  # lines leave out the sliding across

@@ -19,9 +19,9 @@ from bearing import (
     solve_quasistatic,
     solve_traction_equilibrium,
 )
-from bearing.contacts.motion import bearing_kinematics
+from bearing.contacts.motion import bearing_kinematics, motion_map
 from bearing.contacts.shape import contact_shape
-from bearing.friction.balance import balance_driven_balls, curvature_slip, ring_power
+from bearing.friction.balance import balance_driven_balls, curvature_slip
 from bearing.friction.law import BallTraction
 from bearing.friction.resistance import Cage, Resistance, resistance_of
 from bearing.friction.sources import CoefficientTraction, CoulombTraction, LawTraction
@@ -96,7 +96,7 @@ def test_forces_and_moments_of_balls_and_ring_balance(bearings, name, operation,
     assert_allclose(both, state.gyroscopic_moment, rtol=1e-6)
     contacts, motion, forces = friction(state, source)
     heat = -float((forces * motion).sum())
-    shaft = sum(ring_power(state, contact, pull) for contact, pull in zip(contacts, forces, strict=True))
+    shaft = -(np.array(forces) * motion_map(state, contacts).ring).sum()
     assert shaft == pytest.approx(heat, rel=1e-6)
 
 
@@ -109,7 +109,7 @@ def test_power_that_drag_and_cage_take_is_the_rest(bearings):
     free = solved(bearings.b6208, operation, COULOMB)
     contacts, motion, forces = friction(state, COULOMB)
     heat = -float((forces * motion).sum())
-    shaft = sum(ring_power(state, contact, pull) for contact, pull in zip(contacts, forces, strict=True))
+    shaft = -(np.array(forces) * motion_map(state, contacts).ring).sum()
     speed = 0.5 * bearings.b6208.pitch_diameter * state.orbit_speed
     mean = np.average(state.orbit_speed, weights=state.inner_load)
     given = float((resistance.drag(speed) * speed).sum()) + resistance.cage_power(state, mean)

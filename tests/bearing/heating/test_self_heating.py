@@ -20,7 +20,6 @@ from bearing.heating.heat_balance import Cooling
 from bearing.heating.self_heating import SelfHeatingProblem, self_heating
 from bearing.supply.supply import InletFilm, Supply
 from bearing.torque.inputs import FrictionInput
-from bearing.torque.sliding import shaft_speed
 from bearing.torque.starved import starved_torque
 from ehl import ViscosityLaw
 
@@ -41,7 +40,7 @@ def oil(temperature):
 
 def torque(solution, contacts, lubricant):
     """Rolling resistance of flooded films alone [N m]."""
-    return rolling_power(contacts) / shaft_speed(solution)
+    return rolling_power(contacts) / solution.operation.shaft_speed
 
 
 def warm(bearing, **changes):

@@ -23,7 +23,6 @@ from bearing.torque.sliding import (
     houpert_torque,
     kakuta_torque,
     pure_rolling_line_torque,
-    shaft_speed,
     sliding_contacts,
     spin_moment,
 )
@@ -76,7 +75,7 @@ def test_radial_torque_grows_with_the_five_thirds_power():
 
 def test_no_spin_under_radial_load():
     state, contacts = solved(0.0, 1000.0)
-    torque = pure_rolling_line_torque(contacts, shaft_speed(state), 0.1)
+    torque = pure_rolling_line_torque(contacts, state.operation.shaft_speed, 0.1)
     assert torque.spin == 0.0
     assert torque.rotation > 0.0
     assert torque.orbit > 0.0
@@ -109,7 +108,7 @@ def test_line_model_falls_short_by_the_sliding_across(spin):
 def test_models_side_by_side_under_axial_load():
     """6206, 500 N: Houpert's fits lie within 3 % of the lines, Kakuta above."""
     state, contacts = solved(500.0, 0.0)
-    speed = shaft_speed(state)
+    speed = state.operation.shaft_speed
     lines, houpert, kakuta = (
         f(contacts, speed, 0.1) for f in (pure_rolling_line_torque, houpert_torque, kakuta_torque)
     )
@@ -121,16 +120,16 @@ def test_models_side_by_side_under_axial_load():
 
 def test_friction_of_a_6206_is_that_of_the_sliding_friction_paper_within_its_open_inputs():
     """Axial 500 N, 500 r/min: 26.416 N mm there with mu 0.0935; groove radii and clearance are not given there."""
-    from bearing.torque.skf import MM2_S, Series, SkfBearing, SkfOperation, skf_constants, skf_torque
+    from bearing.torque.skf import Series, SkfBearing, SkfOperation, skf_constants, skf_torque
 
     skf = skf_torque(
         SkfBearing(
             constants=skf_constants(Series.DEEP_GROOVE, "62"), bore=0.03, outside_diameter=0.062, static_rating=11200.0
         ),
-        SkfOperation(radial_load=0.0, axial_load=500.0, speed=500.0 * RPM, viscosity=20.0 * MM2_S),
+        SkfOperation(radial_load=0.0, axial_load=500.0, speed=500.0 * RPM, viscosity=20e-6),
     )
     state, contacts = solved(500.0, 0.0)
-    ours = pure_rolling_line_torque(contacts, shaft_speed(state), skf.friction_coefficient).total
+    ours = pure_rolling_line_torque(contacts, state.operation.shaft_speed, skf.friction_coefficient).total
     assert 1e3 * ours == pytest.approx(26.416, rel=0.25)
 
 

@@ -17,7 +17,6 @@ from bearing.geometry import contact_modulus
 from bearing.torque.breakdown import torque_breakdown
 from bearing.torque.inputs import FrictionInput
 from bearing.torque.integrated import law_torque
-from bearing.torque.sliding import shaft_speed
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.rheology import Rheology
@@ -64,7 +63,7 @@ def test_coulomb_as_a_law_of_the_tables_is_coulomb_over_the_ellipse(axial):
     found = tabulated_torque(state, contacts, coulomb_laws(state, contacts, 1e-4))
     ellipse = balanced_friction(state, contacts, MU)
     assert found.balanced is not None
-    assert found.torque.total == pytest.approx(ellipse.power.sum() / shaft_speed(state), rel=0.01)
+    assert found.torque.total == pytest.approx(ellipse.power.sum() / state.operation.shaft_speed, rel=0.01)
     assert found.torque.imbalance == pytest.approx(0.0, abs=1e-6)
     assert abs(found.hypothesis.imbalance) > 0.01
     assert found.torque.per_ball.sum() == pytest.approx(found.torque.total, rel=1e-12)
@@ -102,7 +101,7 @@ def test_what_a_law_does_not_tell_apart_is_none_with_a_reason(axial):
         parts = shear.torque.parts
         assert set(shear.missing_components) == {missing, "asperity"}
         assert set(parts) == {"rolling", "sliding", "spin", "curvature"} - {missing}
-        assert sum(parts.values()) == pytest.approx(shear.torque.heat / shaft_speed(state), rel=1e-12)
+        assert sum(parts.values()) == pytest.approx(shear.torque.heat / state.operation.shaft_speed, rel=1e-12)
         models = torque_breakdown(state, contacts, OIL, rough, shear=shear).models
         assert not set(shear.missing_components) & set(models["integrated"].components)
         assert models["skf_lambda"].total is None

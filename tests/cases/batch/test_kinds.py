@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 import postprocess
 from bearing import Race
-from bearing.friction.table_files import load_race_tables
+from bearing.friction.table_files import load_tables
 from bearing.operation import BallKinematics
 from cases import CaseError, load_case, run_case
 from cases.batch import tables
@@ -116,7 +116,7 @@ def test_tables_that_are_given(shared, tmp_path):
     case = load_case("6208_five_terms")
     thick = replace(case, lubricant=replace(case.lubricant, viscosity=2.0 * case.lubricant.viscosity))
     with pytest.raises(ValueError, match=r"another bearing or oil \(inner race: oil\)"):
-        torque_by_tables(thick, load_race_tables(tmp_path / "ready.zip"))
+        torque_by_tables(thick, load_tables(tmp_path / "ready.zip"))
 
 
 @pytest.mark.slow
@@ -136,7 +136,7 @@ def test_a_point_from_tables_is_the_run_of_the_case_with_them(shared, tmp_path):
     assert balance["imbalance"] == pytest.approx(0.0, abs=1e-6)
     assert balance["hypothesis_imbalance"] == pytest.approx(0.0, abs=1e-6)
     (tmp_path / "half.toml").write_text(case_text(kinematics="half and half"), encoding="utf-8")
-    half, _ = torque_by_tables(load_case(tmp_path / "half.toml"), load_race_tables(tmp_path / "ready.zip"))
+    half, _ = torque_by_tables(load_case(tmp_path / "half.toml"), load_tables(tmp_path / "ready.zip"))
     assert half.quasistatic.model.ball_kinematics is BallKinematics.HALF_AND_HALF
     assert found["balls"] != summary(half)["balls"]
 
@@ -161,7 +161,7 @@ def test_tables_reach_the_workers_of_a_cluster(shared, tmp_path):
 @pytest.mark.slow
 def test_tables_of_every_point(shared, tmp_path, monkeypatch):
     """Points that differ only in what tables do not know are computed once."""
-    tables = load_race_tables(shared[1])
+    tables = load_tables(shared[1])
     monkeypatch.setattr("cases.runs.traction_table.build_race_tables", lambda *arguments: tables)
     text = TORQUE.replace('compute = "torque"', 'compute = "table"').replace("[8000.0, 10000.0]", "[10000.0]")
     text = text.replace("[2000.0, 3000.0]", '[3000.0]\n"friction.lubrication" = ["oil bath", "oil jet"]')
@@ -170,7 +170,7 @@ def test_tables_of_every_point(shared, tmp_path, monkeypatch):
     assert len(pool.handed_out) == 1
     assert [point.status for point in results.points] == ["done"] * 2
     assert results.points[0].key == results.points[1].key
-    kept = load_race_tables(tmp_path / "out" / "points" / f"{results.points[0].key}.zip")
+    kept = load_tables(tmp_path / "out" / "points" / f"{results.points[0].key}.zip")
     row = main_results(results.points[0].summary)
     assert row["inner_largest_coefficient"] == kept[Race.INNER].kappa_max == tables[Race.INNER].kappa_max
     write_batch(results, tmp_path / "out")
