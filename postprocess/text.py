@@ -50,6 +50,13 @@ def listed(names: list[str]) -> str:
     )
 
 
+def evenly_chosen(count: int, most: int) -> list[int]:
+    """Places of at most so many of a list, spread evenly, the first and the last among them."""
+    if count <= most:
+        return list(range(count))
+    return [round(k * ((count - 1) / (most - 1))) for k in range(most)]
+
+
 def unit_text(key: str) -> str:
     """Unit of a key with the signs of a page."""
     unit = unit_of(key)

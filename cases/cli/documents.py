@@ -80,7 +80,7 @@ def compare(
     quiet: Errors = False,
 ) -> int:
     """Compare two results: differences of input and numbers."""
-    from postprocess.compare.compare import compare as compared
+    from postprocess.compare.summary import compare as compared
 
     with _as_case_errors(first, second):
         comparison = compared(first, second)

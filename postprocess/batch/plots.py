@@ -18,7 +18,7 @@ from ehl.units import unit_of, unit_symbol, without_unit
 from ..bearing.quantities import TORQUE_MODELS, TORQUE_PARTS
 from ..main_results import BATCH_PANELS, MAIN_QUANTITY, main_results
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
-from ..text import is_number
+from ..text import evenly_chosen, is_number
 from .results import BatchPoint, BatchResults
 from .summary import scalar_numbers
 
@@ -165,7 +165,8 @@ def draw_together(
     """
     values = np.zeros(1)
     if len(keys) > 1:
-        values = _some(np.unique([v for v in keys[1].values if v is not None]))
+        values = np.unique([v for v in keys[1].values if v is not None])
+        values = values[evenly_chosen(len(values), MOST_TOGETHER)]
     figure.set_size_inches(PAGE_WIDTH, 3.0)
     figure.suptitle(results.title, fontsize=8.5)
     panels: Any = figure.subplots(1, len(values), squeeze=False, sharey=True)[0]
@@ -201,13 +202,6 @@ def _common_axis(axes: Axes, least: float) -> None:
     top = axes.get_ylim()[1]
     margin = 0.02 * top if least < 0.01 * top else 0.0
     axes.set_ylim(1.1 * min(least, 0.0) - margin, 1.05 * top)
-
-
-def _some(values: Array) -> Array:
-    """At most as many values as a figure has panels, the first and the last among them."""
-    count = min(len(values), MOST_TOGETHER)
-    chosen = np.unique(np.linspace(0, len(values) - 1, count).round().astype(int))
-    return np.asarray(values[chosen])
 
 
 def _note(figure: Figure, results: BatchResults, keys: list[Varied], notes: list[str]) -> None:

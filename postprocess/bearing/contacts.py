@@ -9,7 +9,6 @@ from bearing.contacts.contact import BearingContact
 from bearing.contacts.stress import ContactStress, contact_stress
 from bearing.supply.starved_films import StarvedFilm
 from bearing.torque.rolling_extent import rolling_moments
-from ehl import ContactSolution
 from ehl.units import to_si
 
 from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
@@ -37,13 +36,14 @@ class ContactRecord(FilmRecord):
     @property
     def lambda_ratio(self) -> float | None:
         """Minimum film over the rms roughness of race and ball together [-]."""
-        return lambda_ratio(self.contact, self.film, self.surface)
+        film = None if self.film is None else self.film.film_minimum
+        return lambda_ratio(self.contact, film, self.surface)
 
     @property
     def lambda_ratio_formula(self) -> float | None:
         """Lambda ratio of Hamrock and Dowson's minimum film [-]."""
         film = formula_films(self.contact.conditions)[LAMBDA_FORMULA]
-        return _over_roughness(to_si("film_um", film), self.contact, self.surface)
+        return lambda_ratio(self.contact, to_si("film_um", film), self.surface)
 
     @property
     def starved_lambda_ratio(self) -> float | None:
@@ -53,95 +53,77 @@ class ContactRecord(FilmRecord):
 
 
 NO_FILM = "no film was computed"
+NO_LOAD = "it carries no load"
+NO_OIL = f"{NO_LOAD}, or no oil is entrained"
+NOT_STARVED = "the supply is flooded, or no flooded film is known"
+NO_SHOULDER = f"{NO_LOAD}, or no shoulder diameter is given"
 CONTACT_QUANTITIES = (  # columns of contacts.csv
-    *quantities(
-        "contact.", "", ("ball", "ball", "ball", "ball"), ("row", "row", "row"), words=True
-    ),
-    *quantities("contact.", "", ("azimuth_deg", "azimuth", "azimuth", "ψ")),
-    *quantities(
-        "",
-        "",
-        ("race", "race", "contact.race.value", "race"),
-        ("loaded", "loaded", "loaded"),
-        words=True,
-    ),
+    *quantities("contact.", "", ("ball", "", "", "ball"), "row", words=True),
+    *quantities("contact.", "", ("azimuth_deg", "", "", "ψ")),
+    *quantities("contact.", "", ("race", "", "race.value", "race"), words=True),
+    *quantities("", "", "loaded", words=True),
     *quantities(
         "contact.",
-        "it carries no load",
-        ("load_N", "load", "load", "load"),
-        ("contact_angle_deg", "contact angle", "contact_angle", "α"),
+        NO_LOAD,
+        ("load_N", "", "", "load"),
+        ("contact_angle_deg", "", "", "α"),
         ("semi_axis_rolling_mm", "semi-axis rolling", "hertz.semi_axis_x"),
         ("semi_axis_transverse_mm", "semi-axis transverse", "hertz.semi_axis_y"),
         ("hertz_pressure_GPa", "Hertz pressure", "hertz.pressure", "p_h"),
     ),
     *quantities(
-        "contact.",
-        "it carries no load, or no oil is entrained",
-        (
-            *("entrainment_speed_m_s", "entrainment speed"),
-            *("conditions.entrainment_speed", "", "entrain\N{SOFT HYPHEN}ment"),
-        ),
-        (
-            *("slide_roll_ratio", "slide-roll ratio"),
-            *("conditions.slide_roll_ratio", "", "slide-roll"),
-        ),
-        ("spin_roll_ratio", "spin-roll ratio", "spin_roll_ratio", "", "spin-roll"),
+        "contact.conditions.",
+        NO_OIL,
+        ("entrainment_speed_m_s", "", "", "", "entrain\N{SOFT HYPHEN}ment"),
+        ("slide_roll_ratio", "slide-roll ratio", "", "", "slide-roll"),
     ),
+    *quantities("contact.", NO_OIL, ("spin_roll_ratio", "spin-roll ratio", "", "", "spin-roll")),
     *quantities(
         "contact.",
         "it is defined at the inner race, under a centrifugal force",
-        ("hirano_ratio", "Hirano ratio", "hirano_ratio"),
+        ("hirano_ratio", "Hirano ratio"),
     ),
     *FILM_QUANTITIES,
     *quantities(
         "",
-        "no film was computed, or [surface] has no roughness of race and ball",
-        ("lambda_ratio", "lambda ratio", "lambda_ratio", "λ", "Λ"),
+        f"{NO_FILM}, or [surface] has no roughness of race and ball",
+        ("lambda_ratio", "", "", "λ", "Λ"),
     ),
     *quantities(
-        "",
-        "the supply is flooded, or no flooded film is known",
-        ("starved_film_share", "share of the flooded film", "starved.share"),
-        ("starved_film_central_um", "starved central film", "starved.central"),
-        ("starved_film_minimum_um", "starved minimum film", "starved.minimum"),
-        ("starved_lambda_ratio", "starved lambda ratio", "starved_lambda_ratio"),
+        "starved.",
+        NOT_STARVED,
+        ("starved_film_share", "share of the flooded film", "share"),
+        ("starved_film_central_um", "starved central film", "central"),
+        ("starved_film_minimum_um", "starved minimum film", "minimum"),
     ),
+    *quantities("", NOT_STARVED, "starved_lambda_ratio"),
     *quantities(
         "stress.",
-        "it carries no load",
-        ("mean_pressure_GPa", "mean pressure", "mean_pressure"),
-        ("shear_maximum_GPa", "largest shear", "shear_maximum"),
+        NO_LOAD,
+        "mean_pressure_GPa",
+        ("shear_maximum_GPa", "largest shear"),
         ("shear_maximum_depth_mm", "depth of largest shear", "shear_depth"),
-        ("orthogonal_shear_GPa", "orthogonal shear amplitude", "orthogonal_shear"),
+        ("orthogonal_shear_GPa", "orthogonal shear amplitude"),
         ("orthogonal_shear_depth_mm", "depth of orthogonal shear", "orthogonal_depth"),
         ("sliding_speed_maximum_m_s", "largest sliding speed", "sliding_speed"),
-        (
-            *("pressure_sliding_maximum_GPa_m_s", "largest pressure times sliding"),
-            "pressure_sliding",
-        ),
+        ("pressure_sliding_maximum_GPa_m_s", "largest pressure times sliding", "pressure_sliding"),
     ),
     *quantities(
         "stress.truncation.",
-        "it carries no load, or no shoulder diameter is given",
+        NO_SHOULDER,
         ("shoulder_margin_mm", "margin to shoulder", "margin"),
         ("truncated_length_share", "cut share of length", "length_share"),
         ("truncated_load_share", "cut share of load", "load_share"),
-        ("pressure_at_shoulder_GPa", "pressure at shoulder", "edge_pressure"),
+        ("pressure_at_shoulder_GPa", "", "edge_pressure"),
     ),
-    *quantities(
-        "film.",
-        NO_FILM,
-        ("converged", "converged", "converged"),
-        ("resolved", "resolved", "resolved"),
-        words=True,
-    ),
+    *quantities("film.", NO_FILM, "converged", "resolved", words=True),
     *quantities(
         "film.",
         NO_FILM,
         ("moes_M", "Moes M", "moes_load", "", "M"),
         ("moes_L", "Moes L", "moes_lubricant", "", "L"),
     ),
-    *quantities("contact.", "", ("note", "note", "note"), words=True),
+    *quantities("contact.", "", "note", words=True),
 )
 CONTACT_QUANTITY = by_key(CONTACT_QUANTITIES)
 TERMINAL_COLUMNS = {  # with the format of their numbers; films have that of their uncertainty
@@ -203,19 +185,12 @@ def combined_roughness(race: str, surface: dict[str, float]) -> float:
 
 
 def lambda_ratio(
-    contact: BearingContact, solution: ContactSolution | None, surface: dict[str, float] | None
+    contact: BearingContact, film: float | None, surface: dict[str, float] | None
 ) -> float | None:
-    """Minimum film over the rms roughness of race and ball together [-].
+    """Minimum film [m] over the rms roughness of race and ball together [-].
 
     None without film or roughness.
     """
-    film = None if solution is None else solution.film_minimum
-    return _over_roughness(film, contact, surface)
-
-
-def _over_roughness(
-    film: float | None, contact: BearingContact, surface: dict[str, float] | None
-) -> float | None:
     if surface is None or film is None:
         return None
     roughness = combined_roughness(contact.race.value, surface)

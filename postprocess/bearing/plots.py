@@ -13,7 +13,6 @@ from matplotlib.figure import Figure
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
-from ehl.units import GIGAPASCAL, MICROMETRE
 
 from ..contact.plots import draw_contact, draw_map, film_text
 from ..contact.view import ContactView, contact_view
@@ -30,8 +29,11 @@ from ..plot_style import (
     film_ticks,
     write_figures,
 )
+from ..quantities import Quantity
 from ..results import BearingResults, distinct_contacts
+from ..text import evenly_chosen
 from .plots_torque import draw_torque
+from .quantities import BALL_QUANTITY
 
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
 ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
@@ -40,7 +42,6 @@ FILM_LEVELS = np.array([0.8, 0.85, 0.9, 0.95, 1.05, 1.1, 1.2, 1.5])
 PRESSURE_LEVELS = np.array([0.1, 0.3, 0.5, 0.7, 0.9])  # of the largest pressure, likewise
 WIDE_LABEL = 8  # characters of azimuths that fit above a map
 COLUMNS = 6  # maps side by side at most
-RACES = ("inner", "outer")
 FOOTNOTES = {
     "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and "
     "minimum film; film beyond the colour scale is grey;\ncontour lines at 0.8 ... 1.5 of each "
@@ -48,14 +49,16 @@ FOOTNOTES = {
     "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest "
     "pressure; contour lines at 0.1, 0.3 ... 0.9 of it",
 }
-COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}
+COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}  # by race
+FIELDS = {
+    "film": Quantity("film_um", "film thickness"),
+    "pressure": Quantity("pressure_GPa", "pressure"),
+}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BallColumn:
-    """Balls whose two contacts are the same, at azimuths that mirror each other about the load
-    line.
-    """
+    """Balls with equal contacts, at azimuths that mirror each other about the load line."""
 
     azimuths: tuple[float, ...]  # [deg]
     views: dict[str, ContactView | None]  # by race
@@ -73,44 +76,33 @@ class BallColumn:
 
 
 def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
-    """Columns of the overview: one per ball, mirrored equal balls together, at most `COLUMNS`
-    spread evenly.
+    """Columns of the overview: one per ball, mirrored equal balls together, at most `COLUMNS`.
 
-    Returns
-    -------
-    tuple of BallColumn
-        Azimuths in [deg], ascending; all views show one window.
+    Azimuths in [deg], ascending; all views show one window.
     """
-    groups: dict[tuple[float, int, int, int], list[float]] = {}
-    pairs: dict[
-        tuple[float, int, int, int], tuple[ContactSolution | None, ContactSolution | None]
-    ] = {}
+    groups: dict[tuple[Any, ...], list[float]] = {}
+    pairs: dict[tuple[Any, ...], tuple[ContactSolution | None, ...]] = {}
     for i in range(0, len(results.contacts), 2):
         azimuth = degrees(results.contacts[i].azimuth) % 360.0
-        pair = results.solutions[i], results.solutions[i + 1]
-        key = (
-            round(min(azimuth, 360.0 - azimuth), 6),
-            results.contacts[i].row,
-            id(pair[0]),
-            id(pair[1]),
-        )
+        mirrored = round(min(azimuth, 360.0 - azimuth), 6)
+        pair = results.solutions[i : i + 2]
+        key = (mirrored, results.contacts[i].row, *map(id, pair))
         groups.setdefault(key, []).append(azimuth)
         pairs[key] = pair
     # else no film was asked for
     with_film = [key for key, pair in pairs.items() if pair != (None, None)]
     keys = sorted(with_film or groups, key=lambda key: (groups[key][0], key[1]))
-    chosen = np.unique(np.linspace(0, len(keys) - 1, min(COLUMNS, len(keys))).round().astype(int))
     distinct = {id(s): s for key in keys for s in pairs[key] if s is not None}
     window = _common_window([contact_view(s) for s in distinct.values()])
     views = {name: contact_view(s, window) for name, s in distinct.items()}
     return tuple(
         BallColumn(
             azimuths=tuple(sorted(groups[key])),
-            views={race: views.get(id(s)) for race, s in zip(RACES, pairs[key], strict=True)},
+            views={race: views.get(id(s)) for race, s in zip(COLOURS, pairs[key], strict=True)},
             row=key[1] if len(results.quasistatic.rows) > 1 else None,
             window=window,
         )
-        for key in (keys[i] for i in chosen)
+        for key in (keys[i] for i in evenly_chosen(len(keys), COLUMNS))
     )
 
 
@@ -151,18 +143,17 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     columns = ball_columns(results)
     figure.set_size_inches(PAGE_WIDTH, 6.0)
     figure.suptitle(results.title, fontsize=8.5)
-    halves: Any = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
-    upper, lower = halves
+    upper, lower = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
     panels: Any = upper.subplots(2, len(columns), squeeze=False)
-    limits = _limits([c.views[race] for c in columns for race in RACES], quantity)
+    limits = _limits([c.views[race] for c in columns for race in COLOURS], quantity)
+    start, end, half_width = columns[0].window
     image = None
-    for row, race in enumerate(RACES):
-        for panel, column in zip(panels[row], columns, strict=True):
+    for row, race in zip(panels, COLOURS, strict=True):
+        for panel, column in zip(row, columns, strict=True):
             image = _small_map(panel, column.views[race], quantity, limits) or image
-            panel.set_xlim(*columns[0].window[:2])
-            _few_ticks(panel, columns[0].window)
-            panel.set_ylim(-columns[0].window[2], columns[0].window[2])
-        panels[row, 0].set_ylabel(f"{race} race\ntransverse $y$ [mm]")
+            panel.set(xlim=(start, end), ylim=(-half_width, half_width))
+            _few_ticks(panel, start, end)
+        row[0].set_ylabel(f"{race} race\ntransverse $y$ [mm]")
     for panel, column in zip(panels[0], columns, strict=True):
         panel.set_title(f"ψ = {column.label}")
         panel.set_xticklabels([])
@@ -170,13 +161,13 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
         panel.set_xlabel("rolling $x$ [mm]")
     for panel in panels[:, 1:].flat:
         panel.set_yticklabels([])
-    label = "film thickness [µm]" if quantity == "film" else "pressure [GPa]"
-    bar = upper.colorbar(
-        image, ax=panels, label=label, extend="max" if quantity == "film" else "neither", aspect=40
-    )
+    extend = "max" if quantity == "film" else "neither"
+    label = FIELDS[quantity].label
+    bar = upper.colorbar(image, ax=panels, label=label, extend=extend, aspect=40)
     if quantity == "film":
         bar.ax.minorticks_off()
-        bar.set_ticks(film_ticks(*limits), labels=[f"{tick:.3g}" for tick in film_ticks(*limits)])
+        ticks = film_ticks(*limits)
+        bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
     _over_azimuth(lower.subplots(), results, quantity)
     lower.supxlabel(FOOTNOTES[quantity], fontsize=6.5, color=REFERENCE)
 
@@ -189,10 +180,10 @@ def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, floa
     return common_film_range([v.central for v in shown], [v.minimum for v in shown])
 
 
-def _few_ticks(axes: Axes, window: tuple[float, float, float]) -> None:
-    """Ticks along the rolling direction that fit below a narrow map."""
-    step = float(f"{0.4 * (window[1] - window[0]):.0e}")
-    ticks = [k * step for k in (-2, -1, 0, 1, 2) if window[0] <= k * step <= window[1]]
+def _few_ticks(axes: Axes, start: float, end: float) -> None:
+    """Ticks along the rolling direction [mm] that fit below a narrow map."""
+    step = float(f"{0.4 * (end - start):.0e}")
+    ticks = [k * step for k in (-2, -1, 0, 1, 2) if start <= k * step <= end]
     axes.set_xticks(ticks, [f"{tick:.3g}".replace("-", "−") for tick in ticks])
 
 
@@ -204,19 +195,16 @@ def _small_map(
         axes.set_facecolor("#eeeeee")
         middle: Any = {"ha": "center", "va": "center", "transform": axes.transAxes}
         axes.text(0.5, 0.5, "no film", color=REFERENCE, **middle)
-        axes.set_xticks([])
-        axes.set_yticks([])
+        axes.set(xticks=[], yticks=[])
         return None
     film = quantity == "film"
     levels = view.central * FILM_LEVELS if film else view.pressure_top * PRESSURE_LEVELS
     levels = levels[levels < limits[1]]
     image = draw_map(axes, view, quantity, limits, levels)
     axes.set_facecolor(image.get_cmap()(np.inf if film else 0.0))
-    axes.set_xlabel("")
-    axes.set_ylabel("")
-    text = (
-        f"{view.central:#.3g}\n{view.minimum:#.3g} µm" if film else f"{view.pressure_top:#.3g} GPa"
-    )
+    axes.set(xlabel="", ylabel="")
+    text = f"{view.central:#.3g}\n{view.minimum:#.3g} µm"
+    text = text if film else f"{view.pressure_top:#.3g} GPa"
     small: Any = {"fontsize": 6.5, "transform": axes.transAxes}
     axes.text(0.04, 0.03, text, color=INK, **small)
     axes.text(0.04, 0.97, view.doubt, va="top", color=OUTER_COLOUR, **small)
@@ -226,45 +214,44 @@ def _small_map(
 def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
     """Film with error bars, or pressure, of every contact over the azimuth."""
     middle = 0.5 * (1 + len(results.quasistatic.rows))
-    for race in RACES:
+    for race in COLOURS:
         pairs = [
             (degrees(c.azimuth) % 360.0 + ROW_DODGE * (c.row - middle), s)
             for c, s in zip(results.contacts, results.solutions, strict=True)
             if s is not None and c.race.value == race
         ]
-        if not pairs:
-            continue
-        azimuth = np.array([p[0] for p in pairs])
-        azimuth += -DODGE if race == "inner" else DODGE
-        if quantity == "film":
-            _film_points(axes, azimuth, [p[1] for p in pairs], race)
-        else:
-            maximum = [p[1].pressure_maximum / GIGAPASCAL for p in pairs]
-            hertz = [p[1].hertz_pressure / GIGAPASCAL for p in pairs]
-            for values, marker, size, name in (
-                (maximum, "o", 4, "largest"),
-                (hertz, "_", 9, "Hertz"),
-            ):
-                style: Any = {"color": COLOURS[race], "label": f"{race} race, {name}"}
-                axes.plot(azimuth, values, marker, markersize=size, **style)
-    axes.set_xlim(-12.0, 372.0)
-    balls = np.unique(np.round(np.degrees(results.quasistatic.azimuth) % 360.0, 6))
+        if pairs:
+            azimuth = np.array([place for place, _ in pairs])
+            azimuth += -DODGE if race == "inner" else DODGE
+            draw = _film_points if quantity == "film" else _pressure_points
+            draw(axes, azimuth, [solution for _, solution in pairs], race)
+    balls = np.unique(np.round(BALL_QUANTITY["azimuth_deg"].value(results.quasistatic) % 360.0, 6))
     axes.set_xticks(balls if len(balls) <= 12 else np.arange(0.0, 361.0, 30.0))
-    axes.set_ylim(0.0, 1.12 * axes.get_ylim()[1])
-    axes.set_xlabel("azimuth ψ from the load line [deg]")
-    axes.set_ylabel("film thickness [µm]" if quantity == "film" else "pressure [GPa]")
+    axes.set(xlim=(-12.0, 372.0), ylim=(0.0, 1.12 * axes.get_ylim()[1]))
+    axes.set_xlabel(f"{BALL_QUANTITY['azimuth_deg'].label} ψ from the load line")
+    axes.set_ylabel(FIELDS[quantity].label)
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
 
 
 def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], race: str) -> None:
-    for name, marker, filled in (("central", "o", True), ("minimum", "v", False)):
-        value = [getattr(s, f"film_{name}") / MICROMETRE for s in solutions]
-        error = [getattr(s, f"film_{name}_uncertainty") / MICROMETRE for s in solutions]
-        face = COLOURS[race] if filled else "white"
+    for name, marker, face in (("central", "o", COLOURS[race]), ("minimum", "v", "white")):
+        value, error = (
+            [FIELDS["film"].in_unit(getattr(s, f"film_{name}{rest}")) for s in solutions]
+            for rest in ("", "_uncertainty")
+        )
         style: Any = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4}
         style |= {"capsize": 3, "linewidth": 0.9, "label": f"{race} race, {name}"}
         axes.errorbar(azimuth, value, error, fmt=marker, **style)
+
+
+def _pressure_points(
+    axes: Axes, azimuth: Any, solutions: list[ContactSolution], race: str
+) -> None:
+    for name, marker, size in (("pressure_maximum", "o", 4), ("hertz_pressure", "_", 9)):
+        values = [FIELDS["pressure"].in_unit(getattr(s, name)) for s in solutions]
+        text = f"{race} race, {'largest' if marker == 'o' else 'Hertz'}"
+        axes.plot(azimuth, values, marker, markersize=size, color=COLOURS[race], label=text)
 
 
 def draw_load_zone(figure: Figure, results: BearingResults) -> None:
@@ -283,9 +270,8 @@ def _load_zone(axes: Any, state: QuasistaticSolution, top: float, name: str) -> 
     """Contact loads of one row as bars, on a scale up to the largest load of all rows [N]."""
     axes.set_theta_zero_location("N")
     width = 0.55 * 2.0 * pi / len(state.azimuth)
-    axes.bar(
-        state.azimuth, state.outer_load, width, color=OUTER_COLOUR, alpha=0.35, label="outer race"
-    )
+    outer: Any = {"color": OUTER_COLOUR, "alpha": 0.35, "label": "outer race"}
+    axes.bar(state.azimuth, state.outer_load, width, **outer)
     axes.bar(state.azimuth, state.inner_load, 0.55 * width, color=INNER_COLOUR, label="inner race")
     axes.set_xticks(state.azimuth, [f"{degrees(a) % 360.0:.4g}°" for a in state.azimuth])
     emptiest = int(np.argmin(state.outer_load + np.roll(state.outer_load, -1)))

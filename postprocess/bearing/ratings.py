@@ -29,7 +29,7 @@ def least_lambda(results: BearingResults) -> float | None:
     """
     surface = results.case.get("surface")
     ratios = [
-        lambda_ratio(contact, solution, surface)
+        lambda_ratio(contact, solution.film_minimum, surface)
         for contact, solution in zip(results.contacts, results.solutions, strict=True)
         if solution is not None and solution.converged and solution.resolved
     ]

@@ -1,5 +1,6 @@
-"""Two results side by side.
+"""Two results side by side, on the terminal or as JSON; no files or plots are written.
 
-compare - two results side by side: what differs in the input, what differs in the numbers
+results - differences of two results
+summary - what differs in the input and in the numbers, and by how much
 table   - a comparison as tables for a terminal of 80 columns
 """

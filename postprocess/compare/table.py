@@ -9,7 +9,7 @@ from rich.table import Table
 from rich.text import Text
 
 from ..text import number
-from .compare import Comparison, Difference
+from .results import Comparison, Difference
 
 MOST_ROWS = 25  # of the differences of all results, the largest first
 

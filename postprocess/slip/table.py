@@ -2,7 +2,6 @@
 
 from typing import Any
 
-import numpy as np
 from rich.console import Group
 from rich.table import Table
 from rich.text import Text
@@ -11,7 +10,7 @@ from ehl.units import from_si
 
 from ..bearing.quantities import BALL_QUANTITY
 from ..table import number_table
-from ..text import number, unit_text
+from ..text import evenly_chosen, number, unit_text
 from .quantities import SLIP_FACTOR
 from .results import SlipResults
 from .summary import ball_values
@@ -61,7 +60,7 @@ def _loads_table(results: SlipResults) -> Table:
     minimum = results.minimum
     loads = minimum.given()
     count = minimum.count
-    chosen = np.unique(np.linspace(0, count - 1, min(MOST_ROWS, count)).round()).astype(int)
+    chosen = evenly_chosen(count, MOST_ROWS)
     speeds = from_si("speeds_rpm", minimum.speeds)
     rows = [
         [

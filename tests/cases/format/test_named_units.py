@@ -11,7 +11,7 @@ from cases.batch.results import gathered, write_batch
 from cases.batch.sweep import sweep_from_text
 from cases.format.document import BearingFile, ContactFile
 from ehl.units import UNITS, unit_of, without_unit
-from postprocess.compare.compare import _group
+from postprocess.compare.summary import _group
 
 from ..batch.test_batch import HerePool
 

@@ -159,7 +159,7 @@ def test_the_lambda_ratio_of_a_case_with_roughness():
     surface = {"inner_ring_roughness_um": 0.03, "outer_ring_roughness_um": 0.0, "ball_roughness_um": 0.04}
     inner = SimpleNamespace(race=SimpleNamespace(value="inner"))
     outer = SimpleNamespace(race=SimpleNamespace(value="outer"))
-    film = SimpleNamespace(film_minimum=0.2e-6)
+    film = 0.2e-6
     assert lambda_ratio(inner, film, surface) == pytest.approx(4.0)
     assert lambda_ratio(outer, film, surface) == pytest.approx(5.0)
     assert lambda_ratio(inner, None, surface) is None

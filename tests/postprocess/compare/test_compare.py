@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 from cases.cli.main import app
 from postprocess import open_results, summary
 from postprocess.bearing.write import write_bearing_netcdf
-from postprocess.compare.compare import compare, relative
+from postprocess.compare.summary import compare, relative
 from postprocess.compare.table import comparison_table
 from postprocess.contact.fields import open_contact
 from postprocess.contact.interferogram import Optics, intensity, write_interferogram

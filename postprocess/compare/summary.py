@@ -1,8 +1,7 @@
 """Two results side by side: what differs in the input and in the numbers, and by how much."""
 
 from collections.abc import Iterator
-from dataclasses import dataclass
-from math import hypot, inf
+from math import hypot
 from pathlib import Path
 from typing import Any
 
@@ -11,96 +10,37 @@ from ehl.units import unit_of
 from ..main_results import main_results
 from ..report.page import read_summary
 from ..text import is_number
+from .results import Comparison, Difference
 
-NOT_COMPARED = ("oilfilm", "case", "messages", "timing_s", "sweep", "file", "resumed", "key")
+NOT_COMPARED = frozenset(
+    "oilfilm case messages timing_s sweep file resumed key keys point".split()
+)
 OF_THE_SOLUTION = frozenset(  # how a result was computed
     "domain points iterations residual message cycles fft_equivalents wall_s".split()
 )
 ROUND_OFF = 1e-9  # of the largest component of a vector: what lies below is no difference
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Difference:
-    """One value in both results."""
-
-    path: str
-    first: Any
-    second: Any
-    relative: float | None  # difference over the larger magnitude [-]
-    covered: bool | None = None  # whether the error bars of both enclose it; None without
-
-    @property
-    def differs(self) -> bool:
-        """Whether the two are not the same."""
-        return self.first != self.second
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Comparison:
-    """Differences of two result folders; `main` are the main results, equal ones included.
-
-    Nodes, boxes, iterations and error bars are not compared; whether a result converged is.
-    """
-
-    names: tuple[str, str]
-    versions: tuple[str, str]
-    converged: tuple[bool, bool]
-    inputs: tuple[Difference, ...]
-    main: tuple[Difference, ...]
-    results: tuple[Difference, ...]
-
-    @property
-    def largest(self) -> float:
-        """Largest relative difference of a result [-]; infinite if one of them has it alone."""
-        return max((inf if d.relative is None else d.relative for d in self.results), default=0.0)
-
-    def document(self) -> dict[str, Any]:
-        """The comparison as plain JSON types."""
-        listed = {
-            name: [_plain(d) for d in getattr(self, name)]
-            for name in ("inputs", "main", "results")
-        }
-        largest = None if self.largest == inf else self.largest
-        heads = {
-            "names": list(self.names),
-            "oilfilm": list(self.versions),
-            "converged": list(self.converged),
-        }
-        return heads | {"largest_relative_difference": largest} | listed
-
-
 def compare(first: str | Path, second: str | Path) -> Comparison:
-    """Compare two result folders of the same kind.
+    """Compare two result folders of the same kind; differences [-] relative to the larger value.
 
-    Returns
-    -------
-    Comparison
-        Differences [-] relative to the larger value; in the order of the summaries.
-
-    Raises
-    ------
-    ValueError
-        If one of them holds no readable results, or they are of different kinds.
+    Raises ValueError if one holds no readable results, or they are of different kinds.
     """
-    one, two = read_summary(Path(first)), read_summary(Path(second))
-    kinds = _kind(one), _kind(two)
+    documents = [read_summary(Path(folder)) for folder in (first, second)]
+    kinds = [_kind(document) for document in documents]
     if kinds[0] != kinds[1]:
         raise ValueError(
             f"{first} holds results of a {kinds[0]}, {second} of a {kinds[1]}; allowed: two of "
             "one kind"
         )
-    inputs = dict(flat(_input(one))), dict(flat(_input(two)))
-    results = dict(flat(_results(one))), dict(flat(_results(two)))
-    main = dict(flat(_main(one))), dict(flat(_main(two)))
+    results = _differences(*map(_results, documents))
     return Comparison(
         names=(str(first), str(second)),
-        versions=(str(one["oilfilm"]), str(two["oilfilm"])),
-        converged=(bool(one["converged"]), bool(two["converged"])),
-        inputs=tuple(d for d in _differences(*inputs) if d.differs),
-        main=tuple(_differences(*main)),
-        results=tuple(
-            d for d in _differences(*results) if d.differs and not _of_the_solution(d.path)
-        ),
+        versions=(str(documents[0]["oilfilm"]), str(documents[1]["oilfilm"])),
+        converged=(bool(documents[0]["converged"]), bool(documents[1]["converged"])),
+        inputs=tuple(d for d in _differences(*map(_input, documents)) if d.differs),
+        main=tuple(_differences(*map(_main, documents))),
+        results=tuple(d for d in results if d.differs and not _of_the_solution(d.path)),
     )
 
 
@@ -137,16 +77,12 @@ def _results(summary: dict[str, Any]) -> dict[str, Any]:
     if isinstance(values.get("balls"), list):
         values["balls"] = {f"ball {ball['ball']}": ball for ball in values["balls"]}
     if values.get("kind") == "batch":
-        values = {"points": {_point_name(p): _point_results(p) for p in values["points"]}}
+        values = {"points": {_point_name(point["keys"]): point for point in values["points"]}}
     return values
 
 
-def _point_name(point: dict[str, Any]) -> str:
-    return ", ".join(f"{key} = {value}" for key, value in point["keys"].items()) or "case"
-
-
-def _point_results(point: dict[str, Any]) -> dict[str, Any]:
-    return {key: value for key, value in point.items() if key not in ("point", "keys")}
+def _point_name(keys: dict[str, Any]) -> str:
+    return ", ".join(f"{key} = {value}" for key, value in keys.items()) or "case"
 
 
 def flat(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
@@ -162,7 +98,9 @@ def flat(value: Any, path: str = "") -> Iterator[tuple[str, Any]]:
         yield path, value
 
 
-def _differences(first: dict[str, Any], second: dict[str, Any]) -> Iterator[Difference]:
+def _differences(one: Any, two: Any) -> Iterator[Difference]:
+    """Every value that stands in one of two documents or in both."""
+    first, second = dict(flat(one)), dict(flat(two))
     scales = _scales(first), _scales(second)
     for path in dict.fromkeys((*first, *second)):
         a, b = first.get(path), second.get(path)
@@ -209,8 +147,3 @@ def _covered(
     if "uncertainty" in path or relative(a, b) is None or len(bars) < 2:
         return None
     return abs(a - b) <= hypot(*bars)
-
-
-def _plain(difference: Difference) -> dict[str, Any]:
-    values = {"path": difference.path, "first": difference.first, "second": difference.second}
-    return values | {"relative": difference.relative, "within_error_bars": difference.covered}
