@@ -101,34 +101,28 @@ class Bearing:
     @property
     def free_axial_position(self) -> float:
         """Axial displacement from facing grooves to first touch, A sin(free angle) [m]."""
-        return self.curvature_centre_distance * sqrt(
-            max(0.0, 1.0 - cos(self.free_contact_angle) ** 2)
-        )
+        sine = sqrt(max(0.0, 1.0 - cos(self.free_contact_angle) ** 2))
+        return self.curvature_centre_distance * sine
 
     @property
     def inner_centre_radius(self) -> float:
         """Radius of the circle of the inner groove's centres of curvature, [m]."""
         cosine = 1.0 - 0.5 * self.diametral_clearance / self.curvature_centre_distance
-        return (
-            0.5 * self.pitch_diameter
-            + (self.inner_groove_radius - 0.5 * self.ball_diameter) * cosine
-        )
+        distance = self.inner_groove_radius - 0.5 * self.ball_diameter
+        return 0.5 * self.pitch_diameter + distance * cosine
 
     @property
     def outer_centre_radius(self) -> float:
         """Radius of the circle of the outer groove's centres of curvature, [m]."""
         cosine = 1.0 - 0.5 * self.diametral_clearance / self.curvature_centre_distance
-        return (
-            0.5 * self.pitch_diameter
-            - (self.outer_groove_radius - 0.5 * self.ball_diameter) * cosine
-        )
+        distance = self.outer_groove_radius - 0.5 * self.ball_diameter
+        return 0.5 * self.pitch_diameter - distance * cosine
 
     @property
     def azimuths(self) -> Array:
         """Azimuths of the balls in [0, 2 pi) [rad], shape (Z,)."""
-        return np.mod(
-            self.first_ball_azimuth + 2.0 * pi / self.balls * np.arange(self.balls), 2.0 * pi
-        )
+        steps = 2.0 * pi / self.balls * np.arange(self.balls)
+        return np.mod(self.first_ball_azimuth + steps, 2.0 * pi)
 
     @property
     def azimuth_directions(self) -> Array:
@@ -144,26 +138,22 @@ class Bearing:
 
 
 def _check_lengths(bearing: Bearing) -> None:
-    for field in ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"):
+    grooves = ("inner_groove_radius", "outer_groove_radius")
+    optional = ("bore", "outside_diameter", "width")
+    for field in ("ball_diameter", "pitch_diameter", *grooves, *optional):
         value = getattr(bearing, field)
-        if not (isfinite(value) and value > 0.0):
+        if not (field in optional and value is None) and not (isfinite(value) and value > 0.0):
             raise ValueError(f"{field} must be positive and finite, got {value!r} m")
     if bearing.pitch_diameter <= bearing.ball_diameter:
         raise ValueError(
             f"pitch_diameter must exceed ball_diameter {bearing.ball_diameter} m, "
             f"got {bearing.pitch_diameter}"
         )
-    for field in ("inner_groove_radius", "outer_groove_radius"):
+    least = 0.5 * bearing.ball_diameter
+    for field in grooves:
         value = getattr(bearing, field)
-        if value <= 0.5 * bearing.ball_diameter:
-            raise ValueError(
-                f"{field} must exceed the ball radius {0.5 * bearing.ball_diameter:.6g} m, "
-                f"got {value!r} m"
-            )
-    for field in ("bore", "outside_diameter", "width"):
-        value = getattr(bearing, field)
-        if value is not None and not (isfinite(value) and value > 0.0):
-            raise ValueError(f"{field} must be positive and finite, got {value!r} m")
+        if value <= least:
+            raise ValueError(f"{field} must exceed the ball radius {least:.6g} m, got {value!r} m")
 
 
 def _check_shoulders(bearing: Bearing) -> None:
@@ -181,10 +171,8 @@ def _check_shoulders(bearing: Bearing) -> None:
 def clearance_to_contact_angle(
     clearance: float, inner_groove_radius: float, outer_groove_radius: float, ball_diameter: float
 ) -> float:
-    """Free contact angle [rad], cos = 1 - Pd/(2 A), Harris and Kotzalas; zero with interference.
-
-    `clearance`: diametral clearance Pd [m]; `inner_groove_radius`, `outer_groove_radius`,
-    `ball_diameter` [m].
+    """Free contact angle [rad], cos = 1 - Pd/(2 A), Harris and Kotzalas; zero with interference;
+    diametral clearance Pd and the other lengths in [m].
     """
     distance = inner_groove_radius + outer_groove_radius - ball_diameter
     if clearance > 2.0 * distance:
@@ -200,10 +188,8 @@ def contact_angle_to_clearance(
     outer_groove_radius: float,
     ball_diameter: float,
 ) -> float:
-    """Diametral clearance [m], Pd = 2 A (1 - cos), the inverse of `clearance_to_contact_angle`.
-
-    `contact_angle`: free contact angle [rad]; `inner_groove_radius`, `outer_groove_radius`,
-    `ball_diameter` [m].
+    """Diametral clearance [m], Pd = 2 A (1 - cos) of the free contact angle [rad], the inverse of
+    `clearance_to_contact_angle`; lengths in [m].
     """
     if not 0.0 <= contact_angle < 0.5 * pi:
         raise ValueError(f"free_contact_angle must lie in [0, pi/2), got {contact_angle!r} rad")
@@ -212,12 +198,8 @@ def contact_angle_to_clearance(
 
 
 def reduced_radii(bearing: Bearing, race: Race, contact_angle: float) -> tuple[float, float]:
-    """Reduced radii of curvature of the contact of a ball with a race.
-
-    `contact_angle` [rad].
-
-    In the rolling direction D/2 (1 -+ D cos(angle)/d_m) (inner, outer), across it 1/(2/D - 1/r)
-    [m].
+    """Reduced radii of curvature of the contact of a ball with a race at a contact angle [rad]: in
+    the rolling direction D/2 (1 -+ D cos(angle)/d_m) (inner, outer), across it 1/(2/D - 1/r) [m].
     """
     gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
     if race is Race.INNER:

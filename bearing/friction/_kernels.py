@@ -12,36 +12,25 @@ from ehl.traction._kernels import hertz_friction, table_lookup
 
 
 @compiled
-def table_gradients(axes, constants, scalars, values, places, motion, step, gradient, slope):
+def table_gradients(table, places, motion, step, gradient, slope):
     """Minus forces and moments (n, 4) of one table, and their slope (n, 4, 4) by sliding and spin.
 
-    places, shape (n, 3): load, entrainment speed, rolling radius; motion (n, 4); step: of slides
-    over the speed and of spin over the speed over the radius.
+    table: what `table_lookup` takes first; places, shape (n, 3): load, entrainment speed, rolling
+    radius; motion (n, 4); step: of slides over the speed and of spin over the speed over the
+    radius.
     """
-    out, beside = np.empty(8), np.empty(3)
+    out, m = np.empty(8), np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
-        table_lookup(
-            axes,
-            constants,
-            scalars,
-            values,
-            load,
-            speed,
-            motion[k, 0],
-            motion[k, 1],
-            motion[k, 2],
-            out,
-        )
+        m[:] = motion[k, :3]
+        table_lookup(*table, load, speed, m[0], m[1], m[2], out)
         gradient[k] = -out[:4]
         slope[k] = 0.0
         for j in range(3):
             size = step * speed if j < 2 else step * speed / radius
-            beside[:] = motion[k, :3]
-            beside[j] += size
-            table_lookup(
-                axes, constants, scalars, values, load, speed, beside[0], beside[1], beside[2], out
-            )
+            m[:] = motion[k, :3]
+            m[j] += size
+            table_lookup(*table, load, speed, m[0], m[1], m[2], out)
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
 
 
@@ -50,20 +39,18 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
     """As `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and shapes (n, 5)
     a contact each.
     """
-    out, beside = np.empty(8), np.empty(3)
+    out, m = np.empty(8), np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
-        law, shape = laws[k], shapes[k]
-        hertz_friction(
-            disc, law, shape, load, speed, motion[k, 0], motion[k, 1], motion[k, 2], out
-        )
+        m[:] = motion[k, :3]
+        hertz_friction(disc, laws[k], shapes[k], load, speed, m[0], m[1], m[2], out)
         gradient[k] = -out[:4]
         slope[k] = 0.0
         for j in range(3):
             size = step * speed if j < 2 else step * speed / radius
-            beside[:] = motion[k, :3]
-            beside[j] += size
-            hertz_friction(disc, law, shape, load, speed, beside[0], beside[1], beside[2], out)
+            m[:] = motion[k, :3]
+            m[j] += size
+            hertz_friction(disc, laws[k], shapes[k], load, speed, m[0], m[1], m[2], out)
             slope[k, :, j] = -(out[:4] + gradient[k]) / size
 
 

@@ -16,8 +16,7 @@ from .newton import BALANCE_TOLERANCE, MotionProblem, contacts_of, solve_with_co
 from .resistance import Resistance
 
 CAGE_STEPS = 20  # rounds of the push of the cage
-CAGE_TARGET = 1.0e-8  # change to stop at
-# to accept [-]
+CAGE_TARGET = 1.0e-8  # change to stop at [-]
 # slope of the required over the applied push beyond which a secant is not taken [-]
 MAX_SECANT_SLOPE = 0.5
 

@@ -17,7 +17,7 @@ laws: the full integral over the ellipse, and the one of narrow ellipses, which 
 """
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -36,8 +36,7 @@ from .law import TINY, ContactLaw, Dissipation
 ROUNDING = 3.0e-3
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Ellipses:
+class Ellipses(NamedTuple):
     """Loaded ellipses of contacts, each of shape (N,)."""
 
     load: Array  # Q [N]; zero where there is no contact
@@ -46,35 +45,17 @@ class Ellipses:
     semi_axis_y: Array  # [m]
     radius: Array  # R of the loaded surface across the rolling direction [m]
     friction: Array  # Coulomb's mu [-]
-    # e, speed of sliding below which friction is rounded off where it is integrated by quadrature
-    # [m/s]
+    # e, sliding below which friction is rounded off where it is integrated by quadrature [m/s]
     rounding: Array
 
     def take(self, numbers: NDArray[np.int64]) -> "Ellipses":
         """Those with these numbers [-]."""
-        return Ellipses(
-            load=self.load[numbers],
-            semi_axis_x=self.semi_axis_x[numbers],
-            semi_axis_y=self.semi_axis_y[numbers],
-            radius=self.radius[numbers],
-            friction=self.friction[numbers],
-            rounding=self.rounding[numbers],
-        )
+        return Ellipses(*(values[numbers] for values in self))
 
 
 def line_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
-    """Friction of narrow ellipses: exact integrals between the lines of pure rolling, the roots of
-    s_x.
-
-    Parameters
-    ----------
-    motion : ndarray, shape (N, 4)
-        S_x, S_y [m/s], Omega and omega [rad/s]; S_y is not looked at.
-
-    Returns
-    -------
-    Dissipation
-        In [W] and its derivatives.
+    """Friction of narrow ellipses [W]: exact integrals between the lines of pure rolling, the
+    roots of s_x; motion (N, 4): S_x, S_y [m/s], Omega and omega [rad/s], S_y does not count.
     """
     a = ellipses.semi_axis_y
     slide = motion[:, 0]
@@ -88,21 +69,17 @@ def line_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
         for n in range(3)
     ]
     scale = ellipses.friction * ellipses.load
-    arms = np.stack(
-        [np.ones_like(a), np.zeros_like(a), -a, -(a**2) / (2.0 * ellipses.radius)], axis=1
-    )
-    gradient = (
-        scale[:, None] * arms * np.stack([moments[0], 0.0 * a, moments[1], moments[2]], axis=1)
-    )
+    one, none = np.ones_like(a), np.zeros_like(a)
+    arms = np.stack([one, none, -a, -(a**2) / (2.0 * ellipses.radius)], axis=1)
+    gradient = scale[:, None] * arms * np.stack([moments[0], none, *moments[1:]], axis=1)
     curvature = np.zeros((a.size, 4, 4))
     for u in roots:
         inside = np.abs(u) < 1.0
         v = np.where(inside, u, 0.0)
-        slope = np.maximum(
-            np.abs(tilt + 2.0 * heathcote * v), 1e-9 * (np.abs(tilt) + np.abs(heathcote)) + TINY
-        )
+        flat = 1e-9 * (np.abs(tilt) + np.abs(heathcote)) + TINY
+        slope = np.maximum(np.abs(tilt + 2.0 * heathcote * v), flat)
         weight = np.where(inside, scale * 1.5 * (1.0 - v**2) / slope, 0.0)
-        arm = arms * np.stack([np.ones_like(v), np.zeros_like(v), v, v**2], axis=1)
+        arm = arms * np.stack([one, none, v, v**2], axis=1)
         curvature += weight[:, None, None] * arm[:, :, None] * arm[:, None, :]
     return Dissipation(np.einsum("nk,nk->n", gradient, motion), gradient, curvature)
 
@@ -116,14 +93,10 @@ def _moment(u: Array, power: int) -> Array:
 
 
 def _roots(slide: Array, tilt: Array, heathcote: Array) -> Array:
-    """Roots of heathcote u^2 + tilt u - slide, the lower first, shape (2, N) [-]; both at 2 where
-    there are none.
-    """
+    """Roots of heathcote u^2 + tilt u - slide, the lower first, (2, N) [-]; 2 where none."""
     discriminant = tilt**2 + 4.0 * heathcote * slide
+    q = -0.5 * (tilt + np.copysign(np.sqrt(np.maximum(discriminant, 0.0)), tilt + 0.0))
     with np.errstate(divide="ignore", invalid="ignore"):
-        q = -0.5 * (
-            tilt + np.where(tilt >= 0.0, 1.0, -1.0) * np.sqrt(np.maximum(discriminant, 0.0))
-        )
         pair = np.stack([q / heathcote, -slide / q])
     pair = np.nan_to_num(pair, nan=0.0, posinf=1e30, neginf=-1e30)
     return np.where(discriminant > 0.0, np.sort(pair, axis=0), 2.0)
@@ -203,18 +176,11 @@ def balanced_friction(
     lines: bool = False,
     gyroscopic: bool = True,
 ) -> BalancedFriction:
-    """Motion of all balls in balance under Coulomb friction, and what it costs, in SI.
+    """Motion of all balls in balance under Coulomb's mu [-], and what it costs; contacts inner
+    then outer, ball by ball.
 
-    Parameters
-    ----------
-    contacts : sequence of BearingContact
-        All of its contacts, inner then outer, ball by ball.
-    friction : float or ndarray, shape (contacts,)
-        Coulomb's mu [-].
-    lines : bool
-        By lines of pure rolling, which cannot hold the gyroscopic couple: it is left out.
-    gyroscopic : bool
-        Whether the contacts have to hold the gyroscopic couple.
+    `lines`: by lines of pure rolling, which cannot hold the gyroscopic couple: it is left out;
+    `gyroscopic`: whether the contacts have to hold it.
     """
     law = (line_law if lines else coulomb_law)(solution, contacts, friction)
     return balance_balls(solution, contacts, law, gyroscopic=gyroscopic)

@@ -11,6 +11,7 @@ from ehl.oil.rheology import Rheology, shear_stress
 from ehl.solution import ContactSolution
 from ehl.traction.shear import (
     Cavitation,
+    dimensional_grid,
     film_temperature,
     film_viscosity,
     sheared_width,
@@ -29,8 +30,6 @@ from .law import REFERENCE_TRACTION, TINY, ContactLaw, Dissipation
 from .resistance import NO_RESISTANCE, Resistance
 
 FilmLaw = Callable[[Array, float], tuple[Array, Array]]
-
-
 SLOPE_STEP = 1.0e-4  # relative change of the shear rate for a difference quotient [-]
 # part of the shear of a contact in nodes that a first, coarse balance leaves out [-]
 COARSE_SHARE_LEFT_OUT = 1.0e-2
@@ -64,17 +63,11 @@ def film_balance(
     asperities: Asperities | None = None,
     resistance: Resistance = NO_RESISTANCE,
 ) -> BalancedFriction:
-    """Motion of all balls in which the shear of their films balances itself, at given films and
-    loads.
+    """Motion of all balls in which the shear of their films balances itself, at given loads; the
+    forces contain the hydrodynamic rolling moment.
 
-    `contacts`: all of its contacts, inner then outer, ball by ball; `films`: one per contact,
-    None where there is no load; `asperities`: None: full films; `resistance`: what holds the
-    balls back beside the races.
-
-    Returns
-    -------
-    BalancedFriction
-        Its forces contain the hydrodynamic rolling moment.
+    `contacts`: inner then outer, ball by ball; `films`: one per contact, None without load;
+    `asperities`: None: full films; `resistance`: what holds the balls back beside the races.
     """
     # 1. which balls the inner race drives, and their motion, with the nodes that matter most
     coarse, exact = (
@@ -83,13 +76,9 @@ def film_balance(
     )
     first = balance_driven_balls(solution, contacts, coarse, resistance)
     # 2. the same balls with all nodes
+    guess = first if first.converged else None
     return balance_balls(
-        solution,
-        contacts,
-        exact,
-        driven=first.driven,
-        initial_guess=first if first.converged else None,
-        resistance=resistance,
+        solution, contacts, exact, driven=first.driven, initial_guess=guess, resistance=resistance
     )
 
 
@@ -149,12 +138,8 @@ def _film_law(
     left_out: float,
 ) -> FilmLaw:
     """Gradient (4,) and slope (4, 4) of a film's friction by motion and oil's share; sums of
-    `integrate_traction`.
-
-    Without the weakest nodes, which make `left_out` [-] of the friction at little sliding.
+    `integrate_traction`, without the weakest nodes, which make `left_out` [-] of the friction.
     """
-    if film.x is None or film.y is None or film.film is None:
-        raise ValueError("films must have dimensional conditions")
     nodes = _film_nodes(solution, contact, with_outlet(film), rheology, left_out)
     area, gap, eta, pressure, temperature = nodes.shear
     along, across = nodes.along, nodes.across
@@ -193,14 +178,14 @@ def _film_nodes(
     left_out: float,
 ) -> _FilmNodes:
     """As `_film_law` takes them."""
-    assert film.x is not None and film.y is not None and film.film is not None
-    x, y = np.broadcast_arrays(film.x[:, None], film.y[None, :])
-    width = sheared_width(film.film, film.pressure, Cavitation.STRIATED)
-    area = trapezoidal_weights(film.x, film.y)
+    film_x, film_y, thickness = dimensional_grid(film)
+    x, y = np.broadcast_arrays(film_x[:, None], film_y[None, :])
+    width = sheared_width(thickness, film.pressure, Cavitation.STRIATED)
+    area = trapezoidal_weights(film_x, film_y)
     hydrodynamic = float(np.sum(area * x * film.pressure))
     kinematics = bearing_kinematics(solution, contact)
     inlet = film_temperature(film, solution.operation.temperature)
-    gap = np.maximum(film.film, TINY)
+    gap = np.maximum(thickness, TINY)
     eta = film_viscosity(film)
     rate = REFERENCE_SLIDE_RATIO * abs(kinematics.entrainment_speed) / gap
     stress = shear_stress(rate, eta, film.pressure, rheology, inlet)
@@ -209,14 +194,9 @@ def _film_nodes(
     x, y = x[chosen], y[chosen]
     zeros, ones = np.zeros_like(x), np.ones_like(x)
     moment = -hydrodynamic * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
+    strips = (area * width)[chosen], gap[chosen], eta[chosen], film.pressure[chosen]
     return _FilmNodes(
-        shear=(
-            (area * width)[chosen],
-            gap[chosen],
-            eta[chosen],
-            film.pressure[chosen],
-            temperature,
-        ),
+        shear=(*strips, temperature),
         along=np.stack([ones, zeros, -y, kinematics.bow(y)]),
         across=np.stack([zeros, ones, x, zeros]),
         pumping=moment,

@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 from ..geometry import Array
 from .law import TINY, ContactLaw
 
+# Measured on Coulomb friction of 25 random bearings: each halved and doubled leaves all balls
+# balanced and the friction power equal to 2e-11, in 1421 to 1664 evaluations (1444 as they are).
 MAX_STEPS = 200
 FIRST_DAMPING = 1.0e-6  # over the mean curvature of the power [-]
 MAX_DAMPING = 1.0e12  # at which a ball counts as stuck [-]

@@ -99,7 +99,7 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
 
         def table(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
             result = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
-            _kernels.table_gradients(*arguments, places, motion, STEP, *result)
+            _kernels.table_gradients(arguments, places, motion, STEP, *result)
             return result
 
         return table

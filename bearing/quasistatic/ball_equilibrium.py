@@ -114,14 +114,8 @@ def _condensed(current: _Evaluation, problem: BallProblem) -> BallsEquilibrium:
     norm = np.hypot(values[0], values[1])
     scale = np.maximum(size, LIGHT_LOAD_RATIO * size.max())
     scale = np.where(scale > 0.0, scale, 1.0)
-    return BallsEquilibrium(
-        u,
-        values,
-        du_dV,
-        ring_dV,
-        norm / scale,
-        float((_round_off(current, problem) / scale).max()),
-    )
+    noise = float((_round_off(current, problem) / scale).max())
+    return BallsEquilibrium(u, values, du_dV, ring_dV, norm / scale, noise)
 
 
 def _backtrack(
@@ -176,9 +170,8 @@ def _start(V: Array, u_start: Array | None, problem: BallProblem) -> Array:
     """
     inner, outer = problem.inner_length, problem.outer_length
     distance = np.hypot(V[0], V[1])
-    unit = np.where(
-        distance > 0.0, V / np.where(distance > 0.0, distance, 1.0), np.array([[0.0], [1.0]])
-    )
+    up = np.array([[0.0], [1.0]])
+    unit = np.where(distance > 0.0, V / np.where(distance > 0.0, distance, 1.0), up)
     stiffness_o = stiffness_at(problem.outer_series, np.ones(1))[0]
     ratio = (stiffness_o / stiffness_at(problem.inner_series, np.ones(1))[0]) ** (2.0 / 3.0)
     split = unit * (outer + np.maximum(distance - inner - outer, 0.0) / (1.0 + ratio))
@@ -203,17 +196,13 @@ def _solve_2x2(matrix: Array, right: Array) -> Array:
     """Solve 2 x 2 systems, matrix (2, 2, Z), right (2, Z); balls free of all force (matrix zero)
     do not move.
     """
-    a = matrix[0, 0]
-    b = matrix[0, 1]
-    c = matrix[1, 0]
-    d = matrix[1, 1]
+    (a, b), (c, d) = matrix
     determinant = a * d - b * c
     scale = a * a + b * b + c * c + d * d
     safe = np.abs(determinant) > 1e-14 * scale
     inverse = np.where(safe, 1.0, 0.0) / np.where(safe, determinant, 1.0)
-    solved = np.stack(
-        [(d * right[0] - b * right[1]) * inverse, (a * right[1] - c * right[0]) * inverse]
-    )
+    adjugate = [d * right[0] - b * right[1], a * right[1] - c * right[0]]
+    solved = np.stack(adjugate) * inverse
     # the matrix is negative: step along the force
     gradient = -right / np.sqrt(np.where(scale > 0.0, scale, 1.0))
     return np.where(safe, solved, np.where(scale > 0.0, gradient, 0.0))

@@ -128,13 +128,12 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     inner = Direction(
         np.where(in_reach, w[0] / safe, outer.sin), np.where(in_reach, w[1] / safe, outer.cos)
     )
-    outer_load = stiffness_at(problem.outer_series, outer.cos) * _power(
-        outer_distance - problem.outer_length
-    )
+    stiffness = stiffness_at(problem.outer_series, outer.cos)
+    outer_load = stiffness * _power(outer_distance - problem.outer_length)
     outer_load = outer_load * _smooth_step(outer.cos, EDGE_COSINE)
-    inner_load = stiffness_at(problem.inner_series, inner.cos) * _power(
-        np.where(in_reach, inner_distance, 0.0) - problem.inner_length
-    )
+    stiffness = stiffness_at(problem.inner_series, inner.cos)
+    reach = np.where(in_reach, inner_distance, 0.0)
+    inner_load = stiffness * _power(reach - problem.inner_length)
     inner_load = inner_load * _smooth_step(inner.cos, EDGE_COSINE)
     prescribed = problem.prescribed
     if prescribed is None:
@@ -144,16 +143,11 @@ def ball_state(u: Numbers, w: Numbers, problem: BallProblem) -> BallState:
     force = centrifugal_force(problem.mass, problem.pitch_diameter, motion.orbit_speed)
     moment = gyroscopic_moment(problem.mass, problem.ball_diameter, motion)
     if prescribed is None:
-        inner_part = INNER_PART[problem.kinematics] * share
-        friction = (
-            inner_part * moment / problem.ball_diameter,
-            (2.0 - inner_part) * moment / problem.ball_diameter,
-        )
+        part = INNER_PART[problem.kinematics] * share
+        friction = [p * moment / problem.ball_diameter for p in (part, 2.0 - part)]
     else:
-        friction = (
-            prescribed.inner_friction + 0.0 * inner_load,
-            prescribed.outer_friction + 0.0 * inner_load,
-        )
+        none = 0.0 * inner_load
+        friction = [prescribed.inner_friction + none, prescribed.outer_friction + none]
     return BallState(inner_load, outer_load, inner, outer, motion, force, moment, *friction)
 
 
@@ -188,14 +182,9 @@ def _transmissible_share(
 
 
 def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
-    """Residual of the ball equilibrium and what the ball does to the inner ring.
-
-    Returns
-    -------
-    ndarray, shape (5, ...)
-        Force on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on the inner ring
-        about e_t [N m]: the friction acts at the contact, r_i away from the groove's centre where
-        the normal force passes.
+    """Residual of the ball equilibrium and what the ball does to the inner ring, shape (5, ...):
+    force on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on it about e_t [N m],
+    for the friction acts r_i away from the groove's centre, where the normal force passes.
     """
     inner_friction, outer_friction = state.inner_friction, state.outer_friction
     from_inner_x = state.inner_load * state.inner.sin + inner_friction * state.inner.cos

@@ -24,15 +24,8 @@ TERMS = 24
 
 @lru_cache(maxsize=256)
 def stiffness_series(bearing: Bearing, race: Race, curvature: Curvature) -> Array:
-    """Chebyshev coefficients of ln K and of its slope d(ln K)/dc over c = cos(contact angle) in
-    [0, 1].
-
-    `curvature`: with FREE the series is constant: K at the free contact angle.
-
-    Returns
-    -------
-    ndarray, shape (TERMS, 2)
-        Coefficients in 2 c - 1 [-]; K in [N/m^1.5].
+    """Chebyshev coefficients in 2 c - 1 of ln K and of its slope d(ln K)/dc over c = cos(contact
+    angle) in [0, 1], shape (TERMS, 2) [-]; K in [N/m^1.5], with FREE that at the free angle.
     """
     modulus = contact_modulus(bearing, race)
 
@@ -51,15 +44,8 @@ def stiffness_series(bearing: Bearing, race: Race, curvature: Curvature) -> Arra
 
 
 def stiffness_at(series: Array, cosine: Numbers) -> Numbers:
-    """K at contact angles, real or under a complex step.
-
-    `series` (TERMS, 2): from `stiffness_series` [-]; `cosine`: cosine of the contact angle
-    [-].
-
-    Returns
-    -------
-    ndarray, shape of `cosine`
-        K [N/m^1.5]; continued linearly beyond a right angle.
+    """K [N/m^1.5] at cosines of contact angles [-], real or under a complex step, by a
+    `stiffness_series` [-]; continued linearly beyond a right angle.
     """
     c = np.clip(cosine.real, 0.0, 1.0)
     polynomials = np.cos(np.arange(TERMS) * np.arccos(2.0 * c - 1.0)[..., None])

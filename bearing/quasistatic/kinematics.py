@@ -61,11 +61,8 @@ class PrescribedBalls:
     @property
     def motion(self) -> Motion:
         """Orbit and spin [rad/s]."""
-        return Motion(
-            self.orbit_speed,
-            self.spin_speed,
-            Direction(np.sin(self.attitude), np.cos(self.attitude)),
-        )
+        axis = Direction(np.sin(self.attitude), np.cos(self.attitude))
+        return Motion(self.orbit_speed, self.spin_speed, axis)
 
 
 def direction(sin: Numbers, cos: Numbers) -> Direction:
@@ -90,9 +87,8 @@ def attitude(
 
 def blend(start: Direction, end: Direction, share: Numbers) -> Direction:
     """Direction a part `share` [-] of the way from one to another [-]."""
-    return direction(
-        start.sin + share * (end.sin - start.sin), start.cos + share * (end.cos - start.cos)
-    )
+    sine = start.sin + share * (end.sin - start.sin)
+    return direction(sine, start.cos + share * (end.cos - start.cos))
 
 
 def rolling_motion(
@@ -103,26 +99,17 @@ def rolling_motion(
     inner_speed: float,
     outer_speed: float,
 ) -> Motion:
-    """Orbit and spin of a ball that slides at neither contact centre.
-
-    `outer`, `inner`, `beta`: contact angles and attitude [-]; `gamma`: D/d_m [-];
-    `inner_speed`, `outer_speed`: speeds of the rings [rad/s].
-
-    Returns
-    -------
-    Motion
-        Speeds in [rad/s].
+    """Orbit and spin [rad/s] of a ball that slides at neither contact centre, from contact angles,
+    attitude and D/d_m [-] and the speeds of the rings [rad/s].
     """
     radius_outer = 1.0 + gamma * outer.cos
     radius_inner = 1.0 - gamma * inner.cos
     arm_outer = outer.cos * beta.cos + outer.sin * beta.sin
     arm_inner = inner.cos * beta.cos + inner.sin * beta.sin
     total = radius_inner * arm_outer + radius_outer * arm_inner
-    orbit = (
-        inner_speed * radius_inner * arm_outer + outer_speed * radius_outer * arm_inner
-    ) / total
+    orbit = inner_speed * radius_inner * arm_outer + outer_speed * radius_outer * arm_inner
     spin = (inner_speed - outer_speed) / gamma * radius_inner * radius_outer / total
-    return Motion(orbit, spin, beta)
+    return Motion(orbit / total, spin, beta)
 
 
 INNER_PART = {
@@ -138,28 +125,13 @@ def ball_mass(ball_diameter: float, density: float) -> float:
 
 
 def centrifugal_force(mass: float, pitch_diameter: float, orbit_speed: Numbers) -> Numbers:
-    """Centrifugal force of a ball [N], m d_m w_m^2/2, from mass [kg], pitch diameter [m] and orbit
-    speed [rad/s].
-    """
+    """Centrifugal force of a ball [N], m d_m w_m^2/2; [kg], [m], [rad/s]."""
     return 0.5 * mass * pitch_diameter * orbit_speed * orbit_speed
 
 
 def gyroscopic_moment(mass: float, ball_diameter: float, motion: Motion) -> Numbers:
-    """Couple that the races must exert on a ball about e_t [N m], J w_m w_R sin(beta) with J = m
-    D^2/10.
-
-    `mass`: [kg]; `ball_diameter`: [m]; `motion`: speeds in [rad/s].
-
-    Returns
-    -------
-    ndarray
-        Gyroscopic moment Mg [N m].
+    """Couple Mg that the races must exert on a ball about e_t [N m], J w_m w_R sin(beta) with
+    J = m D^2/10; [kg], [m], [rad/s].
     """
-    return (
-        0.1
-        * mass
-        * ball_diameter**2
-        * motion.orbit_speed
-        * motion.spin_speed
-        * motion.attitude.sin
-    )
+    inertia = 0.1 * mass * ball_diameter**2
+    return inertia * motion.orbit_speed * motion.spin_speed * motion.attitude.sin

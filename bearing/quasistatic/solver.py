@@ -29,6 +29,7 @@ SPEED_STEPS = (0.0, 0.25, 0.5, 0.75, 0.9, 1.0)  # continuation when the direct s
 LIGHT_LOAD_RATIO = 0.1
 # smallest over largest stiffness below which a direction counts as undetermined [-]
 SINGULAR_RATIO = 1.0e-9
+NONE = "no equilibrium"
 
 
 def solve_quasistatic(
@@ -38,26 +39,12 @@ def solve_quasistatic(
     initial_guess: QuasistaticSolution | None = None,
     rows: Sequence[Row] = SINGLE,
 ) -> QuasistaticSolution:
-    """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas.
+    """Equilibrium of balls and inner ring, Jones (1960), Harris and Kotzalas; SI.
 
-    Parameters
-    ----------
-    bearing : Bearing
-        SI, lengths in [m].
-    operation : Operation
-        Speeds [rad/s], and per degree of freedom a load [N], [N m] or a displacement [m], [rad].
-    model : Model, optional
-        With one of the hypotheses on the balls' kinematics.
-    initial_guess : QuasistaticSolution, optional
-        A converged solution of the same bearing at speeds and loads nearby, from where the search
-        begins.
-    rows : sequence of Row, optional
-        Rows of balls on the one inner ring; one row if left out.
-
-    Returns
-    -------
-    QuasistaticSolution
-        With `converged` False and a `message` where there is no equilibrium or none was found.
+    `model`: with one of the hypotheses on the balls' kinematics; `initial_guess`: a converged
+    solution of the same bearing at speeds and loads nearby, from where the search begins; `rows`:
+    of balls on the one inner ring. With `converged` False and a `message` where there is no
+    equilibrium or none was found.
 
     Raises
     ------
@@ -67,9 +54,8 @@ def solve_quasistatic(
     model = model or Model()
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         raise ValueError(
-            "ball_kinematics: solve_quasistatic takes a hypothesis; traction equilibrium "
-            "needs the "
-            "friction of ball on race, see solve_traction_equilibrium"
+            "ball_kinematics: solve_quasistatic takes a hypothesis; traction equilibrium needs "
+            "the friction of ball on race, see solve_traction_equilibrium"
         )
     inputs = (bearing, operation, model, tuple(rows))
     ring = ring_of(bearing, operation, inputs[3])
@@ -78,12 +64,10 @@ def solve_quasistatic(
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         start = None
         for factor in SPEED_STEPS:
-            slower = ball_problem(
-                bearing, factor * operation.inner_speed, factor * operation.outer_speed, model
-            )
-            start, more = solve_ring(
-                ring, slower, None if start is None else RingStart(start.q, start.balls.u)
-            )
+            speeds = factor * operation.inner_speed, factor * operation.outer_speed
+            slower = ball_problem(bearing, *speeds, model)
+            begin = None if start is None else RingStart(start.q, start.balls.u)
+            start, more = solve_ring(ring, slower, begin)
             iterations += more
             if start.residual > max(RESIDUAL_TOLERANCE, start.noise):
                 break
@@ -108,10 +92,8 @@ def solve_with_prescribed_balls(
     ring = ring_of(bearing, operation, start.rows)
     drive = _drive_loads(ring, start, prescribed.inner_drive)
     ring = ring._replace(load=ring.load + drive.sum(axis=0), drive=drive)
-    problem = replace(
-        ball_problem(bearing, operation.inner_speed, operation.outer_speed, model),
-        prescribed=prescribed,
-    )
+    problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
+    problem = replace(problem, prescribed=prescribed)
     point, iterations = _from_guess(ring, problem, start)
     return _solution(inputs, ring, problem, point, iterations)
 
@@ -135,9 +117,8 @@ def _drive_loads(ring: Ring, at: QuasistaticSolution, drive: Array) -> Array:
     """
     c, s = row_directions(at.bearing, at.rows)
     centre = per_ball(at.bearing, [row.axial_position for row in at.rows])
-    arm = (centre - at.bearing.inner_groove_radius * np.sin(at.inner_contact_angle)) / ring.scale[
-        3
-    ]
+    height = at.bearing.inner_groove_radius * np.sin(at.inner_contact_angle)
+    arm = (centre - height) / ring.scale[3]
     each = drive * np.array([np.zeros_like(c), -s, c, -arm * c, -arm * s])
     return each.reshape(5, -1, at.bearing.balls).sum(axis=2).T
 
@@ -146,9 +127,8 @@ def _start_at(solution: QuasistaticSolution, ring: Ring) -> RingStart:
     """Ring and balls where a solution has them, but for prescribed displacements."""
     q = np.concatenate([solution.displacement, solution.tilt]) * ring.scale
     planes = per_ball(solution.bearing, [row.outer_plane for row in solution.rows])
-    u = np.stack(
-        [solution.ball_axial - planes, solution.ball_radial - solution.bearing.outer_centre_radius]
-    )
+    radial = solution.ball_radial - solution.bearing.outer_centre_radius
+    u = np.stack([solution.ball_axial - planes, radial])
     return RingStart(np.where(ring.free, q, ring.prescribed), u)
 
 
@@ -164,58 +144,40 @@ def _convergence(
     loaded = state.inner_load > 0.0
     beyond = (loaded & (state.inner.cos < EDGE_COSINE)) | (state.outer.cos < EDGE_COSINE)
     if beyond.any():
-        return (
-            False,
-            "no equilibrium: a contact angle passes 80 degrees, the balls leave the grooves",
-        )
+        return False, f"{NONE}: a contact angle passes 80 degrees, the balls leave the grooves"
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
         worst = float(np.max(point.balls.residual))
-        advice = _advice(problem, bearing, ring, state)
         return False, (
-            f"no equilibrium found in {iterations} iterations: relative residual "
-            f"{point.residual:.1e} "
-            f"(balls {worst:.1e}); {advice}"
+            f"{NONE} found in {iterations} iterations: relative residual {point.residual:.1e} "
+            f"(balls {worst:.1e}); {_advice(problem, bearing, ring, state)}"
         )
     if _too_wide(bearing, problem, state):
-        return (
-            False,
-            "no equilibrium within Hertz' theory: a contact ellipse is wider than the ball",
-        )
-    names = [DEGREES_OF_FREEDOM[k] for k in range(5) if ring.free[k]]
+        return False, f"{NONE} within Hertz' theory: a contact ellipse is wider than the ball"
+    names = ", ".join(DEGREES_OF_FREEDOM[k] for k in range(5) if ring.free[k])
     if names and not loaded.any():
-        return (
-            False,
-            f"the inner ring floats: no ball touches it and {', '.join(names)} is not determined",
-        )
-    undetermined = _undetermined(ring, point)
+        return False, f"the inner ring floats: no ball touches it and {names} is not determined"
+    message = f"converged in {iterations} iterations"
+    undetermined = ", ".join(_undetermined(ring, point))
     if undetermined:
-        names_text = ", ".join(undetermined)
-        return (
-            True,
-            f"converged in {iterations} iterations; without stiffness, hence arbitrary: "
-            f"{names_text}",
-        )
-    return True, f"converged in {iterations} iterations"
+        message += f"; without stiffness, hence arbitrary: {undetermined}"
+    return True, message
 
 
 def _advice(problem: BallProblem, bearing: Bearing, ring: Ring, state: BallState) -> str:
     """What most likely keeps balls and ring from a balance, and what to change."""
     if _too_wide(bearing, problem, state):
         return "contact ellipses came out wider than the ball, take smaller loads or speeds"
-    share = float(np.linalg.norm(ring.load[:3])) / max(
-        state.inner_load.size * problem.nominal_force, 1e-300
-    )
+    forces = state.inner_load.size * problem.nominal_force
+    share = float(np.linalg.norm(ring.load[:3])) / max(forces, 1e-300)
     if problem.nominal_force > 0.0 and share < LIGHT_LOAD_RATIO and ring.free[0]:
         return (
-            f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to "
-            "hold them in the grooves "
-            "under this hypothesis: take more thrust or less speed"
+            f"the loads are {share:.2g} of the centrifugal forces of the balls, too light to hold "
+            "them in the grooves under this hypothesis: take more thrust or less speed"
         )
     if problem.inner_speed * problem.outer_speed < 0.0:
         return (
-            "rings turning against each other make the balls spin fast, and this ball "
-            "hypothesis may have no steady "
-            "state: try another one, or less speed"
+            "rings turning against each other make the balls spin fast, and this ball hypothesis "
+            "may have no steady state: try another one, or less speed"
         )
     return "check the loads for a direction in which nothing holds the ring"
 
