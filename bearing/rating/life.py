@@ -16,7 +16,7 @@ import numpy as np
 
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.lubricant import Lubricant
-from ehl.units import RPM
+from ehl.units import MILLIMETRE, RPM
 
 from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from ..material import MaterialKind
@@ -34,22 +34,20 @@ from .load_rating import (
 )
 
 LARGEST_CONTACT_ANGLE = radians(45.0)  # a steeper bearing is a thrust bearing in the standards
-LIFE_EXPONENT = 3.0  # of point contact [-]
-ROWS_EXPONENT = 0.7  # of the number of rows in C_r, ISO 281 [-]
-ROTATING = 3.0  # exponents of the equivalent ball load of a ring
-STATIONARY = 10.0 / 3.0  # relative to the load [-]
-# [-]
+# constants of ISO 281 and ISO 16281 after public transcriptions, see docs/theory/life.md [-]
+LIFE_EXPONENT = 3.0  # of point contact
+ROWS_EXPONENT = 0.7  # of the number of rows in C_r
+ROTATING = 3.0  # exponents of the equivalent ball load of a ring that turns relative to the load
+STATIONARY = 10.0 / 3.0  # and of one that stands
+LARGEST_LOAD_SHARE = 0.5  # P/C_r up to which the life formula holds
 SMALLEST_KAPPA = 0.1
 LARGEST_KAPPA = 4.0
 LARGEST_A_ISO = 50.0
-A_ISO_PIECES = (  # kappa up to, constant, exponent [-]; continuous at 0.4 and 1
+A_ISO_PIECES = (  # kappa up to, constant, exponent; continuous at 0.4 and 1
     (0.4, 2.2649, 0.054381),
     (1.0, 1.9987, 0.19087),
     (LARGEST_KAPPA, 1.9987, 0.071739),
 )
-LARGEST_LOAD_SHARE = 0.5  # P/C_r up to which the life formula holds [-]
-# in SI
-MM = 1e-3
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -86,29 +84,23 @@ def bearing_life(
     reason = _not_covered(bearing) or ("" if solution.converged else "there is no equilibrium")
     if reason:
         return LifeRating(rating=rating, messages=(f"life: null, {reason}",))
+    angle = rating.nominal_contact_angle
     speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
-    kappa = (
-        viscosity_ratio(lubricant.viscosity / lubricant.density, speed, bearing.pitch_diameter)
-        if speed
-        else None
-    )
+    viscosity = lubricant.viscosity / lubricant.density
+    kappa = viscosity_ratio(viscosity, speed, bearing.pitch_diameter) if speed else None
     known, messages = _static(LifeRating(rating=rating, viscosity_ratio=kappa), solution)
     why = _no_life(solution, rating, speed)
-    if why:
+    if kappa is None or why:
         return replace(known, messages=(*messages, f"life: basic and modified rating null, {why}"))
-    capacity = rating.dynamic_rating or dynamic_rating(bearing, rating.nominal_contact_angle)
-    life = reference_life(solution, capacity, rating.nominal_contact_angle)
+    capacity = rating.dynamic_rating or dynamic_rating(bearing, angle)
+    life = reference_life(solution, capacity, angle)
     rows = len(solution.rows)
     capacity *= rows**ROWS_EXPONENT
     load = capacity / life ** (1.0 / LIFE_EXPONENT)
-    limit = rows * fatigue_load_limit(bearing, rating.nominal_contact_angle)
-    if rows > 1:
-        messages.append(
-            f"life: C_r, P and C_u are those of the {rows} rows together, C_r {rows}^0.7 times "
-            "that of one"
-        )
-    assert kappa is not None  # without rotation there is a reason above
-    factor = _life_factor(kappa, limit / load, rating.contamination_factor)
+    limit = rows * fatigue_load_limit(bearing, angle)
+    factor = None
+    if rating.contamination_factor is not None and kappa >= SMALLEST_KAPPA:
+        factor = life_factor(kappa, rating.contamination_factor * (limit / load))
     return replace(
         known,
         dynamic_rating=capacity,
@@ -117,67 +109,69 @@ def bearing_life(
         modified_life=None if factor is None else 1e6 * life * factor,
         life_factor=factor,
         fatigue_load_limit=limit,
-        messages=(*messages, *_remarks(bearing, rating, kappa, load / capacity)),
+        messages=(*messages, *_remarks(solution, rating, kappa, load / capacity)),
     )
 
 
 def _not_covered(bearing: Bearing) -> str:
     """Why the standards do not cover the materials, empty if they do."""
-    rings = (bearing.inner_ring_material, bearing.outer_ring_material)
-    for ring in rings:
+    for ring in (bearing.inner_ring_material, bearing.outer_ring_material):
         if ring.kind is not MaterialKind.BEARING_STEEL:
             material = f"{ring.name!r} (kind {ring.kind.value!r})"
             return f"the standards rate rings of hardened bearing steel only, not of {material}"
     ball = bearing.ball_material
-    if ball.kind is MaterialKind.OTHER:
-        return (
-            "the standards rate balls of bearing steel or silicon nitride only, not of "
-            f"{ball.name!r}"
-        )
-    return ""
+    if ball.kind is not MaterialKind.OTHER:
+        return ""
+    return (
+        f"the standards rate balls of bearing steel or silicon nitride only, not of {ball.name!r}"
+    )
 
 
 def _static(known: LifeRating, solution: QuasistaticSolution) -> tuple[LifeRating, list[str]]:
     """Static safety by pressure and by S_0 = C_0/P_0, and what is left out."""
     bearing = solution.bearing
-    rating = known.rating
+    angle = known.rating.nominal_contact_angle
     messages = []
-    steel = bearing.ball_material.kind is MaterialKind.BEARING_STEEL
-    pressure = _largest_pressure(solution)
-    if not steel:
+    safety = None
+    capacity = known.rating.static_rating
+    hybrid = bearing.ball_material.kind is not MaterialKind.BEARING_STEEL
+    if hybrid:
         messages.append(
             "life.static_safety: null, the permissible pressure of a hybrid was not at hand"
         )
-    elif pressure:
-        known = replace(known, static_safety=(STATIC_PRESSURE / pressure) ** 3)
-    capacity = rating.static_rating
-    if capacity is None and steel:
-        capacity = static_rating(bearing, rating.nominal_contact_angle)
-        messages.append(
-            "life: static rating computed from the geometry, no basic_static_rating_kN was given"
-        )
-    elif capacity is None:
+    elif pressure := _largest_pressure(solution):
+        safety = (STATIC_PRESSURE / pressure) ** 3
+    if capacity is None and hybrid:
         messages.append(
             "life: static rating and S_0 null, give the basic_static_rating_kN of the hybrid"
         )
-    loads = []
-    for x, y, z in solution.row_load[:, :3]:
-        loads.append(
-            static_equivalent_load(hypot(y, z), abs(float(x)), rating.nominal_contact_angle)
+    elif capacity is None:
+        capacity = static_rating(bearing, angle)
+        messages.append(
+            "life: static rating computed from the geometry, no basic_static_rating_kN was given"
         )
+    loads = [
+        static_equivalent_load(hypot(y, z), abs(float(x)), angle)
+        for x, y, z in solution.row_load[:, :3]
+    ]
     load = max((row_load for row_load in loads if row_load is not None), default=None)
     if load is None:
         messages.append(
             "life: P_0 and S_0 null, factors X_0, Y_0 are at hand for contact angles of 0 and 15 "
             "to 40 deg"
         )
-    factor = capacity / load if capacity is not None and load else None
-    return replace(
-        known, static_rating=capacity, static_load=load, static_safety_factor=factor
-    ), messages
+    known = replace(
+        known,
+        static_safety=safety,
+        static_rating=capacity,
+        static_load=load,
+        static_safety_factor=capacity / load if capacity is not None and load else None,
+    )
+    return known, messages
 
 
 def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -> str:
+    """Why there is no basic life, empty if there is one."""
     if not speed:
         return "the rings do not turn against each other"
     if not (solution.inner_load > 0.0).any():
@@ -188,40 +182,36 @@ def _no_life(solution: QuasistaticSolution, rating: RatingInput, speed: float) -
     return "" if rating.dynamic_rating is not None else geometry_not_rated(solution.bearing, angle)
 
 
-def _remarks(bearing: Bearing, rating: RatingInput, kappa: float, share: float) -> Iterator[str]:
-    if rating.dynamic_rating is None:
+def _remarks(
+    solution: QuasistaticSolution, rating: RatingInput, kappa: float, share: float
+) -> Iterator[str]:
+    rows = len(solution.rows)
+    null = "life: a_iso and modified rating null,"
+    computed = (
+        "life: dynamic rating computed from the geometry, no basic_dynamic_rating_kN was given"
+    )
+    if rows > 1:
         yield (
-            "life: dynamic rating computed from the geometry, no basic_dynamic_rating_kN was given"
+            f"life: C_r, P and C_u are those of the {rows} rows together, C_r {rows}^0.7 times "
+            "that of one"
         )
-        if wide_grooves(bearing):
+    if rating.dynamic_rating is None:
+        yield computed
+        if wide_grooves(solution.bearing):
             yield (
                 "life: dynamic rating lowered for grooves wider than 0.52 (inner) or 0.53 "
                 "(outer) ball diameters"
             )
     yield "life: kappa from the viscosity alone"
     if rating.contamination_factor is None:
-        yield (
-            "life: a_iso and modified rating null, the case gives no [lubricant] "
-            "contamination_factor"
-        )
+        yield f"{null} the case gives no [lubricant] contamination_factor"
     elif kappa < SMALLEST_KAPPA:
-        yield (
-            "life: a_iso and modified rating null, ISO 281 has no factor below kappa "
-            f"{SMALLEST_KAPPA}"
-        )
+        yield f"{null} ISO 281 has no factor below kappa {SMALLEST_KAPPA}"
     if share > LARGEST_LOAD_SHARE:
         yield (
             f"life: the equivalent load is {share:.2f} of the dynamic rating, more than the "
             f"{LARGEST_LOAD_SHARE} of ISO 281"
         )
-
-
-def _life_factor(
-    kappa: float, limit_over_load: float, contamination: float | None
-) -> float | None:
-    if contamination is None or kappa < SMALLEST_KAPPA:
-        return None
-    return life_factor(kappa, contamination * limit_over_load)
 
 
 def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle: float) -> float:
@@ -234,15 +224,16 @@ def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle
     `solution`: ball loads [N]; `capacity`: C_r of one row [N]; `contact_angle`: nominal contact
     angle [rad].
     """
-    ratings = ball_ratings(solution.bearing, capacity, contact_angle)
-    speeds = (solution.operation.inner_speed, solution.operation.outer_speed)
-    rows = [solution.row(k) for k in range(len(solution.rows))]
-    races = tuple(zip(("inner_load", "outer_load"), speeds, ratings, strict=True))
-    total = sum(
-        (equivalent_ball_load(getattr(row, name), turning=speed != 0.0) / rating) ** (10.0 / 3.0)
-        for row in rows
-        for name, speed, rating in races
-    )
+    inner, outer = ball_ratings(solution.bearing, capacity, contact_angle)
+    operation = solution.operation
+    total = 0.0
+    for row in (solution.row(k) for k in range(len(solution.rows))):
+        for loads, speed, rating in (
+            (row.inner_load, operation.inner_speed, inner),
+            (row.outer_load, operation.outer_speed, outer),
+        ):
+            load = equivalent_ball_load(loads, turning=speed != 0.0)
+            total += (load / rating) ** (10.0 / 3.0)
     return float(total**-0.9)
 
 
@@ -262,10 +253,9 @@ def viscosity_ratio(kinematic_viscosity: float, speed: float, pitch_diameter: fl
     the other, positive [rad/s]; `pitch_diameter` [m].
     """
     n = speed / RPM
-    reference = (45000.0 * n**-0.83 if n < 1000.0 else 4500.0 * n**-0.5) * (
-        pitch_diameter / MM
-    ) ** -0.5
-    return kinematic_viscosity / (reference * MM**2)
+    of_speed = 45000.0 * n**-0.83 if n < 1000.0 else 4500.0 * n**-0.5
+    reference = of_speed * (pitch_diameter / MILLIMETRE) ** -0.5
+    return kinematic_viscosity / (reference * MILLIMETRE**2)
 
 
 def life_factor(kappa: float, limit: float) -> float:
@@ -287,17 +277,14 @@ def life_factor(kappa: float, limit: float) -> float:
 
 def _largest_pressure(solution: QuasistaticSolution) -> float:
     """Largest Hertz pressure of all contacts [Pa], 0 if none is loaded."""
-    largest = 0.0
     bearing = solution.bearing
+    largest = 0.0
     for race, loads, angles in (
         (Race.INNER, solution.inner_load, solution.inner_contact_angle),
         (Race.OUTER, solution.outer_load, solution.outer_contact_angle),
     ):
-        for load, angle in zip(loads, angles, strict=True):
-            if load > 0.0:
-                radii = reduced_radii(bearing, race, float(angle))
-                largest = max(
-                    largest,
-                    hertz_contact(float(load), *radii, contact_modulus(bearing, race)).pressure,
-                )
+        modulus = contact_modulus(bearing, race)
+        for load, angle in zip(loads[loads > 0.0], angles[loads > 0.0], strict=True):
+            radii = reduced_radii(bearing, race, float(angle))
+            largest = max(largest, hertz_contact(float(load), *radii, modulus).pressure)
     return largest

@@ -6,6 +6,7 @@ from math import cos, degrees
 import numpy as np
 
 from ehl.closed_form.hertz import hertz_contact
+from ehl.units import MILLIMETRE
 
 from ..geometry import Bearing, Race, contact_modulus, reduced_radii
 
@@ -28,12 +29,16 @@ STATIC_FACTORS_AXIAL = (0.46, 0.38, 0.26)  # Y_0 there, with X_0 = 0.5 [-]
 LARGE_BALL = 25.4e-3  # balls above this diameter follow another power [m]
 FATIGUE_PRESSURE = 1.5e9  # Hertz pressure at the fatigue limit of bearing steel [Pa]
 ROUNDING = 5e-5  # of a conformity computed from rounded lengths [-]
-MM = 1e-3  # in SI
+
+
+def _gamma(bearing: Bearing, contact_angle: float) -> float:
+    """D cos(alpha)/d_m [-]."""
+    return bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
 
 
 def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
     """Why `dynamic_rating` does not hold for a geometry, or empty; nominal angle in [rad]."""
-    gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
+    gamma = _gamma(bearing, contact_angle)
     if not SMALLEST_GAMMA <= gamma <= LARGEST_GAMMA:
         return (
             f"D cos(alpha)/d_m = {gamma:.3g} lies outside the factors f_c at hand: give "
@@ -44,10 +49,9 @@ def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
 
 def wide_grooves(bearing: Bearing) -> bool:
     """Whether a groove is wider than those f_c is for, which lowers the rating."""
-    conformities = (bearing.inner_conformity, bearing.outer_conformity)
-    return any(
-        conformity > largest + ROUNDING
-        for conformity, largest in zip(conformities, LARGEST_CONFORMITIES, strict=True)
+    inner, outer = LARGEST_CONFORMITIES
+    return (
+        bearing.inner_conformity > inner + ROUNDING or bearing.outer_conformity > outer + ROUNDING
     )
 
 
@@ -82,14 +86,12 @@ def lundberg_palmgren(gamma: float, inner: float, outer: float) -> float:
 
 def groove_factor(bearing: Bearing, contact_angle: float) -> float:
     """Capacity with the bearing's grooves over that with the widest f_c is for, 1 unless they are
-    wider [-].
-
-    `contact_angle`: nominal contact angle [rad].
+    wider [-]; nominal contact angle [rad].
     """
-    gamma = bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter
-    conformities = (bearing.inner_conformity, bearing.outer_conformity)
-    wider = [max(pair) for pair in zip(conformities, LARGEST_CONFORMITIES, strict=True)]
-    return lundberg_palmgren(gamma, *wider) / lundberg_palmgren(gamma, *LARGEST_CONFORMITIES)
+    gamma = _gamma(bearing, contact_angle)
+    inner, outer = LARGEST_CONFORMITIES
+    wider = (max(bearing.inner_conformity, inner), max(bearing.outer_conformity, outer))
+    return lundberg_palmgren(gamma, *wider) / lundberg_palmgren(gamma, inner, outer)
 
 
 def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
@@ -102,10 +104,9 @@ def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
     `bearing`: lengths in [m]; above a ball diameter of 25.4 mm, 3.647 D^1.4 instead of D^1.8 (in
     mm); `contact_angle`: nominal contact angle [rad].
     """
-    diameter = bearing.ball_diameter / MM
+    diameter = bearing.ball_diameter / MILLIMETRE
     power = diameter**1.8 if bearing.ball_diameter <= LARGE_BALL else 3.647 * diameter**1.4
-    f_c = factor_f_c(bearing.ball_diameter * cos(contact_angle) / bearing.pitch_diameter)
-    f_c *= groove_factor(bearing, contact_angle)
+    f_c = factor_f_c(_gamma(bearing, contact_angle)) * groove_factor(bearing, contact_angle)
     return RATING_FACTOR * f_c * cos(contact_angle) ** 0.7 * bearing.balls ** (2.0 / 3.0) * power
 
 
@@ -122,7 +123,7 @@ def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tup
     diameter = bearing.ball_diameter
     inner = bearing.inner_groove_radius
     outer = bearing.outer_groove_radius
-    gamma = diameter * cos(contact_angle) / bearing.pitch_diameter
+    gamma = _gamma(bearing, contact_angle)
     grooves = inner * (2.0 * outer - diameter) / (outer * (2.0 * inner - diameter))
     ratio = 1.044 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves**0.41
     share = capacity / (bearing.balls * cos(contact_angle))
@@ -154,30 +155,25 @@ def static_rating(bearing: Bearing, contact_angle: float) -> float:
 
     `contact_angle`: nominal contact angle [rad].
     """
-    diameter = bearing.ball_diameter
-    grooves = (bearing.inner_groove_radius, bearing.outer_groove_radius)
-    inner, outer = (
-        max(own, f * diameter) for own, f in zip(grooves, LARGEST_CONFORMITIES, strict=True)
+    inner, outer = (conformity * bearing.ball_diameter for conformity in LARGEST_CONFORMITIES)
+    rated = replace(
+        bearing,
+        inner_groove_radius=max(bearing.inner_groove_radius, inner),
+        outer_groove_radius=max(bearing.outer_groove_radius, outer),
     )
-    rated = replace(bearing, inner_groove_radius=inner, outer_groove_radius=outer)
-    return (
-        bearing.balls
-        * cos(contact_angle)
-        * min(load_at_pressure(rated, contact_angle, STATIC_PRESSURE))
-        / STRIBECK
-    )
+    load = min(load_at_pressure(rated, contact_angle, STATIC_PRESSURE))
+    return bearing.balls * cos(contact_angle) * load / STRIBECK
 
 
 def load_at_pressure(
     bearing: Bearing, contact_angle: float, pressure: float
 ) -> tuple[float, float]:
     """Ball loads [N] on inner and outer race at a Hertz pressure [Pa] and angle [rad]."""
-    units = [
+    inner, outer = (
         hertz_contact(1.0, *reduced_radii(bearing, r, contact_angle), contact_modulus(bearing, r))
         for r in Race
-    ]
-    inner, outer = ((pressure / unit.pressure) ** 3 for unit in units)
-    return inner, outer
+    )
+    return (pressure / inner.pressure) ** 3, (pressure / outer.pressure) ** 3
 
 
 def static_equivalent_load(radial: float, axial: float, contact_angle: float) -> float | None:
