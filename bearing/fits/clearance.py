@@ -14,7 +14,8 @@ gives it. (One source, Yao et al. 2022, prints the opposite sign.)
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from math import isfinite
+
+from ehl.ranges import require_finite
 
 from ..geometry import Bearing, Race
 from ..material import Material
@@ -76,7 +77,7 @@ class ClearanceBudget:
     cage: CageClearance | None = None  # None where the temperature of the cage is not given
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class _Cylinder:
     """Ring, shaft or housing: diameters [m], speed [rad/s], temperature rise [K]."""
 
@@ -115,9 +116,8 @@ def centrifugal_growth(material: Material, diameter: float, other: float, speed:
     nu) r_other^2]/4.
     """
     nu = material.poisson_ratio
-    stress = (
-        material.density * speed**2 * ((1.0 - nu) * diameter**2 + (3.0 + nu) * other**2) / 16.0
-    )
+    squares = (1.0 - nu) * diameter**2 + (3.0 + nu) * other**2
+    stress = material.density * speed**2 * squares / 16.0
     return diameter * stress / material.youngs_modulus
 
 
@@ -180,7 +180,6 @@ def clearance_budget(
         operating=initial + running.pop("change"),
         **running,
         messages=tuple(_messages(bearing, fit, running, speeds)),
-        cage=None,
     )
 
 
@@ -195,21 +194,10 @@ def _changes(
 ) -> dict[str, float]:
     """Change of clearance and parts, interferences [m], pressures [Pa] at given conditions."""
     bottom, top = groove_diameters(bearing)
-    bore, outside = bearing.bore or 0.0, bearing.outside_diameter or 0.0
-    inner = _Cylinder(
-        material=bearing.inner_ring_material,
-        inner=bore,
-        outer=bottom,
-        speed=speeds[0],
-        rise=rise.inner_ring,
-    )
-    outer = _Cylinder(
-        material=bearing.outer_ring_material,
-        inner=top,
-        outer=outside,
-        speed=speeds[1],
-        rise=rise.outer_ring,
-    )
+    bore = bearing.bore or 0.0
+    outside = bearing.outside_diameter or 0.0
+    inner = _Cylinder(bearing.inner_ring_material, bore, bottom, speeds[0], rise.inner_ring)
+    outer = _Cylinder(bearing.outer_ring_material, top, outside, speeds[1], rise.outer_ring)
     balls = thermal_growth(bearing.ball_material, bearing.ball_diameter, rise.ball)
     inner_ring = thermal_growth(inner.material, bottom, inner.rise)
     outer_ring = thermal_growth(outer.material, top, outer.rise)
@@ -219,46 +207,30 @@ def _changes(
         - (inner.centrifugal(bottom) if bore else 0.0),
     }
     if fit is not None and bore:
-        changes |= _inner_seat(inner, fit, rise)
+        shaft = _Cylinder(fit.shaft_material, fit.shaft_bore, bore, speeds[0], rise.shaft)
+        left, pressure = _seat(fit.inner_interference, hub=inner, shaft=shaft)
+        growth = far_growth(pressure, inner, inside=True)
+        changes |= {"inner_interference": left, "inner_pressure": pressure, "inner_fit": -growth}
     if fit is not None and outside and fit.housing_outside_diameter:
-        changes |= _outer_seat(outer, fit, rise)
+        far = fit.housing_outside_diameter
+        housing = _Cylinder(fit.housing_material, outside, far, speeds[1], rise.housing)
+        left, pressure = _seat(fit.outer_interference, hub=housing, shaft=outer)
+        growth = far_growth(pressure, outer, inside=False)
+        changes |= {"outer_interference": left, "outer_pressure": pressure, "outer_fit": growth}
     parts = ("thermal", "centrifugal", "inner_fit", "outer_fit")
     return changes | {"change": sum(changes.get(part, 0.0) for part in parts)}
 
 
-def _inner_seat(ring: _Cylinder, fit: Fit, rise: TemperatureRise) -> dict[str, float]:
-    shaft = _Cylinder(
-        material=fit.shaft_material,
-        inner=fit.shaft_bore,
-        outer=ring.inner,
-        speed=ring.speed,
-        rise=rise.shaft,
-    )
-    left = fit.inner_interference + shaft.free_growth(ring.inner) - ring.free_growth(ring.inner)
-    pressure = fit_pressure(left, ring.inner, hub=ring, shaft=shaft)
-    change = -far_growth(pressure, ring, inside=True)
-    return {"inner_interference": left, "inner_pressure": pressure, "inner_fit": change}
-
-
-def _outer_seat(ring: _Cylinder, fit: Fit, rise: TemperatureRise) -> dict[str, float]:
-    housing = _Cylinder(
-        material=fit.housing_material,
-        inner=ring.outer,
-        outer=fit.housing_outside_diameter or 0.0,
-        speed=ring.speed,
-        rise=rise.housing,
-    )
-    left = fit.outer_interference + ring.free_growth(ring.outer) - housing.free_growth(ring.outer)
-    pressure = fit_pressure(left, ring.outer, hub=housing, shaft=ring)
-    change = far_growth(pressure, ring, inside=False)
-    return {"outer_interference": left, "outer_pressure": pressure, "outer_fit": change}
+def _seat(interference: float, hub: _Cylinder, shaft: _Cylinder) -> tuple[float, float]:
+    """Interference left of one at rest [m], and pressure in the seat [Pa]."""
+    seat = hub.inner
+    left = interference + shaft.free_growth(seat) - hub.free_growth(seat)
+    return left, fit_pressure(left, seat, hub=hub, shaft=shaft)
 
 
 def _check(bearing: Bearing, fit: Fit) -> None:
     """Refuse fits whose dimensions are missing or impossible."""
-    for field in ("inner_interference", "outer_interference", "shaft_bore"):
-        if not isfinite(getattr(fit, field)):
-            raise ValueError(f"{field} must be finite, got {getattr(fit, field)!r}")
+    require_finite(fit, "inner_interference", "outer_interference", "shaft_bore")
     bottom, top = groove_diameters(bearing)
     bore, outside = bearing.bore, bearing.outside_diameter
     housing = fit.housing_outside_diameter
@@ -315,8 +287,8 @@ def cage_clearance(
     where balls guide the cage.
     """
     ball = bearing.ball_diameter
-    ball_growth = thermal_growth(bearing.ball_material, ball, rise.ball)
-    pocket = thermal_growth(material, ball, cage_rise) - ball_growth
+    pocket = thermal_growth(material, ball, cage_rise)
+    pocket -= thermal_growth(bearing.ball_material, ball, rise.ball)
     if land is None:
         return CageClearance(pocket=pocket)
     race, diameter = land
