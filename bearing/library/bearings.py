@@ -2,13 +2,13 @@
 
 import warnings
 from collections.abc import Collection, Mapping
+from math import isclose
 from typing import Any
 
 from .names import library_data, matching_name
 
 PUBLISHED = "bearings.toml"
 ESTIMATED = "estimated_bearings.toml"
-EQUALITY_RTOL = 1e-9  # of a case's value and the catalogue's [-]
 
 
 def list_bearings() -> tuple[str, ...]:
@@ -22,18 +22,10 @@ def published_bearings() -> tuple[str, ...]:
 
 
 def load_catalogue_entry(name: str) -> dict[str, Any]:
-    """Keys of a case file's [bearing] table for a catalogue bearing; each name ends in its unit
-    ([mm], [um], [deg]).
+    """Keys of a case file's [bearing] table for one of `list_bearings()`, with `source` (text),
+    `estimated` (keys whose values are estimates) and `range` (an interval for each of these).
 
-    `name`: one of `list_bearings()`; case, spaces and hyphens do not matter.
-
-    Returns keys and values as in a case file, with `source` (text), `estimated` (keys whose values
-    are estimates) and `range` (an interval for each of these).
-
-    Raises
-    ------
-    ValueError
-        If there is none of this name.
+    Case, spaces and hyphens of the name do not matter; ValueError if there is none of this name.
     """
     key = matching_name(name, list_bearings())
     if key is None:
@@ -43,16 +35,10 @@ def load_catalogue_entry(name: str) -> dict[str, Any]:
 
 
 def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[str] = ()) -> None:
-    """Warn of each value of a case that is the catalogue's estimate, with its range.
+    """Warn once of all values of a case that are the catalogue's estimates, with their ranges.
 
-    `name`: name of the bearing; nothing happens if the catalogue has none of this name; `values`:
-    keys and values of the case's [bearing] table, filled in from the catalogue; `assumed`: keys
-    that the case itself says are assumed.
-
-    Warns
-    -----
-    UserWarning
-        One for the bearing, if any of its values is an estimate.
+    `name`: of the bearing, in the catalogue or not; `values`: of the case's [bearing] table,
+    filled in from the catalogue; `assumed`: keys that the case itself says are assumed.
     """
     key = matching_name(name, list_bearings())
     if key is None:
@@ -61,11 +47,7 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
     estimates = []
     for field in entry["estimated"]:
         value = values.get(field)
-        if (
-            value is None
-            or field in assumed
-            or abs(value - entry[field]) > EQUALITY_RTOL * abs(entry[field])
-        ):
+        if value is None or field in assumed or not isclose(value, entry[field]):
             continue
         low, high = entry["range"][field]
         text, unit = _words(field)

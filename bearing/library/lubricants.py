@@ -8,13 +8,15 @@ from typing import Any
 
 from ehl.oil.free_volume import DoolittleFreeVolume, TaitVolume, pressure_viscosity_doolittle
 from ehl.oil.lubricant import ROELANDS_LOG_OFFSET, Lubricant, ThermalProperties, ViscosityLaw
-from ehl.units import ZERO_CELSIUS
+from ehl.units import UNITS, ZERO_CELSIUS
 
 from .names import library_data, matching_name
 
 DATA = "lubricants.toml"
 PROPERTIES = ("viscosity", "pressure_viscosity", "density", "conductivity", "specific_heat")
 STEP = 0.5  # of the differences that give the temperature coefficients [K]
+MM2_S = UNITS["mm2_s"].si  # [m^2/s]
+MPA_S = UNITS["mPa_s"].si  # [Pa s]
 CUTOFF = 0.7  # added to the kinematic viscosity in mm^2/s, ASTM D341
 
 
@@ -24,36 +26,22 @@ def list_lubricants() -> tuple[str, ...]:
 
 
 def lubricant_data(name: str) -> dict[str, Any]:
-    """What the data file says of an oil: range [degrees Celsius], and per property its law,
-    constants and source.
-
-    `name`: one of `list_lubricants()`.
-
-    Returns `range_C` and, per property of `PROPERTIES`, `law`, its constants with their units,
-    `source`, and `verified` false where the number was not read in a source.
+    """What the data file says of one of `list_lubricants()`: `range_C` and, per property of
+    `PROPERTIES`, `law`, its constants with their units, `source`, and `verified` false where the
+    number was not read in a source.
     """
     return library_data(DATA)[name]
 
 
 def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
-    """Lubricant of the library at a temperature; the laws of viscosity and density are the
-    caller's.
+    """Lubricant of the library at a temperature of the oil in the contact inlet [K], with the
+    thermal properties -d(ln eta)/dT and expansion of the laws there.
 
-    `name`: one of `list_lubricants()`; case, spaces and hyphens do not matter; `temperature`:
-    temperature of the oil in the contact inlet [K]; `laws`: further fields of `ehl.Lubricant`
-    (viscosity_law, density_law, roelands_z [-], roelands_pressure [Pa]).
+    `name`: one of `list_lubricants()`; case, spaces and hyphens do not matter; `laws`: further
+    fields of `ehl.Lubricant` (viscosity_law, density_law, roelands_z [-], roelands_pressure [Pa]).
 
-    Its thermal properties -d(ln eta)/dT and expansion are those of the laws at this temperature.
-
-    Raises
-    ------
-    ValueError
-        If there is none of this name, or the temperature is not positive [K].
-
-    Warns
-    -----
-    UserWarning
-        If the temperature lies outside the range of the data.
+    Raises ValueError if there is none of this name, or the temperature is not of an oil; warns if
+    it lies outside the range of the data.
     """
     table = library_data(DATA)
     key = matching_name(name, table)
@@ -93,10 +81,9 @@ def _thermal(entry: dict[str, Any], temperature: float) -> ThermalProperties:
         colder = law(entry, temperature - STEP)
         return log(colder / warmer) / (2.0 * STEP)
 
-    conductivity, heat = entry["conductivity"], entry["specific_heat"]
     return ThermalProperties(
-        conductivity=_linear(conductivity, temperature),
-        specific_heat=_linear(heat, temperature),
+        conductivity=_linear(entry["conductivity"], temperature),
+        specific_heat=_linear(entry["specific_heat"], temperature),
         viscosity_temperature=fall(dynamic_viscosity),
         expansion=fall(oil_density),
     )
@@ -112,33 +99,22 @@ def _free_volume(entry: dict[str, Any], temperature: float) -> dict[str, Any]:
         bulk_modulus_derivative=data["bulk_modulus_derivative"],
         reference_temperature=temperature,
     )
-    return {
-        "tait": tait,
-        "doolittle": DoolittleFreeVolume(
-            factor=data["factor"], occupied_share=data["occupied_share"]
-        ),
-    }
+    doolittle = DoolittleFreeVolume(factor=data["factor"], occupied_share=data["occupied_share"])
+    return {"tait": tait, "doolittle": doolittle}
 
 
 def dynamic_viscosity(entry: dict[str, Any], temperature: float) -> float:
     """Dynamic viscosity [Pa s] of an oil's data at a temperature [K] and ambient pressure."""
-    return LAWS[entry["viscosity"]["law"]](
-        entry["viscosity"], temperature, oil_density(entry, temperature)
-    )
+    data = entry["viscosity"]
+    return LAWS[data["law"]](data, temperature, oil_density(entry, temperature))
 
 
 def viscosity_vogel(entry: dict[str, Any], temperature: float, density: float) -> float:
-    """Dynamic viscosity [Pa s], rho a exp(b/(t + c)) with a in mm^2/s, t in degrees Celsius, Vogel
-    (1921).
-
-    `entry`: a [mm^2/s], b [K], c [K]; `temperature`: temperature [K]; `density`: density [kg/m^3].
+    """Dynamic viscosity [Pa s], rho a exp(b/(t + c)) with a in mm^2/s, t in degrees Celsius, rho
+    in kg/m^3; Vogel (1921).
     """
-    return float(
-        1e-6
-        * density
-        * entry["a_mm2_s"]
-        * exp(entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"]))
-    )
+    exponent = entry["b_K"] / (temperature - ZERO_CELSIUS + entry["c_K"])
+    return float(MM2_S * density * entry["a_mm2_s"] * exp(exponent))
 
 
 def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) -> float:
@@ -149,24 +125,20 @@ def viscosity_adore(entry: dict[str, Any], temperature: float, _density: float) 
 
 def viscosity_walther(entry: dict[str, Any], temperature: float, _density: float) -> float:
     """Dynamic viscosity [Pa s], Walther: c (exp(exp(a - b ln T)) - d), T in [K]."""
-    return float(
-        entry["c_Pa_s"] * (exp(exp(entry["a"] - entry["b"] * log(temperature))) - entry["d"])
-    )
+    double = exp(exp(entry["a"] - entry["b"] * log(temperature)))
+    return float(entry["c_Pa_s"] * (double - entry["d"]))
 
 
 def viscosity_astm_d341(entry: dict[str, Any], temperature: float, density: float) -> float:
-    """Dynamic viscosity [Pa s], rho nu, log10 log10(nu + 0.7) = A - B log10 T, nu in mm^2/s: ASTM
-    D341.
-
-    `entry`: two temperatures [K] and kinematic viscosities there [mm^2/s], through which A and B
-    go; `temperature`: temperature [K]; `density`: density [kg/m^3].
+    """Dynamic viscosity [Pa s], rho nu, log10 log10(nu + 0.7) = A - B log10 T through two
+    kinematic viscosities nu in mm^2/s, ASTM D341; T in [K], rho in [kg/m^3].
     """
-    return 1e-6 * density * _d341(entry["temperature_K"], entry["value_mm2_s"], temperature)
+    return MM2_S * density * _d341(entry["temperature_K"], entry["value_mm2_s"], temperature)
 
 
 def viscosity_dynamic_d341(entry: dict[str, Any], temperature: float, _density: float) -> float:
     """Dynamic viscosity [Pa s], form of ASTM D341 through two viscosities in mPa s; T in [K]."""
-    return 1e-3 * _d341(entry["temperature_K"], entry["value_mPa_s"], temperature)
+    return MPA_S * _d341(entry["temperature_K"], entry["value_mPa_s"], temperature)
 
 
 def _d341(temperatures: list[float], values: list[float], temperature: float) -> float:
@@ -186,15 +158,12 @@ LAWS = {
 
 
 def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
-    """Pressure-viscosity coefficient [1/Pa] of an oil's data at a temperature [K].
+    """Pressure-viscosity coefficient, d(ln eta)/dp at ambient pressure [1/Pa], of an oil's data at
+    a temperature [K].
 
     exponent: exp(a ln eta + b)/eta, eta in Pa s; hyperbola: a + b/(T - c); table: linear in T,
     constant beyond its ends; roelands: alpha_r (ln eta + 9.67)/(ln eta_r + 9.67), the identity of
     Roelands (1966) at constant z.
-
-    `entry`: data of the oil, `lubricant_data`; `temperature`: temperature [K].
-
-    Returns d(ln eta)/dp at ambient pressure [1/Pa].
     """
     data = entry["pressure_viscosity"]
     if data["law"] == "exponent":
@@ -207,40 +176,31 @@ def pressure_viscosity(entry: dict[str, Any], temperature: float) -> float:
             log(dynamic_viscosity(entry, t)) for t in (temperature, data["reference_K"])
         )
         return float(data["value"] * (here + ROELANDS_LOG_OFFSET) / (there + ROELANDS_LOG_OFFSET))
-    return _interpolate(data, temperature)
+    coldest, *_, hottest = sorted(zip(data["temperature_K"], data["value"], strict=True))
+    if temperature > hottest[0]:
+        return float(hottest[1])
+    return _interpolate(data, max(temperature, coldest[0]))
 
 
 def oil_density(entry: dict[str, Any], temperature: float) -> float:
-    """Density [kg/m^3] of an oil's data at a temperature [K].
+    """Density [kg/m^3] of an oil's data at a temperature [K] and ambient pressure.
 
     table: linear in T, continued beyond its ends; expansion: rho_r exp[-e (T - T_r)].
-
-    `entry`: data of the oil, `lubricant_data`; `temperature`: temperature [K].
-
-    Returns density at ambient pressure [kg/m^3].
     """
     data = entry["density"]
     if data["law"] == "expansion":
-        return float(
-            data["value"] * exp(-data["expansion_1_K"] * (temperature - data["reference_K"]))
-        )
-    points = list(zip(data["temperature_K"], data["value"], strict=True))
-    (t0, v0), (t1, v1) = next(
-        (p for p in pairwise(points) if temperature <= p[1][0]), (points[-2], points[-1])
-    )
-    return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
+        rise = temperature - data["reference_K"]
+        return float(data["value"] * exp(-data["expansion_1_K"] * rise))
+    return _interpolate(data, temperature)
 
 
 def _linear(data: dict[str, Any], temperature: float) -> float:
     return float(data["value"] + data["slope"] * (temperature - data["reference_K"]))
 
 
-def _interpolate(entry: dict[str, Any], temperature: float) -> float:
-    """Linear in T [K] between the given points, constant outside them."""
-    points = sorted(zip(entry["temperature_K"], entry["value"], strict=True))
-    if temperature <= points[0][0]:
-        return float(points[0][1])
-    for (t0, v0), (t1, v1) in pairwise(points):
-        if temperature <= t1:
-            return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
-    return float(points[-1][1])
+def _interpolate(data: dict[str, Any], temperature: float) -> float:
+    """Linear in T [K] between the points of a table, continued beyond its ends."""
+    points = sorted(zip(data["temperature_K"], data["value"], strict=True))
+    pairs = list(pairwise(points))
+    (t0, v0), (t1, v1) = next((pair for pair in pairs if temperature <= pair[1][0]), pairs[-1])
+    return float(v0 + (v1 - v0) * (temperature - t0) / (t1 - t0))
