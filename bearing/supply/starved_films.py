@@ -12,7 +12,7 @@ from ehl.closed_form.film import film_hamrock_dowson_minimum, film_nijenbanning_
 from ..contacts.contact import BearingContact
 from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
-from .supply import InletFilm, Supply, supplied_films
+from .supply import InletFilm, Supply, supplied_share
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,23 +59,20 @@ def starved_films(
     `balls`: in one row [-]; `roughness`: root mean square of inner race and balls, outer race and
     balls [m]; `solutions`: flooded films; formulas where one is missing or did not converge.
     """
-    solved = [None] * len(contacts) if solutions is None else solutions
-    flooded = [_flooded(contact, film) for contact, film in zip(contacts, solved, strict=True)]
-    shares = supplied_films(contacts, [film and film[0] for film in flooded], supply, balls)
+    rough = dict(zip(Race, roughness or (0.0, 0.0), strict=True))
     films: list[StarvedFilm | None] = []
-    for contact, film, share in zip(contacts, flooded, map(float, shares), strict=True):
-        if film is None:
-            films.append(None)
-            continue
-        rough = 0.0 if roughness is None else roughness[0 if contact.race is Race.INNER else 1]
-        starved = StarvedFilm(
-            share=share,
-            flooded_central=film[0],
-            flooded_minimum=film[1],
-            roughness=rough,
-            solved=film[2],
-        )
-        films.append(starved)
+    for contact, solution in zip(contacts, solutions or [None] * len(contacts), strict=True):
+        film = None
+        if flooded := _flooded(contact, solution):
+            central, minimum, solved = flooded
+            film = StarvedFilm(
+                share=supplied_share(contact, central, supply, balls),
+                flooded_central=central,
+                flooded_minimum=minimum,
+                roughness=rough[contact.race],
+                solved=solved,
+            )
+        films.append(film)
     return tuple(films)
 
 

@@ -21,17 +21,15 @@ and the balls plough through a mixture of that density. Both numbers are inputs 
 constants of nature.
 """
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from math import exp, inf, isfinite, log, pi
 
-import numpy as np
 from scipy.optimize import brentq
 
 from ehl.oil.lubricant import Lubricant, density
 
 from ..contacts.contact import BearingContact
-from ..geometry import Array, Bearing
+from ..geometry import Bearing
 
 EXPONENTS = (3.0, 15.0)  # gamma of a circle and of an ellipse of this ratio and more
 WIDE_ELLIPSE = 8.0  # that ratio, Damiens et al. (2004) [-]
@@ -74,11 +72,10 @@ class InletFilm:
 
 
 def starvation_exponent(ellipse_ratio: float) -> float:
-    """gamma of a starved film: 3 (circular) to 15 (wide), in proportion to the ratio's logarithm
-    between [-].
+    """gamma of a starved film [-]: 3 (circular) to 15 (wide), in proportion between to the
+    logarithm of the semi-axis across the entrainment over that along it [-].
 
-    `ellipse_ratio`: Semi-axis across the entrainment over that along it [-]. The ends are Damiens
-    et al.'s (2004), second hand; the interpolation is ours.
+    The ends are Damiens et al.'s (2004), second hand; the interpolation is ours.
     """
     share = min(max(log(max(ellipse_ratio, 1.0)) / log(WIDE_ELLIPSE), 0.0), 1.0)
     return EXPONENTS[0] * exp(share * log(EXPONENTS[1] / EXPONENTS[0]))
@@ -86,10 +83,7 @@ def starvation_exponent(ellipse_ratio: float) -> float:
 
 def starved_share(inlet_ratio: float, exponent: float) -> float:
     """Central film of a starved contact over the flooded one, r/(1 + r^g)^(1/g), Chevalier et al.
-    (1998) [-].
-
-    `inlet_ratio`: r, oil layer at the inlet over the compressed flooded film [-]; `exponent`: g
-    [-].
+    (1998) [-]; r: oil layer at the inlet over the compressed flooded film [-].
     """
     if inlet_ratio > 1.0:  # the same, so that ample oil leaves exactly 1
         return float((1.0 + inlet_ratio**-exponent) ** (-1.0 / exponent))
@@ -98,15 +92,10 @@ def starved_share(inlet_ratio: float, exponent: float) -> float:
 
 def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> float:
     """Film over the flooded one where every ball finds what is left of the last one's and what was
-    added.
+    added [-]; zero without supply: all oil is pressed out in the end.
 
     `added_ratio`: layer added between two balls over the compressed flooded film [-]; `exponent`:
     g [-]; `loss`: share of the layer lost between two balls [-].
-
-    Returns
-    -------
-    float
-        [-]; zero without supply: all oil is pressed out in the end.
     """
     if added_ratio <= 0.0:
         return 0.0
@@ -121,35 +110,27 @@ def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> floa
     return starved_share(exp(log_r), exponent)
 
 
-def supplied_films(
-    contacts: Sequence[BearingContact],
-    flooded: Sequence[float | None],
-    supply: Supply | InletFilm,
-    balls: int,
-) -> Array:
-    """Central film over the flooded one of every contact, shape (contacts,) [-]; 1 where there is
-    no film.
+def supplied_share(
+    contact: BearingContact, flooded_film: float, supply: Supply | InletFilm, balls: int
+) -> float:
+    """Central film of a contact over the flooded one [-].
 
-    `flooded`: flooded central films, solved or from a formula [m]; `supply`: A layer that is ample
-    leaves every film as it was, to the last digit; `balls`: in one row [-].
+    `flooded_film`: central, solved or from a formula [m]; `supply`: a layer that is ample leaves
+    the film as it was, to the last digit; `balls`: in one row [-].
     """
-    shares = np.ones(len(contacts))
-    for i, (contact, film) in enumerate(zip(contacts, flooded, strict=True)):
-        conditions, hertz = contact.conditions, contact.hertz
-        if conditions is None or hertz is None or film is None:
-            continue
-        compressed = film * compression(hertz.pressure, conditions.lubricant)
-        exponent = supply.exponent
-        if exponent is None:
-            exponent = starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x)
-        if isinstance(supply, InletFilm):
-            shares[i] = starved_share(supply.layer / compressed, exponent)
-            continue
-        # area of track under all balls [m^2/s]
-        swept = 2.0 * hertz.semi_axis_y * conditions.entrainment_speed * balls
-        layer = 0.5 * supply.track_share * supply.flow / swept
-        shares[i] = steady_share(layer / compressed, exponent, supply.loss)
-    return shares
+    conditions, hertz = contact.conditions, contact.hertz
+    if conditions is None or hertz is None:
+        return 1.0
+    compressed = flooded_film * compression(hertz.pressure, conditions.lubricant)
+    exponent = supply.exponent
+    if exponent is None:
+        exponent = starvation_exponent(hertz.semi_axis_y / hertz.semi_axis_x)
+    if isinstance(supply, InletFilm):
+        return starved_share(supply.layer / compressed, exponent)
+    # area of track under all balls [m^2/s]
+    swept = 2.0 * hertz.semi_axis_y * conditions.entrainment_speed * balls
+    layer = 0.5 * supply.track_share * supply.flow / swept
+    return steady_share(layer / compressed, exponent, supply.loss)
 
 
 def compression(hertz_pressure: float, lubricant: Lubricant) -> float:
@@ -161,30 +142,16 @@ def cavity_volume(bearing: Bearing) -> float:
     """Space between the rings less the balls [m^3]; the cage is left out.
 
     Between cylinders at the shoulders (raceway and a third of the ball's radius where these are
-    not given), over the width.
-
-    Raises
-    ------
-    ValueError
-        If the width of the bearing is not given.
+    not given), over the width; ValueError if that is not given.
     """
     if bearing.width is None:
         raise ValueError("width is needed for the volume of the cavity")
     pitch, ball = bearing.pitch_diameter, bearing.ball_diameter
-    inner = (
-        pitch - 2.0 / 3.0 * ball
-        if bearing.inner_shoulder_diameter is None
-        else bearing.inner_shoulder_diameter
-    )
-    outer = (
-        pitch + 2.0 / 3.0 * ball
-        if bearing.outer_shoulder_diameter is None
-        else bearing.outer_shoulder_diameter
-    )
+    inner = bearing.inner_shoulder_diameter or pitch - 2.0 / 3.0 * ball
+    outer = bearing.outer_shoulder_diameter or pitch + 2.0 / 3.0 * ball
     ring = 0.25 * pi * (outer**2 - inner**2) * bearing.width
-    return float(
-        ring - bearing.balls * pi / 6.0 * ball**3 * _share_in_cavity(inner, outer, pitch, ball)
-    )
+    share = _share_in_cavity(inner, outer, pitch, ball)
+    return float(ring - bearing.balls * pi / 6.0 * ball**3 * share)
 
 
 def _share_in_cavity(inner: float, outer: float, pitch: float, ball: float) -> float:

@@ -21,7 +21,7 @@ from bearing.supply.supply import (
     starvation_exponent,
     starved_share,
     steady_share,
-    supplied_films,
+    supplied_share,
 )
 from ehl import Lubricant, ViscosityLaw
 from ehl.closed_form.film import film_nijenbanning_central
@@ -64,14 +64,16 @@ def test_steady_film_at_the_ends(exponent):
 def test_films_of_a_bearing_over_the_supply(bearings):
     state = solve_quasistatic(bearings.b6208, Operation(inner_speed=5000 * bearings.rpm, force=(0.0, 900.0, 0.0)))
     contacts = contact_conditions(state, OIL)
-    flooded = [None if c.conditions is None else film_nijenbanning_central(c.conditions) for c in contacts]
     supply = Supply(flow=0.2 * ML_MIN, track_share=0.5, residence_time=60.0)
-    films = [supplied_films(contacts, flooded, replace(supply, flow=f * ML_MIN), 9) for f in (0.2, 1.0, 5.0, 1e7)]
-    lubricated = np.array([c.conditions is not None for c in contacts])
-    for scarce, ample in zip(films, films[1:], strict=False):
-        assert np.all(scarce[lubricated] < ample[lubricated])
-    assert films[-1] == pytest.approx(1.0)
-    assert np.all(films[0][~lubricated] == 1.0)
+    films = [starved_films(contacts, replace(supply, flow=f * ML_MIN), 9) for f in (0.2, 1.0, 5.0, 1e7)]
+    lubricated = [c.conditions is not None for c in contacts]
+    assert [film is not None for film in films[0]] == lubricated
+    shares = np.array([[film.share for film in row if film is not None] for row in films])
+    assert np.all(np.diff(shares, axis=0) > 0.0)
+    assert shares[-1] == pytest.approx(1.0)
+    assert [supplied_share(c, 1e-6, supply, 9) for c in contacts if c.conditions is None] == [1.0] * lubricated.count(
+        False
+    )
     assert 1.0 < compression(1e9, OIL) < 0.6 / 1.7 + 1.0
 
 
