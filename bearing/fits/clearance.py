@@ -180,6 +180,7 @@ def clearance_budget(
         operating=initial + running.pop("change"),
         **running,
         messages=tuple(_messages(bearing, fit, running, speeds)),
+        cage=None,
     )
 
 
