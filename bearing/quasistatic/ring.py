@@ -154,7 +154,8 @@ def _point(q: Array, u_start: Array | None, ring: Ring, problem: BallProblem) ->
     )
     unbalance = np.abs(force + ring.load)[ring.free]
     largest = max(np.abs(ring.load).max(), np.hypot(balls.values[2], balls.values[3]).max())
-    residual, noise = float(balls.residual.max()), balls.noise
+    residual = float(balls.residual.max())
+    noise = balls.noise
     if largest > 0.0:
         residual = max(residual, float(unbalance.max(initial=0.0) / largest))
         rounding = ROUND_OFF * ring.distance * float(np.abs(stiffness).max())

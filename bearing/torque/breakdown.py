@@ -88,10 +88,11 @@ def torque_breakdown(
         rest = ModelTorque(note="the rings do not turn against each other")
         return TorqueBreakdown(models=dict.fromkeys(NAMES, rest), coefficient=0.0)
     mu = coulomb_coefficient(solution, lubricant, friction)
+    asperities = None if shear is None else shear.asperity_share
     models = {
         INTEGRATED: _integrated(solution, lubricant, friction, shear, speed),
         **line_models(solution, contacts, mu, speed),
-        **skf_model(solution, lubricant, friction, shear and shear.asperity_share),
+        **skf_model(solution, lubricant, friction, asperities),
         "palmgren": palmgren_model(solution, lubricant, friction),
         "yao": yao_model(solution, contacts, lubricant, friction, mu),
     }

@@ -8,6 +8,7 @@ and give N mm; the functions here take and give SI, and convert at the first and
 from dataclasses import dataclass, replace
 from enum import Enum
 from math import acos, exp, pi, radians, sin, sqrt
+from typing import Any
 
 import numpy as np
 
@@ -228,7 +229,8 @@ def _seal(bearing: SkfBearing) -> float:
         return 0.0
     lip = bearing.seal_diameter if bearing.seal_diameter is not None else bearing.bore
     outside = bearing.outside_diameter / MILLIMETRE
-    row = next(row for row in library_data(DATA)["seal"] if outside <= row["up_to"])
+    rows: Any = library_data(DATA)["seal"]
+    row = next(row for row in rows if outside <= row["up_to"])
     return float(row["K_S1"] * (lip / MILLIMETRE) ** 2.25 + row["K_S2"])
 
 
