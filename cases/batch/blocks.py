@@ -188,7 +188,7 @@ def hypercubes(
         except ValidationError as error:
             schema = HypercubeOptions.model_json_schema()
             faults += [
-                CaseFault((*where, *p.path), p.found, p.allowed)
+                CaseFault((*where, *p.path), p.finding, p.allowed)
                 for p in schema_faults(error.errors(include_url=False), schema)
             ]
         else:

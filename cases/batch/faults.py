@@ -47,15 +47,15 @@ def located_faults(
         if setting is not None:
             same = tuple(problem.path) == case_path(setting.key)
             found = (
-                problem.found
+                problem.finding
                 if same or not problem.path
-                else f"{'.'.join(map(str, problem.path))}: {problem.found}"
+                else f"{'.'.join(map(str, problem.path))}: {problem.finding}"
             )
             yield CaseFault(setting.where, found, problem.allowed, nearest=problem.nearest)
         else:
             values = ", ".join(f"{s.key} = {shown(s.value)}" for s in variation.settings)
             place = f"{'.'.join(map(str, problem.path))}: " if problem.path else ""
-            found = f"point {number} ({values}): {place}{problem.found}"
+            found = f"point {number} ({values}): {place}{problem.finding}"
             yield CaseFault(("case",), found, problem.allowed, nearest=problem.nearest)
 
 

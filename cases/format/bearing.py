@@ -151,18 +151,18 @@ def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:
             f"allowed: from {-distance:.6g} to {2 * distance:.6g} um with these grooves, "
             "ends excluded"
         )
-        found = f"found {shown(clearance)}"
-        yield CaseFault(("bearing", CLEARANCE[0]), found, allowed)
+        finding = f"found {shown(clearance)}"
+        yield CaseFault(("bearing", CLEARANCE[0]), finding, allowed)
     elif angle is not None:
         expected = 2.0 * distance * (1.0 - cos(radians(angle)))
         if abs(clearance - expected) > max(CLEARANCE_AGREEMENT_UM, 0.01 * abs(expected)):
             derived = degrees(acos(min(1.0, 1.0 - 0.5 * clearance / distance)))
-            found = f"found {shown(angle)} together with {CLEARANCE[0]} = {shown(clearance)}"
+            finding = f"found {shown(angle)} together with {CLEARANCE[0]} = {shown(clearance)}"
             allowed = (
                 f"allowed: one of them, or {derived:.4g} deg with this clearance, "
                 f"{expected:.5g} um with this angle"
             )
-            yield CaseFault(("bearing", CLEARANCE[1]), found, allowed)
+            yield CaseFault(("bearing", CLEARANCE[1]), finding, allowed)
 
 
 def _groove_distance(values: CaseValues) -> float | None:
@@ -185,16 +185,16 @@ def _series_faults(values: CaseValues) -> Iterator[CaseFault]:
     if given is None:
         return
     angle = _free_angle(values)
-    found = f"found {shown(given)}"
+    finding = f"found {shown(given)}"
     allowed = [name for kind in Series for name in skf_series(kind)]
     deep = angle is not None and radians(angle) <= ANGULAR_CONTACT
     # fits and temperatures change the clearance
     if deep and not any(values.given(table) for table in ("fit", "temperatures")):
-        found += f" for a deep groove bearing, its free contact angle being {angle:.4g} deg"
+        finding += f" for a deep groove bearing, its free contact angle being {angle:.4g} deg"
         allowed = list(skf_series(Series.DEEP_GROOVE))
     if given not in allowed:
         listed = f"allowed: {', '.join(allowed)}"
-        yield CaseFault(("bearing", "skf_series"), found, listed)
+        yield CaseFault(("bearing", "skf_series"), finding, listed)
 
 
 def _free_angle(values: CaseValues) -> float | None:

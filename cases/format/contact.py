@@ -141,11 +141,11 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     """A film of a thinning oil or with heat has lengths, one with heat bodies by material."""
     film_model = values.get("ehl", "film_model")
     if film_model in ("thermal", "shear-thinning") and values.given("contact", "moes_M"):
-        found = f"found {shown(film_model)} with Moes' groups"
-        yield CaseFault(("ehl", "film_model"), found, 'allowed: dimensions, or "newtonian"')
+        finding = f"found {shown(film_model)} with Moes' groups"
+        yield CaseFault(("ehl", "film_model"), finding, 'allowed: dimensions, or "newtonian"')
     if film_model == "thermal" and values.given("contact", MODULUS):
-        found = f"found {MODULUS} with film_model thermal"
-        yield CaseFault(("contact", MODULUS), found, "allowed: material_1 and material_2")
+        finding = f"found {MODULUS} with film_model thermal"
+        yield CaseFault(("contact", MODULUS), finding, "allowed: material_1 and material_2")
 
 
 class FilmModel(Enum):

@@ -175,9 +175,9 @@ def check_document(
     faults += more
     contact_alone = "contact" in document and "bearing" not in document
     if "contact" in document and "bearing" in document:
-        found = "found together with [bearing]"
+        finding = "found together with [bearing]"
         allowed = "allowed: a bearing, or a single contact"
-        faults.append(CaseFault(("contact",), found, allowed))
+        faults.append(CaseFault(("contact",), finding, allowed))
         document = {key: value for key, value in document.items() if key != "contact"}
     # 2. values of the libraries
     document, unknown = with_catalogue(with_library_names(document))
@@ -198,7 +198,7 @@ def _without_consequences(faults: list[CaseFault], *, unknown_bearing: bool) -> 
     meant = {(*fault.path[:-1], fault.nearest) for fault in faults if fault.nearest}
     if unknown_bearing:
         meant |= {fault.path for fault in faults if fault.path[0:1] == ("bearing",)}
-    return [fault for fault in faults if fault.found != MISSING or fault.path not in meant]
+    return [fault for fault in faults if fault.finding != MISSING or fault.path not in meant]
 
 
 def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
@@ -287,8 +287,8 @@ def _assumed(values: CaseValues) -> Iterator[CaseFault]:
             continue
         table, _, rest = name.partition(".")
         if rest.rpartition(".")[2] not in NAMED_TABLES.get(table, Table).model_fields:
-            found = f"unknown key {shown(name)}"
-            yield CaseFault(("assumed",), found, nearest=nearest_name(name, known))
+            finding = f"unknown key {shown(name)}"
+            yield CaseFault(("assumed",), finding, nearest=nearest_name(name, known))
 
 
 def json_schema() -> dict[str, Any]:

@@ -117,17 +117,17 @@ def _no_constants(oil: _OilFile, law: tuple[str, str], *, of_library: bool) -> I
     subject = "an oil without a name in the library" if name is None else f"the oil {shown(name)}"
     ways = [f"with the oils {', '.join(suitable)}"] if suitable else []
     ways += [f"with {', '.join(LAWS[law])}", "another law"]
-    found = f"found {shown(law[1])}, for which {subject} has no constants"
+    finding = f"found {shown(law[1])}, for which {subject} has no constants"
     allowed = f"allowed: {'; or '.join(ways)}"
-    yield CaseFault(oil.place(law[0]), found, allowed)
+    yield CaseFault(oil.place(law[0]), finding, allowed)
 
 
 def _expansivity_faults(oil: _OilFile, given: list[str]) -> Iterator[CaseFault]:
     """One form of Yasutomi's law."""
     forms = [key for key in EXPANSIVITY if key in given]
     if len(forms) == len(EXPANSIVITY):
-        found = f"found together with {forms[0]}"
-        yield CaseFault(oil.place(forms[1]), found, "allowed: one of them")
+        finding = f"found together with {forms[0]}"
+        yield CaseFault(oil.place(forms[1]), finding, "allowed: one of them")
     elif not forms and any(key in YASUTOMI for key in given):
         allowed = f"needed: {' or '.join(EXPANSIVITY)}"
         yield CaseFault(oil.place(EXPANSIVITY[0]), MISSING, allowed)
@@ -199,17 +199,17 @@ def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, A
     if of_constants is None:
         return given
     if of_constants <= 0.0:
-        found = "its constants give no viscosity that rises with pressure"
-        raise UnfitKey(("lubricant", "viscosity_law"), found)
+        finding = "its constants give no viscosity that rises with pressure"
+        raise UnfitKey(("lubricant", "viscosity_law"), finding)
     if key not in keys:
         return {**given, "pressure_viscosity": of_constants}
     difference = abs(keys[key] / GIGAPASCAL - of_constants)
     if difference > PRESSURE_VISCOSITY_TOLERANCE * of_constants:
-        found = (
+        finding = (
             f"found {keys[key]:g}, and the constants of the law give "
             f"{of_constants * GIGAPASCAL:.4g}"
         )
-        raise UnfitKey(("lubricant", key), found, "allowed: left out, or that of the constants")
+        raise UnfitKey(("lubricant", key), finding, "allowed: left out, or that of the constants")
     return given
 
 

@@ -154,9 +154,9 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     """A file of traction tables that is there; the supply that heats a starved bearing."""
     name = values.get("friction", "traction_table")
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
-        found = f"{shown(name)} cannot be read: there is no such file from the working directory"
+        finding = f"{shown(name)} cannot be read: there is no such file from the working directory"
         allowed = "allowed: a file that `oilfilm table` wrote"
-        yield CaseFault(("friction", "traction_table"), found, allowed)
+        yield CaseFault(("friction", "traction_table"), finding, allowed)
     heated = HEATED.holds(values) and values.get("lubricant") is not None
     if heated and values.get("friction", "heating_torque") == "starved":
         yield from _starved_faults(values)

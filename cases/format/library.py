@@ -71,9 +71,9 @@ def with_catalogue(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseF
             return document, []
         nearest = nearest_name(table["name"], known)
         allowed = "allowed: a name of 'oilfilm list bearings', or a complete geometry"
-        found = f"unknown bearing {shown(table['name'])}"
+        finding = f"unknown bearing {shown(table['name'])}"
         path = ("bearing", "name")
-        return document, [CaseFault(path, found, "" if nearest else allowed, nearest=nearest)]
+        return document, [CaseFault(path, finding, "" if nearest else allowed, nearest=nearest)]
     return {**document, "bearing": {**_of_catalogue(name, table), **table, "name": name}}, []
 
 

@@ -157,8 +157,8 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     for name in values.get("lubricants") or ():
         first, second = (("lubricants", name, key) for key in VISCOSITIES)
         if values.given(*first) and values.given(*second):
-            found = f"found together with {VISCOSITIES[0]}"
-            yield CaseFault(second, found, "allowed: one of them")
+            finding = f"found together with {VISCOSITIES[0]}"
+            yield CaseFault(second, finding, "allowed: one of them")
     without_oils = values.given("lubricants") and not values.get("lubricants")
     if values.get("lubricant") is None or without_oils:
         return
@@ -195,10 +195,10 @@ def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFa
     """Roelands' constants stand with his law, whose exponent must lie in its range."""
     law = oil.get("viscosity_law", "roelands")
     if law != "roelands":
-        found = f"found together with viscosity_law = {shown(law)}"
+        finding = f"found together with viscosity_law = {shown(law)}"
         for key in ("roelands_z", ROELANDS_PRESSURE_KEY):
             if values.given("lubricant", key):
-                yield CaseFault(("lubricant", key), found, 'allowed with "roelands" only')
+                yield CaseFault(("lubricant", key), finding, 'allowed with "roelands" only')
         return
     keys = (VISCOSITIES[0], PRESSURE_VISCOSITY, ROELANDS_PRESSURE_KEY)
     eta, alpha, pressure = (to_si(key, values.get("lubricant", key)) for key in keys)
@@ -208,13 +208,13 @@ def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFa
     exponent = alpha * (pressure or ROELANDS_PRESSURE) / scale if scale > 0.0 else -1.0
     if not 0.0 < exponent <= 2.0:
         key = PRESSURE_VISCOSITY if scale > 0.0 else VISCOSITIES[0]
-        found = f"found {shown(values.get('lubricant', key))}"
+        finding = f"found {shown(values.get('lubricant', key))}"
         if scale > 0.0:
-            found += f", with which Roelands' identity gives z = {exponent:.3g}"
+            finding += f", with which Roelands' identity gives z = {exponent:.3g}"
         allowed = (
             "a viscosity and coefficient with 0 < z <= 2, a roelands_z, or another viscosity_law"
         )
-        yield CaseFault(("lubricant", key), found, f"allowed: {allowed}")
+        yield CaseFault(("lubricant", key), finding, f"allowed: {allowed}")
 
 
 def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
@@ -229,11 +229,11 @@ def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault
         there = values.given(*named, key) and law_of_named != own
         if law != own and (here or there):
             without = f'found without rheology = "{own}"'
-            found = (
+            finding = (
                 f"found together with rheology = {shown(law)}" if "rheology" in oil else without
             )
             path = ("lubricant", key) if here else (*named, key)
-            yield CaseFault(path, found, f'allowed with "{own}" only')
+            yield CaseFault(path, finding, f'allowed with "{own}" only')
     for key in CARREAU:
         if law == "carreau-yasuda" and key not in oil:
             yield CaseFault(("lubricant", key), MISSING, 'needed with rheology = "carreau-yasuda"')
@@ -245,9 +245,9 @@ def _moes_pressure_scale(oil: dict[str, Any], values: CaseValues) -> Iterator[Ca
     alpha = oil.get(PRESSURE_VISCOSITY)
     isoviscous = alpha is None and oil.get("viscosity_law") == "isoviscous"
     if number and (alpha == 0.0 or isoviscous):
-        found = f"found {shown(number)} without a {PRESSURE_VISCOSITY} above 0"
+        finding = f"found {shown(number)} without a {PRESSURE_VISCOSITY} above 0"
         allowed = "allowed: 0, or an oil with such a coefficient"
-        yield CaseFault(("contact", "moes_L"), found, allowed)
+        yield CaseFault(("contact", "moes_L"), finding, allowed)
 
 
 def _heat_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:

@@ -72,8 +72,8 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     force = values.get("operation", "force_N") or (*components, None)
     moment = values.get("operation", "moment_N_mm") or ()
     if values.get("operation", "tilt") == "held" and any(moment):
-        found = 'found "held" together with a moment'
-        yield CaseFault(("operation", "tilt"), found, 'allowed: "free", or no moment')
+        finding = 'found "held" together with a moment'
+        yield CaseFault(("operation", "tilt"), finding, 'allowed: "free", or no moment')
     for name, loads, axes, motion, kind, unit in (
         ("displacement_um", force, "xyz", "a displacement along", "load", "N along"),
         ("tilt_mrad", moment, "yz", "a tilt about", "moment", "N mm about"),
@@ -82,9 +82,9 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         for axis, at, load in zip(axes, fixed, loads, strict=False):
             if at != FREE_WORD and load:
                 given = f"a {kind} of {shown(load)} {unit} {axis}"
-                found = f"found {motion} {axis} together with {given}"
+                finding = f"found {motion} {axis} together with {given}"
                 allowed = f'allowed: one of them; "{FREE_WORD}" in {name} where the {kind} decides'
-                yield CaseFault(("operation", name), found, allowed)
+                yield CaseFault(("operation", name), finding, allowed)
 
 
 def operation(table: OperationTable) -> Operation:

@@ -37,7 +37,7 @@ class CaseFault:
     """One error: the key it belongs to, what was found there and what is allowed."""
 
     path: Path
-    found: str
+    finding: str
     allowed: str = ""
     nearest: str | None = None
     line: int | None = None  # None: the line of `path`
@@ -50,16 +50,16 @@ class CaseFault:
         """`file:line: table.key: found; allowed; did you mean nearest?`"""
         where = f"{dotted(self.path)}: " if self.path else ""
         nearest = f"did you mean {self.nearest!r}?" if self.nearest else ""
-        parts = [part for part in (self.found, self.allowed, nearest) if part]
+        parts = [part for part in (self.finding, self.allowed, nearest) if part]
         return f"{file}:{self.line_in(lines)}: {where}{'; '.join(parts)}"
 
 
 class UnfitKey(ValueError):  # noqa: N818
     """A key whose value turns out unfit on conversion; its message has no line yet."""
 
-    def __init__(self, path: Path, found: str, allowed: str = "") -> None:
-        self.fault = CaseFault(path, found, allowed)
-        super().__init__(f"{dotted(path)}: {found}")
+    def __init__(self, path: Path, finding: str, allowed: str = "") -> None:
+        self.fault = CaseFault(path, finding, allowed)
+        super().__init__(f"{dotted(path)}: {finding}")
 
 
 class CaseError(ValueError):
@@ -122,17 +122,17 @@ def schema_faults(errors: Iterable[Mapping[str, Any]], schema: dict[str, Any]) -
 
 def _fault(error: Mapping[str, Any], schema: dict[str, Any]) -> CaseFault:
     path: Path = tuple(error["loc"])
-    found = f"found {shown(error['input'])}"
+    finding = f"found {shown(error['input'])}"
     if error["type"] == "extra_forbidden":
         return _unknown(path, schema)
     if error["type"] == "missing":
         return CaseFault(path, MISSING, f"needed: {allowed_values(schema_node(schema, path))}")
     if error["type"] == "choice":
-        return CaseFault(path, found, f"allowed: {error['msg']}")
+        return CaseFault(path, finding, f"allowed: {error['msg']}")
     node = schema_node(schema, path)
     given = error["input"]
     nearest = nearest_name(given, node.get("enum", ())) if isinstance(given, str) else None
-    return CaseFault(path, found, f"allowed: {allowed_values(node)}", nearest=nearest)
+    return CaseFault(path, finding, f"allowed: {allowed_values(node)}", nearest=nearest)
 
 
 def _unknown(path: Path, schema: dict[str, Any]) -> CaseFault:

@@ -61,8 +61,8 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
             allowed = f"allowed: at least a ball diameter, {diameter:g} mm, from every other row"
             yield CaseFault(path, f"found {shown(here)}", allowed)
     if tables and values.given("slip"):
-        found = "found together with [[rows]]"
-        yield CaseFault(("slip",), found, "allowed: slip maps of a single row")
+        finding = "found together with [[rows]]"
+        yield CaseFault(("slip",), finding, "allowed: slip maps of a single row")
     yield from _film_map_faults(values)
 
 
@@ -80,9 +80,9 @@ def _film_map_faults(values: CaseValues) -> Iterator[CaseFault]:
     for azimuth in wanted:
         if ball_at(azimuth, azimuths) is None:
             nearest = min(azimuths, key=lambda other: _apart(azimuth, other))
-            found = f"found {shown(azimuth)}, where no ball is"
+            finding = f"found {shown(azimuth)}, where no ball is"
             allowed = f"allowed: azimuths of balls; the nearest is {nearest:.6g}"
-            yield CaseFault(("ehl", "film_maps"), found, allowed)
+            yield CaseFault(("ehl", "film_maps"), finding, allowed)
 
 
 def ball_azimuths(balls: int, first: float) -> tuple[float, ...]:

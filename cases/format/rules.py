@@ -85,8 +85,8 @@ class Excludes:
         """At the first key, where both are given."""
         path = _path(self.key)
         if values.given(*path) and values.given(*_path(self.other)):
-            found = f"found together with {self.other.removeprefix(f'{path[0]}.')}"
-            yield CaseFault(path, found, f"allowed: {self.allowed}")
+            finding = f"found together with {self.other.removeprefix(f'{path[0]}.')}"
+            yield CaseFault(path, finding, f"allowed: {self.allowed}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -121,9 +121,9 @@ class OnlyWith:
         value = values.get(*path)
         if value in (None, self.default) or any(where.holds(values) for where in self.wheres):
             return
-        found = f"found without {' or '.join(where.text(path[0]) for where in self.wheres)}"
+        finding = f"found without {' or '.join(where.text(path[0]) for where in self.wheres)}"
         allowed = f"allowed: with {' or '.join(where.text() for where in self.wheres)}"
-        yield CaseFault(path, found, allowed)
+        yield CaseFault(path, finding, allowed)
 
 
 @dataclass(frozen=True, slots=True)
