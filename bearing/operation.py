@@ -17,9 +17,9 @@ class BallKinematics(Enum):
     ball on race is in balance on every ball (`friction.equilibrium`).
     """
 
+    HALF_AND_HALF = "half and half"
     OUTER_RACE_CONTROL = "outer race control"
     INNER_RACE_CONTROL = "inner race control"
-    HALF_AND_HALF = "half and half"
     TRACTION_EQUILIBRIUM = "traction equilibrium"
 
 

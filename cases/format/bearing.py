@@ -110,34 +110,30 @@ def _dimension_faults(values: CaseValues) -> Iterator[CaseFault]:
     pitch = values.get("bearing", "pitch_diameter_mm")
     if diameter is None:
         return
+    radius = 0.5 * diameter
+    allowed = f"above the ball radius, {radius:g} mm, up to the ball diameter, {diameter:g} mm"
     for ring in ("inner", "outer"):
-        allowed = (
-            f"above the ball radius, {0.5 * diameter:g} mm, up to the ball diameter, "
-            f"{diameter:g} mm"
-        )
-        path = ("bearing", f"{ring}_groove_radius_mm")
-        yield from bounded(values, path, lambda x: 0.5 * diameter < x <= diameter, allowed)
+        key = f"bearing.{ring}_groove_radius_mm"
+        yield from bounded(values, key, lambda x: radius < x <= diameter, allowed)
     if pitch is None:
         return
     allowed = f"more than the ball diameter, {diameter:g} mm"
-    path = ("bearing", "pitch_diameter_mm")
-    yield from bounded(values, path, lambda x: x > diameter, allowed)
+    yield from bounded(values, "bearing.pitch_diameter_mm", lambda x: x > diameter, allowed)
     # diameters of the raceways
     inner = pitch - diameter
     outer = pitch + diameter
     if inner > 0.0:
         most = floor(pi / asin(diameter / pitch) + 1e-9)
         allowed = f"at most {most} balls of {diameter:g} mm on a pitch circle of {pitch:g} mm"
-        yield from bounded(values, ("bearing", "balls"), lambda x: x <= most, allowed)
+        yield from bounded(values, "bearing.balls", lambda x: x <= most, allowed)
         allowed = f"less than the inner raceway's diameter, {inner:g} mm"
-        yield from bounded(values, ("bearing", "bore_mm"), lambda x: x < inner, allowed)
+        yield from bounded(values, "bearing.bore_mm", lambda x: x < inner, allowed)
         for ring, low, high in (("inner", inner, pitch), ("outer", pitch, outer)):
             allowed = f"between {low:g} and {high:g} mm, raceway and pitch circle"
-            path = ("bearing", f"{ring}_shoulder_diameter_mm")
-            yield from bounded(values, path, lambda x: low < x < high, allowed)  # noqa: B023
+            key = f"bearing.{ring}_shoulder_diameter_mm"
+            yield from bounded(values, key, lambda x: low < x < high, allowed)  # noqa: B023
     allowed = f"more than the outer raceway's diameter, {outer:g} mm"
-    path = ("bearing", "outside_diameter_mm")
-    yield from bounded(values, path, lambda x: x > outer, allowed)
+    yield from bounded(values, "bearing.outside_diameter_mm", lambda x: x > outer, allowed)
 
 
 def _clearance_faults(values: CaseValues) -> Iterator[CaseFault]:

@@ -77,12 +77,8 @@ class ContactCase(AnyCase):
 
 
 def load_case(name_or_path: str | Path) -> Case | ContactCase:
-    """Read a case, SI: a case file, or the name (stem) of a shipped case.
-
-    Raises
-    ------
-    CaseError
-        With one line for every error of the file.
+    """Read a case, SI: a case file, or the name (stem) of a shipped case; `CaseError` with one
+    line for every error of the file.
     """
     path = find_case(name_or_path)
     return case_from_text(read_text(path), str(path))
@@ -110,7 +106,7 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
         except UnfitKey as error:
             raise CaseError([error.fault.text(name, key_lines(text))], [error.fault]) from error
         except ValueError as error:  # a bound of the physics that no table knows
-            raise CaseError([f"{name}: {error}"]) from error
+            raise CaseError(f"{name}: {error}") from error
     return replace(case, warnings=tuple(str(warning.message) for warning in caught))
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import Any, Literal
+from typing import Annotated, Any
 
 from pydantic import model_validator
 
@@ -27,6 +27,7 @@ from .fields import (
     Domain,
     FilmMaps,
     Name,
+    OneOf,
     Points,
     Table,
     above,
@@ -36,6 +37,14 @@ from .fields import (
 )
 from .problems import CaseFault, shown
 from .rules import CaseValues, Excludes, Needs, Relation, Where
+
+
+class FilmModel(Enum):
+    """Physics of the films."""
+
+    NEWTONIAN = "newtonian"
+    SHEAR_THINNING = "shear-thinning"
+    THERMAL = "thermal"
 
 
 class ContactEhlTable(Table):
@@ -49,7 +58,7 @@ class ContactEhlTable(Table):
         "[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses"
     )
 
-    film_model: Literal["newtonian", "shear-thinning", "thermal"] = described(
+    film_model: Annotated[str, OneOf(FilmModel)] = described(
         "physics of the film: oil by [lubricant] rheology, and with heat", "newtonian"
     )
 
@@ -146,14 +155,6 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     if film_model == "thermal" and values.given("contact", MODULUS):
         finding = f"found {MODULUS} with film_model thermal"
         yield CaseFault(("contact", MODULUS), finding, "allowed: material_1 and material_2")
-
-
-class FilmModel(Enum):
-    """Physics of the films."""
-
-    NEWTONIAN = "newtonian"
-    SHEAR_THINNING = "shear-thinning"
-    THERMAL = "thermal"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -258,12 +259,8 @@ def contact_defaults(table: ContactTable) -> dict[str, float]:
 def case_films(
     table: ContactEhlTable, shear: Rheology | None, bodies: Sequence[Material]
 ) -> CaseFilms:
-    """Grid [-] and physics of the films, SI; with heat by the thermal properties of ball and race.
-
-    Raises
-    ------
-    ValueError
-        If the film has heat and a body has no thermal properties.
+    """Grid [-] and physics of the films, SI; `ValueError` if they have heat and a body, ball or
+    race, no thermal properties.
     """
     options = SolverOptions(points=table.points, domain=table.domain, tolerance=table.tolerance)
     model = FilmModel(table.film_model)

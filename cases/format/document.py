@@ -120,13 +120,13 @@ def read_text(path: FilePath) -> str:
     try:
         data = path.read_bytes() if path.stat().st_size <= LARGEST_FILE else None
     except OSError as error:
-        raise CaseError([f"{path}: cannot be read: {error.strerror or error}"]) from None
+        raise CaseError(f"{path}: cannot be read: {error.strerror or error}") from None
     if data is None:
-        raise CaseError([f"{path}: larger than {LARGEST_FILE} bytes; allowed: a case file"])
+        raise CaseError(f"{path}: larger than {LARGEST_FILE} bytes; allowed: a case file")
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise CaseError([f"{path}: not a text file in UTF-8; allowed: a case file"]) from None
+        raise CaseError(f"{path}: not a text file in UTF-8; allowed: a case file") from None
 
 
 def validate_text(text: str, name: str) -> BearingFile | ContactFile:
@@ -144,14 +144,14 @@ def parse(text: str, name: str) -> dict[str, Any]:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         line = _syntax_line(str(error), text)
-        raise CaseError([f"{name}:{line}: not valid TOML: {error}"]) from None
+        raise CaseError(f"{name}:{line}: not valid TOML: {error}") from None
     except RecursionError:
-        raise CaseError([f"{name}:1: not usable: brackets are nested too deeply"]) from None
+        raise CaseError(f"{name}:1: not usable: brackets are nested too deeply") from None
     except ValueError:
         too_long = "a whole number has thousands of digits"
-        raise CaseError([f"{name}:1: not usable: {too_long}"]) from None
+        raise CaseError(f"{name}:1: not usable: {too_long}") from None
     if not document:
-        raise CaseError([f"{name}:1: the file is empty; see 'oilfilm init'"])
+        raise CaseError(f"{name}:1: the file is empty; see 'oilfilm init'")
     return document
 
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import Annotated, Literal
 
+from bearing.dynamics.inputs import Guidance, LoadType, NormalLaw, RaceStiffness, Start
 from bearing.friction.resistance import Cage
 from bearing.geometry import Race
 from ehl.traction.coefficient_kernels import COEFFICIENTS
@@ -32,10 +33,10 @@ class DynamicsTable(Table):
     output_interval_us: float | None = above(
         0, 1e9, "between rows of the history; left out, a 2000th of the simulated time"
     )
-    start: Literal["quasi-static", "rolling", "rest"] = described(
+    start: Annotated[str, OneOf(Start)] = described(
         "equilibrium; balls rolling on the outer race; or at rest there", "quasi-static"
     )
-    equations: Literal["by load", "radial", "axial", "combined", "planar", "general"] = described(
+    equations: Annotated[str, OneOf("by load", LoadType)] = described(
         "the fewest that the loads allow, or those named", "by load"
     )
     speed_table_rpm: SpeedTable | None = described(
@@ -44,17 +45,14 @@ class DynamicsTable(Table):
     load_table_N: LoadTable | None = described(
         "[[time in s, fx, fy, fz], ...], linear between, instead of a constant load"
     )
-    contact_law: Literal[
-        "hertz", "lankarani-nikravesh", "hunt-crossley", "flores", "lubricated"
-    ] = described(
-        "normal force; lubricated: the traction table's film between ball and race",
-        "lankarani-nikravesh",
+    contact_law: Annotated[str, OneOf(NormalLaw)] = described(
+        "normal force; lubricated: the film of the traction table", "lankarani-nikravesh"
     )
     restitution: float = above(0, 1, "e that the contact law is given", 0.9)
     impact_speed_floor_m_s: float = above(
         0, 1e3, "least speed that counts as that of an impact; damps lasting contacts", 0.05
     )
-    race_stiffness: Literal["hertz", "planar", "planar as printed"] = described(
+    race_stiffness: Annotated[str, OneOf(RaceStiffness)] = described(
         "of the grooved race, or a sphere on the race's circle, Shan et al. (2023)", "hertz"
     )
     friction: Annotated[str, OneOf(*COEFFICIENTS, "coulomb", "table", "none")] = described(
@@ -82,7 +80,7 @@ class CageTable(Table):
     """The cage."""
 
     pocket_friction: float | None = between(0, 1, "Coulomb's mu of the pockets; else no friction")
-    guided_by: Literal["balls", "inner ring", "outer ring"] = described("what guides it", "balls")
+    guided_by: Annotated[str, OneOf(Guidance)] = described("what guides it", "balls")
     land_diameter_mm: float | None = above(0, LENGTH_MAXIMUM, "of the guiding land")
     land_width_mm: float | None = above(0, LENGTH_MAXIMUM, "of both lands together")
     land_clearance_um: float | None = above(0, 1e4, "radial, between cage and land")
@@ -118,12 +116,7 @@ RENAMED = {  # earlier keys, accepted for one version, and those of [friction] i
 }
 RELATIONS = (
     Excludes("dynamics.ball_drag_N", "dynamics.mixture_density_kg_m3"),
-    Below(
-        "dynamics.friction_dead_band_m_s",
-        "dynamics.friction_full_m_s",
-        "dynamics.friction_full_m_s",
-        low_default=0.0,
-    ),
+    Below("dynamics.friction_dead_band_m_s", "dynamics.friction_full_m_s", low_default=0.0),
     *(
         Needs(f"cage.{name}", where, "needed where a ring guides the cage")
         for name in LAND
@@ -138,8 +131,8 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     if end is not None:
         least = from_si("output_interval_us", end / LARGEST_HISTORY)
         allowed = f"at least {least:.3g}, {LARGEST_HISTORY} rows"
-        path = ("dynamics", "output_interval_us")
-        yield from bounded(values, path, lambda interval: interval >= least, allowed)
+        key = "dynamics.output_interval_us"
+        yield from bounded(values, key, lambda interval: interval >= least, allowed)
     lubricated = values.get("dynamics", "contact_law") == "lubricated"
     if lubricated and values.get("dynamics", "friction") != "table":
         path = ("dynamics", "contact_law")

@@ -1,6 +1,7 @@
 """Types, ranges and checks of single values, of which the tables of a case file consist."""
 
 from collections.abc import Callable
+from enum import Enum
 from functools import cache
 from itertools import pairwise
 from math import inf, isfinite
@@ -110,13 +111,15 @@ def checked(parse: Callable[[object], object], allowed: str) -> BeforeValidator:
 
 
 class OneOf:
-    """One of these words, as `Literal` for words that no annotation can list."""
+    """One of these words, or of the values of an `Enum`, as `Literal` for its own words."""
 
-    def __init__(self, *words: str) -> None:
-        self.words = words
+    def __init__(self, *words: str | type[Enum]) -> None:
+        self.words: list[str] = []
+        for word in words:
+            self.words += [word] if isinstance(word, str) else [member.value for member in word]
 
     def __get_pydantic_core_schema__(self, *_: Any) -> CoreSchema:
-        return core_schema.literal_schema(list(self.words))
+        return core_schema.literal_schema(self.words)
 
 
 def _list_schema(length: int, *, free: bool = False) -> WithJsonSchema:

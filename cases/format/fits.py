@@ -66,12 +66,13 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
     bore = values.get("bearing", "bore_mm")
     if bore is not None:
         allowed = f"less than the bore of the bearing, {bore:g} mm"
-        yield from bounded(values, ("fit", "shaft_bore_mm"), lambda x: x < bore, allowed)
+        yield from bounded(values, "fit.shaft_bore_mm", lambda x: x < bore, allowed)
     outside = values.get("bearing", "outside_diameter_mm")
     if outside is not None:
         allowed = f"more than the outside diameter of the bearing, {outside:g} mm"
-        path = ("fit", "housing_outside_diameter_mm")
-        yield from bounded(values, path, lambda x: x > outside, allowed)
+        yield from bounded(
+            values, "fit.housing_outside_diameter_mm", lambda x: x > outside, allowed
+        )
 
 
 def fit(table: FitTable | None, materials: Mapping[str, Material]) -> Fit | None:
@@ -148,11 +149,7 @@ def heating(
     fit: Fit | None,
 ) -> HeatingInput | None:
     """Cooling [W/K], oil over temperature [K], fits; None where no heat transfer is given.
-
-    Raises
-    ------
-    ValueError
-        If oil removes heat and its specific heat is not known.
+    `UnfitKey` if oil removes heat and its specific heat is not known.
     """
     if table.heat_transfer_W_K is None:
         return None

@@ -1,6 +1,4 @@
-"""Constants of Tait, Doolittle and Yasutomi of an oil, complete and with a law that takes them,
-and the pressure-viscosity coefficient that follows.
-"""
+"""Constants of Tait, Doolittle and Yasutomi of an oil, and the coefficient that follows."""
 
 import warnings
 from collections.abc import Iterator
@@ -186,13 +184,8 @@ def _coefficient(given: dict[str, Any]) -> float | None:
 
 
 def with_coefficient(given: dict[str, Any], keys: dict[str, Any]) -> dict[str, Any]:
-    """Fields of `Lubricant` with the coefficient of the law's constants; one that the case gives
-    must agree with it.
-
-    Raises
-    ------
-    UnfitKey
-        If it does not, or the law does not hold at the temperature.
+    """Fields of `Lubricant` with the coefficient of the law's constants; `UnfitKey` if the case
+    gives another one, or the law does not hold at the temperature.
     """
     of_constants = _coefficient(given)
     key = "pressure_viscosity_1_GPa"

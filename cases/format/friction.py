@@ -3,6 +3,7 @@
 import re
 import warnings
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -20,7 +21,7 @@ from ehl.units import MEGAPASCAL, to_si
 from .bearing import BearingTable, SurfaceTable, roughness
 from .fields import LENGTH_MAXIMUM, OneOf, Table, above, between, described
 from .lubricant import LubricantTable, Oil
-from .problems import MISSING, CaseFault, shown
+from .problems import CaseFault, shown
 from .rules import Below, CaseValues, Excludes, Needs, OnlyWith, Relation, Where
 
 # constants of the coefficients over the ellipse, with the law of each, and their keys
@@ -54,7 +55,7 @@ class FrictionTable(LawTable):
     models: Literal["main", "all"] = described(
         "main: integrated, skf, palmgren and coulomb; all: those of single papers, too", "main"
     )
-    lubrication: Literal["oil bath", "low oil bath", "oil jet", "grease", "oil air"] = described(
+    lubrication: Annotated[str, OneOf(Lubrication)] = described(
         "how the oil comes to the bearing, for SKF's model and Palmgren's", "low oil bath"
     )
     oil: Literal["mineral", "synthetic", "transmission fluid"] = described(
@@ -101,9 +102,16 @@ class FrictionTable(LawTable):
 # defaults of the laws' constants and of Coulomb's mu, for a simulation [-]
 SIMULATED = {c.key: c.simulated for _, c in CONSTANTS} | {"coefficient": 0.05}
 HEATED = Where("friction.heat_transfer_W_K")
-STARVED = 'with heating_torque = "starved"'
+SUPPLIED = Where("friction.supply_mL_min")
+STARVED = Where("friction.heating_torque", "starved", also=(HEATED, Where("lubricant")))
+WITH_STARVED = 'with heating_torque = "starved"'
 # tau_L/p of a paraffinic mineral oil, Mann's twin discs after Arana et al. (2019)
 LIMITING_COEFFICIENT = 0.047
+# keys that are fields of `FrictionInput`, but for their units
+OF_ONE_NAME = (
+    *("coefficient", "oil", "oil_fraction", "oil_level_mm", "drag_factor", "as_printed"),
+    *("sealed", "seal_diameter_mm"),
+)
 OTHER_ANGULAR = "other single row"
 
 
@@ -122,7 +130,7 @@ def _constant_relations(law: str, constant: Constant) -> Iterator[Relation]:
     yield OnlyWith(key, (chosen, Where("dynamics")))
     if constant.below:
         high = f"friction.{constant.below}"
-        yield Below(key, high, key, high_default=SIMULATED[constant.below])
+        yield Below(key, high, high_default=SIMULATED[constant.below])
 
 
 RELATIONS: tuple[Relation, ...] = (
@@ -135,9 +143,15 @@ RELATIONS: tuple[Relation, ...] = (
         for relation in _constant_relations(name, constant)
     ),
     *_only_with(HEATED, "ambient_C", "cooling_oil_mL_min", "cooling_oil_C", "heating_torque"),
-    *_only_with(
-        Where("friction.supply_mL_min"), "supply_track_share", "supply_loss", "supply_residence_s"
+    *_only_with(SUPPLIED, "supply_track_share", "supply_loss", "supply_residence_s"),
+    Needs(
+        "friction.supply_mL_min",
+        STARVED,
+        f"needed, or lubricant.inlet_film_um, {WITH_STARVED}",
+        ("lubricant.inlet_film_um",),
     ),
+    Needs("surface", STARVED, f"needed {WITH_STARVED}"),
+    Needs("bearing.width_mm", replace(SUPPLIED, also=(STARVED,)), f"needed {WITH_STARVED}"),
     Needs(
         "lubricant.name",
         HEATED,
@@ -151,15 +165,12 @@ RELATIONS: tuple[Relation, ...] = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A file of traction tables that is there; the supply that heats a starved bearing."""
+    """A file of traction tables that is there."""
     name = values.get("friction", "traction_table")
     if name is not None and values.get("friction", "traction") == "table" and not _is_file(name):
         finding = f"{shown(name)} cannot be read: there is no such file from the working directory"
         allowed = "allowed: a file that `oilfilm table` wrote"
         yield CaseFault(("friction", "traction_table"), finding, allowed)
-    heated = HEATED.holds(values) and values.get("lubricant") is not None
-    if heated and values.get("friction", "heating_torque") == "starved":
-        yield from _starved_faults(values)
 
 
 def _is_file(name: str) -> bool:
@@ -167,18 +178,6 @@ def _is_file(name: str) -> bool:
         return Path(name).is_file()
     except (OSError, ValueError):
         return False
-
-
-def _starved_faults(values: CaseValues) -> Iterator[CaseFault]:
-    """The torque model starved needs supply and roughness, and with a flow the width."""
-    flow = values.given("friction", "supply_mL_min")
-    if not flow and not values.given("lubricant", "inlet_film_um"):
-        allowed = f"needed, or lubricant.inlet_film_um, {STARVED}"
-        yield CaseFault(("friction", "supply_mL_min"), MISSING, allowed)
-    if not values.given("surface"):
-        yield CaseFault(("surface",), MISSING, f"needed {STARVED}")
-    if flow and not values.given("bearing", "width_mm"):
-        yield CaseFault(("bearing", "width_mm"), MISSING, f"needed {STARVED}")
 
 
 def friction(
@@ -189,28 +188,20 @@ def friction(
     surface: SurfaceTable | None,
 ) -> FrictionInput:
     """What the friction models take: ratings [N], lengths [m]."""
-    si = table.si()
     return FrictionInput(
-        coefficient=table.coefficient,
+        **table.si(*OF_ONE_NAME),
         lubrication=Lubrication(table.lubrication),
-        oil=table.oil,
-        oil_level=si["oil_level"],
-        sealed=table.sealed,
-        seal_diameter=si["seal_diameter"],
         series=bearing.skf_series or series_of(bearing.name or ""),
         static_rating=bearing.si()["basic_static_rating"],
         hysteresis=table.hysteresis_loss,
         cage=cage,
-        oil_fraction=table.oil_fraction,
         boundary=table.boundary_coefficient,
         full_film=table.full_film_coefficient,
-        drag_factor=table.drag_factor,
         viscous_factor=table.palmgren_viscous_factor,
         load_factor=table.palmgren_load_factor,
         roughness=roughness(surface),
         supply=_supply(table, lubricant),
         flooded=lubricant.supply == "flooded",
-        as_printed=table.as_printed,
         all_models=table.models == "all",
     )
 

@@ -3,14 +3,15 @@
 from collections.abc import Iterator
 from dataclasses import dataclass
 from math import log
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from bearing.library.lubricants import library_lubricant, lubricant_data
 from ehl import DensityLaw, Lubricant, ViscosityLaw
 from ehl.oil.lubricant import ROELANDS_LOG_OFFSET, ROELANDS_PRESSURE, ThermalProperties
+from ehl.oil.rheology import ShearLaw
 from ehl.units import from_si, to_si
 
-from .fields import Name, Table, above, between, described, rounded, within
+from .fields import Name, OneOf, Table, above, between, described, rounded, within
 from .free_volume import (
     LAWS_WITH_CONSTANTS,
     free_volume,
@@ -29,14 +30,12 @@ class OilTable(Table):
     kinematic_viscosity_mm2_s: float | None = above(0, 1e6, "kinematic; or viscosity_mPa_s")
     pressure_viscosity_1_GPa: float | None = between(0, 100, "d(ln eta)/dp at ambient pressure")
     density_kg_m3: float | None = above(0, 2e4, "density at ambient pressure")
-    viscosity_law: (
-        Literal["roelands", "barus", "isoviscous", "tait-doolittle", "yasutomi"] | None
-    ) = described(
+    viscosity_law: Annotated[str, OneOf(ViscosityLaw)] | None = described(
         "pressure dependence of the viscosity; the last two for oils with their constants"
     )
     roelands_z: float | None = above(0, 2, "Roelands' exponent; left out, from Roelands' identity")
     roelands_pressure_MPa: float | None = above(0, 1e4, "Roelands' reference pressure")
-    density_law: Literal["dowson-higginson", "incompressible", "tait"] | None = described(
+    density_law: Annotated[str, OneOf(DensityLaw)] | None = described(
         "pressure dependence of the density; tait for oils with its constants"
     )
     tait_bulk_modulus_GPa: float | None = above(0, 100, "Tait's K_0 at tait_temperature_C")
@@ -75,7 +74,7 @@ class OilTable(Table):
     specific_heat_J_kg_K: float | None = above(0, 1e4, "for film_model thermal")
     viscosity_temperature_1_K: float | None = between(0, 1, "-d(ln eta)/dT; film_model thermal")
     thermal_expansion_1_K: float | None = between(0, 0.01, "for film_model thermal")
-    rheology: Literal["newtonian", "ree-eyring", "carreau-yasuda"] | None = described(
+    rheology: Annotated[str, OneOf(ShearLaw)] | None = described(
         "shear law of the friction; left out, Ree-Eyring with assumed constants"
     )
     eyring_stress_MPa: float | None = above(0, 1e3, "Eyring's; else 2 Lambda/alpha (assumed)")
@@ -211,10 +210,10 @@ def _roelands_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFa
         finding = f"found {shown(values.get('lubricant', key))}"
         if scale > 0.0:
             finding += f", with which Roelands' identity gives z = {exponent:.3g}"
-        allowed = (
+        ways = (
             "a viscosity and coefficient with 0 < z <= 2, a roelands_z, or another viscosity_law"
         )
-        yield CaseFault(("lubricant", key), finding, f"allowed: {allowed}")
+        yield CaseFault(("lubricant", key), finding, f"allowed: {ways}")
 
 
 def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault]:
@@ -228,10 +227,9 @@ def _shear_faults(oil: dict[str, Any], values: CaseValues) -> Iterator[CaseFault
         here = values.given("lubricant", key)
         there = values.given(*named, key) and law_of_named != own
         if law != own and (here or there):
-            without = f'found without rheology = "{own}"'
-            finding = (
-                f"found together with rheology = {shown(law)}" if "rheology" in oil else without
-            )
+            finding = f"found together with rheology = {shown(law)}"
+            if "rheology" not in oil:
+                finding = f'found without rheology = "{own}"'
             path = ("lubricant", key) if here else (*named, key)
             yield CaseFault(path, finding, f'allowed with "{own}" only')
     for key in CARREAU:

@@ -1,19 +1,15 @@
 """[materials.NAME]: materials of the case and of the library."""
 
 from collections.abc import Iterable, Mapping
-from typing import Any, Literal
+from typing import Annotated, Any
 
 from bearing.library.names import matching_name
 from bearing.material import Material, MaterialKind, list_materials, load_material
 from ehl.units import from_si
 
-from .fields import Table, above, between, described, rounded
+from .fields import OneOf, Table, above, between, described, is_number, name_in_si, rounded
 
-THERMAL = {  # field: key of [materials.NAME]
-    "thermal_expansion": "thermal_expansion_um_m_K",
-    "thermal_conductivity": "thermal_conductivity_W_m_K",
-    "specific_heat": "specific_heat_J_kg_K",
-}
+OF_THE_LIBRARY = ("kind", "thermal_expansion", "thermal_conductivity", "specific_heat")
 
 
 class MaterialTable(Table):
@@ -27,7 +23,7 @@ class MaterialTable(Table):
     thermal_expansion_um_m_K: float | None = between(-100, 1e3, "linear thermal expansion")
     thermal_conductivity_W_m_K: float | None = above(0, 1e4, "thermal conductivity")
     specific_heat_J_kg_K: float | None = above(0, 1e5, "specific heat capacity")
-    kind: Literal["bearing steel", "silicon nitride", "other"] | None = described(
+    kind: Annotated[str, OneOf(MaterialKind)] | None = described(
         'for the rating life; else "other"'
     )
     source: str = described("where the numbers come from", "case file")
@@ -42,32 +38,17 @@ def materials(own: Mapping[str, MaterialTable], names: Iterable[str]) -> dict[st
 
 def _material(name: str, table: MaterialTable) -> Material:
     """A material of the case, SI; kind and thermal data of the library's of the same name."""
-    library = load_material(name) if matching_name(name, list_materials()) else None
-    si = table.si()
-    thermal = {
-        field: getattr(library, field) if library and si[field] is None else si[field]
-        for field in THERMAL
-    }
-    kind = library.kind if library else MaterialKind.OTHER
-    return Material(
-        name=name,
-        youngs_modulus=si["youngs_modulus"],
-        poisson_ratio=table.poisson_ratio,
-        density=table.density_kg_m3,
-        source=table.source,
-        kind=MaterialKind(table.kind) if table.kind else kind,
-        **thermal,
-    )
+    values: dict[str, Any] = {"kind": MaterialKind.OTHER}
+    if matching_name(name, list_materials()):
+        library = load_material(name)
+        values = {field: getattr(library, field) for field in OF_THE_LIBRARY}
+    values |= {field: value for field, value in table.si().items() if value is not None}
+    return Material(name=name, **{**values, "kind": MaterialKind(values["kind"])})
 
 
 def material_table(material: Material) -> dict[str, Any]:
     """A material as a [materials.NAME] table: youngs_modulus_GPa [GPa], density_kg_m3 [kg/m^3]."""
-    keys = {
-        "youngs_modulus": "youngs_modulus_GPa",
-        "poisson_ratio": "poisson_ratio",
-        "density": "density_kg_m3",
-        **THERMAL,
-    }
-    numbers = {key: from_si(key, getattr(material, field)) for field, key in keys.items()}
-    given = {key: rounded(value) for key, value in numbers.items() if value is not None}
+    values = {key: getattr(material, name_in_si(key)) for key in MaterialTable.model_fields}
+    numbers = {key: from_si(key, value) for key, value in values.items() if is_number(value)}
+    given = {key: rounded(value) for key, value in numbers.items()}
     return {**given, "kind": material.kind.value, "source": material.source}

@@ -1,7 +1,7 @@
 """[operation], [model] and [slip]: speeds, loads, assumptions of the bearing model, slip maps."""
 
 from collections.abc import Iterator
-from typing import Any, Literal
+from typing import Annotated, Any, Literal
 
 from bearing.operation import BallKinematics, Curvature, Model, Operation
 
@@ -14,6 +14,7 @@ from .fields import (
     Displacement,
     Force,
     Moment,
+    OneOf,
     RadialRange,
     SpeedRange,
     Table,
@@ -48,13 +49,10 @@ class OperationTable(Table):
 class ModelTable(Table):
     """Assumptions of the bearing model."""
 
-    ball_kinematics: Literal[
-        "half and half", "outer race control", "inner race control", "traction equilibrium"
-    ] = described(
-        "what fixes the balls' axis of rotation; traction equilibrium by friction.traction",
-        "half and half",
+    ball_kinematics: Annotated[str, OneOf(BallKinematics)] = described(
+        "axis of rotation of the balls; traction equilibrium by friction.traction", "half and half"
     )
-    curvature: Literal["operating", "free"] = described(
+    curvature: Annotated[str, OneOf(Curvature)] = described(
         "contact angle at which the curvatures of the contacts are taken", "operating"
     )
 
@@ -140,7 +138,7 @@ class SlipTable(Table):
     critical_points: int = between(2, 201, "radial loads of the critical curves, evenly apart", 21)
     limit: float = above(0, 1e3, "slip factor below which a ball slips", 10.0)
     as_printed: Literal["half centrifugal force"] | None = described(
-        "a slip of a source to be shown beside ours; the maps stay right"
+        "an error of the source, shown beside the right maps"
     )
     minimum_axial_load_factor_kN: float | None = above(0, 1e3, "A of SKF: F_am = A (n/1000)^2")
     minimum_radial_load_factor_kN: float | None = above(

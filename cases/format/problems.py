@@ -19,7 +19,10 @@ SIMILARITY = 0.65  # of difflib, from which on a name counts as a slip of anothe
 OF_BEARINGS = (("operation",), ("model",), ("surface",), ("slip",), ("ehl", "film_maps"))
 SHOWN_NAMES = 12  # shown of a list of allowed keys
 SHOWN_CHARACTERS = 60  # characters of a found value that are shown
+SIGNS = {"exclusiveMinimum": ">", "minimum": ">=", "exclusiveMaximum": "<", "maximum": "<="}
 KINDS = {
+    "number": "a number",
+    "integer": "a whole number",
     "string": "text in quotes",
     "boolean": "true or false",
     "object": "a table",
@@ -184,20 +187,11 @@ def allowed_values(node: dict[str, Any]) -> str:
         return shown(node["const"])
     if "enum" in node:
         return ", ".join(shown(value) for value in node["enum"])
-    kind = node.get("type")
-    if kind in ("number", "integer"):
-        word = "a number" if kind == "number" else "a whole number"
-        if "minimum" in node and node["minimum"] == node.get("maximum"):
-            return str(node["minimum"])
-        signs = {
-            "exclusiveMinimum": ">",
-            "minimum": ">=",
-            "exclusiveMaximum": "<",
-            "maximum": "<=",
-        }
-        limits = [f"{sign} {node[key]:g}" for key, sign in signs.items() if key in node]
-        return f"{word} {' and '.join(limits)}".strip()
-    return KINDS.get(str(kind), "another value")
+    if "minimum" in node and node["minimum"] == node.get("maximum"):
+        return str(node["minimum"])
+    kind = KINDS.get(str(node.get("type")), "another value")
+    limits = [f"{sign} {node[key]:g}" for key, sign in SIGNS.items() if key in node]
+    return f"{kind} {' and '.join(limits)}".strip()
 
 
 def key_lines(text: str) -> dict[Path, int]:

@@ -12,7 +12,7 @@ from bearing.studies.preload import preloaded_row
 
 from .fields import FORCE_MAXIMUM, LENGTH_MAXIMUM, Table, between, described, is_number, within
 from .problems import CaseFault, shown
-from .rules import CaseValues, Relation
+from .rules import CaseValues, Excludes
 
 
 class RowTable(Table):
@@ -32,9 +32,7 @@ class RowTable(Table):
 
 
 AZIMUTH_AGREEMENT_DEG = 0.05  # a ball's azimuth in film_maps may be rounded to a tenth
-
-
-RELATIONS: tuple[Relation, ...] = ()
+RELATIONS = (Excludes("slip", "rows", "slip maps of a single row"),)
 
 
 def _row_tables(values: CaseValues) -> list[dict[str, Any]]:
@@ -45,7 +43,7 @@ def _row_tables(values: CaseValues) -> list[dict[str, Any]]:
 
 
 def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """One preload a row; rows at least a ball diameter apart; no slip maps of several rows."""
+    """One preload a row; rows at least a ball diameter apart; films where balls are."""
     tables = _row_tables(values)
     for index, table in enumerate(tables):
         if "preload_N" in table and "preload_um" in table:
@@ -60,9 +58,6 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
             path = ("rows", index, "axial_position_mm")
             allowed = f"allowed: at least a ball diameter, {diameter:g} mm, from every other row"
             yield CaseFault(path, f"found {shown(here)}", allowed)
-    if tables and values.given("slip"):
-        finding = "found together with [[rows]]"
-        yield CaseFault(("slip",), finding, "allowed: slip maps of a single row")
     yield from _film_map_faults(values)
 
 

@@ -1,12 +1,11 @@
 """Relations between the keys of a case file, as data, and their one checker.
 
-A rule looks only at values that are valid by themselves, so that every error of a file is found at
-once.
+A rule looks only at values that are valid by themselves: all errors are reported at once.
 """
 
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any
 
 from .problems import MISSING, CaseFault, Path, shown
 
@@ -65,14 +64,6 @@ class Where:
         return key if self.value is None else f"{key} = {shown(self.value)}"
 
 
-class Relation(Protocol):
-    """Something that keys must satisfy together."""
-
-    def faults(self, values: CaseValues) -> Iterator[CaseFault]:
-        """The faults of a document."""
-        ...
-
-
 @dataclass(frozen=True, slots=True)
 class Excludes:
     """Two keys of which a file gives one at most; the fault stands at the first."""
@@ -128,26 +119,28 @@ class OnlyWith:
 
 @dataclass(frozen=True, slots=True)
 class Below:
-    """A number below another one; `fault_at` names the key that the fault stands at."""
+    """A number below another one."""
 
     low: str
     high: str
-    fault_at: str
     low_default: float | None = None
     high_default: float | None = None
 
     def faults(self, values: CaseValues) -> Iterator[CaseFault]:
-        """At one of the keys, where the first is not below the second."""
+        """At the key without a default, where the first is not below the second."""
         low = _number(values, self.low, self.low_default)
         high = _number(values, self.high, self.high_default)
         if low is None or high is None or low < high:
             return
-        side, other = ("below", self.high) if self.fault_at == self.low else ("above", self.low)
-        value, bound = (low, high) if side == "below" else (high, low)
-        path = _path(self.fault_at)
+        at_high = self.low_default is not None
+        path = _path(self.high if at_high else self.low)
+        bound = f"above {self.low} = {low:g}" if at_high else f"below {self.high} = {high:g}"
         if values.get(*path) is not None:
-            allowed = f"allowed: {side} {other.removeprefix(f'{path[0]}.')} = {bound:g}"
-            yield CaseFault(path, f"found {value:g}", allowed)
+            allowed = f"allowed: {bound.replace(f'{path[0]}.', '')}"
+            yield CaseFault(path, f"found {values.get(*path):g}", allowed)
+
+
+Relation = Excludes | Needs | OnlyWith | Below
 
 
 def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterator[CaseFault]:
@@ -161,12 +154,12 @@ def relation_faults(relations: Iterable[Relation], values: CaseValues) -> Iterat
 
 
 def bounded(
-    values: CaseValues, path: tuple[str, ...], fits: Callable[[Any], bool], allowed: str
+    values: CaseValues, key: str, fits: Callable[[Any], bool], allowed: str
 ) -> Iterator[CaseFault]:
-    """A fault where the value at `path` is given and does not fit."""
-    value = values.get(*path)
+    """A fault where the value of a dotted key is given and does not fit."""
+    value = values.get(*_path(key))
     if value is not None and not fits(value):
-        yield CaseFault(path, f"found {shown(value)}", f"allowed: {allowed}")
+        yield CaseFault(_path(key), f"found {shown(value)}", f"allowed: {allowed}")
 
 
 def _path(key: str) -> tuple[str, ...]:

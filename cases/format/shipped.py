@@ -21,13 +21,7 @@ def shipped_sweeps() -> dict[str, Path]:
 
 
 def find_case(name_or_path: str | Path) -> Path:
-    """The file of a case: an existing file, or the stem of a shipped case.
-
-    Raises
-    ------
-    CaseError
-        If there is neither; the message names the nearest stem.
-    """
+    """The file of a case: an existing file, or the stem of a shipped case; else `CaseError`."""
     return _find(name_or_path, shipped_cases(), "case")
 
 
@@ -45,24 +39,15 @@ def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:
             return cases[text]
         if text.endswith(".toml") and "/" not in text and text[:-5] in cases:
             return cases[text[:-5]]
-        directory = path.is_dir()
-        special = path.exists() and not directory
+        unfit = "a directory" if path.is_dir() else "not a regular file" if path.exists() else ""
     except (OSError, ValueError) as error:  # a name too long, or with a null character
-        raise CaseError([f"{text[:200]!r}: not a usable file name: {error}"]) from None
-    if directory:
-        raise CaseError(
-            [f"{text}: is a directory; allowed: a {kind} file or the name of a shipped {kind}"]
-        )
-    if special:
-        raise CaseError(
-            [
-                f"{text}: is not a regular file; allowed: a {kind} file or the name "
-                f"of a shipped {kind}"
-            ]
-        )
+        raise CaseError(f"{text[:200]!r}: not a usable file name: {error}") from None
+    if unfit:
+        allowed = f"a {kind} file or the name of a shipped {kind}"
+        raise CaseError(f"{text}: is {unfit}; allowed: {allowed}")
     nearest = nearest_name(path.stem, [*cases, *(local.stem for local in _local_cases(path))])
     hint = f"did you mean {nearest!r}?" if nearest else f"see 'oilfilm list {kind}s'"
-    raise CaseError([f"{text}: no such file, and no shipped {kind} has this name; {hint}"])
+    raise CaseError(f"{text}: no such file, and no shipped {kind} has this name; {hint}")
 
 
 def _local_cases(path: Path) -> list[Path]:

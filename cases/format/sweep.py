@@ -3,24 +3,17 @@
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, WithJsonSchema
-from pydantic_core import PydanticCustomError
 
-from .fields import Name, Points, Table, above, between, described
+from .fields import Name, Points, Table, above, between, checked, described
 
 
-def _check_keys(value: object) -> object:
+def _keys(value: object) -> object:
     """The word "assumed", or a list of keys."""
     if value == "assumed":
         return value
-    if (
-        isinstance(value, list | tuple)
-        and value
-        and all(isinstance(key, str) and "." in key for key in value)
-    ):
-        return tuple(value)
-    raise PydanticCustomError(
-        "choice", '"assumed", or a list of keys like "lubricant.viscosity_mPa_s"'
-    )
+    keys = value if isinstance(value, list | tuple) else ()
+    named = all(isinstance(key, str) and "." in key for key in keys)
+    return tuple(keys) if keys and named else None
 
 
 def _as_list(value: object) -> object:
@@ -28,9 +21,13 @@ def _as_list(value: object) -> object:
     return [value] if isinstance(value, dict) else value
 
 
-_KEYS_SCHEMA = WithJsonSchema(
-    {"anyOf": [{"const": "assumed"}, {"type": "array", "items": {"type": "string"}}]}
-)
+Keys = Annotated[
+    Any,
+    checked(_keys, '"assumed", or a list of keys like "lubricant.viscosity_mPa_s"'),
+    WithJsonSchema(
+        {"anyOf": [{"const": "assumed"}, {"type": "array", "items": {"type": "string"}}]}
+    ),
+]
 
 
 class HypercubeOptions(Table):
@@ -43,9 +40,7 @@ class HypercubeOptions(Table):
 class SensitivityTable(Table):
     """Finite differences about the case: each key by itself, up and down."""
 
-    keys: Annotated[Any, BeforeValidator(_check_keys), _KEYS_SCHEMA] = described(
-        "keys to vary; those the case marks assumed if left out", "assumed"
-    )
+    keys: Keys = described("keys to vary; those the case marks assumed if left out", "assumed")
     step: float = above(0, 0.5, "relative change of each key up and down", 0.02)
 
 
@@ -62,7 +57,7 @@ class SweepFile(Table):
     table: str | None = described(
         "traction tables of `oilfilm table`, relative to this file; else computed", min_length=1
     )
-    table_points: Points = described("nodes of each film along x of tables that are made", 257)
+    table_points: Points = described("nodes of each film along x of tables that are computed", 257)
     plot: tuple[str, ...] = described(
         "numbers of batch.csv that --plot draws; else main results", (), strict=False, max_length=8
     )

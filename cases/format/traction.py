@@ -1,6 +1,4 @@
-"""[friction] traction: friction of balls on races in traction equilibrium, and tables of it from a
-file, refused unless they are of the bearing and oil that take them.
-"""
+"""[friction] traction: friction of balls on races, from films, a law, or tables in a file."""
 
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -41,16 +39,11 @@ def ball_traction(
     oil: Lubricant,
     films: CaseFilms,
 ) -> BallTraction:
-    """Friction of balls on races and drag on the balls, SI.
-
-    Raises
-    ------
-    ValueError
-        If the file of a table cannot be read, or is of another bearing or oil.
+    """Friction of balls on races and drag on the balls, SI; `UnfitKey` if the file of a table
+    cannot be read, or is of another bearing or oil.
     """
-    resistance = resistance_of(
-        friction.cage, bearing, oil.viscosity, oil.density, friction.oil_fraction
-    )
+    share = friction.oil_fraction
+    resistance = resistance_of(friction.cage, bearing, oil.viscosity, oil.density, share)
     source = _law(table, bearing, oil, films.films) or _films(friction, films)
     return BallTraction(source=source, lubricant=oil, resistance=resistance)
 
@@ -93,10 +86,10 @@ def _films(friction: FrictionInput, films: CaseFilms) -> FilmTraction:
         asperities = Asperities(
             inner_roughness=inner, outer_roughness=outer, boundary=friction.boundary
         )
-    assert films.films.rheology is not None  # of every bearing case
-    return FilmTraction(
-        solve=replace(films, options=options), rheology=films.films.rheology, asperities=asperities
-    )
+    rheology = films.films.rheology
+    assert rheology is not None  # of every bearing case
+    solve = replace(films, options=options)
+    return FilmTraction(solve=solve, rheology=rheology, asperities=asperities)
 
 
 SAME_RTOL = 1.0e-6  # relative difference up to which a table is for this bearing [-]
@@ -107,40 +100,27 @@ SAME_RADIUS_RTOL = 0.05
 def read_race_tables(
     path: Path, bearing: Bearing, oil: Lubricant, rheology: Rheology, solids: Solids | None = None
 ) -> Tables:
-    """Tables of both races for a bearing, an oil and the law by which it shears; with heat, for
-    `solids`.
-
-    Raises
-    ------
-    ValueError
-        If the file cannot be read, is damaged, or is of another bearing or oil; the message
-        begins with its name.
+    """Tables of both races for a bearing, an oil and its shear law; with heat, for `solids`.
+    `ValueError` if the file, named in the message, is damaged, or is of another bearing or oil.
     """
-    return fitting_tables(
-        tables_of_file(path)(oil, rheology), str(path), bearing, oil, rheology, solids
-    )
+    tables = tables_of_file(path)(oil, rheology)
+    return fitting_tables(tables, str(path), bearing, oil, rheology, solids)
 
 
 def tables_of_file(path: Path) -> Callable[[Lubricant, Rheology], Tables]:
-    """A file read once: its tables of both races, those at the temperature of an oil if it has
-    several temperatures.
-
-    Raises
-    ------
-    ValueError
-        As `read_race_tables`; what comes back does if the oil's temperature is out of range, or
-        the oil another one.
+    """A file read once: its tables of both races, of several those at the temperature of an oil.
+    `ValueError` as `read_race_tables`, the result where the oil is another one or out of range.
     """
     try:
         read = load_tables(path)
-    except OSError as problem:
-        raise ValueError(f"{path} cannot be read: {problem.strerror or problem}") from None
+    except OSError as error:
+        raise ValueError(f"{path} cannot be read: {error.strerror or error}") from None
 
     def tables_at(oil: Lubricant, rheology: Rheology) -> Tables:
         try:
             return {race: _at(table, oil, rheology) for race, table in read.items()}
-        except ValueError as problem:
-            raise ValueError(f"{path}: {problem}") from problem
+        except ValueError as error:
+            raise ValueError(f"{path}: {error}") from error
 
     return tables_at
 
@@ -177,8 +157,7 @@ def fitting_tables(
     rheology: Rheology,
     solids: Solids | None = None,
 ) -> Tables:
-    """The tables themselves, `name` in messages, if they were built for this bearing and oil; else
-    ValueError.
+    """The tables themselves, if they are of this bearing and oil, else `ValueError` with `name`.
 
     Tables with heat must be of the ball and race of a case with heat; a case without leaves that
     to its tables.
@@ -186,20 +165,16 @@ def fitting_tables(
     for race, table in tables.items():
         contact = table.contact
         radius_x, radius_y = reduced_radii(bearing, race, bearing.free_contact_angle)
+        modulus = contact_modulus(bearing, race)
         fitting = {
             "oil": contact.lubricant == oil,
             "shear law": contact.rheology == rheology,
-            "moduli": isclose(
-                contact.reduced_modulus, contact_modulus(bearing, race), rel_tol=SAME_RTOL
-            ),
+            "moduli": isclose(contact.reduced_modulus, modulus, rel_tol=SAME_RTOL),
             "groove": isclose(contact.radius_y, radius_y, rel_tol=SAME_RTOL),
             "rolling radius": isclose(contact.radius_x, radius_x, rel_tol=SAME_RADIUS_RTOL),
             "thermal properties": None in (contact.solids, solids) or contact.solids == solids,
         }
-        wrong = [what for what, fits in fitting.items() if not fits]
+        wrong = ", ".join(what for what, fits in fitting.items() if not fits)
         if wrong:
-            raise ValueError(
-                f"{name} was made for another bearing or oil ({race.value} race: "
-                f"{', '.join(wrong)})"
-            )
+            raise ValueError(f"{name} is for another bearing or oil ({race.value} race: {wrong})")
     return tables

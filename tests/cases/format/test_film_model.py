@@ -47,7 +47,7 @@ def test_sliding_thins_the_film(films):
     assert films["thermal"]["film_central_um"] != pytest.approx(thinned, rel=1e-3)
 
 
-def test_the_model_is_told(films):
+def test_the_model_is_reported(films):
     told = {name: " ".join(film["messages"]) for name, film in films.items()}
     assert "generalized" not in told["newtonian"]
     assert "uniform temperature" in told["shear-thinning"]
@@ -60,7 +60,7 @@ def test_traction_coefficient_of_a_sliding_contact(films):
     assert 0.01 < films["newtonian"]["traction_coefficient"] < 0.047
 
 
-def test_heat_takes_traction_and_is_told(films):
+def test_heat_takes_traction_and_is_reported(films):
     """Warm oil shears more easily; without heat there is no temperature to tell."""
     assert films["thermal"]["traction_coefficient"] < 0.9 * films["shear-thinning"]["traction_coefficient"]
     assert films["thermal"]["film_temperature_maximum_C"] > 45.0

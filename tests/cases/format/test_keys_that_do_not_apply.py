@@ -143,7 +143,7 @@ def test_a_foreign_table_is_told_with_its_line(tmp_path):
         case_from_text(foreign, "case.toml")
     (found,) = caught.value.messages
     assert found.startswith(f"case.toml:{line_of(foreign, 'traction_table')}: friction.traction_table: ")
-    assert "made for another bearing or oil" in found
+    assert "is for another bearing or oil" in found
     (tmp_path / "case.toml").write_text(text, encoding="utf-8")
     sweep = 'case = "case.toml"\n[sweep]\n"lubricant.name" = ["iso vg 32", "iso vg 46"]\n'
     with pytest.raises(CaseError) as caught:

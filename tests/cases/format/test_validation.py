@@ -112,7 +112,7 @@ def test_bearing_error(key, new, expected):
     assert any(message.startswith(f"case.toml:{line}: ") and expected in message for message in found), found
 
 
-def test_of_an_unknown_bearing_only_the_name_is_told():
+def test_of_an_unknown_bearing_only_the_name_is_reported():
     text = "schema_version = 1\n[bearing]\nname = '7280B'\n[lubricant]\nname = 'iso vg 32'\n"
     found = messages(text + "[operation]\ninner_speed_rpm = 1.0\nradial_load_N = 1.0\ntemperature_C = 40.0\n")
     assert len(found) == 1

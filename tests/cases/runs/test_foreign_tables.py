@@ -71,7 +71,7 @@ def test_a_simulation_refuses_foreign_tables(folder, tmp_path, what, change):
     arguments = ("dynamics", str(case), "--table", str(folder / "made.zip"), "-o", str(tmp_path / "out"))
     found = CliRunner().invoke(app, arguments)
     assert found.exit_code == 2, found.output
-    assert f"made.zip was made for another bearing or oil (inner race: {what}" in found.stderr
+    assert f"made.zip is for another bearing or oil (inner race: {what}" in found.stderr
     assert not (tmp_path / "out").exists()
 
 
@@ -85,7 +85,7 @@ def test_a_batch_refuses_foreign_tables(folder, tmp_path, what, change, compute)
     sweep.write_text(SWEEP.format(compute), encoding="utf-8")
     found = CliRunner().invoke(app, ["batch", str(sweep), "-o", str(tmp_path / "out")])
     assert found.exit_code == 2, found.output
-    assert f"sweep.toml:3: table: made.zip was made for another bearing or oil (inner race: {what}" in found.stderr
+    assert f"sweep.toml:3: table: made.zip is for another bearing or oil (inner race: {what}" in found.stderr
     assert "point 1 and 1 others" in found.stderr
     assert not (tmp_path / "out").exists()
 
