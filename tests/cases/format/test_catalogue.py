@@ -33,14 +33,14 @@ def test_names_are_those_of_the_libraries():
     assert found.bearing.ball_material.name == "silicon nitride"
 
 
-def test_an_estimated_geometry_is_told_with_its_range():
+def test_an_estimated_geometry_is_reported_with_its_range():
     (message,) = [text for text in case("6305").warnings if "estimated" in text]
     assert "'6305'" in message
     assert "balls 8 (7 to 9)" in message
     assert "diametral clearance 12.5 um (5 to 20)" in message
 
 
-def test_what_the_case_gives_or_assumes_is_not_told():
+def test_what_the_case_gives_or_assumes_is_not_reported():
     known = "ball_diameter_mm = 10.32\npitch_diameter_mm = 43.4\nballs = 7"
     (message,) = [text for text in case("6305", known).warnings if "estimated" in text]
     assert "balls" not in message

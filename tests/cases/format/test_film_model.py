@@ -48,11 +48,11 @@ def test_sliding_thins_the_film(films):
 
 
 def test_the_model_is_reported(films):
-    told = {name: " ".join(film["messages"]) for name, film in films.items()}
-    assert "generalized" not in told["newtonian"]
-    assert "uniform temperature" in told["shear-thinning"]
-    assert "with heat" in told["thermal"]
-    assert "sheared at the temperatures the film was solved with" in told["thermal"]
+    notes = {name: " ".join(film["messages"]) for name, film in films.items()}
+    assert "generalized" not in notes["newtonian"]
+    assert "uniform temperature" in notes["shear-thinning"]
+    assert "with heat" in notes["thermal"]
+    assert "sheared at the temperatures the film was solved with" in notes["thermal"]
 
 
 def test_traction_coefficient_of_a_sliding_contact(films):

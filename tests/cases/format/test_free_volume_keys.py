@@ -83,18 +83,18 @@ def test_constants_of_a_named_oil_and_over_those_of_the_library():
 
 def test_constants_over_the_temperature():
     """T_R, b, a and e arrive; the share and modulus of 40 degrees differ from those of another temperature."""
-    warm = SQUALANE.replace("temperature_C = 25.0", "temperature_C = 60.0") + "tait_temperature_C = 40.0\n"
-    held = case_from_text(warm, "case.toml")
-    assert any("of 40 C are taken at 60 C" in message for message in held.warnings)
+    at_60 = SQUALANE.replace("temperature_C = 25.0", "temperature_C = 60.0") + "tait_temperature_C = 40.0\n"
+    fixed = case_from_text(at_60, "case.toml")
+    assert any("of 40 C are taken at 60 C" in message for message in fixed.warnings)
     more = "tait_bulk_modulus_temperature_1_K = 0.0064\ntait_expansion_1_K = 8e-4\n"
     more += "doolittle_occupied_expansion_1_K = -1e-3\n"
-    case = case_from_text(warm + more, "case.toml")
+    case = case_from_text(at_60 + more, "case.toml")
     assert not any("are taken at" in message for message in case.warnings)
-    found = case.conditions.lubricant
-    assert found.tait.reference_temperature == 313.15
-    assert (found.tait.bulk_modulus_temperature, found.tait.expansion) == (0.0064, 8e-4)
-    assert found.doolittle.occupied_expansion == -1e-3
-    assert found.pressure_viscosity != pytest.approx(held.conditions.lubricant.pressure_viscosity, rel=0.01)
+    oil_at_60 = case.conditions.lubricant
+    assert oil_at_60.tait.reference_temperature == 313.15
+    assert (oil_at_60.tait.bulk_modulus_temperature, oil_at_60.tait.expansion) == (0.0064, 8e-4)
+    assert oil_at_60.doolittle.occupied_expansion == -1e-3
+    assert oil_at_60.pressure_viscosity != pytest.approx(fixed.conditions.lubricant.pressure_viscosity, rel=0.01)
 
 
 @pytest.mark.parametrize("form", ["first", "improved"])
