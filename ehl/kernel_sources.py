@@ -5,9 +5,10 @@ from functools import cache
 from pathlib import Path
 
 PACKAGES = ("ehl", "bearing")
-CONSTANTS = (  # modules from which kernels take constants, beside other kernels
+CONSTANTS = (  # modules from which kernels take constants and types, beside other kernels
     "bearing/dynamics/arrays.py",
     "bearing/dynamics/layout.py",
+    "ehl/arrays.py",
     "ehl/oil/lubricant.py",
     "ehl/traction/heated/nahme.py",
 )

@@ -45,6 +45,11 @@ class Check:
             return f"at least {self.least:g}"
         return f"{self.least:g} to {self.most:g}"
 
+    @property
+    def cells(self) -> tuple[str, ...]:
+        """Statement, found, wanted, holds: a row of a table."""
+        return self.name, f"{self.value:.4g}", self.bounds, "yes" if self.passed else "no"
+
 
 @dataclass(frozen=True, slots=True)
 class Table:
@@ -103,9 +108,7 @@ def markdown(title: str, introduction: str, sections: Sequence[Section]) -> str:
     parts = [f"# {title}", introduction]
     checks = [check for section in sections for check in section.checks]
     if checks:
-        rows = tuple(
-            (c.name, f"{c.value:.4g}", c.bounds, "yes" if c.passed else "**no**") for c in checks
-        )
+        rows = tuple((*c.cells[:3], "yes" if c.passed else "**no**") for c in checks)
         table = Table("What is checked:", ("statement", "found", "wanted", "holds"), rows)
         parts += ["## Checks", _table(table)]
     for section in sections:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import cos, pi
 
 import numpy as np
-from scipy.special import ellipe
+import scipy
 
 from ehl import ContactConditions
 
@@ -110,7 +110,7 @@ def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_
     c = conditions
     speed = c.lubricant.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
     shape = min(semi_axis_x, semi_axis_y) / max(semi_axis_x, semi_axis_y)
-    beta = 4.0 / pi * float(ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
+    beta = 4.0 / pi * float(scipy.special.ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
     width = 2.0 * semi_axis_y / c.radius_x
     return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
 

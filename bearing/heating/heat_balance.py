@@ -12,7 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from math import isfinite
 
-from scipy.optimize import brentq
+import scipy
 
 LARGEST_RISE = 300.0  # above the equilibrium without friction that is searched [K]
 FIRST_RISE = 10.0  # of the search; doubled until the cooling exceeds the friction [K]
@@ -99,7 +99,7 @@ def heat_balance(torque: Callable[[float], float], speed: float, cooling: Coolin
             "temperature without friction"
         )
     elif high > low:
-        temperature = float(brentq(surplus, low, high, xtol=TOLERANCE))
+        temperature = float(scipy.optimize.brentq(surplus, low, high, xtol=TOLERANCE))
         if temperature not in torques:
             surplus(temperature)
     power = torques[temperature] * abs(speed)

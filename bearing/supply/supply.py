@@ -24,7 +24,7 @@ constants of nature.
 from dataclasses import dataclass
 from math import exp, inf, isfinite, log, pi
 
-from scipy.optimize import brentq
+import scipy
 
 from ehl.oil.lubricant import Lubricant, density
 
@@ -106,7 +106,9 @@ def steady_share(added_ratio: float, exponent: float, loss: float = 0.0) -> floa
         r = exp(log_r)
         return log(max(r - (1.0 - loss) * starved_share(r, exponent), 1e-300)) - log(added_ratio)
 
-    log_r = brentq(surplus, log(added_ratio) - 1e-9, log(added_ratio + 1.0) + 1e-9, xtol=1e-12)
+    log_r = scipy.optimize.brentq(
+        surplus, log(added_ratio) - 1e-9, log(added_ratio + 1.0) + 1e-9, xtol=1e-12
+    )
     return starved_share(exp(log_r), exponent)
 
 

@@ -64,19 +64,14 @@ def batch(  # noqa: PLR0913
     with _folder(output or Path(f"{Path(sweep).stem}_results"), keep=keep) as directory:
         with _kept(directory if keep else None):
             with progress_bar(quiet=quiet) as progress:
-                done = run_batch(
-                    plan,
-                    directory,
-                    _pool(plan, workers, scheduler),
-                    resume=resume,
-                    progress=progress,
-                )
+                pool = _pool(plan, workers, scheduler)
+                done = run_batch(plan, directory, pool, resume=resume, progress=progress)
             results = gathered(done)
             with finish_first(f"results in {directory}"):
                 write_batch(results, directory)
                 if plot:
                     _plot(results, directory)
-        return _report(results, directory if keep else None, as_json=as_json, quiet=quiet)
+        return _report(results, directory if keep else None, as_json, quiet)
 
 
 @contextmanager
@@ -99,10 +94,8 @@ def _kept(directory: Path | None) -> Iterator[None]:
     except (KeyboardInterrupt, OSError) as stop:
         if directory is not None and any((directory / POINTS).glob("*.json")):
             full = isinstance(stop, OSError) and stop.errno in FULL
-            say(
-                f"finished points are kept in {directory}; "
-                f"{'make room, then ' if full else ''}continue with --resume"
-            )
+            go_on = f"{'make room, then ' if full else ''}continue with --resume"
+            say(f"finished points are kept in {directory}; {go_on}")
         raise
 
 
@@ -128,13 +121,13 @@ def _plot(results: BatchResults, directory: Path) -> None:
         say(f"oilfilm: {problem}")
 
 
-def _report(results: BatchResults, directory: Path | None, *, as_json: bool, quiet: bool) -> int:
+def _report(results: BatchResults, directory: Path | None, as_json: bool, quiet: bool) -> int:
     """Print summary or table; exit code, in which a lost worker is a failure of the machine."""
     from postprocess.batch.summary import batch_summary
     from postprocess.batch.table import batch_table
 
     document = batch_summary(results)
-    code = report(document, lambda: batch_table(results), directory, as_json=as_json, quiet=quiet)
+    code = report(document, lambda: batch_table(results), directory, as_json, quiet)
     failed = [point for point in results.points if point.summary is None]
     if failed:
         say(f"oilfilm: {len(failed)} of {len(results.points)} points have no result:")

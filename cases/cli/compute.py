@@ -9,7 +9,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import CaseName, Json, Output, Quiet, app
-from .output import finish, load_bearing, report, results_directory, save, save_with
+from .output import load_bearing, report, results_directory, save, save_with
 from .terminal import guarded, progress_bar
 
 TableFile = Annotated[
@@ -39,6 +39,7 @@ def run(
     """Run a bearing case: loads, film maps, pictures, VTK."""
     loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'")
     directory = results_directory(case, output, as_json)
+    from postprocess import summary
     from postprocess.bearing.table import bearing_table
 
     from ..runs.bearing import Interrupted, run_case
@@ -49,11 +50,11 @@ def run(
             save(results, directory, progress)
     except Interrupted as stop:
         if stop.results is not None and directory is not None:
-            target = directory if not directory.exists() else Path(f"{directory}_interrupted")
+            target = Path(f"{directory}_interrupted") if directory.exists() else directory
             save(stop.results, target)
             say(f"finished films in {target}")
         raise KeyboardInterrupt from None
-    return finish(results, bearing_table, directory, as_json=as_json, quiet=quiet)
+    return report(summary(results), lambda: bearing_table(results), directory, as_json, quiet)
 
 
 @app.command()
@@ -73,17 +74,17 @@ def contact(
         raise CaseError(f"{case}: is a bearing; run it with 'oilfilm run {case}'")
     directory = results_directory(case, output, as_json)
     from ehl.multigrid.threads import cores
+    from postprocess import summary
     from postprocess.contact.table import contact_table
 
     from ..runs.contact import run_contact
 
+    elements = method is Method.FINITE_ELEMENT
     with progress_bar(quiet=quiet) as progress:
         progress(0, 1, "film")
-        results = run_contact(
-            loaded, finite_element=method is Method.FINITE_ELEMENT, workers=cores()
-        )
+        results = run_contact(loaded, finite_element=elements, workers=cores())
         save(results, directory, progress)
-    return finish(results, contact_table, directory, as_json=as_json, quiet=quiet)
+    return report(summary(results), lambda: contact_table(results), directory, as_json, quiet)
 
 
 @app.command()
@@ -109,9 +110,8 @@ def slip(
     from postprocess.slip.write import write_slip
 
     save_with(lambda folder: write_slip(results, folder), directory)
-    return report(
-        slip_summary(results), lambda: slip_table(results), directory, as_json=as_json, quiet=quiet
-    )
+    document = slip_summary(results)
+    return report(document, lambda: slip_table(results), directory, as_json, quiet)
 
 
 @app.command()
@@ -149,13 +149,8 @@ def stiffness(
     from postprocess.stiffness.write import write_stiffness
 
     save_with(lambda folder: write_stiffness(results, folder), directory)
-    return report(
-        stiffness_summary(results),
-        lambda: stiffness_table(results),
-        directory,
-        as_json=as_json,
-        quiet=quiet,
-    )
+    document = stiffness_summary(results)
+    return report(document, lambda: stiffness_table(results), directory, as_json, quiet)
 
 
 @app.command()
@@ -188,9 +183,9 @@ def table(  # noqa: PLR0913
 ) -> int:
     """Tabulate shear traction of a bearing's contacts over load, speed and sliding."""
     loaded = load_bearing(case, "a traction table needs a bearing")
-    path = (
-        output if output is not None else None if as_json else Path(f"{Path(case).stem}_table.zip")
-    )
+    path = output
+    if output is None and not as_json:
+        path = Path(f"{Path(case).stem}_table.zip")
     if path is not None and (path.is_dir() or not path.parent.is_dir()):
         raise CaseError(
             f"{path}: cannot be written; allowed with -o: a file in a folder that exists"
@@ -211,10 +206,5 @@ def table(  # noqa: PLR0913
             results = with_full_solves(results, full_solves, progress)
         if path is not None:
             save_tables(results, path)
-    return report(
-        traction_summary(results),
-        lambda: traction_table(results),
-        path,
-        as_json=as_json,
-        quiet=quiet,
-    )
+    document = traction_summary(results)
+    return report(document, lambda: traction_table(results), path, as_json, quiet)

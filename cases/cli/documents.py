@@ -1,6 +1,5 @@
 """Commands on results: report, compare, cut, interferogram, export."""
 
-import json
 from collections.abc import Iterator
 from contextlib import contextmanager
 from enum import StrEnum
@@ -12,7 +11,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import app
-from .terminal import NOT_CONVERGED, guarded, print_lines
+from .terminal import NOT_CONVERGED, guarded, print_json, print_table
 
 Directory = Annotated[Path, typer.Argument(metavar="DIR", help="A directory of results.")]
 Errors = Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")]
@@ -20,15 +19,6 @@ Contact = Annotated[
     str | None,
     typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film."),
 ]
-
-
-class MeshFormat(StrEnum):
-    """Formats of meshes."""
-
-    XDMF = "xdmf"
-    INP = "inp"
-    MSH = "msh"
-    VTU = "vtu"
 
 
 class Axis(StrEnum):
@@ -85,15 +75,11 @@ def compare(
     with _as_case_errors(first, second):
         comparison = compared(first, second)
     if as_json:
-        print_lines(
-            json.dumps(comparison.document(), indent=2, ensure_ascii=False, allow_nan=False)
-        )
+        print_json(comparison.document())
     elif not quiet:
-        from rich.console import Console
-
         from postprocess.compare.table import comparison_table
 
-        Console().print(comparison_table(comparison))
+        print_table(comparison_table(comparison))
     for name, converged in zip(comparison.names, comparison.converged, strict=True):
         if not converged:
             say(f"oilfilm: {name}: not converged")
@@ -159,7 +145,9 @@ def interferogram(
 @guarded
 def export(
     directory: Directory,
-    mesh_format: Annotated[MeshFormat, typer.Option("--format", help="Format of the mesh.")],
+    mesh_format: Annotated[
+        str, typer.Option("--format", metavar="[xdmf|inp|msh|vtu]", help="Format of the mesh.")
+    ],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", metavar="FILE", help="Default: films.FORMAT.")
     ] = None,

@@ -53,9 +53,8 @@ def dynamics(
     loaded = load_bearing(case, "a simulation needs a bearing")
     directory = results_directory(case, output, as_json)
     if animation is not None and (directory is None or animation.suffix.lower() != ".gif"):
-        raise CaseError(
-            f"--animate {animation}: allowed: a .gif file, and results that are written (-o)"
-        )
+        allowed = "allowed: a .gif file, and results that are written (-o)"
+        raise CaseError(f"--animate {animation}: {allowed}")
     from ..runs.dynamics import Interrupted, run_dynamics
 
     # the history may be large: not in /tmp
@@ -75,9 +74,7 @@ def dynamics(
         document = dynamics_summary(results)
         if animation is not None and directory is not None:
             _animate(directory, animation)
-        return report(
-            document, lambda: dynamics_table(document), directory, as_json=as_json, quiet=quiet
-        )
+        return report(document, lambda: dynamics_table(document), directory, as_json, quiet)
 
 
 def _write(results: DynamicsResults, directory: Path) -> tuple[str, ...]:
@@ -118,10 +115,7 @@ def _keep(
 
     path = directory.with_name(f"{directory.name}_restart.npz")
     save_restart(simulation, path, case_key(case))
-    kept = (
-        directory
-        if not directory.exists()
-        else directory.with_name(f"{directory.name}_interrupted")
-    )
-    save_with(lambda target: write_dynamics(results, target, pictures=False), kept)
-    say(f"history so far in {kept}; go on with --restart {path}")
+    if directory.exists():
+        directory = directory.with_name(f"{directory.name}_interrupted")
+    save_with(lambda target: write_dynamics(results, target, pictures=False), directory)
+    say(f"history so far in {directory}; go on with --restart {path}")

@@ -9,10 +9,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from ehl.units import from_si, to_si
+
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import app
-from .terminal import BAD_INPUT, guarded, print_lines
+from .output import say_notes
+from .terminal import BAD_INPUT, guarded, print_json, print_lines
 
 if TYPE_CHECKING:
     from bearing.material import Material
@@ -38,7 +41,7 @@ def list_names(
     """List shipped cases, sweeps, bearings, materials and lubricants."""
     names = {kind.value: listing(kind.value) for kind in (Listing if what is None else (what,))}
     if as_json:
-        print_lines(json.dumps(names, indent=2, ensure_ascii=False))
+        print_json(names)
         return
     width = max(len(name) for entries in names.values() for name in entries)
     for kind, entries in names.items():
@@ -59,25 +62,23 @@ def validate(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="Nothing but errors.")] = False,
 ) -> int:
     """Check case and sweep files without running them."""
-    errors: dict[str, list[str]] = {}
+    report = {}
     for case in cases:
+        errors: tuple[str, ...] = ()
+        notes: tuple[str, ...] = ()
         try:
-            _check(case)
-            errors[case] = []
+            notes = _check(case)
         except CaseError as error:
-            errors[case] = list(error.messages)
+            errors = error.messages
+        report[case] = {"valid": not errors, "errors": errors}
+        for message in () if as_json else errors:
+            say(message)
+        if not (errors or quiet or as_json):
+            print_lines(f"{case}: valid")
+            say_notes(notes)
     if as_json:
-        report = {
-            case: {"valid": not messages, "errors": messages} for case, messages in errors.items()
-        }
-        print_lines(json.dumps(report, indent=2, ensure_ascii=False))
-    else:
-        for case, messages in errors.items():
-            if not messages and not quiet:
-                print_lines(f"{case}: valid")
-            for message in messages:
-                say(message)
-    return BAD_INPUT if any(errors.values()) else 0
+        print_json(report)
+    return 0 if all(checked["valid"] for checked in report.values()) else BAD_INPUT
 
 
 def _file(name: str) -> Path:
@@ -87,8 +88,8 @@ def _file(name: str) -> Path:
     return find_sweep(name) if name.removesuffix(".toml") in shipped_sweeps() else find_case(name)
 
 
-def _check(name: str) -> None:
-    """Check a case or a sweep; `CaseError` tells what is wrong."""
+def _check(name: str) -> tuple[str, ...]:
+    """Check a case or a sweep; its notes, and `CaseError` with what is wrong."""
     from ..format.document import SWEEP_TABLES, parse, read_text, validate_text
 
     path = _file(name)
@@ -97,9 +98,8 @@ def _check(name: str) -> None:
     if "case" in document or any(table in document for table in SWEEP_TABLES):
         from ..batch.sweep import sweep_from_text
 
-        sweep_from_text(text, str(path), path.parent)
-    else:
-        validate_text(text, str(path))
+        return sweep_from_text(text, str(path), path.parent).messages
+    return validate_text(text, str(path)).notes
 
 
 @app.command()
@@ -121,9 +121,8 @@ def init(
     except FileExistsError:
         raise CaseError(f"{path}: exists already; choose another name") from None
     except (OSError, ValueError) as error:
-        raise CaseError(
-            f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}"
-        ) from None
+        reason = getattr(error, "strerror", None) or error
+        raise CaseError(f"{path}: cannot be written: {reason}") from None
     print_lines(f"{path} written; change it, then: oilfilm validate {path}")
 
 
@@ -154,7 +153,9 @@ def listing(kind: str) -> dict[str, str]:
         return {name: _properties(load_material(name)) for name in list_materials()}
     from bearing.library.lubricants import library_lubricant, list_lubricants
 
-    return {name: _oil(library_lubricant(name, 313.15)) for name in list_lubricants()}
+    return {
+        name: _oil(library_lubricant(name, to_si("oil_C", 40.0))) for name in list_lubricants()
+    }
 
 
 def _dimensions(entry: dict[str, Any]) -> str:
@@ -166,9 +167,11 @@ def _dimensions(entry: dict[str, Any]) -> str:
 
 
 def _properties(material: Material) -> str:
-    modulus = f"E {material.youngs_modulus / 1e9:.4g} GPa"
-    return f"{modulus}, nu {material.poisson_ratio:.3g}, {material.density:.4g} kg/m3"
+    modulus = from_si("modulus_GPa", material.youngs_modulus)
+    return f"E {modulus:.4g} GPa, nu {material.poisson_ratio:.3g}, {material.density:.4g} kg/m3"
 
 
 def _oil(oil: Lubricant) -> str:
-    return f"{oil.viscosity * 1e3:.3g} mPa s, {oil.pressure_viscosity * 1e9:.3g} 1/GPa at 40 C"
+    viscosity = from_si("viscosity_mPa_s", oil.viscosity)
+    coefficient = from_si("coefficient_1_GPa", oil.pressure_viscosity)
+    return f"{viscosity:.3g} mPa s, {coefficient:.3g} 1/GPa at 40 C"

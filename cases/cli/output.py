@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
-from textwrap import fill
+from textwrap import TextWrapper
 from typing import TYPE_CHECKING, Any
 
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
-from .terminal import NOT_CONVERGED, print_lines
+from .terminal import NOT_CONVERGED, print_json, print_table
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Iterable
 
     from rich.console import Group
 
@@ -21,8 +20,6 @@ if TYPE_CHECKING:
 
     from ..format.case import Case
     from ..runs.films import Progress
-
-WIDTH = 80  # of a terminal [characters]
 
 
 def load_bearing(name: str, needed: str) -> Case:
@@ -70,62 +67,21 @@ def save_with(write: Callable[[Path], tuple[str, ...]], directory: Path | None) 
             say(f"oilfilm: {problem}")
 
 
-def finish(
-    results: BearingResults | ContactResults,
-    table: Callable[[Any], Group],
-    directory: Path | None,
-    *,
-    as_json: bool,
-    quiet: bool,
-) -> int:
-    """Print the results of a run and what did not converge."""
-    from postprocess import summary
-
-    document = summary(results)
-    return report(document, lambda: table(results), directory, as_json=as_json, quiet=quiet)
-
-
-def say_notes(messages: list[str]) -> None:
-    """Print estimates, assumptions and values outside their data; not why values are null."""
-    for message in messages:
-        if "null" not in message and not _of_failure(message):
-            say(
-                fill(
-                    message,
-                    WIDTH,
-                    initial_indent="note: ",
-                    subsequent_indent="      ",
-                    break_long_words=False,
-                )
-            )
-
-
-def _of_failure(message: str) -> bool:
-    """Whether a message belongs to what did not converge."""
-    return "not converged" in message or message.startswith(
-        ("equilibrium of", "no film was computed")
-    )
-
-
 def report(
     document: dict[str, Any],
     table: Callable[[], Group],
     directory: Path | None,
-    *,
     as_json: bool,
     quiet: bool,
 ) -> int:
     """Print a summary or its table, and what did not converge."""
     if directory is not None and not quiet:
         say(f"results in {directory}")
-    if not (as_json or quiet):
-        say_notes(document["messages"])
     if as_json:
-        print_lines(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
+        print_json(document)
     elif not quiet:
-        from rich.console import Console
-
-        Console().print(table())
+        say_notes(document["messages"])
+        print_table(table())
     if document["converged"]:
         return 0
     say("oilfilm: not converged; the results are flagged:")
@@ -133,3 +89,18 @@ def report(
     for message in reasons or document["messages"]:
         say(f"  {message}")
     return NOT_CONVERGED
+
+
+def say_notes(messages: Iterable[str]) -> None:
+    """Print estimates, assumptions and values outside their data; not why values are null."""
+    wrapper = TextWrapper(80, "note: ", "      ", break_long_words=False)
+    for message in messages:
+        if "null" not in message and not _of_failure(message):
+            say(wrapper.fill(message))
+
+
+def _of_failure(message: str) -> bool:
+    """Whether a message belongs to what did not converge."""
+    return "not converged" in message or message.startswith(
+        ("equilibrium of", "no film was computed")
+    )

@@ -1,6 +1,9 @@
 """What a command shows: progress, messages, results, exit codes."""
 
+from __future__ import annotations
+
 import functools
+import json
 import os
 import signal
 import sys
@@ -9,13 +12,16 @@ import threading
 import traceback
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
-from typing import ParamSpec
+from typing import TYPE_CHECKING, ParamSpec
 
 import typer
 
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from ..runs.kernel_cache import ensure_kernel_cache
+
+if TYPE_CHECKING:
+    from rich.console import RenderableType
 
 NOT_CONVERGED = 1
 BAD_INPUT = 2
@@ -105,30 +111,33 @@ def progress_bar(*, quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
         yield lambda done, total, state: None
         return
     from rich.console import Console
-    from rich.progress import (
-        BarColumn,
-        MofNCompleteColumn,
-        Progress,
-        TextColumn,
-        TimeElapsedColumn,
-    )
+    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeElapsedColumn
 
-    columns = (
-        TextColumn("{task.description}"),
-        BarColumn(),
-        MofNCompleteColumn(),
-        TimeElapsedColumn(),
-    )
+    columns = ("{task.description}", BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=None)
-        yield lambda done, total, state: bar.update(
-            task, completed=done, total=total, description=state
-        )
+
+        def show(done: int, total: int, state: str) -> None:
+            bar.update(task, completed=done, total=total, description=state)
+
+        yield show
 
 
 def print_lines(text: str) -> None:
     """Plain text to standard output."""
     print(text, flush=True)  # noqa: T201
+
+
+def print_json(document: object) -> None:
+    """A document to standard output."""
+    print_lines(json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False))
+
+
+def print_table(table: RenderableType) -> None:
+    """A table to standard output."""
+    from rich.console import Console
+
+    Console().print(table)
 
 
 def prepare_streams() -> None:

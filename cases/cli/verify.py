@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,7 +12,8 @@ from verification.names import SectionName
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from .app import Json, Output, Quiet, app
-from .terminal import NOT_CONVERGED, guarded, print_lines, progress_bar
+from .output import load_bearing
+from .terminal import NOT_CONVERGED, guarded, print_json, print_table, progress_bar
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -53,46 +53,37 @@ def verify(
     quiet: Quiet = False,
 ) -> int:
     """Compute the verification page of the contact solver: orders, limits, films, costs."""
+    from verification.page import ForeignFileError
+
+    from ..runs.output_directory import check_output
+
     if robustness is not None and section:
         raise CaseError("--robustness, --section: found together; allowed: one of them")
     if robustness is None and seed is not None:
         raise CaseError(
             "--seed: found without --robustness; it is the seed of the random contacts"
         )
-    directory = None if as_json and output is None and robustness is None else output or DIRECTORY
-    sections = _sections(section, robustness, seed, directory, quick=quick, quiet=quiet)
-    return _report(sections, directory, as_json=as_json, quiet=quiet)
-
-
-def _sections(
-    names: list[SectionName] | None,
-    draws: int | None,
-    seed: int | None,
-    directory: Path | None,
-    *,
-    quick: bool,
-    quiet: bool,
-) -> list[Section]:
-    from verification.page import ForeignFileError
-
+    printed = as_json and output is None and robustness is None
+    directory = None if printed else output or DIRECTORY
+    if directory is not None:
+        check_output(directory)
     try:
-        if draws is None or directory is None:
-            return _page(names or list(SectionName), directory, quick=quick, quiet=quiet)
-        seed = SEED if seed is None else seed
-        return [_sweep(draws, seed, directory, quick=quick, quiet=quiet)]
+        if robustness is None or directory is None:
+            sections = _page(list(section or SectionName), directory, quick, quiet)
+        else:
+            draws = (robustness, SEED if seed is None else seed)
+            sections = [_sweep(draws, directory, quick, quiet)]
     except ForeignFileError as error:
         raise CaseError(str(error)) from None
+    return _report(sections, directory, as_json, quiet)
 
 
 def _page(
-    names: list[SectionName], directory: Path | None, *, quick: bool, quiet: bool
+    names: list[SectionName], directory: Path | None, quick: bool, quiet: bool
 ) -> list[Section]:
     from verification.run import PAGE, check_page, run_sections, write_page
 
-    from ..runs.output_directory import check_output
-
     if directory is not None:
-        check_output(directory)
         check_page(directory, PAGE)
     with progress_bar(quiet=quiet) as progress:
         sections = run_sections(names, progress, _run_bearing, quick=quick)
@@ -105,51 +96,42 @@ def _page(
 def _run_bearing() -> BearingResults:
     from verification.costs import BEARING
 
-    from ..format.case import Case, load_case
     from ..runs.bearing import run_case
 
-    case = load_case(BEARING)
-    assert isinstance(case, Case)
-    return run_case(case)
+    return run_case(load_bearing(BEARING, "the cost of a bearing"))
 
 
-def _sweep(draws: int, seed: int, directory: Path, *, quick: bool, quiet: bool) -> Section:
+def _sweep(draws: tuple[int, int], directory: Path, quick: bool, quiet: bool) -> Section:
+    """Random contacts, by their number and seed."""
     from verification.robustness import POINTS, QUICK_POINTS, sweep
     from verification.robustness_page import robustness_section
     from verification.run import SWEEP, SWEEP_PAGE, check_page, write_page
 
-    from ..runs.output_directory import check_output
-
-    check_output(directory)
     check_page(directory, SWEEP_PAGE)
     points = QUICK_POINTS if quick else POINTS
+    file = directory / SWEEP
     try:
         with progress_bar(quiet=quiet) as progress:
-            finished = sweep(draws, seed, directory / SWEEP, progress, points)
+            finished = sweep(*draws, file, progress, points)
     except KeyboardInterrupt:
-        say(
-            f"finished contacts are kept in {directory / SWEEP}; the same command "
-            "continues with them"
-        )
+        say(f"finished contacts are kept in {file}; the same command continues with them")
         raise
-    section = robustness_section(finished, seed, points)
+    section = robustness_section(finished, draws[1], points)
     with finish_first(f"results in {directory}"):
         write_page([section], directory, SWEEP_PAGE)
     return section
 
 
-def _report(sections: list[Section], directory: Path | None, *, as_json: bool, quiet: bool) -> int:
+def _report(sections: list[Section], directory: Path | None, as_json: bool, quiet: bool) -> int:
     from verification.run import document
 
     results = document(sections)
     if directory is not None and not quiet:
         say(f"results in {directory}")
     if as_json:
-        print_lines(json.dumps(results, indent=2, ensure_ascii=False, allow_nan=False))
+        print_json(results)
     elif not quiet:
-        from rich.console import Console
-
-        Console().print(_table(sections))
+        print_table(_table(sections))
     if results["converged"]:
         return 0
     say("oilfilm: these statements do not hold:")
@@ -162,8 +144,7 @@ def _table(sections: list[Section]) -> Table:
     from rich.table import Table
 
     table = Table("statement", "found", "wanted", "holds")
-    for check in (check for section in sections for check in section.checks):
-        table.add_row(
-            check.name, f"{check.value:.4g}", check.bounds, "yes" if check.passed else "no"
-        )
+    for section in sections:
+        for check in section.checks:
+            table.add_row(*check.cells)
     return table

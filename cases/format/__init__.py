@@ -4,10 +4,11 @@ In each module of a table: its keys with range and default, its rules, its conve
 
 bearing     - [bearing] and [surface]: geometry and materials of the bearing
 case        - a case: what a checked file describes, in SI
-contact     - [contact] of a single contact; [ehl]: grid and physics of the films
+contact     - [contact] of a single contact; [ehl] of both kinds of case
 document    - a whole file: its tables, read and checked with every fault at once
 dynamics    - [dynamics] and [cage]: the time simulation, the cage
 fields      - types, ranges and units of single values
+film_model  - grid and physics of the films of a case
 fits        - [fit] and [temperatures]: seats, clearance in operation, heat balance
 free_volume - constants of Tait, Doolittle and Yasutomi of an oil
 friction    - [friction] and the shear law of the oil

@@ -20,9 +20,9 @@ from ehl.oil.rheology import Rheology
 from . import bearing as bearings
 from . import contact as contacts
 from . import fits
-from .contact import NEWTONIAN, CaseFilms, FilmPhysics
 from .document import BearingFile, ContactFile, check_document, read_text, validate_text
 from .dynamics import cage_friction, guiding_land
+from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films
 from .fits import HeatingInput
 from .friction import friction, rheology
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
@@ -132,7 +132,7 @@ def _bearing_case(file: BearingFile) -> Case:
     # 3. the films, and the friction of balls on races
     assumptions = model(file.model, file.friction)
     bodies = (bearing.ball_material, bearing.inner_ring_material)
-    films = contacts.case_films(file.ehl, shear, bodies)
+    films = case_films(file.ehl, shear, bodies)
     pockets = cage_friction(file.cage)
     torque = friction(file.friction, file.bearing, file.lubricant, pockets, file.surface)
     balanced = assumptions.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM
@@ -166,15 +166,8 @@ def _common(file: BearingFile | ContactFile, films: CaseFilms) -> dict[str, Any]
 
 
 def _warn(file: BearingFile) -> None:
-    """Warn of keys of an earlier version, of two friction laws, and of estimated dimensions."""
+    """Warn of what the file says in an unusual way, and of estimated dimensions."""
     for note in file.notes:
-        warnings.warn(note, stacklevel=2)
-    law = file.friction.traction
-    if file.dynamics is not None and law not in (None, "films", file.dynamics.friction):
-        note = (
-            f'two laws of friction: friction.traction = "{law}" in traction equilibrium, '
-            f'dynamics.friction = "{file.dynamics.friction}" in the simulation'
-        )
         warnings.warn(note, stacklevel=2)
     prefix = "bearing."
     assumed = {name.removeprefix(prefix) for name in file.assumed if name.startswith(prefix)}
@@ -209,7 +202,7 @@ def _contact_case(file: ContactFile) -> ContactCase:
     document["lubricant"] = _lubricant_document(document, lubricant_keys(fluid, moes=moes))
     bodies = [library[name] for name in names[:2] if name is not None]
     return ContactCase(
-        **_common(file, contacts.case_films(file.ehl, shear, bodies)),
+        **_common(file, case_films(file.ehl, shear, bodies)),
         document=document,
         conditions=contacts.contact(table, library, fluid),
         temperature=temperature,

@@ -1,25 +1,14 @@
-"""[contact] of a single contact; [ehl] of both kinds of case, grid and physics of the films."""
+"""[contact] of a single contact; [ehl] of both kinds of case."""
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
 from enum import Enum
 from typing import Annotated, Any
 
 from pydantic import model_validator
 
 from bearing.material import Material, reduced_modulus
-from ehl import (
-    ContactConditions,
-    ContactSolution,
-    Lubricant,
-    MoesConditions,
-    SolverOptions,
-    solve_contact,
-)
-from ehl.generalized.solver import solve_generalized
-from ehl.oil.rheology import Rheology
+from ehl import ContactConditions, Lubricant, MoesConditions
 from ehl.solid.coating import Coating
-from ehl.solid.heat import SolidThermal
 
 from .fields import (
     FORCE_MAXIMUM,
@@ -157,57 +146,6 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
         yield CaseFault(("contact", MODULUS), finding, "allowed: material_1 and material_2")
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class FilmPhysics:
-    """Film model of a case with what it needs."""
-
-    model: FilmModel = FilmModel.NEWTONIAN
-    rheology: Rheology | None = None
-    # body 1, the ball, and body 2, the race
-    solids: tuple[SolidThermal, SolidThermal] | None = None
-
-    def solve(self, conditions: ContactConditions, options: SolverOptions) -> ContactSolution:
-        """Film of one contact; lengths in [m], pressures in [Pa]."""
-        if self.model is FilmModel.NEWTONIAN or self.rheology is None:
-            return solve_contact(conditions, options)
-        base = self.rheology.unlimited  # at the limit the flow has no finite tangent
-        solids = self.solids if self.model is FilmModel.THERMAL else None
-        return solve_generalized(conditions, base, solids=solids, options=options).contact
-
-    @property
-    def messages(self) -> tuple[str, ...]:
-        """Notes on results with this model."""
-        if self.model is FilmModel.NEWTONIAN or self.rheology is None:
-            return ()
-        law = self.rheology.law.value
-        limited = self.rheology.limiting_coefficient is not None
-        law += " oil, its limiting stress in the traction only" if limited else " oil"
-        if self.model is FilmModel.SHEAR_THINNING:
-            return (f"film: generalized Reynolds equation, {law}, of uniform temperature",)
-        return (
-            f"film: generalized Reynolds equation, {law}, with heat",
-            "traction and torque: sheared at the temperatures the film was solved with",
-        )
-
-
-NEWTONIAN = FilmPhysics()
-
-
-@dataclass(frozen=True, kw_only=True)
-class CaseFilms:
-    """Solves the films of many contacts, one after the other."""
-
-    options: SolverOptions
-    films: FilmPhysics
-
-    def __call__(
-        self, conditions: Sequence[ContactConditions | None]
-    ) -> Sequence[ContactSolution | None]:
-        """Films [m] of the contacts that have conditions."""
-        solve = self.films.solve
-        return [None if one is None else solve(one, self.options) for one in conditions]
-
-
 def contact(
     table: ContactTable, materials: Mapping[str, Material], oil: Lubricant
 ) -> ContactConditions | MoesConditions:
@@ -254,32 +192,3 @@ def contact_defaults(table: ContactTable) -> dict[str, float]:
     if table.moes_M is not None:
         return {"radius_ratio": 1.0}
     return {"slide_roll_ratio": 0.0, "spin_rad_s": 0.0}
-
-
-def case_films(
-    table: ContactEhlTable, shear: Rheology | None, bodies: Sequence[Material]
-) -> CaseFilms:
-    """Grid [-] and physics of the films, SI; `ValueError` if they have heat and a body, ball or
-    race, no thermal properties.
-    """
-    options = SolverOptions(points=table.points, domain=table.domain, tolerance=table.tolerance)
-    model = FilmModel(table.film_model)
-    solids = None
-    if model is FilmModel.THERMAL:
-        ball, race = map(_solid, bodies)
-        solids = (ball, race)
-    films = FilmPhysics(model=model, rheology=shear, solids=solids)
-    return CaseFilms(options=options, films=films)
-
-
-def _solid(body: Material) -> SolidThermal:
-    if body.thermal_conductivity is None or body.specific_heat is None:
-        raise ValueError(
-            f"materials.{body.name}: thermal_conductivity_W_m_K and specific_heat_J_kg_K are "
-            'needed with ehl.film_model = "thermal"'
-        )
-    return SolidThermal(
-        conductivity=body.thermal_conductivity,
-        density=body.density,
-        specific_heat=body.specific_heat,
-    )

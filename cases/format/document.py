@@ -93,6 +93,18 @@ class BearingFile(CaseFile):
     )
     lubricants: dict[str, OilTable] = described("oils by name", {})
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """Those on keys, and that two laws of friction are named."""
+        law = self.friction.traction
+        if self.dynamics is None or law in (None, "films", self.dynamics.friction):
+            return self._notes
+        note = (
+            f'two laws of friction: friction.traction = "{law}" in traction equilibrium, '
+            f'dynamics.friction = "{self.dynamics.friction}" in the simulation'
+        )
+        return (*self._notes, note)
+
 
 class ContactFile(CaseFile):
     """A single contact: `oilfilm contact`."""

@@ -25,7 +25,7 @@ from ehl.traction.coefficient_kernels import COEFFICIENTS
 from ehl.traction.table.table import TableContact, TractionTable
 from ehl.traction.table.temperature import TemperatureTable
 
-from .contact import CaseFilms, FilmPhysics
+from .film_model import CaseFilms, FilmPhysics
 from .friction import FrictionTable
 from .problems import UnfitKey
 

@@ -11,7 +11,8 @@ from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution, SolverOptions
 
-from ..format.contact import CaseFilms, FilmModel
+from ..format.contact import FilmModel
+from ..format.film_model import CaseFilms
 from .films import Progress, solve_contacts
 
 

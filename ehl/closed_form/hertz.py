@@ -16,7 +16,7 @@ taken there.
 from dataclasses import dataclass
 from math import cbrt, exp, log, pi
 
-from scipy.special import elliprd, elliprf
+import scipy
 
 from ..ranges import require_positive
 
@@ -74,9 +74,9 @@ def hertz_coefficients(radius_ratio: float) -> tuple[float, float, float]:
     f^2), f^2 at D = 1.
     """
     k = ellipse_ratio(radius_ratio)
-    f = cbrt(2.0 / pi * float(elliprd(0.0, k**2, 1.0)))
+    f = cbrt(2.0 / pi * float(scipy.special.elliprd(0.0, k**2, 1.0)))
     g = 3.0 / (2.0 * pi * k * f**2)
-    d = 3.0 / pi * float(elliprf(0.0, 1.0, k**2)) / f
+    d = 3.0 / pi * float(scipy.special.elliprf(0.0, 1.0, k**2)) / f
     return f, g, d
 
 
@@ -116,8 +116,8 @@ def hertz_contact(
 def _log_radius_ratio(t: float) -> tuple[float, float]:
     """ln(Rx/Ry) [-] at k = exp(t) and its slope [-], by the common integral of both."""
     k2 = exp(2.0 * t)
-    along_x = float(elliprd(0.0, k2, 1.0))
-    along_y = float(elliprd(0.0, 1.0, k2))
+    along_x = float(scipy.special.elliprd(0.0, k2, 1.0))
+    along_y = float(scipy.special.elliprd(0.0, 1.0, k2))
     mixed = (
         (along_x - along_y) / (k2 - 1.0) if abs(k2 - 1.0) > 1.0e-4 else 9.0 * pi / 16.0 * k2**-1.25
     )

@@ -11,7 +11,7 @@ from numba.extending import intrinsic, overload
 
 from ..compiled import compiled
 from ..oil._rheology_kernels import inverse_sine, shear_stress
-from .coefficient_kernels import coefficient
+from .coefficient_kernels import coefficient as coefficient_formula
 
 # rows of the nodes of a film; spread: a twelfth of the squared size
 X, Y, AREA, FILM, VISCOSITY, LIMIT, SPREAD_X, SPREAD_Y = range(8)
@@ -45,6 +45,8 @@ ABOVE_SPEED = 8
 SLIDE_X = 16
 SLIDE_Y = 32
 SPIN = 64
+
+coefficient = compiled(coefficient_formula)
 
 
 @compiled

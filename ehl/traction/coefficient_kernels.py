@@ -2,7 +2,8 @@
 
 To add one: its formula, a branch in `coefficient` under the next kind, and its class, listed in
 `COEFFICIENTS` where cases name it. Its constants become keys of [friction]; torque, traction
-equilibrium and simulation take it over the Hertz ellipse (`laws.EllipseLaw`).
+equilibrium and simulation take it over the Hertz ellipse (`laws.EllipseLaw`). Case files are
+checked by the constants, so nothing is compiled here.
 """
 
 from abc import ABC, abstractmethod
@@ -12,10 +13,9 @@ from math import e, exp, inf, isfinite
 from typing import ClassVar, Self
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from ..arrays import Array
-from ..compiled import compiled
 
 COULOMB, FOUR_CONSTANTS = range(2)  # kinds, the first number of a law
 MU, NONE, FULL = range(1, 4)  # behind it, of Coulomb's law
@@ -25,29 +25,20 @@ A, B, C, D, BAND = range(1, 6)  # and of that of four constants
 DEAD_BAND = 1e-4
 
 
-@compiled
 def coefficient(law: Array, slide: float, speed: float) -> float:
     """Friction coefficient [-] of a kind and its constants at a local sliding speed and an
-    entrainment speed [m/s].
+    entrainment speed [m/s]; `_kernels` compiles it.
+
+    Coulomb: zero up to v_0 [m/s], mu [-] from v_1 on, a ramp between. Four constants:
+    (A + B s) exp(-C s) + D at a slide over the entrainment speed s, ramped up to s_0 [-].
     """
     if law[0] == COULOMB:
-        return _ramped_coulomb(law, slide)
-    return _four_constants(law, slide / max(abs(speed), 1e-300))
-
-
-@compiled
-def _ramped_coulomb(law: Array, slide: float) -> float:
-    """Zero up to v_0 [m/s], mu [-] from v_1 on, a ramp between."""
-    if slide <= law[NONE]:
-        return 0.0
-    if slide >= law[FULL]:
-        return law[MU]
-    return law[MU] * (slide - law[NONE]) / (law[FULL] - law[NONE])
-
-
-@compiled
-def _four_constants(law: Array, ratio: float) -> float:
-    """(A + B s) exp(-C s) + D at a slide over the entrainment speed s, ramped up to s_0 [-]."""
+        if slide <= law[NONE]:
+            return 0.0
+        if slide >= law[FULL]:
+            return law[MU]
+        return law[MU] * (slide - law[NONE]) / (law[FULL] - law[NONE])
+    ratio = slide / max(abs(speed), 1e-300)
     ramp = 1.0 if ratio >= law[BAND] else ratio / law[BAND]
     return ramp * ((law[A] + law[B] * ratio) * np.exp(-law[C] * ratio) + law[D])
 
@@ -178,7 +169,8 @@ class FourConstants(Coefficient):
         def excess(q: float) -> float:
             return a * exp(-q) - rise * (1.0 - q)
 
-        q = brentq(excess, 0.0, 1.0) if a > 0.0 else brentq(excess, 1.0, 2.0 - a / rise)
+        ends = (0.0, 1.0) if a > 0.0 else (1.0, 2.0 - a / rise)
+        q = scipy.optimize.brentq(excess, *ends)
         c = float(q) / slide
         return cls(a, c * a / (1.0 - float(q)), c, limit)
 

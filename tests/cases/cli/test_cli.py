@@ -15,6 +15,7 @@ import pytest
 from rich.console import Group
 from typer.testing import CliRunner
 
+from cases import load_case
 from cases.cli import compute, output, terminal
 from cases.cli.main import app
 from cases.format.shipped import find_case, shipped_cases
@@ -47,7 +48,18 @@ def test_validation_imports_no_kernels_and_no_pictures():
         "for p in shipped_cases().values(): validate_text(p.read_text(), p.name)\n"
         "print([m for m in sys.argv[1:] if m in sys.modules])"
     )
-    heavy = ["numba", "ehl.solver", "ehl.multigrid.cycle", "xarray", "matplotlib", "pyvista", "vtk", "rich"]
+    heavy = [
+        "numba",
+        "scipy.optimize",
+        "scipy.special",
+        "ehl.solver",
+        "ehl.multigrid.cycle",
+        "xarray",
+        "matplotlib",
+        "pyvista",
+        "vtk",
+        "rich",
+    ]
     answer = subprocess.run([sys.executable, "-c", code, *heavy], capture_output=True, text=True, check=True)
     assert answer.stdout.strip() == "[]"
 
@@ -197,6 +209,22 @@ def test_validate_shows_every_error_with_its_line(tmp_path):
     assert len(report["case.toml"]["errors"]) == 2
 
 
+def test_validation_and_run_say_the_same_of_two_laws_of_friction(tmp_path):
+    """And of keys of an earlier version; `--quiet` and JSON have errors only."""
+    text = find_case("7008_radial").read_text(encoding="utf-8")
+    law = text.replace("[friction]\n", '[friction]\ntraction = "four constants"\n')
+    text = law.replace("[dynamics]\n", '[dynamics]\nfriction = "coulomb"\nfriction_coefficient = 0.05\n')
+    (tmp_path / "case.toml").write_text(text, encoding="utf-8")
+    answer = oilfilm("validate", "case.toml")
+    assert answer.exit_code == 0
+    notes = " ".join(answer.stderr.split())
+    assert 'note: two laws of friction: friction.traction = "four constants" in traction equilibrium' in notes
+    assert "note: dynamics.friction_coefficient: is now friction.coefficient" in notes
+    assert notes == " ".join(f"note: {note}" for note in load_case("case.toml").file.notes)
+    assert oilfilm("validate", "case.toml", "--quiet").stderr == ""
+    assert oilfilm("validate", "case.toml", "--json").stderr == ""
+
+
 def test_init_writes_a_valid_case_once(tmp_path):
     assert oilfilm("init", "mine").exit_code == 0
     assert oilfilm("validate", "mine.toml").exit_code == 0
@@ -330,5 +358,5 @@ def test_only_what_did_not_converge_is_listed_as_such(capsys):
         "torque_N_mm: null",
     ]
     document = {"converged": False, "messages": [*told, *others]}
-    assert output.report(document, Group, None, as_json=False, quiet=True) == 1
+    assert output.report(document, Group, None, False, True) == 1
     assert capsys.readouterr().err.splitlines()[1:] == [f"  {message}" for message in told]

@@ -9,14 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl.oil import _rheology_kernels as _kernels
-from ehl.oil.rheology import (
-    Rheology,
-    ShearLaw,
-    kernel_rheology,
-    limiting_stress,
-    shear_stress,
-    shear_stress_vector,
-)
+from ehl.oil.rheology import Rheology, ShearLaw, kernel_rheology, limiting_stress, shear_stress, shear_stress_vector
 
 from ...reference.ehl.rheology import shear_rate, shear_rate_vector
 
