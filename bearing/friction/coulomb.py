@@ -32,7 +32,11 @@ from . import _kernels
 from .balance import BalancedFriction, balance_balls, curvature_slip
 from .law import TINY, ContactLaw, Dissipation
 
-# e of Coulomb's law, over the largest sliding that the curvature of the contact makes [-]
+# e of Coulomb's law over the largest sliding that the curvature of the contact makes [-]: half and
+# double of it change the friction power of 25 random bearings by 2.4e-3 at most, as much as the
+# quadrature. The ramp of a simulation (`RampedCoulomb`), as wide, changes it by 9e-4, but its
+# kinks stop Newton's method: of these bearings 13 find a balance, of rounded friction all. A
+# simulation keeps the ramp, whose dead band and width are keys of a case.
 ROUNDING = 3.0e-3
 
 
