@@ -72,14 +72,9 @@ def _motions(solution: QuasistaticSolution) -> list[_Motion]:
         slide, lateral = zero, zero
     speed = race[:, 0] + 0.5 * slide
     mean_spin = 0.5 * (ball[:, 2] + race[:, 2])
-    columns = [
-        speed,
-        np.abs(relative[:, 3]),
-        relative[:, 2] + 0.0,  # no negative zero
-        mean_spin + 0.0,
-        slide,
-        np.sign(speed) * lateral,
-    ]
+    rolling = np.abs(relative[:, 3])
+    spins = (relative[:, 2] + 0.0, mean_spin + 0.0)  # no negative zero
+    columns = [speed, rolling, *spins, slide, np.sign(speed) * lateral]
     return [_Motion(*row) for row in np.stack(columns, axis=1).tolist()]
 
 
@@ -98,6 +93,7 @@ def _contact(
     conditions, note = _conditions(solution, hertz, motion, lubricant)
     centrifugal = float(solution.centrifugal_force[index])
     rolls = motion.rolling > STANDSTILL * _fastest(solution)
+    pulled = inner and centrifugal > 0.0
     return BearingContact(
         ball=index + 1,
         azimuth=float(solution.azimuth[index]),
@@ -107,9 +103,7 @@ def _contact(
         load=load,
         contact_angle=angle,
         spin_roll_ratio=abs(motion.spin) / motion.rolling if rolls else None,
-        hirano_ratio=load * abs(float(np.sin(angle))) / centrifugal
-        if inner and centrifugal > 0.0
-        else None,
+        hirano_ratio=load * abs(float(np.sin(angle))) / centrifugal if pulled else None,
         origin=origin,
         axis_x=rows[0],
         axis_y=rows[1],
@@ -129,16 +123,12 @@ def _hertz(solution: QuasistaticSolution) -> list[HertzContact | None]:
     angle = np.stack([solution.inner_contact_angle, solution.outer_contact_angle], axis=1).ravel()
     loaded = np.flatnonzero(load > 0.0)
     contacts: list[HertzContact | None] = [None] * load.size
-    races = [RACES[n % 2] for n in loaded]
     angles = [bearing.free_contact_angle if free else float(angle[n]) for n in loaded]
-    radii = np.array(
-        [reduced_radii(bearing, race, a) for race, a in zip(races, angles, strict=True)]
-    ).reshape(-1, 2)
-    modulus = {race: contact_modulus(bearing, race) for race in RACES}
-    loaded_contacts = hertz_contacts(
-        load[loaded], radii[:, 0], radii[:, 1], np.array([modulus[race] for race in races])
-    )
-    for n, contact in zip(loaded, loaded_contacts, strict=True):
+    pairs = [(RACES[n % 2], a) for n, a in zip(loaded, angles, strict=True)]
+    radii = np.array([reduced_radii(bearing, race, a) for race, a in pairs]).reshape(-1, 2)
+    modulus = np.array([contact_modulus(bearing, race) for race in RACES])[loaded % 2]
+    dry = hertz_contacts(load[loaded], radii[:, 0], radii[:, 1], modulus)
+    for n, contact in zip(loaded, dry, strict=True):
         contacts[n] = contact
     return contacts
 
@@ -182,14 +172,12 @@ def _placements(solution: QuasistaticSolution, speed: Array) -> list[tuple[Array
     along_x = np.array([1.0, 0.0, 0.0])
     radial = np.stack([none, c, s], axis=1)[:, None]
     tangential = np.stack([none, -s, c], axis=1)[:, None]
-    angle = np.stack([solution.inner_contact_angle, solution.outer_contact_angle], axis=1)[
-        ..., None
-    ]
+    angles = [solution.inner_contact_angle, solution.outer_contact_angle]
+    angle = np.stack(angles, axis=1)[..., None]
     normal = SIDES[:, None] * (np.sin(angle) * along_x + np.cos(angle) * radial)
     axis_x = np.where(speed != 0.0, np.sign(speed), -SIDES)[..., None] * tangential
-    centre = (
-        solution.ball_axial[:, None, None] * along_x + solution.ball_radial[:, None, None] * radial
-    )
+    axial = solution.ball_axial[:, None, None] * along_x
+    centre = axial + solution.ball_radial[:, None, None] * radial
     origins = (centre + 0.5 * solution.bearing.ball_diameter * normal).reshape(-1, 3)
     axes = np.stack([axis_x, np.cross(normal, axis_x), normal], axis=2).reshape(-1, 3, 3)
     return list(zip(origins, axes, strict=True))

@@ -83,17 +83,10 @@ def largest_sliding(
 ) -> tuple[float, float]:
     """Largest sliding speed, and largest product of pressure and sliding speed, in an ellipse.
 
-    v_x = -w_s y + w_r y^2/(2 R), v_y = w_s x, x along the rolling direction; no sliding in the
-    middle. |v| is largest on the rim.
-
-    `hertz`: semi-axes [m], pressure [Pa]; `spin`, `rolling`: relative angular speeds w_s about
-    the normal and w_r about the transverse direction [rad/s]; `radius`: R of the deformed
-    surface across the rolling direction, 2 r D/(2 r + D) [m].
-
-    Returns
-    -------
-    speed, product : float
-        [m/s], [W/m^2].
+    v_x = -w_s y + w_r y^2/(2 R), v_y = w_s x [m/s], x along the rolling direction; no sliding in
+    the middle, |v| is largest on the rim. `spin`, `rolling`: relative angular speeds w_s about the
+    normal and w_r about the transverse direction [rad/s]; `radius`: R of the deformed surface
+    across the rolling direction, 2 r D/(2 r + D) [m]. The product in [W/m^2].
     """
     angle = np.linspace(0.0, 2.0 * pi, ANGLES, endpoint=False)[:, None]
     share = np.linspace(0.0, 1.0, RINGS + 1)[None, :]

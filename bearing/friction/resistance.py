@@ -61,11 +61,9 @@ def resistance_of(
     density: float,
     oil_fraction: float | None,
 ) -> Resistance:
-    """Drag of the balls as `churning_power` has it, of the land as `land_power`; friction in the
-    pockets is left out.
-
-    `viscosity`, `density`: of the oil [Pa s], [kg/m^3]; `oil_fraction`: share of the cavity
-    filled with oil [-].
+    """Drag of the balls as `churning_power` has it, of the land as `land_power`, by viscosity
+    [Pa s], density [kg/m^3] and share in the cavity [-] of the oil; friction in the pockets is
+    left out.
     """
     ball = ball_drag(bearing, density, oil_fraction or 0.0)
     if cage is None:
@@ -94,18 +92,11 @@ def land_drag(cage: Cage, viscosity: float) -> float:
 
 def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_x: float) -> float:
     """Moment that resists rolling in a lubricated contact [N m], Biboulet and Houpert (2010),
-    elastohydrodynamic limit.
+    elastohydrodynamic limit; its power is the moment times the rolling speed u_m/Rx.
 
     Twice t = 1.8 beta^(-1/4) (2 a_y/Rx) (2 U)^(3/4) E' Rx^3, beta = (4/pi) E(m)/(1 + Rx/Ry), m = 1
-    - (a_x/a_y)^2. t is Rx times the force that the pressure flow pulls one body with; both are
-    pulled (checked against solved contacts).
-
-    `semi_axis_y`, `semi_axis_x`: Hertz semi-axes across and along rolling [m].
-
-    Returns
-    -------
-    float
-        Its power is the moment times the rolling speed u_m/Rx [N m].
+    - (a_x/a_y)^2, with the Hertz semi-axes across and along rolling [m]. t is Rx times the force
+    that the pressure flow pulls one body with; both are pulled (checked against solved contacts).
     """
     c = conditions
     speed = c.lubricant.viscosity * c.entrainment_speed / (c.reduced_modulus * c.radius_x)
@@ -113,11 +104,6 @@ def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_
     beta = 4.0 / pi * float(scipy.special.ellipe(1.0 - shape**2)) / (1.0 + c.radius_x / c.radius_y)
     width = 2.0 * semi_axis_y / c.radius_x
     return 3.6 * beta**-0.25 * width * (2.0 * speed) ** 0.75 * c.reduced_modulus * c.radius_x**3
-
-
-def rolling_power(contacts: Sequence[BearingContact]) -> float:
-    """Power of the oil's rolling resistance of all lubricated contacts [W]."""
-    return sum(map(contact_rolling_power, contacts))
 
 
 def contact_rolling_power(contact: BearingContact) -> float:
@@ -132,31 +118,22 @@ def contact_rolling_power(contact: BearingContact) -> float:
 def hysteresis_torque(
     solution: QuasistaticSolution, contacts: Sequence[BearingContact], loss: float
 ) -> float:
-    """M_E = 1/4 D_pw [(1 - g_i^2) sum Phi_i + (1 - g_e^2) sum Phi_e] beta_a, Phi = 3/16 Q b/Rx [N
-    m].
+    """M_E = 1/4 D_pw [(1 - g_i^2) sum Phi_i + (1 - g_e^2) sum Phi_e] beta_a [N m], Phi = 3/16 Q
+    b/Rx, g = D cos(alpha)/D_pw.
 
-    The energy stored in front of a rolling contact, of which the share `loss` is lost (Greenwood,
-    Minshall and Tabor, 1961): Phi is the moment of the pressure ahead of the centre over the
-    ball's radius; g = D cos(alpha)/D_pw.
-
-    `loss`: beta_a [-].
+    The energy stored in front of a rolling contact, of which the share `loss`, beta_a [-], is lost
+    (Greenwood, Minshall and Tabor, 1961): Phi is the moment of the pressure ahead of the centre
+    over the ball's radius.
     """
+    ball = solution.bearing.ball_diameter
     pitch = solution.bearing.pitch_diameter
     torque = 0.0
     for contact in contacts:
         if contact.hertz is not None:
+            slope = ball * cos(contact.contact_angle) / pitch
             phi = 3.0 / 16.0 * contact.load * contact.hertz.semi_axis_x / contact.hertz.radius_x
-            torque += 0.25 * pitch * (1.0 - _slope(solution, contact) ** 2) * phi * loss
+            torque += 0.25 * pitch * (1.0 - slope**2) * phi * loss
     return torque
-
-
-def _slope(solution: QuasistaticSolution, contact: BearingContact) -> float:
-    """g = D cos(alpha)/D_pw [-]."""
-    return (
-        solution.bearing.ball_diameter
-        * cos(contact.contact_angle)
-        / solution.bearing.pitch_diameter
-    )
 
 
 def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: float) -> float:
@@ -169,9 +146,7 @@ def land_power(cage: Cage, viscosity: float, ring_speed: float, cage_speed: floa
 def pocket_power(
     cage: Cage, bearing: Bearing, solution: QuasistaticSolution, drag_power: float
 ) -> float:
-    """Power rubbed in the pockets by the forces that pull the cage against its land drag [W];
-    `drag_power` in [W].
-    """
+    """Power rubbed in the pockets by the forces that pull the cage against its land drag [W]."""
     slip = abs(solution.cage_speed)
     if slip == 0.0:
         return 0.0
@@ -181,10 +156,8 @@ def pocket_power(
 
 
 def churning_power(solution: QuasistaticSolution, density: float, oil_fraction: float) -> float:
-    """Power of the balls' drag in the mixture of air and oil, Z C_d/2 rho X (pi D^2/4) v^3 [W].
-
-    `density`: of the oil [kg/m^3]; `oil_fraction`: share X of the bearing's cavity filled with
-    oil [-].
+    """Power of the balls' drag in the mixture of air and oil, Z C_d/2 rho X (pi D^2/4) v^3 [W], by
+    the oil's density [kg/m^3] and the share X of the cavity filled with it [-].
     """
     speeds = abs(solution.orbit_speed) * 0.5 * solution.bearing.pitch_diameter
     return float((ball_drag(solution.bearing, density, oil_fraction) * speeds**3).sum())

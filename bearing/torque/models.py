@@ -12,10 +12,10 @@ from ..contacts.contact import BearingContact
 from ..friction.coulomb import balanced_friction
 from ..friction.resistance import (
     churning_power,
+    contact_rolling_power,
     hysteresis_torque,
     land_power,
     pocket_power,
-    rolling_power,
 )
 from ..geometry import Bearing
 from ..quasistatic.solution import QuasistaticSolution
@@ -110,7 +110,7 @@ def line_models(
             {
                 "spin": houpert.spin,
                 "curvature": houpert.rotation + houpert.orbit,
-                "hydrodynamic": rolling_power(contacts) / speed,
+                "hydrodynamic": sum(map(contact_rolling_power, contacts)) / speed,
             }
         ),
         "kakuta": summed(sliding.kakuta_torque(loaded, speed, mu)._asdict()),
@@ -283,6 +283,6 @@ def yao_model(
             "MD": rotation,
             "MS": spin,
             "MC": rest["cage"],
-            "ML": rolling_power(contacts) / speed + rest["drag"],
+            "ML": sum(map(contact_rolling_power, contacts)) / speed + rest["drag"],
         }
     )

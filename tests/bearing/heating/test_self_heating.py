@@ -15,7 +15,7 @@ from bearing import (
     load_material,
     solve_quasistatic,
 )
-from bearing.friction.resistance import rolling_power
+from bearing.friction.resistance import contact_rolling_power
 from bearing.heating.heat_balance import Cooling
 from bearing.heating.self_heating import SelfHeatingProblem, self_heating
 from bearing.supply.supply import InletFilm, Supply
@@ -40,7 +40,7 @@ def oil(temperature):
 
 def torque(solution, contacts, lubricant):
     """Rolling resistance of flooded films alone [N m]."""
-    return rolling_power(contacts) / solution.operation.shaft_speed
+    return sum(map(contact_rolling_power, contacts)) / solution.operation.shaft_speed
 
 
 def warm(bearing, **changes):
@@ -76,7 +76,7 @@ def test_starved_torque_at_its_ends(bearing):
     friction = FrictionInput(coefficient=0.05, roughness=(0.1e-6, 0.1e-6))
     supply = Supply(flow=1e3 * ML_MIN, track_share=1.0, residence_time=0.0)
     ample = starved_torque(solution, contacts, lubricant, friction, supply)
-    assert ample.rolling == pytest.approx(rolling_power(contacts) / 500.0, rel=1e-3)
+    assert ample.rolling == pytest.approx(sum(map(contact_rolling_power, contacts)) / 500.0, rel=1e-3)
     assert ample.drag == ample.cage == 0.0
     assert ample.asperity < 1e-3 * ample.film
     dry = starved_torque(solution, contacts, lubricant, friction, replace(supply, flow=0.0))
@@ -98,7 +98,7 @@ def test_torque_at_an_inlet_film(bearing):
     layers = [starved_torque(solution, contacts, lubricant, friction, InletFilm(layer=h)) for h in (1e-3, 0.4e-6, 0.0)]
     ample, scarce, dry = layers
     assert ample.total == pytest.approx(ample.flooded, rel=1e-12)
-    assert ample.rolling == pytest.approx(rolling_power(contacts) / 500.0, rel=1e-12)
+    assert ample.rolling == pytest.approx(sum(map(contact_rolling_power, contacts)) / 500.0, rel=1e-12)
     assert ample.film_share == 1.0
     assert ample.drag == scarce.drag == dry.drag > 0.0
     assert ample.flooded == scarce.flooded == dry.flooded
