@@ -13,7 +13,7 @@ plot_style   - common to all plots: type sizes, colours, colour maps, the part o
 quantities   - output quantities: each is declared once: key, unit, title, getter
 reader       - one loader for the folders of all commands: run, contact, batch, slip, stiffness
 report       - the HTML report of a result folder
-results      - results of a run as handed to the output: everything in SI
+results      - what results of all kinds have in common
 scene        - three-dimensional views, files for ParaView, meshes for other programs
 slip         - results of a slip study
 stiffness    - results of a stiffness study

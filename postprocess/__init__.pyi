@@ -1,6 +1,6 @@
+from .bearing.results import BearingResults
 from .contact.results import ContactResults
 from .reader import open_results
-from .results import BearingResults
 from .summaries import summary
 from .writer import write_results
 

@@ -5,8 +5,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+from postprocess.bearing.results import BearingResults
 from postprocess.files import atomic_path
-from postprocess.results import BearingResults
 
 from .asymptotes import moes_diagram
 from .costs import costs

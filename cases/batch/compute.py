@@ -14,11 +14,11 @@ from bearing.friction.sources import LawTraction
 from bearing.friction.table_files import save_race_tables
 from postprocess import summary
 from postprocess.batch.summary import OUTSIDE
+from postprocess.bearing.results import BearingResults
 from postprocess.bearing.write import write_bearing_netcdf
 from postprocess.contact.results import ContactResults
 from postprocess.contact.write import write_contact_netcdf
 from postprocess.dynamics.summary import dynamics_summary
-from postprocess.results import BearingResults
 from postprocess.slip.summary import slip_summary
 from postprocess.traction.summary import traction_summary
 

@@ -15,8 +15,8 @@ if TYPE_CHECKING:
 
     from rich.console import Group
 
+    from postprocess.bearing.results import BearingResults
     from postprocess.contact.results import ContactResults
-    from postprocess.results import BearingResults
 
     from ..format.case import Case
     from ..runs.films import Progress

@@ -18,7 +18,7 @@ from .terminal import NOT_CONVERGED, guarded, print_json, print_table, progress_
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from postprocess.results import BearingResults
+    from postprocess.bearing.results import BearingResults
     from verification.page import Section
 
 DIRECTORY = Path("verify_results")

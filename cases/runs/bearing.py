@@ -17,7 +17,7 @@ from bearing.torque.breakdown import TorqueBreakdown, torque_breakdown
 from bearing.torque.integrated import law_torque, solved_shear
 from bearing.torque.shear_torque import SolvedShear
 from ehl import ContactSolution
-from postprocess.results import BearingResults
+from postprocess.bearing.results import BearingResults
 
 from ..format.case import Case
 from ..format.contact import FilmModel

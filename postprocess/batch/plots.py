@@ -1,6 +1,6 @@
 """Figures of a batch: film, pressure and torque over one or two of the varied keys."""
 
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from textwrap import fill
@@ -10,17 +10,16 @@ import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from ehl.solution import Array
 from ehl.units import unit_of, unit_symbol, without_unit
 
 from ..bearing.quantities import TORQUE_MODELS, TORQUE_PARTS
-from ..main_results import BATCH_PANELS, MAIN_QUANTITY, main_results
+from ..main_results import BATCH_PANELS, MAIN_QUANTITY
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
 from ..text import evenly_chosen, is_number
-from .results import BatchPoint, BatchResults
-from .summary import scalar_numbers
+from .results import BatchResults
+from .summary import point_numbers
 
 BATCH_PLOT = "over_keys.png"
 MODELS = "torque_N_mm.models."
@@ -49,17 +48,19 @@ class Varied:
 
 def varied_keys(results: BatchResults) -> list[Varied]:
     """Keys of at least two numbers, most of them first; keys of words as one, last."""
-    numbers, wordy = [], []
+    numbers: list[Varied] = []
+    wordy = []
     for key in results.keys:
-        values = [point.values.get(key) for point in results.points]
-        different = {str(value) for value in values if value is not None}
-        if len(different) > 1 and all(value is None or is_number(value) for value in values):
-            numbers.append((len(different), Varied(label=axis_label(key), values=tuple(values))))
-        elif len(different) > 1:
+        values = tuple(point.values.get(key) for point in results.points)
+        if len({str(value) for value in values if value is not None}) < 2:
+            continue
+        if all(value is None or is_number(value) for value in values):
+            numbers.append(Varied(label=axis_label(key), values=values))
+        else:
             wordy.append(key)
-    varied = [one for _, one in sorted(numbers, key=lambda item: -item[0])]
-    varied = varied[:1] + [one for one in varied[1:] if not _goes_along(varied[0], one)]
-    return varied + ([_words(results, wordy)] if wordy else [])
+    numbers.sort(key=lambda key: -len({*key.values} - {None}))
+    numbers = numbers[:1] + [key for key in numbers[1:] if not _goes_along(numbers[0], key)]
+    return numbers + ([_words(results, wordy)] if wordy else [])
 
 
 def _one_family(keys: list[Varied]) -> list[Varied]:
@@ -87,11 +88,6 @@ def _goes_along(first: Varied, other: Varied) -> bool:
     return bool(np.all(steps > 0.0) or np.all(steps < 0.0))
 
 
-def _numbers(point: BatchPoint) -> dict[str, Any]:
-    """Every single number of a point by the name that it has in the table of the batch."""
-    return scalar_numbers(point.summary or {}) | main_results(point.summary)
-
-
 def _words(results: BatchResults, keys: list[str]) -> Varied:
     """Keys of words as one, numbered in the order in which their combinations appear."""
     texts = [" / ".join(str(point.values.get(key)) for key in keys) for point in results.points]
@@ -117,10 +113,9 @@ def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]
 
 def quantities(results: BatchResults) -> list[str]:
     """Numbers that the sweep file wants drawn; else as many main results, not all zero, as fit."""
+    rows = [point_numbers(point) for point in results.points]
     if results.plot:
-        every = [_numbers(point) for point in results.points]
-        return [name for name in results.plot if any(row.get(name) is not None for row in every)]
-    rows = [main_results(point.summary) for point in results.points]
+        return [name for name in results.plot if any(row.get(name) is not None for row in rows)]
     return [name for name in BATCH_PANELS if any(row.get(name) for row in rows)][:MOST_PANELS]
 
 
@@ -139,14 +134,14 @@ def draw_batch(
     for axes, name in zip(panels, shown, strict=True):
         data = _data(results, keys, name)
         if len(keys) == 1:
-            _line(axes, data, {"color": INK, "linestyle": "" if keys[0].words else "-"})
+            _line(axes, data, data.error, color=INK, linestyle="" if keys[0].words else "-")
         elif len(np.unique(data.second)) <= MOST_LINES:
             _family(axes, data, keys[1], legend=axes is panels[0])
         else:
-            sound = data.part(data.sound)
-            open_ = data.part(~data.sound)
-            mapped = axes.scatter(sound.x, sound.y, c=sound.second, s=14)
-            axes.scatter(open_.x, open_.y, c=open_.second, s=18, marker="x")
+            converged = data[data.converged]
+            failed = data[~data.converged]
+            mapped = axes.scatter(converged.x, converged.y, c=converged.second, s=14)
+            axes.scatter(failed.x, failed.y, c=failed.second, s=18, marker="x")
         _first_key(axes, keys[0])
         axes.set_ylabel(f"{quantity_label(name)} [{quantity_unit(name)}]")
         axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
@@ -175,10 +170,10 @@ def draw_together(
     for axes, value in zip(panels, values, strict=True):
         for k, name in enumerate(shown):
             data = _data(results, keys, name)
-            data = data.part(data.second == value)
+            data = data[data.second == value]
             style = {"color": LINES[k], "marker": MARKERS[k], "label": quantity_label(name, model)}
             style["linestyle"] = "" if keys[0].words else STYLES[k % len(STYLES)]
-            _line(axes, replace(data, error=np.zeros(data.x.size)), style)
+            _line(axes, data, np.zeros(data.size), **style)
             least = min(least, np.min(data.y, initial=np.inf))
         if len(keys) > 1:
             head, _, unit = keys[1].label.partition(" [")
@@ -186,8 +181,13 @@ def draw_together(
         _first_key(axes, keys[0])
         if not keys[0].words:
             axes.locator_params(axis="x", nbins=9 // len(values) + 2)
-    _common_axis(panels[0], least)
-    words = f"{TORQUE_MODELS[model].title}: torque" if model else _common_words(shown)
+    # from zero or, where values are negative, from below the least one
+    top = panels[0].get_ylim()[1]
+    margin = 0.02 * top if least < 0.01 * top else 0.0
+    panels[0].set_ylim(1.1 * min(least, 0.0) - margin, 1.05 * top)
+    film = "film" if shown[0].startswith("film") else "value"
+    words = "torque" if all("torque_N_mm" in name for name in shown) else film
+    words = f"{TORQUE_MODELS[model].title}: torque" if model else words
     panels[0].set_ylabel(f"{words} [{quantity_unit(shown[0])}]")
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, ncols=min(len(labels), 4), loc="outside lower center")
@@ -195,13 +195,6 @@ def draw_together(
     left_out = len(values) < every
     note = [f"{len(values)} of {every} values of {keys[1].label}"] if left_out else []
     _note(figure, results, keys, note)
-
-
-def _common_axis(axes: Axes, least: float) -> None:
-    """From zero or, where values are negative, from below the least one."""
-    top = axes.get_ylim()[1]
-    margin = 0.02 * top if least < 0.01 * top else 0.0
-    axes.set_ylim(1.1 * min(least, 0.0) - margin, 1.05 * top)
 
 
 def _note(figure: Figure, results: BatchResults, keys: list[Varied], notes: list[str]) -> None:
@@ -249,13 +242,6 @@ def common_model(names: list[str]) -> str | None:
     return models.pop() if len(models) == 1 else None
 
 
-def _common_words(names: list[str]) -> str:
-    """What numbers of one unit are, in words."""
-    if all("torque_N_mm" in name for name in names):
-        return "torque"
-    return "film" if names[0].startswith("film") else "value"
-
-
 def axis_label(key: str) -> str:
     """A key in words, its unit in brackets."""
     last = key.rpartition(".")[2]
@@ -267,58 +253,45 @@ def quantity_unit(name: str) -> str:
     return "a²/Rx" if name.endswith("_dimensionless") else unit_symbol(name) or "-"
 
 
-@dataclass(frozen=True, slots=True)
-class PlotData:
-    """Numbers of the points that are drawn, in the units of their keys, as [-]."""
+def _data(results: BatchResults, keys: list[Varied], name: str) -> Any:
+    """Points that have all of it: keys `x`, `second`, quantity `y`, its `error`, `converged`.
 
-    x: Array
-    second: Array
-    y: Array
-    error: Array
-    sound: NDArray[np.bool_]  # whether the point converged
-
-    def part(self, chosen: NDArray[np.bool_]) -> "PlotData":
-        """Some of the points."""
-        return PlotData(*(getattr(self, field.name)[chosen] for field in fields(self)))
-
-
-def _data(results: BatchResults, keys: list[Varied], name: str) -> PlotData:
-    """First key, second key, quantity and its uncertainty of the points that have all of them."""
+    As a record array, in the units of the keys; a second key that is not there is 0.
+    """
     head, _, unit = name.rpartition("_")
     rows = []
     seconds = keys[1].values if len(keys) > 1 else [0.0] * len(results.points)
     for point, first, second in zip(results.points, keys[0].values, seconds, strict=True):
-        row = _numbers(point)
+        row = point_numbers(point)
         if row.get(name) is not None and first is not None and second is not None:
             error = row.get(f"{head}_uncertainty_{unit}") or 0.0
             rows.append((first, second, row[name], error, point.converged))
-    x, second_key, y, error_bar, sound = (np.array(column) for column in zip(*rows, strict=True))
-    return PlotData(x, second_key, y, error_bar, sound.astype(bool))
+    return np.rec.fromrecords(rows, names="x,second,y,error,converged")
 
 
-def _family(axes: Axes, data: PlotData, key: Varied, *, legend: bool) -> None:
+def _family(axes: Axes, data: Any, key: Varied, *, legend: bool) -> None:
     values = np.unique(data.second)
     colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.85, len(values)))
     for value, shade in zip(values, colours, strict=True):
-        _line(axes, data.part(data.second == value), {"color": shade, "label": key.text(value)})
+        part = data[data.second == value]
+        _line(axes, part, part.error, color=shade, label=key.text(value))
     if legend and len(values) > MOST_INSIDE:
-        figure = axes.get_figure()
-        assert figure is not None
         handles, labels = axes.get_legend_handles_labels()
-        title = key.label.replace(" / ", " /\n")
-        figure.legend(handles, labels, title=title, title_fontsize=7, loc="outside right center")
+        style: Any = {"title_fontsize": 7, "loc": "outside right center"}
+        figure: Any = axes.get_figure()
+        figure.legend(handles, labels, title=key.label.replace(" / ", " /\n"), **style)
     elif legend:  # once is enough
         axes.legend(title=key.label, title_fontsize=7, ncols=1 if key.words else 2)
 
 
-def _line(axes: Axes, data: PlotData, style: dict[str, Any]) -> None:
+def _line(axes: Axes, data: Any, error: Array, **style: Any) -> None:
     """One curve in the order of the key, with error bars; crosses where it did not converge."""
     order = np.argsort(data.x, kind="stable")
     if len(np.unique(data.x)) < len(data.x):
-        style = style | {"linestyle": ""}
-    bars = data.error[order] if data.error.any() else None
+        style["linestyle"] = ""
+    bars = error[order] if error.any() else None
     fixed: dict[str, Any] = {"marker": "o", "markersize": 3, "capsize": 2, "linewidth": 1.0}
     axes.errorbar(data.x[order], data.y[order], bars, **fixed | style)
-    failed = data.part(~data.sound)
-    if failed.x.size:
+    failed = data[~data.converged]
+    if failed.size:
         axes.plot(failed.x, failed.y, "x", markersize=7, color=style["color"])

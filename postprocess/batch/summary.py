@@ -12,6 +12,8 @@ NOT_NUMBERS = frozenset(
     # times depend on the machine
     "timing_s wall_s critical_curves minimum_preload".split()
 )
+# of a point: name in the summary and in the table, attribute
+STATE = {"point": "number", "block": "block", "status": "status", "converged": "converged"}
 MOST_COMPONENTS = 3  # of a vector, each a column
 MOST_NAMED = 10  # points listed in a message
 OUTSIDE = "outside loads or speeds of the tables"  # of a point's messages
@@ -20,12 +22,9 @@ OUTSIDE = "outside loads or speeds of the tables"  # of a point's messages
 def batch_summary(results: BatchResults) -> dict[str, Any]:
     """The document of a batch: each point with its keys and main results, or its message."""
     points = [
-        {
-            "point": point.number,
-            "block": point.block,
+        {name: getattr(point, attribute) for name, attribute in STATE.items()}
+        | {
             "keys": point.values,
-            "status": point.status,
-            "converged": point.converged,
             "resumed": point.resumed,
             "message": point.message or None,
             **main_results(point.summary),
@@ -93,6 +92,11 @@ def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
     return numbers
 
 
+def point_numbers(point: BatchPoint) -> dict[str, Any]:
+    """Every single number of a point by the name that it has in the table of the batch."""
+    return scalar_numbers(point.summary or {}) | main_results(point.summary)
+
+
 def _components(key: str, count: int) -> tuple[str, ...]:
     """Names of the components of a short list: of a vector, a tilt, or the ends of a range."""
     if count == MOST_COMPONENTS:
@@ -105,10 +109,8 @@ def results_as_columns(results: BatchResults) -> dict[str, list[Any]]:
     main = [main_results(point.summary) for point in results.points]
     every = [scalar_numbers(point.summary or {}) for point in results.points]
     columns: dict[str, list[Any]] = {
-        "point": [point.number for point in results.points],
-        "block": [point.block for point in results.points],
-        "status": [point.status for point in results.points],
-        "converged": [point.converged for point in results.points],
+        name: [getattr(point, attribute) for point in results.points]
+        for name, attribute in STATE.items()
     }
     columns |= {key: [point.values.get(key) for point in results.points] for key in results.keys}
     for table in (main, every):

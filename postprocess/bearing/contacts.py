@@ -13,8 +13,8 @@ from ehl.units import to_si
 
 from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
 from ..quantities import by_key, quantities, values_of
-from ..results import BearingResults
 from ..text import listed
+from .results import BearingResults
 
 LAMBDA_FORMULA = "hamrock_dowson_minimum"
 

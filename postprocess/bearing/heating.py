@@ -6,8 +6,8 @@ from typing import Any
 from ehl.units import from_si
 
 from ..quantities import values_of
-from ..results import BearingResults
 from .quantities import HEATING
+from .results import BearingResults
 
 
 def heating_block(results: BearingResults) -> dict[str, Any]:

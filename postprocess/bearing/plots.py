@@ -30,10 +30,10 @@ from ..plot_style import (
     write_figures,
 )
 from ..quantities import Quantity
-from ..results import BearingResults, distinct_contacts
 from ..text import evenly_chosen
 from .plots_torque import draw_torque
 from .quantities import BALL_QUANTITY
+from .results import BearingResults, distinct_contacts
 
 DODGE = 2.0  # points of the two races stand this far beside their azimuth [deg]
 ROW_DODGE = 5.0  # and those of rows side by side this far apart [deg]
@@ -228,7 +228,7 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
     balls = np.unique(np.round(BALL_QUANTITY["azimuth_deg"].value(results.quasistatic) % 360.0, 6))
     axes.set_xticks(balls if len(balls) <= 12 else np.arange(0.0, 361.0, 30.0))
     axes.set(xlim=(-12.0, 372.0), ylim=(0.0, 1.12 * axes.get_ylim()[1]))
-    axes.set_xlabel(f"{BALL_QUANTITY['azimuth_deg'].label} ψ from the load line")
+    axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)
     axes.set_ylabel(FIELDS[quantity].label)
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))

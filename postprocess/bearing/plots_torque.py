@@ -11,8 +11,8 @@ from matplotlib.figure import Figure
 from bearing.torque.models import ModelTorque
 
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE
-from ..results import BearingResults
 from .quantities import BALL_QUANTITY, TORQUE, TORQUE_MODELS
+from .results import BearingResults
 from .torque import shown_torques
 
 OIL = "#4c78a8"
@@ -105,6 +105,6 @@ def _draw_balls(axes: Axes, results: BearingResults, shares: np.ndarray) -> None
     axes.set_xlim(-190.0, 190.0)
     axes.set_xticks(range(-180, 181, 60))
     axes.axvline(0.0, color=INK, linewidth=0.5, linestyle=":")
-    axes.set_xlabel(f"{BALL_QUANTITY['azimuth_deg'].label} from the load line")
+    axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)
     axes.set_ylabel(f"contacts of a ball: {TORQUE.label}")
     axes.spines[["top", "right"]].set_visible(False)

@@ -14,7 +14,7 @@ RING = (  # the inner ring in equilibrium
 BALL_QUANTITIES = quantities(  # arrays of an equilibrium, an entry a ball
     "",
     "",
-    ("azimuth_deg", "", "", "ψ"),
+    ("azimuth_deg", "azimuth ψ from the load line", "", "ψ"),
     ("centrifugal_force_N", "", "", "Fc"),
     *("gyroscopic_moment_N_mm", "orbit_speed_rad_s", "spin_speed_rad_s", "attitude_deg"),
     *("pivot_speed_rad_s", "inner_friction_N", "outer_friction_N"),

@@ -7,9 +7,9 @@ from bearing.rating.life import SMALLEST_KAPPA, life_factor
 from ehl.units import from_si, to_si
 
 from ..quantities import values_of
-from ..results import BearingResults
 from .contacts import lambda_ratio
 from .quantities import CLEARANCE, FILM_LIFE, LIFE_RATING, LOAD_RATING
+from .results import BearingResults
 
 
 def life_block(results: BearingResults) -> dict[str, Any]:

@@ -7,8 +7,8 @@ from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.rating.frequencies import bearing_frequencies, kinematic_frequencies
 
 from ..quantities import CAGE_SPEED, FREQUENCIES, values_of
-from ..results import BearingResults
 from .quantities import RING_LOAD, ROW
+from .results import BearingResults
 
 
 def kinematic_block(results: BearingResults) -> dict[str, float]:

@@ -8,11 +8,12 @@ from bearing.quasistatic.solution import QuasistaticSolution
 from ..contact.summary import solution_messages
 from ..files import plain_document
 from ..quantities import CAGE_SPEED, FREQUENCIES, rows_of, values_of
-from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS, BearingResults, distinct_contacts
+from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS
 from .contacts import contact_messages, contact_records, contact_values
 from .heating import heating_block, heating_messages
 from .quantities import BALL_QUANTITIES, RING
 from .ratings import clearance_block, life_block, rating_messages
+from .results import BearingResults, distinct_contacts
 from .rows import kinematic_block, row_blocks, row_messages
 from .supply import supply_block, supply_messages
 from .torque import rolling_messages, torque_block, torque_messages

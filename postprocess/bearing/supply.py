@@ -7,8 +7,8 @@ from typing import Any
 from bearing.supply.starved_films import StarvedFilm, of_driven_balls
 from bearing.torque.breakdown import TorqueBreakdown
 
-from ..results import BearingResults
 from .quantities import SUPPLY
+from .results import BearingResults
 
 FLOOD_MARGIN = 1.0e-3  # of the flooded film: with less missing a contact is reported flooded [-]
 

@@ -10,12 +10,12 @@ from rich.text import Text
 from ehl import ContactSolution
 
 from ..quantities import CAGE_SPEED, values_of
-from ..results import BearingResults
 from ..table import facts_table, number_table
 from ..text import NOTHING, number, unit_text, value_with_error
 from .contacts import CONTACT_QUANTITY, TERMINAL_COLUMNS, ContactRecord, contact_records
 from .quantities import RING
 from .ratings import rating_rows
+from .results import BearingResults
 from .rows import frequency_lines, row_lines
 from .supply import supply_rows
 from .torque import torque_rows

@@ -10,8 +10,8 @@ from bearing.torque.rolling_extent import RollingExtent, rolling_extent
 from bearing.torque.shear_torque import SolvedShear
 
 from ..quantities import values_of
-from ..results import BearingResults
 from .quantities import AS_PRINTED, POWER_BALANCE, ROLLING_EXTENT, TORQUE, TORQUE_MODELS
+from .results import BearingResults
 
 LARGE_SHARE = 0.05  # of the torque: from there on it is reported that the boxes decide
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"

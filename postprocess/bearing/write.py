@@ -13,9 +13,10 @@ from ehl.units import unit_of
 from ..contact.write import field_dataset
 from ..files import Variables, contact_name, root_attributes, write_csv, write_tree
 from ..quantities import CAGE_SPEED
-from ..results import STIFFNESS_ORDER, BearingResults
+from ..results import STIFFNESS_ORDER
 from .contacts import CONTACT_QUANTITIES
 from .quantities import BALL_QUANTITY
+from .results import BearingResults
 
 
 def write_contacts_csv(document: dict[str, Any], path: Path) -> None:

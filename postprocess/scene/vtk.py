@@ -21,10 +21,10 @@ from ehl import ContactSolution
 from ehl.solution import Array
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
+from ..bearing.results import BearingResults
 from ..contact.frame import principal_coordinates
 from ..contact.results import ContactResults
 from ..files import atomic_path, contact_name
-from ..results import BearingResults
 from .geometry import (
     SET_BACK,
     Placement,

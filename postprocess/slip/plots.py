@@ -188,7 +188,7 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
         axes.plot(azimuths, finite / results.printed_force, "D", label=label, **style)
     style = {"color": INK, "linewidth": 1.0, "linestyle": "--"}
     axes.axhline(results.limit, label=f"limit {results.limit:g}", **style)
-    axes.set_xlabel(f"{BALL_QUANTITY['azimuth_deg'].label} from the load line")
+    axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)
     axes.set_ylabel(SLIP_FACTOR.label)
     every = -(-len(azimuths) // MOST_TICKS)
     axes.set_xticks(azimuths[::every], [f"{a:.4g}" for a in azimuths[::every]])

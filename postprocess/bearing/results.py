@@ -1,0 +1,72 @@
+"""Results of a bearing run, and its distinct contacts."""
+
+from dataclasses import dataclass
+from math import degrees
+
+from bearing.contacts.contact import BearingContact
+from bearing.contacts.traction import ContactTraction
+from bearing.fits.clearance import ClearanceBudget
+from bearing.heating.self_heating import SelfHeatingSolution
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.rating.frequencies import Frequencies
+from bearing.rating.life import LifeRating
+from bearing.torque.breakdown import TorqueBreakdown
+from ehl import ContactSolution, Lubricant
+
+from ..results import Results
+from ..text import listed
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class BearingResults(Results):
+    """One bearing case, computed."""
+
+    quasistatic: QuasistaticSolution
+    lubricant: Lubricant
+    contacts: tuple[BearingContact, ...]  # ball by ball, inner race then outer
+    solutions: tuple[ContactSolution | None, ...]  # of the contacts; equal ones share an object
+    frequencies: Frequencies
+    interrupted: bool = False  # before all films were computed
+    torque: TorqueBreakdown | None = None  # None without an equilibrium
+    tractions: tuple[ContactTraction | None, ...] = ()  # of the contacts; empty is None for all
+    life: LifeRating | None = None
+    clearance: ClearanceBudget | None = None  # None where the operating one is given
+    heating: SelfHeatingSolution | None = None  # None where no heat transfer is given
+
+    @property
+    def converged(self) -> bool:
+        """Whether equilibrium, films and heat balance converged, as far as asked for."""
+        films = all(s.converged for s in self.solutions if s is not None)
+        return (
+            self.quasistatic.converged
+            and films
+            and (self.heating is None or self.heating.converged)
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DistinctContact:
+    """Equal contacts of a bearing: their shared solution, and the contacts."""
+
+    solution: ContactSolution
+    contacts: tuple[BearingContact, ...]
+
+    @property
+    def label(self) -> str:
+        """Race, balls and azimuths in words."""
+        balls = listed([str(c.ball) for c in self.contacts])
+        angles = listed([f"{degrees(c.azimuth) % 360.0:.4g}°" for c in self.contacts])
+        plural = "s" if len(self.contacts) > 1 else ""
+        return f"{self.contacts[0].race.value} race, ball{plural} {balls} (ψ = {angles})"
+
+
+def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:
+    """The solved contacts grouped by solution, inner race first, in the order of the balls."""
+    groups: dict[tuple[str, int], list[tuple[BearingContact, ContactSolution]]] = {}
+    for contact, solution in zip(results.contacts, results.solutions, strict=True):
+        if solution is not None:
+            groups.setdefault((contact.race.value, id(solution)), []).append((contact, solution))
+    return tuple(
+        DistinctContact(solution=members[0][1], contacts=tuple(contact for contact, _ in members))
+        for _, members in sorted(groups.items(), key=lambda item: item[0][0])
+    )
