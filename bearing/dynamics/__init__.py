@@ -6,6 +6,7 @@ _state_kernels - places in the state vector, and vectors of three components
 arrays         - numbers and arrays that the compiled equations of motion share
 assembly       - from bearing, operation and model to the arrays of the compiled equations
 bodies         - masses and inertias of ring and cage, and the equations their loads need
+choices        - choices of a time simulation in the words of case files
 contact        - forces between two bodies of a bearing: normal laws, friction, lubricated lands
 friction       - friction of balls on races for the compiled equations of motion
 initial        - the state from which a simulation starts: the quasi-static equilibrium

@@ -20,7 +20,7 @@ CAGE_LOAD = 2  # row of `loads` after INNER and OUTER
 STIFFNESS, EXPONENT, DAMPING = range(3)  # columns of `normal`
 # `friction_kind`; FILM: a traction table whose films separate the bodies
 FRICTIONLESS, COEFFICIENT, TABLE, FILM = range(4)
-GUIDED_BY_BALLS, GUIDED_BY_INNER_RING, GUIDED_BY_OUTER_RING = range(3)  # as `inputs.Guidance`
+GUIDED_BY_BALLS, GUIDED_BY_INNER_RING, GUIDED_BY_OUTER_RING = range(3)  # as `choices.Guidance`
 
 # first columns of the two vectors in `loads` and `forces`
 FORCE = 0

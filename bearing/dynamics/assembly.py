@@ -26,9 +26,10 @@ from .arrays import (
     FrictionData,
 )
 from .bodies import free_coordinates
+from .choices import Guidance, NormalLaw
 from .friction import check_film
 from .initial import StartingPoint
-from .inputs import CageBody, DynamicsModel, Guidance, NormalLaw
+from .inputs import CageBody, DynamicsModel
 from .laws import damping_factor
 from .layout import CAGE, CAGE_ROTATION, RING, RING_TILT
 

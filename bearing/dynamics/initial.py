@@ -21,7 +21,8 @@ from .arrays import (
     EquationData,
 )
 from .bodies import free_coordinates, load_type
-from .inputs import DynamicsModel, LoadType, Start
+from .choices import LoadType, Start
+from .inputs import DynamicsModel
 from .laws import kinematic_cage_speed
 from .layout import BODIES, CAGE_ROTATION, FREE_TURN, Layout
 

@@ -7,7 +7,7 @@ import numpy as np
 from ..friction.resistance import SPHERE_DRAG
 from ..geometry import Bearing, Race, contact_modulus
 from ..operation import Operation
-from .inputs import NormalLaw, RaceStiffness
+from .choices import NormalLaw, RaceStiffness
 
 
 def damping_factor(law: NormalLaw, restitution: float) -> float:

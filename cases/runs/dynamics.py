@@ -8,19 +8,15 @@ from pathlib import Path
 from time import perf_counter
 
 from bearing.dynamics.bodies import cage_body, ring_body
+from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, RaceStiffness, Start
 from bearing.dynamics.friction import RaceFriction, race_friction
 from bearing.dynamics.initial import starting_point
 from bearing.dynamics.inputs import (
     CageBody,
     DynamicsModel,
     DynamicsOptions,
-    Guidance,
-    LoadType,
     NormalContact,
-    NormalLaw,
-    RaceStiffness,
     Schedule,
-    Start,
 )
 from bearing.dynamics.laws import drag_of_force, drag_of_mixture, race_stiffnesses
 from bearing.dynamics.restart import load_restart

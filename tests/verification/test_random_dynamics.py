@@ -13,18 +13,9 @@ import pytest
 
 from bearing import Bearing, Material, Operation, contact_angle_to_clearance
 from bearing.dynamics.bodies import cage_body, ring_body
+from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, Start
 from bearing.dynamics.friction import RaceFriction, race_friction
-from bearing.dynamics.inputs import (
-    CageBody,
-    DynamicsModel,
-    DynamicsOptions,
-    Guidance,
-    LoadType,
-    NormalContact,
-    NormalLaw,
-    Schedule,
-    Start,
-)
+from bearing.dynamics.inputs import CageBody, DynamicsModel, DynamicsOptions, NormalContact, Schedule
 from bearing.dynamics.simulation import Simulation, simulation
 from bearing.friction.sources import CoefficientTraction
 from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb

@@ -7,7 +7,7 @@ import pytest
 
 from bearing.dynamics import _kernels
 from bearing.dynamics.arrays import CAGE_LOAD
-from bearing.dynamics.inputs import Guidance, LoadType
+from bearing.dynamics.choices import Guidance, LoadType
 from bearing.dynamics.simulation import simulation
 
 

@@ -10,9 +10,10 @@ from numpy.testing import assert_allclose
 
 from bearing import Race
 from bearing.dynamics import _kernels
+from bearing.dynamics.choices import LoadType, NormalLaw
 from bearing.dynamics.contact import _film_kernels as film_kernels
 from bearing.dynamics.friction import RaceFriction, check_film
-from bearing.dynamics.inputs import LoadType, NormalContact, NormalLaw, Schedule
+from bearing.dynamics.inputs import NormalContact, Schedule
 from bearing.dynamics.integration.methods import advance_implicit
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics

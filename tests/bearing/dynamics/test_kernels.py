@@ -10,8 +10,8 @@ from numpy.testing import assert_allclose
 
 from bearing import Race
 from bearing.dynamics import _kernels
+from bearing.dynamics.choices import Guidance, LoadType
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Guidance, LoadType
 from bearing.dynamics.simulation import simulation
 from bearing.friction.sources import CoefficientTraction, LawTraction
 from ehl.traction._kernels import hertz_friction

@@ -9,8 +9,9 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing import Race
+from bearing.dynamics.choices import NormalLaw
 from bearing.dynamics.contact import _kernels
-from bearing.dynamics.inputs import NormalContact, NormalLaw, Schedule
+from bearing.dynamics.inputs import NormalContact, Schedule
 from bearing.dynamics.laws import damping_factor, planar_stiffness
 
 from ...reference.dynamics import normal_force

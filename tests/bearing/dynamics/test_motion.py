@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from bearing.dynamics.choices import Guidance, LoadType, NormalLaw, Start
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import Guidance, LoadType, NormalContact, NormalLaw, Schedule, Start
+from bearing.dynamics.inputs import NormalContact, Schedule
 from bearing.dynamics.integration.methods import advance_implicit
 from bearing.dynamics.laws import damping_factor
 from bearing.dynamics.record import empty_record

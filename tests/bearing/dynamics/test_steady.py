@@ -11,8 +11,9 @@ from printed import printed
 
 from bearing import BallKinematics, Model, Operation, solve_quasistatic
 from bearing.dynamics.bodies import equation_counts, load_type
+from bearing.dynamics.choices import LoadType
 from bearing.dynamics.friction import race_friction
-from bearing.dynamics.inputs import LoadType, NormalContact, Schedule
+from bearing.dynamics.inputs import NormalContact, Schedule
 from bearing.dynamics.laws import kinematic_cage_speed
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
