@@ -106,7 +106,7 @@ GUIDED_BY_RING = tuple(
     for ring in RACES
     for use in ("cage.pocket_friction", "dynamics")
 )
-LARGEST_HISTORY = 2_000_000  # rows
+LARGEST_HISTORY = 2_000_000  # rows; of ten balls, some 420 numbers each, 7 GB
 SAMPLES = 2000  # of a history by default
 RENAMED = {  # earlier keys, accepted for one version, and those of [friction] in their place
     "friction_maximum": "traction_maximum",

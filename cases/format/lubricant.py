@@ -113,7 +113,8 @@ NUMBERS = {  # field of `Lubricant`: its key
     "density": "density_kg_m3",
 }
 LAWS = {"viscosity_law": ViscosityLaw, "density_law": DensityLaw}
-DENSITY = 870.0  # of an oil whose density is not given [kg/m^3]
+# of an oil whose density is not given [kg/m^3]: the library's mineral oils have 854 to 874 at 40 C
+DENSITY = 870.0
 # stands in where only Moes' groups and a Roelands exponent are given [Pa s]
 VISCOSITY_UNUSED = 1.0
 SHEAR_KEYS = {  # constants of a shear law

@@ -29,7 +29,9 @@ from .film_model import CaseFilms, FilmPhysics
 from .friction import FrictionTable
 from .problems import UnfitKey
 
-FILM_POINTS = 129  # along x of the films that traction is taken from, at most [-]
+# along x of the films that traction is taken from, at most [-]; friction of the inner race of a
+# 6208 at 500 N and 2 % slide is 0.2 % from that of 257 (65: 1.4 %)
+FILM_POINTS = 129
 
 
 def ball_traction(
@@ -93,7 +95,7 @@ def _films(friction: FrictionInput, films: CaseFilms) -> FilmTraction:
 
 
 SAME_RTOL = 1.0e-6  # relative difference up to which a table is for this bearing [-]
-# the same of the rolling radius, which changes with the contact angle [-]
+# of the rolling radius, which 15 degrees of contact angle change by 4 % in shipped cases [-]
 SAME_RADIUS_RTOL = 0.05
 
 
