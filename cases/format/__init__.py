@@ -12,9 +12,8 @@ film_model  - grid and physics of the films of a case
 fits        - [fit] and [temperatures]: seats, clearance in operation, heat balance
 free_volume - constants of Tait, Doolittle and Yasutomi of an oil
 friction    - [friction] and the shear law of the oil
-library     - names and values of the libraries of bearings, materials and oils
+library     - [materials.NAME], names and values of the libraries of bearings, materials, oils
 lubricant   - [lubricant] and [lubricants.NAME]: the oil at the temperature of operation
-materials   - [materials.NAME]: materials of the case and of the library
 operation   - [operation], [model] and [slip]: speeds, loads, assumptions, slip maps
 problems    - faults of a case file as sentences: line, key, found, allowed, nearest name
 rows        - [[rows]]: rows of balls, and the balls whose films are wanted

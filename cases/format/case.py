@@ -25,8 +25,8 @@ from .dynamics import cage_friction, guiding_land
 from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films
 from .fits import HeatingInput
 from .friction import friction, rheology
+from .library import material_table, materials
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
-from .materials import material_table, materials
 from .operation import model, operation
 from .problems import CaseError, UnfitKey, key_lines
 from .rows import rows

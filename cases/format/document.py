@@ -18,9 +18,8 @@ from .dynamics import RENAMED, CageTable, DynamicsTable
 from .fields import Table, between, described
 from .fits import FitTable, TemperaturesTable
 from .friction import FrictionTable
-from .library import name_faults, with_catalogue, with_library_names
+from .library import MaterialTable, name_faults, with_catalogue, with_library_names
 from .lubricant import LubricantTable, OilTable
-from .materials import MaterialTable
 from .operation import ModelTable, OperationTable, SlipTable
 from .problems import (
     MISSING,

@@ -30,7 +30,7 @@ from postprocess.dynamics.results import DynamicsResults
 
 from ..format.case import Case
 from ..format.dynamics import DynamicsTable, sample_interval, simulated_friction
-from ..format.materials import materials
+from ..format.library import materials
 from ..format.problems import CaseError
 from ..format.traction import coefficient_source, read_race_tables
 from ..version import version
