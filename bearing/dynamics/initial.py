@@ -10,6 +10,7 @@ from ..operation import Operation
 from ..quasistatic.kinematics import centrifugal_force
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
+from ..rating.frequencies import kinematic_cage_speed
 from .arrays import (
     EXPONENT,
     GIVEN_FORCE,
@@ -23,7 +24,6 @@ from .arrays import (
 from .bodies import free_coordinates, load_type
 from .choices import LoadType, Start
 from .inputs import DynamicsModel
-from .laws import kinematic_cage_speed
 from .layout import BODIES, CAGE_ROTATION, FREE_TURN, Layout
 
 # share of the speed at which an equilibrium is sought for a start at rest [-]

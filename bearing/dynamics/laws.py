@@ -2,11 +2,10 @@
 
 from math import pi, sqrt
 
-import numpy as np
-
 from ..friction.resistance import SPHERE_DRAG
 from ..geometry import Bearing, Race, contact_modulus
 from ..operation import Operation
+from ..rating.frequencies import kinematic_cage_speed
 from .choices import NormalLaw, RaceStiffness
 
 
@@ -54,14 +53,6 @@ def vibration_frequency(stiffness: float, load: float, mass: float) -> float:
     k = 1.5 K^(2/3) Q^(1/3) [rad/s].
     """
     return sqrt(3.0 * stiffness ** (2.0 / 3.0) * load ** (1.0 / 3.0) / mass)
-
-
-def kinematic_cage_speed(bearing: Bearing, inner: float, outer: float, angle: float) -> float:
-    """Speed of the cage without sliding [rad/s], (1 - g cos a) inner/2 + (1 + g cos a) outer/2, g
-    = D/d_m, from the speeds of the rings [rad/s] and the contact angle [rad].
-    """
-    gamma = bearing.ball_diameter / bearing.pitch_diameter * float(np.cos(angle))
-    return 0.5 * ((1.0 - gamma) * inner + (1.0 + gamma) * outer)
 
 
 def drag_of_mixture(

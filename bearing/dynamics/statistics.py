@@ -4,8 +4,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..rating.frequencies import kinematic_cage_speed
 from .arrays import CONTACT, GIVEN_FORCE, INNER_SPEED, OUTER_SPEED, WORK, Array
-from .laws import kinematic_cage_speed
 from .layout import CAGE_ROTATION, Layout
 from .record import Record
 from .simulation import Simulation

@@ -21,17 +21,14 @@ class Frequencies:
 
 
 def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
-    """Frequencies at the operating contact angles, Harris and Kotzalas (Essential Concepts).
-
-    `solution`: speeds in [rad/s].
-
-    In [Hz], from the cage speed and the mean spin of the loaded balls.
+    """Frequencies [Hz] from the cage speed and the mean spin of the loaded balls, at the operating
+    contact angles; Harris and Kotzalas (Essential Concepts).
     """
     operation = solution.operation
-    balls = solution.bearing.balls
     loaded = solution.inner_load > 0.0
     spin = float(np.mean(solution.spin_speed[loaded] if loaded.any() else solution.spin_speed))
     cage = solution.cage_speed
+    balls = solution.bearing.balls
     return Frequencies(
         cage=abs(cage) / (2.0 * pi),
         ball_pass_outer=balls * abs(cage - operation.outer_speed) / (2.0 * pi),
@@ -40,28 +37,31 @@ def bearing_frequencies(solution: QuasistaticSolution) -> Frequencies:
     )
 
 
+def kinematic_cage_speed(bearing: Bearing, inner: float, outer: float, angle: float) -> float:
+    """Speed of the cage without sliding, (1 - g) inner/2 + (1 + g) outer/2, g = (D/d_m) cos a,
+    from the speeds of the rings, all in [rad/s] or [Hz], and the contact angle [rad].
+    """
+    gamma = bearing.ball_diameter / bearing.pitch_diameter * float(np.cos(angle))
+    return 0.5 * ((1.0 - gamma) * inner + (1.0 + gamma) * outer)
+
+
 def kinematic_frequencies(
     bearing: Bearing, operation: Operation, contact_angle: float
 ) -> Frequencies:
-    """Frequencies of rolling at a nominal contact angle, whatever the loads; Harris and Kotzalas
-    (Essential Concepts).
+    """Frequencies [Hz] of rolling at a nominal contact angle [rad], whatever the loads, as in
+    catalogues; Harris and Kotzalas (Essential Concepts).
 
-    With g = (D/d_m) cos(alpha): cage [n_i (1 - g) + n_o (1 + g)]/2, ball |n_i - n_o| (d_m/D) (1 -
-    g^2)/2. These are the values of catalogues; `bearing_frequencies` differs from them as the
-    contact angles do in operation.
-
-    `operation`: speeds of the rings in [rad/s]; `contact_angle`: nominal [rad].
+    Cage: `kinematic_cage_speed`; ball: |n_i - n_o| (d_m/D) (1 - g^2)/2. `bearing_frequencies`
+    differs from them as the contact angles do in operation.
     """
-    inner, outer = operation.inner_speed / (2.0 * pi), operation.outer_speed / (2.0 * pi)
+    inner = operation.inner_speed / (2.0 * pi)
+    outer = operation.outer_speed / (2.0 * pi)
+    cage = kinematic_cage_speed(bearing, inner, outer, contact_angle)
+    spin = 0.5 * abs(inner - outer) * bearing.pitch_diameter / bearing.ball_diameter
     gamma = bearing.ball_diameter / bearing.pitch_diameter * cos(contact_angle)
-    cage = 0.5 * (inner * (1.0 - gamma) + outer * (1.0 + gamma))
     return Frequencies(
         cage=abs(cage),
         ball_pass_outer=bearing.balls * abs(cage - outer),
         ball_pass_inner=bearing.balls * abs(inner - cage),
-        ball_spin=0.5
-        * abs(inner - outer)
-        * bearing.pitch_diameter
-        / bearing.ball_diameter
-        * (1.0 - gamma**2),
+        ball_spin=spin * (1.0 - gamma**2),
     )

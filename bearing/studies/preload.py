@@ -29,22 +29,15 @@ SENSES = {
 
 
 def preload_offset(bearing: Bearing, preload_force: float, model: Model | None = None) -> float:
-    """Axial distance of the grooves' middles at which one row at rest carries a force [m].
-
-    `preload_force`: not negative [N].
-
-    Returns
-    -------
-    float
-        [m]; the free axial position without force.
+    """Axial distance of the grooves' middles at which one row at rest carries a force [N], the
+    free axial position without any [m].
     """
     if not preload_force >= 0.0:
         raise ValueError(f"preload_force must not be negative, got {preload_force!r} N")
     if preload_force == 0.0:
         return bearing.free_axial_position
-    solution = solve_quasistatic(
-        bearing, Operation(inner_speed=0.0, force=(preload_force, 0.0, 0.0)), model
-    )
+    operation = Operation(inner_speed=0.0, force=(preload_force, 0.0, 0.0))
+    solution = solve_quasistatic(bearing, operation, model)
     if not solution.converged:
         raise ValueError(f"preload_force {preload_force!r} N: {solution.message}")
     return float(solution.displacement[0])
@@ -86,10 +79,9 @@ def duplex(
     `preload_displacement`: of each row beyond first touch [m]; the gap that mounting closes is
     twice that.
     """
-    left, right = (
-        preloaded_row(bearing, position, sense, preload_force, preload_displacement, model)
-        for position, sense in zip(
-            (-0.5 * distance, 0.5 * distance), SENSES[arrangement], strict=True
-        )
+    preload = (preload_force, preload_displacement, model)
+    left, right = SENSES[arrangement]
+    return (
+        preloaded_row(bearing, -0.5 * distance, left, *preload),
+        preloaded_row(bearing, 0.5 * distance, right, *preload),
     )
-    return left, right

@@ -7,7 +7,6 @@ import numpy as np
 
 from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
 from bearing.dynamics.integration._kernels import EVALUATIONS, REJECTED, STEPS
-from bearing.dynamics.laws import kinematic_cage_speed
 from bearing.dynamics.simulation import Simulation
 from bearing.dynamics.statistics import (
     INPUTS,
@@ -17,6 +16,7 @@ from bearing.dynamics.statistics import (
     nominal_angle,
     simulation_statistics,
 )
+from bearing.rating.frequencies import kinematic_cage_speed
 
 from ..files import plain
 from ..quantities import rows_of, values_of

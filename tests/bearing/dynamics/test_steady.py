@@ -14,10 +14,10 @@ from bearing.dynamics.bodies import equation_counts, load_type
 from bearing.dynamics.choices import LoadType
 from bearing.dynamics.friction import race_friction
 from bearing.dynamics.inputs import NormalContact, Schedule
-from bearing.dynamics.laws import kinematic_cage_speed
 from bearing.dynamics.simulation import simulation
 from bearing.dynamics.statistics import RunningStatistics, simulation_statistics
 from bearing.friction.sources import CoefficientTraction
+from bearing.rating.frequencies import kinematic_cage_speed
 from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb
 
 CONSTANTS = (-0.03, 3.644876513237464, 45.9363161820606, 0.03)  # kappa_max 0.05 at s 0.03, 0.03 at large s
