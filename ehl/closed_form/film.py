@@ -23,9 +23,8 @@ def film_hamrock_dowson_central(conditions: ContactConditions) -> float:
     """Central film [m], 2.69 U^0.67 G^0.53 W^-0.067 (1 - 0.61 e^(-0.73 k)), Hamrock and Dowson."""
     u, w, g = speed_load_material(conditions)
     k = 1.03 * (conditions.radius_y / conditions.radius_x) ** 0.64
-    return (
-        conditions.radius_x * 2.69 * u**0.67 * g**0.53 * w**-0.067 * (1.0 - 0.61 * exp(-0.73 * k))
-    )
+    side_flow = 1.0 - 0.61 * exp(-0.73 * k)
+    return conditions.radius_x * 2.69 * u**0.67 * g**0.53 * w**-0.067 * side_flow
 
 
 def film_chittenden_central(conditions: ContactConditions) -> float:

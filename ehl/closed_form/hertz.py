@@ -84,9 +84,8 @@ def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) 
     """K = E' sqrt(Rx) d^(-3/2) in load = K approach^1.5 [N/m^1.5], Hertz (1882), d from
     `hertz_coefficients`; reduced radii of curvature [m], E' [Pa].
     """
-    require_positive(
-        {"radius_x": radius_x, "radius_y": radius_y, "reduced_modulus": reduced_modulus}
-    )
+    given = {"radius_x": radius_x, "radius_y": radius_y, "reduced_modulus": reduced_modulus}
+    require_positive(given)
     _, _, d = hertz_coefficients(radius_x / radius_y)
     return float(reduced_modulus * (radius_x / d**3) ** 0.5)
 
@@ -97,8 +96,7 @@ def hertz_contact(
     """Ellipse, pressure and approach at a load [N], Hertz (1882); radii [m], E' [Pa]."""
     given = {"load": load, "radius_x": radius_x, "radius_y": radius_y}
     require_positive(given | {"reduced_modulus": reduced_modulus})
-    ratio = radius_x / radius_y
-    f, g, d = hertz_coefficients(ratio)
+    f, g, d = hertz_coefficients(radius_x / radius_y)
     size = cbrt(load / (reduced_modulus * radius_x**2))
     semi_axis_x = f * size * radius_x
     return HertzContact(
@@ -118,8 +116,8 @@ def _log_radius_ratio(t: float) -> tuple[float, float]:
     k2 = exp(2.0 * t)
     along_x = float(scipy.special.elliprd(0.0, k2, 1.0))
     along_y = float(scipy.special.elliprd(0.0, 1.0, k2))
-    mixed = (
-        (along_x - along_y) / (k2 - 1.0) if abs(k2 - 1.0) > 1.0e-4 else 9.0 * pi / 16.0 * k2**-1.25
-    )
+    mixed = 9.0 * pi / 16.0 * k2**-1.25
+    if abs(k2 - 1.0) > 1.0e-4:
+        mixed = (along_x - along_y) / (k2 - 1.0)
     slope = -3.0 + mixed / along_y + k2 * mixed / along_x
     return log(along_y / along_x), slope

@@ -42,14 +42,14 @@ def hertz_axis_stress(
     root_a, root_b = np.sqrt(a2), np.sqrt(b2)
     along_z = 2.0 / 3.0 * elliprd(a2, b2, z2)
     surface = (1.0 - 2.0 * nu) / (root_a + root_b)
-    stress_x = (
-        depth * ((1.0 - nu) * 2.0 / 3.0 * elliprd(b2, z2, a2) - nu * along_z) - surface / root_a
-    )
-    stress_y = (
-        depth * ((1.0 - nu) * 2.0 / 3.0 * elliprd(a2, z2, b2) - nu * along_z) - surface / root_b
-    )
-    result: Array = pressure * a * b * np.stack([stress_x, stress_y, -1.0 / (root_a * root_b)])
-    return result
+
+    def along(own: Array, other: Array, root: Array) -> Array:
+        integral = (1.0 - nu) * 2.0 / 3.0 * elliprd(other, z2, own)
+        return depth * (integral - nu * along_z) - surface / root
+
+    stress_z = -1.0 / (root_a * root_b)
+    stresses = [along(a2, b2, root_a), along(b2, a2, root_b), stress_z]
+    return np.asarray(pressure * a * b * np.stack(stresses))
 
 
 def hertz_maximum_shear(
@@ -84,13 +84,10 @@ def hertz_orthogonal_shear(
     (a/b)^2. It swings between -tau_0 and +tau_0, whatever Poisson's ratio.
     """
     ratio = (semi_axis_rolling / semi_axis_transverse) ** 2
-    t = float(
-        brentq(
-            lambda t: (t * t - 1.0) * (2.0 * t - 1.0) - ratio,
-            1.0,
-            2.0 + ratio ** (1.0 / 3.0),
-            xtol=1e-14,
-        )
-    )
+
+    def excess(t: float) -> float:
+        return (t * t - 1.0) * (2.0 * t - 1.0) - ratio
+
+    t = float(brentq(excess, 1.0, 2.0 + ratio ** (1.0 / 3.0), xtol=1e-14))
     root = sqrt(2.0 * t - 1.0)
     return pressure * root / (2.0 * t * (t + 1.0)), semi_axis_rolling / ((t + 1.0) * root)

@@ -23,30 +23,14 @@ def solve_bordered(
     border: tuple[Array, Array],
     right: tuple[Array, float],
     tolerance: float,
-) -> tuple[Array, float, int]:
+) -> tuple[Array, float]:
     """Solve [A b; w^T 0] [p; h] = [f; g] by GMRES (Saad and Schultz, 1986), A dense but known by
-    its action; p, shape (n,), h and the number of iterations [-].
+    its action; p, shape (n,), and h [-].
 
     The preconditioner is the same bordered system with A replaced by its near field, factored
-    directly (SuperLU) and bordered by block elimination.
-
-    Parameters
-    ----------
-    operator : callable
-        p -> A p, shapes (n,) [-].
-    near : sparse matrix, shape (n, n)
-        Near field of A [-].
-    border : tuple of ndarray
-        Column b and row w, shapes (n,) [-].
-    right : tuple of ndarray and float
-        f, shape (n,), and g [-].
-    tolerance : float
-        Relative residual of the preconditioned system [-].
-
-    Raises
-    ------
-    LinearSolverError
-        If the near field is singular or the iteration does not reach the tolerance.
+    directly (SuperLU) and bordered by block elimination. border: b and w; right: f and g;
+    tolerance: relative residual of the preconditioned system. LinearSolverError where the near
+    field is singular or the iteration does not reach the tolerance.
     """
     column, row = border
     size = len(column) + 1
@@ -79,7 +63,6 @@ def solve_bordered(
         callback_type="pr_norm",
     )
     if failed or not np.isfinite(solution).all():
-        raise LinearSolverError(
-            f"GMRES did not reach {tolerance:g} in {len(residuals)} iterations"
-        )
-    return solution[:-1], float(solution[-1]), len(residuals)
+        count = len(residuals)
+        raise LinearSolverError(f"GMRES did not reach {tolerance:g} in {count} iterations")
+    return solution[:-1], float(solution[-1])

@@ -54,9 +54,8 @@ def film_space(x: Array, y: Array) -> FilmSpace:
     """Space on the mesh with lines `x` and `y`, shapes (nx,), (ny,) [-]."""
     mesh = MeshQuad.init_tensor(x, y)
     basis = Basis(mesh, ElementQuad1(), intorder=QUADRATURE)
-    number = np.searchsorted(x, basis.doflocs[0] - 1e-12) * len(y) + np.searchsorted(
-        y, basis.doflocs[1] - 1e-12
-    )
+    i, j = (np.searchsorted(line, basis.doflocs[k] - 1e-12) for k, line in enumerate((x, y)))
+    number = i * len(y) + j
     order = np.empty(len(number), dtype=np.int_)
     order[number] = np.arange(len(number))
     corners = mesh.p[0][mesh.t]
@@ -86,8 +85,7 @@ def coefficients(space: FilmSpace, contact: ScaledContact, P: Array, H: Array) -
     (p, p_grad), (h, h_grad) = interpolate(space, P), interpolate(space, H)
     c = contact
     p = np.maximum(p, 0.0)
-    z = c.viscosity_exponent
-    q = c.viscosity_pressure
+    z, q = c.viscosity_exponent, c.viscosity_pressure
     base = 1.0 + q * p
     slope = c.viscosity_slope * z * q * base ** (z - 1.0)  # d(ln eta)/dP
     curvature = slope * (z - 1.0) * q / base
@@ -157,9 +155,8 @@ def film_derivative(space: FilmSpace, k: Coefficients) -> sparse.csr_matrix:
             + k.rho[0] * u.grad[0]
             - k.eps_H * _dot(u.grad, k.P_grad)
         )
-        return (
-            -k.eps_H * u * _dot(k.P_grad, v.grad) + (k.rho[0] * u - k.delta * strong) * v.grad[0]
-        )
+        couette = (k.rho[0] * u - k.delta * strong) * v.grad[0]
+        return -k.eps_H * u * _dot(k.P_grad, v.grad) + couette
 
     return _assemble(space, form)
 

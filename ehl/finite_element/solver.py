@@ -8,7 +8,6 @@ as fine as the one before; the coarsest starts from Hertz.
 """
 
 import time
-from collections.abc import Callable
 from dataclasses import dataclass, field, replace
 from math import ceil, nan
 
@@ -25,7 +24,7 @@ from ..options import SolverOptions
 from ..scaling import ScaledContact, scale_contact
 from ..solid.compliance import add_coating, compliance_matrix, graded_nodes, near_field
 from ..solution import ContactSolution, ConvergenceRecord
-from ..solver import choose_domain
+from ..solver import RESOLVED, choose_domain
 from .linear_solvers import LinearSolverError, solve_bordered
 from .reynolds import (
     FilmSpace,
@@ -37,19 +36,22 @@ from .reynolds import (
     reynolds_residual,
 )
 
-LEVELS = 3
-# along x: the compliance matrix is dense
+# Beside each number what it changes if halved or doubled, measured with 65 nodes along x at M 20,
+# L 10; at M 100, L 10, Rx/Ry 0.1; and at M 20, L 2 in an open box.
+LEVELS = 3  # with 4 one of the three contacts does not converge on its coarsest mesh
+# along x; the dense compliance matrix has 0.43 GB with 129 x 57 nodes and grows with the 4th power
 MAX_POINTS = 129
-MAX_POINTS_SKEWED = 65
-CELLS_Y = 7 / 16  # cells across half the contact per cell along it
-STEPS = 60  # of Newton on each mesh
-PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]
-LARGEST_FILM_LOSS = 0.7  # of the film in a step
-SMALLEST_FILM = 1e-3  # of the film guess, where the bodies overlap at the start
-TOLERANCE = 1e-6  # of the last change of pressure [-]
-LINEAR_TOLERANCE = 1e-5  # of each Newton step
-REACH = 2  # lines of nodes whose compliance enters the preconditioner
-RESOLVED = 5.0  # Hmin/hx^2 below this is reported as unresolved
+MAX_POINTS_SKEWED = 65  # of both halves
+# cells across half the contact per cell along it: half moves the smallest film by 1.8 %, double
+# by 0.4 %
+CELLS_Y = 7 / 16
+STEPS = 60  # of Newton on each mesh; 30 in all were needed at most
+PRESSURE_STEP = 0.5  # largest change of pressure in a step [-]; 1 to 7 steps more
+LARGEST_FILM_LOSS = 0.7  # of the film in a step; 0.35 one step less, 0.9 the same
+SMALLEST_FILM = 1e-3  # of the film guess, where the bodies overlap at the start; nothing
+TOLERANCE = 1e-6  # of the last change of pressure [-]; a step or two, films to 1e-5
+LINEAR_TOLERANCE = 1e-5  # of each Newton step; 8 % of the GMRES iterations
+REACH = 2  # lines of nodes whose compliance enters the preconditioner; up to 16 % of them
 
 
 @dataclass(slots=True)
@@ -92,7 +94,6 @@ class Progress:
     residual: list[float] = field(default_factory=list)
     load: list[float] = field(default_factory=list)
     change: list[float] = field(default_factory=list)
-    inner: int = 0  # GMRES iterations in all
 
 
 def solve_contact_finite_element(
@@ -108,23 +109,18 @@ def solve_contact_finite_element(
     """
     options = options or SolverOptions()
     if scale_contact(conditions).oil is not None:
-        laws = (conditions.lubricant.viscosity_law.value, conditions.lubricant.density_law.value)
-        raise ValueError(
-            "finite elements know Roelands, Barus, constant viscosity, not the laws "
-            + " and ".join(laws)
-        )
+        oil = conditions.lubricant
+        laws = f"{oil.viscosity_law.value} and {oil.density_law.value}"
+        known = "Roelands, Barus, constant viscosity"
+        raise ValueError(f"finite elements know {known}, not the laws {laws}")
     start = time.perf_counter()
     progress = Progress()
     contact = replace(scale_contact(conditions, along_entrainment=True), rotation=0.0)
-    domain = options.domain
-    if domain is None:
-        domain = choose_domain(contact)
+    domain = options.domain or choose_domain(contact)
     most = MAX_POINTS if contact.symmetric else MAX_POINTS_SKEWED
     cells = min(options.points - 1, 2 * (most - 1)) // 2
     level = None
     films = []
-    converged = False
-    message = "converged"
     for index in reversed(range(LEVELS)):
         level = _level(contact, domain, cells // 2**index, options.domain is None, level)
         converged, message = newton(level, progress)
@@ -141,9 +137,8 @@ def solve_contact_finite_element(
         fallbacks=(),
         wall_time=time.perf_counter() - start,
     )
-    return _solution(
-        conditions, options, level, films or [(nan, nan)], (record, converged, message, domain)
-    )
+    outcome = (record, converged, message, domain)
+    return _solution(conditions, options, level, films or [(nan, nan)], outcome)
 
 
 def newton(level: Level, progress: Progress) -> tuple[bool, str]:
@@ -151,44 +146,33 @@ def newton(level: Level, progress: Progress) -> tuple[bool, str]:
     for _ in range(STEPS):
         H = np.maximum(level.film, SMALLEST_FILM * level.contact.film_guess)
         try:
-            change, rise, inner = _step(level, H, progress)
+            change, rise = _step(level, H, progress)
         except LinearSolverError as error:
-            return (
-                False,
-                f"the linear system was not solved: {error}; try more points or a smaller load",
-            )
+            advice = "try more points or a smaller load"
+            return False, f"the linear system was not solved: {error}; {advice}"
         growth = rise + level.compliance @ change
         size = float(np.abs(change).max())
         thinner = growth < 0.0
-        share = min(
-            1.0,
-            PRESSURE_STEP / max(size, 1e-30),
-            *(LARGEST_FILM_LOSS * H[thinner] / -growth[thinner]),
-        )
+        losses = LARGEST_FILM_LOSS * H[thinner] / -growth[thinner]
+        share = min(1.0, PRESSURE_STEP / max(size, 1e-30), *losses)
         level.P += share * change
         level.approach += share * rise
-        progress.change.append(
-            share * float(np.abs(growth[level.origin])) / float(H[level.origin])
-        )
-        progress.inner += inner
+        origin = level.origin
+        progress.change.append(share * float(np.abs(growth[origin])) / float(H[origin]))
         if size < TOLERANCE and share == 1.0:
             return True, "converged"
-    return (
-        False,
-        f"not converged: pressure changed by {size:.1e} in the last of {STEPS} Newton steps; "
-        "try more points",
-    )
+    last = f"in the last of {STEPS} Newton steps"
+    return False, f"not converged: pressure changed by {size:.1e} {last}; try more points"
 
 
-def _step(level: Level, H: Array, progress: Progress) -> tuple[Array, float, int]:
-    """Newton change of pressure and of H0 [-], and the number of inner iterations."""
+def _step(level: Level, H: Array, progress: Progress) -> tuple[Array, float]:
+    """Newton change of pressure and of H0 [-]."""
     k = coefficients(level.space, level.contact, level.P, H)
     residual = reynolds_residual(level.space, k)
     by_pressure, by_film = pressure_derivative(level.space, k), film_derivative(level.space, k)
     column = np.asarray(by_film.sum(axis=1)).ravel()
-    scale = np.abs(by_pressure.diagonal()) + np.abs(
-        by_film.diagonal() * level.compliance.diagonal()
-    )
+    by_deflection = by_film.diagonal() * level.compliance.diagonal()
+    scale = np.abs(by_pressure.diagonal()) + np.abs(by_deflection)
     fixed = level.edge | (level.P + residual / scale <= 0.0)
     target, exterior = _edge_pressure(level, H)
     load = level.contact.load - exterior
@@ -212,12 +196,10 @@ def _edge_pressure(level: Level, H: Array) -> tuple[Array, float]:
     if level.far is None:
         return target, 0.0
     x, y = (values.ravel() for values in np.meshgrid(level.X, level.Y, indexing="ij"))
-    drive = np.maximum(-(level.far.pressure_x * x + level.far.pressure_y * y), 0.0)
-    target[level.edge] = (drive / H**2)[level.edge]
+    target[level.edge] = (level.far.strength(x, y) / H**2)[level.edge]
     x_in = float(level.X[0])
-    x_out = float(level.X[-1])
-    y_out = float(level.Y[-1])
-    corners = Grid(x_in=x_in, hx=x_out - x_in, hy=y_out, nx=2, ny=2, symmetric=True)
+    width = float(level.X[-1]) - x_in
+    corners = Grid(x_in=x_in, hx=width, hy=float(level.Y[-1]), nx=2, ny=2, symmetric=True)
     inlet = np.full((2, 2), H[level.origin % len(level.Y)])
     return target, exterior_load(level.far, corners, inlet)
 
@@ -231,15 +213,19 @@ def _level(
 ) -> Level:
     """Mesh with `cells` along x, started from Hertz or from the coarser mesh."""
     X, Y = _lines(contact, domain, cells)
-    space = film_space(X, Y)
-    compliance = compliance_matrix(X, Y, contact.symmetric)
-    if contact.coating is not None:
-        add_coating(
-            compliance, contact.coating, (X, Y), integral_weights(space), contact.symmetric
-        )
-    compliance *= contact.deformation
-    x, y = (values.ravel() for values in np.meshgrid(X, Y, indexing="ij"))
     c = contact
+    space = film_space(X, Y)
+    weights = integral_weights(space)
+    compliance = compliance_matrix(X, Y, c.symmetric)
+    if c.coating is not None:
+        add_coating(compliance, c.coating, (X, Y), weights, c.symmetric)
+    compliance *= c.deformation
+    x, y = (values.ravel() for values in np.meshgrid(X, Y, indexing="ij"))
+    P = c.dry_pressure(x, y)
+    if coarse is not None:
+        columns = coarse.P.reshape(coarse.shape).T
+        lines = np.array([np.interp(X, coarse.X, column) for column in columns])
+        P = np.array([np.interp(Y, coarse.Y, row) for row in lines.T]).ravel()
     edge = (x == X[0]) | (x == X[-1]) | (y == Y[-1]) | ((y == Y[0]) & (not c.symmetric))
     level = Level(
         contact=contact,
@@ -249,21 +235,14 @@ def _level(
         compliance=compliance,
         near=near_field(compliance, (len(X), len(Y)), REACH),
         gap=contact.gap(x, y),
-        weights=(2.0 if c.symmetric else 1.0) * integral_weights(space),
+        weights=(2.0 if c.symmetric else 1.0) * weights,
         edge=edge,
         far=far_field(contact) if is_open else None,
-        P=contact.dry_pressure(x, y) if coarse is None else _interpolated(coarse, X, Y).ravel(),
+        P=P,
     )
     origin = level.origin
     level.approach = coarse.approach if coarse else c.film_guess - float(level.film[origin])
     return level
-
-
-def _interpolated(coarse: Level, X: Array, Y: Array) -> Array:
-    """Pressure of a coarser mesh at the nodes of a finer one, shape (nx, ny) [-]."""
-    P = coarse.P.reshape(coarse.shape)
-    lines = np.array([np.interp(X, coarse.X, column) for column in P.T])
-    return np.array([np.interp(Y, coarse.Y, row) for row in lines.T])
 
 
 def _lines(
@@ -281,27 +260,16 @@ def _lines(
         return 1.0 / (0.4 + outside) + 1.5 * np.exp(-(((abs(s) - 0.85) / 0.35) ** 2))
 
     coarse = 2 ** (LEVELS - 1) if cells % 4 == 0 else 1
-    upstream = _share(along, x_in, x_out) * cells / coarse
-    west = max(1, round(upstream)) * coarse
-    X = np.concatenate(
-        (
-            graded_nodes((x_in, 0.0), west, along)[:-1],
-            graded_nodes((0.0, x_out), cells - west, along),
-        )
-    )
+    # share of the nodes that lies upstream of 0
+    ends = ((x_in, 0.0), (0.0, x_out))
+    counts = [float(along(np.linspace(a, b, 2001)).mean()) * (b - a) for a, b in ends]
+    west = max(1, round(counts[0] / sum(counts) * cells / coarse)) * coarse
+    upstream_lines = graded_nodes((x_in, 0.0), west, along)[:-1]
+    X = np.concatenate((upstream_lines, graded_nodes((0.0, x_out), cells - west, along)))
     Y = graded_nodes((0.0, y_half), ceil(CELLS_Y * cells), across)
     if not contact.symmetric:
         Y = unfolded(Y, sign=-1.0)
     return X * contact.half_extent_x, Y * contact.half_extent_y
-
-
-def _share(density: Callable[[Array], Array], first: float, last: float) -> float:
-    """Share of the nodes from `first` to `last` that lies below zero [-]."""
-    counts = []
-    for ends in ((first, 0.0), (0.0, last)):
-        s = np.linspace(*ends, 2001)
-        counts.append(float(density(s).mean()) * (ends[1] - ends[0]))
-    return counts[0] / sum(counts)
 
 
 def _minimum(level: Level) -> float:
@@ -311,15 +279,12 @@ def _minimum(level: Level) -> float:
     least = float(H[i, j])
     if not (0 < i < len(X) - 1 and 0 < j < len(Y) - 1):
         return least
-    near = (slice(i - 1, i + 2), slice(j - 1, j + 2))
-    width = (X[i + 1] - X[i - 1], Y[j + 1] - Y[j - 1])
-    u, v = np.meshgrid(
-        (X[near[0]] - X[i]) / width[0], (Y[near[1]] - Y[j]) / width[1], indexing="ij"
-    )
-    u, v = u.ravel(), v.ravel()
-    fit = np.linalg.lstsq(
-        np.stack((u**2, v**2, u * v, u, v), axis=1), H[near].ravel() - least, rcond=None
-    )[0]
+    rows, columns = slice(i - 1, i + 2), slice(j - 1, j + 2)
+    along = (X[rows] - X[i]) / (X[i + 1] - X[i - 1])
+    across = (Y[columns] - Y[j]) / (Y[j + 1] - Y[j - 1])
+    u, v = (part.ravel() for part in np.meshgrid(along, across, indexing="ij"))
+    terms = np.stack((u**2, v**2, u * v, u, v), axis=1)
+    fit = np.linalg.lstsq(terms, H[rows, columns].ravel() - least, rcond=None)[0]
     hessian = np.array([[2 * fit[0], fit[2]], [fit[2], 2 * fit[1]]])
     slope = fit[3:]
     if fit[0] <= 0.0 or np.linalg.det(hessian) <= 0.0:
@@ -330,12 +295,10 @@ def _minimum(level: Level) -> float:
 
 def _whole_box(level: Level, values: Array) -> tuple[Array, Array, Array]:
     """X, Y and a nodal field over the whole box, shape (nx, ny)."""
-    Y = level.Y
     values = values.reshape(level.shape)
-    if level.contact.symmetric:
-        Y = unfolded(Y, sign=-1.0)
-        values = unfolded(values, axis=1)
-    return level.X, Y, values
+    if not level.contact.symmetric:
+        return level.X, level.Y, values
+    return level.X, unfolded(level.Y, sign=-1.0), unfolded(values, axis=1)
 
 
 def _solution(
@@ -349,14 +312,13 @@ def _solution(
     contact = level.contact
     X, Y, H = _whole_box(level, level.film)
     noise = record.film_change[-1]
+    central, minimum = zip(*films[-2:], strict=True)
     at_minimum = min(int(np.unravel_index(H.argmin(), H.shape)[0]), len(X) - 2)
-    ratio = films[-1][1] / float(X[at_minimum + 1] - X[at_minimum]) ** 2
+    ratio = minimum[-1] / float(X[at_minimum + 1] - X[at_minimum]) ** 2
     resolved = converged and ratio >= RESOLVED
     if converged and not resolved:
-        message = (
-            f"converged but unresolved: minimum film/(mesh size)^2 is {ratio:.2f}, "
-            f"below {RESOLVED:g}"
-        )
+        fineness = f"minimum film/(mesh size)^2 is {ratio:.2f}, below {RESOLVED:g}"
+        message = f"converged but unresolved: {fineness}"
     return ContactSolution(
         conditions=conditions,
         options=options,
@@ -364,8 +326,8 @@ def _solution(
         Y=Y,
         P=_whole_box(level, level.P)[2],
         H=H,
-        film_central_dimensionless=extrapolate([film[0] for film in films[-2:]], noise),
-        film_minimum_dimensionless=extrapolate([film[1] for film in films[-2:]], noise),
+        film_central_dimensionless=extrapolate(central, noise),
+        film_minimum_dimensionless=extrapolate(minimum, noise),
         approach_dimensionless=level.approach,
         moes_load=contact.moes_load,
         moes_lubricant=contact.moes_lubricant,

@@ -80,7 +80,12 @@ def solve_by_continuation(
     result = AttemptResult(state=state)
     if share == 1.0:
         _finish(result, CYCLES_FACTOR * options.max_cycles)
-    solution = _solution(plain, result) if result.films else _diverged(plain, share)
+    if result.films:
+        solution = _solution(plain, result)
+    else:
+        where = f"from the Newtonian film at {share:.0%} of rheology and heat"
+        message = f"not converged: diverged {where}; try more points"
+        solution = replace(plain, converged=False, message=message)
     return with_fallbacks(solution, fallbacks), state.levels[-1].flow_state
 
 
@@ -174,13 +179,6 @@ def _finish(result: AttemptResult, cycles: int) -> None:
         if settled and len(result.changes) > PLAIN_CYCLES:
             level.P, state.approach = acceleration.next(before, (level.P, state.approach))
             update_film(state, index)
-
-
-def _diverged(plain: ContactSolution, share: float) -> ContactSolution:
-    """The Newtonian film, not converged."""
-    where = f"from the Newtonian film at {share:.0%} of rheology and heat"
-    message = f"not converged: diverged {where}; try more points"
-    return replace(plain, converged=False, message=message)
 
 
 def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:

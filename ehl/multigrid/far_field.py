@@ -32,6 +32,11 @@ class FarField:
     curvature_y: float
     curvature_xy: float
 
+    def strength(self, X: Array, Y: Array) -> Array:
+        """P H^2 = max(-(k_x X + k_y Y + k_xy X Y), 0) [-]."""
+        along_y = (self.pressure_y + self.pressure_xy * X) * Y
+        return np.maximum(-(self.pressure_x * X + along_y), 0.0)
+
 
 def far_field(contact: ScaledContact) -> FarField:
     """Kapitza's (1955) solution for a contact's gap and entrainment.
@@ -64,15 +69,11 @@ def far_field(contact: ScaledContact) -> FarField:
 
 def edge_pressure(field: FarField, grid: Grid, H: Array, P: Array) -> None:
     """Set P = max(-(k_x X + k_y Y + k_xy X Y)/H^2, 0) on the edge of the box, in place."""
-    X = grid.X
-    Y = grid.Y
-    k = field
+    X, Y = grid.X, grid.Y
     for row in (-1,) if grid.symmetric else (0, -1):
-        strength = -(k.pressure_x * X + (k.pressure_y + k.pressure_xy * X) * Y[row])
-        P[row] = np.maximum(strength, 0.0) / H[row] ** 2
+        P[row] = field.strength(X, Y[row]) / H[row] ** 2
     for column in (0, -1):
-        strength = -(k.pressure_x * X[column] + (k.pressure_y + k.pressure_xy * X[column]) * Y)
-        P[:, column] = np.maximum(strength, 0.0) / H[:, column] ** 2
+        P[:, column] = field.strength(X[column], Y) / H[:, column] ** 2
 
 
 def exterior_load(field: FarField, grid: Grid, H: Array) -> float:

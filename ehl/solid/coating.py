@@ -19,10 +19,9 @@ class Coating:
         for field in ("thickness", "youngs_modulus", "substrate_youngs_modulus"):
             require_positive({f"coating {field}": getattr(self, field)})
         for field in ("poisson_ratio", "substrate_poisson_ratio"):
-            if not 0.0 <= getattr(self, field) < 0.49:
-                raise ValueError(
-                    f"coating {field} must lie in [0, 0.49), got {getattr(self, field)!r}"
-                )
+            value = getattr(self, field)
+            if not 0.0 <= value < 0.49:
+                raise ValueError(f"coating {field} must lie in [0, 0.49), got {value!r}")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,12 +35,8 @@ class ScaledCoating:
 
 
 def scaled_coating(coating: Coating, reduced_modulus: float, semi_axis: float) -> ScaledCoating:
-    """Dimensionless form; E' [Pa] of the coating against the other body, a [m].
-
-    Raises
-    ------
-    ValueError
-        If E' is larger than the coating alone allows.
+    """Dimensionless form; E' [Pa] of the coating against the other body, a [m]; ValueError where
+    E' is larger than the coating alone allows.
     """
     share = 0.5 * reduced_modulus * (1.0 - coating.poisson_ratio**2) / coating.youngs_modulus
     if share > 1.0 + 1e-9:

@@ -5,6 +5,7 @@ the mirrored half are added in.
 """
 
 from collections.abc import Callable
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -40,18 +41,11 @@ def corner_integrals(x: Array, y: Array) -> tuple[Array, Array, Array, Array]:
     corners of a rectangle.
     """
     r = np.hypot(x, y)
-    along = np.arcsinh(
-        np.divide(y, np.abs(x), out=np.zeros_like(r), where=np.broadcast_to(x, r.shape) != 0.0)
-    )
-    across = np.arcsinh(
-        np.divide(x, np.abs(y), out=np.zeros_like(r), where=np.broadcast_to(y, r.shape) != 0.0)
-    )
-    return (
-        x * along + y * across,
-        0.5 * (y * r + x * x * along),
-        0.5 * (x * r + y * y * across),
-        r**3 / 3.0,
-    )
+    x, y = (np.broadcast_to(side, r.shape) for side in (x, y))
+    along = np.arcsinh(np.divide(y, np.abs(x), out=np.zeros_like(r), where=x != 0.0))
+    across = np.arcsinh(np.divide(x, np.abs(y), out=np.zeros_like(r), where=y != 0.0))
+    firsts = (0.5 * (y * r + x * x * along), 0.5 * (x * r + y * y * across))
+    return x * along + y * across, *firsts, r**3 / 3.0
 
 
 def compliance_matrix(x: Array, y: Array, symmetric: bool) -> Array:
@@ -116,12 +110,9 @@ def add_coating(
 def near_field(matrix: Array, shape: tuple[int, int], reach: int) -> sparse.csr_matrix:
     """Entries of a compliance matrix between nodes at most `reach` lines apart [same unit]."""
     number = np.arange(shape[0] * shape[1]).reshape(shape)
-    rows, columns = [], []
-    for i in range(-reach, reach + 1):
-        for j in range(-reach, reach + 1):
-            rows.append(_shifted(number, -i, -j).ravel())
-            columns.append(_shifted(number, i, j).ravel())
-    row, column = np.concatenate(rows), np.concatenate(columns)
+    shifts = list(product(range(-reach, reach + 1), repeat=2))
+    row = np.concatenate([_shifted(number, -i, -j).ravel() for i, j in shifts])
+    column = np.concatenate([_shifted(number, i, j).ravel() for i, j in shifts])
     return sparse.csr_matrix((matrix[row, column], (row, column)), shape=matrix.shape)
 
 

@@ -79,9 +79,8 @@ def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Arra
         columns[:half] *= kernel.spectrum
         columns[half:] *= kernel.spectrum[half - 2 : 0 : -1]
         lines = fft.ifft(columns, axis=0, overwrite_x=True)[: kernel.shape[0]]
-    return np.ascontiguousarray(
-        fft.irfft(lines, n=kernel.length_x, axis=1, overwrite_x=True)[:, : kernel.shape[1]]
-    )
+    deflection = fft.irfft(lines, n=kernel.length_x, axis=1, overwrite_x=True)
+    return np.ascontiguousarray(deflection[:, : kernel.shape[1]])
 
 
 def _convolve_even(rows: NDArray[np.complex128], spectrum: Array) -> NDArray[np.complex128]:

@@ -44,7 +44,6 @@ def patch_compliance(coating: ScaledCoating, x: Array, y: Array, hx: float, hy: 
         offsets = (np.arange(parts) + 0.5) / parts - 0.5
         u = near_x[None, :, None, None] + hx * offsets[:, None]
         v = near_y[:, None, None, None] + hy * offsets[None, :]
-        result[:NEIGHBOURS, :NEIGHBOURS] = (
-            hx * hy * point_compliance(coating, np.hypot(u, v)).mean(axis=(2, 3))
-        )
+        mean = point_compliance(coating, np.hypot(u, v)).mean(axis=(2, 3))
+        result[:NEIGHBOURS, :NEIGHBOURS] = hx * hy * mean
     return result

@@ -48,16 +48,15 @@ def correction(ratio: float, poisson: tuple[float, float]) -> tuple[Array, Array
     nodes = np.where(basis.doflocs[1] >= 1.0 - 1e-9, _boussinesq(basis, 1.0, poisson[0]), 0.0)
     field = part.interpolate(nodes)
     load = -asm(_source, part, field=field, ratio=ratio, nu_c=poisson[0], nu_s=poisson[1])
-    edge = basis.get_dofs(
-        lambda x: (x[0] > REACH * (1 - 1e-9)) | (x[1] > REACH * (1 - 1e-9))
-    ).all()
+    edge = basis.get_dofs(lambda x: np.maximum(x[0], x[1]) > REACH * (1 - 1e-9)).all()
     axis = basis.get_dofs(lambda x: x[0] < 1e-12).all("u^1")
-    known = np.where(np.isin(np.arange(basis.N), edge), _far(basis, ratio, poisson), 0.0)
+    far = _boussinesq(basis, ratio, poisson[1]) - _boussinesq(basis, 1.0, poisson[0])
+    known = np.where(np.isin(np.arange(basis.N), edge), far, 0.0)
     known[axis] = 0.0
     w = solve(*condense(matrix, load, x=known, D=np.union1d(edge, axis)))
     surface = basis.get_dofs(lambda x: x[1] < 1e-12).all("u^2")
-    order = np.argsort(basis.doflocs[0][surface])
-    return basis.doflocs[0][surface][order], w[surface][order] * np.pi / (1.0 - poisson[0] ** 2)
+    surface = surface[np.argsort(basis.doflocs[0][surface])]
+    return basis.doflocs[0][surface], w[surface] * np.pi / (1.0 - poisson[0] ** 2)
 
 
 def layered_mesh() -> tuple[Array, NDArray[np.int64], NDArray[np.bool_]]:
@@ -118,8 +117,3 @@ def _boussinesq(basis: Basis, young: float, nu: float) -> Array:
     axial = scale * (z**2 / distance**3 + 2.0 * (1.0 - nu) / distance)
     is_axial = np.isin(np.arange(basis.N), basis.get_dofs(elements=True).all("u^2"))
     return np.where(is_axial, axial, radial)
-
-
-def _far(basis: Basis, ratio: float, poisson: tuple[float, float]) -> Array:
-    """Boussinesq's solution for the substrate less that for the coating."""
-    return _boussinesq(basis, ratio, poisson[1]) - _boussinesq(basis, 1.0, poisson[0])

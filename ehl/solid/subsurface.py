@@ -42,19 +42,15 @@ class SubsurfaceStress:
         """Equivalent stress of von Mises, shape (nx, ny, nz) [Pa]."""
         xx, yy, zz, xy, yz, xz = self.stress
         normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
-        result: Array = np.sqrt(0.5 * normal + 3.0 * (xy**2 + yz**2 + xz**2))
-        return result
+        return np.asarray(np.sqrt(0.5 * normal + 3.0 * (xy**2 + yz**2 + xz**2)))
 
     @property
     def maximum_shear(self) -> Array:
         """Half the difference of the extreme principal stresses, shape (nx, ny, nz) [Pa]."""
         xx, yy, zz, xy, yz, xz = self.stress
-        tensor = np.moveaxis(
-            np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]), (0, 1), (-2, -1)
-        )
-        principal = np.linalg.eigvalsh(tensor)
-        result: Array = 0.5 * (principal[..., 2] - principal[..., 0])
-        return result
+        tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        principal = np.linalg.eigvalsh(np.moveaxis(tensor, (0, 1), (-2, -1)))
+        return np.asarray(0.5 * (principal[..., 2] - principal[..., 0]))
 
 
 def subsurface_stress(
@@ -63,22 +59,20 @@ def subsurface_stress(
     """Stress below a pressure at the middles of the cells of an even grid, shape (nx, ny) [Pa],
     zero outside of it, Love (1929); x, y and depth in increasing order [m].
     """
-    steps = [_even_step(axis, name) for axis, name in ((x, "x"), (y, "y"))]
+    steps = (_even_step(x, "x"), _even_step(y, "y"))
     depth = np.asarray(depth, dtype=np.float64)
     if depth.size == 0 or not (depth >= 0.0).all():
         raise ValueError(f"depth must not be negative or empty, got {depth!r} m")
     nx, ny = pressure.shape
-    if (nx, ny) != (x.size, y.size):
-        raise ValueError(
-            f"pressure must have the shape of the grid, {(x.size, y.size)}, got {pressure.shape}"
-        )
+    grid = (x.size, y.size)
+    if (nx, ny) != grid:
+        raise ValueError(f"pressure must have the shape of the grid, {grid}, got {pressure.shape}")
     shape = [next_fast_len(3 * n - 2, real=True) for n in (nx, ny)]
     transform = rfft2(pressure, shape)
     stress = np.empty((6, nx, ny, depth.size))
     for k, z in enumerate(depth):
-        for component, kernel in enumerate(
-            rectangle_stress((nx, ny), (steps[0], steps[1]), float(z), poisson_ratio)
-        ):
+        kernels = rectangle_stress((nx, ny), steps, float(z), poisson_ratio)
+        for component, kernel in enumerate(kernels):
             full = irfft2(transform * rfft2(kernel, shape), shape)
             stress[component, :, :, k] = full[nx - 1 : 2 * nx - 1, ny - 1 : 2 * ny - 1]
     return SubsurfaceStress(x=x, y=y, depth=depth, stress=stress)
@@ -117,16 +111,12 @@ def rectangle_stress(
 
 def _corners(values: Array) -> Array:
     """Sum over the four corners of each cell with alternating signs."""
-    result: Array = values[1:, 1:] - values[:-1, 1:] - values[1:, :-1] + values[:-1, :-1]
-    return result
+    return np.asarray(values[1:, 1:] - values[:-1, 1:] - values[1:, :-1] + values[:-1, :-1])
 
 
 def _even_step(axis: Array, name: str) -> float:
     steps = np.diff(axis)
-    if (
-        axis.size < 2
-        or not (steps > 0.0).all()
-        or np.ptp(steps) > EVEN_TOLERANCE * float(np.abs(axis).max())
-    ):
+    rising = axis.size >= 2 and bool((steps > 0.0).all())
+    if not rising or np.ptp(steps) > EVEN_TOLERANCE * float(np.abs(axis).max()):
         raise ValueError(f"{name} must be evenly spaced and increasing")
     return float((axis[-1] - axis[0]) / (axis.size - 1))

@@ -19,32 +19,16 @@ X, Y, AREA, FILM, VISCOSITY, LIMIT, SPREAD_X, SPREAD_Y = range(8)
 COLUMNS = 4
 # of a table's films, logarithms: scales of the motions, central film, hydrodynamic moment,
 # response, largest force and moments of sliding
-(
-    SCALE_X,
-    SCALE_Y,
-    SCALE_SPIN,
-    CENTRAL_FILM,
-    HYDRODYNAMIC,
-    STIFFNESS,
-    DAMPING,
-    LARGEST_FORCE,
-    LARGEST_SPIN,
-    LARGEST_ROLLING,
-) = range(10)
+SCALE_X, SCALE_Y, SCALE_SPIN, CENTRAL_FILM, HYDRODYNAMIC = range(5)
+STIFFNESS, DAMPING, LARGEST_FORCE, LARGEST_SPIN, LARGEST_ROLLING = range(5, 10)
 # of a table's constants: bodies, range of the motions, transverse semi-axis at 1 N, 1/(2R)
 RADIUS_X, DIFFERENCE, RANGE_X, RANGE_Y, RANGE_SPIN, UNIT_AXIS, CURVATURE = range(7)
-# as in `table`
-LOAD_POWER = -0.2
-SPIN_SHARE = 0.3
+LOAD_POWER = -0.2  # of the load in its coordinate
+SPIN_SHARE = 0.3  # of the sliding by spin at the end of the ellipse in the scale of slide_x
 TINY = np.finfo(np.float64).tiny
 # flags of what lies outside a table's range
-BELOW_LOAD = 1
-ABOVE_LOAD = 2
-BELOW_SPEED = 4
-ABOVE_SPEED = 8
-SLIDE_X = 16
-SLIDE_Y = 32
-SPIN = 64
+BELOW_LOAD, ABOVE_LOAD, BELOW_SPEED, ABOVE_SPEED = (1 << bit for bit in range(4))
+SLIDE_X, SLIDE_Y, SPIN = (1 << bit for bit in range(4, 7))
 
 coefficient = compiled(coefficient_formula)
 
@@ -70,8 +54,7 @@ def mean_sliding(x, y, spread_x, spread_y, motion, surface):
 @compiled
 def add_shear(out, x, y, bow, pull, s_x, s_y):
     """Add a node's share of F_x, F_y, M_n, M_y on body 1; pull = area stress/sliding."""
-    t_x = pull * s_x
-    t_y = pull * s_y
+    t_x, t_y = pull * s_x, pull * s_y
     out[0] -= t_x
     out[1] -= t_y
     out[2] += y * t_x - x * t_y
@@ -86,11 +69,9 @@ def sliding_sums(nodes, law, motion, surface, out):
     as in `mean_sliding`.
     """
     for k in range(nodes.shape[1]):
-        x = nodes[X, k]
-        y = nodes[Y, k]
-        s_x, s_y, s, bow = mean_sliding(
-            x, y, nodes[SPREAD_X, k], nodes[SPREAD_Y, k], motion, surface
-        )
+        x, y = nodes[X, k], nodes[Y, k]
+        spread_x, spread_y = nodes[SPREAD_X, k], nodes[SPREAD_Y, k]
+        s_x, s_y, s, bow = mean_sliding(x, y, spread_x, spread_y, motion, surface)
         if s > 0.0:
             tau = shear_stress(s / nodes[FILM, k], nodes[VISCOSITY, k], nodes[LIMIT, k], *law)
             add_shear(out, x, y, bow, nodes[AREA, k] * tau / s, s_x, s_y)
@@ -235,11 +216,8 @@ def _spline_sum(values, first, w0, w1, w2, w3, w4):
                 rows = 0.0
                 for c in range(4):
                     for d in range(4):
-                        rows += (
-                            w2[c]
-                            * w3[d]
-                            * flat[np.uint64(((start + c * n3 + d) * n4 + i4) * COLUMNS + k)]
-                        )
+                        place = ((start + c * n3 + d) * n4 + i4) * COLUMNS + k
+                        rows += w2[c] * w3[d] * flat[np.uint64(place)]
                 sums[k] += weight * rows
     t0 = t1 = t2 = t3 = 0.0
     for e in range(4):

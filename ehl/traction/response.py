@@ -50,9 +50,8 @@ class NormalResponse:
 
 def normal_response(solution: ContactSolution) -> NormalResponse:
     """Stiffness [N/m] and damping [N s/m] of a solved contact in a box of the solver's choice, of
-    dimensional conditions, Newtonian and isothermal.
-
-    On a grid that is none of the solver's they are not numbers, and not converged.
+    dimensional conditions, Newtonian and isothermal; not numbers and not converged on a grid that
+    is none of the solver's.
     """
     for damped, attempt in enumerate(DAMPINGS):
         with np.errstate(all="ignore"):  # where the iteration diverges, `converged` is false
@@ -64,15 +63,13 @@ def normal_response(solution: ContactSolution) -> NormalResponse:
 
 def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> NormalResponse:
     conditions = solution.conditions
-    scale = solution.film_scale
-    a = solution.semi_axis_x
+    scale, a = solution.film_scale, solution.semi_axis_x
     if not isinstance(conditions, ContactConditions) or scale is None or a is None:
         raise ValueError("solution: stiffness and damping need dimensional conditions")
-    levels = _levels(solution, attempt)
-    if levels is None:
+    state = _levels(solution, attempt)
+    if state is None:
         return NormalResponse(stiffness=np.nan, damping=np.nan, converged=False)
-    state, index = levels
-    level = state.levels[index]
+    level = state.levels[-1]
     oil = conditions.lubricant
     # 1. the solution itself, iterated on this grid
     _relax(state, cycles)
@@ -88,7 +85,7 @@ def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> Norma
     follow = (_content(heavier, oil) - content) / softer
     # 3. the same load with bodies that approach: damping
     state.exterior = heavier.exterior
-    start_level(state, index, pressure)
+    start_level(state, len(state.levels) - 1, pressure)
     rate = SQUEEZE_STEP * solution.film_central_dimensionless.value
     level.f = rate * follow
     steady = _relax(state, cycles) and steady
@@ -101,25 +98,22 @@ def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> Norma
     )
 
 
-def _levels(solution: ContactSolution, attempt: Attempt) -> tuple[Multigrid, int] | None:
+def _levels(solution: ContactSolution, attempt: Attempt) -> Multigrid | None:
     """Levels with a solution on the finest; None if no mesh of the solver is its."""
-    contact = replace(
-        scale_contact(solution.conditions), film_guess=solution.film_central_dimensionless.value
-    )
+    guess = solution.film_central_dimensionless.value
+    contact = replace(scale_contact(solution.conditions), film_guess=guess)
     options = SolverOptions(points=solution.X.size)
     for mesh in MESHES:
         state = contact_multigrid(contact, solution.domain, options, replace(attempt, mesh_y=mesh))
-        index = len(state.levels) - 1
+        level = state.levels[-1]
         pressure = solution.P.T
-        if state.levels[index].grid.symmetric:
+        if level.grid.symmetric:
             pressure = pressure[pressure.shape[0] // 2 :]
-        if pressure.shape == state.levels[index].P.shape:
-            break
-    else:
-        return None
-    state.approach = solution.approach_dimensionless
-    start_level(state, index, pressure)
-    return state, index
+        if pressure.shape == level.P.shape:
+            state.approach = solution.approach_dimensionless
+            start_level(state, len(state.levels) - 1, pressure)
+            return state
+    return None
 
 
 def _relax(state: Multigrid, cycles: int) -> bool:

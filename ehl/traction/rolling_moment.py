@@ -64,19 +64,12 @@ def rolling_moment(solution: ContactSolution, extent: float | None = None) -> Ro
     """Hydrodynamic rolling moment in the box, beyond it, and within a distance from the centre.
 
     Kapitza (1955); his field holds far outside the ellipse, where the oil is isoviscous and the
-    deflection small.
-
-    Only the moment of the box is given, with a note, where the box was fixed (its edge has no
-    pressure: the oil ends there) or the ellipse reaches beyond the extent.
+    deflection small. Only the moment of the box is given, with a note, where the box was fixed
+    (its edge has no pressure: the oil ends there) or the ellipse reaches beyond the extent.
     extent: distance up to which oil counts [m]; None: `SHARE_OF_RADIUS` of the smaller reduced
     radius. ValueError where conditions have no dimensions.
     """
-    conditions = solution.conditions
-    a = solution.semi_axis_x
-    if not isinstance(conditions, ContactConditions) or a is None:
-        raise ValueError(
-            "solution: the rolling moment needs dimensional conditions, not Moes' groups alone"
-        )
+    conditions, a = _dimensions(solution)
     if extent is None:
         extent = SHARE_OF_RADIUS * min(conditions.radius_x, conditions.radius_y)
     if not extent > 0.0:
@@ -87,16 +80,13 @@ def rolling_moment(solution: ContactSolution, extent: float | None = None) -> Ro
         -trapezoidal_weights(solution.X, solution.Y) * solution.X[:, None] * solution.P * scale
     )
     box = float(moments.sum())
+    note = ""
     if solution.options.domain is not None:
-        return RollingMoment(
-            box=box,
-            extent=extent,
-            note="the box is fixed by [ehl] domain, the oil ends on its edge",
-        )
-    if reach < max(1.0, solution.semi_axis_ratio):
-        return RollingMoment(
-            box=box, extent=extent, note="the contact ellipse reaches beyond the extent of the oil"
-        )
+        note = "the box is fixed by [ehl] domain, the oil ends on its edge"
+    elif reach < max(1.0, solution.semi_axis_ratio):
+        note = "the contact ellipse reaches beyond the extent of the oil"
+    if note:
+        return RollingMoment(box=box, extent=extent, note=note)
     return RollingMoment(
         box=box,
         beyond_box=scale * _kapitza_moment(solution, reach),
@@ -106,24 +96,29 @@ def rolling_moment(solution: ContactSolution, extent: float | None = None) -> Ro
 
 
 def moment_of_doubling(solution: ContactSolution) -> float:
-    """What oil up to twice the distance adds to the rolling moment far from the contact [N m].
-
-    Kapitza (1955), integrated over rings, without the rotation of the entrainment. Positive where
-    it resists rolling. The solution has dimensional conditions.
+    """What oil up to twice the distance adds to the rolling moment far from the contact [N m],
+    positive where it resists rolling: Kapitza (1955), integrated over rings, without the rotation
+    of the entrainment.
     """
+    _, a = _dimensions(solution)
     field = far_field(scaled_as_solved(solution))
     angle = np.arange(DIRECTIONS) * 2.0 * np.pi / DIRECTIONS
     x, y = np.cos(angle), np.sin(angle)
     # the field is odd: half of all is its positive half
     half = 0.5 * (field.pressure_x * x + field.pressure_y * y) * x
-    per_factor = (
-        float(np.sum(half / (0.5 * _curvature(field, x, y)) ** 2)) * 2.0 * np.pi / DIRECTIONS
-    )
-    if solution.semi_axis_x is None:
-        raise ValueError(
-            "solution: the rolling moment needs dimensional conditions, not Moes' groups alone"
-        )
-    return per_factor * log(2.0) * solution.hertz_pressure * solution.semi_axis_x**3
+    rings = float(np.sum(half / (0.5 * _curvature(field, x, y)) ** 2))
+    per_factor = rings * 2.0 * np.pi / DIRECTIONS
+    return per_factor * log(2.0) * solution.hertz_pressure * a**3
+
+
+def _dimensions(solution: ContactSolution) -> tuple[ContactConditions, float]:
+    """Conditions of a solution and the semi-axis along x [m]."""
+    conditions = solution.conditions
+    a = solution.semi_axis_x
+    if not isinstance(conditions, ContactConditions) or a is None:
+        needed = "dimensional conditions, not Moes' groups alone"
+        raise ValueError(f"solution: the rolling moment needs {needed}")
+    return conditions, a
 
 
 def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
@@ -134,15 +129,12 @@ def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
         contact = scale_contact(solution.conditions, along_entrainment=along)
         if abs(contact.frame_angle - solution.frame_angle) < SAME_ANGLE:
             return contact
-    raise ValueError(
-        f"the solution's frame at {solution.frame_angle:g} rad is none of the solver's"
-    )
+    frame = f"the solution's frame at {solution.frame_angle:g} rad"
+    raise ValueError(f"{frame} is none of the solver's")
 
 
 def _share_outside(solution: ContactSolution, reach: float) -> Array:
-    """Share of each node's cell farther from the centre than `reach`, its border taken as
-    straight; shape (nx, ny).
-    """
+    """Share of each node's cell, its border straight, beyond `reach`; shape (nx, ny) [-]."""
     X = solution.X[:, None]
     Y = solution.Y[None, :]
     distance = np.hypot(X, Y)
@@ -167,14 +159,11 @@ def _kapitza_moment(solution: ContactSolution, reach: float) -> float:
     r = start[:, None] * np.exp(0.5 * span * (places + 1.0))
     q = _curvature(field, x, y)
     film = _edge_film(solution, start * x, start * y)
-    deflection = film - solution.approach_dimensionless - 0.5 * q * start**2
-    gap = (
-        solution.approach_dimensionless
-        + 0.5 * q[:, None] * r**2
-        + (deflection * start)[:, None] / r
-    )
+    approach = solution.approach_dimensionless
+    deflection = film - approach - 0.5 * q * start**2
+    gap = approach + 0.5 * q[:, None] * r**2 + (deflection * start)[:, None] / r
     gap = np.maximum(gap, film[:, None])  # it opens outwards
-    pressure = _drive(field, x[:, None] * r, y[:, None] * r) / gap**2
+    pressure = field.strength(x[:, None] * r, y[:, None] * r) / gap**2
     rings = np.sum(0.5 * span * weights * pressure * x[:, None] * r**3, axis=1)
     return float(-rings.sum()) * 2.0 * np.pi / DIRECTIONS + 0.0
 
@@ -182,13 +171,6 @@ def _kapitza_moment(solution: ContactSolution, reach: float) -> float:
 def _curvature(field: FarField, x: Array, y: Array) -> Array:
     """Of the gap in the directions (x, y) [-]."""
     return field.curvature_x * x**2 + field.curvature_y * y**2 + 2.0 * field.curvature_xy * x * y
-
-
-def _drive(field: FarField, X: Array, Y: Array) -> Array:
-    """P H^2 of the far field where it is positive, as `ehl.far_field.edge_pressure` has it [-]."""
-    return np.maximum(
-        -(field.pressure_x * X + (field.pressure_y + field.pressure_xy * X) * Y), 0.0
-    )
 
 
 def _edge_distance(solution: ContactSolution, x: Array, y: Array) -> Array:
@@ -203,7 +185,6 @@ def _edge_film(solution: ContactSolution, x: Array, y: Array) -> Array:
     X, Y, H = solution.X, solution.Y, solution.H
     rows = np.where(x < 0.0, np.interp(y, Y, H[0]), np.interp(y, Y, H[-1]))
     columns = np.where(y < 0.0, np.interp(x, X, H[:, 0]), np.interp(x, X, H[:, -1]))
-    on_row = np.minimum(np.abs(x - X[0]), np.abs(x - X[-1])) < np.minimum(
-        np.abs(y - Y[0]), np.abs(y - Y[-1])
-    )
+    off_row = np.minimum(np.abs(x - X[0]), np.abs(x - X[-1]))
+    on_row = off_row < np.minimum(np.abs(y - Y[0]), np.abs(y - Y[-1]))
     return np.asarray(np.where(on_row, rows, columns))

@@ -153,15 +153,12 @@ def integrate_traction(
     temperature: float | None = None,
     cavitation: Cavitation = Cavitation.STRIATED,
 ) -> TractionResult:
-    """Forces [N] and moments [N m] of a solved contact on its bodies, and the power lost [W].
-
-    Arguments as in `shear_fields`; temperature in [K].
+    """Forces [N] and moments [N m] of a solved contact on its bodies, and the power lost [W];
+    arguments as in `shear_fields`.
     """
     solution = with_outlet(solution) if cavitation is Cavitation.STRIATED else solution
-    fields = shear_fields(
-        solution, kinematics, rheology, temperature=temperature, cavitation=cavitation
-    )
     k = kinematics
+    fields = shear_fields(solution, k, rheology, temperature=temperature, cavitation=cavitation)
     load = dimensional_conditions(solution).load
     parts = _integrals(solution, k, fields)
     sliding_x, sliding_y = parts["sliding_force_x"], parts["sliding_force_y"]
@@ -243,10 +240,8 @@ def bounded_viscosity(pressure: Array, oil: Lubricant, temperature: Array | None
 
 
 def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array:
-    """Share of the width that is sheared, shape (nx, ny) [-], for films h [m] and pressures [Pa].
-
-    Strips start from the last node of each line along x that has pressure; a line without any has
-    none.
+    """Share of the width that is sheared, shape (nx, ny) [-], for films h [m] and pressures [Pa];
+    strips start from the last node of each line along x that has pressure.
     """
     full = pressure > 0.0
     if cavitation is Cavitation.FULL_WIDTH:
@@ -263,37 +258,32 @@ def sheared_width(film: Array, pressure: Array, cavitation: Cavitation) -> Array
 
 def with_outlet(solution: ContactSolution) -> ContactSolution:
     """A solution of dimensional conditions [m] with `OUTLET_NODES` more lines downstream of its
-    box, ever wider apart, where the gap opens further.
+    box, ever wider apart, where the gap opens further; the deflection stays that of its end.
 
     Strips of oil shear behind the contact far beyond the box, whose end would show in the friction
-    of thick films. The deflection at the end of the box is kept beyond it.
+    of thick films.
     """
     x, y, h = dimensional_grid(solution)
     assert solution.semi_axis_x is not None and solution.film_scale is not None
     start = max(x[-1] - x[-2], 1e-3 * solution.semi_axis_x)
     further = x[-1] + start * np.cumsum(OUTLET_GROWTH ** np.arange(OUTLET_NODES))
     along, mixed = _curvatures(solution)
-    opened = (
-        0.5 * along * (further**2 - x[-1] ** 2)[:, None] + mixed * (further - x[-1])[:, None] * y
-    )
+    opened = 0.5 * along * (further**2 - x[-1] ** 2)[:, None]
+    opened = opened + mixed * (further - x[-1])[:, None] * y
     height = np.maximum(h[-1] + opened, h[-1]) / solution.film_scale
+    state = solution.state
+    if state is not None:
+        t = state.temperature
+        fluidity = with_outlet_values(state.log_fluidity)
+        state = FilmState(
+            temperature=None if t is None else with_outlet_values(t), log_fluidity=fluidity
+        )
     return replace(
         solution,
         X=np.concatenate([solution.X, further / solution.semi_axis_x]),
         P=np.concatenate([solution.P, np.zeros_like(height)]),
         H=np.concatenate([solution.H, height]),
-        state=_state_with_outlet(solution.state),
-    )
-
-
-def _state_with_outlet(state: FilmState | None) -> FilmState | None:
-    """That of the last line for all lines further downstream."""
-    if state is None:
-        return None
-    temperature = state.temperature
-    return FilmState(
-        temperature=None if temperature is None else with_outlet_values(temperature),
-        log_fluidity=with_outlet_values(state.log_fluidity),
+        state=state,
     )
 
 
@@ -307,8 +297,7 @@ def with_outlet_values(field: Array) -> Array:
 def _curvatures(solution: ContactSolution) -> tuple[float, float]:
     """Of the gap along the grid's x, and mixed [1/m]."""
     c = dimensional_conditions(solution)
-    cosine = np.cos(solution.frame_angle)
-    sine = np.sin(solution.frame_angle)
+    cosine, sine = np.cos(solution.frame_angle), np.sin(solution.frame_angle)
     along = cosine**2 / c.radius_x + sine**2 / c.radius_y
     return along, sine * cosine * (1.0 / c.radius_y - 1.0 / c.radius_x)
 

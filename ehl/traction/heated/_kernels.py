@@ -36,20 +36,9 @@ from ...oil._rheology_kernels import limiting_stress, shear_stress
 from .._kernels import add_shear, mean_sliding
 from .nahme import LARGEST_ROOT, PROFILE, ROOTS
 
-(
-    X,
-    Y,
-    AREA,
-    FILM,
-    VISCOSITY,
-    PRESSURE,
-    TEMPERATURE,
-    SOFTENING,
-    FALL,
-    SPREAD_X,
-    SPREAD_Y,
-    CAPACITY,
-) = range(12)
+# columns of a node
+X, Y, AREA, FILM, VISCOSITY, PRESSURE = range(6)
+TEMPERATURE, SOFTENING, FALL, SPREAD_X, SPREAD_Y, CAPACITY = range(6, 12)
 STRESS_TOLERANCE = 2e-4  # of the stress of a node, relative
 HEAT_STEPS = 20  # of Newton's method for the heat of a node at most
 SMALL_LOADING = 1e-3  # X up to which ln(g) is 2 X/3, to 2e-4 of it
@@ -64,11 +53,8 @@ def heated_profile(x):
     t = min(place - k, 1.0)
     rise = PROFILE[k + 1, 1] - PROFILE[k, 1]
     slope = rise * (0.5 * (ROOTS - 1) / LARGEST_ROOT) / max(root, LARGEST_ROOT / ROOTS)
-    return (
-        PROFILE[k, 0] + t * (PROFILE[k + 1, 0] - PROFILE[k, 0]),
-        PROFILE[k, 1] + t * rise,
-        slope,
-    )
+    log_g = PROFILE[k, 0] + t * (PROFILE[k + 1, 0] - PROFILE[k, 0])
+    return log_g, PROFILE[k, 1] + t * rise, slope
 
 
 @compiled
@@ -98,9 +84,7 @@ def heated_stress(slide, node, start, conductance, walls, conductivity, base, li
     the node, [W/m^2]; conductance: heat per kelvin of rise in all, and the part of it that leaves
     the film; walls: their rise without flux and by it; guess: of the heat.
     """
-    gap = node[FILM]
-    soft = node[SOFTENING]
-    fall = node[FALL]
+    gap, soft, fall = node[FILM], node[SOFTENING], node[FALL]
     total, out = conductance
     heat = guess
     last_heat = -1.0
@@ -113,9 +97,8 @@ def heated_stress(slide, node, start, conductance, walls, conductivity, base, li
         flux = out * (rise - walls[0])
         wall = walls[0] + walls[1] * flux
         # 2. viscosity, limiting stress and stress there
-        eta = node[VISCOSITY] * np.exp(
-            -thinning_by_heat(wall, flux, gap, soft, fall, conductivity)
-        )
+        thinned = thinning_by_heat(wall, flux, gap, soft, fall, conductivity)
+        eta = node[VISCOSITY] * np.exp(-thinned)
         limit = limiting_stress(node[PRESSURE], node[TEMPERATURE] + rise, *limits)
         tau = shear_stress(slide / gap, eta, limit, *base)
         generated = tau * slide
@@ -146,8 +129,7 @@ def line_walls(j, history, flux, wall_response, between):
         past_2 += history[j, m] * flux[1, m]
     past_1 *= wall_response[0]
     past_2 *= wall_response[1]
-    own_1 = wall_response[0] * history[j, j]
-    own_2 = wall_response[1] * history[j, j]
+    own_1, own_2 = wall_response[0] * history[j, j], wall_response[1] * history[j, j]
     both = 1.0 + between * (own_1 + own_2)
     across = between * (past_2 - past_1) / both
     rise = 0.5 * (past_1 + past_2 + (own_1 - own_2) * across)

@@ -7,7 +7,7 @@ whose nodes are worst predicted by their neighbours gets more of them. Films are
 nodes along load or speed are doubled.
 """
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from math import log
@@ -15,10 +15,10 @@ from math import log
 import numpy as np
 
 from ...arrays import Array
+from .._kernels import LOAD_POWER
 from .film import FilmSample, film_sample, relative_forces
 from .splines import left_out_error, spline_coefficients
 from .table import (
-    LOAD_POWER,
     MIRROR,
     TableContact,
     TableError,
@@ -75,16 +75,19 @@ def build_table(
     progress: Progress | None = None,
 ) -> TractionTable:
     """Solve films and evaluate their shear until the table reaches its tolerance, its `error` in
-    the check; ValueError where a film cannot be used, naming load and speed.
-
-    progress: called with films done, films wanted so far, and the kind of step.
+    the check; ValueError where a film cannot be used, naming load and speed. progress: called with
+    films done, films wanted so far, and the kind of step.
     """
     study = _study(contact, limits, options or TableOptions(), progress)
     for _ in range(study.options.rounds):
         table, raw = _table(study)
         if table.error.reached:
             break
-        _refine(study, raw)
+        # more nodes on the axis whose values are worst predicted by their neighbours
+        mirrored = _mirrored(raw)[..., :2]
+        axis = int(np.argmax([left_out_error(mirrored, axis) for axis in range(5)]))
+        n = study.counts[axis]
+        study.counts[axis] = 2 * n - 1 if axis < 2 else int(np.ceil(GROWTH * n))
     return table
 
 
@@ -105,15 +108,13 @@ def _study(
         counts=list(options.nodes),
     )
     ends = np.array([[log(end) for end in ends] for ends in (limits.load, limits.speed)])
-    rng = np.random.default_rng(options.seed)
-    places = latin_hypercube(ends, options.check_films, rng).T
+    places = latin_hypercube(ends, options.check_films, np.random.default_rng(options.seed)).T
     study.checks = _solve(study, [(float(load), float(speed)) for load, speed in places])
     return study
 
 
-def _solve(study: _Study, places: Iterable[tuple[float, float]]) -> list[FilmSample]:
+def _solve(study: _Study, wanted: list[tuple[float, float]]) -> list[FilmSample]:
     """Films at places, several at a time: the kernels release the interpreter's lock."""
-    wanted = list(places)
     films: list[FilmSample] = []
     before = len(study.films) + len(study.checks)
 
@@ -136,21 +137,20 @@ def _axes(study: _Study) -> Array:
     return np.stack([first, (nodes - 1.0) / (last - first), nodes], axis=1)
 
 
-def axis_nodes(axis: Array) -> Array:
+def _axis_nodes(axis: Array) -> Array:
     """Places of an axis's nodes, shape (n,) [-]."""
     return axis[0] + np.arange(int(axis[2])) / axis[1]
 
 
-def axis_loads(axis: Array) -> Array:
+def _axis_loads(axis: Array) -> Array:
     """Loads at the nodes of their axis, shape (n,) [N]."""
-    loads: Array = (-axis_nodes(axis)) ** (1.0 / LOAD_POWER)
-    return loads
+    return np.asarray((-_axis_nodes(axis)) ** (1.0 / LOAD_POWER))
 
 
 def _grid_films(study: _Study, axes: Array) -> list[list[FilmSample]]:
     """The films of all nodes of load and speed; those not known yet are solved."""
-    loads = np.log(axis_loads(axes[0]))
-    rows = [[(float(q), float(u)) for u in axis_nodes(axes[1])] for q in loads]
+    loads = np.log(_axis_loads(axes[0]))
+    rows = [[(float(q), float(u)) for u in _axis_nodes(axes[1])] for q in loads]
     keys = {place: (round(place[0], 9), round(place[1], 9)) for row in rows for place in row}
     missing = [place for place, key in keys.items() if key not in study.films]
     for film in _solve(study, missing):
@@ -164,17 +164,18 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
     axes = _axes(study)
     films = _grid_films(study, axes)
     study.progress(len(study.films), len(study.films), "shear")
+    every = [film for row in films for film in row]
     with ThreadPoolExecutor(max_workers=max(1, study.options.workers)) as pool:
-        blocks = list(
-            pool.map(lambda film: _values(study, film, axes), [f for row in films for f in row])
-        )
+        blocks = list(pool.map(lambda film: _values(study, film, axes), every))
     raw = np.array(blocks).reshape(len(films), len(films[0]), *blocks[0].shape)
     # 2. splines: values over their largest, logarithms of what depends on load and speed alone
     largest = _largest(raw)
     scalars = np.concatenate([_scalars(films), np.log(largest)], axis=-1)
     raw = raw / largest[..., None, None, None, [0, 0, 1, 2]]
-    stored = _coefficients(raw).astype(np.float32).astype(np.float64)  # as in a file
-    no_error = TableError(
+    # along slide_y of values with their mirror image, half of them stored, rounded as in a file
+    whole = spline_coefficients(_mirrored(raw), (0, 1, 2, 3, 4))
+    stored = whole[:, :, :, raw.shape[3] - 1 :].astype(np.float32, order="C").astype(np.float64)
+    unchecked = TableError(
         **dict.fromkeys(ERRORS, np.inf), films=0, motions=0, tolerance=study.options.tolerance
     )
     table = TractionTable(
@@ -184,8 +185,8 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
         axes=axes,
         scalars=spline_coefficients(scalars, (0, 1)),
         values=mirrored_seam(stored),
-        kappa_max=float((largest[..., 0] / axis_loads(axes[0])[:, None]).max()),
-        error=no_error,
+        kappa_max=float((largest[..., 0] / _axis_loads(axes[0])[:, None]).max()),
+        error=unchecked,
         films=len(study.films) + len(study.checks),
         converged=False,
         message="",
@@ -215,51 +216,40 @@ def _with_message(study: _Study, table: TractionTable) -> TractionTable:
         faults.append(f"{bad} of {len(films)} films did not converge")
     message = "; ".join(faults) or "converged"
     if filled:
-        message += (
-            f"; stiffness and damping of {filled} of {len(films)} films are those of "
-            "neighbouring loads"
-        )
+        few = f"{filled} of {len(films)} films"
+        message += f"; stiffness and damping of {few} are those of neighbouring loads"
     return replace(table, converged=not faults, message=message)
 
 
 def _scalars(films: list[list[FilmSample]]) -> Array:
     """Logarithms of scales, film, hydrodynamic moment, stiffness, damping, shape (nQ, nU, 7)."""
     known = [[(*film.scales, film.film.central, film.moment) for film in row] for row in films]
-    missing = (np.nan, np.nan)
-    responses = [
-        [
-            (f.response.stiffness, f.response.damping) if f.response.converged else missing
-            for f in row
-        ]
-        for row in films
-    ]
+    responses = np.array(
+        [[(f.response.stiffness, f.response.damping) for f in row] for row in films]
+    )
+    responses[np.array([[not f.response.converged for f in row] for row in films])] = np.nan
     if np.min(known) <= 0.0:
         first = films[0][0]
-        raise ValueError(
-            f"no rolling moment in some film from {first.load:.4g} N and {first.speed:.4g} m/s "
-            "on: take another range"
-        )
+        place = f"{first.load:.4g} N and {first.speed:.4g} m/s"
+        raise ValueError(f"no rolling moment in some film from {place} on: take another range")
     return np.concatenate([np.log(known), _filled(np.log(responses))], axis=-1)
 
 
 def _filled(values: Array) -> Array:
     """Values with gaps along the first axis interpolated, constant beyond the ends."""
     nodes = np.arange(values.shape[0])
-    for column in np.ndindex(values.shape[1:]):
-        line = values[(slice(None), *column)]
+    for line in values.reshape(nodes.size, -1).T:
         known = np.isfinite(line)
         if not known.any():
-            raise ValueError(
-                "load: at one of the speeds no film has a stiffness and damping; "
-                "take another range"
-            )
-        values[(slice(None), *column)] = np.interp(nodes, nodes[known], line[known])
+            fault = "at one of the speeds no film has a stiffness and damping"
+            raise ValueError(f"load: {fault}; take another range")
+        line[:] = np.interp(nodes, nodes[known], line[known])
     return values
 
 
 def _values(study: _Study, film: FilmSample, axes: Array) -> Array:
     """Forces and moments of a film at the motions, shape (nX, nY, nS, 4) [N], [N m]."""
-    places = np.meshgrid(*(axis_nodes(axis) for axis in axes[2:]), indexing="ij")
+    places = np.meshgrid(*(_axis_nodes(axis) for axis in axes[2:]), indexing="ij")
     motions = _motions(study, film, places)
     forces = relative_forces(study.contact, film.film, film.speed, motions)
     return forces.reshape(*places[0].shape, 4)
@@ -273,12 +263,6 @@ def _motions(study: _Study, film: FilmSample, places: Sequence[Array] | Array) -
     scale_x = spinning_scale(film.scales[0], spin, study.contact, film.load)
     slide_x = motion_of(x, scale_x, bound_x) - vertex_slide(spin, study.contact, film.load)
     return [slide_x, motion_of(y, film.scales[1], bound_y), spin]
-
-
-def _coefficients(raw: Array) -> Array:
-    """Spline coefficients; along slide_y of values with their mirror image, half kept."""
-    whole = spline_coefficients(_mirrored(raw), (0, 1, 2, 3, 4))
-    return np.ascontiguousarray(whole[:, :, :, raw.shape[3] - 1 :])
 
 
 def _mirrored(raw: Array) -> Array:
@@ -315,11 +299,3 @@ def _checked(study: _Study, table: TractionTable) -> TableError:
         motions=n,
         tolerance=study.options.tolerance,
     )
-
-
-def _refine(study: _Study, raw: Array) -> None:
-    """More nodes on the axis whose values are worst predicted by their neighbours."""
-    mirrored = _mirrored(raw)[..., :2]
-    axis = int(np.argmax([left_out_error(mirrored, axis) for axis in range(5)]))
-    n = study.counts[axis]
-    study.counts[axis] = 2 * n - 1 if axis < 2 else int(np.ceil(GROWTH * n))

@@ -16,6 +16,7 @@ from ...solver import solve_contact
 from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
 from ..heated.film import HeatedFilm, heated_film, heated_forces
 from ..response import NormalResponse, normal_response
+from ..shear import dimensional_grid
 from .table import TableContact, TableRange
 
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
@@ -59,30 +60,19 @@ def table_film(
     rheology = contact.rheology
     temperature = contact.temperature
     solids = contact.solids
-    if solids is None:
-        solution = solve_contact(conditions, options)
-        _require_film(solution, load, speed)
-        plain = film_quadrature(solution, rheology, largest_slide, temperature=temperature)
-        return TableFilm(solution=solution, quadrature=plain)
     thermal = solve_generalized(
         conditions, Rheology(), solids=solids, oil_temperature=temperature, options=options
     )
-    _require_film(thermal.contact, load, speed)
-    return TableFilm(
-        solution=thermal.contact, quadrature=heated_film(thermal, solids, rheology, largest_slide)
-    )
-
-
-def _require_film(solution: ContactSolution, load: float, speed: float) -> None:
-    if (
-        solution.film_central is None
-        or not solution.film_central > 0.0
-        or solution.x is None
-        or solution.y is None
-    ):
-        raise ValueError(
-            f"no film at a load of {load:.4g} N and {speed:.4g} m/s: {solution.message}"
-        )
+    solution = thermal.contact
+    if solution.film_central is None or not solution.film_central > 0.0:
+        place = f"a load of {load:.4g} N and {speed:.4g} m/s"
+        raise ValueError(f"no film at {place}: {solution.message}")
+    quadrature: FilmQuadrature | HeatedFilm
+    if solids is None:
+        quadrature = film_quadrature(solution, rheology, largest_slide, temperature=temperature)
+    else:
+        quadrature = heated_film(thermal, solids, rheology, largest_slide)
+    return TableFilm(solution=solution, quadrature=quadrature)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -114,8 +104,7 @@ def film_sample(
     speed = exp(place[1])
     film = table_film(contact, load, speed, limits.slide_x * speed, SolverOptions(points=points))
     solution = film.solution
-    x, y = solution.x, solution.y
-    assert x is not None and y is not None  # `table_film`
+    x, y, _ = dimensional_grid(solution)
     moment = np.trapezoid(np.trapezoid(solution.pressure * x[:, None], y, axis=1), x)
     return FilmSample(
         place=place,

@@ -13,10 +13,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from ...arrays import Array
 from ...generalized.solver import solve_generalized
 from ...oil.rheology import limiting_stress
 from ...options import SolverOptions
+from ..shear import dimensional_grid
 from .film import table_film
 from .table import FullSolve, TableContact, TableRange, latin_hypercube
 
@@ -40,26 +40,21 @@ def full_solves(
     step. ValueError names missing properties that heat needs.
     """
     options = options or SolverOptions(points=POINTS)
+    ratios = (SLIDE_RATIOS[0], min(SLIDE_RATIOS[1], limits.slide_x))
+    ends = np.log([limits.load, limits.speed, ratios])
+    places = np.exp(latin_hypercube(ends, count, np.random.default_rng(SEED))).T
     solves = []
-    for number, place in enumerate(_places(limits, count)):
+    for number, (load, speed, ratio) in enumerate(places.tolist()):
         if progress is not None:
             progress(number + 1, count, "full solves")
-        solves.append(_both(contact, (float(place[0]), float(place[1]), float(place[2])), options))
+        solves.append(_both(contact, load, speed, ratio, options))
     return tuple(solves)
 
 
-def _places(limits: TableRange, count: int) -> Array:
-    """Loads [N], speeds [m/s] and slide-roll ratios [-], shape (count, 3)."""
-    ratios = (SLIDE_RATIOS[0], min(SLIDE_RATIOS[1], limits.slide_x))
-    ends = np.log([limits.load, limits.speed, ratios])
-    return np.exp(latin_hypercube(ends, count, np.random.default_rng(SEED))).T
-
-
 def _both(
-    contact: TableContact, place: tuple[float, float, float], options: SolverOptions
+    contact: TableContact, load: float, speed: float, ratio: float, options: SolverOptions
 ) -> FullSolve:
     """At a load [N], speed [m/s] and slide-roll ratio [-]."""
-    load, speed, ratio = place
     film = table_film(contact, load, speed, ratio * speed, options)
     rolling = np.array([speed / contact.radius_x])
     none = np.zeros(1)
@@ -69,22 +64,23 @@ def _both(
         replace(contact.conditions(load, speed), slide_roll_ratio=ratio),
         contact.rheology.unlimited,
         solids=contact.solids,
-        oil_temperature=None if contact.solids is None else contact.temperature,
+        oil_temperature=contact.temperature,
         options=options,
     )
     if full.mid_stress is None:  # Newtonian without heat: the film of the table
         in_full = by_film
     else:
-        x, y, p = full.contact.x, full.contact.y, full.contact.pressure
-        assert x is not None and y is not None and p is not None  # of conditions with dimensions
+        x, y, _ = dimensional_grid(full.contact)
         # columns without oil have none
         stress = np.where(np.isfinite(full.mid_stress[0]), full.mid_stress[0], 0.0)
-        stress = _limited(stress, p, full.mean_temperature, contact)
+        if contact.rheology.limiting_coefficient is not None:
+            mean = contact.temperature if full.mean_temperature is None else full.mean_temperature
+            limit = limiting_stress(full.contact.pressure, contact.rheology, mean)
+            # tau_L [1 - exp(-tau/tau_L)]
+            stress = -limit * np.expm1(-np.abs(stress) / limit) * np.sign(stress)
         in_full = abs(float(np.trapezoid(np.trapezoid(stress, y, axis=1), x)))
-    films = (
-        full.contact.film_central_dimensionless.finest,
-        film.solution.film_central_dimensionless.finest,
-    )
+    solutions = (full.contact, film.solution)
+    films = [solution.film_central_dimensionless.finest for solution in solutions]
     return FullSolve(
         load=load,
         speed=speed,
@@ -92,23 +88,6 @@ def _both(
         by_film=by_film / load,
         in_full=in_full / load,
         film_ratio=float(films[0] / films[1]),
-        converged=bool(
-            film.solution.converged
-            and full.contact.converged
-            and np.isfinite([in_full, *films]).all()
-        ),
-    )
-
-
-def _limited(
-    stress: Array, pressure: Array, temperature: Array | None, contact: TableContact
-) -> Array:
-    """A stress of the base law bounded by the limiting one, tau_L [1 - exp(-tau/tau_L)] [Pa]."""
-    if contact.rheology.limiting_coefficient is None:
-        return stress
-    limit = limiting_stress(
-        pressure, contact.rheology, contact.temperature if temperature is None else temperature
-    )
-    return np.asarray(
-        -limit * np.expm1(-np.abs(stress) / limit) * np.sign(stress), dtype=np.float64
+        converged=all(solution.converged for solution in solutions)
+        and bool(np.isfinite([in_full, *films]).all()),
     )

@@ -40,15 +40,13 @@ def spline_weights(place: float, nodes: int) -> tuple[int, Array]:
     i = min(max(int(np.floor(place)), 0), nodes - 2)
     t = place - i
     r = 1.0 - t
-    return i, np.array(
-        [r**3, 4.0 - 6.0 * t**2 + 3.0 * t**3, 4.0 - 6.0 * r**2 + 3.0 * r**3, t**3]
-    ) / 6.0
+    inner, outer = 4.0 - 6.0 * t**2 + 3.0 * t**3, 4.0 - 6.0 * r**2 + 3.0 * r**3
+    return i, np.array([r**3, inner, outer, t**3]) / 6.0
 
 
 def left_out_error(values: Array, axis: int) -> float:
-    """How well cubics through the four nearest other nodes predict each inner node [same unit].
-
-    The largest over all nodes: 64/9 times the error of a cubic half-way between its inner nodes.
+    """How well cubics through the four nearest other nodes predict each inner node [same unit]:
+    the largest over all, 64/9 times the error of a cubic half-way between its inner nodes.
     """
     v = np.moveaxis(values, axis, 0)
     n = v.shape[0]

@@ -1,8 +1,6 @@
-"""Traction tables on disk: one npz file with its format, its inputs and digests of both.
-
-The inputs are stored as text (JSON of the dataclasses) with their SHA-256; so is the digest of the
-arrays. A file that is no such table, of another format, damaged, or built for other inputs than
-requested is refused.
+"""Traction tables on disk: one npz file with its format, its inputs as text (JSON of the
+dataclasses), and SHA-256 digests of inputs and arrays. A file that is no such table, of another
+format, damaged, or built for other inputs than requested is refused.
 """
 
 import json
@@ -28,6 +26,7 @@ FORMAT = "oilfilm traction table"
 # 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films
 FORMAT_VERSION = 3
 ARRAYS = ("axes", "scalars", "values")
+PARTS = ("contact", "range", "error", "full_solves")
 PLAIN = ("points", "kappa_max", "films", "converged", "message")
 # names of the types in a file of this format; they stay where a class moves or is renamed
 TYPES: dict[str, Any] = {
@@ -69,17 +68,13 @@ def write_table(table: TractionTable, file: IO[bytes]) -> None:
     document = {
         "format": FORMAT,
         "format_version": FORMAT_VERSION,
-        "contact": _plain(table.contact),
-        "range": _plain(table.range),
-        "error": _plain(table.error),
+        **{name: _plain(getattr(table, name)) for name in PARTS},
         "inputs": inputs_digest(table.contact, table.range, table.points),
         "content": _content(table),
-        "full_solves": _plain(table.full_solves),
         **{name: getattr(table, name) for name in PLAIN},
     }
-    arrays = {name: getattr(table, name) for name in ARRAYS} | {
-        "values": table.values.astype(np.float32)
-    }
+    values = table.values.astype(np.float32)
+    arrays: dict[str, Any] = {"axes": table.axes, "scalars": table.scalars, "values": values}
     np.savez(file, document=np.array(json.dumps(document)), **arrays)
 
 
@@ -98,33 +93,26 @@ def read_table(stream: IO[bytes], path: str, expected: str | None = None) -> Tra
             document = json.loads(str(file["document"]))
             arrays: dict[str, Any] = {name: file[name].astype(np.float64) for name in ARRAYS}
     except (zipfile.BadZipFile, zlib.error, KeyError, ValueError, EOFError, OSError) as problem:
-        raise ValueError(
-            f"{path}: no traction table, or a damaged one ({type(problem).__name__})"
-        ) from problem
+        kind = type(problem).__name__
+        raise ValueError(f"{path}: no traction table, or a damaged one ({kind})") from problem
     if not isinstance(document, dict) or document.get("format") != FORMAT:
         raise ValueError(f"{path}: no traction table")
-    if document.get("format_version") != FORMAT_VERSION:
-        raise ValueError(
-            f"{path}: format version {document.get('format_version')}, this program reads "
-            f"{FORMAT_VERSION}; make the table again"
-        )
+    version = document.get("format_version")
+    if version != FORMAT_VERSION:
+        needed = f"this program reads {FORMAT_VERSION}; make the table again"
+        raise ValueError(f"{path}: format version {version}, {needed}")
     try:
-        parts = {
-            name: _restored(document[name])
-            for name in ("contact", "range", "error", "full_solves")
-        }
+        parts = {name: _restored(document[name]) for name in PARTS}
         table = TractionTable(**parts, **arrays, **{name: document[name] for name in PLAIN})
     except (KeyError, TypeError, AttributeError, ValueError) as problem:
-        raise ValueError(
-            f"{path}: damaged, or written by another version of this program"
-        ) from problem
+        fault = "damaged, or written by another version of this program"
+        raise ValueError(f"{path}: {fault}") from problem
     digest = inputs_digest(table.contact, table.range, table.points)
     if document.get("content") != _content(table) or document.get("inputs") != digest:
         raise ValueError(f"{path}: damaged: its content is not what was written")
     if expected is not None and expected != digest:
-        raise ValueError(
-            f"{path}: made for another contact, oil, temperature or range; make it again"
-        )
+        fault = "made for another contact, oil, temperature or range; make it again"
+        raise ValueError(f"{path}: {fault}")
     return table
 
 

@@ -27,13 +27,13 @@ from ...closed_form.hertz import hertz_contact
 from ...conditions import ContactConditions
 from ...oil.lubricant import Lubricant
 from ...oil.rheology import Rheology
+from ...ranges import require_positive
 from ...solid.heat import SolidThermal
 from .. import _kernels
+from .._kernels import LOAD_POWER, SPIN_SHARE
 from ..laws import TractionForces
 from .splines import spline_weights
 
-LOAD_POWER = -0.2  # of the load in its coordinate
-SPIN_SHARE = 0.3  # of the sliding by spin at the end of the ellipse in the scale of slide_x
 MIRROR = (1.0, -1.0, -1.0, 1.0)  # signs of F_x, F_y, M_n, M_y where slide_y and spin change theirs
 # bits of the kernel
 FLAGS = ("load below", "load above", "speed below", "speed above", "slide_x", "slide_y", "spin")
@@ -57,14 +57,9 @@ class TableContact:
 
     def conditions(self, load: float, speed: float) -> ContactConditions:
         """Of the film at a load [N] and entrainment speed [m/s], without sliding."""
-        return ContactConditions(
-            load=load,
-            radius_x=self.radius_x,
-            radius_y=self.radius_y,
-            reduced_modulus=self.reduced_modulus,
-            entrainment_speed=speed,
-            lubricant=self.lubricant,
-        )
+        shared = ("radius_x", "radius_y", "reduced_modulus", "lubricant")
+        bodies = {name: getattr(self, name) for name in shared}
+        return ContactConditions(load=load, entrainment_speed=speed, **bodies)
 
     @property
     def unit_semi_axis(self) -> float:
@@ -87,10 +82,7 @@ class TableRange:
             low, high = getattr(self, field)
             if not (isfinite(high) and 0.0 < low < high):
                 raise ValueError(f"{field} must be a range of positive numbers, got {(low, high)}")
-        for field in ("slide_x", "slide_y", "spin"):
-            value = getattr(self, field)
-            if not (isfinite(value) and value > 0.0):
-                raise ValueError(f"{field} must be positive and finite, got {value!r}")
+        require_positive(self, "slide_x", "slide_y", "spin")
 
     @property
     def motions(self) -> tuple[float, float, float]:
@@ -195,9 +187,8 @@ class TractionTable:
         `outside` names what lies there.
         """
         out = np.empty(8)
-        flag = _kernels.table_lookup(
-            *self.kernel_arguments(), load, speed, slide_x, slide_y, spin, out
-        )
+        motion = (load, speed, slide_x, slide_y, spin)
+        flag = _kernels.table_lookup(*self.kernel_arguments(), *motion, out)
         outside = tuple(name for bit, name in enumerate(FLAGS) if flag >> bit & 1)
         return TractionForces._make((*map(float, out), outside))
 
@@ -250,15 +241,12 @@ def vertex_slide(spin: Array, contact: TableContact, load: float) -> Array:
         return 0.0 * spin
     far = 0.5 * spin / (curvature * b)
     share = far / np.sqrt(np.sqrt(1.0 + far**4))
-    vertex: Array = b / contact.radius_x * (spin * share - curvature * b * share * share)
-    return vertex
+    return np.asarray(b / contact.radius_x * (spin * share - curvature * b * share * share))
 
 
 def spinning_scale(scale: float, spin: Array, contact: TableContact, load: float) -> Array:
-    """Scale of slide_x [-] at a spin Omega R_x/u [-].
-
-    Spin without a vertex on the ellipse (r > 1 in `vertex_slide`) spreads the traction's rise over
-    slides of Omega b.
+    """Scale of slide_x at a spin Omega R_x/u [-]: without a vertex on the ellipse (r > 1 in
+    `vertex_slide`) spin spreads the traction's rise over slides of Omega b.
     """
     curvature = 0.5 / contact.curvature_radius
     b = contact.unit_semi_axis * np.cbrt(load)
@@ -269,5 +257,4 @@ def spinning_scale(scale: float, spin: Array, contact: TableContact, load: float
 
 def motion_of(place: Array, scale: Array | float, limit: float) -> Array:
     """S/u of X = asinh(S/(u s))/asinh(L/s), s the scale and L the limit [-]."""
-    motion: Array = scale * np.sinh(place * np.arcsinh(limit / scale))
-    return motion
+    return np.asarray(scale * np.sinh(place * np.arcsinh(limit / scale)))

@@ -33,9 +33,8 @@ class TemperatureTable:
 
     def __post_init__(self) -> None:
         if len(self.tables) < 2 or any(b <= a for a, b in pairwise(self.temperatures)):
-            raise ValueError(
-                f"tables must be two or more at rising temperatures, got {self.temperatures} K"
-            )
+            given = f"got {self.temperatures} K"
+            raise ValueError(f"tables must be two or more at rising temperatures, {given}")
         first = self.tables[0]
         for table in self.tables[1:]:
             if table.range != first.range or not np.allclose(table.axes, first.axes, rtol=SIMILAR):
@@ -49,17 +48,14 @@ class TemperatureTable:
     @property
     def converged(self) -> bool:
         """Whether every table is, and those between keep the tolerance."""
-        return all(table.converged for table in self.tables) and all(
-            error.reached for error in self.errors
-        )
+        between = all(error.reached for error in self.errors)
+        return between and all(table.converged for table in self.tables)
 
     def replaced(self, table: TractionTable) -> "TemperatureTable":
         """These with another table at its temperature [K]; left out where there is none."""
         at = table.contact.temperature
-        return replace(
-            self,
-            tables=tuple(table if one.contact.temperature == at else one for one in self.tables),
-        )
+        tables = (table if one.contact.temperature == at else one for one in self.tables)
+        return replace(self, tables=tuple(tables))
 
     def at(self, temperature: float, lubricant: Lubricant | None = None) -> TractionTable:
         """The table at a temperature [K] in range, with an oil whose viscosities are those between
@@ -69,10 +65,8 @@ class TemperatureTable:
         """
         known = np.array(self.temperatures)
         if not known[0] <= temperature <= known[-1]:
-            raise ValueError(
-                f"temperature must lie within {known[0]:.2f} to {known[-1]:.2f} K, those of the "
-                f"table, got {temperature:.2f} K"
-            )
+            allowed = f"{known[0]:.2f} to {known[-1]:.2f} K, those of the table"
+            raise ValueError(f"temperature must lie within {allowed}, got {temperature:.2f} K")
         order = np.argsort(np.abs(known - temperature), kind="stable")
         nearest = self.tables[int(order[0])]
         if known[order[0]] == temperature:
@@ -81,12 +75,7 @@ class TemperatureTable:
         chosen = order[:NEAREST]
         weights = lagrange_weights(known[chosen], temperature)
         tables = [self.tables[int(k)] for k in chosen]
-        oil = _oil(
-            nearest.contact.lubricant,
-            [table.contact.lubricant for table in tables],
-            weights,
-            temperature,
-        )
+        oil = _oil([table.contact.lubricant for table in tables], weights, temperature)
         _require_same(oil, lubricant)
         return replace(
             nearest,
@@ -137,23 +126,17 @@ def _require_same(expected: Lubricant, given: Lubricant | None) -> None:
     for field in ("viscosity", "pressure_viscosity"):
         wanted = getattr(expected, field)
         if given is not None and abs(getattr(given, field) - wanted) > OIL_TOLERANCE * wanted:
-            raise ValueError(
-                f"made for another oil: its {field} is {wanted:.4g}, "
-                f"not {getattr(given, field):.4g}"
-            )
+            other = f"{wanted:.4g}, not {getattr(given, field):.4g}"
+            raise ValueError(f"made for another oil: its {field} is {other}")
 
 
 def _sum(weights: Array, parts: Sequence[Array]) -> Array:
-    total = np.zeros_like(parts[0])
-    for weight, part in zip(weights, parts, strict=True):
-        total += weight * part
-    return total
+    return np.asarray(sum(weight * part for weight, part in zip(weights, parts, strict=True)))
 
 
-def _oil(
-    nearest: Lubricant, oils: Sequence[Lubricant], weights: Array, temperature: float
-) -> Lubricant:
-    """An oil of interpolated viscosities and density; other constants of the nearest one."""
+def _oil(oils: Sequence[Lubricant], weights: Array, temperature: float) -> Lubricant:
+    """An oil of interpolated viscosities and density; other constants of the first one."""
+    nearest = oils[0]
     viscosity = float(np.exp(weights @ np.log([oil.viscosity for oil in oils])))
     slope = float(weights @ np.array([oil.pressure_viscosity for oil in oils]))
     density = float(weights @ np.array([oil.density for oil in oils]))
