@@ -15,7 +15,9 @@ from .law import REFERENCE_TRACTION, ContactLaw, Dissipation
 
 Evaluate = Callable[[NDArray[np.int64], Array, Array], tuple[Array, Array]]
 
-STEP = 1.0e-5  # of slides over u, and spin over u/R_x, for difference quotients [-]
+# of slides over u, and spin over u/R_x, for difference quotients [-]; half and double of it change
+# loads and speeds of eight random bearings in traction equilibrium by 5e-12 at most
+STEP = 1.0e-5
 
 
 def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw]) -> ContactLaw:
