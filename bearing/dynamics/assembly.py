@@ -150,9 +150,8 @@ def normal_laws(bearing: Bearing, model: DynamicsModel, angles: tuple[float, flo
     # a lubricated race leaves pocket and land to Lankarani and Nikravesh's law
     other_law = NormalLaw.LANKARANI_NIKRAVESH if normal.law is NormalLaw.LUBRICATED else normal.law
     other = damping_factor(other_law, normal.restitution)
-    rows.append((cage.pocket_stiffness, HERTZ_EXPONENT, other))
-    rows.append((cage.land_stiffness, 1.0, other))
-    return np.array(rows)
+    pocket = (cage.pocket_stiffness, HERTZ_EXPONENT, other)
+    return np.array([*rows, pocket, (cage.land_stiffness, 1.0, other)])
 
 
 def scales(data: EquationData, load: float, model: DynamicsModel) -> Array:

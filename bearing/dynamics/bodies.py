@@ -33,13 +33,9 @@ def ring_body(
 ) -> RingBody:
     """The inner ring as a hollow cylinder from its bore to the bottom of its groove.
 
-    `bearing`: with bore and width; `mass`: of ring and what turns with it [kg]; None: of the
-    cylinder; `damping`: of the support [N s/m]; `unbalance` [kg m], and its phase from +y [rad].
-
-    Raises
-    ------
-    ValueError
-        Where bore or width are missing.
+    `bearing`: with bore and width, else ValueError; `mass`: of ring and what turns with it [kg];
+    None: of the cylinder; `damping`: of the support [N s/m]; `unbalance` [kg m], and its phase
+    from +y [rad].
     """
     if bearing.bore is None or bearing.width is None:
         raise ValueError("bore and width are needed for the inertia of the inner ring")

@@ -74,16 +74,10 @@ def race_friction(
 
 
 def check_film(data: FrictionData, law: Array, name: str) -> None:
-    """Check that the load rises with the approach over a whole table: no film thickens faster than
-    the bodies give way.
+    """ValueError unless the load rises with the approach over the whole table of a race: no film
+    may thicken faster than the bodies give way.
 
-    `data`: of a race with a table; `law`, shape (3,): K [N/m^n], n [-], chi [-]; `name`: of the
-    race.
-
-    Raises
-    ------
-    ValueError
-        Where a film rises with the load so steeply.
+    `law`, shape (3,): K [N/m^n], n [-], chi [-]; `name`: of the race.
     """
     first, density, nodes = data.axes[:2].T
     last = first + (nodes - 1) / density

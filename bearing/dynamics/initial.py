@@ -56,10 +56,8 @@ def starting_point(bearing: Bearing, operation: Operation, model: DynamicsModel)
         return point
     solution = solve_quasistatic(bearing, first)
     if not solution.converged:
-        text = (
-            f"dynamics: no quasi-static start ({solution.message}); started with the balls "
-            "rolling on the outer race"
-        )
+        text = f"dynamics: no quasi-static start ({solution.message})"
+        text += "; started with the balls rolling on the outer race"
         return replace(point, messages=(text,))
     angles = (
         mean_angle(solution.inner_contact_angle, solution.inner_load, angle),

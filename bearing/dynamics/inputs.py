@@ -39,11 +39,9 @@ class NormalContact:
         if not 0.0 < self.restitution <= 1.0:
             raise ValueError(f"restitution must lie in (0, 1], got {self.restitution!r}")
         require_positive(self, "impact_floor")
-        stiffnesses = {
-            "inner_stiffness": self.inner_stiffness,
-            "outer_stiffness": self.outer_stiffness,
-        }
-        require_positive({name: k for name, k in stiffnesses.items() if k is not None})
+        stiffnesses = {"inner": self.inner_stiffness, "outer": self.outer_stiffness}
+        given = {f"{race}_stiffness": k for race, k in stiffnesses.items() if k is not None}
+        require_positive(given)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -101,11 +99,8 @@ class Schedule:
     values: tuple[tuple[float, ...], ...]  # [rad/s], [N], [N m]
 
     def __post_init__(self) -> None:
-        if (
-            not self.time
-            or len(self.time) != len(self.values)
-            or any(len(row) != GIVEN_COLUMNS for row in self.values)
-        ):
+        lengths = {len(row) for row in self.values}
+        if lengths != {GIVEN_COLUMNS} or len(self.time) != len(self.values):
             raise ValueError("schedule: needs a row of seven values for each time")
         if any(b <= a for a, b in zip(self.time, self.time[1:], strict=False)):
             raise ValueError(f"schedule: times must rise, got {self.time}")
@@ -157,10 +152,8 @@ class DynamicsOptions:
     def __post_init__(self) -> None:
         require_positive(self, "end_time", "sample_interval", "tolerance")
         if self.sample_interval > self.end_time:
-            raise ValueError(
-                f"sample_interval must not exceed end_time {self.end_time}, "
-                f"got {self.sample_interval}"
-            )
+            text = f"sample_interval must not exceed end_time {self.end_time}"
+            raise ValueError(f"{text}, got {self.sample_interval}")
         if not self.drag >= 0.0:
             raise ValueError(f"drag must not be negative, got {self.drag!r}")
 

@@ -2,7 +2,6 @@
 
 from math import pi, sqrt
 
-from ..friction.resistance import SPHERE_DRAG
 from ..geometry import Bearing, Race, contact_modulus
 from ..operation import Operation
 from ..rating.frequencies import kinematic_cage_speed
@@ -55,9 +54,7 @@ def vibration_frequency(stiffness: float, load: float, mass: float) -> float:
     return sqrt(3.0 * stiffness ** (2.0 / 3.0) * load ** (1.0 / 3.0) / mass)
 
 
-def drag_of_mixture(
-    density: float, ball_diameter: float, coefficient: float = SPHERE_DRAG
-) -> float:
+def drag_of_mixture(density: float, ball_diameter: float, coefficient: float) -> float:
     """Drag of a ball over the square of its speed, C_D rho (pi/4) D^2/2 [N s^2/m^2], in a mixture
     of oil and air at rest of that density [kg/m^3].
     """

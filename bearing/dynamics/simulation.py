@@ -96,9 +96,7 @@ class Simulation:
 
     def pieces(self) -> Iterator[Record]:
         """Move on to the end; a record after each piece. Stops early, `converged` False, where a
-        step fails.
-
-        Ctrl-C during a piece leaves the state at its beginning.
+        step fails; Ctrl-C during a piece leaves the state at its beginning.
         """
         times = self.sample_times()
         for first in range(0, times.size, PIECE):
@@ -133,10 +131,8 @@ class Simulation:
             status, remainder = advance_implicit(self.state, self.data, rest, *method)
             record = join(record, remainder)
         elif self.state.stiff and status == DONE:
-            self._note(
-                f"dynamics: explicit steps again from t = {before.time:.6g} s on; LSODA where "
-                "they are given up"
-            )
+            text = f"explicit steps again from t = {before.time:.6g} s on; LSODA where"
+            self._note(f"dynamics: {text} they are given up")
         if status != DONE:
             self.converged = False
             failure = FAILURES[status].format(t=self.state.time)
@@ -150,10 +146,7 @@ class Simulation:
 
 
 def simulation(bearing: Bearing, operation: Operation, model: DynamicsModel) -> Simulation:
-    """A simulation at its start.
-
-    `operation`: speeds [rad/s], loads [N, N m] of the inner ring.
-    """
+    """A simulation at its start, under speeds [rad/s] and loads [N], [N m] of the inner ring."""
     point = starting_point(bearing, operation, model)
     data = assemble(bearing, operation, model, point)
     y = initial_state(bearing, data, point, model.options.start)
@@ -169,8 +162,6 @@ def from_state(
     """A simulation from a state vector [SI]."""
     point, data, y = start
     n = bearing.balls
-    attitude = np.zeros((n, 4))
-    attitude[:, 0] = 1.0
     state = SimulationState(
         time=0.0,
         step=FIRST_STEP,
@@ -179,7 +170,7 @@ def from_state(
         onset=np.full(3 * n + 2, -np.inf),
         contact_state=np.zeros((2, n), dtype=np.int8),
         shares=np.zeros((2, n, 3)),
-        attitude=attitude,
+        attitude=np.tile([1.0, 0.0, 0.0, 0.0], (n, 1)),
         counters=np.zeros(COUNTERS, dtype=np.int64),
     )
     energy = np.zeros(3)

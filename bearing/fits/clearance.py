@@ -162,11 +162,7 @@ def clearance_budget(
     need them; `operation`: speeds of the rings [rad/s]; shaft and housing turn with them; `fit`:
     None: the rings are free; `rise`: None: nothing heats up.
 
-    Raises
-    ------
-    ValueError
-        If a dimension or a thermal expansion that is needed is missing or impossible; the message
-        names it.
+    A ValueError names a dimension or a thermal expansion that is missing or impossible.
     """
     speeds = (operation.inner_speed, operation.outer_speed)
     if fit is not None:
@@ -265,9 +261,8 @@ def _messages(
             yield f"clearance: centrifugal growth of the {ring} ring left out, no {key} is given"
         tight = fit is not None and getattr(fit, f"{ring}_interference") > 0.0
         if tight and running.get(f"{ring}_interference", 0.0) <= 0.0:
-            yield (
-                f"clearance: the {ring} ring comes loose on its seat, the fit is lost in operation"
-            )
+            text = f"the {ring} ring comes loose on its seat, the fit is lost in operation"
+            yield f"clearance: {text}"
 
 
 def cage_clearance(

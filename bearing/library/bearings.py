@@ -53,10 +53,8 @@ def warn_of_estimates(name: str, values: Mapping[str, Any], assumed: Collection[
         text, unit = _words(field)
         estimates.append(f"{text} {value:g}{unit} ({low:g} to {high:g})")
     if estimates:
-        warnings.warn(
-            f"bearing {key!r}: internal geometry is estimated: {', '.join(estimates)}",
-            stacklevel=2,
-        )
+        text = f"bearing {key!r}: internal geometry is estimated: {', '.join(estimates)}"
+        warnings.warn(text, stacklevel=2)
 
 
 def _words(field: str) -> tuple[str, str]:

@@ -52,16 +52,13 @@ def library_lubricant(name: str, temperature: float, **laws: Any) -> Lubricant:
     entry = table[key]
     low, high = entry["range_C"]
     if not low <= temperature - ZERO_CELSIUS <= high:
-        message = (
-            f"lubricant {key!r}: {temperature - ZERO_CELSIUS:.1f} C is outside {low} to {high} C"
-        )
-        warnings.warn(message, stacklevel=2)
+        celsius = f"{temperature - ZERO_CELSIUS:.1f} C"
+        warnings.warn(f"lubricant {key!r}: {celsius} is outside {low} to {high} C", stacklevel=2)
     constants = _free_volume(entry, temperature)
     alpha = pressure_viscosity(entry, temperature)
     if laws.get("viscosity_law") is ViscosityLaw.TAIT_DOOLITTLE and constants:
-        alpha = pressure_viscosity_doolittle(
-            constants["tait"], constants["doolittle"], temperature
-        )
+        free_volume = (constants["tait"], constants["doolittle"])
+        alpha = pressure_viscosity_doolittle(*free_volume, temperature)
     return Lubricant(
         viscosity=dynamic_viscosity(entry, temperature),
         pressure_viscosity=alpha,

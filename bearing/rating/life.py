@@ -75,10 +75,8 @@ class LifeRating:
 def bearing_life(
     solution: QuasistaticSolution, lubricant: Lubricant, rating: RatingInput
 ) -> LifeRating:
-    """Basic and modified reference rating life, ISO 16281, from the ball loads of an equilibrium.
-
-    `solution`: ball loads [N]; `lubricant`: viscosity [Pa s] and density [kg/m^3] at the
-    temperature of operation.
+    """Basic and modified reference rating life, ISO 16281, from the ball loads [N] of an
+    equilibrium, with a lubricant at the temperature of operation [Pa s].
     """
     bearing = solution.bearing
     reason = _not_covered(bearing) or ("" if solution.converged else "there is no equilibrium")
@@ -221,8 +219,7 @@ def reference_life(solution: QuasistaticSolution, capacity: float, contact_angle
     Q_j^p/Z)^(1/p), p = 3 for a ring that turns relative to the load and 10/3 for one that stands.
     The load stands in space.
 
-    `solution`: ball loads [N]; `capacity`: C_r of one row [N]; `contact_angle`: nominal contact
-    angle [rad].
+    `solution`: ball loads [N]; `capacity`: C_r of one row [N]; `contact_angle`: nominal [rad].
     """
     inner, outer = ball_ratings(solution.bearing, capacity, contact_angle)
     operation = solution.operation

@@ -40,29 +40,23 @@ def geometry_not_rated(bearing: Bearing, contact_angle: float) -> str:
     """Why `dynamic_rating` does not hold for a geometry, or empty; nominal angle in [rad]."""
     gamma = _gamma(bearing, contact_angle)
     if not SMALLEST_GAMMA <= gamma <= LARGEST_GAMMA:
-        return (
-            f"D cos(alpha)/d_m = {gamma:.3g} lies outside the factors f_c at hand: give "
-            "basic_dynamic_rating_kN"
-        )
+        text = f"D cos(alpha)/d_m = {gamma:.3g} lies outside the factors f_c at hand"
+        return f"{text}: give basic_dynamic_rating_kN"
     return ""
 
 
 def wide_grooves(bearing: Bearing) -> bool:
     """Whether a groove is wider than those f_c is for, which lowers the rating."""
-    inner, outer = LARGEST_CONFORMITIES
-    return (
-        bearing.inner_conformity > inner + ROUNDING or bearing.outer_conformity > outer + ROUNDING
-    )
+    inner, outer = (conformity + ROUNDING for conformity in LARGEST_CONFORMITIES)
+    return bearing.inner_conformity > inner or bearing.outer_conformity > outer
 
 
 def factor_f_c(gamma: float) -> float:
-    """f_c of the dynamic rating of radial ball bearings (N, mm): Lundberg and Palmgren (1947), ISO
-    281.
+    """f_c of the dynamic rating of radial ball bearings (N, mm) at gamma = D cos(alpha)/d_m, 0.01
+    to 0.40 [-]: Lundberg and Palmgren (1947), ISO 281.
 
     Their form with both grooves 0.52 D wide and one scale passes the five points of the standard's
     table at hand within their rounding.
-
-    `gamma`: D cos(alpha)/d_m, 0.01 to 0.40 [-].
     """
     return F_C_SCALE * lundberg_palmgren(gamma, F_C_CONFORMITY, F_C_CONFORMITY)
 
@@ -95,14 +89,11 @@ def groove_factor(bearing: Bearing, contact_angle: float) -> float:
 
 
 def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
-    """Basic dynamic radial load rating [N], ISO 281: C_r = 1.3 f_c (cos alpha)^0.7 Z^(2/3) D^1.8,
-    one row.
+    """Basic dynamic radial load rating of one row [N] at a nominal contact angle [rad], ISO 281:
+    C_r = 1.3 f_c (cos alpha)^0.7 Z^(2/3) D^1.8, and 3.647 D^1.4 for D^1.8 above 25.4 mm (in mm).
 
     For grooves wider than f_c is for it is lowered as the theory behind f_c says
     (`groove_factor`).
-
-    `bearing`: lengths in [m]; above a ball diameter of 25.4 mm, 3.647 D^1.4 instead of D^1.8 (in
-    mm); `contact_angle`: nominal contact angle [rad].
     """
     diameter = bearing.ball_diameter / MILLIMETRE
     power = diameter**1.8 if bearing.ball_diameter <= LARGE_BALL else 3.647 * diameter**1.4
@@ -111,14 +102,13 @@ def dynamic_rating(bearing: Bearing, contact_angle: float) -> float:
 
 
 def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tuple[float, float]:
-    """Dynamic ratings of the balls on inner and outer ring Q_ci, Q_ce [N], ISO 16281.
+    """Dynamic ratings of the balls on inner and outer ring Q_ci, Q_ce [N], ISO 16281, from C_r [N]
+    and the nominal contact angle [rad].
 
     Q_ci = C_r/(0.407 Z cos alpha) (1 + T^(10/3))^0.3, Q_ce = C_r/(0.389 Z cos alpha) (1 +
     T^(-10/3))^0.3, T = 1.044 ((1 - g)/(1 + g))^1.72 [r_i (2 r_e - D)/(r_e (2 r_i - D))]^0.41, g =
     D cos alpha/d_m. One transcription has (cos alpha)^0.7; the theory of Lundberg and Palmgren
     supports the first power.
-
-    `capacity`: C_r [N]; `contact_angle`: nominal contact angle [rad].
     """
     diameter = bearing.ball_diameter
     inner = bearing.inner_groove_radius
@@ -132,13 +122,10 @@ def ball_ratings(bearing: Bearing, capacity: float, contact_angle: float) -> tup
 
 
 def fatigue_load_limit(bearing: Bearing, contact_angle: float) -> float:
-    """C_u [N], ISO 281: 0.2288 Z min(Q_ui, Q_ue) cos alpha, times (100/d_m)^0.5 above d_m = 100
-    mm.
+    """C_u [N] at a nominal contact angle [rad], ISO 281: 0.2288 Z min(Q_ui, Q_ue) cos alpha, times
+    (100/d_m)^0.5 above d_m = 100 mm.
 
-    Q_u is the ball load at a Hertz pressure of 1500 MPa, with the moduli of the bearing's own
-    materials.
-
-    `contact_angle`: nominal contact angle [rad].
+    Q_u: ball load at a Hertz pressure of 1500 MPa, with the moduli of the bearing's own materials.
     """
     limits = load_at_pressure(bearing, contact_angle, FATIGUE_PRESSURE)
     size = min(1.0, (0.1 / bearing.pitch_diameter) ** 0.5)
@@ -146,14 +133,12 @@ def fatigue_load_limit(bearing: Bearing, contact_angle: float) -> float:
 
 
 def static_rating(bearing: Bearing, contact_angle: float) -> float:
-    """Basic static radial load rating [N], after the definition of ISO 76: 4200 MPa at the
-    heaviest contact.
+    """Basic static radial load rating [N] at a nominal contact angle [rad], after the definition
+    of ISO 76: 4200 MPa at the heaviest contact.
 
     C_0r = Z cos(alpha) min(Q_i, Q_e)/5, Q the ball load at 4200 MPa on grooves of 0.52 D (inner)
     and 0.53 D (outer) or wider, 5 the heaviest over the mean ball load after Stribeck. The
     standard's table of f_0 was not read.
-
-    `contact_angle`: nominal contact angle [rad].
     """
     inner, outer = (conformity * bearing.ball_diameter for conformity in LARGEST_CONFORMITIES)
     rated = replace(

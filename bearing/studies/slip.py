@@ -107,10 +107,7 @@ class CriticalCurves:
 
 
 def slip_factors(solution: QuasistaticSolution) -> Array:
-    """SF = Qi |sin ai|/Fc of every ball, shape (Z,) [-], Hirano (1965); infinite at rest.
-
-    `solution`: loads in [N], angles in [rad].
-    """
+    """SF = Qi |sin ai|/Fc of every ball, shape (Z,) [-], Hirano (1965); infinite at rest."""
     axial = solution.inner_load * np.abs(np.sin(solution.inner_contact_angle))
     force = solution.centrifugal_force
     factors: Array = np.where(force > 0.0, axial / np.where(force > 0.0, force, 1.0), np.inf)
@@ -207,9 +204,8 @@ def critical_curves(
 
 
 def minimum_axial_load_skf(factor: float, speed: float) -> float:
-    """Catalogue minimum axial load F_am = A (n/1000)^2, SKF Rolling bearings catalogue [N].
-
-    `factor`: A of the product table, there in kN; here [N]; `speed` [rad/s]; n is in r/min.
+    """Catalogue minimum axial load F_am = A (n/1000)^2, SKF Rolling bearings catalogue [N]; A of
+    the product table in [N], speed in [rad/s], n in r/min.
     """
     return factor * (speed / RPM / 1000.0) ** 2
 
@@ -218,11 +214,10 @@ def minimum_radial_load_skf(
     factor: float, speed: float, kinematic_viscosity: float, pitch_diameter: float
 ) -> float:
     """Catalogue minimum radial load F_rm = k_r (nu n/1000)^(2/3) (d_m/100)^2, SKF Rolling bearings
-    catalogue [N].
+    catalogue [N]; n in r/min, nu in mm^2/s, d_m in mm.
 
-    `factor`: k_r of the product table, there in kN; here [N]; `speed` [rad/s]; n is in r/min;
-    `kinematic_viscosity`: at operating temperature [m^2/s]; nu is in mm^2/s; `pitch_diameter` [m];
-    d_m is in mm.
+    `factor`: k_r of the product table [N]; `speed` [rad/s]; `kinematic_viscosity`: at operating
+    temperature [m^2/s]; `pitch_diameter` [m].
     """
     flow = kinematic_viscosity / MILLIMETRE**2 * abs(speed / RPM) / 1000.0
     return float(factor * flow ** (2.0 / 3.0) * (pitch_diameter / MILLIMETRE / 100.0) ** 2)

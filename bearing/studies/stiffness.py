@@ -24,9 +24,8 @@ class StiffnessOverSpeed:
     """Stiffness and displacement of the inner ring over its speed; NaN without an equilibrium."""
 
     speeds: Array  # of the inner ring [rad/s], shape (n,)
-    # d(load)/d(displacement) in the order x, y, z, tilt y, tilt z, [N/rad], [N m/rad], shape (n,
-    # 5, 5)
-    matrices: Array  # [N/m]
+    # d(load)/d(displacement) in the order x, y, z, tilt y, tilt z, shape (n, 5, 5)
+    matrices: Array  # [N/m], [N/rad], [N m/rad]
     displacements: Array  # [m], [rad], shape (n, 5)
     messages: tuple[str, ...]  # of the speeds without an equilibrium
 
@@ -44,10 +43,8 @@ def stiffness_over_speed(
     rows: Sequence[Row] = SINGLE,
     solve: Callable[..., QuasistaticSolution] = solve_quasistatic,
 ) -> StiffnessOverSpeed:
-    """Stiffness at several speeds of the inner ring, all else as in the operation.
-
-    `operation`: loads [N] or displacements [m]; its inner speed is replaced; `speeds` [rad/s];
-    `solve`: finds the equilibrium; called as `solve_quasistatic`.
+    """Stiffness at several speeds of the inner ring [rad/s], all else as in the operation, whose
+    inner speed is replaced; `solve` is called as `solve_quasistatic`.
     """
     matrices = np.full((len(speeds), 5, 5), np.nan)
     displacements = np.full((len(speeds), 5), np.nan)

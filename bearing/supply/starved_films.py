@@ -51,10 +51,8 @@ def starved_films(
     roughness: tuple[float, float] | None = None,
     solutions: Sequence[ContactSolution | None] | None = None,
 ) -> tuple[StarvedFilm | None, ...]:
-    """What a supply leaves of the film of every contact; None where no oil is entrained or no
-    flooded film is known.
-
-    The minimum film is taken to keep the share of the central one.
+    """What a supply leaves of the film of every contact, the minimum film as the central one; None
+    where no oil is entrained or no flooded film is known.
 
     `balls`: in one row [-]; `roughness`: root mean square of inner race and balls, outer race and
     balls [m]; `solutions`: flooded films; formulas where one is missing or did not converge.
@@ -82,11 +80,9 @@ def of_driven_balls(
     films: Sequence[StarvedFilm | None],
 ) -> list[StarvedFilm]:
     """Films of the balls that both races load."""
-    return [
-        film
-        for film, contact in zip(films, contacts, strict=True)
-        if film is not None and solution.inner_load[contact.ball - 1] > 0.0
-    ]
+    pairs = zip(films, contacts, strict=True)
+    load = solution.inner_load
+    return [film for film, contact in pairs if film is not None and load[contact.ball - 1] > 0.0]
 
 
 def mean_share(films: Sequence[StarvedFilm]) -> float:

@@ -6,9 +6,8 @@ Either the layer of oil that every contact finds at its inlet is given (`InletFi
 
 Film: a contact that finds an oil layer of r times its compressed flooded film builds a film of
 :math:`r/(1 + r^\gamma)^{1/\gamma}` times the flooded one (Chevalier et al., 1998; Damiens et al.,
-2004) and presses the
-rest out of the track. Under a flow, the layer it leaves loses a share on the way to the next ball,
-and the supply adds to it. In the steady state
+2004) and presses the rest out of the track. Under a flow, the layer it leaves loses a share on the
+way to the next ball, and the supply adds to it. In the steady state
 
     r = (1 - loss) r/(1 + r^gamma)^(1/gamma) + added layer/(density ratio times flooded film).
 

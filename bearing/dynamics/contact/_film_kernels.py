@@ -12,6 +12,9 @@ from ehl.traction._kernels import CENTRAL_FILM, LOAD_POWER
 
 from ..arrays import EXPONENT, STIFFNESS
 
+# of the axes of a table: rows, and columns
+LOAD, SPEED = range(2)
+FIRST, DENSITY, NODES = range(3)
 NEWTON_STEPS = 40
 # last step of Newton's iteration over the approach; the error left is its square [-]
 STEP_TOLERANCE = 1.0e-9
@@ -20,14 +23,14 @@ STEP_TOLERANCE = 1.0e-9
 @compiled
 def smallest_load(axes):
     """Smallest load of a table."""
-    return (-axes[0, 0]) ** (1.0 / LOAD_POWER)
+    return (-axes[LOAD, FIRST]) ** (1.0 / LOAD_POWER)
 
 
 @compiled
 def weights(place, axis):
     """Index, weights and slopes of a uniform cubic B-spline at a place clamped to its axis."""
-    t = min(max(place - axis[0], 0.0) * axis[1], axis[2] - 1.0)
-    i = min(max(int(t), 0), int(axis[2]) - 2)
+    t = min(max(place - axis[FIRST], 0.0) * axis[DENSITY], axis[NODES] - 1.0)
+    i = min(max(int(t), 0), int(axis[NODES]) - 2)
     t -= i
     r = 1.0 - t
     second = (4.0 - 6.0 * t * t + 3.0 * t * t * t) / 6.0
@@ -44,7 +47,8 @@ def film_and_slope(axes, scalars, load, at_speed, share):
     Above the table's largest load the film is that of the largest.
     """
     place = -(load**LOAD_POWER)
-    i, w, d = weights(place, axes[0])
+    axis = axes[LOAD]
+    i, w, d = weights(place, axis)
     j, v, _ = at_speed
     logarithm = 0.0
     steep = 0.0
@@ -54,8 +58,8 @@ def film_and_slope(axes, scalars, load, at_speed, share):
         logarithm += w[a] * mean
         steep += d[a] * mean
     film = share * np.exp(logarithm)
-    beyond = (place - axes[0, 0]) * axes[0, 1] >= axes[0, 2] - 1.0
-    return film, 0.0 if beyond else film * steep * axes[0, 1] * LOAD_POWER * place / load
+    beyond = (place - axis[FIRST]) * axis[DENSITY] >= axis[NODES] - 1.0
+    return film, 0.0 if beyond else film * steep * axis[DENSITY] * LOAD_POWER * place / load
 
 
 @compiled
@@ -68,8 +72,8 @@ def elastic_approach(axes, scalars, law, distance, speed):
     start left of the root; w - h_c is concave where the film falls ever less steeply, so they rise
     to it.
     """
-    at_speed = weights(np.log(max(speed, 1e-300)), axes[1])
-    share = min(1.0, speed / np.exp(axes[1, 0]))
+    at_speed = weights(np.log(max(speed, 1e-300)), axes[SPEED])
+    share = min(1.0, speed / np.exp(axes[SPEED, FIRST]))
     lightest = smallest_load(axes)
     least = (lightest / law[STIFFNESS]) ** (1.0 / law[EXPONENT])
     w = distance
