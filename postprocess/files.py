@@ -50,11 +50,15 @@ def umask() -> int:
     return mask
 
 
-def write_json(document: dict[str, Any], path: Path) -> None:
-    """Write a JSON document atomically; NaN and infinity are refused with ValueError."""
-    text = json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False)
+def write_text(path: Path, text: str) -> None:
+    """Write a text, which appears when it is complete."""
     with atomic_path(path) as temporary:
-        temporary.write_text(text + "\n", encoding="utf-8")
+        temporary.write_text(text, encoding="utf-8")
+
+
+def write_json(document: dict[str, Any], path: Path) -> None:
+    """Write a JSON document; NaN and infinity are refused with ValueError."""
+    write_text(path, json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
 
 
 def plain_document(document: dict[str, Any]) -> dict[str, Any]:

@@ -36,7 +36,7 @@ RC: Any = {
     "contour.linewidth": 0.4,
     "figure.constrained_layout.use": True,
 }
-# in Hertz semi-axes along and across the entrainment
+# of the part shown, in Hertz semi-axes along and across the entrainment; chosen by eye
 SHOWN_INLET = -2.5
 SHOWN_OUTLET = 1.5
 SHOWN_SIDE = 1.35
@@ -49,8 +49,9 @@ BEYOND_SCALE = "#e4e7eb"  # film thicker than the colour scale
 
 
 def film_range(central: float, minimum: float) -> tuple[float, float]:
-    """Ends of a film's colour scale in the unit of the films, such as [um]: the inlet is beyond
-    it.
+    """Ends of a film's colour scale in the unit of the films, as [um]; the inlet is beyond.
+
+    Chosen by eye, so that plateau and horseshoe of most contacts take most of the colours.
     """
     spread = central - minimum
     if not central > 0.0:  # a failed solution
@@ -61,9 +62,7 @@ def film_range(central: float, minimum: float) -> tuple[float, float]:
 
 
 def common_film_range(central: Sequence[float], minimum: Sequence[float]) -> tuple[float, float]:
-    """Ends of the logarithmic colour scale that many contacts share, in the unit of their films,
-    such as [um].
-    """
+    """Ends of the logarithmic scale that many contacts share, in the unit of films, as [um]."""
     low = min((h for h in minimum if h > 0.0), default=0.5)
     high = max((h for h in central if h > 0.0), default=1.0)
     return low, max(1.3 * high, 1.1 * low)
@@ -73,19 +72,14 @@ def film_ticks(low: float, high: float) -> list[float]:
     """About eight round values on a scale from `low` to `high` [any unit]."""
     step = 10.0 ** np.floor(np.log10((high - low) / 4.0))
     step *= 5.0 if (high - low) / step > 30.0 else 2.0 if (high - low) / step > 12.0 else 1.0
-    return [
-        float(tick) for tick in np.arange(np.ceil(low / step), np.floor(high / step) + 1.0) * step
-    ]
+    numbers = np.arange(np.ceil(low / step), np.floor(high / step) + 1.0)
+    return [float(tick) for tick in numbers * step]
 
 
 def colour_stops(quantity: str, count: int) -> Array:
-    """Evenly spaced colours of a quantity's map, shape (count, 3), red, green and blue from 0 to 1
-    [-].
-    """
-    colours: Array = matplotlib.colormaps[COLOUR_MAPS[quantity]](np.linspace(0.0, 1.0, count))[
-        :, :3
-    ]
-    return colours
+    """Even colours of a quantity's map, red, green, blue from 0 to 1 [-], shape (count, 3)."""
+    colours = matplotlib.colormaps[COLOUR_MAPS[quantity]](np.linspace(0.0, 1.0, count))
+    return np.asarray(colours[:, :3])
 
 
 def save(figure: Figure, path: Path) -> None:

@@ -15,25 +15,12 @@ FOREIGN = "is a netCDF file, but not one of oilfilm's results"
 
 
 def open_results(directory: str | Path) -> xarray.DataTree:
-    """Open the results of a command; fields are read from disk when they are first used.
+    """Open the results of a command, by its folder or netCDF file.
 
-    Parameters
-    ----------
-    directory : str or Path
-        Folder of `oilfilm run`, `contact`, `batch`, `slip`, `stiffness` or `dynamics`, or its
-        netCDF file.
-
-    Returns
-    -------
-    xarray.DataTree
-        SI, but for batches, whose variables name their units. `tree.attrs` has the `kind`, the
-        program's version (`oilfilm`) and the input as JSON (`case`); groups of a bearing as
-        in `write_bearing_netcdf`. Close it when done.
-
-    Raises
-    ------
-    ValueError
-        If there are no results, or the file is damaged, not ours, or written by a newer program.
+    SI, but for batches, whose variables name their units; fields are read from disk when they are
+    first used. `tree.attrs` has the `kind`, the program's version (`oilfilm`) and the input as
+    JSON (`case`); groups of a bearing as in `write_bearing_netcdf`. Close it when done.
+    ValueError without results, or if the file is damaged, not ours, or of a newer program.
     """
     path = _data_file(Path(directory))
     tree = open_tree(path)
@@ -52,10 +39,8 @@ def _data_file(path: Path) -> Path:
         if (path / HISTORY_FILE).is_file() and not (path / FIELDS_FILE).exists():
             return path / HISTORY_FILE
         if (path / SUMMARY_FILE).is_file() and not (path / FIELDS_FILE).exists():
-            raise ValueError(
-                f"{path} holds {SUMMARY_FILE}, but no {FIELDS_FILE}: compute it again with this "
-                "version"
-            )
+            lack = f"holds {SUMMARY_FILE}, but no {FIELDS_FILE}"
+            raise ValueError(f"{path} {lack}: compute it again with this version")
         path = path / FIELDS_FILE
     if not path.is_file():
         raise ValueError(f"{path.parent} holds no results: {path.name} is missing")
@@ -65,16 +50,14 @@ def _data_file(path: Path) -> Path:
 def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
     """A history with what its summary says; without one the simulation was not finished."""
     tree.attrs["kind"] = "dynamics"
-    summary = path.with_name(SUMMARY_FILE)
     try:
-        document = json.loads(summary.read_text(encoding="utf-8"))
-        tree.attrs["converged"] = int(document["converged"])
-        tree.attrs["messages"] = json.dumps(document["messages"], ensure_ascii=False)
+        document = json.loads(path.with_name(SUMMARY_FILE).read_text(encoding="utf-8"))
+        converged, messages = int(document["converged"]), list(document["messages"])
     except (OSError, ValueError, KeyError, TypeError):
-        tree.attrs["converged"] = 0
-        tree.attrs["messages"] = json.dumps(
-            [f"not converged: no readable {SUMMARY_FILE} beside {path.name}"]
-        )
+        converged = 0
+        messages = [f"not converged: no readable {SUMMARY_FILE} beside {path.name}"]
+    tree.attrs["converged"] = converged
+    tree.attrs["messages"] = json.dumps(messages, ensure_ascii=False)
     return tree
 
 
@@ -94,10 +77,6 @@ def _foreign(tree: xarray.DataTree) -> str:
     if not isinstance(written, (int, np.integer)):
         return FOREIGN
     if written > known:
-        version = tree.attrs.get("oilfilm", "newer")
-        return (
-            f"was written by oilfilm {version} in format {written}; this version reads formats up "
-            f"to {known}"
-        )
-    ours = history or tree.attrs.get("kind") in KINDS
-    return "" if ours else FOREIGN
+        by = f"was written by oilfilm {tree.attrs.get('oilfilm', 'newer')} in format {written}"
+        return f"{by}; this version reads formats up to {known}"
+    return "" if history or tree.attrs.get("kind") in KINDS else FOREIGN

@@ -28,8 +28,8 @@ def number(value: Any, digits: str = ".4g") -> str:
 def value_with_error(value: float, error: float, most: int = 5) -> str:
     """Text of a value and its uncertainty, both in one unit, such as [um].
 
-    To the error's first digit (second after a 1), with no more than `most` decimals [-]; an error
-    that these cannot show is rounded up.
+    To the error's first digit (second after a 1), with at most `most` decimals [-]; a smaller
+    error is rounded up.
     """
     digits = 3
     if 0.0 < error < inf:
@@ -43,11 +43,9 @@ def value_with_error(value: float, error: float, most: int = 5) -> str:
 
 def listed(names: list[str]) -> str:
     """Names side by side; the ends alone of a long list."""
-    return (
-        ", ".join(names)
-        if len(names) <= MOST_LISTED
-        else f"{', '.join(names[:2])} ... {names[-1]}"
-    )
+    if len(names) <= MOST_LISTED:
+        return ", ".join(names)
+    return f"{', '.join(names[:2])} ... {names[-1]}"
 
 
 def evenly_chosen(count: int, most: int) -> list[int]:

@@ -16,24 +16,10 @@ from .summaries import summary
 def write_results(
     results: BearingResults | ContactResults, directory: str | Path
 ) -> tuple[str, ...]:
-    """Write pictures, VTK, netCDF, CSV and, last, the summary; a picture that fails is a message,
-    not an error.
+    """Write pictures, VTK, netCDF, CSV, last the summary; files of the same names are replaced.
 
-    Parameters
-    ----------
-    results : BearingResults or ContactResults
-    directory : str or Path
-        Made if it is missing; files of the same names are replaced.
-
-    Returns
-    -------
-    tuple of str
-        What could not be drawn and why; `summary.json` holds these messages too.
-
-    Raises
-    ------
-    OSError
-        If the numbers themselves cannot be written: disk full, no permission.
+    Returns what could not be drawn and why, which `summary.json` says too. OSError if the numbers
+    themselves cannot be written: disk full, no permission.
     """
     folder = Path(directory)
     folder.mkdir(parents=True, exist_ok=True)

@@ -93,8 +93,8 @@ def _write(results: DynamicsResults, directory: Path) -> tuple[str, ...]:
 
 def _animate(directory: Path, file: Path) -> None:
     """Draw the motion; where that fails a message says so, and the results stay."""
-    from postprocess.scene.animation import animate
     from postprocess.scene.rendering import RenderingError
+    from postprocess.scene.scene import animate
 
     try:
         animate(directory, file)

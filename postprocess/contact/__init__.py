@@ -1,7 +1,7 @@
 """Results of one lubricated contact.
 
-fields        - the fields of one contact, read back from a result folder by its name
-frame         - the frame of a contact: its principal directions, and parts of its grid
+fields        - the fields of contacts, read back from a result folder by their names
+frame         - the frame of a contact: principal directions, parts of its grid, other nodes
 interferogram - a film map as an optical interferometer would see it, beside pictures
 line_cut      - film and pressure along a line through a contact, as a table
 plots         - figure of one contact: film map, pressure map, and both along the two centre lines

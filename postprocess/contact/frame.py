@@ -1,24 +1,16 @@
-"""The frame of a contact: its principal directions, and parts of its grid."""
+"""The frame of a contact: principal directions, parts of its grid, values at other nodes."""
 
 import numpy as np
 
 from ehl.solution import Array
 
+ALL = (slice(None), slice(None))  # of the nodes of a grid
+
 
 def principal_coordinates(x: Array, y: Array, angle: float) -> tuple[Array, Array]:
-    """Coordinates along the principal directions of grid nodes whose x runs along the entrainment.
+    """Principal coordinates [m], shapes (nx, ny), of nodes along and across the entrainment.
 
-    Parameters
-    ----------
-    x, y : ndarray, shapes (nx,), (ny,)
-        Node positions along and across the entrainment [m].
-    angle : float
-        Of the entrainment, from the principal direction x towards y [rad].
-
-    Returns
-    -------
-    tuple of ndarray, shape (nx, ny)
-        [m].
+    `angle` of the entrainment: from the principal direction x towards y [rad].
     """
     along, across = np.meshgrid(x, y, indexing="ij")
     c, s = np.cos(angle), np.sin(angle)
@@ -26,9 +18,21 @@ def principal_coordinates(x: Array, y: Array, angle: float) -> tuple[Array, Arra
 
 
 def within(values: Array, low: float, high: float) -> slice:
-    """Index range of the ascending `values` that lie in [low, high], in the unit of `values`, as
-    [-].
-    """
+    """Index range of the ascending `values` that lie in [low, high], all in one unit."""
     return slice(
         int(np.searchsorted(values, low, "left")), int(np.searchsorted(values, high, "right"))
     )
+
+
+def resampled(
+    x: Array, y: Array, values: Array, new_x: Array, new_y: Array, outside: float | None = None
+) -> Array:
+    """Values at other nodes, linear in both directions; beyond the ends those there [their unit].
+
+    Or `outside`, in the same unit. The nodes x, y need not be even.
+    """
+
+    def along(new: Array, old: Array, lines: Array) -> Array:
+        return np.array([np.interp(new, old, line, outside, outside) for line in lines])
+
+    return along(new_y, y, along(new_x, x, values.T).T)

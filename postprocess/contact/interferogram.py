@@ -25,7 +25,8 @@ from ehl.units import MILLIMETRE, NANOMETRE
 
 from ..plot_style import PAGE_WIDTH, REFERENCE, write_figure
 from .fields import open_contact
-from .view import half_extents, shown_part
+from .frame import resampled
+from .view import shown_nodes
 
 SODIUM = 589.3e-9  # mean of the sodium D lines [m]
 REFRACTIVE_INDEX = 1.5  # of an oil [-], unverified: give that of yours
@@ -33,29 +34,23 @@ REFRACTIVE_INDEX = 1.5  # of an oil [-], unverified: give that of yours
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Optics:
-    """Wavelengths in vacuum [m], one for grey or three for red, green and blue; refractive index
-    [-]; phase [rad].
-    """
+    """Wavelengths [m], one for grey, three for colours; refractive index [-]; phase [rad]."""
 
     wavelengths: tuple[float, ...] = (SODIUM,)
     refractive_index: float = REFRACTIVE_INDEX
     phase: float = 0.0
 
     def __post_init__(self) -> None:
-        if len(self.wavelengths) not in (1, 3) or not all(
-            1e-8 < length < 1e-4 for length in self.wavelengths
-        ):
+        shown = all(1e-8 < length < 1e-4 for length in self.wavelengths)
+        if not shown or len(self.wavelengths) not in (1, 3):
             raise ValueError("wavelengths must be one or three, between 10 nm and 0.1 mm")
         if not 1.0 <= self.refractive_index < 5.0:
-            raise ValueError(
-                f"refractive_index must lie between 1 and 5, got {self.refractive_index}"
-            )
+            index = self.refractive_index
+            raise ValueError(f"refractive_index must lie between 1 and 5, got {index}")
 
 
 def intensity(film: Array, optics: Optics) -> Array:
-    """Reflected intensity over its largest value [-] of a film [m]; one more axis for three
-    wavelengths.
-    """
+    """Reflected intensity over its largest [-] of a film [m]; an axis more for three colours."""
     layers = [
         0.5 * (1.0 + np.cos(4.0 * pi * optics.refractive_index * film / w + optics.phase))
         for w in optics.wavelengths
@@ -69,31 +64,17 @@ def write_interferogram(
     contact: str | None = None,
     optics: Optics | None = None,
 ) -> Path:
-    """Draw the simulated interferogram of one contact of a result folder.
+    """Draw the simulated interferogram of one contact of a result folder into a PNG file.
 
-    Parameters
-    ----------
-    directory : str or Path
-        Result folder.
-    file : str or Path
-        Picture to write.
-    contact : str, optional
-        `ball01/inner`; the first one with a film if left out.
-    optics : Optics, optional
-
-    Raises
-    ------
-    ValueError
-        If there is no such contact, or its film has no dimension.
+    The contact as in `open_contact`; ValueError without it, or if its film has no dimension.
     """
     path = Path(file)
     if path.suffix.lower() != ".png":
         raise ValueError(f"the picture must be a .png file, got {path.name}")
     name, data = open_contact(directory, contact)
     if data["h"].attrs["units"] != "m":
-        raise ValueError(
-            f"{name}: the film has no dimension, since the contact is given by Moes' groups"
-        )
+        reason = "since the contact is given by Moes' groups"
+        raise ValueError(f"{name}: the film has no dimension, {reason}")
     write_figure(path, lambda figure: _draw(figure, name, data, optics or Optics()))
     return path
 
@@ -123,12 +104,7 @@ def _draw(figure: Figure, name: str, data: Any, optics: Optics) -> None:
 
 def _fine_film(data: Any) -> tuple[Array, Array, Array]:
     """Positions and film [m] of the shown part, between the nodes; fringes are finer."""
-    a = float(data.attrs["semi_axis_x"])
-    kappa = float(data.attrs["semi_axis_y"]) / a
-    half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)
-    x, y = data["x"].values, data["y"].values
-    part = shown_part(x, y, data["P"].values, a * half_x, a * half_y)
-    x, y = x[part[0]], y[part[1]]
+    part = shown_nodes(data)
+    x, y = data["x"].values[part[0]], data["y"].values[part[1]]
     fine_x, fine_y = np.linspace(x[0], x[-1], 1200), np.linspace(y[0], y[-1], 1200)
-    rows = np.array([np.interp(fine_x, x, column) for column in data["h"].values[part].T])
-    return fine_x, fine_y, np.array([np.interp(fine_y, y, row) for row in rows.T])
+    return fine_x, fine_y, resampled(x, y, data["h"].values[part], fine_x, fine_y)

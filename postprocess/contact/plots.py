@@ -11,16 +11,11 @@ from matplotlib.figure import Figure
 
 from ehl.solution import Array
 
-from ..plot_style import (
-    BEYOND_SCALE,
-    COLOUR_MAPS,
-    INNER_COLOUR,
-    OUTER_COLOUR,
-    PAGE_WIDTH,
-    REFERENCE,
-    write_figures,
-)
+from ..plot_style import BEYOND_SCALE, COLOUR_MAPS, PAGE_WIDTH, REFERENCE, write_figures
+from ..plot_style import INNER_COLOUR as FILM_COLOUR
+from ..plot_style import OUTER_COLOUR as PRESSURE_COLOUR
 from ..text import value_with_error
+from .frame import resampled
 from .results import ContactResults
 from .view import ContactView, contact_view
 
@@ -37,8 +32,6 @@ MAP_HEIGHT = 0.31
 BAR_BOTTOM = 0.835
 LINE_BOTTOM = 0.125
 LINE_HEIGHT = 0.245
-FILM_COLOUR = INNER_COLOUR
-PRESSURE_COLOUR = OUTER_COLOUR
 
 
 def write_contact_plots(results: ContactResults, directory: Path) -> tuple[str, ...]:
@@ -62,48 +55,31 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
         panel = figure.add_axes((left, MAP_BOTTOM, width, MAP_HEIGHT))
         image = draw_map(panel, view, quantity)
         if view.stretched:
-            strip = figure.add_axes(
-                (left + width + 0.01, MAP_BOTTOM, MAP_WIDTH - width - 0.01, MAP_HEIGHT)
-            )
+            gap = width + 0.01
+            strip = figure.add_axes((left + gap, MAP_BOTTOM, MAP_WIDTH - gap, MAP_HEIGHT))
             draw_map(strip, view, quantity, levels=())
             _in_proportion(strip)
         else:
             panel.set_aspect("equal", anchor="W")
-            width = min(
-                MAP_WIDTH,
-                MAP_HEIGHT * HEIGHT / PAGE_WIDTH * float(np.ptp(view.x) / np.ptp(view.y)),
-            )
+            proportion = float(np.ptp(view.x) / np.ptp(view.y))
+            width = min(MAP_WIDTH, MAP_HEIGHT * HEIGHT / PAGE_WIDTH * proportion)
         bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
         _colour_bar(figure, image, bar, view, quantity)
     for along, left in zip((True, False), LEFT, strict=True):
         centre_line(figure.add_axes((left, LINE_BOTTOM, LINE_WIDTH, LINE_HEIGHT)), view, along)
-    figure.text(
-        0.5, 0.01, _footnote(view), fontsize=6.5, color=REFERENCE, ha="center", va="bottom"
-    )
+    style: Any = {"fontsize": 6.5, "color": REFERENCE, "ha": "center", "va": "bottom"}
+    figure.text(0.5, 0.01, _footnote(view), **style)
 
 
 def _footnote(view: ContactView) -> str:
     """What the figure leaves out and how it is drawn."""
-    scale = (
-        "axes stretched, so that the Hertz ellipse (dashed) is seen; "
-        if view.stretched
-        else "Hertz ellipse dashed; "
-    )
-    ends = [end / view.half_x for end in (view.x[0], view.x[-1])]
-    return (
-        f"{_movement(view)}; {scale}\n"
-        f"shown is x/a = {ends[0]:.2g} ... {ends[1]:.2g} of the computed {view.whole[0]:.2g} ... "
-        f"{view.whole[1]:.2g}; film beyond the colour scale is grey"
-    )
-
-
-def _movement(view: ContactView) -> str:
-    """Where the oil goes."""
-    return (
-        f"Oil moves at {view.oblique:.3g}° from x towards y"
-        if view.oblique
-        else "Oil moves to the right"
-    )
+    where = f"at {view.oblique:.3g}° from x towards y" if view.oblique else "to the right"
+    stretched = "axes stretched, so that the Hertz ellipse (dashed) is seen"
+    ellipse = stretched if view.stretched else "Hertz ellipse dashed"
+    first, last = (end / view.half_x for end in (view.x[0], view.x[-1]))
+    ends = "{:.2g} ... {:.2g} of the computed {:.2g} ... {:.2g}".format(first, last, *view.whole)
+    grey = "film beyond the colour scale is grey"
+    return f"Oil moves {where}; {ellipse}; \nshown is x/a = {ends}; {grey}"
 
 
 def draw_map(
@@ -113,16 +89,10 @@ def draw_map(
     limits: tuple[float, float] | None = None,
     levels: Sequence[float] | Array | None = None,
 ) -> Any:
-    """One map with contour lines and the Hertz ellipse, x to the right with the oil.
+    """One map, of "film" or "pressure", with contour lines and the Hertz ellipse; oil moves right.
 
-    Parameters
-    ----------
-    quantity : {"film", "pressure"}
-    limits : tuple of float, optional
-        Ends of the colour scale, in the unit of the quantity; films then have a logarithmic scale,
-        for many contacts.
-    levels : sequence of float, optional
-        Contour lines, in the unit of the quantity; equal steps over the scale if left out.
+    Ends of the colour scale as `limits`, in the unit of the quantity: films then have a
+    logarithmic scale, for many contacts. Contour `levels` are equal steps over it if left out.
     """
     film = quantity == "film"
     field = view.film if film else view.pressure
@@ -144,9 +114,8 @@ def draw_map(
     known = field[np.isfinite(field)]
     lines = [line for line in lines if known.size and known.min() < line < known.max()]
     if lines:
-        axes.contour(
-            view.x, view.y, field.T, levels=lines, colors="white" if film else "black", alpha=0.6
-        )
+        style: Any = {"colors": "white" if film else "black", "alpha": 0.6}
+        axes.contour(view.x, view.y, field.T, levels=lines, **style)
     axes.plot(*view.ellipse, color="black", linestyle=(0, (4, 2)), linewidth=0.8)
     axes.set_xlim(view.x[0], view.x[-1])
     axes.set_ylim(view.y[0], view.y[-1])
@@ -157,12 +126,11 @@ def draw_map(
 
 def _on_equal_steps(view: ContactView, field: Array) -> Array:
     """The field of a graded mesh at equal steps between the same ends, bilinear, same unit."""
-    for axis, nodes in enumerate((view.x, view.y)):
-        steps = np.linspace(nodes[0], nodes[-1], len(nodes))
-        if not np.allclose(nodes, steps, rtol=0.0, atol=1e-6 * (nodes[-1] - nodes[0])):
-            lines = [np.interp(steps, nodes, line) for line in np.moveaxis(field, axis, 1)]
-            field = np.moveaxis(np.array(lines), 1, axis)
-    return field
+    x, y = (np.linspace(nodes[0], nodes[-1], len(nodes)) for nodes in (view.x, view.y))
+    steps = ((view.x, x), (view.y, y))
+    if all(np.allclose(n, e, rtol=0.0, atol=1e-6 * (n[-1] - n[0])) for n, e in steps):
+        return field
+    return resampled(view.x, view.y, field, x, y)
 
 
 def _extent(view: ContactView) -> tuple[float, float, float, float]:
@@ -184,9 +152,8 @@ def _in_proportion(axes: Axes) -> None:
 def _colour_bar(figure: Figure, image: Any, axes: Axes, view: ContactView, quantity: str) -> None:
     film = quantity == "film"
     label = f"film thickness [{view.film_unit}]" if film else f"pressure [{view.pressure_unit}]"
-    bar = figure.colorbar(
-        image, cax=axes, orientation="horizontal", extend="max" if film else "neither"
-    )
+    extend = "max" if film else "neither"
+    bar = figure.colorbar(image, cax=axes, orientation="horizontal", extend=extend)
     bar.set_label(label)
     bar.ax.xaxis.set_ticks_position("top")
     bar.ax.xaxis.set_label_position("top")

@@ -14,10 +14,7 @@ from ..quantities import quantities, values_of
 
 ALIGNED = 1e-9  # sine of the entrainment's angle to x below which the film formulas apply
 FORMULAS = (
-    "hamrock_dowson_central",
-    "hamrock_dowson_minimum",
-    "chittenden_central",
-    "nijenbanning_central",
+    "hamrock_dowson_central hamrock_dowson_minimum chittenden_central nijenbanning_central".split()
 )
 
 
@@ -53,24 +50,17 @@ NO_FILM = "no film was computed, or it has no length"
 NO_TRACTION = "it needs a contact with lengths, and a film that converged"
 FILM_QUANTITIES = (
     *quantities(
+        "film.",
+        NO_FILM,
+        ("film_central_um", "central film", "film_central", "h_c", "film central"),
+        ("film_central_uncertainty_um", "central film uncertainty", "film_central_uncertainty"),
+        ("film_minimum_um", "minimum film", "film_minimum", "h_min", "film minimum"),
+        ("film_minimum_uncertainty_um", "minimum film uncertainty", "film_minimum_uncertainty"),
+    ),
+    *quantities(
         "",
         NO_FILM,
-        ("film_central_um", "central film", "film.film_central", "h_c", "film central"),
-        (
-            "film_central_uncertainty_um",
-            "central film uncertainty",
-            "film.film_central_uncertainty",
-        ),
-        ("film_minimum_um", "minimum film", "film.film_minimum", "h_min", "film minimum"),
-        (
-            "film_minimum_uncertainty_um",
-            "minimum film uncertainty",
-            "film.film_minimum_uncertainty",
-        ),
-        (
-            *("pressure_maximum_GPa", "maximum pressure", "pressure_maximum"),
-            *("", "largest pressure"),
-        ),
+        ("pressure_maximum_GPa", "maximum pressure", "pressure_maximum", "", "largest pressure"),
     ),
     *quantities(
         "",
@@ -106,10 +96,7 @@ def film_values(record: FilmRecord) -> dict[str, Any]:
 
 
 def formula_films(conditions: object) -> dict[str, float | None]:
-    """Films of the curve-fitted formulas [um].
-
-    None without dimensions, with oblique entrainment, or for an isoviscous oil.
-    """
+    """Films of formulas [um]; None without dimensions, oblique, or for an isoviscous oil."""
     if (
         not isinstance(conditions, ContactConditions)
         or abs(sin(conditions.entrainment_angle)) > ALIGNED

@@ -12,7 +12,8 @@ from .quantities import NO_TRACTION, FilmRecord, film_values, formula_films
 from .results import ContactResults
 from .supply import contact_starved_values, contact_supply_messages
 
-WIDE_ERROR = 0.1  # error bar over the film from which it is reported [-]
+FILMS = ("film_central", "film_minimum")
+WIDE_ERROR = 0.1  # error bar over the film that leaves one digit, and is reported [-]
 
 
 def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
@@ -21,12 +22,9 @@ def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
         yield f"{name}: {solution.message}"
     film = solution.film_minimum_dimensionless
     if solution.converged and solution.resolved and film.uncertainty > WIDE_ERROR * film.value:
-        share = (
-            f"{film.uncertainty / film.value:.0%} of it"
-            if film.value > 0.0
-            else "more than all of it"
-        )
-        yield f"{name}: error bar of the minimum film is {share}; try more points"
+        is_film = film.value > 0.0
+        share = f"{film.uncertainty / film.value:.0%}" if is_film else "more than all"
+        yield f"{name}: error bar of the minimum film is {share} of it; try more points"
 
 
 def contact_summary(results: ContactResults) -> dict[str, Any]:
@@ -78,13 +76,12 @@ def _record(results: ContactResults) -> FilmRecord:
 
 def _dimensionless_films(solution: ContactSolution) -> dict[str, float]:
     """Extrapolated films and their uncertainties [-], units a^2/Rx."""
-    central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
-    return {
-        "film_central_dimensionless": central.value,
-        "film_central_uncertainty_dimensionless": central.uncertainty,
-        "film_minimum_dimensionless": minimum.value,
-        "film_minimum_uncertainty_dimensionless": minimum.uncertainty,
-    }
+    values = {}
+    for name in FILMS:
+        film = getattr(solution, f"{name}_dimensionless")
+        values[f"{name}_dimensionless"] = film.value
+        values[f"{name}_uncertainty_dimensionless"] = film.uncertainty
+    return values
 
 
 def _centre(solution: ContactSolution) -> float:
@@ -93,17 +90,12 @@ def _centre(solution: ContactSolution) -> float:
 
 
 def _finest_grid(solution: ContactSolution) -> dict[str, float | None]:
-    films = {
-        "film_central": solution.film_central_dimensionless.finest,
-        "film_minimum": solution.film_minimum_dimensionless.finest,
-    }
     scale = solution.film_scale
+    films = {name: getattr(solution, f"{name}_dimensionless").finest for name in FILMS}
+    lengths = {name: None if scale is None else film * scale for name, film in films.items()}
     return {
         **{f"{name}_dimensionless": film for name, film in films.items()},
-        **{
-            f"{name}_um": None if scale is None else from_si("film_um", film * scale)
-            for name, film in films.items()
-        },
+        **{f"{name}_um": from_si("film_um", film) for name, film in lengths.items()},
         "pressure_centre_dimensionless": _centre(solution),
         "pressure_maximum_dimensionless": float(solution.P.max()),
     }
@@ -117,24 +109,16 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
     if not isinstance(conditions, ContactConditions):
         yield "load_N, semi-axes, films in um: null, the case gives Moes' groups and no lengths"
     elif conditions.coating is not None:
-        yield (
-            "Hertz values, M, L and film formulas: those of bodies of the coating's material "
-            "throughout"
-        )
+        bodies = "bodies of the coating's material throughout"
+        yield f"Hertz values, M, L and film formulas: those of {bodies}"
     if not solution.hertz_pressure > 0.0:
-        yield (
-            "hertz_pressure_GPa, pressure_maximum_GPa: null, without piezoviscosity the scale of "
-            "pressure is open"
-        )
+        lack = "without piezoviscosity the scale of pressure is open"
+        yield f"hertz_pressure_GPa, pressure_maximum_GPa: null, {lack}"
     if results.traction is None:
         yield f"traction_coefficient: null, {NO_TRACTION}"
     if record.rolling is None:
-        yield (
-            "rolling_moment_N_mm and rolling_extent_mm: null, they need lengths, and a film that "
-            "converged"
-        )
+        lack = "they need lengths, and a film that converged"
+        yield f"rolling_moment_N_mm and rolling_extent_mm: null, {lack}"
     elif record.rolling.note:
-        yield (
-            "rolling_moment_beyond_box_N_mm, rolling_moment_within_extent_N_mm: null, "
-            f"{record.rolling.note}"
-        )
+        keys = "rolling_moment_beyond_box_N_mm, rolling_moment_within_extent_N_mm"
+        yield f"{keys}: null, {record.rolling.note}"

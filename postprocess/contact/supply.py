@@ -36,9 +36,7 @@ def contact_supply_messages(results: ContactResults) -> Iterator[str]:
     if "inlet_film_um" not in results.case.get("lubricant", ()):
         yield "starved_film_...: null, the supply is flooded"
     elif results.solution.converged:
-        yield (
-            "supply: inlet film; starved are starved_film_... alone, all else is that of the "
-            "flooded film"
-        )
+        keys = "starved are starved_film_... alone, all else is that of the flooded film"
+        yield f"supply: inlet film; {keys}"
     else:
         yield "starved_film_...: null, the flooded film did not converge"

@@ -4,10 +4,10 @@ from dataclasses import dataclass
 from math import cos, degrees, hypot, inf, pi, sin
 
 import numpy as np
+import xarray
 
 from ehl import ContactSolution
 from ehl.solution import Array
-from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
 
 from ..plot_style import (
     QUIET_PRESSURE,
@@ -17,6 +17,7 @@ from ..plot_style import (
     STRETCHED,
     film_range,
 )
+from .fields import shown_scales
 from .frame import within
 
 
@@ -78,16 +79,15 @@ def contact_view(
     """
     angle, kappa = solution.frame_angle, solution.semi_axis_ratio
     half_x, half_y = half_extents(angle, kappa)
-    a = 1.0 if solution.semi_axis_x is None else solution.semi_axis_x / MILLIMETRE
+    a, h, p = shown_scales(solution)
     if window is None:
         rows, columns = shown_part(solution.X, solution.Y, solution.P, half_x, half_y)
     else:
         rows = within(a * solution.X, *window[:2])
         columns = within(a * solution.Y, -window[2], window[2])
     X, Y = solution.X[rows], solution.Y[columns]
-    h = 1.0 if solution.film_scale is None else solution.film_scale / MICROMETRE
-    p = solution.hertz_pressure / GIGAPASCAL if solution.hertz_pressure > 0.0 else 1.0
     central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
+    doubt = "" if solution.resolved else "not resolved"
     return ContactView(
         x=a * X,
         y=a * Y,
@@ -108,14 +108,8 @@ def contact_view(
         pressure_unit="GPa" if solution.hertz_pressure > 0.0 else "$p_h$",
         whole=(float(solution.X[0] / half_x), float(solution.X[-1] / half_x)),
         oblique=oblique_angle(solution),
-        doubt=_doubt(solution),
+        doubt=doubt if solution.converged else "not converged",
     )
-
-
-def _doubt(solution: ContactSolution) -> str:
-    if not solution.converged:
-        return "not converged"
-    return "" if solution.resolved else "not resolved"
 
 
 def oblique_angle(solution: ContactSolution) -> float:
@@ -133,10 +127,7 @@ def _ellipse(angle: float, kappa: float) -> Array:
 
 
 def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tuple[slice, slice]:
-    """Index ranges of the nodes shown, of the pressure at x and y.
-
-    Coordinates and half extents of the Hertz ellipse in one unit, [mm] or [m].
-    """
+    """Index ranges of the nodes shown, from the pressure there; lengths in one unit, as [mm]."""
     loud = np.greater(P, QUIET_PRESSURE * np.nanmax(P, initial=0.0))
     rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
     first = 0.0
@@ -146,10 +137,19 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
         first = float(X[rows[0]])
         last = float(X[rows[-1]])
         side = float(Y[columns[-1]])
+    # margins beyond the pressure by eye, wider at the outlet, where the constriction lies
     inlet = min(SHOWN_INLET * half_x, first - 0.15 * (last - first))
     outlet = max(SHOWN_OUTLET * half_x, last + 0.25 * (last - first))
     side = max(SHOWN_SIDE * half_y, 1.3 * side)
     return within(X, inlet, outlet), within(Y, -side, side)
+
+
+def shown_nodes(data: xarray.Dataset) -> tuple[slice, slice]:
+    """Index ranges of the nodes shown of a contact's data set."""
+    a = float(data.attrs["semi_axis_x"])
+    kappa = float(data.attrs["semi_axis_y"]) / a
+    half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)
+    return shown_part(data["x"].values, data["y"].values, data["P"].values, a * half_x, a * half_y)
 
 
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:

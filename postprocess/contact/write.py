@@ -13,17 +13,13 @@ from .results import ContactResults
 
 
 def write_contact_netcdf(results: ContactResults, path: Path, document: dict[str, Any]) -> None:
-    """Write input and fields as netCDF-4: groups `/` (version, case, messages) and
-    `/contacts/contact`, as `field_dataset`; `document` is the summary.
-    """
+    """Write input and fields as netCDF-4, as `write_bearing_netcdf`; `document` is the summary."""
     root = xr.Dataset(attrs=root_attributes(document, "contact"))
     write_tree({"/": root, "/contacts/contact": field_dataset(results.solution)}, path)
 
 
 def field_dataset(solution: ContactSolution) -> xr.Dataset:
-    """P and h over the contact plane, SI; in Moes input lengths are in units of a, films of
-    a^2/Rx.
-    """
+    """P and h over the contact plane, SI; in Moes' groups lengths in a, films in a^2/Rx."""
     length, film, scale = solution.semi_axis_x, solution.film_scale, solution.hertz_pressure
     unit, film_unit = ("a", "a^2/Rx") if length is None or film is None else ("m", "m")
     a, h = length or 1.0, film or 1.0

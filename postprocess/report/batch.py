@@ -6,24 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..text import unit_text
-from .html import (
-    NOTHING,
-    card,
-    facts,
-    figure,
-    key_head,
-    name_text,
-    note,
-    notes,
-    number,
-    picture,
-    side_by_side,
-    table,
-    text,
-    unfolding,
-    versions,
-    with_error,
-)
+from . import html
 
 MAX_ROWS = 500  # points listed; the CSV has all
 # keys of a point that are no results
@@ -40,29 +23,29 @@ BANDS = {
 def cards(summary: dict[str, Any]) -> str:
     """How many points there are, and the ends of the main results."""
     points = summary["points"]
-    entries = [card("points", str(len(points)))]
+    entries = [html.card("points", str(len(points)))]
     if summary["failed"]:
-        entries.append(card("without a result", str(summary["failed"])))
+        entries.append(html.card("without a result", str(summary["failed"])))
     for key, name in (("film_minimum_um", "minimum film"), ("torque_N_mm", "torque")):
         values = [point[key] for point in points if point.get(key) is not None]
         if values:
-            ends = f"{number(min(values), 4)} … {number(max(values), 4)}"
-            entries.append(card(name, ends, unit_text(key)))
-    return side_by_side(*entries, kind="cards")
+            ends = f"{html.number(min(values), 4)} … {html.number(max(values), 4)}"
+            entries.append(html.card(name, ends, unit_text(key)))
+    return html.side_by_side(*entries, kind="cards")
 
 
 def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, str]]:
     """Anchor, title and content of every part."""
     pictures = [
-        picture(path, path.stem.replace("_", " ").capitalize(), wide=True)
+        html.picture(path, path.stem.replace("_", " ").capitalize(), wide=True)
         for path in sorted(folder.glob("plots/*.png"))
     ]
     yield "input", "Sweep", _sweep(summary)
     yield "plots", "Results over the keys", "".join(pictures)
     yield "sensitivity", "What uncertain input does", _sensitivity(summary) + _bands(summary)
     yield "points", "Points", _points(summary)
-    yield "notes", "Notes", notes(summary["messages"])
-    yield "versions", "Versions and times", versions(summary)
+    yield "notes", "Notes", html.notes(summary["messages"])
+    yield "versions", "Versions and times", html.versions(summary)
 
 
 def _sweep(summary: dict[str, Any]) -> str:
@@ -71,7 +54,7 @@ def _sweep(summary: dict[str, Any]) -> str:
     if summary.get("assumed"):
         numbers["assumed in the case"] = summary["assumed"]
     source = f'<pre class="small scroll">{escape(str(summary.get("sweep", "")))}</pre>'
-    return side_by_side(facts("", numbers), kind="facts single") + unfolding(
+    return html.side_by_side(html.facts("", numbers), kind="facts single") + html.unfolding(
         "The sweep file", source, "open"
     )
 
@@ -91,19 +74,17 @@ def _points(summary: dict[str, Any]) -> str:
         and "_uncertainty_" not in name
         and any(point.get(name) is not None for point in points)
     ]
-    key_columns = [(name_text(key.rpartition(".")[2]), unit_text(key)) for key in keys]
-    head = [("#", ""), *key_columns, *key_head(names), ("state", "")]
+    key_columns = [(html.name_text(key.rpartition(".")[2]), unit_text(key)) for key in keys]
+    head = [("#", ""), *key_columns, *html.key_head(names), ("state", "")]
     rows = []
     for point in points[:MAX_ROWS]:
-        cells = [str(point["point"]), *(text(point["keys"].get(key)) for key in keys)]
-        for name in names:
-            is_film = name.startswith("film_")
-            cells.append(with_error(point, name) if is_film else figure(point.get(name)))
+        cells = [str(point["point"]), *(html.text(point["keys"].get(key)) for key in keys)]
+        cells += [html.result(point, name) for name in names]
         state = "" if point["converged"] else "not converged"
         cells.append(state if point["status"] == "done" else escape(point["status"]))
         rows.append(("" if point["converged"] else "off", cells))
     more = len(points) - MAX_ROWS
-    listing = table(head, rows, (len(head) - 1,))
+    listing = html.table(head, rows, (len(head) - 1,))
     return listing + (f"<p>{more} more points are in batch.csv.</p>" if more > 0 else "")
 
 
@@ -116,9 +97,9 @@ def _sensitivity(summary: dict[str, Any]) -> str:
     lines = []
     for row in rows:
         cells = [_sensitivity_cell(row["results"].get(name)) for name in names]
-        lines.append(("", [escape(row["key"]), text(row["value"]), *cells]))
-    head = [("key", ""), ("value", ""), *((name_text(name), "") for name in names)]
-    return table(head, lines, (0,)) + note(
+        lines.append(("", [escape(row["key"]), html.text(row["value"]), *cells]))
+    head = [("key", ""), ("value", ""), *((html.name_text(name), "") for name in names)]
+    return html.table(head, lines, (0,)) + html.note(
         "Percent by which a result changes for one percent of the key, by finite differences; "
         "~: within the error bars."
     )
@@ -126,8 +107,8 @@ def _sensitivity(summary: dict[str, Any]) -> str:
 
 def _sensitivity_cell(cell: dict[str, Any] | None) -> str:
     if cell is None:
-        return NOTHING
-    return number(cell["sensitivity"], 3) + (" ~" if cell["resolved"] is False else "")
+        return html.NOTHING
+    return html.number(cell["sensitivity"], 3) + (" ~" if cell["resolved"] is False else "")
 
 
 def _bands(summary: dict[str, Any]) -> str:
@@ -137,8 +118,8 @@ def _bands(summary: dict[str, Any]) -> str:
         return ""
     rows = []
     for key, band in bands.items():
-        name = f"{name_text(key)} [{unit_text(key) or '–'}]"
-        rows.append(("", [name, *(number(band[part], 4) for part in BANDS.values())]))
+        name = f"{html.name_text(key)} [{unit_text(key) or '–'}]"
+        rows.append(("", [name, *(html.number(band[part], 4) for part in BANDS.values())]))
     count = max(band["points"] for band in bands.values())
     head = [("", ""), *((title, "") for title in BANDS)]
-    return f"<h3>Bands over {count} sampled points</h3>" + table(head, rows, (0,))
+    return f"<h3>Bands over {count} sampled points</h3>" + html.table(head, rows, (0,))

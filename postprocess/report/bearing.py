@@ -2,30 +2,13 @@
 
 from collections.abc import Iterator
 from html import escape
+from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
 from ..bearing.contacts import CONTACT_QUANTITY, REPORT_COLUMNS
 from ..text import unit_text
-from .html import (
-    NOTHING,
-    ROUND_OFF,
-    card,
-    facts,
-    figure,
-    is_large,
-    key_head,
-    name_text,
-    note,
-    number,
-    picture,
-    side_by_side,
-    table,
-    text,
-    unfolding,
-    with_error,
-    without_noise,
-)
+from . import html
 from .svg import stacked_bars
 
 # blocks of a summary that have a place on the page
@@ -34,13 +17,16 @@ PLACED = frozenset(
     "life frequencies_Hz kinematic_frequencies_Hz torque_N_mm timing_s kind rows".split()
 )
 # input among the results of a rating
-GIVEN = ("nominal_contact_angle_deg", "contamination_factor")
+GIVEN = {"nominal_contact_angle_deg", "contamination_factor"}
 TOP = ("schema_version", "title", "source", "assumed")
 MODEL_NAMES = {"skf": "SKF", "houpert": "Houpert", "palmgren": "Palmgren", "yao": "Yao"}
 FILM_PICTURES = {
     "film_per_azimuth": "Film thickness ball by ball, both races",
     "pressure_per_azimuth": "Pressure ball by ball, both races",
 }
+ERROR_BARS = (
+    "Error bars enclose the distance to the film on an infinitely fine grid of the same equations."
+)
 BLOCKS = {
     "life": "Rating life",
     "clearance": "Clearance",
@@ -52,29 +38,27 @@ BLOCKS = {
 def input_tables(case: dict[str, Any]) -> str:
     """Every table of the case as run; what the case marks as assumed stands out."""
     assumed = frozenset(str(key) for key in case.get("assumed", ()))
-    tables = {name: values for name, values in case.items() if name not in TOP}
-    blocks = []
-    for name, values in tables.items():
-        if not isinstance(values, dict):
-            continue
-        # materials and oils by name
-        if values and all(isinstance(inner, dict) for inner in values.values()):
-            blocks += [
-                facts(f"{name}: {inner}", inner_values, assumed, f"{name}.{inner}")
-                for inner, inner_values in values.items()
-            ]
-        else:
-            blocks.append(facts(name, values, assumed, name))
-    for name, rows in tables.items():
-        numbered = enumerate(rows, 1) if isinstance(rows, list) else ()
-        blocks += [
-            facts(f"{name} {k}", row, assumed, name)
-            for k, row in numbered
-            if isinstance(row, dict)
-        ]
+    blocks = [html.facts(title, values, assumed, path) for title, values, path in _tables(case)]
     legend = '<span class="mark">*</span> assumed: no source gives this value'
     legend = f'<p class="small">{legend}</p>' if assumed else ""
-    return legend + (side_by_side(*blocks) or '<div class="facts"></div>')
+    return legend + (html.side_by_side(*blocks) or '<div class="facts"></div>')
+
+
+def _tables(case: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any], str]]:
+    """Title, values and path of every table, those of lists last."""
+    tables = {name: values for name, values in case.items() if name not in TOP}
+    for name, values in tables.items():
+        if isinstance(values, dict):
+            # materials and oils by name
+            if values and all(isinstance(inner, dict) for inner in values.values()):
+                for inner, inner_values in values.items():
+                    yield f"{name}: {inner}", inner_values, f"{name}.{inner}"
+            else:
+                yield name, values, name
+    for name, rows in tables.items():
+        for k, row in enumerate(rows if isinstance(rows, list) else (), 1):
+            if isinstance(row, dict):
+                yield f"{name} {k}", row, name
 
 
 def cards(summary: dict[str, Any]) -> str:
@@ -84,10 +68,10 @@ def cards(summary: dict[str, Any]) -> str:
     pressures = [contact.get("hertz_pressure_GPa") for contact in contacts or [summary]]
     largest = max((value for value in pressures if value is not None), default=None)
     if largest is not None:
-        entries.append(card("largest Hertz pressure", number(largest, 4), "GPa"))
+        entries.append(html.card("largest Hertz pressure", html.number(largest, 4), "GPa"))
     if contacts:
         inner = sum(contact["race"] == "inner" for contact in contacts)
-        entries.append(card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
+        entries.append(html.card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
     torque = (summary.get("torque_N_mm") or {}).get("total")
     life = (summary.get("life") or {}).get("basic_reference_rating_Mrev")
     for name, value, unit in (
@@ -97,20 +81,18 @@ def cards(summary: dict[str, Any]) -> str:
         ("load", summary.get("load_N"), "N"),
     ):
         if value is not None:
-            entries.append(card(name, number(value, 4), unit))
-    return side_by_side(*entries, kind="cards")
+            entries.append(html.card(name, html.number(value, 4), unit))
+    return html.side_by_side(*entries, kind="cards")
 
 
 def _film_card(contacts: list[dict[str, Any]]) -> list[str]:
     """The thinnest film; dimensionless of a contact in Moes' groups."""
-    films = [contact for contact in contacts if contact.get("film_minimum_um") is not None]
-    if films:
-        thinnest = min(films, key=lambda contact: contact["film_minimum_um"])
-        where = f", ball {thinnest['ball']} {thinnest['race']}" if "ball" in thinnest else ""
-        return [card(f"minimum film{where}", with_error(thinnest, "film_minimum_um"), "µm")]
-    if contacts[0].get("film_minimum_dimensionless") is not None:
-        film = with_error(contacts[0], "film_minimum_dimensionless")
-        return [card("minimum film", film, "a²/Rx")]
+    for key, unit in (("film_minimum_um", "µm"), ("film_minimum_dimensionless", "a²/Rx")):
+        films = [contact for contact in contacts if contact.get(key) is not None]
+        if films:
+            thinnest = min(films, key=itemgetter(key))
+            where = f", ball {thinnest['ball']} {thinnest['race']}" if "ball" in thinnest else ""
+            return [html.card(f"minimum film{where}", html.with_error(thinnest, key), unit)]
     return []
 
 
@@ -124,48 +106,40 @@ def sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str, 
     else:
         yield "films", "Film and pressure", _single_film(summary, plots)
     yield "torque", "Friction torque", _torque(summary.get("torque_N_mm") or {})
-    blocks = [
-        facts(title, _without_null(summary[key]))
-        for key, title in BLOCKS.items()
-        if _has_results(summary.get(key))
-    ]
-    yield "life", "Life, clearance, frequencies", side_by_side(*blocks)
+    blocks = []
+    for key, title in BLOCKS.items():
+        # the notes say why a value is null
+        known = {
+            name: value for name, value in (summary.get(key) or {}).items() if value is not None
+        }
+        if known.keys() - GIVEN:
+            blocks.append(html.facts(title, known))
+    yield "life", "Life, clearance, frequencies", html.side_by_side(*blocks)
     yield "convergence", "Convergence and uncertainty", _convergence(summary)
-
-
-def _has_results(block: Any) -> bool:
-    return isinstance(block, dict) and any(
-        value is not None for key, value in block.items() if key not in GIVEN
-    )
-
-
-def _without_null(block: dict[str, Any]) -> dict[str, Any]:
-    """A block without what is null; the notes say why it is."""
-    return {key: value for key, value in block.items() if value is not None}
 
 
 def _loads(summary: dict[str, Any], plots: Path) -> str:
     ring = summary.get("ring") or {}
     numbers = {key: value for key, value in ring.items() if key != "stiffness"}
     numbers["cage_speed_rpm"] = summary.get("cage_speed_rpm")
-    blocks = side_by_side(facts("Inner ring", numbers))
+    blocks = html.side_by_side(html.facts("Inner ring", numbers))
     blocks += _stiffness(ring.get("stiffness") or {}) + _balls(summary.get("balls") or [])
-    zone = picture(plots / "load_zone.png", "Contact loads around the bearing")
-    return side_by_side(zone, f"<div>{blocks}</div>", kind="pair") if zone else blocks
+    zone = html.picture(plots / "load_zone.png", "Contact loads around the bearing")
+    return html.side_by_side(zone, f"<div>{blocks}</div>", kind="pair") if zone else blocks
 
 
 def _stiffness(stiffness: dict[str, Any]) -> str:
     matrix, order = stiffness.get("matrix"), stiffness.get("order")
     if not matrix or not order:
         return ""
-    level = ROUND_OFF * max(abs(value) for row in matrix for value in row)
+    level = html.ROUND_OFF * max(abs(value) for row in matrix for value in row)
     rows = []
     for name, row in zip(order, matrix, strict=True):
-        cells = [number(0.0 if abs(value) < level else value, 3) for value in row]
+        cells = [html.number(0.0 if abs(value) < level else value, 3) for value in row]
         rows.append(("", [escape(name), *cells]))
     head = [("", ""), *((escape(name), "") for name in order)]
-    legend = note("d(load)/d(displacement): N/m, N/rad; moments N m/m, N m/rad")
-    return f"<h3>Stiffness</h3>{table(head, rows, (0,))}{legend}"
+    legend = html.note("d(load)/d(displacement): N/m, N/rad; moments N m/m, N m/rad")
+    return f"<h3>Stiffness</h3>{html.table(head, rows, (0,))}{legend}"
 
 
 def _balls(balls: list[dict[str, Any]]) -> str:
@@ -176,12 +150,17 @@ def _balls(balls: list[dict[str, Any]]) -> str:
     ]
     if not keys:
         return ""
-    rows = [("", [_ball_cell(ball[key]) for key in keys]) for ball in balls]
-    return unfolding("Balls", table(key_head(keys), rows))
-
-
-def _ball_cell(value: Any) -> str:
-    return figure(value) if isinstance(value, float) else text(value)
+    rows = [
+        (
+            "",
+            [
+                html.figure(v) if isinstance(v, float) else html.text(v)
+                for v in map(ball.get, keys)
+            ],
+        )
+        for ball in balls
+    ]
+    return html.unfolding("Balls", html.table(html.key_head(keys), rows))
 
 
 def _contacts(contacts: list[dict[str, Any]]) -> str:
@@ -194,13 +173,11 @@ def _contacts(contacts: list[dict[str, Any]]) -> str:
     for contact in contacts:
         state = "" if contact.get("converged") in (None, True) else " !"
         state += "" if contact.get("resolved") in (None, True) else " ?"
-        azimuth = number(contact["azimuth_deg"] % 360.0, 5)
+        azimuth = html.number(contact["azimuth_deg"] % 360.0, 5)
         cells = [f"{contact['ball']}{state}", azimuth, escape(contact["race"])]
-        for key in keys:
-            is_film = key.startswith("film_")
-            cells.append(with_error(contact, key) if is_film else figure(contact.get(key)))
+        cells += [html.result(contact, key) for key in keys]
         rows.append(("" if contact.get("loaded") else "off", cells))
-    return table(head, rows, (2,)) + note(
+    return html.table(head, rows, (2,)) + html.note(
         "grey: unloaded; !: not converged; ?: film not resolved. All columns are in contacts.csv."
     )
 
@@ -227,56 +204,55 @@ def _single_film(summary: dict[str, Any], plots: Path) -> str:
     """Picture and numbers of a single contact."""
     if not is_single_contact(summary):
         return ""
-    content = picture(plots / "contact.png", "Film thickness and pressure of the contact")
+    content = html.picture(plots / "contact.png", "Film thickness and pressure of the contact")
     numbers = {
-        key: value for key, value in summary.items() if key not in PLACED and not is_large(value)
+        key: value
+        for key, value in summary.items()
+        if key not in PLACED and not html.is_large(value)
     }
-    return content + side_by_side(facts("Numbers", numbers))
+    return content + html.side_by_side(html.facts("Numbers", numbers))
 
 
 def _films(plots: Path) -> str:
     """Pictures of the films of a bearing."""
     content = "".join(
-        picture(plots / f"{name}.png", caption, wide=True)
+        html.picture(plots / f"{name}.png", caption, wide=True)
         for name, caption in FILM_PICTURES.items()
     )
     maps = [
-        picture(path, path.stem.replace("_ball", " race, ball ").replace("ball 0", "ball "))
+        html.picture(path, path.stem.replace("_ball", " race, ball ").replace("ball 0", "ball "))
         for path in sorted([*plots.glob("inner_ball*.png"), *plots.glob("outer_ball*.png")])
     ]
     if maps:
         title = f"Maps of every distinct contact ({len(maps)})"
-        content += unfolding(title, side_by_side(*maps, kind="gallery"))
+        content += html.unfolding(title, html.side_by_side(*maps, kind="gallery"))
     return content
 
 
 def _torque(torque: dict[str, Any]) -> str:
     """The models side by side: bars of their parts, and the numbers."""
-    totals: dict[str, float] = {}
-    parts: dict[str, dict[str, float]] = {}
-    for name, model in (torque.get("models") or {}).items():
-        if isinstance(model, dict) and isinstance(model.get("total"), int | float):
-            totals[name] = float(model["total"])
-            parts[name] = _torque_parts(model)
-    if not totals:
+    models = [
+        (_words(name), _torque_parts(model), float(model["total"]))
+        for name, model in (torque.get("models") or {}).items()
+        if isinstance(model, dict) and isinstance(model.get("total"), int | float)
+    ]
+    if not models:
         return ""
-    bars = stacked_bars([(_words(n), parts[n], total) for n, total in totals.items()], "N mm")
     rows = []
-    for name, total in totals.items():
-        texts = (f"{escape(_words(part))} {number(v, 4)}" for part, v in parts[name].items())
-        cells = [escape(_words(name)), number(total, 4), ", ".join(texts) or NOTHING]
+    for name, parts, total in models:
+        texts = (f"{escape(_words(part))} {html.number(v, 4)}" for part, v in parts.items())
+        cells = [escape(name), html.number(total, 4), ", ".join(texts) or html.NOTHING]
         rows.append(("", cells))
+    bars = f'<div class="scroll wide">{stacked_bars(models, "N mm")}</div>'
     caption = "Each model has its own assumptions; hover over a bar for its parts."
-    picture_of_bars = (
-        f'<figure><div class="scroll wide">{bars}</div><figcaption>{caption}</figcaption></figure>'
-    )
+    picture = f"<figure>{bars}<figcaption>{caption}</figcaption></figure>"
     head = [("model", ""), ("total", "N mm"), ("parts", "N mm")]
     rest = "; ".join(
-        f"{name_text(key)} {text(value)}"
+        f"{html.name_text(key)} {html.text(value)}"
         for key, value in torque.items()
         if value is not None and not isinstance(value, dict | list)
     )
-    return picture_of_bars + table(head, rows, (0, 2)) + (f"<p>{rest}</p>" if rest else "")
+    return picture + html.table(head, rows, (0, 2)) + (f"<p>{rest}</p>" if rest else "")
 
 
 def _torque_parts(model: dict[str, Any]) -> dict[str, float]:
@@ -286,7 +262,7 @@ def _torque_parts(model: dict[str, Any]) -> dict[str, float]:
         for name, value in model.items()
         if name != "total" and isinstance(value, int | float)
     }
-    return dict(zip(parts, without_noise(list(parts.values())), strict=True))
+    return dict(zip(parts, html.without_noise(list(parts.values())), strict=True))
 
 
 def _words(name: str) -> str:
@@ -297,7 +273,7 @@ def _convergence(summary: dict[str, Any]) -> str:
     """Residual of the equilibrium, and box, nodes and error bars of every distinct film."""
     content = ""
     if "equilibrium" in summary:
-        content = side_by_side(facts("Equilibrium", summary["equilibrium"]))
+        content = html.side_by_side(html.facts("Equilibrium", summary["equilibrium"]))
     distinct: dict[tuple[str, ...], dict[str, Any]] = {}
     for contact in summary.get("contacts") or ():
         if contact.get("film_minimum_um") is not None:
@@ -309,27 +285,20 @@ def _convergence(summary: dict[str, Any]) -> str:
     head = [("ball, race", ""), ("nodes", ""), ("box", "semi-axes")]
     head += [("central film", "± %"), ("minimum film", "± %"), ("converged", ""), ("resolved", "")]
     rows = [("", _convergence_cells(contact)) for contact in distinct.values()]
-    return (
-        content
-        + table(head, rows, (0,))
-        + note(
-            "Error bars enclose the distance to the film on an infinitely fine grid "
-            "of the same equations."
-        )
-    )
+    return content + html.table(head, rows, (0,)) + html.note(ERROR_BARS)
 
 
 def _convergence_cells(contact: dict[str, Any]) -> list[str]:
-    start, end, half_width = (number(length, 3) for length in contact["domain"])
+    start, end, half_width = (html.number(length, 3) for length in contact["domain"])
     return [
         f"{contact['ball']} {contact['race']}",
         " × ".join(map(str, contact["points"])),
         f"{start} … {end}; ±{half_width}",
         *(_relative_error(contact, f"film_{film}") for film in ("central", "minimum")),
-        *(text(contact.get(state)) for state in ("converged", "resolved")),
+        *(html.text(contact.get(state)) for state in ("converged", "resolved")),
     ]
 
 
 def _relative_error(contact: dict[str, Any], film: str) -> str:
     value, error = contact[f"{film}_um"], contact[f"{film}_uncertainty_um"]
-    return NOTHING if not value else number(100.0 * error / value, 2)
+    return html.NOTHING if not value else html.number(100.0 * error / value, 2)

@@ -65,6 +65,11 @@ def with_error(row: dict[str, Any], key: str) -> str:
     return value_with_error(value, error)
 
 
+def result(row: dict[str, Any], key: str) -> str:
+    """A result of a row, a film with its uncertainty."""
+    return with_error(row, key) if key.startswith("film_") else figure(row.get(key))
+
+
 def without_noise(values: Sequence[Any]) -> list[Any]:
     """Components of one vector [any unit]; round-off beside the largest of them is 0."""
     numbers = [abs(v) for v in values if isinstance(v, float) and isfinite(v)]
@@ -87,20 +92,10 @@ def table(
     rows: Iterable[tuple[str, Sequence[str]]],
     texts: Sequence[int] = (),
 ) -> str:
-    """A table that can be scrolled sideways.
+    """A table that can be scrolled sideways, all its texts HTML.
 
-    Parameters
-    ----------
-    head : sequence of (str, str)
-        Name and unit of each column, HTML.
-    rows : iterable of (str, sequence of str)
-        Class of the row and its cells, HTML.
-    texts : sequence of int
-        Columns that hold words and are set left.
-
-    Returns
-    -------
-    str
+    From name and unit of each column, and class and cells of each row; `texts` are the columns
+    that hold words and are set left.
     """
     heads = "".join(
         f"<th{_text_class(i in texts)}>{name}{f'<small>{unit}</small>' if unit else ''}</th>"
@@ -125,9 +120,7 @@ def _text_class(is_text: bool, length: int = 0) -> str:
 def facts(
     title: str, values: dict[str, Any], assumed: frozenset[str] = frozenset(), path: str = ""
 ) -> str:
-    """Key, value and unit, one below the other; `assumed` keys are marked. Null values stay, as a
-    dash.
-    """
+    """Key, value and unit, one below the other; `assumed` keys are marked, null is a dash."""
     rows = []
     for key, value in values.items():
         is_assumed = f"{path}.{key}" in assumed
@@ -173,9 +166,7 @@ def card(name: str, value: str, unit: str = "") -> str:
 
 
 def picture(path: Path, caption: str, *, wide: bool = False) -> str:
-    """A PNG file inside the page, nothing if there is none; a wide one is scrolled on a phone, not
-    shrunk.
-    """
+    """A PNG file inside the page, nothing if there is none; a wide one is scrolled on a phone."""
     if not path.is_file():
         return ""
     data = base64.b64encode(path.read_bytes()).decode("ascii")

@@ -1,6 +1,4 @@
-"""One HTML page of a result folder that needs no other file: case, batch, single contact, or
-whatever has a summary.
-"""
+"""One HTML page of a result folder that needs no other file; for whatever has a summary."""
 
 import json
 from collections.abc import Iterator
@@ -10,23 +8,8 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from ..files import SUMMARY_FILE, atomic_path
-from . import batch, bearing
-from .html import (
-    facts,
-    is_large,
-    items,
-    key_head,
-    name_text,
-    notes,
-    picture,
-    section,
-    side_by_side,
-    table,
-    text,
-    unfolding,
-    versions,
-)
+from ..files import SUMMARY_FILE, write_text
+from . import batch, bearing, html
 
 REPORT_FILE = "report.html"
 GENERATOR = '<meta name="generator" content="oilfilm'
@@ -55,8 +38,7 @@ def write_report(directory: str | Path) -> Path:
         head = path.read_text(encoding="utf-8", errors="replace")[:HEADER]
         if GENERATOR not in head:
             raise ValueError(f"{path} was not written by oilfilm and will not be replaced")
-    with atomic_path(path) as temporary:
-        temporary.write_text(page, encoding="utf-8")
+    write_text(path, page)
     return path
 
 
@@ -93,7 +75,7 @@ def report_page(folder: Path) -> str:
     parts = [(anchor, name, body) for anchor, name, body in sections if body]
     links = " ".join(f'<a href="#{anchor}">{escape(name)}</a>' for anchor, name, _ in parts)
     head = _head(summary, str(title), links)
-    body = head + cards + _warnings(summary) + "\n".join(section(*part) for part in parts)
+    body = head + cards + _warnings(summary) + "\n".join(html.section(*part) for part in parts)
     return Template(_template("report.html")).substitute(
         title=escape(str(title)),
         version=escape(str(summary["oilfilm"])),
@@ -120,7 +102,7 @@ def _head(summary: dict[str, Any], title: str, links: str) -> str:
 def _warnings(summary: dict[str, Any]) -> str:
     """What did not converge or is doubtful, at the top."""
     urgent = [message for message in summary["messages"] if is_urgent(str(message))]
-    return f'<div class="warnings"><b>Warnings</b>{items(urgent)}</div>' if urgent else ""
+    return f'<div class="warnings"><b>Warnings</b>{html.items(urgent)}</div>' if urgent else ""
 
 
 def is_urgent(message: str) -> bool:
@@ -135,39 +117,45 @@ def _sections(summary: dict[str, Any], folder: Path) -> Iterator[tuple[str, str,
     yield "more", "Further results", _further_results(summary)
     yield "pictures", "Further pictures", _further_pictures(summary, folder)
     others = (message for message in summary["messages"] if not is_urgent(str(message)))
-    yield "notes", "Notes", notes(others)
-    yield "versions", "Versions and times", versions(summary)
+    yield "notes", "Notes", html.notes(others)
+    yield "versions", "Versions and times", html.versions(summary)
 
 
 def _further_results(summary: dict[str, Any]) -> str:
     """Blocks that no part of the page places: whatever numbers they hold."""
     blocks = {key: value for key, value in summary.items() if key not in bearing.PLACED}
-    single = {key: value for key, value in blocks.items() if not is_large(value)}
-    facts_blocks = [facts("", single)] if single and not bearing.is_single_contact(summary) else []
+    single = {key: value for key, value in blocks.items() if not html.is_large(value)}
+    facts_blocks = (
+        [html.facts("", single)] if single and not bearing.is_single_contact(summary) else []
+    )
     for key, value in blocks.items():
         if isinstance(value, dict):
-            plain = {name: item for name, item in value.items() if not is_large(item)}
-            facts_blocks += [facts(key.replace("_", " "), plain)] if plain else []
+            plain = {name: item for name, item in value.items() if not html.is_large(item)}
+            facts_blocks += [html.facts(key.replace("_", " "), plain)] if plain else []
     lists = {key: value for key, value in blocks.items() if isinstance(value, list)}
     if "contacts" not in summary:
         lists["balls"] = summary.get("balls") or []
-    return side_by_side(*facts_blocks) + "".join(_rows(key, rows) for key, rows in lists.items())
+    return html.side_by_side(*facts_blocks) + "".join(
+        _rows(key, rows) for key, rows in lists.items()
+    )
 
 
 def _rows(name: str, rows: list[Any]) -> str:
     """A list of tables that all have single numbers, as one table that unfolds."""
     if not rows or len(rows) > MAX_ROWS or not all(isinstance(row, dict) for row in rows):
         return ""
-    keys = [key for key in rows[0] if not any(is_large(row.get(key)) for row in rows)]
+    keys = [key for key in rows[0] if not any(html.is_large(row.get(key)) for row in rows)]
     if not keys:
         return ""
-    lines = [("", [text(row.get(key)) for key in keys]) for row in rows]
-    return unfolding(f"{name_text(name)} ({len(rows)})", table(key_head(keys), lines))
+    lines = [("", [html.text(row.get(key)) for key in keys]) for row in rows]
+    return html.unfolding(
+        f"{html.name_text(name)} ({len(rows)})", html.table(html.key_head(keys), lines)
+    )
 
 
 def _further_pictures(summary: dict[str, Any], folder: Path) -> str:
     """Pictures that no part of the page places: slip maps, dynamics, what later versions draw."""
     placed = bearing.known_pictures(summary)
     files = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
-    pictures = [picture(f, f.stem.replace("_", " ")) for f in files if f.name not in placed]
-    return side_by_side(*pictures, kind="gallery")
+    pictures = [html.picture(f, f.stem.replace("_", " ")) for f in files if f.name not in placed]
+    return html.side_by_side(*pictures, kind="gallery")

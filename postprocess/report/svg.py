@@ -22,12 +22,7 @@ FONT = 'font-family="system-ui, sans-serif"'
 def stacked_bars(rows: Sequence[tuple[str, dict[str, float], float]], unit: str) -> str:
     """Horizontal bars as an SVG element, each a stack of parts, its total at the end.
 
-    Parameters
-    ----------
-    rows : sequence of (str, dict, float)
-        Name, parts and total of each bar, in `unit`; parts that are not all of one sign are left
-        out.
-    unit : str
+    From name, parts and total of each bar, in `unit`; parts not all of one sign are left out.
     """
     largest = max((abs(total) for _, _, total in rows), default=0.0) or 1.0
     scale = (WIDTH - LABEL - RIGHT) / largest

@@ -10,10 +10,10 @@ from PIL import Image
 from ehl.units import MILLIMETRE
 
 from ..dynamics.history import open_history
-from .animation import AnimationOptions
+from ..plot_style import INK
 from .geometry import Surface, ring_shape, ring_surface
-from .parts import INK
 from .rendering import read_request, write_gif
+from .scene import AnimationOptions
 from .vtk import poly_data
 from .vtk_history import RACES, MovingBearing
 

@@ -1,6 +1,4 @@
-"""What moves in a scene: a slider over azimuth, a click that shows a contact's numbers, a movie of
-one turn.
-"""
+"""What moves in a scene: slider over azimuth, click on a contact, movie of one turn."""
 
 from math import degrees, pi, radians
 from pathlib import Path
@@ -10,7 +8,8 @@ from PIL import Image
 
 from ehl.units import GIGAPASCAL
 
-from .parts import INK, look_at
+from ..plot_style import INK
+from .parts import look_at
 from .patch import Patch
 from .rendering import write_gif
 
@@ -33,28 +32,17 @@ def patch_numbers(patch: Patch) -> str:
 
 
 def add_controls(plotter: Any) -> None:
-    """A slider that brings an azimuth [deg] to the top, and a click on a film that shows its
-    numbers.
-    """
+    """A slider that brings an azimuth [deg] to the top; a click on a film shows its numbers."""
     if not shown_films(plotter):
         return
+    place = {"pointa": (0.06, 0.16), "pointb": (0.32, 0.16), "title_height": 0.02}
+    style = {"title": "azimuth on top [deg]", "color": INK, "fmt": "%.0f", "style": "modern"}
     plotter.add_slider_widget(
-        lambda value: look_at(plotter, radians(value)),
-        rng=(0.0, 360.0),
-        value=0.0,
-        title="azimuth on top [deg]",
-        pointa=(0.06, 0.16),
-        pointb=(0.32, 0.16),
-        color=INK,
-        fmt="%.0f",
-        style="modern",
-        title_height=0.02,
+        lambda value: look_at(plotter, radians(value)), (0.0, 360.0), value=0.0, **place, **style
     )
+    silent = {"show": False, "show_message": False}
     plotter.enable_mesh_picking(
-        lambda mesh: show_numbers(plotter, mesh),
-        left_clicking=True,
-        show=False,
-        show_message=False,
+        lambda mesh: show_numbers(plotter, mesh), left_clicking=True, **silent
     )
 
 

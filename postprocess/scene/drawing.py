@@ -1,6 +1,4 @@
-"""The scene of a result directory, drawn with pyvista; run as a module it draws what `scene` asks
-for.
-"""
+"""The scene of a result directory, drawn with pyvista; as a module it draws what `scene` asks."""
 
 import asyncio
 import sys
@@ -15,24 +13,14 @@ import xarray
 from ehl.solution import Array
 from ehl.units import MILLIMETRE
 
-from ..plot_style import common_film_range, film_range
+from ..contact.fields import film_maps
+from ..plot_style import INK, common_film_range, film_range
 from ..reader import open_results
+from . import parts
 from .controls import NUMBERS, add_controls, patch_numbers, write_movie
 from .geometry import Placement
 from .page import add_flat_labels, add_overlay
-from .parts import (
-    INK,
-    ColourScale,
-    Label,
-    add_bodies,
-    add_colour_bar,
-    add_field,
-    add_labels,
-    add_load,
-    aim,
-    fill_picture,
-    scene_labels,
-)
+from .parts import ColourScale, Label
 from .patch import Patch
 from .rendering import read_request, require_rendering
 from .scene import LABELS, SceneOptions, check_scene
@@ -66,9 +54,9 @@ class Scene:
         for text, corner, size in ((self.title, "upper_left", 17), (self.note, "lower_left", 13)):
             self.plotter.add_text(text, position=corner, font_size=int(size * scale), color=INK)
         if self.colours is not None:
-            add_colour_bar(self.plotter, self.mapper, self.colours.label, scale)
+            parts.add_colour_bar(self.plotter, self.mapper, self.colours.label, scale)
         if self.labels:
-            add_labels(self.plotter, self.labels, scale)
+            parts.add_labels(self.plotter, self.labels, scale)
 
     def write_page(self, file: Path) -> None:
         """The scene as a page of vtk.js, its texts laid over it."""
@@ -109,17 +97,17 @@ def build_scene(
 
 def _add_bearing(scene: Scene, directory: Path, tree: xarray.DataTree) -> None:
     """Bodies, patches, load, labels, camera."""
-    balls = tree["contacts"].children.values() if "contacts" in tree.children else ()
-    contacts = [node for ball in balls for node in ball.children.values()]
-    patches = [Patch.read(node.to_dataset(inherit=False)) for node in contacts]
-    radius = 0.5 * float(tree["ring"].attrs["ball_diameter"])
-    placement = _placement(patches, radius, scene.options)
+    patches = [Patch.read(leaf.to_dataset(inherit=False)) for leaf in film_maps(tree).values()]
+    balls, ring = tree["balls"].to_dataset(), tree["ring"].to_dataset()
+    diameter = float(ring.attrs["ball_diameter"])
+    placement = _placement(patches, 0.5 * diameter, scene.options)
     scene.note = _note(placement) if patches else "no films in these results"
-    add_bodies(scene.plotter, directory)
-    _add_patches(scene, patches, radius, placement)
-    add_load(scene.plotter, tree)
-    scene.labels = scene_labels(tree)
-    scene.up = aim(scene.plotter, tree)
+    parts.add_bodies(scene.plotter, directory)
+    _add_patches(scene, patches, 0.5 * diameter, placement)
+    diameter /= MILLIMETRE
+    load = parts.add_load(scene.plotter, ring, diameter)
+    scene.labels = (*parts.ball_labels(balls, diameter), *load)
+    scene.up = parts.aim(scene.plotter, balls)
 
 
 def _add_patches(scene: Scene, patches: list[Patch], radius: float, placement: Placement) -> None:
@@ -139,7 +127,9 @@ def _add_patches(scene: Scene, patches: list[Patch], radius: float, placement: P
         if not mesh.n_points:  # a failed solution may have no film within the scale
             continue
         mesh.field_data[NUMBERS] = [patch_numbers(patch)]
-        scene.mapper = add_field(scene.plotter, mesh, colours, logarithm_as_field=scene.for_page)
+        scene.mapper = parts.add_field(
+            scene.plotter, mesh, colours, logarithm_as_field=scene.for_page
+        )
         scene.colours = colours
         lines = mesh.contour(patch.levels(quantity), scalars=quantity)
         if lines.n_points:
@@ -149,9 +139,7 @@ def _add_patches(scene: Scene, patches: list[Patch], radius: float, placement: P
 
 
 def _below(mesh: Any, top: float) -> Any:
-    """The part of a surface where the film is below `top` [um]: the inlet would hide bodies and
-    contact.
-    """
+    """The part of a surface with films below `top` [um]: the inlet would hide the contact."""
     return mesh.clip_scalar(scalars="film", value=top, invert=True).extract_surface(algorithm=None)
 
 
@@ -167,9 +155,7 @@ def _note(placement: Placement) -> str:
 
 
 def _placement(patches: list[Patch], ball_radius: float, options: SceneOptions) -> Placement:
-    """Factors of the patches: as asked for, or so that the largest patch covers a good part of its
-    ball.
-    """
+    """Factors of the patches: as asked for, or so that the largest covers much of its ball."""
     if options.magnification is not None:
         rolling, transverse = options.magnification
     else:
@@ -205,12 +191,12 @@ def _add_contact(scene: Scene, data: xarray.Dataset) -> None:
     unit = data["P" if quantity == "pressure" else "h"].attrs["units"]
     label = LABELS[quantity] if unit in ("m", "Pa") else f"{quantity} [{unit}]"
     scene.colours = ColourScale(quantity=quantity, label=label, limits=limits)
-    scene.mapper = add_field(scene.plotter, mesh, scene.colours)
+    scene.mapper = parts.add_field(scene.plotter, mesh, scene.colours)
     camera = scene.plotter.camera
     camera.position = (-0.75, -1.35, 1.3)
     camera.focal_point = (0.0, 0.0, 0.0)
     camera.up = (0.0, 0.0, 1.0)
-    fill_picture(scene.plotter, 1.0)
+    parts.fill_picture(scene.plotter, 1.0)
     length = data["x"].attrs["units"].replace("m", "mm")
     extent = " by ".join(f"{c.min():.3g} ... {c.max():.3g}" for c in (patch.x, patch.y))
     cut = ", cut off at the end of the colour scale" if quantity == "film" else ""

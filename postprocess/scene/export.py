@@ -1,8 +1,5 @@
-"""Meshes of results for other programs, written by meshio: the film of every contact on its patch,
-and the finite elements of a coating.
-"""
+"""Meshes for other programs, written by meshio: films on their patches, elements of a coating."""
 
-import csv
 import os
 import tempfile
 from collections.abc import Callable, Sequence
@@ -17,22 +14,15 @@ from numpy.typing import NDArray
 from ehl.solid.coating import Coating
 from ehl.solid.layered_fem import layered_mesh
 from ehl.solution import Array
-from ehl.units import GIGAPASCAL, MILLIMETRE, ZERO_CELSIUS
+from ehl.units import GIGAPASCAL, MILLIMETRE
 
-from ..contact.frame import principal_coordinates
+from ..contact.fields import film_maps, require_contacts, shown
+from ..contact.frame import ALL, principal_coordinates
+from ..files import write_csv
 from ..reader import open_results
 from .geometry import Placement, contact_frame, crop_to_ball, grid_quads, place_patch
-from .vtk import FILM, PRESSURE, TEMPERATURE
 
-KINDS = ("bearing", "contact")  # of results that hold films
-# name, unit and zero of a variable of `results.nc`, by its own name and unit
-FIELDS = {
-    ("h", "m"): (FILM, 1e-6, 0.0),
-    ("h", "a^2/Rx"): ("film thickness [a^2/Rx]", 1.0, 0.0),
-    ("P", "Pa"): (PRESSURE, GIGAPASCAL, 0.0),
-    ("P", "p_h"): ("pressure [p_h]", 1.0, 0.0),
-    ("T", "K"): (TEMPERATURE, 1.0, ZERO_CELSIUS),
-}
+TITLES = {"P": "pressure", "h": "film thickness", "T": "film temperature"}
 RACES = ("inner", "outer")
 # quadrilaterals of Abaqus
 SHELL = "S4"
@@ -85,54 +75,45 @@ def contact_meshes(directory: str | Path) -> PatchMesh:
     contact in its plane [mm], or in semi-axes a where no length is known.
     """
     with open_results(directory) as tree:
-        kind = tree.attrs["kind"]
-        if kind not in KINDS:
-            raise ValueError(
-                f"{directory} holds results of kind {kind}, which have no films to export; "
-                f"allowed: {', '.join(KINDS)}"
-            )
-        leaves = tree["contacts"].leaves if "contacts" in tree.children else ()
-        films = {
-            leaf.path.removeprefix("/contacts/"): leaf.to_dataset(inherit=False).load()
-            for leaf in leaves
-            if "h" in leaf.data_vars
-        }
+        require_contacts(directory, tree, "films to export")
+        leaves = film_maps(tree)
+        films = {name: leaf.to_dataset(inherit=False).load() for name, leaf in leaves.items()}
         if not films:
             raise ValueError(f"{directory} holds no film maps")
-        diameter = tree["ring"].attrs["ball_diameter"] if kind == "bearing" else 0.0
+        diameter = tree["ring"].attrs["ball_diameter"] if "ring" in tree.children else 0.0
     return merged([patch_mesh(name, data, 0.5 * diameter) for name, data in films.items()])
 
 
-def patch_mesh(name: str, data: xarray.Dataset, ball_radius: float) -> PatchMesh:
+def patch_mesh(contact: str, data: xarray.Dataset, ball_radius: float) -> PatchMesh:
     """One contact: cells between the nodes of its grid, on its ball of `ball_radius` [m]."""
     attributes = data.attrs
     x, y = data["x"].values, data["y"].values
-    unit, scale = ("mm", MILLIMETRE) if data["x"].attrs["units"] == "m" else ("a", 1.0)
     is_placed = "origin" in attributes
-    part = (slice(None), slice(None))
-    if is_placed:
-        part = crop_to_ball(x, y, ball_radius, Placement())
+    part = crop_to_ball(x, y, ball_radius, Placement()) if is_placed else ALL
     angle = float(attributes["frame_angle"])
     along, across = principal_coordinates(x[part[0]], y[part[1]], angle)
     points = np.stack([along, across, np.zeros_like(along)], axis=-1)
     if is_placed:
         points = place_patch(along, across, contact_frame(attributes, ball_radius), Placement())
-    fields = {f"rolling [{unit}]": along / scale, f"transverse [{unit}]": across / scale}
-    for key in ("P", "h", "T"):
-        if key in data:
-            title, size, zero = FIELDS[key, data[key].attrs["units"]]
-            fields[title] = data[key].values[part].astype(np.float64) / size - zero
+    columns = [("rolling", "x", along), ("transverse", "x", across)]
+    for name, title in TITLES.items():
+        if name in data:
+            columns.append((title, name, data[name].values[part].astype(np.float64)))
+    fields = {}
+    for title, name, values in columns:
+        values, unit = shown(name, data[name].attrs["units"], values)
+        fields[f"{title} [{unit}]"] = values.ravel()
     quads = grid_quads(*along.shape)
     cells = {}
     if is_placed:
         cells["ball"] = np.full(len(quads), int(attributes["ball"]))
         cells["race, 1 inner, 2 outer"] = np.full(len(quads), 1 + RACES.index(attributes["race"]))
     return PatchMesh(
-        points=points.reshape(-1, 3) / scale,
+        points=shown("x", data["x"].attrs["units"], points.reshape(-1, 3))[0],
         quads=quads,
-        fields={title: values.ravel() for title, values in fields.items()},
+        fields=fields,
         cells=cells,
-        groups={name: np.arange(len(quads))},
+        groups={contact: np.arange(len(quads))},
     )
 
 
@@ -142,8 +123,7 @@ def merged(meshes: Sequence[PatchMesh]) -> PatchMesh:
     cells = np.cumsum([0] + [len(mesh.quads) for mesh in meshes])
     fields = {}
     for title in dict.fromkeys(title for mesh in meshes for title in mesh.fields):
-        missing = [np.full(len(mesh.points), np.nan) for mesh in meshes]
-        parts = [mesh.fields.get(title, nan) for mesh, nan in zip(meshes, missing, strict=True)]
+        parts = [m.fields.get(title, np.full(len(m.points), np.nan)) for m in meshes]
         fields[title] = np.concatenate(parts)
     return PatchMesh(
         points=np.concatenate([mesh.points for mesh in meshes]),
@@ -159,9 +139,7 @@ def merged(meshes: Sequence[PatchMesh]) -> PatchMesh:
 
 
 def coating_mesh(coating: Coating) -> PatchMesh:
-    """The axisymmetric elements from which the compliance of a coated body is computed: radius as
-    x, and -depth as y [mm].
-    """
+    """The axisymmetric elements for a coated body: radius as x, and -depth as y [mm]."""
     nodes, quads, in_coating = layered_mesh()
     r, z = nodes.T * coating.thickness / MILLIMETRE
     young = (coating.youngs_modulus, coating.substrate_youngs_modulus)
@@ -187,44 +165,35 @@ def _group_numbers(mesh: PatchMesh) -> NDArray[np.int32]:
     return numbers
 
 
+def _mesh(mesh: PatchMesh, groups: tuple[str, ...]) -> meshio.Mesh:
+    """The mesh with all its fields; the numbers of groups under the names that a format has."""
+    cells = dict.fromkeys(groups, _group_numbers(mesh)) | mesh.cells
+    cell_data = {name: [values] for name, values in cells.items()}
+    return meshio.Mesh(mesh.points, [("quad", mesh.quads)], mesh.fields, cell_data)
+
+
 def _write_fields(mesh: PatchMesh, path: Path) -> None:
     """VTU, and XDMF with its numbers in an HDF5 file beside it."""
-    cell_data = {"group": [_group_numbers(mesh)]} | {k: [v] for k, v in mesh.cells.items()}
-    meshio.Mesh(
-        mesh.points, [("quad", mesh.quads)], point_data=mesh.fields, cell_data=cell_data
-    ).write(path)
+    _mesh(mesh, ("group",)).write(path)
 
 
 def _write_msh(mesh: PatchMesh, path: Path) -> None:
     """Gmsh 2.2, binary: groups of cells are physical surfaces."""
-    numbers = _group_numbers(mesh)
-    tags = {"gmsh:physical": [numbers], "gmsh:geometrical": [numbers]}
-    names = {name: np.array([k, 2]) for k, name in enumerate(mesh.groups, start=1)}
-    meshio.Mesh(
-        mesh.points,
-        [("quad", mesh.quads)],
-        point_data=mesh.fields,
-        cell_data=tags | {key: [values] for key, values in mesh.cells.items()},
-        field_data=names,
-    ).write(path, file_format="gmsh22")
+    gmsh = _mesh(mesh, ("gmsh:physical", "gmsh:geometrical"))
+    gmsh.field_data = {name: np.array([k, 2]) for k, name in enumerate(mesh.groups, start=1)}
+    gmsh.write(path, file_format="gmsh22")
 
 
 def _write_inp(mesh: PatchMesh, path: Path) -> None:
     """Abaqus: nodes, elements and sets; a table by node numbers has the fields."""
     sets = {name.replace("/", "_").upper(): [cells] for name, cells in mesh.groups.items()}
     meshio.Mesh(mesh.points, [("quad", mesh.quads)], cell_sets=sets).write(path)
-    text = path.read_text(encoding="utf-8")
-    path.write_text(
-        text.replace(f"TYPE={ABAQUS_QUAD}\n", f"TYPE={mesh.abaqus}\n", 1), encoding="utf-8"
-    )
-    if not mesh.fields:
-        return
-    table = path.with_name(f"{path.stem}_fields.csv")
-    with table.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file)
-        writer.writerow(["node", *mesh.fields])
+    text = path.read_text(encoding="utf-8").replace(f"={ABAQUS_QUAD}\n", f"={mesh.abaqus}\n", 1)
+    path.write_text(text, encoding="utf-8")
+    if mesh.fields:
         columns = [values.tolist() for values in mesh.fields.values()]
-        writer.writerows(zip(range(1, len(mesh.points) + 1), *columns, strict=True))
+        rows = zip(range(1, len(mesh.points) + 1), *columns, strict=True)
+        write_csv(path.with_name(f"{path.stem}_fields.csv"), ["node", *mesh.fields], rows)
 
 
 WRITERS: dict[str, Callable[[PatchMesh, Path], None]] = {

@@ -1,6 +1,4 @@
-"""Shapes of the pictures: patches placed on their balls, balls, cage and grooved rings; NumPy
-only, SI, bearing's frame.
-"""
+"""Shapes of the pictures: patches on balls, balls, cage, rings; NumPy, SI, bearing's frame."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -17,23 +15,19 @@ from ehl.solution import Array
 from ..contact.frame import within
 
 LENGTHS = (
-    "ball_diameter",
-    "pitch_diameter",
-    "inner_groove_radius",
-    "outer_groove_radius",
-    "diametral_clearance",
-    "bore",
-    "outside_diameter",
-    "width",
-)
+    "ball_diameter pitch_diameter inner_groove_radius outer_groove_radius diametral_clearance "
+    "bore outside_diameter width"
+).split()
 WRAP_LIMIT = 1.35  # a patch reaches this far around its ball at most [rad]
 SHOULDER_HEIGHT = 0.22  # of the ball diameter, for the pictures only
 RING_WIDTH = 1.5  # of the ball diameter
 RING_HEIGHT = 0.83  # of the ball diameter, where the catalogue gives none: for the pictures only
 # of the ball diameter: balls and raceways stand back by this, so that the patches are seen
 SET_BACK = 0.004
+# for the pictures only
 RIM_WIDTH = 0.18  # of a cage's rims over the ball diameter [-]
-BAR_SHARE = 0.5  # of a cage's bars in the gap between two balls [-]
+BAR_SHARE = 0.5  # of a cage's bars in the gap between two pockets [-]
+POCKET = 1.04  # diameter of a pocket over that of a ball [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -93,23 +87,11 @@ class Placement:
 def place_patch(
     x: Array, y: Array, frame: ContactFrame, placement: Placement, height: Array | None = None
 ) -> Array:
-    """Lay a contact plane on the ball: distances and directions from the contact point are kept
-    (exponential map).
+    """Points of a contact plane laid on its ball, shape (nx, ny, 3) [m], in the bearing's frame.
 
-    Parameters
-    ----------
-    x, y : ndarray, shape (nx, ny)
-        Coordinates along the principal directions [m].
-    frame : ContactFrame
-    placement : Placement
-        Magnification; the film's share of it is in `height` already.
-    height : ndarray, shape (nx, ny), optional
-        Height over the ball [m].
-
-    Returns
-    -------
-    ndarray, shape (nx, ny, 3)
-        Points in the bearing's frame [m].
+    Distances and directions from the contact point are kept (exponential map). From principal
+    coordinates `x`, `y` and the height over the ball [m], shape (nx, ny), which is exaggerated
+    already.
     """
     u = (placement.rolling * x)[..., None]
     v = (placement.transverse * y)[..., None]
@@ -123,9 +105,7 @@ def place_patch(
 def crop_to_ball(
     x: Array, y: Array, ball_radius: float, placement: Placement
 ) -> tuple[slice, slice]:
-    """Index ranges of the nodes that a patch may have without wrapping around its ball; x, y,
-    ball_radius in [m].
-    """
+    """Index ranges of the nodes of a patch that does not wrap around its ball; lengths in [m]."""
     reach = WRAP_LIMIT * ball_radius / np.sqrt(2.0)
     along = reach / placement.rolling
     across = reach / placement.transverse
@@ -133,9 +113,7 @@ def crop_to_ball(
 
 
 def grid_quads(n: int, m: int, closed: bool = False) -> NDArray[np.int64]:
-    """Corner numbers of the cells of an (n, m) grid of points, shape (cells, 4) [-]; closed joins
-    the last row.
-    """
+    """Corners of the cells of an (n, m) grid, shape (cells, 4); closed joins the last row."""
     index = np.arange(n * m).reshape(n, m)
     if closed:
         index = np.vstack([index, index[:1]])
@@ -164,16 +142,14 @@ def ball_surface(centre: Array, radius: float, rings: int = 24) -> Surface:
 
 
 def cage_surface(pitch: float, ball: float, balls: int) -> Surface:
-    """A simplified cage in its own frame, from diameters [m]: two rims beside the balls and bars
-    between them.
-    """
+    """A simplified cage in its own frame, from diameters [m]: two rims, and bars between balls."""
     side = 0.5 * ball * (1.0 + RIM_WIDTH)
     half_rim = 0.5 * RIM_WIDTH * ball
     radius = np.full(2, 0.5 * pitch)
     turn = np.linspace(0.0, 2.0 * pi, 181)
     rim = np.array([-half_rim, half_rim])
     parts = [_revolve(axial + rim, radius, turn) for axial in (-side, side)]
-    half_bar = 0.5 * BAR_SHARE * (2.0 * pi / balls - 2.0 * np.arcsin(1.04 * ball / pitch))
+    half_bar = 0.5 * BAR_SHARE * (2.0 * pi / balls - 2.0 * np.arcsin(POCKET * ball / pitch))
     for k in range(balls):
         middle = 2.0 * pi * (k + 0.5) / balls
         bar = np.linspace(middle - half_bar, middle + half_bar, 5)
@@ -188,9 +164,7 @@ def bearing_lengths(bearing: Bearing) -> dict[str, float]:
 
 
 def ring_shape(lengths: Mapping[str, Any], inner: bool) -> RingShape:
-    """Shape of a ring from `LENGTHS` [m]; bore, outside diameter and width are guessed for the
-    picture where they are not given.
-    """
+    """Shape of a ring from `LENGTHS` [m]; bore, outside diameter, width may be guessed."""
     sign = 1.0 if inner else -1.0
     ball = float(lengths["ball_diameter"])
     pitch = float(lengths["pitch_diameter"])
@@ -214,11 +188,10 @@ def ring_surface(
     opening: tuple[float, float],
     resolution: tuple[int, int] = (48, 181),
 ) -> Surface:
-    """One ring as a solid of revolution with its groove, cut open over a sector.
+    """One ring as a solid of revolution with its groove about `axial` [m], cut open over a sector.
 
-    The groove's centre lies at `axial` [m] on the bearing's axis; `opening` is the azimuth at the
-    middle of the sector and its width [rad], 0 for a whole ring; `resolution` the numbers of
-    points across the groove and around the ring.
+    `opening`: azimuth at its middle and width [rad], 0 for a whole ring; `resolution`: points
+    across the groove and around the ring.
     """
     profile = groove_profile(shape, resolution[0])
     middle, width = opening
@@ -241,9 +214,7 @@ def ring_surface(
 
 
 def groove_profile(shape: RingShape, points: int) -> Array:
-    """Shoulder, groove, shoulder of one ring, shape (points + 2, 2): axial distance from the
-    groove, radius [m]; the groove is set back by `SET_BACK` ball diameters.
-    """
+    """Shoulder, groove, shoulder: axial distance from the groove, radius [m], a row a point."""
     sign = 1.0 if shape.inner else -1.0
     groove = shape.groove_radius
     ball = shape.ball_diameter

@@ -1,5 +1,4 @@
-"""The scene as one page for browsers: what vtk.js does not know of is laid over it, or becomes a
-body.
+"""The scene as one page for browsers.
 
 vtk.js draws surfaces with even colour scales; logarithmic colours come as the logarithm itself
 with a scale of its own beside the picture, and texts in space as flat letters.
@@ -16,8 +15,8 @@ import pyvista as pv
 
 from ehl.solution import Array
 
-from ..plot_style import colour_stops, film_ticks
-from .parts import INK, ColourScale, Label
+from ..plot_style import INK, colour_stops, film_ticks
+from .parts import ColourScale, Label
 
 OFFLINE = (
     '<meta http-equiv="Content-Security-Policy" '
@@ -33,9 +32,7 @@ TICK = "position:absolute;left:20px;bottom:calc({:.2f}% - 8px);border-bottom:0;w
 
 
 def add_overlay(file: Path, title: str, note: str, colours: ColourScale | None) -> None:
-    """Lay title, note and colour scale over an exported page, and let it load nothing from the
-    network.
-    """
+    """Lay title, note and colour scale over an exported page; it loads nothing from a network."""
     text = f"<b>{escape(title)}</b><br>{escape(note)}; turn, zoom and shift with the mouse"
     style = f"position:fixed;left:12px;top:10px;{FONT.format(15)}"
     over = f'<div style="{style}">{text}</div>' + ("" if colours is None else bar_html(colours))
@@ -67,9 +64,7 @@ def bar_html(colours: ColourScale) -> str:
 
 
 def add_flat_labels(plotter: Any, labels: Sequence[Label], up: Array) -> None:
-    """Azimuths and load of a bearing as flat letters that look along +x, upright where the unit
-    vector `up`, shape (3,) [-], is up.
-    """
+    """Labels as flat letters that look along +x, upright where the unit vector `up` [-] is up."""
     for label in labels:
         before = np.array([FORWARD * label.ball_diameter, 0.0, 0.0])
         if label.text.endswith("°"):
@@ -80,9 +75,7 @@ def add_flat_labels(plotter: Any, labels: Sequence[Label], up: Array) -> None:
 
 
 def flat_text(text: str, place: Array, up: Array, size: float) -> Any:
-    """Letters of a height [mm] centred at a place [mm]; the sign of degrees is a ring, which the
-    letters lack.
-    """
+    """Letters of a height about a place [mm]; the sign of degrees, which they lack, is a ring."""
     centre = (0.0, 0.0, 0.0)
     letters = text.removesuffix("°")
     body = pv.Text3D(letters, depth=0.0, height=size, center=centre, normal=(0.0, 0.0, 1.0))

@@ -13,15 +13,15 @@ import xarray
 from ehl.solution import Array
 from ehl.units import MILLIMETRE
 
-from ..plot_style import COLOUR_MAPS
+from ..plot_style import COLOUR_MAPS, INK
 from .vtk import COLLECTION_FILE
 
 ROUND_OFF = 1e-6  # a radial load below this share of the axial one is noise of the equilibrium
 BALL = "#aab4c0"
 RING = "#c9ced6"
 EDGE = "#5b6470"
-INK = "#1b1f24"
 LOAD_COLOUR = "#b3202c"
+MATT: Any = {"ambient": 0.6, "diffuse": 0.45, "specular": 0.0, "smooth_shading": True}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -53,9 +53,9 @@ class Label:
 def add_field(
     plotter: Any, mesh: Any, colours: ColourScale, *, logarithm_as_field: bool = False
 ) -> Any:
-    """A surface coloured by a quantity in its unit [um] or [GPa], and its mapper for the colour
-    bar; where colours are logarithmic, the logarithm itself may be the coloured field, for viewers
-    without logarithmic scales.
+    """A surface coloured by a quantity in its unit [um] or [GPa]; its mapper for the colour bar.
+
+    Logarithmic colours may be the logarithm itself, for viewers without logarithmic scales.
     """
     scalars = colours.quantity
     limits = colours.limits
@@ -71,18 +71,13 @@ def add_field(
         clim=limits,
         log_scale=colours.logarithmic and not as_field,
         show_scalar_bar=False,
-        ambient=0.6,
-        diffuse=0.45,
-        specular=0.0,
-        smooth_shading=True,
+        **MATT,
     )
     return actor.mapper
 
 
 def add_bodies(plotter: Any, directory: Path) -> None:
-    """Balls like smoked glass, the inner ring whole, the outer one cut open, with their edges
-    drawn.
-    """
+    """Balls like smoked glass, inner ring, and outer one cut open, with their edges."""
     bodies = pv.get_reader(directory / COLLECTION_FILE).read()[0]["bodies"]
     balls = bodies["balls"].clean().compute_normals(auto_orient_normals=True)
     glass = {"opacity": 0.2, "specular": 0.5, "specular_power": 30}
@@ -98,80 +93,49 @@ def add_bodies(plotter: Any, directory: Path) -> None:
         plotter.add_mesh(edges, color=EDGE, line_width=1.0)
 
 
-def scene_labels(tree: xarray.DataTree) -> tuple[Label, ...]:
-    """Azimuths beside the balls, and the size of the radial load below its arrow."""
-    balls, ring = tree["balls"].to_dataset(), tree["ring"].to_dataset()
+def ball_labels(balls: xarray.Dataset, ball_diameter: float) -> tuple[Label, ...]:
+    """Azimuths beside the balls, from their diameter [mm]."""
     turn = balls["azimuth"].values
-    diameter = float(ring.attrs["ball_diameter"]) / MILLIMETRE
-    radius = balls["ball_radial"].values / MILLIMETRE + 1.05 * diameter
+    radius = balls["ball_radial"].values / MILLIMETRE + 1.05 * ball_diameter
     points = np.stack([np.zeros_like(turn), radius * np.cos(turn), radius * np.sin(turn)], axis=1)
-    angles = (f"{angle % 360.0:.4g}°" for angle in np.degrees(turn))
-    places = list(zip(points, angles, strict=True))
-    load = _radial_load(ring)
-    if load is not None:
-        direction, size = load
-        places.append((-0.78 * _bore(ring) * direction, f"{size:.4g} N"))
-    return tuple(Label(place=place, text=text, ball_diameter=diameter) for place, text in places)
+    return tuple(
+        Label(place=point, text=f"{angle % 360.0:.4g}°", ball_diameter=ball_diameter)
+        for point, angle in zip(points, np.degrees(turn), strict=True)
+    )
 
 
-def _radial_load(ring: xarray.Dataset) -> tuple[Array, float] | None:
-    """Direction [-] and size [N] of the radial load on the inner ring; None if there is none."""
+def add_load(plotter: Any, ring: xarray.Dataset, ball_diameter: float) -> tuple[Label, ...]:
+    """The radial load on the inner ring as an arrow in the bore; its size, to stand below [mm]."""
     force = ring["force"].values[:3] * np.array([0.0, 1.0, 1.0])
     size = float(np.linalg.norm(force))
     if size <= ROUND_OFF * float(np.abs(ring["force"].values).max()):
-        return None
-    return force / size, size
-
-
-def _bore(ring: xarray.Dataset) -> float:
-    """Room for the arrow of the load [mm]."""
-    room = 0.5 * float(ring.attrs["pitch_diameter"]) - float(ring.attrs["ball_diameter"])
-    return room / MILLIMETRE
-
-
-def add_load(plotter: Any, tree: xarray.DataTree) -> None:
-    """The radial load on the inner ring as an arrow in the bore."""
-    ring = tree["ring"].to_dataset()
-    load = _radial_load(ring)
-    if load is None:
-        return
-    bore = _bore(ring)
-    arrow = pv.Arrow(
-        start=-0.65 * bore * load[0],
-        direction=load[0],
-        scale=1.3 * bore,
-        shaft_radius=0.025,
-        tip_radius=0.06,
-        tip_length=0.18,
-    )
+        return ()
+    direction = force / size
+    bore = 0.5 * float(ring.attrs["pitch_diameter"]) / MILLIMETRE - ball_diameter
+    form: Any = {"shaft_radius": 0.025, "tip_radius": 0.06, "tip_length": 0.18}
+    arrow = pv.Arrow(start=-0.65 * bore * direction, direction=direction, scale=1.3 * bore, **form)
     plotter.add_mesh(arrow, color=LOAD_COLOUR, ambient=0.4)
+    place = -0.78 * bore * direction
+    return (Label(place=place, text=f"{size:.4g} N", ball_diameter=ball_diameter),)
 
 
 def add_labels(plotter: Any, labels: Sequence[Label], scale: float) -> None:
     """Texts in space that always face the camera; `scale` as in `add_colour_bar` [-]."""
-    plotter.add_point_labels(
-        np.array([label.place for label in labels]),
-        [label.text for label in labels],
-        font_size=int(22 * scale),
-        text_color=INK,
-        shape=None,
-        show_points=False,
-        always_visible=True,
-    )
+    places = np.array([label.place for label in labels])
+    style: Any = {"font_size": int(22 * scale), "text_color": INK, "always_visible": True}
+    style |= {"shape": None, "show_points": False}
+    plotter.add_point_labels(places, [label.text for label in labels], **style)
 
 
-def aim(plotter: Any, tree: xarray.DataTree) -> Array:
-    """Look from the side of +x down on the most loaded ball, which is up; the unit vector to it
-    [-].
-    """
-    balls = tree["balls"].to_dataset()
+def aim(plotter: Any, balls: xarray.Dataset) -> Array:
+    """Look from the side of +x at the most loaded ball, which is up; the unit vector to it [-]."""
     turn = float(balls["azimuth"].values[int(np.argmax(balls["outer_load"].values))])
     look_at(plotter, turn)
     return np.array([0.0, np.cos(turn), np.sin(turn)])
 
 
 def look_at(plotter: Any, turn: float) -> None:
-    """Put what lies at azimuth `turn` [rad] on top, seen from the side of +x."""
+    """Put what lies at azimuth `turn` [rad] on top, seen from the side of +x; lean by eye."""
     radial = np.array([0.0, np.cos(turn), np.sin(turn)])
     tangential = np.array([0.0, -np.sin(turn), np.cos(turn)])
     direction = np.array([0.66, 0.0, 0.0]) + 0.70 * radial - 0.30 * tangential
@@ -190,17 +154,7 @@ def fill_picture(plotter: Any, zoom: float = 1.25) -> None:
 
 def add_colour_bar(plotter: Any, mapper: Any, label: str, scale: float) -> None:
     """The colour bar at the right; `scale` is the height of the picture over 1200 pixels [-]."""
-    plotter.add_scalar_bar(
-        title=f"{label}\n",
-        mapper=mapper,
-        vertical=True,
-        position_x=0.88,
-        position_y=0.2,
-        width=0.05,
-        height=0.6,
-        title_font_size=int(26 * scale),
-        label_font_size=int(24 * scale),
-        color=INK,
-        n_labels=6,
-        fmt="%.2f",
-    )
+    place = {"position_x": 0.88, "position_y": 0.2, "width": 0.05, "height": 0.6}
+    sizes = {"title_font_size": int(26 * scale), "label_font_size": int(24 * scale)}
+    style: Any = {"vertical": True, "color": INK, "n_labels": 6, "fmt": "%.2f"}
+    plotter.add_scalar_bar(title=f"{label}\n", mapper=mapper, **place, **sizes, **style)

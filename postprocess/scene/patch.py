@@ -1,6 +1,4 @@
-"""The shown part of one contact, read back from disk, as grids for the scene; no window is opened
-here.
-"""
+"""The shown part of one contact, read back from disk, as grids for the scene."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -9,16 +7,14 @@ import numpy as np
 import xarray
 
 from ehl.solution import Array
-from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE
+from ehl.units import MICROMETRE, MILLIMETRE
 
-from ..contact.frame import principal_coordinates
-from ..contact.view import half_extents, shown_part
+from ..contact.fields import shown
+from ..contact.frame import ALL, principal_coordinates
+from ..contact.view import shown_nodes
 from ..plot_style import film_range
 from .geometry import Placement, contact_frame, crop_to_ball, place_patch
-from .vtk import add_point_data, structured_grid
-
-ALL = (slice(None), slice(None))
-UNITS = {"m": MILLIMETRE, "a": 1.0, "Pa": GIGAPASCAL, "p_h": 1.0}
+from .vtk import structured_grid
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -36,23 +32,21 @@ class Patch:
     @classmethod
     def read(cls, data: xarray.Dataset) -> "Patch":
         """Take the shown part of a contact's data set; lengths in [m] there."""
-        attributes = data.attrs
-        a = float(attributes["semi_axis_x"])
-        angle = float(attributes["frame_angle"])
-        half_x, half_y = half_extents(angle, float(attributes["semi_axis_y"]) / a)
-        x, y, p = data["x"].values, data["y"].values, data["P"].values
-        part = shown_part(x, y, p, a * half_x, a * half_y)
-        length = UNITS[data["x"].attrs["units"]]
-        film = MICROMETRE if data["h"].attrs["units"] == "m" else 1.0
-        along, across = principal_coordinates(x[part[0]] / length, y[part[1]] / length, angle)
+        part = shown_nodes(data)
+
+        def values(name: str, quantity: str) -> Any:
+            return shown(quantity, data[name].attrs["units"], data[name].values)[0]
+
+        x, y = values("x", "x")[part[0]], values("y", "x")[part[1]]
+        along, across = principal_coordinates(x, y, float(data.attrs["frame_angle"]))
         return cls(
             x=along,
             y=across,
-            film=data["h"].values[part] / film,
-            pressure=p[part] / UNITS[data["P"].attrs["units"]],
-            central=float(data["film_central"]) / film,
-            minimum=float(data["film_minimum"]) / film,
-            attributes=dict(attributes),
+            film=values("h", "h")[part],
+            pressure=values("P", "P")[part],
+            central=float(values("film_central", "h")),
+            minimum=float(values("film_minimum", "h")),
+            attributes=dict(data.attrs),
         )
 
     @property
@@ -80,15 +74,10 @@ class Patch:
         return self._grid(points / MILLIMETRE, part)
 
     def relief(self, quantity: str, height: float) -> Any:
-        """Contact plane with the quantity as height, `height` [mm or a] at its scale's end, as
-        above.
-        """
+        """Contact plane, the quantity as height, `height` [mm or a] where its scale ends."""
         field = self.film if quantity == "film" else self.pressure
         top = self.film_range[1] if quantity == "film" else float(field.max())
         return self._grid(np.stack([self.x, self.y, height * field / top], axis=-1))
 
     def _grid(self, points: Array, part: tuple[slice, slice] = ALL) -> Any:
-        grid = structured_grid(points)
-        add_point_data(grid, "film", self.film[part])
-        add_point_data(grid, "pressure", self.pressure[part])
-        return grid
+        return structured_grid(points, {"film": self.film[part], "pressure": self.pressure[part]})

@@ -1,6 +1,4 @@
-"""Drawing in a process of its own: a missing OpenGL library ends the process that asks for a
-window, and becomes an error here.
-"""
+"""Drawing in a process of its own: a missing OpenGL library ends that, and is an error here."""
 
 import json
 import os
@@ -18,7 +16,7 @@ from ..files import atomic_path
 WINDOW_VARIABLE = "VTK_DEFAULT_OPENGL_WINDOW"
 WINDOW_WITHOUT_DISPLAY = "vtkEGLRenderWindow"
 PACKAGES = "libegl1 libegl-mesa0 libgl1-mesa-dri"
-PATIENCE = 300.0  # for one picture [s]
+PATIENCE = 300.0  # for one picture, which takes seconds on an idle machine [s]
 # of a frame; chosen to cover all colours, not by area, so that thin arrows keep theirs
 COLOURS = 128
 
@@ -38,11 +36,10 @@ def with_suffix(file: str | Path, *suffixes: str) -> Path:
 def draw(
     module: str, directory: str | Path, file: Path, options: dict[str, Any], patience: float
 ) -> Path:
-    """Have a module of this package draw a file in a process of its own, within `patience` [s],
-    and return the file; `RenderingError` if none was drawn.
+    """Have a module of this package draw a file in a process of its own, in `patience` [s].
 
-    The module reads its request, made of the result directory, the file and options that JSON can
-    hold, by `read_request`.
+    It reads directory, file and options that JSON can hold by `read_request`. `RenderingError` if
+    nothing was drawn.
     """
     with atomic_path(file) as temporary:
         run_module(module, directory, temporary, options, patience)
@@ -59,29 +56,19 @@ def run_module(
     patience: float | None,
 ) -> None:
     """Run a module of this package with a request, as `draw`; no file opens a window."""
-    request = {
-        "directory": str(directory),
-        "file": None if file is None else str(file),
-        "options": options,
-    }
-    run_python(["-m", f"{__package__}.{module}", json.dumps(request)], patience)
+    request = json.dumps([str(directory), None if file is None else str(file), options])
+    run_python(["-m", f"{__package__}.{module}", request], patience)
 
 
 def read_request(text: str) -> tuple[Path, Path | None, dict[str, Any]]:
     """Directory, file to draw or None for a window, and options of a request."""
-    request = json.loads(text)
-    file = None if request["file"] is None else Path(request["file"])
-    options = {
-        name: tuple(value) if isinstance(value, list) else value
-        for name, value in request["options"].items()
-    }
-    return Path(request["directory"]), file, options
+    directory, file, options = json.loads(text)
+    tuples = {name: tuple(value) for name, value in options.items() if isinstance(value, list)}
+    return Path(directory), None if file is None else Path(file), options | tuples
 
 
 def run_python(arguments: list[str], patience: float | None) -> None:
-    """Run Python in a process of its own, for `patience` [s] at most; `RenderingError` if it
-    fails.
-    """
+    """Run Python in a process of its own, `patience` [s] at most; `RenderingError` if it fails."""
     home = str(Path(__file__).resolve().parents[2])
     paths = [home, *filter(None, [os.environ.get("PYTHONPATH")])]
     environment = rendering_environment() | {"PYTHONPATH": os.pathsep.join(paths)}
@@ -98,13 +85,10 @@ def run_python(arguments: list[str], patience: float | None) -> None:
     except subprocess.TimeoutExpired:
         raise RenderingError(advice(f"drawing took more than {patience:.0f} s")) from None
     if process.returncode != 0:
-        lines = [line for line in process.stderr.splitlines() if line.strip()]
+        lines = [line.strip() for line in process.stderr.splitlines() if line.strip()]
         crashed = process.returncode < 0 or process.returncode > 128
-        if crashed or not lines:
-            reason = f"the drawing process ended with code {process.returncode}"
-        else:
-            reason = lines[-1].strip()
-        raise RenderingError(advice(reason))
+        ended = f"the drawing process ended with code {process.returncode}"
+        raise RenderingError(advice(ended if crashed or not lines else lines[-1]))
 
 
 def advice(reason: str) -> str:
@@ -116,9 +100,7 @@ def advice(reason: str) -> str:
 
 
 def rendering_environment() -> dict[str, str]:
-    """Environment for a process that draws: on Linux without a display VTK is sent to EGL, unless
-    the user chose.
-    """
+    """Environment for drawing: on Linux without a display EGL, unless the user chose."""
     environment = dict(os.environ)
     if sys.platform.startswith("linux") and not environment.get("DISPLAY"):
         environment.setdefault(WINDOW_VARIABLE, WINDOW_WITHOUT_DISPLAY)
@@ -127,9 +109,7 @@ def rendering_environment() -> dict[str, str]:
 
 @lru_cache(maxsize=1)
 def require_rendering() -> None:
-    """Try a tiny picture in a process of its own; `RenderingError` if this machine cannot draw.
-    For notebooks.
-    """
+    """Try a tiny picture, for notebooks; `RenderingError` if this machine cannot draw."""
     plotter = "pyvista.Plotter(off_screen=True, window_size=(16, 16))"
     run_python(["-c", f"import pyvista; p = {plotter}; p.show(); p.close()"], PATIENCE)
     os.environ.update({k: v for k, v in rendering_environment().items() if k == WINDOW_VARIABLE})

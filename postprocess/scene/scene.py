@@ -1,18 +1,22 @@
-"""The results in three dimensions: a bearing with its films, or the surface of one contact, as a
-window, picture, page or movie. Drawing happens in a process of its own (`drawing`, `rendering`).
+"""Results in three dimensions: bearing, contact, simulation as window, picture, page, movie.
+
+Drawing happens in a process of its own (`drawing`, `animation_frames`, `rendering`).
 """
 
 from dataclasses import asdict, dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
+from ..contact.fields import require_contacts
+from ..dynamics.history import open_history
 from ..reader import open_results
 from .rendering import PATIENCE, RenderingError, draw, require_display, run_module, with_suffix
 from .vtk import COLLECTION_FILE
+from .vtk_history import FRAMES, TURNS
 
+StrPath = str | Path
 PAGES = (".html", ".htm")
 MOVIE_SIZE = (800, 600)  # [pixels]
-KINDS = ("bearing", "contact")  # of results that have a scene
 LABELS = {"film": "film thickness [µm]", "pressure": "pressure [GPa]"}
 
 
@@ -36,19 +40,30 @@ class SceneOptions:
             raise ValueError(f"quantity must be one of {', '.join(LABELS)}, got {self.quantity!r}")
 
 
-def screenshot(
-    directory: str | Path, file: str | Path, options: SceneOptions | None = None
-) -> Path:
-    """Draw the scene of a result directory into a PNG file, with or without a display, and return
-    its path; ValueError without readable results, `RenderingError` if the machine cannot draw.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AnimationOptions:
+    """What the GIF of a simulation shows."""
+
+    frames: int = FRAMES
+    turns: float = TURNS  # of the cage at the end of the history [-]
+    size: tuple[int, int] = (800, 720)  # [pixels]
+
+    def __post_init__(self) -> None:
+        if self.frames < 2 or not self.turns > 0.0:
+            raise ValueError(
+                f"frames must be at least 2 and turns positive, got {self.frames}, {self.turns}"
+            )
+
+
+def screenshot(directory: StrPath, file: StrPath, options: SceneOptions | None = None) -> Path:
+    """Draw the scene of a result directory into a PNG file, with or without a display.
+
+    ValueError without readable results, `RenderingError` if the machine cannot draw.
     """
-    path = with_suffix(file, ".png")
-    return _draw(directory, path, options or SceneOptions())
+    return _draw(directory, with_suffix(file, ".png"), options or SceneOptions())
 
 
-def export_html(
-    directory: str | Path, file: str | Path, options: SceneOptions | None = None
-) -> Path:
+def export_html(directory: StrPath, file: StrPath, options: SceneOptions | None = None) -> Path:
     """Write the scene as one HTML page that is turned with the mouse, offline; as `screenshot`.
 
     The viewer (vtk.js) is inside the page. Azimuths and load are flat letters there, which read
@@ -56,40 +71,43 @@ def export_html(
     """
     path = with_suffix(file, *PAGES)
     if find_spec("trame_pyvista") is None:
-        raise RenderingError(
-            "the page needs the package trame-pyvista: pip install 'oilfilm[html]'"
-        )
+        need = "the page needs the package trame-pyvista: pip install 'oilfilm[html]'"
+        raise RenderingError(need)
     return _draw(directory, path, options or SceneOptions())
 
 
-def movie(directory: str | Path, file: str | Path, options: SceneOptions | None = None) -> Path:
-    """Write the scene as an animated GIF in which every azimuth comes to the top once; as
-    `screenshot`.
+def movie(directory: StrPath, file: StrPath, options: SceneOptions | None = None) -> Path:
+    """Write the scene as a GIF in which every azimuth comes to the top once; as `screenshot`."""
+    return _draw(directory, with_suffix(file, ".gif"), options or SceneOptions(size=MOVIE_SIZE))
+
+
+def animate(directory: StrPath, file: StrPath, options: AnimationOptions | None = None) -> Path:
+    """Write the motion of a simulation, a folder with `history.nc`, as a GIF; as `screenshot`.
+
+    Balls roll with visible marks, forces are arrows.
     """
     path = with_suffix(file, ".gif")
-    return _draw(directory, path, options or SceneOptions(size=MOVIE_SIZE))
+    open_history(directory).close()
+    request = asdict(options or AnimationOptions())
+    return draw("animation_frames", directory, path, request, 4.0 * PATIENCE)
 
 
-def show(directory: str | Path, options: SceneOptions | None = None) -> None:
+def show(directory: StrPath, options: SceneOptions | None = None) -> None:
     """Open a window with the scene of a result directory, to be turned with the mouse."""
     require_display()
     check_scene(directory)
     run_module("drawing", directory, None, asdict(options or SceneOptions()), None)
 
 
-def _draw(directory: str | Path, file: Path, options: SceneOptions) -> Path:
+def _draw(directory: StrPath, file: Path, options: SceneOptions) -> Path:
     check_scene(directory)
     return draw("drawing", directory, file, asdict(options), PATIENCE)
 
 
-def check_scene(directory: str | Path) -> None:
+def check_scene(directory: StrPath) -> None:
     """ValueError if there is nothing to draw."""
     with open_results(directory) as tree:
+        require_contacts(directory, tree, "scene")
         kind = tree.attrs["kind"]
-    if kind not in KINDS:
-        allowed = ", ".join(KINDS)
-        raise ValueError(
-            f"{directory} holds results of kind {kind}, which have no scene; allowed: {allowed}"
-        )
     if kind == "bearing" and not (Path(directory) / COLLECTION_FILE).is_file():
         raise ValueError(f"{directory} holds no VTK files: {COLLECTION_FILE} is missing")

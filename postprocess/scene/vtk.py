@@ -1,10 +1,10 @@
-"""Fields and bodies for ParaView and pyvista: fields.pvd -> fields.vtm -> one block per ball and
-race.
+"""Fields and bodies for ParaView: fields.pvd -> fields.vtm -> one block per ball and race.
 
 Only VTK's data and file modules are used, none that could open a window.
 """
 
-from collections.abc import Iterator
+from collections.abc import Callable
+from functools import partial
 from math import degrees
 from pathlib import Path
 from typing import Any
@@ -22,9 +22,10 @@ from ehl.solution import Array
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
 
 from ..bearing.results import BearingResults
+from ..contact.fields import shown_scales
 from ..contact.frame import principal_coordinates
 from ..contact.results import ContactResults
-from ..files import atomic_path, contact_name
+from ..files import atomic_path, contact_name, write_text
 from .geometry import (
     SET_BACK,
     Placement,
@@ -40,6 +41,8 @@ from .geometry import (
 )
 from .subsurface import StressVolume, stress_volume
 
+Blocks = dict[str, dict[str, str]]  # files by group and name
+Facts = dict[str, float | str]  # of a whole block, the unit in the name
 COLLECTION_FILE = "fields.pvd"
 STRESS_FILE = "subsurface.pvd"
 BLOCK_FOLDER = "vtk"
@@ -56,76 +59,76 @@ def write_collection(
     patch_magnification: tuple[float, float] = (1.0, 1.0),
     film_exaggeration: float = 0.0,
 ) -> Path:
-    """Write the VTK collection of a run and return its .pvd file; lengths are in [mm], paths
-    relative, so that the folder can be moved.
+    """Write the VTK collection of a run into a directory and return its .pvd file.
 
-    Parameters
-    ----------
-    results : BearingResults or ContactResults
-    directory : Path
-        Result directory; the blocks go to its folder `vtk`.
-    patch_magnification : tuple of float
-        Patches are drawn this many times larger along and across the rolling direction [-].
-    film_exaggeration : float
-        Film drawn as height, times this [-].
+    Lengths in [mm]; paths relative, so that the folder can be moved. Patches may be magnified
+    along and across the rolling direction, films drawn as height, exaggerated [-].
     """
-    blocks: dict[str, dict[str, str]] = {}
     if isinstance(results, ContactResults):
         grid = flat_patch(results.solution, film_exaggeration)
-        blocks["contact"] = {"contact": _write(grid, directory, "contact.vts")}
-    else:
-        rolling, transverse = patch_magnification
-        placement = Placement(rolling=rolling, transverse=transverse, film=film_exaggeration)
-        ball_radius = 0.5 * results.quasistatic.bearing.ball_diameter
-        for contact, solution, ball, race in _solved(results):
-            grid = placed_patch(contact, solution, ball_radius, placement)
-            blocks.setdefault(ball, {})[race] = _write(grid, directory, f"{ball}_{race}.vts")
-        blocks["bodies"] = {
-            name: _write(_body(surface), directory, f"{name.replace(' ', '_')}.vtp")
-            for name, surface in bodies(results).items()
-        }
-        _write_azimuths(results, directory, blocks)
+        blocks = {"contact": {"contact": _write(grid, directory, "contact.vts")}}
+        return _write_collection(directory, COLLECTION_FILE, blocks)
+    rolling, transverse = patch_magnification
+    placement = Placement(rolling=rolling, transverse=transverse, film=film_exaggeration)
+    radius = 0.5 * results.quasistatic.bearing.ball_diameter
+    draw = partial(placed_patch, ball_radius=radius, placement=placement)
+    blocks = _write_contacts(results, directory, "", draw)
+    blocks["bodies"] = {
+        name: _write(poly_data(surface), directory, f"{name.replace(' ', '_')}.vtp")
+        for name, surface in bodies(results).items()
+    }
+    _write_azimuths(results, directory, blocks)
     return _write_collection(directory, COLLECTION_FILE, blocks)
 
 
 def write_subsurface(results: BearingResults, directory: Path) -> Path | None:
-    """Write the stress [GPa] in the races below the solved contacts, if the case asks for it, one
-    volume [mm] each, and return the .pvd file.
+    """Write the stress [GPa] below the solved contacts, if the case asks for it; the .pvd file.
 
-    Stresses stand in the frame of the contact: x along the rolling direction, z into the race.
+    A volume [mm] for each contact, in its frame: x along the rolling direction, z into the race.
     """
     if not results.case.get("ehl", {}).get("subsurface_stress"):
         return None
     bearing = results.quasistatic.bearing
-    ball_radius = 0.5 * bearing.ball_diameter
-    blocks: dict[str, dict[str, str]] = {}
-    for contact, solution, ball, race in _solved(results):
-        ring = bearing.inner_ring_material if race == "inner" else bearing.outer_ring_material
-        volume = stress_volume(contact, solution, ball_radius, ring.poisson_ratio)
-        name = f"{ball}_{race}_stress.vts"
-        blocks.setdefault(ball, {})[race] = _write(volume_grid(volume), directory, name)
+    radius = 0.5 * bearing.ball_diameter
+
+    def draw(contact: BearingContact, solution: ContactSolution) -> vtkStructuredGrid:
+        is_inner = contact.race.value == "inner"
+        ring = bearing.inner_ring_material if is_inner else bearing.outer_ring_material
+        return volume_grid(stress_volume(contact, solution, radius, ring.poisson_ratio))
+
+    blocks = _write_contacts(results, directory, "_stress", draw)
     return _write_collection(directory, STRESS_FILE, blocks)
 
 
-def _solved(results: BearingResults) -> Iterator[tuple[BearingContact, ContactSolution, str, str]]:
-    """Contacts with a film: contact, solution, names of ball and race."""
+def _write_contacts(
+    results: BearingResults,
+    directory: Path,
+    ending: str,
+    draw: Callable[[BearingContact, ContactSolution], vtkStructuredGrid],
+) -> Blocks:
+    """Write a block for each contact with a film; their files by ball and race."""
+    blocks: Blocks = {}
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         if solution is not None:
             ball, race = contact_name(contact.ball, contact.race.value).split("/")
-            yield contact, solution, ball, race
+            name = f"{ball}_{race}{ending}.vts"
+            blocks.setdefault(ball, {})[race] = _write(draw(contact, solution), directory, name)
+    return blocks
 
 
 def volume_grid(volume: StressVolume) -> vtkStructuredGrid:
     """The stress below a contact, lengths in [mm], stresses in [GPa]."""
-    grid = structured_grid(volume.points / MILLIMETRE)
+    largest = "largest shear [GPa]"
     depth = np.broadcast_to(volume.depth, volume.maximum_shear.shape)
+    fields = {
+        largest: volume.maximum_shear / GIGAPASCAL,
+        "von Mises stress [GPa]": volume.von_mises / GIGAPASCAL,
+        "depth [mm]": depth / MILLIMETRE,
+    }
+    grid = structured_grid(volume.points / MILLIMETRE, fields, {"coordinates": "mm"})
     stress = np.stack([part.ravel(order="F") for part in volume.stress], axis=1)
-    add_point_data(grid, "largest shear [GPa]", volume.maximum_shear / GIGAPASCAL)
-    add_point_data(grid, "von Mises stress [GPa]", volume.von_mises / GIGAPASCAL)
-    add_point_data(grid, "depth [mm]", depth / MILLIMETRE)
     add_array(grid, "stress xx yy zz xy yz xz [GPa]", stress / GIGAPASCAL)
-    grid.GetPointData().SetActiveScalars("largest shear [GPa]")
-    add_field_data(grid, "coordinates", "mm")
+    grid.GetPointData().SetActiveScalars(largest)
     return grid
 
 
@@ -140,16 +143,12 @@ def placed_patch(
         )
     part = crop_to_ball(long, wide, ball_radius, placement)
     x, y = principal_coordinates(long[part[0]], wide[part[1]], solution.frame_angle)
-    frame = contact_frame(contact, ball_radius)
     height = placement.film * film[part]
-    grid = structured_grid(place_patch(x, y, frame, placement, height) / MILLIMETRE)
-    add_point_data(grid, FILM, film[part] / MICROMETRE)
-    add_point_data(grid, PRESSURE, solution.pressure[part] / GIGAPASCAL)
-    if solution.state is not None and solution.state.temperature is not None:
-        add_point_data(grid, TEMPERATURE, solution.state.temperature[part] - ZERO_CELSIUS)
-    add_point_data(grid, "rolling [mm]", x / MILLIMETRE)
-    add_point_data(grid, "transverse [mm]", y / MILLIMETRE)
-    field_data = {
+    points = place_patch(x, y, contact_frame(contact, ball_radius), placement, height)
+    fields = {FILM: film[part] / MICROMETRE, PRESSURE: solution.pressure[part] / GIGAPASCAL}
+    fields |= {name: values[part] for name, values in _temperature(solution).items()}
+    fields |= {"rolling [mm]": x / MILLIMETRE, "transverse [mm]": y / MILLIMETRE}
+    facts: Facts = {
         "ball": float(contact.ball),
         "race": contact.race.value,
         "azimuth [deg]": degrees(contact.azimuth),
@@ -161,47 +160,34 @@ def placed_patch(
         "patch magnification transverse [-]": placement.transverse,
         "film exaggeration [-]": placement.film,
     }
-    for name, value in field_data.items():
-        add_field_data(grid, name, value)
-    return grid
+    return structured_grid(points / MILLIMETRE, fields, facts)
 
 
 def flat_patch(solution: ContactSolution, film_exaggeration: float) -> vtkStructuredGrid:
-    """A single contact in its plane: coordinates in [mm], or in semi-axes a where no length is
-    known.
-    """
-    unit = "a"
-    a = 1.0
-    film_name = "film thickness [a^2/Rx]"
-    h = 1.0
-    height = film_exaggeration
-    pressure_name = "pressure [p_h]"
-    p = 1.0
-    if solution.semi_axis_x is not None:
-        unit = "mm"
-        a = solution.semi_axis_x / MILLIMETRE
-    if solution.film_scale is not None:
-        film_name = FILM
-        h = solution.film_scale / MICROMETRE
-        height = film_exaggeration * solution.film_scale / MILLIMETRE
-    if solution.hertz_pressure > 0.0:
-        pressure_name = PRESSURE
-        p = solution.hertz_pressure / GIGAPASCAL
+    """A single contact in its plane [mm], or in semi-axes a where no length is known."""
+    a, h, p = shown_scales(solution)
+    is_long = solution.film_scale is not None
+    height = film_exaggeration * (h * MICROMETRE / MILLIMETRE if is_long else h)
     x, y = principal_coordinates(solution.X, solution.Y, solution.frame_angle)
-    grid = structured_grid(np.stack([a * x, a * y, height * solution.H], axis=-1))
-    add_point_data(grid, film_name, h * solution.H)
-    add_point_data(grid, pressure_name, p * solution.P)
-    if solution.state is not None and solution.state.temperature is not None:
-        add_point_data(grid, TEMPERATURE, solution.state.temperature - ZERO_CELSIUS)
-    add_field_data(grid, "coordinates", unit)
-    add_field_data(grid, "film exaggeration [-]", film_exaggeration)
-    return grid
+    fields = {
+        FILM if is_long else "film thickness [a^2/Rx]": h * solution.H,
+        PRESSURE if solution.hertz_pressure > 0.0 else "pressure [p_h]": p * solution.P,
+    }
+    unit = "a" if solution.semi_axis_x is None else "mm"
+    facts: Facts = {"coordinates": unit, "film exaggeration [-]": film_exaggeration}
+    points = np.stack([a * x, a * y, height * solution.H], axis=-1)
+    return structured_grid(points, fields | _temperature(solution), facts)
+
+
+def _temperature(solution: ContactSolution) -> dict[str, Array]:
+    """The mean temperature over the film [degC] by its name, where it was solved with heat."""
+    if solution.state is None or solution.state.temperature is None:
+        return {}
+    return {TEMPERATURE: solution.state.temperature - ZERO_CELSIUS}
 
 
 def bodies(results: BearingResults) -> dict[str, Surface]:
-    """Balls and rings as surfaces [m], set back a little so that the patches are seen; the outer
-    ring is cut open.
-    """
+    """Balls and rings as surfaces [m], set back behind the patches; the outer ring is cut open."""
     state = results.quasistatic
     bearing = state.bearing
     lengths = bearing_lengths(bearing)
@@ -227,9 +213,7 @@ def bodies(results: BearingResults) -> dict[str, Surface]:
 
 
 def _groove_axial(results: BearingResults, race: str, row: int) -> float:
-    """Axial position of a race's groove centre [m]: from the contact point one groove radius back
-    along the normal.
-    """
+    """Axial position of a race's groove centre [m]: behind the contact, along the normal."""
     state = results.quasistatic
     bearing = state.bearing
     radius = bearing.inner_groove_radius if race == "inner" else bearing.outer_groove_radius
@@ -241,32 +225,32 @@ def _groove_axial(results: BearingResults, race: str, row: int) -> float:
     return float(np.mean(positions)) if positions else state.rows[row - 1].axial_position
 
 
-def structured_grid(points: Array) -> vtkStructuredGrid:
-    """Build a grid of points, shape (nx, ny, 3) or (nx, ny, nz, 3) [mm or a]."""
+def structured_grid(
+    points: Array, fields: dict[str, Array], facts: Facts | None = None
+) -> vtkStructuredGrid:
+    """A grid of points, shape (nx, ny, 3) or (nx, ny, nz, 3) [mm or a].
+
+    With fields on its nodes, in its shape, and facts of the whole; their names have the units.
+    """
     corners = vtkPoints()
     columns = np.stack([points[..., k].ravel(order="F") for k in range(3)], axis=1)
     corners.SetData(numpy_to_vtk(columns.astype(np.float32), deep=True))
     grid = vtkStructuredGrid()
     grid.SetDimensions(*(*points.shape[:-1], 1)[:3])
     grid.SetPoints(corners)
+    for name, values in fields.items():
+        add_array(grid, name, values.T.ravel())
+    grid.GetPointData().SetActiveScalars(FILM)
+    for name, value in (facts or {}).items():
+        add_field_data(grid, name, value)
     return grid
 
 
 def add_array(data: Any, name: str, values: Array) -> None:
-    """Add values at the points, shape (points,) or (points, components), as float32; the unit
-    stands in the name, such as load [N].
-    """
+    """Add values at the points, shape (points,) or (points, components); the name has the unit."""
     array = numpy_to_vtk(values.astype(np.float32), deep=True)
     array.SetName(name)
     data.GetPointData().AddArray(array)
-
-
-def add_point_data(grid: Any, name: str, values: Array) -> None:
-    """Add a field on the nodes of a grid, in its shape, whose unit stands in its name, such as
-    film [um].
-    """
-    add_array(grid, name, values.T.ravel())
-    grid.GetPointData().SetActiveScalars(FILM)
 
 
 def add_field_data(grid: Any, name: str, value: float | str) -> None:
@@ -277,8 +261,8 @@ def add_field_data(grid: Any, name: str, value: float | str) -> None:
     grid.GetFieldData().AddArray(array)
 
 
-def poly_data(surface: Surface) -> vtkPolyData:
-    """Turn a surface [m] into vtkPolyData, coordinates in [mm]."""
+def poly_data(surface: Surface, facts: Facts | None = None) -> vtkPolyData:
+    """Turn a surface [m] into vtkPolyData, coordinates in [mm], with facts of the whole."""
     points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
     points.SetData(numpy_to_vtk((surface.points / MILLIMETRE).astype(np.float32), deep=True))
     offsets = 4 * np.arange(len(surface.quads) + 1)
@@ -288,12 +272,8 @@ def poly_data(surface: Surface) -> vtkPolyData:
     )
     data.SetPoints(points)
     data.SetPolys(cells)
-    return data
-
-
-def _body(surface: Surface) -> vtkPolyData:
-    data = poly_data(surface)
-    add_field_data(data, "coordinates", "mm")
+    for name, value in ((facts or {}) | {"coordinates": "mm"}).items():
+        add_field_data(data, name, value)
     return data
 
 
@@ -309,18 +289,12 @@ def write_block(data: Any, path: Path) -> None:
             raise OSError(f"{path} could not be written")
 
 
-def write_text(path: Path, text: str) -> None:
-    """Write a small file, which appears when it is complete."""
-    with atomic_path(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
-
-
 def _write(data: Any, directory: Path, name: str) -> str:
     write_block(data, directory / BLOCK_FOLDER / name)
     return name
 
 
-def _write_collection(directory: Path, name: str, blocks: dict[str, dict[str, str]]) -> Path:
+def _write_collection(directory: Path, name: str, blocks: Blocks) -> Path:
     """Write a collection of one step, and the groups of blocks that it shows."""
     groups = f"{BLOCK_FOLDER}/{Path(name).stem}.vtm"
     write_text(directory / groups, _multiblock(blocks))
@@ -328,42 +302,35 @@ def _write_collection(directory: Path, name: str, blocks: dict[str, dict[str, st
     return directory / name
 
 
-def _multiblock(blocks: dict[str, dict[str, str]]) -> str:
+def _multiblock(blocks: Blocks) -> str:
     """XML of a .vtm file: named groups of named files."""
-    lines = [
-        '<?xml version="1.0"?>',
-        '<VTKFile type="vtkMultiBlockDataSet" version="1.0">',
-        "<vtkMultiBlockDataSet>",
-    ]
+    lines = []
     for i, (group, files) in enumerate(blocks.items()):
         lines.append(f'<Block index="{i}" name={quoteattr(group)}>')
-        lines += [
-            f'<DataSet index="{j}" name={quoteattr(name)} file={quoteattr(file)}/>'
-            for j, (name, file) in enumerate(files.items())
-        ]
+        for j, (name, file) in enumerate(files.items()):
+            place = f"name={quoteattr(name)} file={quoteattr(file)}"
+            lines.append(f'<DataSet index="{j}" {place}/>')
         lines.append("</Block>")
-    return "\n".join([*lines, "</vtkMultiBlockDataSet>", "</VTKFile>", ""])
+    return _xml("vtkMultiBlockDataSet", "1.0", lines)
 
 
 def collection_text(steps: dict[float, str]) -> str:
-    """XML of a .pvd file: relative paths of the files that ParaView shows, by time [s] or by what
-    else the steps are named after, such as an azimuth [deg].
-    """
-    sets = "".join(
-        f'<DataSet timestep="{step!r}" group="" part="0" file={quoteattr(file)}/>\n'
+    """XML of a .pvd file: relative paths by time [s], azimuth [deg] or what else names a step."""
+    lines = [
+        f'<DataSet timestep="{step!r}" group="" part="0" file={quoteattr(file)}/>'
         for step, file in sorted(steps.items())
-    )
-    head = '<?xml version="1.0"?>\n<VTKFile type="Collection" version="0.1">\n<Collection>\n'
-    return f"{head}{sets}</Collection>\n</VTKFile>\n"
+    ]
+    return _xml("Collection", "0.1", lines)
 
 
-def _write_azimuths(
-    results: BearingResults, directory: Path, blocks: dict[str, dict[str, str]]
-) -> None:
-    """A collection that goes around the bearing: the films at an azimuth [deg], with the bodies,
-    are one step.
-    """
-    steps: dict[float, dict[str, dict[str, str]]] = {}
+def _xml(kind: str, version: str, lines: list[str]) -> str:
+    head = f'<?xml version="1.0"?>\n<VTKFile type="{kind}" version="{version}">\n<{kind}>'
+    return "\n".join([head, *lines, f"</{kind}>\n</VTKFile>\n"])
+
+
+def _write_azimuths(results: BearingResults, directory: Path, blocks: Blocks) -> None:
+    """A collection around the bearing: a step has bodies, and the films at an azimuth [deg]."""
+    steps: dict[float, Blocks] = {}
     for contact in results.contacts:
         ball = contact_name(contact.ball, contact.race.value).split("/")[0]
         if ball in blocks:

@@ -1,6 +1,6 @@
 """A simulated bearing in motion, read from its history: shapes at a time, steps for ParaView.
 
-Nothing is drawn here; `animation` draws the same shapes.
+Nothing is drawn here; `animation_frames` draws the same shapes.
 """
 
 from dataclasses import dataclass
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from ehl.solution import Array
 
 from ..dynamics.history import open_history
+from ..files import write_text
 from .geometry import (
     Surface,
     about_axis,
@@ -23,7 +24,7 @@ from .geometry import (
     ring_surface,
     rotation,
 )
-from .vtk import add_array, add_field_data, collection_text, poly_data, write_block, write_text
+from .vtk import add_array, collection_text, poly_data, write_block
 
 COLLECTION_FILE = "motion.pvd"
 STEP_FOLDER = "motion"
@@ -118,8 +119,7 @@ def shown_rows(data: xarray.Dataset, frames: int, turns: float) -> NDArray[np.in
 
 
 def write_motion(directory: Path, frames: int = FRAMES, turns: float = TURNS) -> Path:
-    """Write the motion of a simulation for ParaView beside its history, at most `frames` steps
-    over the last `turns` of the cage [-], without drawing; return the .pvd file.
+    """Write at most `frames` steps over the last `turns` of the cage [-] for ParaView, with .pvd.
 
     Each step is one file: balls, cage and inner ring, lengths in [mm]; at the points `mark` (0 and
     1 on balls, 2 cage, 3 ring) and the loads of the ball there [N].
@@ -140,7 +140,7 @@ def _step(bearing: MovingBearing, row: int) -> object:
     bodies = (bearing.balls_at(row), bearing.cage_at(row), bearing.ring_at(row))
     numbers = np.repeat((0.0, 2.0, 3.0), [len(body.points) for body in bodies])
     of_balls = numbers == 0.0
-    grid = poly_data(merge(bodies))
+    grid = poly_data(merge(bodies), {"time [s]": float(bearing.data["time"][row])})
     loads = bearing.data["contact_load"].isel(time=row)
     for race in RACES:
         load = np.zeros_like(numbers)
@@ -148,6 +148,4 @@ def _step(bearing: MovingBearing, row: int) -> object:
         add_array(grid, f"{race} load [N]", load)
     numbers[of_balls] = np.tile(bearing.marks, loads.sizes["ball"])
     add_array(grid, "mark", numbers)
-    add_field_data(grid, "time [s]", float(bearing.data["time"][row]))
-    add_field_data(grid, "coordinates", "mm")
     return grid

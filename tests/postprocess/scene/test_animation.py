@@ -11,9 +11,9 @@ import xarray as xr
 from numpy.testing import assert_allclose
 
 from postprocess.dynamics.history import open_history
-from postprocess.scene.animation import AnimationOptions, animate
 from postprocess.scene.geometry import about_axis, cage_surface, ring_shape, ring_surface, rotation
 from postprocess.scene.rendering import RenderingError, require_rendering
+from postprocess.scene.scene import AnimationOptions, animate
 from postprocess.scene.vtk_history import RING_RESOLUTION, marked_ball, shown_rows, write_motion
 
 
