@@ -29,6 +29,8 @@ from .frame import resampled
 from .view import shown_nodes
 
 SODIUM = 589.3e-9  # mean of the sodium D lines [m]
+NODES = 1200  # each way: more than the picture has pixels
+STRETCHED = 2.5  # pictures longer than this are drawn with stretched axes [-]
 REFRACTIVE_INDEX = 1.5  # of an oil [-], unverified: give that of yours
 
 
@@ -82,7 +84,7 @@ def write_interferogram(
 def _draw(figure: Figure, name: str, data: Any, optics: Optics) -> None:
     x, y, film = _fine_film(data)
     width, height = float(np.ptp(x)), float(np.ptp(y))
-    equal = 0.4 < width / height < 2.5
+    equal = 1.0 / STRETCHED < width / height < STRETCHED
     side = 0.6 * PAGE_WIDTH
     figure.set_size_inches(side, side * (min(1.4, height / width) if equal else 1.0) + 0.6)
     axes = figure.add_subplot()
@@ -106,5 +108,5 @@ def _fine_film(data: Any) -> tuple[Array, Array, Array]:
     """Positions and film [m] of the shown part, between the nodes; fringes are finer."""
     part = shown_nodes(data)
     x, y = data["x"].values[part[0]], data["y"].values[part[1]]
-    fine_x, fine_y = np.linspace(x[0], x[-1], 1200), np.linspace(y[0], y[-1], 1200)
+    fine_x, fine_y = np.linspace(x[0], x[-1], NODES), np.linspace(y[0], y[-1], NODES)
     return fine_x, fine_y, resampled(x, y, data["h"].values[part], fine_x, fine_y)
