@@ -32,17 +32,22 @@ class ConvergedFilms:
     change: float
 
 
+def solve_in_box(conditions: Conditions, options: SolverOptions, box: Box) -> AttemptResult:
+    """One full multigrid solve in a box; its edge pressure is zero if `options` name the box."""
+    state = contact_multigrid(scale_contact(conditions), box, options, ATTEMPTS[0])
+    outcome = AttemptResult(state=state)
+    full_multigrid(outcome, options, Progress())
+    return outcome
+
+
 def fully_converged_films(conditions: Conditions, box: Box | None, points: int) -> ConvergedFilms:
     """Films of one grid, cycled until both change by less than `FILM_CHANGE` in a cycle [-].
 
     At most `MOST_CYCLES` further cycles. With `box` None in the open box that the solver chooses.
     """
-    contact = scale_contact(conditions)
     options = SolverOptions(points=points, domain=box)
-    outcome = AttemptResult(
-        state=contact_multigrid(contact, box or choose_domain(contact), options, ATTEMPTS[0])
-    )
-    full_multigrid(outcome, options, Progress())
+    own_box = box or choose_domain(scale_contact(conditions))
+    outcome = solve_in_box(conditions, options, own_box)
     level = outcome.state.levels[-1]
     films = outcome.films[-1]
     change = 1.0

@@ -62,18 +62,18 @@ class Cost:
 
 def deflection_time(solution: ContactSolution, repeats: int = 11) -> float:
     """Time of one deflection on the half grid of a solution [s], best of several."""
-    ny = (solution.Y.size + 1) // 2
-    mesh = (float(solution.X[1] - solution.X[0]), float(solution.Y[1] - solution.Y[0]))
+    x = solution.X
+    y = solution.Y
     grid = Grid(
-        x_in=float(solution.X[0]),
-        hx=mesh[0],
-        hy=mesh[1],
-        nx=solution.X.size,
-        ny=ny,
+        x_in=float(x[0]),
+        hx=float(x[1] - x[0]),
+        hy=float(y[1] - y[0]),
+        nx=x.size,
+        ny=(y.size + 1) // 2,
         symmetric=True,
     )
     kernel = deflection_kernel(grid, 1.0)
-    pressure = np.random.default_rng(17).random((ny, grid.nx))
+    pressure = np.random.default_rng(17).random((grid.ny, grid.nx))
     times = []
     for _ in range(repeats):
         began = time.perf_counter()
@@ -160,23 +160,15 @@ def _row(cost: Cost, costs: Sequence[Cost]) -> tuple[str, ...]:
 def _checks(name: str, costs: Sequence[Cost]) -> list[Check]:
     base = next(c for c in costs if c.nx == GROWTH_FROM)
     last = costs[-1]
+    grids = f"{name}: {last.nx} points"
+    memory = last.memory / last.unknowns * base.unknowns / base.memory
     checks = [
-        Check(
-            f"cycles, {name}: {last.nx} points less {base.nx}", last.cycles - base.cycles, most=0.0
-        ),
-        Check(
-            f"memory per unknown, {name}: {last.nx} points over {base.nx}",
-            last.memory / last.unknowns * base.unknowns / base.memory,
-            most=1.1,
-        ),
+        Check(f"cycles, {grids} less {base.nx}", last.cycles - base.cycles, most=0.0),
+        Check(f"memory per unknown, {grids} over {base.nx}", memory, most=1.1),
     ]
     if last.nx > base.nx:
         growth = last.per_unknown / base.per_unknown
-        checks.append(
-            Check(
-                f"time per unknown, {name}: {last.nx} points over {base.nx}", growth, most=GROWTH
-            )
-        )
+        checks.append(Check(f"time per unknown, {grids} over {base.nx}", growth, most=GROWTH))
     return checks
 
 
@@ -187,17 +179,14 @@ def _bearing_table(run_bearing: Callable[[], BearingResults]) -> Table:
     solved = [s for s in best.solutions if s is not None]
     distinct = {id(s): s for s in solved}.values()
     converged = sum(s.converged for s in solved)
-    row = (
-        BEARING,
-        str(best.case["ehl"]["points"]),
-        f"{len(solved)}, {len(distinct)} distinct",
-        str(converged),
-    )
     seconds = best.timing["contacts"]
     alone = sum(deflection_time(s, 5) for s in distinct)
+    contacts = f"{len(solved)}, {len(distinct)} distinct"
+    times = (f"{seconds:.2f}", f"{seconds / alone:.0f}")
+    row = (BEARING, str(best.case["ehl"]["points"]), contacts, str(converged), *times)
     return Table(
         "All contacts of the bearing, in as many threads as there are cores, "
         "equal ones solved once:",
         ("case", "points", "contacts", "converged", "time, s", "time/sum of one deflection each"),
-        ((*row, f"{seconds:.2f}", f"{seconds / alone:.0f}"),),
+        (row,),
     )

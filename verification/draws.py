@@ -23,7 +23,7 @@ LARGEST_EXPONENT = 80.0
 LARGEST_ROTATION = 0.5  # speed of the rotation at the end of the ellipse over u_m
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class Draw:
     """One random contact."""
 
@@ -63,15 +63,10 @@ def draws(count: int, seed: int) -> list[Draw]:
     while len(contacts) < count:
         groups, rotation = _groups(random), _rotation(random)
         pressure = scale_contact(groups).hertz_pressure
-        if (
-            pressure > LARGEST_PRESSURE
-            or pressure * groups.lubricant.pressure_viscosity > LARGEST_EXPONENT
-        ):
-            continue
-        conditions = from_groups(groups, rotation)
-        contacts.append(
-            Draw(number=len(contacts), conditions=conditions, groups=groups, rotation=rotation)
-        )
+        exponent = pressure * groups.lubricant.pressure_viscosity
+        if pressure <= LARGEST_PRESSURE and exponent <= LARGEST_EXPONENT:
+            conditions = from_groups(groups, rotation)
+            contacts.append(Draw(len(contacts), conditions, groups, rotation))
     return contacts
 
 

@@ -21,22 +21,17 @@ def elements(quick: bool = False) -> Section:
     contacts = CONTACTS[:1] if quick else CONTACTS
     points = (129, 129) if quick else (513, 257)
     rows, checks = [], []
-    for contact, (grid, mesh) in zip(
-        contacts, each(lambda c: _both(c, points), contacts), strict=True
-    ):
-        cells = [
-            contact.name,
-            "open" if contact.box is None else ", ".join(f"{end:g}" for end in contact.box),
-        ]
+    solutions = each(lambda c: _both(c, points), contacts)
+    for contact, (grid, mesh) in zip(contacts, solutions, strict=True):
+        box = "open" if contact.box is None else ", ".join(f"{end:g}" for end in contact.box)
+        cells = [contact.name, box]
         for kind, most in (("central", 0.01), ("minimum", 0.02)):
             ours, theirs = (getattr(s, f"film_{kind}_dimensionless") for s in (grid, mesh))
             difference = theirs.value / ours.value - 1.0
-            cells += [value_with_error(s.value, s.uncertainty) for s in (ours, theirs)] + [
-                percent(difference, 2)
-            ]
-            checks.append(
-                Check(f"finite elements, {kind} film, {contact.name}", abs(difference), most=most)
-            )
+            cells += [value_with_error(s.value, s.uncertainty) for s in (ours, theirs)]
+            cells.append(percent(difference, 2))
+            name = f"finite elements, {kind} film, {contact.name}"
+            checks.append(Check(name, abs(difference), most=most))
         rows.append(tuple(cells))
     head = columns(
         "contact | box | H_c, multigrid | H_c, elements |  | H_min, multigrid | H_min, elements | "

@@ -80,12 +80,10 @@ def _row(contact: Named, s: ContactSolution, ratios: list[float]) -> tuple[str, 
     fineness = minimum.finest / (scale.curvature_x * float(s.X[1] - s.X[0]) ** 2)
     box = ", ".join(f"{end:.4g}" for end in s.domain)
     unit = None if s.film_scale is None else 1e6 * s.film_scale
-    lengths = ["", ""]
-    if unit is not None:
-        lengths = [
-            value_with_error(unit * film.value, unit * film.uncertainty)
-            for film in (central, minimum)
-        ]
+    films = ((film.value, film.uncertainty) for film in (central, minimum))
+    lengths = [
+        "" if unit is None else value_with_error(unit * value, unit * bar) for value, bar in films
+    ]
     turned = f", grid at {degrees(s.frame_angle):.0f}°" if s.frame_angle else ""
     return (
         contact.name,

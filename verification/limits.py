@@ -8,14 +8,7 @@ import numpy as np
 
 from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
 from ehl.conditions import moes_groups
-from ehl.multigrid.full_multigrid import (
-    ATTEMPTS,
-    AttemptResult,
-    Progress,
-    contact_multigrid,
-    full_multigrid,
-)
-from ehl.scaling import scale_contact
+from ehl.units import MICROMETRE
 
 from .contacts import (
     CIRCULAR_20_10,
@@ -28,6 +21,7 @@ from .contacts import (
     moes,
     race_6208,
 )
+from .converged_films import solve_in_box
 from .page import Check, Picture, Section, Table, columns, each, percent, text
 from .plots import Curve, draw_hertz
 
@@ -75,14 +69,8 @@ def hertz_limit(quick: bool = False) -> Section:
 
 def _hertz_row(s: ContactSolution) -> tuple[str, ...]:
     m, l = s.moes_load, s.moes_lubricant
-    numbers = (
-        s.film_central_dimensionless.value,
-        _distance(s),
-        _centre(s),
-        -s.approach_dimensionless,
-    )
-    film, *others = numbers
-    others.append(approach_formula(m, l))
+    film = s.film_central_dimensionless.value
+    others = (_distance(s), _centre(s), -s.approach_dimensionless, approach_formula(m, l))
     known = "yes" if s.resolved else "no"
     return (f"{m:.1f}", f"{l:.3f}", f"{film:.5f}", *(f"{number:.4f}" for number in others), known)
 
@@ -139,14 +127,8 @@ def same_contact(quick: bool = False) -> Section:
     for name, one, other, limit in _pairs():
         first, second = (_films(conditions, box, points) for conditions, box in (one, other))
         difference = max(abs(b / a - 1.0) for a, b in zip(first, second, strict=True))
-        rows.append(
-            (
-                name,
-                f"{first[0]:.6g}, {first[1]:.6g}",
-                f"{second[0]:.6g}, {second[1]:.6g}",
-                f"{difference:.1e}",
-            )
-        )
+        cells = (f"{central:.6g}, {minimum:.6g}" for central, minimum in (first, second))
+        rows.append((name, *cells, f"{difference:.1e}"))
         checks.append(Check(f"films of {name}", difference, most=limit))
     head = columns("the same contact | central, minimum | central, minimum | difference")
     tables = [
@@ -175,6 +157,7 @@ def same_contact(quick: bool = False) -> Section:
     )
 
 
+WIDE = (-8.0, 1.5, 2.25)  # box of the contact in SI and in Moes' groups
 Posed = tuple[Conditions, "Box | None"]
 
 
@@ -198,11 +181,10 @@ def _pairs() -> list[tuple[str, Posed, Posed, float]]:
     spin, back = (from_groups(moes(100.0, 8.0, 0.1), rotation=r) for r in (0.3, -0.3))
     assert isinstance(circle, MoesConditions)
     box = (-4.5, 1.5, 3.0)
-    wide = (-8.0, 1.5, 2.25)
     turned = "entrainment at 90° and the principal directions exchanged"
     return [
         (turned, (si, box), (exchanged, box), 2e-3),
-        ("6208 in SI and in Moes' groups", (inner, wide), (groups, wide), 1e-8),
+        ("6208 in SI and in Moes' groups", (inner, WIDE), (groups, WIDE), 1e-8),
         ("an entrainment and its mirror image", (oblique, None), (mirrored, None), 2e-3),
         ("a rotation and its mirror image", (spin, None), (back, None), 2e-3),
         (
@@ -216,13 +198,8 @@ def _pairs() -> list[tuple[str, Posed, Posed, float]]:
 
 def _films(conditions: Conditions, box: Box | None, points: int) -> tuple[float, float]:
     s = solve_contact(conditions, SolverOptions(points=points, domain=box))
-    unit = (
-        1.0
-        if s.film_scale is None or not isinstance(conditions, ContactConditions)
-        else 1e6 * s.film_scale
-    )
-    if box == (-8.0, 1.5, 2.25):
-        unit = 1.0
+    scale = s.film_scale
+    unit = 1.0 if scale is None or box == WIDE else scale / MICROMETRE
     return unit * s.film_central_dimensionless.finest, unit * s.film_minimum_dimensionless.finest
 
 
@@ -248,14 +225,9 @@ def _boxes() -> tuple[Table, float]:
     for i in range(0, len(jobs), 3):
         name, is_open = jobs[i][:2]
         middle, large = films[i + 1 : i + 3]
-        rows.append(
-            (
-                name,
-                "open" if is_open else "zero",
-                *(f"{f:.5f}" for f in films[i : i + 3]),
-                percent(large / middle - 1.0, 2),
-            )
-        )
+        cells = (f"{f:.5f}" for f in films[i : i + 3])
+        edge = "open" if is_open else "zero"
+        rows.append((name, edge, *cells, percent(large / middle - 1.0, 2)))
         if is_open and "thick" not in name:
             changes.append(abs(large / middle - 1.0))
     head = columns("contact | edge pressure | box | box × 2 | box × 4 | last change")
@@ -268,8 +240,4 @@ def box_film(name: str, is_open: bool, scale: float, points: int) -> float:
     conditions = moes(m, l, ratio, oil=OIL if ratio == 1.0 else race_6208(1.0).lubricant)
     domain = (scale * box[0], scale * box[1], scale * box[2])
     options = SolverOptions(points=points, domain=None if is_open else domain)
-    outcome = AttemptResult(
-        state=contact_multigrid(scale_contact(conditions), domain, options, ATTEMPTS[0])
-    )
-    full_multigrid(outcome, options, Progress())
-    return outcome.films[-1][0]
+    return solve_in_box(conditions, options, domain).films[-1][0]

@@ -38,6 +38,7 @@ CONTACTS = (
     Named("M 100, L 8, R_x/R_y 0.1, rotating", SPINNING.conditions, box=(-5.0, 1.5, 2.5)),
 )
 CELLS = (32, 64, 128, 256)
+FILMS = ("central", "minimum")
 
 
 def orders(quick: bool = False) -> Section:
@@ -70,7 +71,7 @@ def orders(quick: bool = False) -> Section:
     curves = [
         Curve(label=f"{name}, {which}", x=tuple(f.hx for f in films[:-1]), y=_errors(films, which))
         for name, films in sequences.items()
-        for which in ("central", "minimum")
+        for which in FILMS
     ]
     caption = (
         "Relative error of the films against the value extrapolated from the two finest grids"
@@ -99,27 +100,14 @@ def _part_table() -> tuple[Table, list[Check]]:
 def _rows(name: str, films: list[ConvergedFilms]) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     for i, f in enumerate(films):
-        p = [
-            _order([getattr(g, which) for g in films[i - 2 : i + 1]]) if i > 1 else ""
-            for which in ("central", "minimum")
-        ]
+        p = ["", ""]
+        if i > 1:
+            p = [_order([getattr(g, which) for g in films[i - 2 : i + 1]]) for which in FILMS]
         last = ""
         if i == len(films) - 1:
-            last = ", ".join(
-                f"{_extrapolated(films, which):.5f}" for which in ("central", "minimum")
-            )
-        rows.append(
-            (
-                name,
-                str(f.points),
-                f"{f.hx:.5f}",
-                f"{f.central:.5f}",
-                p[0],
-                f"{f.minimum:.5f}",
-                p[1],
-                last,
-            )
-        )
+            last = ", ".join(f"{_extrapolated(films, which):.5f}" for which in FILMS)
+        grid = (name, str(f.points), f"{f.hx:.5f}")
+        rows.append((*grid, f"{f.central:.5f}", p[0], f"{f.minimum:.5f}", p[1], last))
     return rows
 
 
@@ -146,14 +134,10 @@ def _errors(films: list[ConvergedFilms], which: str) -> tuple[float, ...]:
 
 def _parts() -> list[tuple[str, float, list[float]]]:
     """Name, required order, errors on grids of `CELLS` cells [-]."""
-    parts = [
-        (
-            f"deflection under Hertz' pressure, R_x/R_y {ratio:g}",
-            1.4,
-            [_hertz_error(ratio, cells) for cells in CELLS],
-        )
-        for ratio in (1.0, 0.05)
-    ]
+    parts = []
+    for ratio in (1.0, 0.05):
+        name = f"deflection under Hertz' pressure, R_x/R_y {ratio:g}"
+        parts.append((name, 1.4, [_hertz_error(ratio, cells) for cells in CELLS]))
     for name, rotation in (
         ("Poiseuille term of Kapitza's pressure", 0.0),
         ("Poiseuille term of the far field with a rotation", 0.7),

@@ -1,8 +1,7 @@
 """Pictures of the verification page."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
@@ -11,14 +10,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ehl.solution import Array
-from postprocess.plot_style import (
-    INK,
-    INNER_COLOUR,
-    OUTER_COLOUR,
-    PAGE_WIDTH,
-    REFERENCE,
-    write_figure,
-)
+from postprocess.plot_style import INK, INNER_COLOUR, OUTER_COLOUR, PAGE_WIDTH, REFERENCE
 
 MARKERS = "os^Dv<>P"
 
@@ -30,14 +22,6 @@ class Curve:
     label: str
     x: tuple[float, ...]
     y: tuple[float, ...]
-
-
-def draw_pictures(
-    pictures: Sequence[tuple[str, Callable[[Figure], None]]], directory: Path
-) -> None:
-    """Draw pictures, given by stem and drawing function, as PNG into a folder."""
-    for stem, draw in pictures:
-        write_figure(directory / f"{stem}.png", draw)
 
 
 def _colours(count: int) -> Array:
@@ -185,7 +169,7 @@ def draw_scaling(figure: Figure, curves: Sequence[ScalingCurve]) -> None:
     figure.legend(*panels[0].get_legend_handles_labels(), loc="outside upper center", ncols=3)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
+@dataclass(frozen=True, slots=True)
 class MapPoint:
     """One random contact: M, L, Rx/Ry [-], its kind of entrainment, and what it needed."""
 

@@ -6,7 +6,7 @@ from functools import partial
 
 from .page import Check, Picture, Section, Table, columns, text
 from .plots import MapPoint, draw_robustness
-from .robustness import POINTS, RESOLVABLE, THIN_FILM, Finished, strongest
+from .robustness import DAMPED, POINTS, RESOLVABLE, THIN_FILM, Finished, strongest
 
 OUTCOMES = ("converged and resolved", "converged, unresolved", "failed")
 
@@ -83,25 +83,14 @@ def _kinds(finished: Sequence[Finished]) -> Table:
         good = [f for f in group if f.resolvable]
         plain = sum(f.strongest == "none" for f in group)
         seconds = sum(f.seconds for f in group) / max(len(group), 1)
-        rows.append(
-            (
-                kind,
-                str(len(group)),
-                str(len(good)),
-                str(sum(f.converged for f in good)),
-                str(plain),
-                f"{seconds:.1f}",
-            )
-        )
+        counts = (len(group), len(good), sum(f.converged for f in good), plain)
+        rows.append((kind, *map(str, counts), f"{seconds:.1f}"))
     head = columns(
         "entrainment | draws | resolvable | of these converged | without any measure"
         " | mean time, s"
     )
-    return Table(
-        "By the entrainment; time of all solves of a draw, on a machine that was shared:",
-        head,
-        tuple(rows),
-    )
+    caption = "By the entrainment; time of all solves of a draw, on a machine that was shared:"
+    return Table(caption, head, tuple(rows))
 
 
 def _unsolved(finished: Sequence[Finished]) -> Table:
@@ -120,12 +109,6 @@ def _fineness(value: float | None) -> str:
 
 def _map_point(f: Finished) -> MapPoint:
     needed = f.strongest if f.converged and f.resolved else f.outcome
-    names = {"none": "no measure", "damping halved in passing": "damping halved in passing"}
-    group = names.get(needed, "another attempt" if needed not in OUTCOMES else needed)
-    return MapPoint(
-        load=f.moes_load,
-        lubricant=f.moes_lubricant,
-        ratio=f.radius_ratio,
-        kind=f.kind,
-        group=group,
-    )
+    names = {"none": "no measure"} | {name: name for name in (DAMPED, *OUTCOMES)}
+    group = names.get(needed, "another attempt")
+    return MapPoint(f.moes_load, f.moes_lubricant, f.radius_ratio, f.kind, group)

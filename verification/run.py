@@ -7,6 +7,7 @@ from typing import Any
 
 from postprocess.bearing.results import BearingResults
 from postprocess.files import atomic_path
+from postprocess.plot_style import write_figure
 
 from .asymptotes import moes_diagram
 from .costs import costs
@@ -17,7 +18,6 @@ from .limits import hertz_limit, same_contact
 from .names import SectionName
 from .orders import orders
 from .page import PICTURES, ForeignFileError, Progress, Section, markdown, text
-from .plots import draw_pictures
 from .rigid import rigid_limit
 
 PAGE = "verification.md"
@@ -71,10 +71,8 @@ def check_page(directory: Path, page: str) -> None:
 def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
     """Write the page, its pictures and numbers; each file appears when it is complete."""
     (directory / PICTURES).mkdir(parents=True, exist_ok=True)
-    pictures = [
-        (picture.stem, picture.draw) for section in sections for picture in section.pictures
-    ]
-    draw_pictures(pictures, directory / PICTURES)
+    for picture in (picture for section in sections for picture in section.pictures):
+        write_figure(directory / PICTURES / f"{picture.stem}.png", picture.draw)
     numbers = json.dumps(document(sections), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     markdown_text = markdown(TITLES[page], text("page" if page == PAGE else "sweep"), sections)
     for name, content in ((Path(page).with_suffix(".json").name, numbers), (page, markdown_text)):
@@ -85,11 +83,7 @@ def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
 def document(sections: Sequence[Section]) -> dict[str, Any]:
     """What `--json` prints: checks and tables; `converged` tells whether all checks hold."""
     checks = [check for section in sections for check in section.checks]
-    failed = [
-        f"{check.name}: {check.value:.4g}, wanted {check.bounds}"
-        for check in checks
-        if not check.passed
-    ]
+    failed = [f"{c.name}: {c.value:.4g}, wanted {c.bounds}" for c in checks if not c.passed]
     return {
         "converged": not failed,
         "messages": failed,

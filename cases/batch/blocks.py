@@ -50,9 +50,7 @@ def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
     for name, value in table.items():
         if isinstance(value, dict):
             inner = block_settings(value, (*where, name))
-            settings += [
-                Setting(f"{name}.{setting.key}", setting.where, setting.value) for setting in inner
-            ]
+            settings += [Setting(f"{name}.{s.key}", s.where, s.value) for s in inner]
         else:
             settings.append(Setting(name, (*where, name), value))
     return settings
@@ -61,19 +59,16 @@ def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:
 def factorial(file: SweepFile) -> tuple[Iterator[Variation], int, list[CaseFault]]:
     """Combinations of the lists in [sweep], last key fastest, their number, and faults."""
     settings = block_settings(file.sweep, ("sweep",))
-    problems = []
-    for setting in settings:
-        if not isinstance(setting.value, list) or not setting.value:
-            found = f"found {shown(setting.value)}"
-            problems.append(CaseFault(setting.where, found, "allowed: a list of values"))
+    problems = [
+        CaseFault(s.where, f"found {shown(s.value)}", "allowed: a list of values")
+        for s in settings
+        if not isinstance(s.value, list) or not s.value
+    ]
     if problems or not settings:
         return iter(()), 0, problems
     choices = [[Setting(s.key, s.where, value) for value in s.value] for s in settings]
-    return (
-        (Variation("sweep", chosen) for chosen in product(*choices)),
-        prod(map(len, choices)),
-        [],
-    )
+    variations = (Variation("sweep", chosen) for chosen in product(*choices))
+    return variations, prod(map(len, choices)), []
 
 
 def listed(file: SweepFile) -> list[Variation]:
@@ -93,9 +88,8 @@ def hypercube(
 
     Whole numbers as both ends of a range give whole numbers.
     """
-    settings = block_settings(
-        {key: value for key, value in table.items() if key not in OPTIONS}, where
-    )
+    varied = {key: value for key, value in table.items() if key not in OPTIONS}
+    settings = block_settings(varied, where)
     problems = [
         CaseFault(
             s.where, f"found {shown(s.value)}", "allowed: [first, last], two numbers, first < last"
@@ -113,16 +107,9 @@ def hypercube(
     for setting in settings:
         strata = list(range(n))
         rng.shuffle(strata)
-        columns.append(
-            [_scaled(setting.value, (stratum + rng.random()) / n) for stratum in strata]
-        )
-    return [
-        Variation(
-            "latin_hypercube",
-            tuple(Setting(s.key, s.where, v) for s, v in zip(settings, row, strict=True)),
-        )
-        for row in zip(*columns, strict=True)
-    ], []
+        values = (_scaled(setting.value, (stratum + rng.random()) / n) for stratum in strata)
+        columns.append([Setting(setting.key, setting.where, value) for value in values])
+    return [Variation("latin_hypercube", row) for row in zip(*columns, strict=True)], []
 
 
 def _is_range(value: Any) -> bool:
@@ -143,14 +130,8 @@ def _scaled(ends: list[float], share: float) -> float:
 def differences(
     table: SensitivityTable, keys: tuple[str, ...], values: dict[str, Any]
 ) -> tuple[list[Variation], list[str], list[CaseFault]]:
-    """The case itself, and each key by itself down and up; what was left out, and what is wrong.
-
-    Parameters
-    ----------
-    keys : tuple of str
-        To vary.
-    values : dict
-        Their values in the case as run.
+    """The case itself, and each of the keys by itself down and up from its value in the case as
+    run; what was left out, and what is wrong.
     """
     variations = [Variation("sensitivity", ())]
     notes = []

@@ -39,19 +39,10 @@ Computed = tuple[dict[str, Any], dict[str, bytes]]  # summary, files by suffix
 def compute(
     case: Case | ContactCase, task: Task, tables: Path | None, solve: Solve | None
 ) -> Computed:
-    """Compute a checked case.
+    """Summary of a checked case, and files by suffix.
 
-    Parameters
-    ----------
-    tables : Path or None
-        Traction tables, where the point needs them.
-    solve : callable or None
-        Takes the place of `ehl.solve_contact`.
-
-    Returns
-    -------
-    dict, dict of bytes
-        Summary, and files by suffix.
+    `tables` is the file of traction tables where the point needs them; `solve`, if given, takes
+    the place of `ehl.solve_contact`.
     """
     if isinstance(case, ContactCase):
         return _with_fields(run_contact(case), task)
@@ -62,11 +53,7 @@ def compute(
     if task.compute == "table":
         return _table(case, task)
     if task.compute == "torque":
-        assert case.rheology is not None  # of every bearing case
-        return _torque(
-            case,
-            None if tables is None else tables_once(str(tables))(case.lubricant, case.rheology),
-        )
+        return _torque(case, tables)
     return _with_fields(run_case(case, 1, None, solve), task)
 
 
@@ -101,53 +88,33 @@ def _table(case: Case, task: Task) -> Computed:
         return traction_summary(results), {".zip": path.read_bytes()}
 
 
-def _torque(case: Case, tables: Tables | None) -> Computed:
+def _torque(case: Case, path: Path | None) -> Computed:
     """Equilibrium, life and torque by every model; integrated by tables or the law of the case."""
-    if tables is None:
+    if path is None:
         return summary(run_case(replace(case, film_maps="none"), 1)), {}
+    assert case.rheology is not None  # of every bearing case
+    tables = tables_once(str(path))(case.lubricant, case.rheology)
     results, notes = torque_by_tables(case, tables)
     document = summary(results)
-    poor = [
-        f"{race.value} race: {table.message}"
+    warnings = [
+        f"not converged: traction table, {race.value} race: {table.message}"
         for race, table in tables.items()
         if not table.converged
     ]
-    warnings = [f"not converged: traction table, {text}" for text in poor]
     document["messages"] = [*document["messages"], *notes, *warnings]
-    document["converged"] = document["converged"] and not poor
+    document["converged"] = document["converged"] and not warnings
     return document, {}
 
 
 def torque_by_tables(case: Case, tables: Tables) -> tuple[BearingResults, tuple[str, ...]]:
-    """Results without films, the friction of balls on races from traction tables, and what is to
-    be said of them.
+    """Results without films, the friction of balls on races from traction tables of both races,
+    and notes on these; as `run_case` of the case with `[friction] traction = "table"`.
 
-    The same as `run_case` of the case with `[friction] traction = "table"`.
-
-    Parameters
-    ----------
-    tables : dict of TractionTable
-        Of both races.
-
-    Returns
-    -------
-    BearingResults, tuple of str
-        Torque in [N m].
-
-    Raises
-    ------
-    ValueError
-        If the tables were made for other bodies or another oil.
+    `ValueError` if the tables were made for other bodies or another oil.
     """
     assert case.rheology is not None  # of every bearing case
-    fitting_tables(
-        tables,
-        "the traction table",
-        case.bearing,
-        case.lubricant,
-        case.rheology,
-        case.films.solids,
-    )
+    oil = (case.lubricant, case.rheology)
+    fitting_tables(tables, "the traction table", case.bearing, *oil, case.films.solids)
     resistance = NO_RESISTANCE if case.traction is None else case.traction.resistance
     traction = BallTraction(
         source=LawTraction(laws=dict(tables)), lubricant=case.lubricant, resistance=resistance

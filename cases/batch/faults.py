@@ -22,19 +22,15 @@ def overridden_names(base: dict[str, Any], variations: list[Variation]) -> Itera
     """A catalogue bearing or an oil varied by name, whose values the case itself overrides."""
     for variation in variations[:1] + variations[-1:]:
         for setting in variation.settings:
-            table = case_path(setting.key)[0]
-            key = case_path(setting.key)[-1]
+            table, *_, key = case_path(setting.key)
             own = base.get(table)
-            given = (
-                [k for k in HIDING.get(table, ()) if isinstance(own, dict) and k in own]
-                if key == "name"
-                else []
-            )
+            if key != "name" or not isinstance(own, dict):
+                continue
+            given = [name for name in HIDING.get(table, ()) if name in own]
             if given:
-                found = f"the case itself gives {given[0]}, which overrides the library's"
-                yield CaseFault(
-                    setting.where, found, f"allowed with a case that names a {table} only"
-                )
+                finding = f"the case itself gives {given[0]}, which overrides the library's"
+                allowed = f"allowed with a case that names a {table} only"
+                yield CaseFault(setting.where, finding, allowed)
 
 
 def located_faults(
@@ -44,19 +40,15 @@ def located_faults(
     settings = (*variation.settings, *fixed.settings)
     for problem in problems:
         setting = next((s for s in settings if _meets(case_path(s.key), problem.path)), None)
-        if setting is not None:
-            same = tuple(problem.path) == case_path(setting.key)
-            found = (
-                problem.finding
-                if same or not problem.path
-                else f"{'.'.join(map(str, problem.path))}: {problem.finding}"
-            )
-            yield CaseFault(setting.where, found, problem.allowed, nearest=problem.nearest)
-        else:
+        place = f"{'.'.join(map(str, problem.path))}: " if problem.path else ""
+        if setting is None:
             values = ", ".join(f"{s.key} = {shown(s.value)}" for s in variation.settings)
-            place = f"{'.'.join(map(str, problem.path))}: " if problem.path else ""
-            found = f"point {number} ({values}): {place}{problem.finding}"
-            yield CaseFault(("case",), found, problem.allowed, nearest=problem.nearest)
+            where: Path = ("case",)
+            place = f"point {number} ({values}): {place}"
+        else:
+            where = setting.where
+            place = "" if tuple(problem.path) == case_path(setting.key) else place
+        yield CaseFault(where, f"{place}{problem.finding}", problem.allowed, problem.nearest)
 
 
 def _meets(path: Path, problem: Path) -> bool:

@@ -11,30 +11,21 @@ MOST_PANELS = 3  # of a figure
 
 
 def plot_problems(names: tuple[str, ...], kind: str) -> Iterator[CaseFault]:
-    """What is wrong with the names of numbers to draw.
-
-    Parameters
-    ----------
-    names : tuple of str
-        As the file gives them.
-    kind : str
-        What is computed, "contact" for a single contact.
+    """What is wrong with the names of numbers to draw; `kind` is what is computed, "contact" for a
+    single contact.
     """
     known = result_names(kind)
     for k, name in enumerate(names):
         if name not in known:
             allowed = "allowed: main results, torque_N_mm, supply and self_heating of batch.csv"
-            nearest = next(
-                (whole for whole in known if whole.endswith(f".{name}")), nearest_name(name, known)
-            )
+            longer = (whole for whole in known if whole.endswith(f".{name}"))
+            nearest = next(longer, nearest_name(name, known))
             yield CaseFault(("plot", k), f"found {shown(name)}", allowed, nearest=nearest)
         elif name in names[:k]:
             yield CaseFault(("plot", k), f"found {shown(name)} twice", "allowed: once")
     units = [unit_of(name) for name in names]
     if 1 < len(set(units)) and (len(set(units)) < len(units) or len(units) > MOST_PANELS):
-        found = (
-            f"found {len(units)} numbers in "
-            f"{', '.join(unit or 'no unit' for unit in dict.fromkeys(units))}"
-        )
+        names_of_units = ", ".join(unit or "no unit" for unit in dict.fromkeys(units))
+        finding = f"found {len(units)} numbers in {names_of_units}"
         allowed = f"allowed: all in one unit, or up to {MOST_PANELS} in one unit each"
-        yield CaseFault(("plot",), found, allowed)
+        yield CaseFault(("plot",), finding, allowed)

@@ -35,22 +35,17 @@ def gathered(batch: Batch) -> BatchResults:
                 case=point.resolved,
                 key=point.key,
                 resumed=point.key in batch.resumed,
-                status=record["status"],
-                message=record["message"],
-                summary=record["summary"],
+                **{name: record[name] for name in MISSING},
             )
         )
+    sweep = batch.sweep
+    same = ("title", "case", "keys", "messages", "assumed", "plot")
     return BatchResults(
         version=version(),
-        title=batch.sweep.title,
-        case=batch.sweep.case,
-        sweep=batch.sweep.text,
-        keys=batch.sweep.keys,
+        sweep=sweep.text,
         points=tuple(points),
-        messages=batch.sweep.messages,
-        assumed=batch.sweep.assumed,
-        plot=batch.sweep.plot,
         timing={"total": batch.wall},
+        **{name: getattr(sweep, name) for name in same},
     )
 
 

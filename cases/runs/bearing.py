@@ -42,7 +42,8 @@ def run_case(
     progress: Progress | None = None,
     solve: Solve | None = None,
 ) -> BearingResults:
-    """Solve the bearing and the film of its contacts.
+    """Solve the bearing and the film of its contacts; `Interrupted` on Ctrl-C, with the results
+    of the finished contacts.
 
     Parameters
     ----------
@@ -52,28 +53,23 @@ def run_case(
         Called with the contacts done, the contacts in all, and a word on the state.
     solve : callable, optional
         Takes the place of `ehl.solve_contact`: a batch looks up what it has solved before.
-
-    Raises
-    ------
-    Interrupted
-        On Ctrl-C, with the results of the finished contacts.
     """
     notify = progress or (lambda done, total, state: None)
     notify(0, 1, "equilibrium of the bearing")
     start = perf_counter()
     if case.traction is not None:
         case = replace(case, traction=with_workers(case.traction, workers, notify, solve))
-    state = _equilibrium(case)
+    try:
+        state = case_equilibrium(case)
+    except KeyboardInterrupt:
+        raise Interrupted(None) from None
     contacts = contact_conditions(state, case.lubricant)
     timing = {"quasistatic": perf_counter() - start}
     wanted, messages = wanted_contacts(case, state, contacts)
     start = perf_counter()
     solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
     solutions, interrupted = solve_contacts(wanted, case.solver, workers, notify, solver)
-    timing |= {
-        "contacts": perf_counter() - start,
-        "total": sum(timing.values()) + perf_counter() - start,
-    }
+    timing["contacts"] = perf_counter() - start
     stop = ("interrupted: the films that were not finished are null",) if interrupted else ()
     traction = traction_messages(case.traction, state, contacts)
     messages = (*case.warnings, *case.films.messages, *traction, *messages, *stop)
@@ -100,14 +96,6 @@ def run_case(
     return results
 
 
-def _equilibrium(case: Case) -> QuasistaticSolution:
-    """Loads, angles and motion of the balls; `Interrupted` on Ctrl-C."""
-    try:
-        return case_equilibrium(case)
-    except KeyboardInterrupt:
-        raise Interrupted(None) from None
-
-
 def _friction(
     case: Case,
     state: QuasistaticSolution,
@@ -122,7 +110,8 @@ def _friction(
     if torque is not None and torque.shear is not None:
         known = {(t.contact.ball, t.contact.race): t for t in torque.shear.tractions}
         tractions = tuple(t and known.get((t.contact.ball, t.contact.race), t) for t in tractions)
-    timing |= {"torque": perf_counter() - start, "total": timing["total"] + perf_counter() - start}
+    timing["torque"] = perf_counter() - start
+    timing["total"] = sum(timing.values())
     return tractions, torque
 
 
@@ -134,14 +123,11 @@ def _tractions(
 ) -> tuple[ContactTraction | None, ...]:
     """Shear of every contact that has a film, at the motion of the equilibrium."""
     rheology = case.rheology
-
-    def traction(contact: BearingContact, film: ContactSolution | None) -> ContactTraction | None:
-        if film is None or rheology is None or not film.converged:
-            return None
-        return contact_traction(state, contact, film, rheology)
-
+    if rheology is None:
+        return (None,) * len(contacts)
     return tuple(
-        traction(contact, film) for contact, film in zip(contacts, solutions, strict=True)
+        contact_traction(state, contact, film, rheology) if film and film.converged else None
+        for contact, film in zip(contacts, solutions, strict=True)
     )
 
 
@@ -181,16 +167,14 @@ def _film_shear(
 ) -> SolvedShear | None:
     """Torque by the shear of the films; None unless those of all lubricated contacts converged."""
     solved = [film is not None and film.converged for film in solutions]
-    complete = all(
-        film for film, contact in zip(solved, contacts, strict=True) if contact.loaded
-    ) and any(solved)
-    if not complete or case.rheology is None or case.friction is None:
+    complete = all(solved[i] for i, contact in enumerate(contacts) if contact.loaded)
+    if not (complete and any(solved)) or case.rheology is None or case.friction is None:
         return None
     asperities = None
-    rough = case.friction.roughness
-    if rough is not None:
+    if case.friction.roughness is not None:
+        inner, outer = case.friction.roughness
         asperities = Asperities(
-            inner_roughness=rough[0], outer_roughness=rough[1], boundary=case.friction.boundary
+            inner_roughness=inner, outer_roughness=outer, boundary=case.friction.boundary
         )
     resistance = NO_RESISTANCE if case.traction is None else case.traction.resistance
     return solved_shear(state, contacts, solutions, case.rheology, asperities, resistance)

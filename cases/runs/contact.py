@@ -3,20 +3,20 @@
 from collections.abc import Callable
 from time import perf_counter
 
-from ehl import ContactConditions, ContactSolution, solve_contact
+from ehl import ContactConditions, ContactSolution
 from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.kinematics import contact_kinematics
 from ehl.traction.shear import TractionResult, integrate_traction
 from postprocess.contact.results import ContactResults
 
 from ..format.case import ContactCase
-from ..format.contact import FilmModel
 from ..version import version
-from .films import _shared
+from .films import shared_options
 
-FINITE_ELEMENT_MESSAGES = (
-    "finite elements: points are those of the graded mesh, cycles are Newton steps, no FFT",
+FINITE_ELEMENT_NOTE = (
+    "finite elements: points are those of the graded mesh, cycles are Newton steps, no FFT"
 )
+NO_TOLERANCE = "ehl.tolerance: not used by finite elements, the film is solved on ehl.points"
 
 
 def run_contact(
@@ -27,18 +27,13 @@ def run_contact(
     A large contact is shared by as many threads as there are `workers` [-].
     """
     messages = (*case.warnings, *case.films.messages)
+    solve: Callable[..., ContactSolution] = case.films.solve
     if finite_element:
         solve = solve_contact_finite_element
-        messages = (*messages, *FINITE_ELEMENT_MESSAGES)
-        if case.solver.tolerance is not None:
-            messages = (
-                *messages,
-                "ehl.tolerance: not used by finite elements, the film is solved on ehl.points",
-            )
-    else:
-        solve = _contact_solver(case)
+        unused = () if case.solver.tolerance is None else (NO_TOLERANCE,)
+        messages = (*messages, FINITE_ELEMENT_NOTE, *unused)
     start = perf_counter()
-    solution = solve(case.conditions, _shared(case.solver, workers))
+    solution = solve(case.conditions, shared_options(case.solver, workers))
     traction = _contact_traction(case, solution)
     return ContactResults(
         version=version(),
@@ -50,19 +45,12 @@ def run_contact(
     )
 
 
-def _contact_solver(case: ContactCase) -> Callable[..., ContactSolution]:
-    if case.films.model is FilmModel.NEWTONIAN:
-        return solve_contact
-    return case.films.solve
-
-
 def _contact_traction(case: ContactCase, solution: ContactSolution) -> TractionResult | None:
     """Shear of a single contact with lengths, None where the film did not converge."""
-    if (
-        not isinstance(case.conditions, ContactConditions)
-        or case.rheology is None
-        or not solution.converged
-    ):
+    conditions = case.conditions
+    if not isinstance(conditions, ContactConditions):
         return None
-    motion = contact_kinematics(case.conditions, grid_angle=solution.frame_angle)
+    if case.rheology is None or not solution.converged:
+        return None
+    motion = contact_kinematics(conditions, grid_angle=solution.frame_angle)
     return integrate_traction(solution, motion, case.rheology, temperature=case.temperature)

@@ -40,16 +40,9 @@ from .traction_table import run_table
 
 CAGE_MATERIAL = "pa66"  # where a case names none
 DIMENSIONS = (
-    "ball_diameter",
-    "pitch_diameter",
-    "inner_groove_radius",
-    "outer_groove_radius",
-    "diametral_clearance",
-    "first_ball_azimuth",
-    "bore",
-    "outside_diameter",
-    "width",
-)
+    "ball_diameter pitch_diameter inner_groove_radius outer_groove_radius diametral_clearance "
+    "first_ball_azimuth bore outside_diameter width"
+).split()
 MILLISECONDS = 1000.0  # the progress counts in these
 
 
@@ -69,14 +62,10 @@ def run_dynamics(
     tables: Path | None = None,
     progress: Progress | None = None,
 ) -> DynamicsResults:
-    """Simulate a case.
+    """Simulate a case, by its `name` in messages, the history streamed to a file.
 
     Parameters
     ----------
-    name : str
-        Of the case, for messages.
-    history : Path
-        File the history is streamed to.
     restart : Path, optional
         File of an interrupted simulation of the same case to go on from.
     tables : Path, optional
@@ -169,16 +158,9 @@ def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> Dyn
 
 def _attributes(case: Case) -> dict[str, str | float]:
     """Of the history: what it is of, and the dimensions a picture of it needs [m], [rad]."""
-    attributes: dict[str, str | float] = {
-        "oilfilm": version(),
-        "case": case_key(case),
-        "title": case.title,
-    }
-    for name in DIMENSIONS:
-        value = getattr(case.bearing, name)
-        if value is not None:
-            attributes[name] = float(value)
-    return attributes
+    given = {"oilfilm": version(), "case": case_key(case), "title": case.title}
+    dimensions = {name: getattr(case.bearing, name) for name in DIMENSIONS}
+    return given | {name: float(v) for name, v in dimensions.items() if v is not None}
 
 
 def _assumed(model: DynamicsModel) -> tuple[str, ...]:
@@ -273,10 +255,9 @@ def _friction(
 def _tables(case: Case, path: Path | None, notify: Progress) -> RaceFriction:
     """Traction tables of both races, read or built."""
     if path is None:
-        found = run_table(case, progress=notify).tables
+        tables = run_table(case, progress=notify).tables
     else:
         assert case.rheology is not None  # of every bearing case
-        found = read_race_tables(
-            path, case.bearing, case.lubricant, case.rheology, case.films.solids
-        )
-    return RaceFriction(inner=found[Race.INNER], outer=found[Race.OUTER])
+        oil = (case.lubricant, case.rheology)
+        tables = read_race_tables(path, case.bearing, *oil, case.films.solids)
+    return RaceFriction(inner=tables[Race.INNER], outer=tables[Race.OUTER])

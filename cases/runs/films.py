@@ -13,18 +13,11 @@ from ehl.multigrid.threads import cores
 from ..format.case import Case
 from ..format.rows import ball_at
 
+Solve = Callable[[ContactConditions, SolverOptions], ContactSolution]
+Progress = Callable[[int, int, str], None]  # done, in all, what is being done
+
 LARGE_CONTACT = 513  # points from which several threads solve one contact faster than one does [-]
-
-
-Solve = Callable[["ContactConditions", "SolverOptions"], "ContactSolution"]
-
-
-Progress = Callable[[int, int, str], None]  # contacts done, contacts in all, what is being done
-
-
 EQUAL = 1e-9  # relative difference below which two contacts count as one [-]
-
-
 # compared absolutely, too
 MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "spin", "mean_spin")
 
@@ -34,27 +27,19 @@ def wanted_contacts(
 ) -> tuple[list[ContactConditions | None], tuple[str, ...]]:
     """Conditions of the contacts to solve, None for the others, and a message if there is no
     equilibrium.
-
-    Parameters
-    ----------
-    contacts : sequence of BearingContact
-        Inner race then outer, ball by ball.
     """
-    conditions = [contact.conditions for contact in contacts]
     if not state.converged:
         return [None] * len(contacts), ("no film was computed, since there is no equilibrium",)
-    if case.film_maps == "all":
-        return conditions, ()
     chosen = _chosen_balls(case, contacts)
-    return [
-        conditions[i] if contact.ball in chosen else None for i, contact in enumerate(contacts)
-    ], ()
+    return [c.conditions if c.ball in chosen else None for c in contacts], ()
 
 
 def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
     """Balls whose contacts `film_maps` selects; loaded: the inner race carries load."""
     if case.film_maps == "none":
         return set()
+    if case.film_maps == "all":
+        return {c.ball for c in contacts}
     if case.film_maps == "loaded":
         return {c.ball for c in contacts if c.race.value == "inner" and c.load > 0.0}
     wanted = [degrees(azimuth) for azimuth in case.film_maps if not isinstance(azimuth, str)]
@@ -70,9 +55,8 @@ def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
     for field in fields(first):
         a, b = getattr(first, field.name), getattr(second, field.name)
         if isinstance(a, float) and isinstance(b, float):
-            if not isclose(
-                a, b, rel_tol=EQUAL, abs_tol=EQUAL if field.name in MAY_BE_ZERO else 0.0
-            ):
+            absolute = EQUAL if field.name in MAY_BE_ZERO else 0.0
+            if not isclose(a, b, rel_tol=EQUAL, abs_tol=absolute):
                 return False
         elif a != b:
             return False
@@ -94,13 +78,10 @@ def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
     return [members for _, members in groups]
 
 
-def _shared(options: SolverOptions, threads: int) -> SolverOptions:
+def shared_options(options: SolverOptions, threads: int) -> SolverOptions:
     """The options with so many threads a contact, if it is large enough to gain by them."""
-    return (
-        replace(options, threads=threads)
-        if threads > 1 and options.points >= LARGE_CONTACT
-        else options
-    )
+    shared = threads > 1 and options.points >= LARGE_CONTACT
+    return replace(options, threads=threads) if shared else options
 
 
 def solve_contacts(
@@ -119,9 +100,8 @@ def solve_contacts(
     groups = _groups(conditions)
     if not groups:
         return tuple(solutions), False
-    solver = solve or solve_contact
     workers = workers or cores()
-    options = _shared(options, workers // len(groups))
+    options = shared_options(options, workers // len(groups))
     notify(0, len(groups), "films")
     pool = ThreadPoolExecutor(max_workers=min(workers, len(groups)))
     try:
@@ -129,7 +109,7 @@ def solve_contacts(
         for members in groups:
             first = conditions[members[0]]
             assert first is not None  # only contacts with conditions are grouped
-            jobs[pool.submit(solver, first, options)] = members
+            jobs[pool.submit(solve or solve_contact, first, options)] = members
         for done, job in enumerate(as_completed(jobs), 1):
             for index in jobs[job]:
                 solutions[index] = job.result()

@@ -3,6 +3,7 @@
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 from bearing.contacts.contact import BearingContact
 from bearing.heating.self_heating import (
@@ -17,6 +18,8 @@ from ehl import Lubricant
 from ..format.case import Case
 from .equilibrium import without_traction_equilibrium
 
+Contacts = Sequence[BearingContact]
+
 
 def self_heated(case: Case) -> SelfHeatingSolution | None:
     """Temperature that the case's bearing warms itself to [K]; None where it is not asked for.
@@ -27,17 +30,12 @@ def self_heated(case: Case) -> SelfHeatingSolution | None:
     if given is None or case.operation.inner_speed == case.operation.outer_speed:
         return None
 
-    def torque(
-        state: QuasistaticSolution, contacts: Sequence[BearingContact], oil: Lubricant
-    ) -> float:
-        return _torque(case, given.model, state, contacts, oil)
-
     problem = SelfHeatingProblem(
         bearing=given.delivered,
         operation=case.operation,
         model=without_traction_equilibrium(case.model),
         oil=given.oil,
-        torque=torque,
+        torque=partial(_torque, case, given.model),
         fit=given.fit,
         reference=given.reference,
         inner_excess=given.inner_excess,
@@ -54,19 +52,9 @@ def self_heated(case: Case) -> SelfHeatingSolution | None:
 
 
 def _torque(
-    case: Case,
-    name: str,
-    state: QuasistaticSolution,
-    contacts: Sequence[BearingContact],
-    oil: Lubricant,
+    case: Case, name: str, state: QuasistaticSolution, contacts: Contacts, oil: Lubricant
 ) -> float:
-    """Friction torque by one model [N m].
-
-    Raises
-    ------
-    ValueError
-        If the model does not apply; the message says why.
-    """
+    """Friction torque by one model [N m]; `ValueError` if it does not apply."""
     assert case.friction is not None  # of every bearing case
     torque = model_torque(state, contacts, oil, case.friction, name)
     if torque.total is None:

@@ -39,32 +39,30 @@ def compiled_stamp(kind: str) -> Path | None:
     Its name holds a digest of the kernels' sources and of what compiles them; it lies where numba
     keeps its own files or, failing that, in the user's cache.
     """
-    spec = find_spec("ehl")
-    if spec is None or not spec.origin:
+    package = _package()
+    if package is None:
         return None
-    package = Path(spec.origin).parent
     try:
         folder = package / "__pycache__" if _beside_the_package() else _user_cache() / "oilfilm"
     except RuntimeError:  # no home directory
         return None
     folder = Path(os.environ.get(VARIABLE) or folder)
-    whole = repr(
-        [kind, kernel_digest(), version(), sys.version, _installed("numba"), platform.machine()]
-    )
+    numba = metadata.version("numba")
+    whole = repr([kind, kernel_digest(), version(), sys.version, numba, platform.machine()])
     return folder / f".oilfilm-compiled-{hashlib.sha256(whole.encode()).hexdigest()[:16]}"
 
 
-def _installed(package: str) -> str:
-    return metadata.version(package)
+def _package() -> Path | None:
+    spec = find_spec("ehl")
+    return None if spec is None or not spec.origin else Path(spec.origin).parent
 
 
 def _beside_the_package() -> bool:
-    spec = find_spec("ehl")
-    if spec is None or not spec.origin:
+    folder = _package()
+    if folder is None:
         return False
-    folder = Path(spec.origin).parent
     cache = folder / "__pycache__"
-    return _writable(cache) if cache.exists() else _writable(folder)
+    return _writable(cache if cache.exists() else folder)
 
 
 def _in_the_home_directory() -> bool:

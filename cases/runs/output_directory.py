@@ -20,9 +20,8 @@ LAST = "summary.json"
 def check_output(directory: Path) -> None:
     """Whether results can be written to `directory`; `CaseError` before computing if not."""
     if directory.exists() and not directory.is_dir():
-        raise CaseError(
-            f"{directory}: is not a directory; allowed with -o: a new directory, or one of results"
-        )
+        allowed = "allowed with -o: a new directory, or one of results"
+        raise CaseError(f"{directory}: is not a directory; {allowed}")
     try:
         directory.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryFile(dir=directory if directory.exists() else directory.parent):
@@ -33,34 +32,18 @@ def check_output(directory: Path) -> None:
 
 def save(write: Callable[[Path], tuple[str, ...]], directory: Path) -> tuple[str, ...]:
     """Have `write` fill a temporary folder, and put it in place of `directory` when it is
-    complete.
+    complete; what `write` returned.
 
-    Parameters
-    ----------
-    write : callable
-        Writes the results into the folder it is given; returns what could not be written.
-    directory : Path
-        Where they belong. If it exists, files of an earlier result are replaced and all others
-        stay.
-
-    Returns
-    -------
-    tuple of str
-        What `write` returned.
-
-    Raises
-    ------
-    CaseError
-        If a file that is not ours has the name of one of the new files.
+    Files of an earlier result in `directory` are replaced and all others stay; `CaseError` if a
+    file that is not ours has the name of one of the new files.
     """
     directory.parent.mkdir(parents=True, exist_ok=True)
     temporary = Path(tempfile.mkdtemp(prefix=f".{directory.name}-", dir=directory.parent))
     try:
         problems = write(temporary)
-        files = sorted(
-            str(path.relative_to(temporary)) for path in temporary.rglob("*") if path.is_file()
-        )
-        (temporary / MANIFEST).write_text(json.dumps(files, indent=1), encoding="utf-8")
+        written = (path for path in temporary.rglob("*") if path.is_file())
+        files = sorted(str(path.relative_to(temporary)) for path in written)
+        _write_manifest(temporary, files)
         if directory.exists():
             _replace(temporary, directory, files)
         else:
@@ -76,10 +59,8 @@ def _replace(temporary: Path, directory: Path, files: list[str]) -> None:
     earlier = _earlier_files(directory)
     foreign = [name for name in files if name not in earlier and (directory / name).exists()]
     if foreign:
-        raise CaseError(
-            f"{directory / foreign[0]}: not written by oilfilm, will not be replaced; "
-            "choose another -o"
-        )
+        refused = "not written by oilfilm, will not be replaced; choose another -o"
+        raise CaseError(f"{directory / foreign[0]}: {refused}")
     (directory / LAST).unlink(missing_ok=True)
     for name in sorted(set(earlier) - set(files)):
         (directory / name).unlink(missing_ok=True)
@@ -93,9 +74,11 @@ def add_to_manifest(directory: Path, name: str) -> None:
     """Record a file derived from results, so that a later run removes it with them."""
     earlier = _earlier_files(directory)
     if earlier and name not in earlier:
-        (directory / MANIFEST).write_text(
-            json.dumps(sorted([*earlier, name]), indent=1), encoding="utf-8"
-        )
+        _write_manifest(directory, [*earlier, name])
+
+
+def _write_manifest(directory: Path, names: list[str]) -> None:
+    (directory / MANIFEST).write_text(json.dumps(sorted(names), indent=1), encoding="utf-8")
 
 
 def _earlier_files(directory: Path) -> list[str]:
@@ -104,11 +87,8 @@ def _earlier_files(directory: Path) -> list[str]:
     except (OSError, ValueError):
         return []
     root = directory.resolve()
-    return [
-        name
-        for name in names
-        if isinstance(name, str) and root in (directory / name).resolve().parents
-    ]
+    texts = [name for name in names if isinstance(name, str)]
+    return [name for name in texts if root in (directory / name).resolve().parents]
 
 
 def _remove_empty(file: Path, directory: Path) -> None:

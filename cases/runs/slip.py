@@ -41,20 +41,9 @@ def run_slip(
     """Slip factors at the case's own operation, over speed and axial load, critical curves, and
     minimum preloads.
 
-    Parameters
-    ----------
-    case : Case
-    name : str
-        Of the case, for messages.
-    workers : int, optional
-        Processes [-]; as many as there are cores if left out. With 1 nothing is started.
-    progress : callable, optional
-        Called with rows done, rows in all, and the stage.
-
-    Raises
-    ------
-    CaseError
-        If the case has no [slip], or prescribes a displacement where the maps vary the load.
+    `CaseError` if the case, by its `name`, has no [slip], or prescribes a displacement where the
+    maps vary the load. Workers are processes [-], as many as there are cores if left out; with 1
+    nothing is started. The progress is called with rows done, rows in all, and the stage.
     """
     start = perf_counter()
     study, table = _study(case, name)
@@ -97,14 +86,11 @@ def _study(case: Case, name: str) -> tuple[SlipStudy, SlipTable]:
     operation = case.operation
     if operation.force[0] is None or (table.critical_speeds_rpm and operation.force[1] is None):
         varied = "the axial load" if operation.force[0] is None else "the radial load"
-        raise CaseError(
-            f"{name}: [operation] displacement_um: slip maps vary {varied}; allowed: a load there"
-        )
+        allowed = f"slip maps vary {varied}; allowed: a load there"
+        raise CaseError(f"{name}: [operation] displacement_um: {allowed}")
     if case.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
-        raise CaseError(
-            f"{name}: [model] ball_kinematics: slip maps take a hypothesis; allowed: "
-            "one of the others"
-        )
+        allowed = "slip maps take a hypothesis; allowed: one of the others"
+        raise CaseError(f"{name}: [model] ball_kinematics: {allowed}")
     study = SlipStudy(
         bearing=case.bearing, operation=operation, model=case.model, limit=table.limit
     )
@@ -121,26 +107,29 @@ def _minimum_loads(
     """Preload by Hirano's criterion, also as printed if the case asks, and SKF's minimum loads."""
     oil = case.lubricant
     own = case.operation.inner_speed
-    every = [*speeds, abs(own)] if own else [*speeds]
+    every = [*speeds, abs(own)] if own else speeds
     hirano = minimum_preloads(study, every, mapper("minimum preload", len(every)))
     printed = None
     if table.as_printed:
         as_printed = replace(study, limit=table.limit * PRINTED_FORCE[table.as_printed])
         printed = minimum_preloads(as_printed, every, mapper("as printed", len(every)))
     si = table.si()
-    axial, radial = si["minimum_axial_load_factor"], si["minimum_radial_load_factor"]
+    axial = si["minimum_axial_load_factor"]
+    radial = si["minimum_radial_load_factor"]
     nu = oil.viscosity / oil.density
     pitch = case.bearing.pitch_diameter
+    skf_axial = None
+    skf_radial = None
+    if axial is not None:
+        skf_axial = np.array([minimum_axial_load_skf(axial, n) for n in every])
+    if radial is not None:
+        skf_radial = np.array([minimum_radial_load_skf(radial, n, nu, pitch) for n in every])
     return MinimumLoads(
         speeds=np.array(every),
         hirano=hirano,
         as_printed=printed,
-        skf_axial=None
-        if axial is None
-        else np.array([minimum_axial_load_skf(axial, n) for n in every]),
-        skf_radial=None
-        if radial is None
-        else np.array([minimum_radial_load_skf(radial, n, nu, pitch) for n in every]),
+        skf_axial=skf_axial,
+        skf_radial=skf_radial,
         own=bool(own),
     )
 
@@ -161,9 +150,8 @@ def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Map
     def stage(state: str, total: int) -> Mapper:
         def mapped(function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:
             notify(0, total, state)
-            for done, result in enumerate(
-                pool.map(function, items) if pool else map(function, items), 1
-            ):
+            results = pool.map(function, items) if pool else map(function, items)
+            for done, result in enumerate(results, 1):
                 notify(done, total, state)
                 yield result
 

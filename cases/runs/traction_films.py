@@ -1,6 +1,6 @@
 """Films that traction equilibrium takes its friction from: those of a run, on a coarser grid."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from bearing.contacts.contact import BearingContact
@@ -9,11 +9,11 @@ from bearing.friction.law import BallTraction
 from bearing.friction.sources import FilmTraction, LawTraction
 from bearing.operation import BallKinematics
 from bearing.quasistatic.solution import QuasistaticSolution
-from ehl import ContactConditions, ContactSolution, SolverOptions
+from ehl import ContactConditions, ContactSolution
 
 from ..format.contact import FilmModel
 from ..format.film_model import CaseFilms
-from .films import Progress, solve_contacts
+from .films import Progress, Solve, solve_contacts
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -21,10 +21,10 @@ class PooledFilms:
     """Solves the films of many contacts side by side, equal ones once."""
 
     case: CaseFilms
-    workers: int | None = None  # contacts solved at a time [-]; None: as many as there are cores
-    progress: Progress | None = None  # as in `run_case`
-    # takes the place of `ehl.solve_contact`
-    solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None = None
+    # as in `run_case`
+    workers: int | None = None
+    progress: Progress | None = None
+    solve: Solve | None = None
 
     def __call__(
         self, conditions: Sequence[ContactConditions | None]
@@ -45,7 +45,7 @@ def with_workers(
     traction: BallTraction,
     workers: int | None = None,
     progress: Progress | None = None,
-    solve: Callable[[ContactConditions, SolverOptions], ContactSolution] | None = None,
+    solve: Solve | None = None,
 ) -> BallTraction:
     """The friction with its films, if it takes any, solved by so many workers [-]."""
     if not isinstance(traction.source, FilmTraction):
@@ -89,13 +89,10 @@ def _outside(
         if contact.conditions is not None:
             k = bearing_kinematics(state, contact)
             u = contact.conditions.entrainment_speed
-            found = source.laws[contact.race].forces(
-                contact.load, u, k.sliding_x, k.sliding_y, k.spin
-            )
-            if found.outside:
-                places[f"{contact.race.value} race of ball {contact.ball}"] = ", ".join(
-                    found.outside
-                )
+            law = source.laws[contact.race]
+            outside = law.forces(contact.load, u, k.sliding_x, k.sliding_y, k.spin).outside
+            if outside:
+                places[f"{contact.race.value} race of ball {contact.ball}"] = ", ".join(outside)
     if not places:
         return ()
     first = next(iter(places))

@@ -46,7 +46,7 @@ def unsheared(monkeypatch):
 
 def replace_solver(monkeypatch, stand_in):
     """Solve films by a stand-in, in runs of bearings and of single contacts."""
-    for module in ("cases.format.contact", "cases.runs.films"):
+    for module in ("cases.format.film_model", "cases.runs.films"):
         monkeypatch.setattr(f"{module}.solve_contact", stand_in)
 
 
