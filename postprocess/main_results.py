@@ -75,10 +75,9 @@ def main_results(summary: dict[str, Any] | None) -> dict[str, Any]:
 
 
 def result_names(kind: str) -> tuple[str, ...]:
-    """Names of numbers of a point of a batch, as in its table.
+    """Names of numbers of a point of a batch, as in its table; `kind` is what is computed there.
 
-    Main results, every torque, supply, self-heating; `kind` is what is computed: "run", "torque",
-    "contact", "slip", "dynamics" or "table".
+    Main results, every torque, supply, self-heating.
     """
     table = {"largest_coefficient": None, "error": {"quantile": None}, "films": None}
     nothing: dict[str, dict[str, Any]] = {
@@ -104,17 +103,17 @@ def _bearing(summary: dict[str, Any]) -> dict[str, Any]:
     """Largest load and pressure, thinnest film, torque, cage speed, life."""
     contacts = [contact for contact in summary["contacts"] if contact["loaded"]]
     films = [contact for contact in contacts if contact["film_minimum_um"] is not None]
-    thinnest: dict[str, Any] = min(
-        films, key=lambda contact: contact["film_minimum_um"], default={}
+    thinnest: dict[str, Any] = min(films, key=lambda film: film["film_minimum_um"], default={})
+    load, pressure = (
+        max((contact[key] for contact in contacts), default=None)
+        for key in ("load_N", "hertz_pressure_GPa")
     )
     return {
-        "load_maximum_N": max((c["load_N"] for c in contacts), default=None),
-        "hertz_pressure_maximum_GPa": max(
-            (c["hertz_pressure_GPa"] for c in contacts), default=None
-        ),
+        "load_maximum_N": load,
+        "hertz_pressure_maximum_GPa": pressure,
         **{name: thinnest.get(name) for name in THINNEST},
         "torque_N_mm": (summary.get("torque_N_mm") or {}).get("total"),
-        "cage_speed_rpm": summary.get("cage_speed_rpm"),
+        CAGE_SPEED.key: summary.get(CAGE_SPEED.key),
         LIFE: (summary.get("life") or {}).get(LIFE),
     }
 

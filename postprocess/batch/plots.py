@@ -212,10 +212,8 @@ def _first_key(axes: Axes, key: Varied) -> None:
     axes.set_xlabel(key.label)
     axes.grid(linewidth=0.3, alpha=0.5)
     if key.words:
-        words = [
-            "\n".join(fill(part, WORD_WIDTH) for part in word.split(" / ")) for word in key.words
-        ]
-        axes.set_xticks(range(len(words)), words, fontsize=6.5)
+        parts = [[fill(part, WORD_WIDTH) for part in word.split(" / ")] for word in key.words]
+        axes.set_xticks(range(len(parts)), ["\n".join(lines) for lines in parts], fontsize=6.5)
 
 
 def quantity_label(name: str, model: str | None = None) -> str:
@@ -223,23 +221,18 @@ def quantity_label(name: str, model: str | None = None) -> str:
     if name.startswith(MODELS):
         own, part = name.removeprefix(MODELS).split(".")
         words = TORQUE_PARTS.get(part, part)
-        return (
-            words
-            if own == model
-            else TORQUE_MODELS[own].title + ("" if part == "total" else f", {words}")
-        )
-    if name in MAIN_QUANTITY:
-        return MAIN_QUANTITY[name].title
-    return without_unit(name.rpartition(".")[2])
+        if own == model:
+            return words
+        return TORQUE_MODELS[own].title + ("" if part == "total" else f", {words}")
+    main = MAIN_QUANTITY.get(name)
+    return without_unit(name.rpartition(".")[2]) if main is None else main.title
 
 
 def common_model(names: list[str]) -> str | None:
     """The torque model that all numbers are of, if there is one."""
-    models = {
-        name.removeprefix(MODELS).split(".")[0] if name.startswith(MODELS) else None
-        for name in names
-    }
-    return models.pop() if len(models) == 1 else None
+    models = {name.removeprefix(MODELS).split(".")[0] for name in names}
+    of_models = all(name.startswith(MODELS) for name in names)
+    return models.pop() if of_models and len(models) == 1 else None
 
 
 def axis_label(key: str) -> str:

@@ -15,13 +15,10 @@ FEWEST = 5  # sampled points that bands need
 def sensitivities(results: BatchResults) -> list[dict[str, Any]]:
     """Logarithmic sensitivities d ln(result)/d ln(key), central differences, O(step^2).
 
-    Returns
-    -------
-    list of dict
-        For every key that [sensitivity] varied: `key`, its `value` in the case, the relative
-        `step` [-], and under `results` for every main result its `value`, the `sensitivity` [-]
-        and whether it is `resolved`: whether the change is larger than the error bars of the two
-        films, None for results without one. Empty without such points.
+    For every key that [sensitivity] varied: `key`, its `value` in the case, the relative `step`
+    [-], and under `results` for every main result its `value`, the `sensitivity` [-] and whether
+    it is `resolved`: whether the change is larger than the error bars of the two films, None for
+    results without one. Empty without such points.
     """
     block = [point for point in results.points if point.block == "sensitivity"]
     points = [point for point in block if point.summary is not None]
@@ -48,26 +45,17 @@ def _results(
     below, above = main_results(low.summary), main_results(high.summary)
     rows = {}
     for name, value in reference.items():
-        if (
-            not value
-            or below.get(name) is None
-            or above.get(name) is None
-            or "_uncertainty_" in name
-        ):
+        known = value and below.get(name) is not None and above.get(name) is not None
+        if not known or "_uncertainty_" in name:
             continue
         change = above[name] - below[name]
         head, _, unit = name.rpartition("_")
         first, second = (row.get(f"{head}_uncertainty_{unit}") for row in (below, above))
-        resolved = (
-            None
-            if first is None or second is None
-            else change == 0.0 or abs(change) > hypot(first, second)
-        )
-        rows[name] = {
-            "value": value,
-            "sensitivity": change / (2.0 * step * value),
-            "resolved": resolved,
-        }
+        resolved = None
+        if first is not None and second is not None:
+            resolved = change == 0.0 or abs(change) > hypot(first, second)
+        sensitivity = change / (2.0 * step * value)
+        rows[name] = {"value": value, "sensitivity": sensitivity, "resolved": resolved}
     return rows
 
 
@@ -77,11 +65,8 @@ def bands(results: BatchResults) -> dict[str, dict[str, float]]:
     For every one `points` [-], and in its unit `mean`, `standard_deviation` and the quantiles
     `q05`, `q50`, `q95`; empty with fewer than five points.
     """
-    rows = [
-        main_results(p.summary)
-        for p in results.points
-        if p.block == "latin_hypercube" and p.converged
-    ]
+    sampled = [point for point in results.points if point.block == "latin_hypercube"]
+    rows = [main_results(point.summary) for point in sampled if point.converged]
     spread = {}
     for name in dict.fromkeys(name for row in rows for name in row):
         values = [row[name] for row in rows if row.get(name) is not None]
@@ -91,8 +76,6 @@ def bands(results: BatchResults) -> dict[str, dict[str, float]]:
                 "points": len(values),
                 "mean": float(np.mean(values)),
                 "standard_deviation": float(np.std(values, ddof=1)),
-                "q05": float(low),
-                "q50": float(middle),
-                "q95": float(high),
+                **{"q05": float(low), "q50": float(middle), "q95": float(high)},
             }
     return spread

@@ -1,7 +1,7 @@
 """Files of a batch: every number of every point, as one table and one data set."""
 
 import json
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import Any
 
@@ -41,12 +41,10 @@ def write_batch_netcdf(results: BatchResults, path: Path) -> None:
     for name, values in results_as_columns(results).items():
         unit = _unit(name, values)
         variables[name] = (("point",), _array(values), {"units": unit} if unit else {})
-    variables["message"] = (("point",), _array([point.message for point in results.points]), {})
-    variables["case"] = (
-        ("point",),
-        _array([json.dumps(point.case, ensure_ascii=False) for point in results.points]),
-        {"long_name": "input as run, JSON"},
-    )
+    messages = [point.message for point in results.points]
+    cases = [json.dumps(point.case, ensure_ascii=False) for point in results.points]
+    variables["message"] = (("point",), _array(messages), {})
+    variables["case"] = (("point",), _array(cases), {"long_name": "input as run, JSON"})
     variables |= _per_ball(results) | _per_contact(results)
     attributes = {
         "title": results.title,
@@ -81,35 +79,40 @@ def _text(value: Any) -> str:
 def _per_ball(results: BatchResults) -> Variables:
     """Numbers of the balls over point and ball."""
     rows = [(point.summary or {}).get("balls") or [] for point in results.points]
-    names = [n for n in _number_names(ball for row in rows for ball in row) if n != "ball"]
     count = max(map(len, rows), default=0)
-    if not names:
-        return {}
-    values = {name: np.full((len(rows), count), np.nan) for name in names}
-    for i, row in enumerate(rows):
-        for k, ball in enumerate(row):
-            for name in names:
-                values[name][i, k] = _number(ball.get(name))
-    balls: Variables = {"ball": (("ball",), np.arange(1, count + 1), {})}
+    values = _filled(rows, (len(rows), count), {"ball"}, lambda ball: (ball["ball"] - 1,))
+    balls: Variables = {"ball": (("ball",), np.arange(1, count + 1), {})} if values else {}
     return balls | _named("ball", ("point", "ball"), values)
 
 
 def _per_contact(results: BatchResults) -> Variables:
     """Numbers of the contacts over point, ball and race."""
     rows = [(point.summary or {}).get("contacts") or [] for point in results.points]
-    names = _number_names(contact for row in rows for contact in row)
-    names = [name for name in names if name not in ("ball", "azimuth_deg")]
     count = max((contact["ball"] for row in rows for contact in row), default=0)
-    if not names:
-        return {}
-    values = {name: np.full((len(rows), count, 2), np.nan) for name in names}
-    for i, row in enumerate(rows):
-        for contact in row:
-            place = i, contact["ball"] - 1, RACES.index(contact["race"])
-            for name in names:
-                values[name][place] = _number(contact.get(name))
-    races: Variables = {"race": (("race",), np.array(RACES, dtype=object), {})}
+    values = _filled(
+        rows,
+        (len(rows), count, 2),
+        {"ball", "azimuth_deg"},
+        lambda contact: (contact["ball"] - 1, RACES.index(contact["race"])),
+    )
+    races: Variables = {"race": (("race",), np.array(RACES, dtype=object), {})} if values else {}
     return races | _named("contact", ("point", "ball", "race"), values)
+
+
+def _filled(
+    rows: list[list[dict[str, Any]]],
+    shape: tuple[int, ...],
+    left_out: set[str],
+    place: Callable[[dict[str, Any]], tuple[int, ...]],
+) -> dict[str, Any]:
+    """An array for each key of numbers, NaN where a point has no value."""
+    names = _number_names(entry for row in rows for entry in row)
+    values = {name: np.full(shape, np.nan) for name in names if name not in left_out}
+    for i, row in enumerate(rows):
+        for entry in row:
+            for name, array in values.items():
+                array[(i, *place(entry))] = _number(entry.get(name))
+    return values
 
 
 def _named(part: str, over: tuple[str, ...], values: dict[str, Any]) -> Variables:

@@ -13,9 +13,9 @@ from ehl.units import to_si
 
 from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
 from ..quantities import by_key, quantities, values_of
-from ..text import listed
-from .results import BearingResults
+from .results import BearingResults, balls_text
 
+RACES = ("inner", "outer")
 LAMBDA_FORMULA = "hamrock_dowson_minimum"
 
 
@@ -187,10 +187,7 @@ def combined_roughness(race: str, surface: dict[str, float]) -> float:
 def lambda_ratio(
     contact: BearingContact, film: float | None, surface: dict[str, float] | None
 ) -> float | None:
-    """Minimum film [m] over the rms roughness of race and ball together [-].
-
-    None without film or roughness.
-    """
+    """Minimum film [m] over the rms roughness of race and ball [-]; None without one of them."""
     if surface is None or film is None:
         return None
     roughness = combined_roughness(contact.race.value, surface)
@@ -205,24 +202,21 @@ def contact_messages(results: BearingResults) -> Iterator[str]:
             "contacts: Hertz, speed and formula values null where a contact carries no load or no "
             "oil is entrained"
         )
-    for race in ("inner", "outer"):
+    for race in RACES:
         yield from _shoulder_messages(results, race)
     yield from _ratio_messages(results)
 
 
 def _absent_films(results: BearingResults) -> Iterator[str]:
     """Why contacts have no film, race by race."""
+    complete = results.quasistatic.converged and not results.interrupted
     absent: dict[tuple[str, str], list[str]] = {}
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
-        unwanted = solution is None and results.quasistatic.converged and not results.interrupted
-        if contact.conditions is None or unwanted:
-            reason = (
-                contact.note if contact.conditions is None else "not asked for by [ehl] film_maps"
-            )
+        reason = contact.note if contact.conditions is None else "not asked for by [ehl] film_maps"
+        if contact.conditions is None or (solution is None and complete):
             absent.setdefault((contact.race.value, reason), []).append(str(contact.ball))
     for (race, reason), balls in absent.items():
-        plural = "s" if len(balls) > 1 else ""
-        yield f"{race} race, ball{plural} {listed(balls)}: film null, {reason}"
+        yield f"{race} race, {balls_text(balls)}: film null, {reason}"
 
 
 def _ratio_messages(results: BearingResults) -> Iterator[str]:
@@ -236,8 +230,7 @@ def _ratio_messages(results: BearingResults) -> Iterator[str]:
             "contacts.lambda_ratio: null, and lambda_ratio_formula, the case gives no [surface] "
             "roughness"
         )
-        return
-    for race in ("inner", "outer"):
+    for race in () if surface is None else RACES:
         if not combined_roughness(race, surface) > 0.0:
             yield (
                 f"contacts.lambda_ratio: null at the {race} race, race and ball have no roughness "
@@ -262,7 +255,6 @@ def _shoulder_messages(results: BearingResults, race: str) -> Iterator[str]:
     if cut:
         yield (
             f"contacts: the shoulder of the {race} ring cuts the ellipse of "
-            f"ball{'s' if len(cut) > 1 else ''} {listed(list(cut))}, up to "
-            f"{max(cut.values()):.1%} of its length; the pressure at its edge is higher than "
-            "Hertz' and films there are not those of a whole ellipse"
+            f"{balls_text(list(cut))}, up to {max(cut.values()):.1%} of its length; the pressure "
+            "at its edge is higher than Hertz' and films there are not those of a whole ellipse"
         )

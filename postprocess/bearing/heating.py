@@ -11,10 +11,7 @@ from .results import BearingResults
 
 
 def heating_block(results: BearingResults) -> dict[str, Any]:
-    """Temperature [degrees C], torque, power, heat of the oil [W], oil and clearance.
-
-    None without a balance of friction and cooling.
-    """
+    """Temperature, torque, power, oil, clearance; None without a balance of heat."""
     heating = results.heating
     balanced = heating is not None and heating.balance is not None and heating.converged
     return {

@@ -13,20 +13,14 @@ from .results import BearingResults
 
 
 def life_block(results: BearingResults) -> dict[str, Any]:
-    """Rating life [10^6 revolutions], loads [N] and [kN], and the factors that led to it.
-
-    None where it does not apply.
-    """
+    """Rating life, loads and the factors that led to it; None where it does not apply."""
     life = results.life
     loads = () if life is None else LOAD_RATING
     return values_of(life, (*LIFE_RATING, *loads)) | film_life(results)
 
 
 def least_lambda(results: BearingResults) -> float | None:
-    """Smallest lambda ratio of the films that converged and are resolved [-].
-
-    None without films or roughness.
-    """
+    """Smallest lambda ratio of converged, resolved films [-]; None without films or roughness."""
     surface = results.case.get("surface")
     ratios = [
         lambda_ratio(contact, solution.film_minimum, surface)
@@ -37,10 +31,7 @@ def least_lambda(results: BearingResults) -> float | None:
 
 
 def film_life(results: BearingResults) -> dict[str, float | None]:
-    """kappa [-], a_ISO [-] and modified life [10^6 revolutions] from the solved films.
-
-    In place of the viscosity; None where they do not apply.
-    """
+    """kappa, a_ISO and modified life from the solved films in place of the viscosity, or None."""
     life = results.life
     least = least_lambda(results)
     if life is None or life.viscosity_ratio is None or least is None:
@@ -58,10 +49,7 @@ def film_life(results: BearingResults) -> dict[str, float | None]:
 
 
 def clearance_block(results: BearingResults) -> dict[str, float | None]:
-    """Diametral clearance and its changes [um], pressures of the seats [MPa].
-
-    The operating clearance alone where no budget was computed.
-    """
+    """Clearance, its changes, pressures of the seats; without a budget the operating one alone."""
     values = values_of(results.clearance, CLEARANCE)
     if results.clearance is None:
         clearance = results.quasistatic.bearing.diametral_clearance

@@ -54,10 +54,14 @@ class DistinctContact:
     @property
     def label(self) -> str:
         """Race, balls and azimuths in words."""
-        balls = listed([str(c.ball) for c in self.contacts])
+        balls = balls_text([str(c.ball) for c in self.contacts])
         angles = listed([f"{degrees(c.azimuth) % 360.0:.4g}°" for c in self.contacts])
-        plural = "s" if len(self.contacts) > 1 else ""
-        return f"{self.contacts[0].race.value} race, ball{plural} {balls} (ψ = {angles})"
+        return f"{self.contacts[0].race.value} race, {balls} (ψ = {angles})"
+
+
+def balls_text(numbers: list[str]) -> str:
+    """Numbers of balls in words."""
+    return f"ball{'s' if len(numbers) > 1 else ''} {listed(numbers)}"
 
 
 def distinct_contacts(results: BearingResults) -> tuple[DistinctContact, ...]:

@@ -64,11 +64,11 @@ def _contacts_table(results: BearingResults) -> Table:
         for key in ("ball", "azimuth_deg", "race", *keys)
     ]
     several = len({contact.row for contact in results.contacts}) > 1
-    row = None
+    row = None if several else results.contacts[0].row
     rows = []
     for record in contact_records(results):
         contact = record.contact
-        if several and contact.row != row:
+        if contact.row != row:
             row = contact.row
             rows.append([f"row {row}"])
         is_inner = contact.race.value == "inner"

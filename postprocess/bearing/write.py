@@ -18,6 +18,11 @@ from .contacts import CONTACT_QUANTITIES
 from .quantities import BALL_QUANTITY
 from .results import BearingResults
 
+GEOMETRY = (
+    *("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius"),
+    *("diametral_clearance", "bore", "outside_diameter", "width"),
+)
+
 
 def write_contacts_csv(document: dict[str, Any], path: Path) -> None:
     """Write the contacts of a bearing's summary as a table, a line for each, empty for null."""
@@ -37,7 +42,7 @@ def write_bearing_netcdf(results: BearingResults, path: Path, document: dict[str
     groups = {
         "/": xr.Dataset(attrs=root_attributes(document, "bearing")),
         "/contacts": _contact_dataset(document),
-        "/ring": _ring_dataset(results),
+        "/ring": _ring_dataset(results.quasistatic),
         "/balls": _ball_dataset(results.quasistatic),
     }
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
@@ -63,44 +68,32 @@ def _contact_dataset(document: dict[str, Any]) -> xr.Dataset:
 
 
 def _placement(contact: BearingContact) -> dict[str, Any]:
+    numbers = ("azimuth", "contact_angle", "load")
+    frame = ("origin", "axis_x", "axis_y", "normal")
     return {
         "ball": contact.ball,
         "race": contact.race.value,
-        "azimuth": float(contact.azimuth),
-        "contact_angle": float(contact.contact_angle),
-        "load": float(contact.load),
-        **{
-            name: np.asarray(getattr(contact, name), dtype=np.float64)
-            for name in ("origin", "axis_x", "axis_y", "normal")
-        },
+        **{name: float(getattr(contact, name)) for name in numbers},
+        **{name: np.asarray(getattr(contact, name), dtype=np.float64) for name in frame},
         "placement_units": (
             "origin [m] in the bearing's frame, azimuth and contact_angle [rad], load [N]"
         ),
     }
 
 
-def _ring_dataset(results: BearingResults) -> xr.Dataset:
-    state = results.quasistatic
-    units = "SI: N, m, rad, N m"
-    bearing = state.bearing
-    attrs = {
-        "ball_diameter": bearing.ball_diameter,
-        "pitch_diameter": bearing.pitch_diameter,
-        "inner_groove_radius": bearing.inner_groove_radius,
-        "outer_groove_radius": bearing.outer_groove_radius,
-        "diametral_clearance": bearing.diametral_clearance,
-        "geometry_units": "m",
-    }
-    optional = {n: getattr(bearing, n) for n in ("bore", "outside_diameter", "width")}
+def _ring_dataset(state: QuasistaticSolution) -> xr.Dataset:
+    units = {"units": "SI: N, m, rad, N m"}
+    geometry = {name: getattr(state.bearing, name) for name in GEOMETRY}
     return xr.Dataset(
         {
-            "displacement": ("freedom", np.r_[state.displacement, state.tilt], {"units": units}),
-            "force": ("freedom", np.r_[state.ring_force, state.ring_moment], {"units": units}),
-            "stiffness": (("freedom", "freedom_2"), np.asarray(state.stiffness), {"units": units}),
+            "displacement": ("freedom", np.r_[state.displacement, state.tilt], units),
+            "force": ("freedom", np.r_[state.ring_force, state.ring_moment], units),
+            "stiffness": (("freedom", "freedom_2"), np.asarray(state.stiffness), units),
             "cage_speed": ((), state.cage_speed, CAGE_SPEED.si_attributes),
         },
         coords={"freedom": list(STIFFNESS_ORDER), "freedom_2": list(STIFFNESS_ORDER)},
-        attrs=attrs | {n: float(v) for n, v in optional.items() if v is not None},
+        attrs={name: float(length) for name, length in geometry.items() if length is not None}
+        | {"geometry_units": "m"},
     )
 
 

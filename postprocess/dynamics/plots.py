@@ -34,17 +34,11 @@ SPECTRUM_REACH = 6.0  # highest frequency shown over the ball pass frequency of 
 
 
 def write_dynamics_plots(directory: Path, document: dict[str, Any]) -> tuple[str, ...]:
-    """Write the pictures of a simulation beside its history; those that failed are messages.
-
-    `document` is the summary.
-    """
-    data = open_history(directory).load()
-    drawings = [
-        (name, partial(draw, data=data, document=document)) for name, draw in PICTURES.items()
-    ]
-    problems = write_figures(directory, drawings)
-    data.close()
-    return problems
+    """Write pictures beside the history, by it and the summary; those that failed are messages."""
+    with open_history(directory).load() as data:
+        given = {"data": data, "document": document}
+        drawings = [(name, partial(draw, **given)) for name, draw in PICTURES.items()]
+        return write_figures(directory, drawings)
 
 
 def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
@@ -72,9 +66,7 @@ def draw_speeds(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Normal and friction force of ball 1 on both races [N] over time [ms], the last turns of the
-    cage.
-    """
+    """Normal and friction force of ball 1 [N] over time [ms], the last turns of the cage."""
     top, bottom = _over_time(figure, document)
     part = last_turns(data).sel(ball=1)
     time = TIME.in_unit(part["time"].to_numpy())
@@ -90,9 +82,7 @@ def draw_forces(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 
 def draw_sliding(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) -> None:
-    """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg], the last turns
-    of the cage.
-    """
+    """Sliding speed [m/s] and traction factor [-] of ball 1 over its azimuth [deg]."""
     top, bottom = _over_time(figure, document)
     part = last_turns(data).sel(ball=1)
     azimuth = PLOTTED["azimuth_deg"].in_unit(_turned(part))
@@ -222,9 +212,7 @@ def last_turns(data: xarray.Dataset) -> xarray.Dataset:
 
 
 def ring_spectrum(data: xarray.Dataset) -> tuple[Any, Any, str]:
-    """Frequencies [Hz] and amplitudes [m] of the ring's motion in the second half, and its
-    direction; Hann window.
-    """
+    """Frequencies [Hz], amplitudes [m], direction of the ring in the second half; Hann window."""
     late = data.isel(time=slice(data.sizes["time"] // 2, None))
     place = late["ring_position"]
     direction = "y" if float(np.ptp(place.sel(ring_coordinate="y").to_numpy())) > 0.0 else "x"

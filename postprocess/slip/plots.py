@@ -75,9 +75,8 @@ def draw_surface(figure: Figure, results: SlipResults) -> None:
     levels = LEVELS * results.limit / 10.0
     if shown.count():
         thin = [v for v in np.log10(levels / results.limit) if v != 0.0]
-        lines = axes.contour(
-            x, y, shown, levels=thin, colors=INK, linewidths=0.5, linestyles="solid"
-        )
+        style: Any = {"colors": INK, "linewidths": 0.5, "linestyles": "solid"}
+        lines = axes.contour(x, y, shown, levels=thin, **style)
         axes.clabel(lines, fmt={v: f"{results.limit * 10.0**v:.3g}" for v in thin}, fontsize=6.5)
     _limit_line(axes, results)
     bar = figure.colorbar(image, ax=axes, label=WORST_FACTOR.label, aspect=30)
@@ -99,9 +98,8 @@ def _limit_line(axes: Axes, results: SlipResults) -> None:
     top = results.surface.axial_loads[-1]
     note = f"heavy line: factor {results.limit:g}; no ball slips above it"
     if not (minimum.hirano[grid] <= top).any():
-        note = (
-            f"factor {results.limit:g} is not reached at these loads: some ball slips everywhere"
-        )
+        missed = f"factor {results.limit:g} is not reached at these loads"
+        note = f"{missed}: some ball slips everywhere"
     if (results.surface.minimum < NO_LOAD).any():
         note += "\ngrey: a ball carries no load at the inner race"
     if results.surface.unsolved:
@@ -131,11 +129,9 @@ def draw_critical_loads(figure: Figure, results: SlipResults) -> None:
         groups = ball_groups(curve)
         colours = mpl.colormaps["viridis"](np.linspace(0.0, 0.88, len(groups)))
         for colour, (members, loads) in zip(colours, groups.items(), strict=True):
-            angles = sorted(
-                round(min(a, 360.0 - a), 1)
-                for a in (degrees(azimuths[m - 1]) % 360.0 for m in members)
-            )
-            label = f"{', '.join(map(str, members))}  ({angles[0]:g}°)"
+            angles = (degrees(azimuths[m - 1]) % 360.0 for m in members)
+            smallest = min(round(min(a, 360.0 - a), 1) for a in angles)
+            label = f"{', '.join(map(str, members))}  ({smallest:g}°)"
             axes.plot(loads, curve.radial_loads, color=colour, label=label)
         worst = curve.axial_loads.max(axis=1)
         end = max(float(np.nanmax(worst)) * 1.08, 1.0)
@@ -147,9 +143,8 @@ def draw_critical_loads(figure: Figure, results: SlipResults) -> None:
     panels[0, 0].set_ylabel(RADIAL_LOAD.label)
     beside: Any = {"loc": "center left", "bbox_to_anchor": (1.0, 0.5), "title_fontsize": 7}
     panels[0, -1].legend(title="ball (from load line)", **beside)
-    figure.supxlabel(
-        "each line: slip factor of that ball at the limit; shaded: no ball slips", fontsize=7
-    )
+    note = "each line: slip factor of that ball at the limit; shaded: no ball slips"
+    figure.supxlabel(note, fontsize=7)
 
 
 def draw_minimum_loads(figure: Figure, results: SlipResults) -> None:
@@ -204,10 +199,8 @@ def draw_balls(figure: Figure, results: SlipResults) -> None:
 def _ball_bars(axes: Axes, azimuths: Array, factors: Array, slips: Any) -> None:
     """Bars of the balls that slip and of those that do not; a zero where there is no bar."""
     width = 0.6 * 360.0 / len(factors)
-    for chosen, colour, label in (
-        (slips, OUTER_COLOUR, "slips"),
-        (~slips, INNER_COLOUR, "does not slip"),
-    ):
+    for label, colour in (("slips", OUTER_COLOUR), ("does not slip", INNER_COLOUR)):
+        chosen = slips if label == "slips" else ~slips
         if chosen.any():
             axes.bar(azimuths[chosen], factors[chosen], width=width, color=colour, label=label)
     style: Any = {"textcoords": "offset points", "ha": "center", "fontsize": 6.5}

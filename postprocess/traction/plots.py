@@ -27,9 +27,7 @@ def write_traction_plots(results: TractionResults, path: Path) -> tuple[Path, Pa
 
 
 def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
-    """Coefficient of traction along the entrainment over the slide-roll ratio, for loads of each
-    race.
-    """
+    """Traction coefficient along the entrainment over the slide-roll ratio, by race and load."""
     figure.set_size_inches(PAGE_WIDTH, 3.2)
     figure.suptitle(results.title, fontsize=8.5)
     panels = figure.subplots(1, len(results.tables), sharey=True, squeeze=False)[0]
@@ -39,16 +37,9 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
         ratios = limit * np.linspace(-1.0, 1.0, CURVE_POINTS) ** 3
         loads = np.geomspace(1.5 * table.range.load[0], table.range.load[1], len(COLOURS))
         for load, colour in zip(loads, COLOURS, strict=True):
-            forces = [
-                table.forces(load, speed, ratio * speed, 0.0, 0.0).force_x for ratio in ratios
-            ]
-            axes.plot(
-                ratios,
-                -np.array(forces) / load,
-                color=colour,
-                linewidth=1.1,
-                label=f"{load:.0f} N",
-            )
+            forces = [table.forces(load, speed, x * speed, 0.0, 0.0).force_x for x in ratios]
+            style: dict[str, Any] = {"color": colour, "linewidth": 1.1, "label": f"{load:.0f} N"}
+            axes.plot(ratios, -np.array(forces) / load, **style)
         axes.set_xscale("symlog", linthresh=1e-3, linscale=0.6)
         ticks = [-1.0, -1e-1, -1e-2, -1e-3, 0.0, 1e-3, 1e-2, 1e-1, 1.0]
         axes.set_xticks(ticks, [f"{tick:g}" for tick in ticks], rotation=45)
@@ -62,9 +53,7 @@ def draw_traction_curves(figure: Figure, results: TractionResults) -> None:
 
 
 def draw_traction_map(figure: Figure, results: TractionResults) -> None:
-    """Magnitude of the traction coefficient over sliding along and across, and over sliding and
-    spin, of each race.
-    """
+    """Traction coefficient over sliding along and across, and over sliding and spin, by race."""
     figure.set_size_inches(PAGE_WIDTH, 5.4)
     figure.suptitle(results.title, fontsize=8.5)
     panels = figure.subplots(len(results.tables), 2, squeeze=False)
@@ -72,18 +61,15 @@ def draw_traction_map(figure: Figure, results: TractionResults) -> None:
         load = sqrt(table.range.load[0] * table.range.load[1])
         speed = sqrt(table.range.speed[0] * table.range.speed[1])
         along = 0.2 * np.linspace(-1.0, 1.0, MAP_POINTS)
-        across = 0.2 * np.linspace(-1.0, 1.0, MAP_POINTS)
         spins = table.range.spin * np.linspace(-1.0, 1.0, MAP_POINTS)
-        flat = _coefficients(table, load, speed, [(x, y, 0.0) for y in across for x in along])
+        flat = _coefficients(table, load, speed, [(x, y, 0.0) for y in along for x in along])
         spun = _coefficients(table, load, speed, [(x, 0.0, n) for n in spins for x in along])
         top = max(flat.max(), spun.max())
-        for axes, values, vertical in ((row[0], flat, across), (row[1], spun, spins)):
-            shape = (MAP_POINTS, MAP_POINTS)
-            image = axes.pcolormesh(
-                along, vertical, values.reshape(shape), vmin=0.0, vmax=top, rasterized=True
-            )
+        style: dict[str, Any] = {"vmin": 0.0, "vmax": top, "rasterized": True}
+        for axes, values, vertical in ((row[0], flat, along), (row[1], spun, spins)):
+            image = axes.pcolormesh(along, vertical, values.reshape(MAP_POINTS, -1), **style)
             axes.set_xlabel("slide-roll ratio along [-]")
-            _colour_bar(figure, image, axes)
+            figure.colorbar(image, ax=axes, label="|F|/Q [-]")
         row[0].set_ylabel("slide-roll ratio across [-]")
         row[1].set_ylabel("spin over rolling, Ω Rx/u [-]")
         name = f"{race.value} race, {load:.0f} N, {speed:.3g} m/s"
@@ -99,7 +85,3 @@ def _coefficients(
         table.forces(load, speed, x * speed, y * speed, n * speed / radius) for x, y, n in motions
     ]
     return np.array([np.hypot(f.force_x, f.force_y) / load for f in forces])
-
-
-def _colour_bar(figure: Figure, image: Any, axes: Any) -> None:
-    figure.colorbar(image, ax=axes, label="|F|/Q [-]")

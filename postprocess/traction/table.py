@@ -14,21 +14,18 @@ PLACES = ("race", "load [N]", "speed [m/s]", "slide/roll", "µ, film", "µ, full
 
 def traction_table(results: TractionResults) -> Group:
     """Range and error of each race's table, full solves beside them, and the messages."""
-    rows = []
-    for race, table in results.tables.items():
-        low, high = table.range.load
-        slow, fast = table.range.speed
-        rows.append(
-            [
-                race.value,
-                f"{low:.3g} to {high:.4g}",
-                f"{slow:.3g} to {fast:.3g}",
-                str(table.films),
-                f"{table.kappa_max:.4f}",
-                f"{table.error.quantile:.2%}",
-                f"{table.error.largest:.2%}",
-            ]
-        )
+    rows = [
+        [
+            race.value,
+            "{:.3g} to {:.4g}".format(*table.range.load),
+            "{:.3g} to {:.3g}".format(*table.range.speed),
+            str(table.films),
+            f"{table.kappa_max:.4f}",
+            f"{table.error.quantile:.2%}",
+            f"{table.error.largest:.2%}",
+        ]
+        for race, table in results.tables.items()
+    ]
     tables = [_boxed(RANGES, rows, results.title)]
     if any(table.full_solves for table in results.tables.values()):
         tables.append(_full_solves(results))
