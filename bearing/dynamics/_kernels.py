@@ -135,11 +135,14 @@ def ring_equations(c, free, y, given, acceleration, load, body, power, dy):
     dy[RING_TILT] = wy
     dy[RING_TILT + 1] = wz
     gyro = c.ring_polar * spin
-    my = given[GIVEN_MOMENT] + load[MOMENT + 1] - gyro * wz
-    mz = given[GIVEN_MOMENT + 1] + load[MOMENT + 2] + gyro * wy
+    given_y = given[GIVEN_MOMENT]
+    given_z = given[GIVEN_MOMENT + 1]
+    _, load_y, load_z = vector(load, MOMENT)
+    my = given_y + load_y - gyro * wz
+    mz = given_z + load_z + gyro * wy
     dy[tilting] = free[RING_TILT] * my / c.ring_transverse
     dy[tilting + 1] = free[RING_TILT + 1] * mz / c.ring_transverse
-    power[WORK.loads] += given[GIVEN_MOMENT] * wy + given[GIVEN_MOMENT + 1] * wz
+    power[WORK.loads] += given_y * wy + given_z * wz
     power[WORK.drive_inner] -= spin * dot(vector(load, MOMENT), body.axis)
 
 
@@ -159,8 +162,9 @@ def cage_equations(c, free, y, load, body, dy):
     tilting = first + CAGE_TILT
     gyro = c.cage_polar * y[turning]
     about = dot(vector(load, MOMENT), body.axis)
-    my = load[MOMENT + 1] - gyro * y[tilting + 1]
-    mz = load[MOMENT + 2] + gyro * y[tilting]
+    _, load_y, load_z = vector(load, MOMENT)
+    my = load_y - gyro * y[tilting + 1]
+    mz = load_z + gyro * y[tilting]
     dy[turning] = free[RING + CAGE_ROTATION] * about / c.cage_polar
     dy[tilting] = free[RING + CAGE_TILT] * my / c.cage_transverse
     dy[tilting + 1] = free[RING + CAGE_TILT + 1] * mz / c.cage_transverse
