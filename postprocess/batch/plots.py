@@ -252,14 +252,14 @@ def _data(results: BatchResults, keys: list[Varied], name: str) -> Any:
     As a record array, in the units of the keys; a second key that is not there is 0.
     """
     head, _, unit = name.rpartition("_")
-    rows = []
+    rows: list[Any] = []
     seconds = keys[1].values if len(keys) > 1 else [0.0] * len(results.points)
     for point, first, second in zip(results.points, keys[0].values, seconds, strict=True):
         row = point_numbers(point)
         if row.get(name) is not None and first is not None and second is not None:
             error = row.get(f"{head}_uncertainty_{unit}") or 0.0
             rows.append((first, second, row[name], error, point.converged))
-    return np.rec.fromrecords(rows, names="x,second,y,error,converged")
+    return np.rec.fromrecords(rows, formats=None, names="x,second,y,error,converged")
 
 
 def _family(axes: Axes, data: Any, key: Varied, *, legend: bool) -> None:

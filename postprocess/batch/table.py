@@ -22,8 +22,8 @@ CELL = 10  # characters of a column of results
 def batch_table(results: BatchResults) -> Group:
     """The points of a batch, the ends of many, with the results that fit beside the keys."""
     main = [main_results(point.summary) for point in results.points]
-    values = {key: [point.values.get(key) for point in results.points] for key in results.keys}
-    keys = [key for key, varied in values.items() if len({*map(str, varied)}) > 1]
+    given = {key: [point.values.get(key) for point in results.points] for key in results.keys}
+    keys = [key for key, varied in given.items() if len({*map(str, varied)}) > 1]
     shown = [name for name in BATCH_COLUMNS if any(row.get(name) is not None for row in main)]
     free = WIDTH - 10 - sum(max(9, len(_name(key))) + 1 for key in keys)
     shown = shown[-max(1, free // CELL) :]

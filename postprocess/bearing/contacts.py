@@ -230,7 +230,8 @@ def _ratio_messages(results: BearingResults) -> Iterator[str]:
             "contacts.lambda_ratio: null, and lambda_ratio_formula, the case gives no [surface] "
             "roughness"
         )
-    for race in () if surface is None else RACES:
+        return
+    for race in RACES:
         if not combined_roughness(race, surface) > 0.0:
             yield (
                 f"contacts.lambda_ratio: null at the {race} race, race and ball have no roughness "

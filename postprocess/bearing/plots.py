@@ -143,7 +143,8 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     columns = ball_columns(results)
     figure.set_size_inches(PAGE_WIDTH, 6.0)
     figure.suptitle(results.title, fontsize=8.5)
-    upper, lower = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
+    halves: Any = figure.subfigures(2, 1, height_ratios=[1.75, 1.0])
+    upper, lower = halves
     panels: Any = upper.subplots(2, len(columns), squeeze=False)
     limits = _limits([c.views[race] for c in columns for race in COLOURS], quantity)
     start, end, half_width = columns[0].window

@@ -25,7 +25,7 @@ def shown_models(results: BearingResults) -> tuple[str, ...]:
     """
     torque = results.torque
     asked = results.case.get("friction", {}).get("models", "main")
-    names = NAMES if asked == "all" else MAIN
+    names: tuple[str, ...] = NAMES if asked == "all" else MAIN
     if torque is None:
         return names
     more = (torque.chosen, "starved" if torque.films else None, AS_PRINTED)
