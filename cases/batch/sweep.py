@@ -181,8 +181,8 @@ def _sensitivity(
     try:
         case = case_of_document(base)
     except CaseError as error:
-        found = "the case itself cannot be run"
-        return [], [], [CaseFault(("sensitivity",), found, _faults(error)[0].finding)]
+        finding = "the case itself cannot be run"
+        return [], [], [CaseFault(("sensitivity",), finding, _faults(error)[0].finding)]
     keys = case.assumed if table.keys == "assumed" else tuple(table.keys)
     return differences(table, keys, {key: _value(case.document, key) for key in keys})
 
