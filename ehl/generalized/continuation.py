@@ -43,19 +43,24 @@ from .flow import Continuation, FlowState, GeneralizedFlow
 CONTINUED = "continued from the Newtonian film"
 FOLLOWED_PRESSURE = "thinning updated with the pressure"
 SMALLER_STEP = "rheology and heat raised in smaller steps"
-FIRST_SHARE = 0.1
-STEP_GROWTH = 2.0  # of the share from step to step
-STEP_CYCLES = 4  # at each share below the full one, and the first ones at that
-FOLLOWING_STEP = 0.1  # largest step of the share where the factor follows the pressure
-FOLLOWING_CYCLES = 15  # most cycles at each share until the flow has settled, there
-SMALLEST_STEP = 0.01  # of the share, below which the continuation gives up
-HALVINGS = 2  # of the damping, at most
-CYCLES_FACTOR = 3  # on the cycles of the options, at the full share
+# Beside each number the cycles that half and double of it add to 24, 26 and 46, measured on 65
+# points for Eyring films of 5 MPa at 2.3 GPa, without and with heat, and at 3.6 GPa with a factor
+# that follows the pressure. All converge, central films to 0.1 %; "none" are bounds not reached.
+FIRST_SHARE = 0.1  # of rheology and heat; +4, -5
+STEP_GROWTH = 2.0  # of the share from step to step; +4 to +12 (1.4), 0 to -8
+STEP_CYCLES = 4  # at each share below the full one, and the first ones at that; -22, +44
+# largest step of the share where the factor follows the pressure; +32, -20
+FOLLOWING_STEP = 0.1
+FOLLOWING_CYCLES = 15  # most cycles at each share until the flow has settled, there; none
+SMALLEST_STEP = 0.01  # of the share, below which the continuation gives up; none
+HALVINGS = 2  # of the damping, at most; none
+CYCLES_FACTOR = 3  # on the cycles of the options, at the full share; none
 # change of the logarithm of the Poiseuille factor in a cycle, weighted with the pressure's flow,
-# up to which the flow counts as settled
+# up to which the flow counts as settled; none
 FLOW_TOLERANCE = 0.03
-TEMPERATURE_RELAXATION = 0.3
-SETTLED_TEMPERATURE = 1.0  # largest change in a cycle [K] at which cycles are accelerated
+TEMPERATURE_RELAXATION = 0.3  # +8, -4 with heat
+# largest change in a cycle [K] at which cycles are accelerated; none
+SETTLED_TEMPERATURE = 1.0
 
 
 def solve_by_continuation(

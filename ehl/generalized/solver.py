@@ -49,8 +49,7 @@ class GeneralizedSolution:
         """Of the oil over the film thickness, shape (nx, ny) [K]."""
         if self.temperature is None:
             return None
-        z, t = self.nodes, self.temperature
-        return np.asarray(np.trapezoid(t, z, axis=-1), dtype=np.float64)
+        return np.asarray(np.trapezoid(self.temperature, self.nodes, axis=-1))
 
 
 def solve_generalized(
@@ -64,23 +63,13 @@ def solve_generalized(
     """Pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen
     (1990). Newtonian and of uniform temperature it is that of `solve_contact`.
 
-    Parameters
-    ----------
-    conditions : ContactConditions
-        With heat, its lubricant has a temperature and thermal properties, else ValueError.
-    rheology : Rheology
-    solids : tuple of SolidThermal, optional
-        Body 1 and body 2; None: uniform temperature.
-    oil_temperature : float, optional
-        Of the oil that flows in [K]; None: the lubricant's temperature of operation.
-    options : SolverOptions, optional
+    solids: body 1 and body 2, None: uniform temperature; oil_temperature: of the oil that flows in
+    [K], None: the lubricant's temperature of operation. ValueError where the lubricant has no
+    temperature or thermal properties that heat needs.
 
-    Returns
-    -------
-    GeneralizedSolution
-        Shear and heat are one multigrid cycle behind pressure and film. The time of its record
-        covers all methods that were tried; its FFTs are those of the last one, with those of the
-        Newtonian film that it started from.
+    Shear and heat are one multigrid cycle behind pressure and film. The time of the record covers
+    all methods that were tried; its FFTs are those of the last one, with those of the Newtonian
+    film that it started from.
     """
     options = options or SolverOptions()
     if rheology.newtonian and solids is None:

@@ -3,17 +3,16 @@ FFT.
 
 Boussinesq's potentials of a unit pressure on a rectangle (Love, 1929), psi = int 1/r and chi = int
 ln(r + z), have second derivatives that are sums over its corners. With u, v from the field point
-to a corner and r^2 = u^2 + v^2 + z^2,
+to a corner and r^2 = u^2 + v^2 + z^2, those by y like those by x::
 
-    psi_z  = -S atan(u v/(z r)),              psi_xx = -S u v/(r (u^2 + z^2)),      psi_yy likewise
-    psi_xy =  S 1/r,                          psi_xz =  S z v/(r (u^2 + z^2)),      psi_yz likewise
-    chi_xx =  S [atan(v/u) - atan(v z/(u r))], chi_yy likewise,                     chi_xy = S ln(r
-    + z)
+    psi_z  = -S atan(u v/(z r)),   psi_xx = -S u v/(r (u^2 + z^2))
+    psi_xy =  S 1/r,               psi_xz =  S z v/(r (u^2 + z^2))
+    chi_xy =  S ln(r + z),         chi_xx =  S [atan(v/u) - atan(v z/(u r))]
 
 and the stresses are (Johnson, Contact Mechanics, 1985, section 3.2)::
 
-    2 pi sigma_x = 2 nu psi_z - z psi_xx - (1 - 2 nu) chi_xx,   2 pi tau_xy = -z psi_xy - (1 - 2
-    nu) chi_xy 2 pi sigma_z = psi_z - z psi_zz,                            2 pi tau_xz = -z psi_xz
+    2 pi sigma_x = 2 nu psi_z - z psi_xx - (1 - 2 nu) chi_xx,   2 pi sigma_z = psi_z - z psi_zz
+    2 pi tau_xy  = -z psi_xy - (1 - 2 nu) chi_xy,               2 pi tau_xz  = -z psi_xz
 
 No friction. The pressure is constant on every cell: second order in the mesh size.
 """

@@ -14,9 +14,8 @@ solved pressure, from the box's edge on Kapitza's, which the solver has set on t
 
 With rupture where pressure and its slope vanish the far field is :math:`r^{-3} f(\theta)`,
 :math:`(q^3 f')' - 9 q^3 f = 8\lambda S\cos\theta` for the gap :math:`q(\theta) r^2/2`; the moment
-of Kapitza's positive
-half is below that by 1.4 % of the part outside for a sphere and 3.5 % for :math:`R_x/R_y = 1/45`
-(`tests/ehl/traction/test_rolling_moment.py`).
+of Kapitza's positive half is below that by 1.4 % of the part outside for a sphere and 3.5 % for
+:math:`R_x/R_y = 1/45` (`tests/ehl/traction/test_rolling_moment.py`).
 """
 
 from dataclasses import dataclass

@@ -12,9 +12,9 @@ the profile of a non-Newtonian oil is left out (the stress in the middle of the 
 identities close the balances:
 
 - tractions of both bodies sum to :math:`-\iint h\nabla p = \iint p\nabla h - \oint p h\,n`, and as
-  a half space pulls
-  no net force out of its own deflection, :math:`\iint p\,h_x = \frac{1}{R_x}\iint x p`: pressure
-  ahead of the centre is the hydrodynamic rolling moment, and half of the sum acts on each body;
+  a half space pulls no net force out of its own deflection, :math:`\iint p\,h_x =
+  \frac{1}{R_x}\iint x p`: pressure ahead of the centre is the hydrodynamic rolling moment, and
+  half of the sum acts on each body;
 - power lost by the bodies' rigid motion is that turned to heat by the sliding stress;
 - pumping the oil against the pressure takes the hydrodynamic moment times the rolling speed,
   :math:`\iint h\,\bar u\,p_x` and what crosses the edge of the box.
