@@ -23,11 +23,10 @@ class BallKinematics(Enum):
     TRACTION_EQUILIBRIUM = "traction equilibrium"
 
 
-# in the order in which traction equilibrium starts from them
 HYPOTHESES = (
-    BallKinematics.HALF_AND_HALF,
     BallKinematics.OUTER_RACE_CONTROL,
     BallKinematics.INNER_RACE_CONTROL,
+    BallKinematics.HALF_AND_HALF,
 )
 
 
