@@ -21,7 +21,7 @@ from ..oil._kernels import thermal_expansion, viscosity_softening
 from ._kernels import FLUIDITY, RHO, ROWS, T_XX, T_XY, T_YY, solve_column
 
 # Measured on 65 points at 2.3 GPa and slide-roll ratios up to 1.8: half and double of each of the
-# first four leave films to 0.4 % and temperatures to 3 K, and change the number of cycles, 5 to 15.
+# first four leave films to 0.4 % and temperatures to 3 K; cycles, 5 to 19, change by up to 9.
 COLUMN_STEPS = 40  # Newton steps of one column
 HALVED_AFTER = 12  # steps, from which on only half of each is taken, then a quarter
 COLUMN_TOLERANCE = 0.05  # [K] of the last step; convergence is quadratic
