@@ -14,7 +14,7 @@ from .geometry import (
 from .library.bearings import list_bearings, load_catalogue_entry
 from .library.lubricants import library_lubricant, list_lubricants
 from .material import Material, MaterialKind, list_materials, load_material, reduced_modulus
-from .operation import BallKinematics, Curvature, Model, Operation, RatingInput
+from .operation import BallKinematics, Curvature, Operation, QuasistaticModel, RatingInput
 from .quasistatic.solution import QuasistaticSolution
 from .quasistatic.solver import solve_quasistatic
 from .rating.frequencies import Frequencies, bearing_frequencies, kinematic_frequencies
@@ -38,8 +38,8 @@ __all__ = [
     "LifeRating",
     "Material",
     "MaterialKind",
-    "Model",
     "Operation",
+    "QuasistaticModel",
     "QuasistaticSolution",
     "Race",
     "RatingInput",

@@ -63,7 +63,8 @@ class Bearing:
             raise ValueError(
                 f"balls: {self.balls} of the given diameter do not fit on the pitch circle"
             )
-        a, clearance = self.curvature_centre_distance, self.diametral_clearance
+        a = self.curvature_centre_distance
+        clearance = self.diametral_clearance
         if not (isfinite(clearance) and -a < clearance < 2.0 * a):
             raise ValueError(
                 f"diametral_clearance must lie between {-a:.6g} and {2.0 * a:.6g} m, where the "

@@ -38,7 +38,7 @@ class Curvature(Enum):
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Model:
+class QuasistaticModel:
     """Assumptions of the bearing model."""
 
     ball_kinematics: BallKinematics = BallKinematics.HALF_AND_HALF

@@ -1,7 +1,7 @@
 """Time of three simulations on one core: `python benchmarks/dynamics.py`.
 
-7008 with 18 balls and cage, 0.1 s, four-constant friction over the ellipse (add the traction tables that
-`oilfilm table 7008_axial -o FILE` made as an argument to use them instead); the same from rest, 30 ms, which starts too
+7008 with 18 balls and cage, 0.1 s, four-constant friction over the ellipse (or the traction tables
+of `oilfilm table 7008_axial -o FILE`, given as an argument); the same from rest, 30 ms, which starts too
 stiff for explicit steps; 6304 in its plane, 1 s.
 """
 
@@ -18,18 +18,20 @@ from cases.runs.dynamics import build_model
 
 
 def timed(case: Case, tables: Path | None) -> str:
-    """Steps, evaluations and time of a case, compiled code warm."""
+    """Steps, evaluations and time of a case, with the kernels compiled."""
     model = build_model(case, tables, lambda done, total, state: None)
     short = replace(model, options=replace(model.options, end_time=1e-4, sample_interval=1e-5))
     for _ in simulation(case.bearing, case.operation, short).pieces():
         pass
-    made, began, used = simulation(case.bearing, case.operation, model), perf_counter(), process_time()
-    for _ in made.pieces():
+    timed_run = simulation(case.bearing, case.operation, model)
+    began = perf_counter()
+    used = process_time()
+    for _ in timed_run.pieces():
         pass
-    steps, evaluations = int(made.state.counters[0]), int(made.state.counters[4])
+    steps, evaluations = int(timed_run.state.counters[0]), int(timed_run.state.counters[4])
     wall, cpu = perf_counter() - began, process_time() - used
     each = 1e6 * cpu / max(evaluations, 1)
-    time = f"{made.state.time:g} s in {wall:.1f} s, {cpu:.1f} s of CPU"
+    time = f"{timed_run.state.time:g} s in {wall:.1f} s, {cpu:.1f} s of CPU"
     return f"{time}: {steps} steps, {evaluations} evaluations of {each:.1f} us"
 
 

@@ -74,28 +74,25 @@ class ContactKinematics:
         """1/(2 R) of the loaded surface across the entrainment [1/m]."""
         return 0.5 / self.curvature_radius
 
-    def bow(self, y: Array) -> Array:
+    def curvature_height(self, y: Array) -> Array:
         """Height -y^2/(2R) of the loaded surface at distances y, constant beyond its rim [m]."""
         height: Array = -self.curvature * np.minimum(y * y, self.curvature_width**2)
         return height
 
     def sliding(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Velocity of body 1 relative to body 2 along x and y [m/s] at places x, y [m]."""
-        s_x = self.sliding_x - self.spin * y + self.rolling * self.bow(y) + 0.0 * x
+        s_x = self.sliding_x - self.spin * y + self.rolling * self.curvature_height(y) + 0.0 * x
         return s_x, self.sliding_y + self.spin * x + 0.0 * y
 
     def entrainment(self, x: Array, y: Array) -> tuple[Array, Array]:
         """Mean velocity of both surfaces along x and y [m/s] at places x, y [m]."""
-        u = self.entrainment_speed - self.mean_spin * y + self.mean_rolling * self.bow(y) + 0.0 * x
+        u = (
+            self.entrainment_speed
+            - self.mean_spin * y
+            + self.mean_rolling * self.curvature_height(y)
+            + 0.0 * x
+        )
         return u, self.entrainment_lateral + self.mean_spin * x + 0.0 * y
-
-    def surface_velocities(
-        self, x: Array, y: Array
-    ) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
-        """Velocities (u, v) of body 1 and of body 2 [m/s] at places x, y [m]."""
-        u, v = self.entrainment(x, y)
-        s_x, s_y = self.sliding(x, y)
-        return (u + 0.5 * s_x, v + 0.5 * s_y), (u - 0.5 * s_x, v - 0.5 * s_y)
 
 
 def contact_kinematics(

@@ -99,9 +99,9 @@ def unit(path: str) -> Unit:
     What has no unit by its name takes none from the block it stands in.
     """
     for part in reversed(path.split(".")):
-        words, found = _split(part)
-        if found is not None:
-            return found
+        words, unit_of_part = _split(part)
+        if unit_of_part is not None:
+            return unit_of_part
         if words[-1] in DIMENSIONLESS:
             break
     return NO_UNIT

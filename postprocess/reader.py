@@ -52,7 +52,8 @@ def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:
     tree.attrs["kind"] = "dynamics"
     try:
         document = json.loads(path.with_name(SUMMARY_FILE).read_text(encoding="utf-8"))
-        converged, messages = int(document["converged"]), list(document["messages"])
+        converged = int(document["converged"])
+        messages = list(document["messages"])
     except (OSError, ValueError, KeyError, TypeError):
         converged = 0
         messages = [f"not converged: no readable {SUMMARY_FILE} beside {path.name}"]

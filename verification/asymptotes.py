@@ -74,7 +74,8 @@ def moes_diagram(quick: bool = False) -> Section:
     loads, lubricant = (LOADS[2:7:2], LUBRICANT[::2]) if quick else (LOADS, LUBRICANT)
     jobs = [(m, l, 1.0, points) for l in lubricant for m in loads]
     solutions = each(partial(_solve, tolerance=ROUGH), jobs)
-    curves, fits = [], []
+    curves = []
+    fits = []
     for l in lubricant:
         films = [
             (job[0], moes_film(s))
@@ -110,7 +111,8 @@ def _regimes(points: int, names: Sequence[str]) -> tuple[Table, tuple[Check, ...
         other = (factor * m, l, ratio) if varied == "M" else (m, factor * l, ratio)
         jobs += [(m, l, ratio, points), (*other, points)]
     solutions = each(_solve, jobs)
-    rows, checks = [], []
+    rows = []
+    checks = []
     for i, name in enumerate(names):
         (m, l, ratio), varied, factor = REGIMES[name]
         pair = solutions[2 * i : 2 * i + 2]

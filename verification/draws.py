@@ -61,7 +61,8 @@ def draws(count: int, seed: int) -> list[Draw]:
     random = np.random.default_rng(seed)
     contacts: list[Draw] = []
     while len(contacts) < count:
-        groups, rotation = _groups(random), _rotation(random)
+        groups = _groups(random)
+        rotation = _rotation(random)
         pressure = scale_contact(groups).hertz_pressure
         exponent = pressure * groups.lubricant.pressure_viscosity
         if pressure <= LARGEST_PRESSURE and exponent <= LARGEST_EXPONENT:

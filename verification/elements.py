@@ -20,7 +20,8 @@ def elements(quick: bool = False) -> Section:
     """Films of both discretisations."""
     contacts = CONTACTS[:1] if quick else CONTACTS
     points = (129, 129) if quick else (513, 257)
-    rows, checks = [], []
+    rows = []
+    checks = []
     solutions = each(lambda c: _both(c, points), contacts)
     for contact, (grid, mesh) in zip(contacts, solutions, strict=True):
         box = "open" if contact.box is None else ", ".join(f"{end:g}" for end in contact.box)

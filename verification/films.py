@@ -25,7 +25,8 @@ def named_films(quick: bool = False) -> Section:
     named = NAMED[:2] if quick else NAMED
     jobs = [(contact, points) for points in (fine, coarse) for contact in named]
     solutions = each(_solve, jobs)
-    rows, covered = [], []
+    rows = []
+    covered = []
     for contact, best, rough in zip(
         named, solutions[: len(named)], solutions[len(named) :], strict=True
     ):

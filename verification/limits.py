@@ -123,7 +123,8 @@ def _centre(s: ContactSolution) -> float:
 def same_contact(quick: bool = False) -> Section:
     """One contact posed in different ways, and in boxes of different size."""
     points = 129 if quick else 257
-    rows, checks = [], []
+    rows = []
+    checks = []
     for name, one, other, limit in _pairs():
         first, second = (_films(conditions, box, points) for conditions, box in (one, other))
         difference = max(abs(b / a - 1.0) for a, b in zip(first, second, strict=True))
@@ -221,7 +222,8 @@ def _boxes() -> tuple[Table, float]:
         for scale in BOX_SCALES
     ]
     films = each(lambda job: box_film(*job), jobs)
-    rows, changes = [], []
+    rows = []
+    changes = []
     for i in range(0, len(jobs), 3):
         name, is_open = jobs[i][:2]
         middle, large = films[i + 1 : i + 3]

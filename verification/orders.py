@@ -87,7 +87,8 @@ def orders(quick: bool = False) -> Section:
 
 def _part_table() -> tuple[Table, list[Check]]:
     """Errors of the parts of the discretisation."""
-    rows, checks = [], []
+    rows = []
+    checks = []
     for name, least, errors in _parts():
         order = log2(errors[-2] / errors[-1])
         rows.append((name, *(f"{error:.2e}" for error in errors), f"{order:.2f}"))

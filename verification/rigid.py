@@ -40,7 +40,8 @@ def rigid_limit(quick: bool = False) -> Section:
         [(ratio, reach) for ratio in ratios for reach in (REACH, NEAR_REACH)],
     )
     far, near = (dict(zip(ratios, direct[i::2], strict=True)) for i in (0, 1))
-    rows, checks = [], []
+    rows = []
+    checks = []
     for (m, ratio), s in zip(jobs, solutions, strict=True):
         film = s.film_central_dimensionless
         half = half_kapitza(s.conditions)

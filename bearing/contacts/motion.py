@@ -89,7 +89,8 @@ def motion_map_of_axes(
     """The map of contacts by race, contact angle [rad], ball, and axes x, y, n and the bearing's
     axle in a frame whose third direction is e_t [-].
     """
-    bearing, operation = solution.bearing, solution.operation
+    bearing = solution.bearing
+    operation = solution.operation
     radius = 0.5 * bearing.ball_diameter
     side = np.where(inner, -1.0, 1.0)
     track = 0.5 * (bearing.pitch_diameter + side * bearing.ball_diameter * np.cos(angle))
@@ -122,7 +123,8 @@ def ball_speeds(solution: QuasistaticSolution) -> tuple[Array, Array]:
     """Orbit speeds (balls,) and rotations (balls, 3) of an equilibrium as in `BallMotion`
     [rad/s].
     """
-    spin, attitude = solution.spin_speed, solution.attitude
+    spin = solution.spin_speed
+    attitude = solution.attitude
     rotation = [-spin * np.cos(attitude), spin * np.sin(attitude), solution.pivot_speed]
     return solution.orbit_speed, np.stack(rotation, axis=1)
 

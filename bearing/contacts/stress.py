@@ -59,7 +59,8 @@ def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> Co
     hertz = contact.hertz
     if hertz is None:
         return None
-    bearing, race = solution.bearing, contact.race
+    bearing = solution.bearing
+    race = contact.race
     ring = bearing.inner_ring_material if race is Race.INNER else bearing.outer_ring_material
     axes = (hertz.semi_axis_x, hertz.semi_axis_y)
     shear = hertz_maximum_shear(axes, hertz.pressure, ring.poisson_ratio)

@@ -210,7 +210,9 @@ def contact_forces(p, y, inner, outer, cage):
 @compiled
 def derivative(t, y, p, dy):
     """Rates of the state vector; contact states and powers are left in the arrays of `p`."""
-    c, given, free = p.constants, p.given, p.free
+    c = p.constants
+    given = p.given
+    free = p.free
     acceleration = schedule_at(p.times, p.schedule, t, given)
     inner, outer, cage = place_bodies(c.balls, y, given[INNER_SPEED], given[OUTER_SPEED])
     contact_forces(p, y, inner, outer, cage)

@@ -63,7 +63,8 @@ class SimulationState:
     def restore(self, snapshot: "SimulationState") -> None:
         """Take over the values of another state, in the arrays that the equations use."""
         for part in fields(self):
-            own, value = getattr(self, part.name), getattr(snapshot, part.name)
+            own = getattr(self, part.name)
+            value = getattr(snapshot, part.name)
             if isinstance(own, np.ndarray):
                 own[...] = value
             else:

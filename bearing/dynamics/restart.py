@@ -54,5 +54,7 @@ def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:
         raise ValueError(f"{path}: is of another case")
     for name, value in arrays.items():
         getattr(simulation.state, name)[...] = value
-    simulation.state.time, simulation.state.step = head["time"], head["step"]
-    simulation.state.stiff, simulation.start_energy = head["stiff"], head["start_energy"]
+    simulation.state.time = head["time"]
+    simulation.state.step = head["step"]
+    simulation.state.stiff = head["stiff"]
+    simulation.start_energy = head["start_energy"]

@@ -19,7 +19,8 @@ def table_gradients(table, places, motion, step, gradient, slope):
     radius; motion (n, 4); step: of slides over the speed and of spin over the speed over the
     radius.
     """
-    out, m = np.empty(8), np.empty(3)
+    out = np.empty(8)
+    m = np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
         m[:] = motion[k, :3]
@@ -39,7 +40,8 @@ def hertz_gradients(disc, laws, shapes, places, motion, step, gradient, slope):
     """As `table_gradients` for coefficients over the Hertz ellipse; laws (n, m) and shapes (n, 5)
     a contact each.
     """
-    out, m = np.empty(8), np.empty(3)
+    out = np.empty(8)
+    m = np.empty(3)
     for k in range(motion.shape[0]):
         load, speed, radius = places[k]
         m[:] = motion[k, :3]

@@ -22,7 +22,7 @@ from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions
 from ..contacts.motion import contact_frames
 from ..geometry import Array, Bearing
-from ..operation import HYPOTHESES, BallKinematics, Model, Operation
+from ..operation import HYPOTHESES, BallKinematics, Operation, QuasistaticModel
 from ..quasistatic.kinematics import PrescribedBalls, ball_mass
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic, solve_with_prescribed_balls
@@ -69,7 +69,7 @@ class _State:
 def solve_traction_equilibrium(
     bearing: Bearing,
     operation: Operation,
-    model: Model | None,
+    model: QuasistaticModel | None,
     traction: BallTraction,
     initial_guess: QuasistaticSolution | None = None,
     rows: Sequence[Row] = SINGLE,
@@ -79,7 +79,9 @@ def solve_traction_equilibrium(
     Arguments as in `solve_quasistatic`, SI; the ball kinematics of the model is traction
     equilibrium. With `converged` False and a `message` where one of the balances was not found.
     """
-    model = replace(model or Model(), ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM)
+    model = replace(
+        model or QuasistaticModel(), ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM
+    )
     start = _hypothesis(bearing, operation, model, initial_guess, rows)
     if not start.converged:
         message = f"traction equilibrium: no equilibrium to start from; {start.message}"
@@ -91,7 +93,7 @@ def solve_traction_equilibrium(
 
 
 def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSolution:
-    """Equilibria with the friction made ready at the last one, until the loads stay constant."""
+    """Equilibria with the friction prepared at the last one, until the loads stay constant."""
     known = {field.name: getattr(start, field.name) for field in fields(PrescribedBalls)}
     prescribed = PrescribedBalls(**known)
     for films in range(1, FILM_ROUNDS + 1):
@@ -108,7 +110,7 @@ def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSo
         message = _failure_message(state)
         if message:
             break
-        # 3. done if the loads are those that the laws were made ready for
+        # 3. done if the loads are those that the laws were prepared for
         change = max(law.load_change(row) for law, row in zip(laws, state.contacts, strict=True))
         if change <= FILM_TOLERANCE:
             cage_driven = state.cage_driven & (start.inner_load > 0.0)
@@ -122,7 +124,7 @@ def _solved(start: QuasistaticSolution, traction: BallTraction) -> QuasistaticSo
 def _hypothesis(
     bearing: Bearing,
     operation: Operation,
-    model: Model,
+    model: QuasistaticModel,
     initial_guess: QuasistaticSolution | None,
     rows: Sequence[Row],
 ) -> QuasistaticSolution:

@@ -198,7 +198,7 @@ def _film_nodes(
     strips = (area * width)[chosen], gap[chosen], eta[chosen], film.pressure[chosen]
     return _FilmNodes(
         shear=(*strips, temperature),
-        along=np.stack([ones, zeros, -y, kinematics.bow(y)]),
+        along=np.stack([ones, zeros, -y, kinematics.curvature_height(y)]),
         across=np.stack([zeros, ones, x, zeros]),
         pumping=moment,
     )

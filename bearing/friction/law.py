@@ -3,7 +3,7 @@
 Torque models, traction equilibrium and the equations of motion take friction in one form: the
 forces and moments (F_x, F_y, M_n, M_y) on the ball at a contact's centre, as a function of the
 motion k = (S_x, S_y, Omega, omega) of ball against race (`contacts.motion`). A `TractionLaw` is
-made ready near an equilibrium (`refresh`: only films have to be solved) and bound to its contacts
+prepared about an equilibrium (`refresh`: only films have to be solved) and bound to its contacts
 (`at`), which gives a `ContactLaw`. A coefficient by the local sliding is added in
 `ehl.traction.coefficient_kernels`, for the equations of motion too; any other law is one class
 like those in `sources`.
@@ -80,7 +80,7 @@ class TractionLaw(ABC):
 
 
 class Refreshed(NamedTuple):
-    """A law made ready; a `message` says why that failed."""
+    """A prepared law; a `message` says why that failed."""
 
     law: TractionLaw
     message: str = ""

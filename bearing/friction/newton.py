@@ -45,7 +45,8 @@ def evaluate(
     """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls
     with these numbers.
     """
-    slopes, free = problem.slopes[balls], problem.free[balls]
+    slopes = problem.slopes[balls]
+    free = problem.free[balls]
     k = problem.start[balls] + np.einsum("bckj,bj->bck", slopes, z)
     friction = problem.law.evaluate(k.reshape(-1, 4), contacts_of(balls))
     shape = k.shape[:2]

@@ -108,7 +108,8 @@ def rolling_moment(conditions: ContactConditions, semi_axis_y: float, semi_axis_
 
 def contact_rolling_power(contact: BearingContact) -> float:
     """Power of the oil's rolling resistance of one flooded contact [W]."""
-    c, hertz = contact.conditions, contact.hertz
+    c = contact.conditions
+    hertz = contact.hertz
     if c is None or hertz is None:
         return 0.0
     moment = rolling_moment(c, hertz.semi_axis_y, hertz.semi_axis_x)

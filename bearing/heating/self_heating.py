@@ -9,7 +9,7 @@ from ..contacts.contact import BearingContact
 from ..contacts.contacts import contact_conditions
 from ..fits.clearance import Fit, TemperatureRise, clearance_budget
 from ..geometry import Bearing
-from ..operation import Model, Operation
+from ..operation import Operation, QuasistaticModel
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
 from .heat_balance import Cooling, HeatBalance, heat_balance
@@ -23,7 +23,7 @@ class SelfHeatingProblem:
 
     bearing: Bearing  # with its clearance at the reference temperature, before mounting
     operation: Operation  # its temperature is replaced
-    model: Model
+    model: QuasistaticModel
     oil: Callable[[float], Lubricant]  # lubricant at a temperature [K]
     torque: TorqueModel  # friction torque [N m] of an equilibrium, its contacts and its oil
     fit: Fit | None = None

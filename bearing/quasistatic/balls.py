@@ -20,7 +20,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..geometry import Array, Bearing, Race
-from ..operation import BallKinematics, Model
+from ..operation import BallKinematics, QuasistaticModel
 from .contact_stiffness import stiffness_at, stiffness_series
 from .kinematics import (
     INNER_PART,
@@ -88,10 +88,11 @@ class BallState(NamedTuple):
 
 
 def ball_problem(
-    bearing: Bearing, inner_speed: float, outer_speed: float, model: Model
+    bearing: Bearing, inner_speed: float, outer_speed: float, model: QuasistaticModel
 ) -> BallProblem:
     """Collect what the balls share at given ring speeds [rad/s]."""
-    d, dm = bearing.ball_diameter, bearing.pitch_diameter
+    d = bearing.ball_diameter
+    dm = bearing.pitch_diameter
     mass = ball_mass(d, bearing.ball_material.density)
     gamma = d / dm * cos(bearing.free_contact_angle)
     nominal_orbit = 0.5 * (inner_speed * (1.0 - gamma) + outer_speed * (1.0 + gamma))

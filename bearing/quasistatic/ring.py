@@ -139,7 +139,8 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
         lost = bool(point.balls.residual.max() > max(RESIDUAL_TOLERANCE, point.noise))
         stalled = point.residual >= 0.5 * best.residual
         if point.residual < best.residual:
-            best, improved_at = point, iteration
+            best = point
+            improved_at = iteration
         enough = stalled and best.residual <= max(RESIDUAL_TOLERANCE, best.noise)
         if enough or lost or iteration - improved_at >= MAX_STALLED_STEPS:
             break

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import Array, Bearing
-from ..operation import Model, Operation
+from ..operation import Operation, QuasistaticModel
 from ..rows import Row
 
 
@@ -16,7 +16,7 @@ class QuasistaticSolution:
 
     bearing: Bearing
     operation: Operation
-    model: Model
+    model: QuasistaticModel
     # of the inner ring, from facing, concentric grooves
     displacement: Array  # (3,) [m]
     tilt: Array  # (2,) [rad]

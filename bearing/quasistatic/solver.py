@@ -15,7 +15,7 @@ import numpy as np
 from ehl.closed_form.hertz import hertz_contact
 
 from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
-from ..operation import DEGREES_OF_FREEDOM, BallKinematics, Model, Operation
+from ..operation import DEGREES_OF_FREEDOM, BallKinematics, Operation, QuasistaticModel
 from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
 from .ball_equilibrium import BallsEquilibrium
 from .balls import EDGE_COSINE, BallProblem, BallState, ball_problem, ball_state
@@ -35,7 +35,7 @@ NONE = "no equilibrium"
 def solve_quasistatic(
     bearing: Bearing,
     operation: Operation,
-    model: Model | None = None,
+    model: QuasistaticModel | None = None,
     initial_guess: QuasistaticSolution | None = None,
     rows: Sequence[Row] = SINGLE,
 ) -> QuasistaticSolution:
@@ -51,7 +51,7 @@ def solve_quasistatic(
     ValueError
         For traction equilibrium, which `friction.equilibrium.solve_traction_equilibrium` solves.
     """
-    model = model or Model()
+    model = model or QuasistaticModel()
     if model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
         raise ValueError(
             "ball_kinematics: solve_quasistatic takes a hypothesis; traction equilibrium needs "
@@ -79,7 +79,7 @@ def solve_quasistatic(
 def solve_with_prescribed_balls(
     bearing: Bearing,
     operation: Operation,
-    model: Model,
+    model: QuasistaticModel,
     start: QuasistaticSolution,
     prescribed: PrescribedBalls,
 ) -> QuasistaticSolution:
@@ -221,7 +221,7 @@ def _undetermined(ring: Ring, point: RingPoint) -> list[str]:
 
 
 def _solution(
-    inputs: tuple[Bearing, Operation, Model, tuple[Row, ...]],
+    inputs: tuple[Bearing, Operation, QuasistaticModel, tuple[Row, ...]],
     ring: Ring,
     problem: BallProblem,
     point: RingPoint,

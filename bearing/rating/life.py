@@ -16,7 +16,7 @@ import numpy as np
 
 from ehl.closed_form.hertz import hertz_contact
 from ehl.oil.lubricant import Lubricant
-from ehl.units import MILLIMETRE, RPM
+from ehl.units import MILLIMETRE, MILLION, RPM
 
 from ..geometry import Array, Bearing, Race, contact_modulus, reduced_radii
 from ..material import MaterialKind
@@ -103,8 +103,8 @@ def bearing_life(
         known,
         dynamic_rating=capacity,
         equivalent_load=load,
-        basic_life=1e6 * life,
-        modified_life=None if factor is None else 1e6 * life * factor,
+        basic_life=MILLION * life,
+        modified_life=None if factor is None else MILLION * life * factor,
         life_factor=factor,
         fatigue_load_limit=limit,
         messages=(*messages, *_remarks(solution, rating, kappa, load / capacity)),

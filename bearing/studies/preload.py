@@ -8,7 +8,7 @@ in balance with that force in both.
 from enum import Enum
 
 from ..geometry import Bearing
-from ..operation import Model, Operation
+from ..operation import Operation, QuasistaticModel
 from ..quasistatic.solver import solve_quasistatic
 from ..rows import Row
 
@@ -28,7 +28,9 @@ SENSES = {
 }  # pushes of the inner ring along x that load the rows at -x and +x
 
 
-def preload_offset(bearing: Bearing, preload_force: float, model: Model | None = None) -> float:
+def preload_offset(
+    bearing: Bearing, preload_force: float, model: QuasistaticModel | None = None
+) -> float:
     """Axial distance of the grooves' middles at which one row at rest carries a force [N], the
     free axial position without any [m].
     """
@@ -49,7 +51,7 @@ def preloaded_row(
     sense: int,
     preload_force: float = 0.0,
     preload_displacement: float = 0.0,
-    model: Model | None = None,
+    model: QuasistaticModel | None = None,
 ) -> Row:
     """A row with a preload, as a force or as a displacement beyond first touch.
 
@@ -71,7 +73,7 @@ def duplex(
     distance: float,
     preload_force: float = 0.0,
     preload_displacement: float = 0.0,
-    model: Model | None = None,
+    model: QuasistaticModel | None = None,
 ) -> tuple[Row, Row]:
     """Two equal rows about the origin.
 

@@ -22,7 +22,7 @@ from ehl.ranges import require_positive
 from ehl.units import MILLIMETRE, RPM
 
 from ..geometry import Array, Bearing
-from ..operation import Model, Operation
+from ..operation import Operation, QuasistaticModel
 from ..quasistatic.balls import ball_problem
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
@@ -51,7 +51,7 @@ class SlipStudy:
 
     bearing: Bearing
     operation: Operation  # its axial direction must be loaded, not displaced
-    model: Model
+    model: QuasistaticModel
     limit: float = HIRANO_LIMIT  # slip factor below which a ball slips [-]
 
     def __post_init__(self) -> None:

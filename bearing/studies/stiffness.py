@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from ehl.units import RPM
 
 from ..geometry import Array, Bearing
-from ..operation import Model, Operation
+from ..operation import Operation, QuasistaticModel
 from ..quasistatic.solution import QuasistaticSolution
 from ..quasistatic.solver import solve_quasistatic
 from ..rows import SINGLE, Row
@@ -39,7 +39,7 @@ def stiffness_over_speed(
     bearing: Bearing,
     operation: Operation,
     speeds: Sequence[float],
-    model: Model | None = None,
+    model: QuasistaticModel | None = None,
     rows: Sequence[Row] = SINGLE,
     solve: Callable[..., QuasistaticSolution] = solve_quasistatic,
 ) -> StiffnessOverSpeed:

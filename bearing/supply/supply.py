@@ -119,7 +119,8 @@ def supplied_share(
     `flooded_film`: central, solved or from a formula [m]; `supply`: a layer that is ample leaves
     the film as it was, to the last digit; `balls`: in one row [-].
     """
-    conditions, hertz = contact.conditions, contact.hertz
+    conditions = contact.conditions
+    hertz = contact.hertz
     if conditions is None or hertz is None:
         return 1.0
     compressed = flooded_film * compression(hertz.pressure, conditions.lubricant)
@@ -147,7 +148,8 @@ def cavity_volume(bearing: Bearing) -> float:
     """
     if bearing.width is None:
         raise ValueError("width is needed for the volume of the cavity")
-    pitch, ball = bearing.pitch_diameter, bearing.ball_diameter
+    pitch = bearing.pitch_diameter
+    ball = bearing.ball_diameter
     inner = bearing.inner_shoulder_diameter or pitch - 2.0 / 3.0 * ball
     outer = bearing.outer_shoulder_diameter or pitch + 2.0 / 3.0 * ball
     ring = 0.25 * pi * (outer**2 - inner**2) * bearing.width

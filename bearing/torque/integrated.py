@@ -109,7 +109,8 @@ def law_torque(
     if not balance.converged:
         note = no_balance_message(balance)
         return SolvedShear(hypothesis=hypothesis, note=note, missing_components=missing)
-    motion, forces = balance.kinematics.reshape(-1, 4), balance.forces.reshape(-1, 4)
+    motion = balance.kinematics.reshape(-1, 4)
+    forces = balance.forces.reshape(-1, 4)
     torque = _law_torque(solution, kinematics, law, motion, forces)
     shear = _balanced_shear(solution, hypothesis, torque, balance)
     return replace(shear, missing_components=missing)
@@ -175,7 +176,8 @@ def _film_powers(
     """Powers (5,) [W] of pumping, sliding, spin, curvature and asperities, and all forces (4,) on
     the ball [N], [N m].
     """
-    k, r = traction.kinematics, traction.result
+    k = traction.kinematics
+    r = traction.result
     motion = np.array([k.sliding_x, k.sliding_y, k.spin, k.rolling])
     shear = np.array([r.sliding_force_x, r.sliding_force_y, r.spin_moment, r.curvature_moment])
     force = (1.0 - share) * shear

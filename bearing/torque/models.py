@@ -127,7 +127,8 @@ def _balanced(
     if not balance.converged:
         residual = f"residual {balance.residual:.1e} of mu Q"
         return ModelTorque(note=f"no balance of the friction on the balls ({residual})")
-    k, f = balance.kinematics, balance.forces
+    k = balance.kinematics
+    f = balance.forces
     rotation = float(-(f[..., 3] * balance.ball_rolling).sum() / speed)
     spin = float(-(f[..., 2] * k[..., 2]).sum() / speed)
     orbit = float(balance.power.sum()) / speed - spin - rotation
@@ -142,7 +143,8 @@ def _coulomb(
     if not balance.converged:
         failure = f"does not hold the balls (residual {balance.residual:.1e} of mu Q)"
         return ModelTorque(note=f"Coulomb friction of {mu:.3g} {failure}")
-    k, f = balance.kinematics, balance.forces
+    k = balance.kinematics
+    f = balance.forces
     spin, curvature = (-float((f[..., j] * k[..., j]).sum()) / speed for j in (2, 3))
     slide = float(balance.power.sum()) / speed - spin - curvature
     return summed({"sliding": slide, "spin": spin, "curvature": curvature})

@@ -50,7 +50,8 @@ class LocalPool:
     shares_folder = True  # workers write into the folder of the batch themselves
 
     def __init__(self, workers: int, compiled: Path | None = None) -> None:
-        self.workers, self._compiled = workers, compiled
+        self.workers = workers
+        self._compiled = compiled
         self._cold = workers > 1 and compiled is not None and not compiled.exists()
         self._before = set(active_children())
         self._executor = self._start()

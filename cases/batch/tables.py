@@ -186,7 +186,8 @@ def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:
     states = [state for state in states if state.converged]
     if not states:
         raise ValueError("no point that shares them has an equilibrium")
-    oil, rheology = cases[0].lubricant, cases[0].rheology
+    oil = cases[0].lubricant
+    rheology = cases[0].rheology
     assert rheology is not None  # of every bearing case
     limits = [table_range(state, oil) for state in states]
     highest = max(limit.load[1] for limit in limits)

@@ -11,7 +11,7 @@ from bearing.friction.law import BallTraction
 from bearing.geometry import Bearing
 from bearing.library.bearings import warn_of_estimates
 from bearing.material import Material
-from bearing.operation import BallKinematics, Model, Operation, RatingInput
+from bearing.operation import BallKinematics, Operation, QuasistaticModel, RatingInput
 from bearing.rows import Row
 from bearing.torque.inputs import FrictionInput
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
@@ -55,7 +55,7 @@ class Case(AnyCase):
     bearing: Bearing
     lubricant: Lubricant
     operation: Operation
-    model: Model
+    model: QuasistaticModel
     # friction of balls on races, where the case names it or takes traction equilibrium
     traction: BallTraction | None
     film_maps: str | tuple[float, ...]  # "all", "loaded", "none", or azimuths of balls [rad]
@@ -210,7 +210,7 @@ def _contact_case(file: ContactFile) -> ContactCase:
 
 
 def _bearing_document(
-    file: BearingFile, oil: Lubricant, library: dict[str, Material], assumptions: Model
+    file: BearingFile, oil: Lubricant, library: dict[str, Material], assumptions: QuasistaticModel
 ) -> dict[str, Any]:
     """The file as run, with the values of the libraries."""
     document = _document(file)

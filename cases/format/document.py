@@ -243,7 +243,8 @@ def _with_new_names(
     if not isinstance(simulation, dict) or not isinstance(friction, dict):
         return document, {}, []
     law = simulation.get("friction")
-    simulation, friction = dict(simulation), dict(friction)
+    simulation = dict(simulation)
+    friction = dict(friction)
     moved: dict[Path, Path] = {}
     faults = []
     for key, new in RENAMED.items():

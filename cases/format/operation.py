@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Annotated, Any, Literal
 
-from bearing.operation import BallKinematics, Curvature, Model, Operation
+from bearing.operation import BallKinematics, Curvature, Operation, QuasistaticModel
 
 from .fields import (
     FORCE_MAXIMUM,
@@ -111,11 +111,11 @@ def _loads(loads: tuple[float, ...], fixed: tuple[float | None, ...]) -> Any:
     return tuple(load if at is None else None for load, at in zip(loads, fixed, strict=True))
 
 
-def model(table: ModelTable, friction: FrictionTable) -> Model:
+def model(table: ModelTable, friction: FrictionTable) -> QuasistaticModel:
     """Assumptions of the bearing model [-]; traction equilibrium where a traction is given."""
     named = friction.traction is not None and "ball_kinematics" not in table.model_fields_set
     kinematics = BallKinematics(table.ball_kinematics)
-    return Model(
+    return QuasistaticModel(
         ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM if named else kinematics,
         curvature=Curvature(table.curvature),
     )

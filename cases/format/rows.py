@@ -6,7 +6,7 @@ from itertools import combinations
 from typing import Any, Literal
 
 from bearing.geometry import Bearing
-from bearing.operation import Curvature, Model
+from bearing.operation import Curvature, QuasistaticModel
 from bearing.rows import Row
 from bearing.studies.preload import preloaded_row
 
@@ -63,7 +63,8 @@ def faults(values: CaseValues) -> Iterator[CaseFault]:
 
 def _film_map_faults(values: CaseValues) -> Iterator[CaseFault]:
     """Azimuths at which there are balls."""
-    wanted, balls = values.get("ehl", "film_maps"), values.get("bearing", "balls")
+    wanted = values.get("ehl", "film_maps")
+    balls = values.get("bearing", "balls")
     name = "first_ball_azimuth_deg"
     first = values.get("bearing", name) if values.given("bearing", name) else 0.0
     if wanted is None or isinstance(wanted, str) or balls is None or first is None:
@@ -103,7 +104,7 @@ def rows(
     """Rows with positions and offsets [m], preloaded as delivered; None without [[rows]]."""
     if tables is None:
         return None
-    at_rest = Model(curvature=curvature)  # where nothing turns, no kinematics counts
+    at_rest = QuasistaticModel(curvature=curvature)  # where nothing turns, no kinematics counts
     result = []
     for table in tables:
         si = table.si()

@@ -31,7 +31,8 @@ def find_sweep(name_or_path: str | Path) -> Path:
 
 
 def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:
-    text, path = str(name_or_path), Path(name_or_path)
+    text = str(name_or_path)
+    path = Path(name_or_path)
     try:
         if path.is_file():
             return path

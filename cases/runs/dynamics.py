@@ -51,7 +51,8 @@ class Interrupted(KeyboardInterrupt):
 
     def __init__(self, results: DynamicsResults, simulation: Simulation) -> None:
         super().__init__()
-        self.results, self.simulation = results, simulation
+        self.results = results
+        self.simulation = simulation
 
 
 def run_dynamics(
@@ -244,7 +245,8 @@ def _friction(
     constants = simulated_friction(case.file.friction)
     law = coefficient_source(table.friction, constants)
     if law is None:
-        none, full = table.friction_dead_band_m_s, table.friction_full_m_s
+        none = table.friction_dead_band_m_s
+        full = table.friction_full_m_s
         mu = constants["coefficient"]
         law = CoefficientTraction(RampedCoulomb(friction=mu, slide_none=none, slide_full=full))
     angles = starting_point(case.bearing, case.operation, model).angles

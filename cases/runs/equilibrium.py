@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 
 from bearing.friction.equilibrium import solve_traction_equilibrium
-from bearing.operation import BallKinematics, Model
+from bearing.operation import BallKinematics, QuasistaticModel
 from bearing.quasistatic.solution import QuasistaticSolution
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.rows import SINGLE
@@ -23,7 +23,7 @@ def equilibrium_solver(case: Case) -> Callable[..., QuasistaticSolution]:
     return partial(solve_traction_equilibrium, traction=with_workers(case.traction))
 
 
-def without_traction_equilibrium(model: Model) -> Model:
+def without_traction_equilibrium(model: QuasistaticModel) -> QuasistaticModel:
     """Half and half in place of traction equilibrium: loads hardly depend on it."""
     if model.ball_kinematics is not BallKinematics.TRACTION_EQUILIBRIUM:
         return model

@@ -17,7 +17,7 @@ Solve = Callable[[ContactConditions, SolverOptions], ContactSolution]
 Progress = Callable[[int, int, str], None]  # done, in all, what is being done
 
 LARGE_CONTACT = 513  # points from which several threads solve one contact faster than one does [-]
-EQUAL = 1e-9  # relative difference below which two contacts count as one [-]
+EQUALITY_RTOL = 1e-9  # relative difference below which two contacts count as one [-]
 # compared absolutely, too
 MAY_BE_ZERO = ("entrainment_angle", "slide_roll_ratio", "lateral_slide_ratio", "spin", "mean_spin")
 
@@ -51,12 +51,12 @@ def _chosen_balls(case: Case, contacts: Sequence[BearingContact]) -> set[int]:
 
 
 def equal_contacts(first: ContactConditions, second: ContactConditions) -> bool:
-    """Whether two contacts are one to `EQUAL` relative [-]; the oil must be the same."""
+    """Whether two contacts are one to `EQUALITY_RTOL` relative [-]; the oil must be the same."""
     for field in fields(first):
         a, b = getattr(first, field.name), getattr(second, field.name)
         if isinstance(a, float) and isinstance(b, float):
-            absolute = EQUAL if field.name in MAY_BE_ZERO else 0.0
-            if not isclose(a, b, rel_tol=EQUAL, abs_tol=absolute):
+            absolute = EQUALITY_RTOL if field.name in MAY_BE_ZERO else 0.0
+            if not isclose(a, b, rel_tol=EQUALITY_RTOL, abs_tol=absolute):
                 return False
         elif a != b:
             return False

@@ -169,7 +169,8 @@ def _step(level: Level, H: Array, progress: Progress) -> tuple[Array, float]:
     """Newton change of pressure and of H0 [-]."""
     k = coefficients(level.space, level.contact, level.P, H)
     residual = reynolds_residual(level.space, k)
-    by_pressure, by_film = pressure_derivative(level.space, k), film_derivative(level.space, k)
+    by_pressure = pressure_derivative(level.space, k)
+    by_film = film_derivative(level.space, k)
     column = np.asarray(by_film.sum(axis=1)).ravel()
     by_deflection = by_film.diagonal() * level.compliance.diagonal()
     scale = np.abs(by_pressure.diagonal()) + np.abs(by_deflection)

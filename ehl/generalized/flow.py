@@ -159,7 +159,8 @@ class GeneralizedFlow:
         across = (self.section, self.rheology)
         before = None if last is None else last.heat
         heat = self.heat.advance(contact, grid, fields, middle, across, before)
-        share, relaxation = self.continuation.share, self.continuation.relaxation
+        share = self.continuation.share
+        relaxation = self.continuation.relaxation
         temperature = heat.temperature
         if share < 1.0:
             temperature = operation + share * (temperature - operation)

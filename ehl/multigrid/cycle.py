@@ -99,7 +99,7 @@ class Multigrid:
     flow_model: FlowModel | None = None  # None: Newtonian, of uniform temperature
     threads: Threads = field(default_factory=Threads)
     approach: float = 0.0  # H0
-    exterior: float = 0.0  # load carried outside the box
+    exterior: float = 0.0  # load outside the box
     deflections: dict[int, int] = field(default_factory=dict)  # level -> number of deflection FFTs
 
     def deflected_nodes(self) -> int:

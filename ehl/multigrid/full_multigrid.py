@@ -288,7 +288,8 @@ def _start_in_steps(
         if before is None:
             _start(step, index)
         else:
-            step.approach, step.exterior = before.approach, before.exterior
+            step.approach = before.approach
+            step.exterior = before.exterior
             step.damping = before.damping
             start_level(step, index, step.levels[index].P.copy())
             level = step.levels[index]

@@ -168,7 +168,8 @@ def roelands_rise(ratio: ArrayLike, exponent: float) -> Array:
 
 
 def _log_roelands(p: Array, oil: Lubricant, above: Array | None) -> Array:
-    z, p_r = oil.exponent, oil.roelands_pressure
+    z = oil.exponent
+    p_r = oil.roelands_pressure
     s = oil.pressure_viscosity * p_r / z
     rise = roelands_rise(p / p_r, z)
     if above is not None:

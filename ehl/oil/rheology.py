@@ -165,7 +165,8 @@ def shear_stress(
     if rheology.law is ShearLaw.REE_EYRING:
         stress = rheology.eyring_stress * np.arcsinh(newtonian / rheology.eyring_stress)
     elif rheology.law is ShearLaw.CARREAU_YASUDA:
-        n, a = rheology.carreau_exponent, rheology.yasuda_exponent
+        n = rheology.carreau_exponent
+        a = rheology.yasuda_exponent
         stress = newtonian * (1.0 + (newtonian / rheology.carreau_modulus) ** a) ** ((n - 1.0) / a)
     else:
         stress = newtonian

@@ -23,6 +23,8 @@ SCALE_X, SCALE_Y, SCALE_SPIN, CENTRAL_FILM, HYDRODYNAMIC = range(5)
 STIFFNESS, DAMPING, LARGEST_FORCE, LARGEST_SPIN, LARGEST_ROLLING = range(5, 10)
 # of a table's constants: bodies, range of the motions, transverse semi-axis at 1 N, 1/(2R)
 RADIUS_X, DIFFERENCE, RANGE_X, RANGE_Y, RANGE_SPIN, UNIT_AXIS, CURVATURE = range(7)
+# of the shape of an ellipse: semi-axes at 1 N, R_x, 1/(2R), curvature difference of the bodies
+SHAPE_AXIS_X, SHAPE_AXIS_Y, SHAPE_RADIUS_X, SHAPE_CURVATURE, SHAPE_DIFFERENCE = range(5)
 LOAD_POWER = -0.2  # of the load in its coordinate
 SPIN_SHARE = 0.3  # of the sliding by spin at the end of the ellipse in the scale of slide_x
 TINY = np.finfo(np.float64).tiny
@@ -43,22 +45,22 @@ def mean_sliding(x, y, spread_x, spread_y, motion, surface):
     """
     slide_x, slide_y, spin, rolling = motion
     curvature, width = surface
-    bow = curvature * min(y * y, width * width)
-    s_x = slide_x - spin * y - rolling * bow
+    curvature_height = curvature * min(y * y, width * width)
+    s_x = slide_x - spin * y - rolling * curvature_height
     s_y = slide_y + spin * x
     slope = spin + (2.0 * rolling * curvature * y if abs(y) < width else 0.0)
     square = s_x * s_x + s_y * s_y + slope * slope * spread_y + spin * spin * spread_x
-    return s_x, s_y, np.sqrt(square), bow
+    return s_x, s_y, np.sqrt(square), curvature_height
 
 
 @compiled
-def add_shear(out, x, y, bow, pull, s_x, s_y):
+def add_shear(out, x, y, curvature_height, pull, s_x, s_y):
     """Add a node's share of F_x, F_y, M_n, M_y on body 1; pull = area stress/sliding."""
     t_x, t_y = pull * s_x, pull * s_y
     out[0] -= t_x
     out[1] -= t_y
     out[2] += y * t_x - x * t_y
-    out[3] += bow * t_x
+    out[3] += curvature_height * t_x
 
 
 @compiled
@@ -71,10 +73,10 @@ def sliding_sums(nodes, law, motion, surface, out):
     for k in range(nodes.shape[1]):
         x, y = nodes[X, k], nodes[Y, k]
         spread_x, spread_y = nodes[SPREAD_X, k], nodes[SPREAD_Y, k]
-        s_x, s_y, s, bow = mean_sliding(x, y, spread_x, spread_y, motion, surface)
+        s_x, s_y, s, curvature_height = mean_sliding(x, y, spread_x, spread_y, motion, surface)
         if s > 0.0:
             tau = shear_stress(s / nodes[FILM, k], nodes[VISCOSITY, k], nodes[LIMIT, k], *law)
-            add_shear(out, x, y, bow, nodes[AREA, k] * tau / s, s_x, s_y)
+            add_shear(out, x, y, curvature_height, nodes[AREA, k] * tau / s, s_x, s_y)
 
 
 @compiled
@@ -133,10 +135,10 @@ def _scaled(motion, scale, limit, axis):
 def _motion_scale(scale, turn, b_axis, constants):
     """Scale of slide_x at a spin, see `table.spinning_scale`."""
     far = 0.5 * turn
-    bend = constants[CURVATURE] * b_axis
+    slope = constants[CURVATURE] * b_axis
     steep = far * far * far * far
-    bend = bend * bend * bend * bend
-    share = SPIN_SHARE * steep / (steep + bend + TINY)
+    curved = slope * slope * slope * slope
+    share = SPIN_SHARE * steep / (steep + curved + TINY)
     spread = share * turn * b_axis / constants[RADIUS_X]
     return np.sqrt(scale * scale + spread * spread)
 
@@ -287,15 +289,15 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
     zero.
     """
     third = np.cbrt(max(load, 0.0))
-    a = constants[0] * third
-    b = constants[1] * third
-    rolling = speed / constants[2] - 0.5 * constants[4] * slide_x
+    a = constants[SHAPE_AXIS_X] * third
+    b = constants[SHAPE_AXIS_Y] * third
+    rolling = speed / constants[SHAPE_RADIUS_X] - 0.5 * constants[SHAPE_DIFFERENCE] * slide_x
     f_x = f_y = m_n = m_y = 0.0
     for k in range(disc.shape[1]):
         x = a * disc[0, k]
         y = b * disc[1, k]
-        bend = constants[3] * y * y
-        s_x = slide_x - spin * y - rolling * bend
+        curvature_height = constants[SHAPE_CURVATURE] * y * y
+        s_x = slide_x - spin * y - rolling * curvature_height
         s_y = slide_y + spin * x
         s = np.sqrt(s_x * s_x + s_y * s_y)
         if s <= 0.0:
@@ -304,7 +306,7 @@ def hertz_friction(disc, law, constants, load, speed, slide_x, slide_y, spin, ou
         f_x -= pull * s_x
         f_y -= pull * s_y
         m_n += pull * (y * s_x - x * s_y)
-        m_y += pull * bend * s_x
+        m_y += pull * curvature_height * s_x
     out[0] = f_x
     out[1] = f_y
     out[2] = m_n

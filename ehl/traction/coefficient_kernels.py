@@ -162,7 +162,8 @@ class FourConstants(Coefficient):
             raise ValueError(f"slide must be positive and finite, got {slide!r}")
         if not largest > max(limit, zero):
             raise ValueError(f"largest must exceed limit {limit} and zero {zero}, got {largest!r}")
-        a, rise = zero - limit, largest - limit
+        a = zero - limit
+        rise = largest - limit
         if a == 0.0:
             return cls(0.0, e * rise / slide, 1.0 / slide, limit)
 

@@ -63,7 +63,8 @@ def normal_response(solution: ContactSolution) -> NormalResponse:
 
 def _response(solution: ContactSolution, attempt: Attempt, cycles: int) -> NormalResponse:
     conditions = solution.conditions
-    scale, a = solution.film_scale, solution.semi_axis_x
+    scale = solution.film_scale
+    a = solution.semi_axis_x
     if not isinstance(conditions, ContactConditions) or scale is None or a is None:
         raise ValueError("solution: stiffness and damping need dimensional conditions")
     state = _levels(solution, attempt)

@@ -207,7 +207,7 @@ def _integrals(
         "pumping_force_y": 0.5 * integral(fields.body_1_y + fields.body_2_y),
         "hydrodynamic_moment": integral(X * p),
         "tilting_moment": -integral(Y * p),
-        "curvature_moment": -integral(kinematics.bow(Y) * t_x),
+        "curvature_moment": -integral(kinematics.curvature_height(Y) * t_x),
         "spin_moment": integral(Y * t_x - X * t_y),
         "sliding_loss": integral(fields.heat),
         "cavitated_force": float(np.hypot(integral(dry * t_x), integral(dry * t_y))),

@@ -98,7 +98,8 @@ def _words(results: BatchResults, keys: list[str]) -> Varied:
 
 def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]:
     """Draw the figure of a batch into its folder `plots`; what could not be drawn, and why."""
-    keys, shown = varied_keys(results), quantities(results)
+    keys = varied_keys(results)
+    shown = quantities(results)
     if not keys or not shown:
         missing = "key with several values" if shown else "result"
         return (f"plots/{BATCH_PLOT} not written: no {missing} to draw",)

@@ -101,8 +101,8 @@ def _cage_messages(results: BearingResults) -> Iterator[str]:
         given = (results.case.get("cage") or {}).get("land_clearance_um")
         if given is not None and to_si("land_clearance_um", given) + cage.land <= 0.0:
             yield (
-                f"clearance: the warm cage has none left on its land, {given:g} um and "
-                "cage_land_change_um"
+                "clearance: at its temperature the cage has none left on its land, "
+                f"{given:g} um and cage_land_change_um"
             )
 
 

@@ -13,7 +13,8 @@ from .results import BearingResults
 
 def kinematic_block(results: BearingResults) -> dict[str, float]:
     """Frequencies of rolling at the nominal contact angle, as catalogues have them [Hz]."""
-    state, life = results.quasistatic, results.life
+    state = results.quasistatic
+    life = results.life
     angle = state.bearing.free_contact_angle if life is None else life.rating.nominal_contact_angle
     return values_of(kinematic_frequencies(state.bearing, state.operation, angle), FREQUENCIES)
 

@@ -24,7 +24,8 @@ def comparison_table(comparison: Comparison) -> Group:
             ("first", "second"), comparison.names, comparison.versions, strict=True
         )
     ]
-    inputs, main = comparison.inputs, comparison.main
+    inputs = comparison.inputs
+    main = comparison.main
     parts.append(_table("input", inputs) if inputs else Text("the inputs are equal"))
     if any(d.first is not None for d in main):
         parts.append(_table("main results", main))

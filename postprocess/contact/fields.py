@@ -25,7 +25,8 @@ def shown(name: str, unit: str, values: Any) -> tuple[Any, str]:
 
 def shown_scales(solution: ContactSolution) -> tuple[float, float, float]:
     """Scales of lengths [mm], films [um] and pressures [GPa]; 1 where the solution has none."""
-    a, h = solution.semi_axis_x, solution.film_scale
+    a = solution.semi_axis_x
+    h = solution.film_scale
     length = 1.0 if a is None else a / MILLIMETRE
     film = 1.0 if h is None else h / MICROMETRE
     pressure = solution.hertz_pressure / GIGAPASCAL if solution.hertz_pressure > 0.0 else 1.0

@@ -77,7 +77,8 @@ def contact_view(
 
     Or a `window`: ends along the entrainment and half width across it [mm].
     """
-    angle, kappa = solution.frame_angle, solution.semi_axis_ratio
+    angle = solution.frame_angle
+    kappa = solution.semi_axis_ratio
     half_x, half_y = half_extents(angle, kappa)
     a, h, p = shown_scales(solution)
     if window is None:

@@ -189,14 +189,16 @@ def draw_energy(figure: Figure, data: xarray.Dataset, document: dict[str, Any]) 
 
 def orbit_speed(data: xarray.Dataset) -> Any:
     """Angular speed of each ball's centre about the axis [rad/s], shape (m, Z)."""
-    place, speed = data["ball_position"].to_numpy(), data["ball_velocity"].to_numpy()
+    place = data["ball_position"].to_numpy()
+    speed = data["ball_velocity"].to_numpy()
     turn = place[..., 1] * speed[..., 2] - place[..., 2] * speed[..., 1]
     return turn / (place[..., 1] ** 2 + place[..., 2] ** 2)
 
 
 def kinematic_speed(data: xarray.Dataset, document: dict[str, Any]) -> Any:
     """Kinematic speed of the cage over time [rad/s], in step with the inner ring."""
-    time, angle = data["time"].to_numpy(), data["ring_rotation"].to_numpy()
+    time = data["time"].to_numpy()
+    angle = data["ring_rotation"].to_numpy()
     ring = np.gradient(angle, time) if time.size > 1 else np.ones(1)
     late = time >= time[-1] - (time[-1] - time[0]) / 3.0
     mean = float(ring[late].mean())

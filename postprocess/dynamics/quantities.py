@@ -3,7 +3,7 @@
 from ..quantities import CAGE_SPEED, by_key, quantities
 
 NO_INTERVAL = "there are fewer samples than a confidence interval needs"
-NO_WHIRL = "the centre stays on the axis or is held"
+NO_WHIRL = "the centre stays on the axis or is fixed"
 STATES = ("free", "contact", "impact")  # of a ball at a race
 RUN = quantities(
     "",

@@ -63,9 +63,8 @@ def _messages(numbers: SimulationStatistics | None) -> Iterator[str]:
         yield "dynamics: fewer than 60 samples: no confidence interval of the speeds"
     still = [name for name in ("ring", "cage") if getattr(numbers, f"{name}_whirl") is None]
     if still:
-        yield (
-            f"dynamics: no whirl: the centre of {' and '.join(still)} stays on the axis or is held"
-        )
+        bodies = " and ".join(still)
+        yield f"dynamics: no whirl: the centre of {bodies} stays on the axis or is fixed"
 
 
 def _energy(numbers: SimulationStatistics) -> dict[str, Any]:
@@ -80,7 +79,8 @@ def _energy(numbers: SimulationStatistics) -> dict[str, Any]:
 
 def _frequencies(simulation: Simulation, numbers: SimulationStatistics) -> dict[str, Any]:
     """Defect frequencies, kinematic and with the cage speed of the simulation [Hz]."""
-    schedule, balls = simulation.data.schedule, simulation.bearing.balls
+    schedule = simulation.data.schedule
+    balls = simulation.bearing.balls
     inner = schedule[-1, INNER_SPEED] / (2.0 * np.pi)
     outer = schedule[-1, OUTER_SPEED] / (2.0 * np.pi)
     angle = nominal_angle(simulation)

@@ -34,7 +34,8 @@ def _facts(document: dict[str, Any]) -> dict[str, str]:
         "equations": f"{document['equations']} ({document['load_type']}: {parts})",
         "simulated": f"{document['simulated_s']:.6g} s in {run}",
     }
-    speed, ratio = document["cage_speed_rpm"], document["cage_speed_ratio"]
+    speed = document["cage_speed_rpm"]
+    ratio = document["cage_speed_ratio"]
     if speed is None:
         return facts
     width = document["cage_speed_interval_rpm"]

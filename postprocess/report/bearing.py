@@ -129,7 +129,8 @@ def _loads(summary: dict[str, Any], plots: Path) -> str:
 
 
 def _stiffness(stiffness: dict[str, Any]) -> str:
-    matrix, order = stiffness.get("matrix"), stiffness.get("order")
+    matrix = stiffness.get("matrix")
+    order = stiffness.get("order")
     if not matrix or not order:
         return ""
     level = html.ROUND_OFF * max(abs(value) for row in matrix for value in row)
@@ -300,5 +301,6 @@ def _convergence_cells(contact: dict[str, Any]) -> list[str]:
 
 
 def _relative_error(contact: dict[str, Any], film: str) -> str:
-    value, error = contact[f"{film}_um"], contact[f"{film}_uncertainty_um"]
+    value = contact[f"{film}_um"]
+    error = contact[f"{film}_uncertainty_um"]
     return html.NOTHING if not value else html.number(100.0 * error / value, 2)

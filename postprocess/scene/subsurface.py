@@ -40,7 +40,9 @@ def stress_volume(
     """Stress [Pa] in a race below the solved pressure, which acts without friction on a half-space
     of the race's Poisson ratio [-]; `ball_radius` in [m].
     """
-    long, wide, pressure = solution.x, solution.y, solution.pressure
+    long = solution.x
+    wide = solution.y
+    pressure = solution.pressure
     if long is None or wide is None or solution.semi_axis_x is None:
         raise ValueError("a contact given by Moes' groups has no lengths and no stress in pascals")
     a = solution.semi_axis_x

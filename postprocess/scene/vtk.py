@@ -136,7 +136,9 @@ def placed_patch(
     contact: BearingContact, solution: ContactSolution, ball_radius: float, placement: Placement
 ) -> vtkStructuredGrid:
     """One contact on its ball of `ball_radius` [m], coordinates in [mm]."""
-    long, wide, film = solution.x, solution.y, solution.film
+    long = solution.x
+    wide = solution.y
+    film = solution.film
     if long is None or wide is None or film is None:
         raise ValueError(
             "a contact given by Moes' groups has no lengths and cannot be placed in a bearing"
@@ -263,7 +265,9 @@ def add_field_data(grid: Any, name: str, value: float | str) -> None:
 
 def poly_data(surface: Surface, facts: Facts | None = None) -> vtkPolyData:
     """Turn a surface [m] into vtkPolyData, coordinates in [mm], with facts of the whole."""
-    points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
+    points = vtkPoints()
+    cells = vtkCellArray()
+    data = vtkPolyData()
     points.SetData(numpy_to_vtk((surface.points / MILLIMETRE).astype(np.float32), deep=True))
     offsets = 4 * np.arange(len(surface.quads) + 1)
     cells.SetData(

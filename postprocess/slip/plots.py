@@ -27,7 +27,7 @@ DEEPEST = 0.01  # of the limit: where the colours end [-]
 MOST_TICKS = 12  # azimuths that are named [-]
 NO_LOAD = 1e-3  # slip factor that counts as none [-]
 UNLOADED = "#c9ced4"  # where a ball carries no load at the inner race
-SAME = 1.0e-6  # relative difference below which two balls have one curve [-]
+SAME_CURVE_RTOL = 1.0e-6  # relative difference below which two balls have one curve [-]
 LOAD_STYLES: dict[str, Any] = {
     "hirano_N": {"color": INNER_COLOUR, "linewidth": 1.8},
     "as_printed_N": {"color": OUTER_COLOUR, "linestyle": "--"},
@@ -112,7 +112,7 @@ def ball_groups(curve: CriticalCurves) -> dict[tuple[int, ...], Array]:
     groups: dict[tuple[int, ...], Array] = {}
     for ball, loads in enumerate(curve.axial_loads.T, 1):
         for members, known in groups.items():
-            if np.allclose(loads, known, rtol=SAME, atol=0.0, equal_nan=True):
+            if np.allclose(loads, known, rtol=SAME_CURVE_RTOL, atol=0.0, equal_nan=True):
                 groups[(*members, ball)] = groups.pop(members)
                 break
         else:

@@ -32,7 +32,8 @@ def write_slip(results: SlipResults, directory: str | Path) -> tuple[str, ...]:
 
 
 def _tables(results: SlipResults) -> dict[str, Table]:
-    surface, minimum = results.surface, results.minimum
+    surface = results.surface
+    minimum = results.minimum
     balls = [f"ball {ball + 1}" for ball in range(results.state.bearing.balls)]
     factors = [f"slip factor of {ball} [-]" for ball in balls]
     header = [SPEED_COLUMN, AXIAL_LOAD.header, WORST_FACTOR.header, *factors]
@@ -59,7 +60,9 @@ def _tables(results: SlipResults) -> dict[str, Table]:
 
 def _variables(results: SlipResults) -> Variables:
     """Slip factors [-] over speed [rad/s], axial load [N] and ball; minimum and critical loads."""
-    surface, state, minimum = results.surface, results.state, results.minimum
+    surface = results.surface
+    state = results.state
+    minimum = results.minimum
     variables: Variables = {
         "speed": (("speed",), surface.speeds, SPEED),
         "axial_load": (("axial_load",), surface.axial_loads, LOAD),

@@ -15,7 +15,7 @@ def ross_table(study: StiffnessOverSpeed, damping: float = 0.0) -> dict[str, Arr
     ROSS has z along the shaft; its x and y are our -z and y (a turn of the frame, right-handed in
     both). Its element has the 2 x 2 block of the lateral directions and the axial stiffness; tilt
     and what couples axial to lateral are left out: the block is the stiffness with x and the tilts
-    held.
+    fixed.
 
     `study`: speeds without an equilibrium are left out; `damping`: Viscous, in x, y and z alike,
     which the equilibrium does not know [N s/m].

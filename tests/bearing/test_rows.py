@@ -12,8 +12,8 @@ from scipy.special import ellipe, ellipk
 
 from bearing import (
     Arrangement,
-    Model,
     Operation,
+    QuasistaticModel,
     RatingInput,
     Row,
     bearing_life,
@@ -173,7 +173,11 @@ def test_rows_in_one_plane_are_the_sum(bearings):
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_stiffness_of_a_pair_is_the_derivative_of_its_load(bearings, kinematics):
     """As for one row: central differences, 1e-6 of the largest entry, turning, tilted, all balls loaded."""
-    bearing, model, rows = bearings.b7008, Model(ball_kinematics=kinematics), pair(bearings.b7008, force=1500.0)
+    bearing, model, rows = (
+        bearings.b7008,
+        QuasistaticModel(ball_kinematics=kinematics),
+        pair(bearings.b7008, force=1500.0),
+    )
     operation = Operation(
         inner_speed=12000.0 * bearings.rpm, force=(300.0, 200.0, -100.0), moment=(1.0, -2.0), tilt=FREE
     )

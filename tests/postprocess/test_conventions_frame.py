@@ -7,14 +7,16 @@ import pytest
 from conventions_frame import draw_frame
 from matplotlib.figure import Figure
 
-from bearing import BallKinematics, Model, solve_quasistatic
+from bearing import BallKinematics, QuasistaticModel, solve_quasistatic
 from cases import load_case
 
 
 @pytest.fixture(scope="module")
 def state():
     case = load_case("218_axial_22250N")
-    return solve_quasistatic(case.bearing, case.operation, Model(ball_kinematics=BallKinematics.HALF_AND_HALF))
+    return solve_quasistatic(
+        case.bearing, case.operation, QuasistaticModel(ball_kinematics=BallKinematics.HALF_AND_HALF)
+    )
 
 
 def arrows(axes):

@@ -8,7 +8,7 @@ import matplotlib as mpl
 from conventions_frame import draw_frame
 from matplotlib.figure import Figure
 
-from bearing import BallKinematics, Model, solve_quasistatic
+from bearing import BallKinematics, QuasistaticModel, solve_quasistatic
 from cases import load_case
 from postprocess.plot_style import RC, save
 
@@ -18,7 +18,9 @@ PICTURE = Path(__file__).parents[2] / "docs" / "images" / "conventions.png"
 def main() -> None:
     """The 218 at 10000 r/min under thrust, friction shared by both races."""
     case = load_case("218_axial_22250N")
-    state = solve_quasistatic(case.bearing, case.operation, Model(ball_kinematics=BallKinematics.HALF_AND_HALF))
+    state = solve_quasistatic(
+        case.bearing, case.operation, QuasistaticModel(ball_kinematics=BallKinematics.HALF_AND_HALF)
+    )
     with mpl.rc_context(RC):
         figure = Figure()
         draw_frame(figure, state)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 from bearing.contacts.contacts import contact_conditions
 from bearing.geometry import Array, Bearing
-from bearing.operation import Model, Operation
+from bearing.operation import Operation, QuasistaticModel
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.torque.breakdown import NAMES, torque_breakdown
 from bearing.torque.inputs import FrictionInput
@@ -48,7 +48,7 @@ class TorqueStudy:
 
     Attributes
     ----------
-    bearing, operation, model : Bearing, Operation, Model
+    bearing, operation, model : Bearing, Operation, QuasistaticModel
     oil : callable
         Lubricant at a temperature [K].
     friction : FrictionInput
@@ -56,7 +56,7 @@ class TorqueStudy:
 
     bearing: Bearing
     operation: Operation
-    model: Model
+    model: QuasistaticModel
     oil: Callable[[float], Lubricant]
     friction: FrictionInput
 

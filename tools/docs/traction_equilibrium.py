@@ -11,7 +11,7 @@ import matplotlib as mpl
 import numpy as np
 from matplotlib.figure import Figure
 
-from bearing import BallKinematics, Model, contact_conditions, solve_quasistatic, solve_traction_equilibrium
+from bearing import BallKinematics, QuasistaticModel, contact_conditions, solve_quasistatic, solve_traction_equilibrium
 from bearing.contacts.motion import bearing_kinematics, motion_map
 from bearing.friction.law import BallTraction, TractionLaw
 from bearing.friction.sources import CoefficientTraction, CoulombTraction, FilmTraction
@@ -81,7 +81,7 @@ def imbalance(state: QuasistaticSolution, source: TractionLaw, case: Case) -> fl
     return (shaft - heat) / heat
 
 
-def row(case: Case, model: Model, source: TractionLaw | None) -> Row:
+def row(case: Case, model: QuasistaticModel, source: TractionLaw | None) -> Row:
     """Ball 1 of the case under a model; in traction equilibrium where there is a source of friction."""
     if source is None:
         state = solve_quasistatic(case.bearing, case.operation, model)
@@ -108,9 +108,9 @@ def row(case: Case, model: Model, source: TractionLaw | None) -> Row:
 def ways(case: Case) -> Iterator[tuple[str, Row]]:
     """All ways at the case's operation."""
     for name, kinematics in HYPOTHESES.items():
-        yield name, row(case, Model(ball_kinematics=kinematics), None)
+        yield name, row(case, QuasistaticModel(ball_kinematics=kinematics), None)
     for name, source in sources(case).items():
-        yield name, row(case, Model(), source)
+        yield name, row(case, QuasistaticModel(), source)
 
 
 def at(case: Case, rpm: float, axial: float) -> Case:

@@ -15,7 +15,7 @@ from dynamics_runs import RPM, Run, changed, run
 from printed import printed
 from validation_000_pictures import draw_axial, draw_azimuth, draw_skid
 
-from bearing.operation import BallKinematics, Model
+from bearing.operation import BallKinematics, QuasistaticModel
 from bearing.quasistatic.solver import solve_quasistatic
 from bearing.studies.slip import SlipStudy, minimum_axial_load_skf, minimum_preload
 from cases import load_case
@@ -148,7 +148,7 @@ def balance_load(speed: float) -> float:
         operation = replace(
             case.operation, inner_speed=speed * RPM, force=(middle, None, None), displacement=(None, 0.0, 0.0)
         )
-        inner = solve_quasistatic(case.bearing, operation, Model()).inner_load.mean()
+        inner = solve_quasistatic(case.bearing, operation, QuasistaticModel()).inner_load.mean()
         low, high = (middle, high) if inner < wanted else (low, middle)
     return low
 
@@ -170,7 +170,7 @@ def onset(speed: float) -> Onset:
     study = SlipStudy(
         bearing=case.bearing,
         operation=case.operation,
-        model=Model(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL),
+        model=QuasistaticModel(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL),
         limit=10.0,
     )
     return Onset(

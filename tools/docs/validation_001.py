@@ -129,9 +129,7 @@ def slip_in_time(found: Run) -> tuple[Any, Any]:
     time, turned = np.concatenate(found.running.time), np.concatenate(found.running.cage_rotation)
     data = found.simulation.data
     between = 0.5 * (time[1:] + time[:-1])
-    ring = np.concatenate(
-        [[0.0], np.cumsum(np.diff(time) * np.interp(between, data.times, data.schedule[:, 0]))]
-    )
+    ring = np.concatenate([[0.0], np.cumsum(np.diff(time) * np.interp(between, data.times, data.schedule[:, 0]))])
     step = max(1, time.size // 100)
     place = np.arange(0, time.size, step)
     slips = 1.0 - np.diff(turned[place]) / (NO_SLIP * np.diff(ring[place]))

@@ -294,7 +294,9 @@ def advance_samples(t, y, h, p, control, scale, k, trial, history, counters, rec
 @compiled
 def jacobian(t, y, p, scale, out):
     """Jacobian of the mechanical equations by forward differences, (mechanical, mechanical)."""
-    base, rates, trial = np.empty(y.size), np.empty(y.size), np.empty(y.size)
+    base = np.empty(y.size)
+    rates = np.empty(y.size)
+    trial = np.empty(y.size)
     derivative(t, y, p, base)
     for place in range(scale.size):
         trial[:] = y

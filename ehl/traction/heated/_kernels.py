@@ -84,7 +84,9 @@ def heated_stress(slide, node, start, conductance, walls, conductivity, base, li
     the node, [W/m^2]; conductance: heat per kelvin of rise in all, and the part of it that leaves
     the film; walls: their rise without flux and by it; guess: of the heat.
     """
-    gap, soft, fall = node[FILM], node[SOFTENING], node[FALL]
+    gap = node[FILM]
+    soft = node[SOFTENING]
+    fall = node[FALL]
     total, out = conductance
     heat = guess
     last_heat = -1.0
@@ -156,7 +158,7 @@ def heated_sums(film, law, wall_response, motion, surface, flux, out):
         rise = generated = 0.0
         for j in range(lines.shape[1]):
             node = lines[k, j]
-            s_x, s_y, s, bow = mean_sliding(
+            s_x, s_y, s, curvature_height = mean_sliding(
                 node[X], node[Y], node[SPREAD_X], node[SPREAD_Y], motion, surface
             )
             between = conductivity / node[FILM]
@@ -170,7 +172,7 @@ def heated_sums(film, law, wall_response, motion, surface, flux, out):
             flux[0, j] = leaving * split + across
             flux[1, j] = leaving - flux[0, j]
             if s > 0.0:
-                add_shear(out, node[X], node[Y], bow, node[AREA] * tau / s, s_x, s_y)
+                add_shear(out, node[X], node[Y], curvature_height, node[AREA] * tau / s, s_x, s_y)
 
 
 @compiled

@@ -20,7 +20,7 @@ from .table import TableContact, TableError, TableRange, TractionTable
 
 NEAREST = 4  # tables whose polynomial gives those between
 OIL_TOLERANCE = 0.03  # relative, of an oil's viscosities against those between the tables
-SIMILAR = 1e-12  # relative difference of the axes of tables of the same nodes
+AXES_RTOL = 1e-12  # relative difference of the axes of tables of the same nodes
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -37,7 +37,9 @@ class TemperatureTable:
             raise ValueError(f"tables must be two or more at rising temperatures, {given}")
         first = self.tables[0]
         for table in self.tables[1:]:
-            if table.range != first.range or not np.allclose(table.axes, first.axes, rtol=SIMILAR):
+            if table.range != first.range or not np.allclose(
+                table.axes, first.axes, rtol=AXES_RTOL
+            ):
                 raise ValueError("tables must have the same range and nodes")
 
     @property

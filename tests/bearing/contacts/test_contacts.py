@@ -10,8 +10,8 @@ from numpy.testing import assert_allclose
 
 from bearing import (
     BallKinematics,
-    Model,
     Operation,
+    QuasistaticModel,
     Race,
     bearing_frequencies,
     contact_conditions,
@@ -100,7 +100,7 @@ def test_race_control_leaves_spin_to_the_other_race(bearings):
         (BallKinematics.OUTER_RACE_CONTROL, Race.OUTER),
         (BallKinematics.INNER_RACE_CONTROL, Race.INNER),
     ):
-        solution = solve_quasistatic(bearings.b218, operation, Model(ball_kinematics=kinematics))
+        solution = solve_quasistatic(bearings.b218, operation, QuasistaticModel(ball_kinematics=kinematics))
         for contact in contact_conditions(solution, OIL)[:2]:
             if contact.race is free:
                 assert contact.spin_roll_ratio < 1e-12
@@ -110,7 +110,7 @@ def test_race_control_leaves_spin_to_the_other_race(bearings):
 
 def test_spin_roll_ratio_of_harris(bearings):
     """Outer race control: spin over roll at the inner race (1 - g cos ai) tan(ai - beta) + g sin ai, Harris."""
-    model = Model(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL)
+    model = QuasistaticModel(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL)
     solution = solve_quasistatic(bearings.b218, Operation(inner_speed=1047.0, force=(22250.0, 0.0, 0.0)), model)
     inner = contact_conditions(solution, OIL)[0]
     gamma = 22.23 / 125.26

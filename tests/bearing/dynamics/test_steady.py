@@ -9,7 +9,7 @@ import pytest
 from numpy.testing import assert_allclose
 from printed import printed
 
-from bearing import BallKinematics, Model, Operation, solve_quasistatic
+from bearing import BallKinematics, Operation, QuasistaticModel, solve_quasistatic
 from bearing.dynamics.bodies import equation_counts, load_type
 from bearing.dynamics.choices import LoadType
 from bearing.dynamics.friction import race_friction
@@ -61,7 +61,7 @@ def test_loads_of_the_7008_at_5000_rpm(setup, axial, load):
     bearing = setup.bearing_7008()
     held = Operation(inner_speed=5000.0 * setup.RPM, force=(axial, None, None), displacement=(None, 0.0, 0.0))
     by_control = [
-        solve_quasistatic(bearing, held, Model(ball_kinematics=kinematics)).inner_load[0]
+        solve_quasistatic(bearing, held, QuasistaticModel(ball_kinematics=kinematics)).inner_load[0]
         for kinematics in (BallKinematics.OUTER_RACE_CONTROL, BallKinematics.INNER_RACE_CONTROL)
     ]
     assert_allclose(by_control[0], load, rtol=2e-3)

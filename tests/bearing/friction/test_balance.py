@@ -9,7 +9,15 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.special import ellipe
 
-from bearing import BallKinematics, Bearing, Material, Model, Operation, contact_conditions, solve_quasistatic
+from bearing import (
+    BallKinematics,
+    Bearing,
+    Material,
+    Operation,
+    QuasistaticModel,
+    contact_conditions,
+    solve_quasistatic,
+)
 from bearing.friction.coulomb import Ellipses, balanced_friction, coulomb_dissipation, line_dissipation
 from bearing.torque.pure_rolling_lines import rolling_lines
 from ehl import Lubricant
@@ -42,7 +50,7 @@ def ellipses(ratio=8.0, rounding=1e-9):
 
 def solved(axial, radial, speed, kinematics=HALF):
     operation = Operation(inner_speed=speed * RPM, force=(axial, radial, 0.0))
-    state = solve_quasistatic(B6206, operation, Model(ball_kinematics=kinematics))
+    state = solve_quasistatic(B6206, operation, QuasistaticModel(ball_kinematics=kinematics))
     assert state.converged
     return state, contact_conditions(state, OIL)
 

@@ -11,8 +11,8 @@ from numpy.testing import assert_allclose
 
 from bearing import (
     BallKinematics,
-    Model,
     Operation,
+    QuasistaticModel,
     Race,
     Row,
     contact_conditions,
@@ -218,7 +218,7 @@ def test_friction_that_cannot_hold_the_balls_is_told(bearings):
 
 
 def test_the_quasistatic_solver_refuses_traction_equilibrium(bearings):
-    model = Model(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM)
+    model = QuasistaticModel(ball_kinematics=BallKinematics.TRACTION_EQUILIBRIUM)
     with pytest.raises(ValueError, match="solve_traction_equilibrium"):
         solve_quasistatic(bearings.b6208, Operation(inner_speed=500.0, force=(400.0, 0.0, 0.0)), model)
 

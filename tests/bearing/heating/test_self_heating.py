@@ -8,8 +8,8 @@ import pytest
 
 from bearing import (
     BallKinematics,
-    Model,
     Operation,
+    QuasistaticModel,
     contact_conditions,
     library_lubricant,
     load_material,
@@ -25,7 +25,7 @@ from ehl import ViscosityLaw
 
 STEEL = load_material("bearing steel")
 ML_MIN = 1e-6 / 60.0
-MODEL = Model(ball_kinematics=BallKinematics.HALF_AND_HALF)
+MODEL = QuasistaticModel(ball_kinematics=BallKinematics.HALF_AND_HALF)
 
 
 @pytest.fixture(scope="module")

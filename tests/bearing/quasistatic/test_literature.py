@@ -12,15 +12,15 @@ import pytest
 from numpy.testing import assert_allclose
 from scipy.optimize import brentq
 
-from bearing import BallKinematics, Curvature, Model, Operation, solve_quasistatic
+from bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
 
-OUTER_CONTROL = Model(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL)
+OUTER_CONTROL = QuasistaticModel(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL)
 
 
 @pytest.mark.parametrize("curvature", Curvature)
 def test_218_angular_contact(bearings, curvature):
     """22250 N axial, 10000 rpm, outer race control: 0.3 %; where the curvature is taken moves the angles by 0.01 %."""
-    model = Model(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL, curvature=curvature)
+    model = QuasistaticModel(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL, curvature=curvature)
     solution = solve_quasistatic(
         bearings.b218, Operation(inner_speed=10000.0 * bearings.rpm, force=(22250.0, 0.0, 0.0)), model
     )

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import BallKinematics, Curvature, Model, Operation, solve_quasistatic
+from bearing import BallKinematics, Curvature, Operation, QuasistaticModel, solve_quasistatic
 from bearing.operation import HYPOTHESES
 from bearing.quasistatic.balls import ball_balance, ball_problem, ball_state
 from bearing.quasistatic.ring import ring_of
@@ -21,7 +21,7 @@ COMBINED = {"force": (900.0, 700.0, -300.0), "moment": (2.0, -5.0), "tilt": FREE
 def test_ring_and_balls_are_in_balance(bearings, kinematics):
     """The contact forces, put together anew from loads and angles, hold the load and each ball to 1e-10."""
     operation = Operation(inner_speed=15000.0 * bearings.rpm, **COMBINED)
-    solution = solve_quasistatic(bearings.b7008, operation, Model(ball_kinematics=kinematics))
+    solution = solve_quasistatic(bearings.b7008, operation, QuasistaticModel(ball_kinematics=kinematics))
     assert solution.converged
     assert solution.residual < 1e-10
     assert_allclose(solution.ring_force, operation.force, atol=1e-10 * 900.0)
@@ -41,7 +41,7 @@ def test_ring_and_balls_are_in_balance(bearings, kinematics):
 
 def test_gyroscopic_friction_is_tangential_and_gives_the_couple(bearings):
     """Friction at both contacts has no normal part and turns the ball by +Mg about e_t: the sign of the couple."""
-    problem = ball_problem(bearings.b218, 1000.0, 0.0, Model(ball_kinematics=BallKinematics.HALF_AND_HALF))
+    problem = ball_problem(bearings.b218, 1000.0, 0.0, QuasistaticModel(ball_kinematics=BallKinematics.HALF_AND_HALF))
     u = 1.01 * problem.outer_length * np.array([[np.sin(0.6)], [np.cos(0.6)]])
     w = 1.01 * problem.inner_length * np.array([[np.sin(0.8)], [np.cos(0.8)]])
     state = ball_state(u, w, problem)
@@ -66,7 +66,7 @@ def test_stiffness_is_the_derivative_of_the_load(bearings, kinematics, curvature
 
     The step balances truncation against round-off: 2e-9 of the groove distance A, errors about 1e-8.
     """
-    model = Model(ball_kinematics=kinematics, curvature=curvature)
+    model = QuasistaticModel(ball_kinematics=kinematics, curvature=curvature)
     bearing = bearings.b7008
     operation = Operation(inner_speed=12000.0 * bearings.rpm, **{**COMBINED, "force": (2500.0, 300.0, -100.0)})
     base = solve_quasistatic(bearing, operation, model)
@@ -90,7 +90,7 @@ def test_stiffness_is_the_derivative_of_the_load(bearings, kinematics, curvature
 def test_stiffness_without_speed_is_symmetric(bearings):
     """At rest and with the curvature of the free angle the contact forces have a potential."""
     operation = Operation(inner_speed=0.0, **COMBINED)
-    solution = solve_quasistatic(bearings.b7008, operation, Model(curvature=Curvature.FREE))
+    solution = solve_quasistatic(bearings.b7008, operation, QuasistaticModel(curvature=Curvature.FREE))
     scale = np.array([1.0, 1.0, 1.0, 0.03, 0.03])
     scaled = solution.stiffness / np.outer(scale, scale)
     assert_allclose(scaled, scaled.T, atol=1e-9 * np.abs(scaled).max())

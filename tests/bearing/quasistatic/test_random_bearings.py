@@ -16,8 +16,8 @@ from bearing import (
     Bearing,
     Curvature,
     Material,
-    Model,
     Operation,
+    QuasistaticModel,
     Race,
     Row,
     contact_angle_to_clearance,
@@ -94,7 +94,7 @@ def random_operation(rng, bearing, highest_dn):
 
 
 def random_model(rng):
-    return Model(ball_kinematics=rng.choice(list(HYPOTHESES)), curvature=rng.choice(list(Curvature)))
+    return QuasistaticModel(ball_kinematics=rng.choice(list(HYPOTHESES)), curvature=rng.choice(list(Curvature)))
 
 
 def check(solution):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from bearing import BallKinematics, Model, Operation, solve_quasistatic
+from bearing import BallKinematics, Operation, QuasistaticModel, solve_quasistatic
 from bearing.studies.slip import (
     SlipStudy,
     critical_curves,
@@ -21,7 +21,7 @@ from bearing.studies.slip import (
     slip_surface,
 )
 
-OUTER_CONTROL = Model(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL)
+OUTER_CONTROL = QuasistaticModel(ball_kinematics=BallKinematics.OUTER_RACE_CONTROL)
 
 
 @pytest.fixture

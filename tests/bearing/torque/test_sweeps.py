@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from torque_sweeps import TorqueStudy, torque_sweep
 
-from bearing import Model, Operation, contact_conditions, library_lubricant, solve_quasistatic
+from bearing import Operation, QuasistaticModel, contact_conditions, library_lubricant, solve_quasistatic
 from bearing.torque.breakdown import NAMES, torque_breakdown
 from bearing.torque.inputs import FrictionInput
 
@@ -23,7 +23,9 @@ def oil(temperature):
 def study(bearings):
     friction = FrictionInput(series="62", static_rating=19e3, coefficient=0.05)
     operation = Operation(inner_speed=1.0)
-    return TorqueStudy(bearing=bearings.b6208, operation=operation, model=Model(), oil=oil, friction=friction)
+    return TorqueStudy(
+        bearing=bearings.b6208, operation=operation, model=QuasistaticModel(), oil=oil, friction=friction
+    )
 
 
 def test_a_sweep_is_its_points(study):

@@ -48,9 +48,10 @@ def test_velocities_are_those_of_two_rigid_bodies():
         mean_rolling=rollings.mean(),
         curvature_radius=radius,
     )
-    found = kinematics.surface_velocities(x, y)
-    for body in range(2):
-        assert_allclose(np.stack(found[body], axis=1), expected[body], rtol=1e-12, atol=1e-12)
+    middle = np.stack(kinematics.entrainment(x, y), axis=1)
+    sliding = np.stack(kinematics.sliding(x, y), axis=1)
+    assert_allclose(middle + 0.5 * sliding, expected[0], rtol=1e-12, atol=1e-12)
+    assert_allclose(middle - 0.5 * sliding, expected[1], rtol=1e-12, atol=1e-12)
 
 
 def test_kinematics_of_conditions_turn_into_the_frame_of_the_grid(conditions):

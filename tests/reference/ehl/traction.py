@@ -35,7 +35,7 @@ def summed_forces(kinematics, nodes, stress, sliding):
     (x, y, area), (s_x, s_y, speed) = nodes, sliding
     pull = area * stress / np.where(speed > 0.0, speed, 1.0)
     t_x, t_y = pull * s_x, pull * s_y
-    return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), -(kinematics.bow(y) * t_x).sum()])
+    return np.array([-t_x.sum(), -t_y.sum(), (y * t_x - x * t_y).sum(), -(kinematics.curvature_height(y) * t_x).sum()])
 
 
 def law_forces(law, load, speed, slide_x, slide_y, spin):
