@@ -77,7 +77,7 @@ HEATING = quantities(
 )
 POWER_BALANCE = quantities(
     "",
-    "the integrated torque is not there",
+    "there is no integrated torque",
     ("shaft_W", "power of the rings", "torque.shaft_power"),
     ("heat_W", "heat of the contacts", "torque.heat"),
     ("resisted_W", "power against resistances", "torque.resisted"),

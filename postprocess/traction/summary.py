@@ -77,5 +77,5 @@ def _messages(results: TractionResults) -> Iterator[str]:
                 yield (
                     f"{race.value} race: the full solve at {solve.load:.4g} N, "
                     f"{solve.speed:.3g} m/s, slide-roll ratio {solve.slide_ratio:.4f} did not "
-                    "converge: its coefficient tells nothing of the table"
+                    "converge: its coefficient says nothing about the table"
                 )
