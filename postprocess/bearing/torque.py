@@ -141,7 +141,7 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
     extent = _extent(results)
     if extent is None:
         yield (
-            "torque_N_mm.rolling_extent: null, there is no integrated torque, or it is not that of "
+            "torque_N_mm.rolling_extent: null, there is no integrated torque, or it is not of "
             "solved films"
         )
         return
