@@ -17,10 +17,10 @@ SIMULATION = (
     "simulated_s",
 )
 FILMS = tuple(
-    f"film_{film}{rest}_{unit}"
+    f"film_{film}{suffix}_{unit}"
     for unit in ("um", "dimensionless")
     for film in ("central", "minimum")
-    for rest in ("", "_uncertainty")
+    for suffix in ("", "_uncertainty")
 )
 TRACTION = "traction_coefficient"
 THINNEST = (  # of a bearing's thinnest film

@@ -127,8 +127,8 @@ class Simulation:
         if status == STIFF:
             self._note(f"dynamics: stiff from t = {self.state.time:.6g} s on; LSODA took over")
             self.state.stiff = True
-            rest = times[record.time.size :]
-            status, remainder = advance_implicit(self.state, self.data, rest, *method)
+            remaining = times[record.time.size :]
+            status, remainder = advance_implicit(self.state, self.data, remaining, *method)
             record = join(record, remainder)
         elif self.state.stiff and status == DONE:
             text = f"explicit steps again from t = {before.time:.6g} s on; LSODA where"

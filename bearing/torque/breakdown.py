@@ -85,8 +85,8 @@ def torque_breakdown(
     """
     speed = solution.operation.shaft_speed
     if speed == 0.0:
-        rest = ModelTorque(note="the rings do not turn against each other")
-        return TorqueBreakdown(models=dict.fromkeys(NAMES, rest), coefficient=0.0)
+        stationary = ModelTorque(note="the rings do not turn against each other")
+        return TorqueBreakdown(models=dict.fromkeys(NAMES, stationary), coefficient=0.0)
     mu = coulomb_coefficient(solution, lubricant, friction)
     asperities = None if shear is None else shear.asperity_share
     models = {
@@ -146,8 +146,8 @@ def _integrated(
     """Heat of the sheared films over the shaft's speed by its parts, cage and churning."""
     if shear is None:
         return ModelTorque(note=NO_FILMS)
-    rest = cage_and_drag(solution, lubricant, friction, speed)
-    return summed(shear.torque.parts | rest, shear.note)
+    resistance = cage_and_drag(solution, lubricant, friction, speed)
+    return summed(shear.torque.parts | resistance, shear.note)
 
 
 def _starved(

@@ -278,13 +278,13 @@ def yao_model(
         curvature = 0.0806 * c.load * c.semi_axis**2 / c.radius
         rotation += ratio * (1.0 - slope**2) * curvature * mu
         spin += sliding.spin_moment(c, mu) * sin(abs(c.angle))
-    rest = cage_and_drag(solution, lubricant, friction, speed)
+    resistance = cage_and_drag(solution, lubricant, friction, speed)
     return summed(
         {
             "ME": hysteresis_torque(solution, contacts, friction.hysteresis),
             "MD": rotation,
             "MS": spin,
-            "MC": rest["cage"],
-            "ML": sum(map(contact_rolling_power, contacts)) / speed + rest["drag"],
+            "MC": resistance["cage"],
+            "ML": sum(map(contact_rolling_power, contacts)) / speed + resistance["drag"],
         }
     )

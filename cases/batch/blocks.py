@@ -37,11 +37,11 @@ class Variation:
 
 def case_path(key: str) -> tuple[str, ...]:
     """Table and key of a dotted name; names of materials and oils may hold dots themselves."""
-    table, _, rest = key.partition(".")
+    table, _, name_in_table = key.partition(".")
     if table in NAMED:
-        name, _, last = rest.rpartition(".")
+        name, _, last = name_in_table.rpartition(".")
         return table, name, last
-    return table, rest
+    return table, name_in_table
 
 
 def block_settings(table: dict[str, Any], where: Path) -> list[Setting]:

@@ -46,15 +46,15 @@ def cached_solver(folder: Path) -> Callable[[ContactConditions, SolverOptions], 
 def store(path: Path, solution: ContactSolution) -> None:
     """Write a solution to `path`, unless the cache is full or a file cannot hold it."""
     arrays: dict[str, Any] = {}
-    rest: dict[str, Any] = {}
+    values: dict[str, Any] = {}
     for item in fields(solution):
         value: Any = getattr(solution, item.name)
         if isinstance(value, np.ndarray):
             arrays[item.name] = value
         elif item.name not in ("conditions", "options"):
-            rest[item.name] = asdict(value) if isinstance(value, NESTED) else value
+            values[item.name] = asdict(value) if isinstance(value, NESTED) else value
     try:
-        header = json.dumps(rest, default=lambda scalar: scalar.item())  # NumPy's own
+        header = json.dumps(values, default=lambda scalar: scalar.item())  # NumPy's own
     except (TypeError, AttributeError, ValueError):  # holds what a file of this kind cannot
         return
     if sum(file.stat().st_size for file in path.parent.glob("*.npz")) > MOST_BYTES:
@@ -71,11 +71,11 @@ def load(
     try:
         with np.load(path, allow_pickle=False) as file:
             arrays = {name: file[name] for name in file.files if name != "header"}
-            rest = json.loads(file["header"].tobytes(), object_hook=_tuples)
-        for name, value in rest.items():
+            values = json.loads(file["header"].tobytes(), object_hook=_tuples)
+        for name, value in values.items():
             kind: Any = ConvergenceRecord if name == "record" else FilmValue
-            rest[name] = kind(**value) if isinstance(value, dict) else value
-        return ContactSolution(conditions=conditions, options=options, **arrays, **rest)
+            values[name] = kind(**value) if isinstance(value, dict) else value
+        return ContactSolution(conditions=conditions, options=options, **arrays, **values)
     except (OSError, ValueError, KeyError, TypeError, EOFError):
         return None
 

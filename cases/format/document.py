@@ -182,7 +182,7 @@ def check_document(
         return None, [CaseFault((), "a sweep", allowed, line=1)]
     # 1. what this version does not take, or takes under another name
     document, faults = _set_aside(document)
-    document, moved, more = _with_new_names(document)
+    document, renamed, more = _with_new_names(document)
     faults += more
     contact_alone = "contact" in document and "bearing" not in document
     if "contact" in document and "bearing" in document:
@@ -195,12 +195,12 @@ def check_document(
     faults += unknown
     # 3. each value by itself, then the rules between those that are valid
     model: type[BearingFile | ContactFile] = ContactFile if contact_alone else BearingFile
-    file, wrong = _validate(model, document, moved)
+    file, wrong = _validate(model, document, renamed)
     faults += wrong
     values = CaseValues(document, frozenset(fault.path for fault in faults))
     faults += _conflicts(values, OF_CONTACTS if contact_alone else OF_BEARINGS)
     faults += _assumed(values)
-    faults = [replace(fault, path=moved.get(fault.path, fault.path)) for fault in faults]
+    faults = [replace(fault, path=renamed.get(fault.path, fault.path)) for fault in faults]
     return file, _without_consequences(faults, unknown_bearing=bool(unknown))
 
 
@@ -245,7 +245,7 @@ def _with_new_names(
     law = simulation.get("friction")
     simulation = dict(simulation)
     friction = dict(friction)
-    moved: dict[Path, Path] = {}
+    renamed: dict[Path, Path] = {}
     faults = []
     for key, new in RENAMED.items():
         if key not in simulation:
@@ -259,14 +259,14 @@ def _with_new_names(
             faults.append(CaseFault(("dynamics", key), both, allowed))
         else:
             friction[new] = value
-            moved["friction", new] = ("dynamics", key)
+            renamed["friction", new] = ("dynamics", key)
     if friction:
         document = {**document, "friction": friction}
-    return {**document, "dynamics": simulation}, moved, faults
+    return {**document, "dynamics": simulation}, renamed, faults
 
 
 def _validate(
-    model: type[BearingFile | ContactFile], document: dict[str, Any], moved: dict[Path, Path]
+    model: type[BearingFile | ContactFile], document: dict[str, Any], renamed: dict[Path, Path]
 ) -> tuple[BearingFile | ContactFile | None, list[CaseFault]]:
     missing = []
     if "schema_version" not in document:
@@ -274,7 +274,7 @@ def _validate(
         allowed = "needed: schema_version = 1"
         missing = [CaseFault(("schema_version",), MISSING, allowed, line=1)]
     later = "and will not be read under its old name by the next version"
-    notes = [f"{dotted(old)}: is now {dotted(new)}, {later}" for new, old in moved.items()]
+    notes = [f"{dotted(old)}: is now {dotted(new)}, {later}" for new, old in renamed.items()]
     try:
         return model.model_validate(document, context=notes), missing
     except ValidationError as error:

@@ -70,11 +70,11 @@ def traction_messages(
     """
     if traction is None:
         return ()
-    words = f"friction of balls on races: {traction.source.description}"
+    origin = f"friction of balls on races: {traction.source.description}"
     if state.model.ball_kinematics is BallKinematics.TRACTION_EQUILIBRIUM:
-        words = f"balls in traction equilibrium; {words}"
-        words += f"; {state.message}" if state.converged else ""
-    return (words, *_outside(traction, state, contacts))
+        origin = f"balls in traction equilibrium; {origin}"
+        origin += f"; {state.message}" if state.converged else ""
+    return (origin, *_outside(traction, state, contacts))
 
 
 def _outside(
@@ -96,8 +96,10 @@ def _outside(
     if not places:
         return ()
     first = next(iter(places))
-    words = f"traction table: outside its range at {len(places)} of {len(contacts)} contacts, "
+    places_outside = (
+        f"traction table: outside its range at {len(places)} of {len(contacts)} contacts, "
+    )
     return (
-        f"{words}first the {first} ({places[first]}); the nearest place counts, in "
+        f"{places_outside}first the {first} ({places[first]}); the nearest place counts, in "
         "proportion to the load",
     )

@@ -103,8 +103,8 @@ def _first_converged(
     newtonian = solve_contact(flow.conditions, options)
     fallbacks = newtonian.record.fallbacks
     for follows in (False, True) if newtonian.converged else (False,):
-        continued = replace(flow, continuation=Continuation(follow_pressure=follows))
-        contact, state = _checked(*solve_by_continuation(continued, options, newtonian))
+        with_continuation = replace(flow, continuation=Continuation(follow_pressure=follows))
+        contact, state = _checked(*solve_by_continuation(with_continuation, options, newtonian))
         fallbacks = (*fallbacks, *contact.record.fallbacks[len(newtonian.record.fallbacks) :])
         if contact.converged:
             return with_fallbacks(contact, fallbacks), state

@@ -187,9 +187,9 @@ def draw_together(
     margin = 0.02 * top if least < 0.01 * top else 0.0
     panels[0].set_ylim(1.1 * min(least, 0.0) - margin, 1.05 * top)
     film = "film" if shown[0].startswith("film") else "value"
-    words = "torque" if all("torque_N_mm" in name for name in shown) else film
-    words = f"{TORQUE_MODELS[model].title}: torque" if model else words
-    panels[0].set_ylabel(f"{words} [{quantity_unit(shown[0])}]")
+    quantity = "torque" if all("torque_N_mm" in name for name in shown) else film
+    quantity = f"{TORQUE_MODELS[model].title}: torque" if model else quantity
+    panels[0].set_ylabel(f"{quantity} [{quantity_unit(shown[0])}]")
     handles, labels = panels[0].get_legend_handles_labels()
     figure.legend(handles, labels, ncols=min(len(labels), 4), loc="outside lower center")
     every = len(set(keys[1].values)) if len(keys) > 1 else 0
@@ -221,10 +221,10 @@ def quantity_label(name: str, model: str | None = None) -> str:
     """A number in words; of a torque its model and part, without the `model` of all numbers."""
     if name.startswith(MODELS):
         own, part = name.removeprefix(MODELS).split(".")
-        words = TORQUE_PARTS.get(part, part)
+        part_title = TORQUE_PARTS.get(part, part)
         if own == model:
-            return words
-        return TORQUE_MODELS[own].title + ("" if part == "total" else f", {words}")
+            return part_title
+        return TORQUE_MODELS[own].title + ("" if part == "total" else f", {part_title}")
     main = MAIN_QUANTITY.get(name)
     return without_unit(name.rpartition(".")[2]) if main is None else main.title
 

@@ -69,10 +69,10 @@ class BallColumn:
     @property
     def label(self) -> str:
         """Azimuths, on two lines if they are long."""
-        words = [f"{a:.4g}°" for a in self.azimuths]
+        angles = [f"{a:.4g}°" for a in self.azimuths]
         if self.row is not None:
-            words[-1] += f"\nrow {self.row}"
-        return ", ".join(words) if sum(map(len, words)) <= WIDE_LABEL else ",\n".join(words)
+            angles[-1] += f"\nrow {self.row}"
+        return ", ".join(angles) if sum(map(len, angles)) <= WIDE_LABEL else ",\n".join(angles)
 
 
 def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
@@ -238,8 +238,8 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
 def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], race: str) -> None:
     for name, marker, face in (("central", "o", COLOURS[race]), ("minimum", "v", "white")):
         value, error = (
-            [FIELDS["film"].in_unit(getattr(s, f"film_{name}{rest}")) for s in solutions]
-            for rest in ("", "_uncertainty")
+            [FIELDS["film"].in_unit(getattr(s, f"film_{name}{suffix}")) for s in solutions]
+            for suffix in ("", "_uncertainty")
         )
         style: Any = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4}
         style |= {"capsize": 3, "linewidth": 0.9, "label": f"{race} race, {name}"}

@@ -96,8 +96,8 @@ def _total_text(results: BearingResults, torque: TorqueBreakdown) -> str:
     if torque.chosen == "starved":
         flooded = None if torque.starved is None else TORQUE.in_unit(torque.starved.flooded)
         ample = "" if flooded is None else f", {flooded:.4g} N mm if flooded"
-        rest = "null without films" if torque.shear is None else "those of flooded films"
-        return f"model starved, at the supply{ample}; power_balance and per_ball_N_mm {rest}"
+        others = "null without films" if torque.shear is None else "those of flooded films"
+        return f"model starved, at the supply{ample}; power_balance and per_ball_N_mm {others}"
     return f"model {torque.chosen}; power_balance and per_ball_N_mm null without films"
 
 

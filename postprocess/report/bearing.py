@@ -248,12 +248,12 @@ def _torque(torque: dict[str, Any]) -> str:
     caption = "Each model has its own assumptions; hover over a bar for its parts."
     picture = f"<figure>{bars}<figcaption>{caption}</figcaption></figure>"
     head = [("model", ""), ("total", "N mm"), ("parts", "N mm")]
-    rest = "; ".join(
+    remarks = "; ".join(
         f"{html.name_text(key)} {html.text(value)}"
         for key, value in torque.items()
         if value is not None and not isinstance(value, dict | list)
     )
-    return picture + html.table(head, rows, (0, 2)) + (f"<p>{rest}</p>" if rest else "")
+    return picture + html.table(head, rows, (0, 2)) + (f"<p>{remarks}</p>" if remarks else "")
 
 
 def _torque_parts(model: dict[str, Any]) -> dict[str, float]:

@@ -141,9 +141,9 @@ def side_by_side(*blocks: str, kind: str = "facts") -> str:
     return f'<div class="{kind}">{"".join(blocks)}</div>' if any(blocks) else ""
 
 
-def note(words: str) -> str:
+def note(explanation: str) -> str:
     """A line of explanation in HTML."""
-    return f'<p class="quiet small">{words}</p>'
+    return f'<p class="quiet small">{explanation}</p>'
 
 
 def unfolding(title: str, body: str, state: str = "") -> str:

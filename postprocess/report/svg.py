@@ -32,9 +32,9 @@ def stacked_bars(rows: Sequence[tuple[str, dict[str, float], float]], unit: str)
     for i, (name, parts, total) in enumerate(rows):
         y = 8 + i * ROW
         end = LABEL + abs(total) * scale
-        shapes.append(_words(LABEL - 8, y + 15, name, "end"))
+        shapes.append(_text(LABEL - 8, y + 15, name, "end"))
         shapes += _bar(parts, total, y, scale, colours)
-        shapes.append(_words(end + 6, y + 15, f"{total:.4g} {unit}".replace("-", "−")))
+        shapes.append(_text(end + 6, y + 15, f"{total:.4g} {unit}".replace("-", "−")))
     bottom = 8 + len(rows) * ROW
     shapes.append(f'<line x1="{LABEL}" y1="4" x2="{LABEL}" y2="{bottom}" stroke="{INK}"/>')
     legend, height = _legend(colours, bottom + 12)
@@ -67,9 +67,9 @@ def _rectangle(x: float, y: float, width: float, colour: str, title: str) -> str
     return f'<rect {place} fill="{colour}"><title>{title}</title></rect>'
 
 
-def _words(x: float, y: float, words: str, anchor: str = "start") -> str:
+def _text(x: float, y: float, text: str, anchor: str = "start") -> str:
     return (
-        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{INK}">{escape(words)}</text>'
+        f'<text x="{x:.1f}" y="{y:.1f}" text-anchor="{anchor}" fill="{INK}">{escape(text)}</text>'
     )
 
 
@@ -83,6 +83,6 @@ def _legend(colours: dict[str, str], y: float) -> tuple[str, int]:
             x = float(LABEL)
             y += 20.0
         shapes.append(f'<rect x="{x:.1f}" y="{y:.1f}" width="12" height="12" fill="{colour}"/>')
-        shapes.append(_words(x + 17.0, y + 11.0, name))
+        shapes.append(_text(x + 17.0, y + 11.0, name))
         x += width
     return "".join(shapes), int(y + (20.0 if colours else 0.0))

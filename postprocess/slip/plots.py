@@ -98,8 +98,8 @@ def _limit_line(axes: Axes, results: SlipResults) -> None:
     top = results.surface.axial_loads[-1]
     note = f"heavy line: factor {results.limit:g}; no ball slips above it"
     if not (minimum.hirano[grid] <= top).any():
-        missed = f"factor {results.limit:g} is not reached at these loads"
-        note = f"{missed}: some ball slips everywhere"
+        unreached = f"factor {results.limit:g} is not reached at these loads"
+        note = f"{unreached}: some ball slips everywhere"
     if (results.surface.minimum < NO_LOAD).any():
         note += "\ngrey: a ball carries no load at the inner race"
     if results.surface.unsolved:

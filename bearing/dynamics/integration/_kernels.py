@@ -206,10 +206,10 @@ def advance(t, y, end, h, p, control, scale, k, trial, history, counters):
     """
     after_rejection = False
     while t < end:
-        rest = end - t
-        last = h >= rest * (1.0 - 1e-9)
+        remaining = end - t
+        last = h >= remaining * (1.0 - 1e-9)
         # 1. a trial step and its error
-        step = rest if last else min(h, control.longest)
+        step = remaining if last else min(h, control.longest)
         stages(t, y, step, p, k, trial)
         counters[EVALUATIONS] += STAGES - 1
         error = error_norm(k, step, scale)
