@@ -52,9 +52,9 @@ class Ellipses(NamedTuple):
     # e, sliding below which friction is rounded off where it is integrated by quadrature [m/s]
     rounding: Array
 
-    def take(self, numbers: NDArray[np.int64]) -> "Ellipses":
-        """Those with these numbers [-]."""
-        return Ellipses(*(values[numbers] for values in self))
+    def take(self, indices: NDArray[np.int64]) -> "Ellipses":
+        """Those with these indices [-]."""
+        return Ellipses(*(values[indices] for values in self))
 
 
 def line_dissipation(motion: Array, ellipses: Ellipses) -> Dissipation:
@@ -165,7 +165,7 @@ def _law(
 ) -> ContactLaw:
     """A dissipation over ellipses as the law of their contacts; no rolling resistance."""
     return ContactLaw(
-        evaluate=lambda motion, numbers: dissipation(motion, ellipses.take(numbers)),
+        evaluate=lambda motion, indices: dissipation(motion, ellipses.take(indices)),
         reference_force=ellipses.friction * ellipses.load,
         longitudinal_only=longitudinal_only,
         has_rolling_resistance=False,

@@ -111,19 +111,19 @@ def film_law(
     )
     load_ratio = np.ones(len(laws)) if scale is None else scale
 
-    def evaluate(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
-        gradient = np.zeros((numbers.size, 4))
-        curvature = np.zeros((numbers.size, 4, 4))
-        for row, number in enumerate(numbers):
+    def evaluate(motion: Array, indices: NDArray[np.int64]) -> Dissipation:
+        gradient = np.zeros((indices.size, 4))
+        curvature = np.zeros((indices.size, 4, 4))
+        for row, number in enumerate(indices):
             law = laws[number]
             if law is not None:
                 gradient[row], curvature[row] = law(motion[row], 1.0 - share[number])
-        gradient = gradient * load_ratio[numbers, None]
-        curvature = curvature * load_ratio[numbers, None, None]
-        if share[numbers].any():
-            _, more, steeper = coulomb_dissipation(motion, rubbing.take(numbers))
+        gradient = gradient * load_ratio[indices, None]
+        curvature = curvature * load_ratio[indices, None, None]
+        if share[indices].any():
+            _, more, steeper = coulomb_dissipation(motion, rubbing.take(indices))
             gradient, curvature = gradient + more, curvature + steeper
-        return Dissipation(np.zeros(numbers.size), gradient, curvature)
+        return Dissipation(np.zeros(indices.size), gradient, curvature)
 
     load = np.array([0.0 if film is None else contact.load for contact, film in pairs])
     return ContactLaw(

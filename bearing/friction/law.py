@@ -43,7 +43,7 @@ class Dissipation(NamedTuple):
 class ContactLaw:
     """Friction of the contacts of an equilibrium, numbered inner race then outer, ball by ball."""
 
-    # takes the motions (N, 4) of contacts [m/s], [rad/s] and their numbers (N,), gives a
+    # takes the motions (N, 4) of contacts [m/s], [rad/s] and their indices (N,), gives a
     # `Dissipation`
     evaluate: Callable[[Array, NDArray[np.int64]], Dissipation]
     # (contacts,) friction of each contact that residual forces are measured against [N]

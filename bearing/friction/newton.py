@@ -43,7 +43,7 @@ def evaluate(
     z: Array, problem: MotionProblem, balls: NDArray[np.int64]
 ) -> tuple[Array, Array, Array]:
     """Power (n,), force left (n, 4) and its slope (n, 4, 4) by the scaled unknowns of the balls
-    with these numbers.
+    with these indices.
     """
     slopes = problem.slopes[balls]
     free = problem.free[balls]

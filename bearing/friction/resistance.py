@@ -152,8 +152,8 @@ def pocket_power(
     if slip == 0.0:
         return 0.0
     force = drag_power / (slip * 0.5 * bearing.pitch_diameter)  # of all balls on the cage
-    turning = float(abs(solution.spin_speed).mean()) * 0.5 * bearing.ball_diameter
-    return cage.pocket_friction * force * turning
+    surface_speed = float(abs(solution.spin_speed).mean()) * 0.5 * bearing.ball_diameter
+    return cage.pocket_friction * force * surface_speed
 
 
 def churning_power(solution: QuasistaticSolution, density: float, oil_fraction: float) -> float:

@@ -25,16 +25,16 @@ def contact_law(contacts: Sequence[BearingContact], laws: Sequence[FrictionLaw])
     groups = _groups(contacts, laws)
     places = np.array([_place(contact) for contact in contacts])
 
-    def evaluate(motion: Array, numbers: NDArray[np.int64]) -> Dissipation:
-        gradient = np.zeros((numbers.size, 4))
-        slope = np.zeros((numbers.size, 4, 4))
+    def evaluate(motion: Array, indices: NDArray[np.int64]) -> Dissipation:
+        gradient = np.zeros((indices.size, 4))
+        slope = np.zeros((indices.size, 4, 4))
         for members, evaluate_group in groups:
-            rows = np.flatnonzero(members[numbers])
+            rows = np.flatnonzero(members[indices])
             if rows.size:
                 gradient[rows], slope[rows] = evaluate_group(
-                    numbers[rows], places[numbers[rows]], motion[rows]
+                    indices[rows], places[indices[rows]], motion[rows]
                 )
-        return Dissipation(np.zeros(numbers.size), gradient, slope)
+        return Dissipation(np.zeros(indices.size), gradient, slope)
 
     load = np.array(
         [contact.load if contact.conditions is not None else 0.0 for contact in contacts]
@@ -65,10 +65,10 @@ def _groups(
             alike = type(law.coefficient) if isinstance(law, EllipseLaw) else id(law)
             kinds.setdefault(alike, []).append(number)
     groups = []
-    for numbers in kinds.values():
+    for indices in kinds.values():
         members = np.zeros(len(contacts), dtype=np.bool_)
-        members[numbers] = True
-        groups.append((members, _evaluation(laws, laws[numbers[0]])))
+        members[indices] = True
+        groups.append((members, _evaluation(laws, laws[indices[0]])))
     return groups
 
 
@@ -87,11 +87,11 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
         shapes = np.array([law.shape.constants for law in alike])
 
         def coefficients(
-            numbers: NDArray[np.int64], places: Array, motion: Array
+            indices: NDArray[np.int64], places: Array, motion: Array
         ) -> tuple[Array, Array]:
-            result = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
+            result = np.empty((indices.size, 4)), np.empty((indices.size, 4, 4))
             _kernels.hertz_gradients(
-                disc, constants[numbers], shapes[numbers], places, motion, STEP, *result
+                disc, constants[indices], shapes[indices], places, motion, STEP, *result
             )
             return result
 
@@ -99,15 +99,15 @@ def _evaluation(laws: Sequence[FrictionLaw], first: FrictionLaw) -> Evaluate:
     if isinstance(first, TractionTable):
         arguments = first.kernel_arguments()
 
-        def table(numbers: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
-            result = np.empty((numbers.size, 4)), np.empty((numbers.size, 4, 4))
+        def table(indices: NDArray[np.int64], places: Array, motion: Array) -> tuple[Array, Array]:
+            result = np.empty((indices.size, 4)), np.empty((indices.size, 4, 4))
             _kernels.table_gradients(arguments, places, motion, STEP, *result)
             return result
 
         return table
 
     def one_by_one(
-        numbers: NDArray[np.int64], places: Array, motion: Array
+        indices: NDArray[np.int64], places: Array, motion: Array
     ) -> tuple[Array, Array]:
         pairs = [law_gradient(first, place, k) for place, k in zip(places, motion, strict=True)]
         gradients, slopes = zip(*pairs, strict=True)
