@@ -66,13 +66,13 @@ def source(row: dict[str, str]) -> str:
     return "; ".join([*parts, "grooves: 0.515 and 0.525 of the ball, assumed"])
 
 
-def entry(row: dict[str, str], found: GeometryEstimate) -> dict[str, object]:
+def entry(row: dict[str, str], estimate: GeometryEstimate) -> dict[str, object]:
     """Keys of an entry; lengths [mm], clearance [um], angle [deg], ratings [kN]."""
     lengths = ("ball_diameter", "pitch_diameter", "inner_groove_radius", "outer_groove_radius")
-    values: dict[str, object] = {f"{name}_mm": round(getattr(found, name) / MM, 4) for name in lengths}
-    values["balls"] = found.balls
-    ranges = {f"{key}_mm": [round(v / MM, 4) for v in found.ranges()[key]] for key in lengths}
-    ranges["balls"] = list(found.ranges()["balls"])
+    values: dict[str, object] = {f"{name}_mm": round(getattr(estimate, name) / MM, 4) for name in lengths}
+    values["balls"] = estimate.balls
+    ranges = {f"{key}_mm": [round(v / MM, 4) for v in estimate.ranges()[key]] for key in lengths}
+    ranges["balls"] = list(estimate.ranges()["balls"])
     angle = float(row["contact_angle_deg"])
     if angle:
         values["free_contact_angle_deg"] = angle

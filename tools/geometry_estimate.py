@@ -175,16 +175,16 @@ def estimate_geometry(data: CatalogueData) -> GeometryEstimate:
     """
     steel = load_material("bearing steel")
     section = data.outside_diameter - data.bore
-    found = []
+    candidates = []
     for ball in ball_sizes(BALL_TO_SECTION[0] * section, BALL_TO_SECTION[1] * section):
         for balls in range(FEWEST_BALLS, most_balls(ball, data.pitch) + 1):
             bearing = _bearing(data, ball, balls, steel)
             dynamic = dynamic_rating(bearing, data.contact_angle) / data.dynamic_rating
             static = static_rating(bearing, data.contact_angle) / data.static_rating
-            found.append((hypot(log(dynamic), log(static)), ball, balls, dynamic - 1.0, static - 1.0))
-    if len(found) < 2:
+            candidates.append((hypot(log(dynamic), log(static)), ball, balls, dynamic - 1.0, static - 1.0))
+    if len(candidates) < 2:
         raise ValueError(f"outside_diameter and bore leave no room for standard balls, section {section!r} m")
-    (misfit, ball, balls, dynamic, static), (next_misfit, *_), *_ = sorted(found)
+    (misfit, ball, balls, dynamic, static), (next_misfit, *_), *_ = sorted(candidates)
     return GeometryEstimate(
         ball_diameter=ball,
         pitch_diameter=data.pitch,

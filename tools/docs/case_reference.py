@@ -57,8 +57,8 @@ NAMED = {"rows": "[rows]", "materials": "materials.NAME", "lubricants": "lubrica
 
 def unit(key: str) -> str:
     """Unit that a key ends in; a dash if it has none."""
-    found = unit_of(key)
-    return SYMBOLS.get(found, found) or "–"
+    unit = unit_of(key)
+    return SYMBOLS.get(unit, unit) or "–"
 
 
 def default(key: str, node: dict[str, Any], required: list[str]) -> str:

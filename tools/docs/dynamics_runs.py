@@ -37,11 +37,11 @@ class Run:
         """As `slides`, and at a gap that of the nearest points of the surfaces [m/s]."""
         from bearing.dynamics._kernels import derivative
 
-        problem, found = self.simulation.data, []
+        problem, result = self.simulation.data, []
         for time, state in zip(self.record.time, self.record.state, strict=True):
             derivative(float(time), state, problem, np.zeros_like(state))
-            found.append(np.hypot(problem.motion[..., 12], problem.motion[..., 13]))
-        return np.array(found)
+            result.append(np.hypot(problem.motion[..., 12], problem.motion[..., 13]))
+        return np.array(result)
 
     @property
     def azimuths(self) -> Any:
@@ -62,11 +62,11 @@ class Run:
         return float(orbit_speeds(self.record.state, self.simulation.layout).std())
 
 
-def over_azimuth(found: Run, values: Any, bins: int = 60) -> tuple[Any, Any]:
+def over_azimuth(result: Run, values: Any, bins: int = 60) -> tuple[Any, Any]:
     """Middles of equal parts of the turn [deg], means of values (m, Z) there; NaN if empty."""
     edges = np.linspace(-180.0, 180.0, bins + 1)
     sound = np.isfinite(values)
-    place, weights = found.azimuths[sound], values[sound]
+    place, weights = result.azimuths[sound], values[sound]
     count, total = np.histogram(place, edges)[0], np.histogram(place, edges, weights=weights)[0]
     return 0.5 * (edges[1:] + edges[:-1]), np.divide(total, count, out=np.full(bins, np.nan), where=count > 0)
 

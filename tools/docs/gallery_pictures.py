@@ -28,8 +28,8 @@ def draw(name: str, command: str) -> None:
     with tempfile.TemporaryDirectory() as folder:
         words = [sys.executable, "-m", "cases.cli", command, name, "-o", f"{folder}/out", "--quiet"]
         subprocess.run(words + (["--plot"] if command == "batch" else []), cwd=ROOT, check=True)
-        found = next(path for file in FIRST[command] if (path := Path(folder) / "out" / file).exists())
-        with Image.open(found) as picture:
+        picture_file = next(path for file in FIRST[command] if (path := Path(folder) / "out" / file).exists())
+        with Image.open(picture_file) as picture:
             small = picture.convert("RGB")
             if small.width > WIDTH:
                 small = small.resize((WIDTH, round(small.height * WIDTH / small.width)), Image.Resampling.LANCZOS)

@@ -41,8 +41,8 @@ def contact() -> TableContact:
     """What the table of the inner race is made for, without a limiting stress."""
     case = load_case("6208_with_heat")
     state = solve_quasistatic(case.bearing, case.operation, case.model)
-    found = table_contacts(state, case.lubricant, case.rheology, solids=case.films.solids)[Race.INNER]
-    return replace(found, rheology=found.rheology.unlimited)
+    result = table_contacts(state, case.lubricant, case.rheology, solids=case.films.solids)[Race.INNER]
+    return replace(result, rheology=result.rheology.unlimited)
 
 
 def by_films(wanted: TableContact, load: float, ratios: Array) -> Array:
@@ -56,10 +56,10 @@ def by_films(wanted: TableContact, load: float, ratios: Array) -> Array:
 def in_full(wanted: TableContact, load: float, ratio: float) -> tuple[float, bool]:
     """Coefficient of a full solve [-], and whether it converged."""
     conditions = replace(wanted.conditions(load, SPEED), slide_roll_ratio=ratio)
-    found = solve_generalized(conditions, wanted.rheology, solids=wanted.solids, options=SolverOptions(points=POINTS))
-    x, y = found.contact.x, found.contact.y
-    assert found.mid_stress is not None and x is not None and y is not None
-    return -float(np.trapezoid(np.trapezoid(found.mid_stress[0], y, axis=1), x)) / load, found.contact.converged
+    result = solve_generalized(conditions, wanted.rheology, solids=wanted.solids, options=SolverOptions(points=POINTS))
+    x, y = result.contact.x, result.contact.y
+    assert result.mid_stress is not None and x is not None and y is not None
+    return -float(np.trapezoid(np.trapezoid(result.mid_stress[0], y, axis=1), x)) / load, result.contact.converged
 
 
 def draw(axes: Axes, wanted: TableContact, load: float, colour: str) -> list[str]:

@@ -51,13 +51,13 @@ def checks() -> Iterator[Sequence[str]]:
     """Estimates beside known geometries."""
     script = tool("estimated_bearings")
     for name, balls, ball, pitch, source in KNOWN:
-        found = script.estimate(script.rows()[name])
-        own, pitch_found = 1e3 * found.ball_diameter, 1e3 * found.pitch_diameter
+        estimate = script.estimate(script.rows()[name])
+        own, pitch_found = 1e3 * estimate.ball_diameter, 1e3 * estimate.pitch_diameter
         errors = f"{100 * (own / ball - 1):+.1f} %", f"{100 * (pitch_found / pitch - 1):+.1f} %"
         yield (
             name,
             f"{balls} × {ball:g} on {pitch:g}",
-            f"{found.balls} × {own:.4g} on {pitch_found:.4g}",
+            f"{estimate.balls} × {own:.4g} on {pitch_found:.4g}",
             *errors,
             source,
         )
@@ -68,18 +68,18 @@ def fit() -> Iterator[Sequence[str]]:
     script = tool("estimated_bearings")
     for title, angle in (("deep groove", "0"), ("15° (C)", "15"), ("40° (B)", "40")):
         rows = [r for r in script.rows().values() if r["contact_angle_deg"] == angle and r["dynamic_rating_kN"]]
-        found = [script.estimate(row) for row in rows]
+        estimates = [script.estimate(row) for row in rows]
         guesses = [guess(row) for row in rows]
-        dynamic, static = [e.dynamic_error for e in found], [e.static_error for e in found]
-        ball = [g[0] / e.ball_diameter - 1.0 for g, e in zip(guesses, found, strict=True)]
-        number = [g[2] - e.balls for g, e in zip(guesses, found, strict=True)]
+        dynamic, static = [e.dynamic_error for e in estimates], [e.static_error for e in estimates]
+        ball = [g[0] / e.ball_diameter - 1.0 for g, e in zip(guesses, estimates, strict=True)]
+        number = [g[2] - e.balls for g, e in zip(guesses, estimates, strict=True)]
         yield (
             title,
             str(len(rows)),
             f"{100 * min(dynamic):+.1f} to {100 * max(dynamic):+.1f} %",
             f"{100 * min(static):+.1f} to {100 * max(static):+.1f} %",
-            f"{100 * max(e.misfit for e in found):.1f} %",
-            f"{100 * min(e.next_misfit for e in found):.1f} %",
+            f"{100 * max(e.misfit for e in estimates):.1f} %",
+            f"{100 * min(e.next_misfit for e in estimates):.1f} %",
             f"{100 * min(ball):+.0f} to {100 * max(ball):+.0f} %",
             f"{min(number):+d} to {max(number):+d}",
         )
@@ -191,8 +191,8 @@ def page() -> str:
     for name, rows in ROWS.items():
         start = MARK.format(name)
         block = f"{start}\n\n{table(HEADS[name].split('|'), rows())}\n\n{END}"
-        before, found, rest = text.partition(start)
-        assert found, name
+        before, marker, rest = text.partition(start)
+        assert marker, name
         text = before + block + rest.partition(END)[2]
     return text
 

@@ -98,11 +98,11 @@ def with_heat(contact: ContactConditions) -> list[np.ndarray]:
     """The same with the heat of rolling in the film and that of sliding where it is sheared."""
     film = solve_generalized(contact, Rheology(), solids=(STEEL, STEEL), options=SolverOptions(points=POINTS))
     slide, none = RATIOS * contact.entrainment_speed, np.zeros_like(RATIOS)
-    found = []
+    coefficients = []
     for limit in LIMITS:
         nodes = heated_film(film, (STEEL, STEEL), shear_law(limit), float(slide[-1]))
-        found.append(-heated_forces(nodes, (slide, none, none), none, 0.0)[:, 0] / contact.load)
-    return found
+        coefficients.append(-heated_forces(nodes, (slide, none, none), none, 0.0)[:, 0] / contact.load)
+    return coefficients
 
 
 def table(curves: list[list[list[np.ndarray]]]) -> str:

@@ -75,18 +75,18 @@ def swept(stem: str, speeds: np.ndarray, loads: list[tuple[float, float]] | None
 
 def curves(stem: str) -> list[Curve]:
     """Sliding torque over speed by model, and the printed values."""
-    found = swept(stem, SPEEDS)
+    sweep = swept(stem, SPEEDS)
 
     def model(label: str, values: np.ndarray, colour: str, style: str = "-") -> Curve:
         return Curve(label=label, speeds=SPEEDS, values=values[0, 0], colour=colour, style=style)
 
     return [
-        model("SKF, sliding", found.components["skf", "sliding"], INK),
-        model("SKF, as printed", found.components["skf_as_printed", "sliding"], INK, ":"),
-        model("Kakuta", found.totals["kakuta"], ORANGE),
-        model("Coulomb, 2-D, balanced", found.totals["coulomb"], RED),
-        model("pure rolling lines", found.totals["pure_rolling_lines"], BLUE, "--"),
-        model("lines, µ = 0.07", found.totals["constant_coulomb"], GREEN, "-."),
+        model("SKF, sliding", sweep.components["skf", "sliding"], INK),
+        model("SKF, as printed", sweep.components["skf_as_printed", "sliding"], INK, ":"),
+        model("Kakuta", sweep.totals["kakuta"], ORANGE),
+        model("Coulomb, 2-D, balanced", sweep.totals["coulomb"], RED),
+        model("pure rolling lines", sweep.totals["pure_rolling_lines"], BLUE, "--"),
+        model("lines, µ = 0.07", sweep.totals["constant_coulomb"], GREEN, "-."),
         Curve(
             label="printed, proposed",
             speeds=RPM * np.array(PRINTED_SPEEDS),
@@ -104,10 +104,10 @@ def line(label: str, values: np.ndarray, colour: str, style: str = "-") -> Curve
 
 def draw_methods() -> None:
     """Figures 6, 7 and 9: parts of the torque by method, 500 N axial."""
-    found = swept("6206_axial_500N", SPEEDS)
+    sweep = swept("6206_axial_500N", SPEEDS)
 
     def part(model: str, *names: str) -> np.ndarray:
-        return np.sum([found.components[model, name][0, 0] for name in names], axis=0)
+        return np.sum([sweep.components[model, name][0, 0] for name in names], axis=0)
 
     curved, both = "curvature", ("rotation", "orbit")
     panels = {
@@ -138,12 +138,12 @@ def draw_loads() -> None:
         ("Fig. 13: radial load", "6206_radial_500N", [(0.0, f) for f in LOADS]),
         ("Fig. 16: axial load, 1000 N radial", "6206_combined_1000N", [(f, 1000.0) for f in LOADS]),
     ):
-        found = swept(stem, SPEEDS, loads)
+        sweep = swept(stem, SPEEDS, loads)
         panels[title] = [
-            line(f"{load:g} N, lines", found.totals["balanced_lines"][0, k], colour)
+            line(f"{load:g} N, lines", sweep.totals["balanced_lines"][0, k], colour)
             for k, (load, colour) in enumerate(zip(LOADS, (BLUE, ORANGE, RED), strict=True))
         ] + [
-            line(f"{load:g} N, SKF, true", found.components["skf", "sliding"][0, k], colour, ":")
+            line(f"{load:g} N, SKF, true", sweep.components["skf", "sliding"][0, k], colour, ":")
             for k, (load, colour) in enumerate(zip(LOADS, (BLUE, ORANGE, RED), strict=True))
         ]
     draw_panels("sliding_friction_6206_loads.png", panels)
@@ -165,11 +165,11 @@ def draw_sizes() -> None:
             ("Fig. 11: 500 N axial, 5000 r/min", "Fig. 14: 500 N radial, 5000 r/min"),
             strict=True,
         ):
-            found = [swept(stem, RPM * np.array([5000.0]), size=size) for size in SIZES]
+            sweeps = [swept(stem, RPM * np.array([5000.0]), size=size) for size in SIZES]
             for k, (label, colour, model) in enumerate(models):
                 values = [
                     sweep.components["skf", "sliding"][0, 0, 0] if model == "skf" else sweep.totals[model][0, 0, 0]
-                    for sweep in found
+                    for sweep in sweeps
                 ]
                 places = np.arange(len(SIZES)) + 0.26 * (k - 1)
                 bars = axes.bar(places, 1e3 * np.array(values), width=0.24, color=colour, label=label)
@@ -187,8 +187,8 @@ def draw_panels(name: str, panels: dict[str, list[Curve]]) -> None:
     """Panels over speed; one legend below where all have the same lines, else one in each."""
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 2.7))
-        found = figure.subplots(1, len(panels))
-        for axes, (title, lines) in zip(found, panels.items(), strict=True):
+        panel_axes = figure.subplots(1, len(panels))
+        for axes, (title, lines) in zip(panel_axes, panels.items(), strict=True):
             draw_over_speed(axes, lines, title)
             axes.legend(loc="best", fontsize=6.0)
         save(figure, IMAGES / name)

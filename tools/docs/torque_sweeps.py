@@ -96,8 +96,8 @@ def torque_sweep(
         if not solution.converged:
             continue
         oil = study.oil(temperature)
-        found = torque_breakdown(solution, contact_conditions(solution, oil), oil, study.friction)
-        for name, model in found.models.items():
+        breakdown = torque_breakdown(solution, contact_conditions(solution, oil), oil, study.friction)
+        for name, model in breakdown.models.items():
             if model.total is not None:
                 totals.setdefault(name, np.full(shape, np.nan))[place] = model.total
             for part, value in model.components.items():

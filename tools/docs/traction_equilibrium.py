@@ -119,7 +119,7 @@ def at(case: Case, rpm: float, axial: float) -> Case:
     return replace(case, operation=operation)
 
 
-def table(found: dict[str, Row]) -> list[str]:
+def table(rows: dict[str, Row]) -> list[str]:
     """Lines of one operation's table."""
     lines = [
         "| | β | α_i, α_o | spin over roll, inner, outer | inner share of 2 M_g/D | cage over "
@@ -127,7 +127,7 @@ def table(found: dict[str, Row]) -> list[str]:
         "| power left over |",
         "|---|---|---|---|---|---|---|",
     ]
-    for name, r in found.items():
+    for name, r in rows.items():
         left = "" if r.imbalance is None else f"{r.imbalance:.0e}"
         lines.append(
             f"| {name} | {r.attitude:.2f}° | {r.inner_angle:.2f}°, {r.outer_angle:.2f}° | "
@@ -149,7 +149,7 @@ def draw(by_speed: dict[float, dict[str, Row]]) -> None:
         )
         for axes, (key, label) in zip(panels, wanted, strict=True):
             for name, colour in COLOURS.items():
-                values = [getattr(found[name], key) for found in by_speed.values()]
+                values = [getattr(rows[name], key) for rows in by_speed.values()]
                 style = "--" if name in HYPOTHESES else "-"
                 axes.plot([rpm / 1000.0 for rpm in by_speed], values, style, color=colour, label=name)
             axes.set_xlabel("shaft speed, 1000 r/min")

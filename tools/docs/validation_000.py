@@ -50,14 +50,14 @@ class Onset:
     hirano: float
 
 
-def cage(found: Run) -> float:
+def cage(result: Run) -> float:
     """Mean speed of the cage over the kinematic one [-]."""
-    return found.statistics.cage_speed / found.statistics.kinematic_speed
+    return result.statistics.cage_speed / result.statistics.kinematic_speed
 
 
-def spread(found: Run) -> float:
+def spread(result: Run) -> float:
     """Half width of the interval of `cage` [-]."""
-    return (found.statistics.cage_interval or 0.0) / found.statistics.kinematic_speed
+    return (result.statistics.cage_interval or 0.0) / result.statistics.kinematic_speed
 
 
 def mean(values: Any, mask: Any) -> float:
@@ -78,26 +78,26 @@ def series() -> tuple[dict[float, Run], dict[float, Run], dict[float, Run]]:
     return axial, radial, mixed
 
 
-def averages(found: Run) -> tuple[Any, Any]:
+def averages(result: Run) -> tuple[Any, Any]:
     """Mean sliding speed [m/s] and traction factor [-] of both races where loaded."""
-    return np.nanmean(found.slides, axis=(0, 2)), np.nanmean(found.factors, axis=(0, 2))
+    return np.nanmean(result.slides, axis=(0, 2)), np.nanmean(result.factors, axis=(0, 2))
 
 
 def axial_rows(runs: dict[float, Run]) -> str:
     """Table of the axial loads."""
     lines = []
-    for load, found in runs.items():
-        s, f = averages(found)
-        inner = found.record.races[:, 0, :, 0].mean()
-        numbers = f"{s[0]:.3f} | {s[1]:.3f} | {f[0]:.4f} | {f[1]:.4f} | {found.statistics.energy_error:.0e}"
-        lines.append(f"| {load:.0f} | {inner:.2f} | {cage(found):.4f} ± {spread(found):.0e} | {numbers} |")
+    for load, result in runs.items():
+        s, f = averages(result)
+        inner = result.record.races[:, 0, :, 0].mean()
+        numbers = f"{s[0]:.3f} | {s[1]:.3f} | {f[0]:.4f} | {f[1]:.4f} | {result.statistics.energy_error:.0e}"
+        lines.append(f"| {load:.0f} | {inner:.2f} | {cage(result):.4f} ± {spread(result):.0e} | {numbers} |")
     return "\n".join(lines)
 
 
-def zones(found: Run) -> tuple[float, float, float, float]:
+def zones(result: Run) -> tuple[float, float, float, float]:
     """Sliding: inner loaded, inner at a gap, outer where inner is loaded, elsewhere [m/s]."""
-    slides, inside = found.surface_slides, found.record.races[:, 0, :, 0] > 0.0
-    touching = found.record.races[:, 1, :, 0] > 0.0
+    slides, inside = result.surface_slides, result.record.races[:, 0, :, 0] > 0.0
+    touching = result.record.races[:, 1, :, 0] > 0.0
     inner, outer = slides[:, 0], slides[:, 1]
     return mean(inner, inside), mean(inner, ~inside), mean(outer, inside & touching), mean(outer, ~inside & touching)
 
@@ -105,22 +105,22 @@ def zones(found: Run) -> tuple[float, float, float, float]:
 def radial_rows(runs: dict[float, Run]) -> str:
     """Table of the radial loads."""
     lines = []
-    for load, found in runs.items():
-        words = " | ".join(number(part) for part in zones(found))
-        largest = found.statistics.largest_load[0].max()
-        speed = f"{cage(found):.4f} ± {spread(found):.0e}"
-        lines.append(f"| {load:.0f} | {speed} | {words} | {largest:.1f} | {found.statistics.energy_error:.0e} |")
+    for load, result in runs.items():
+        words = " | ".join(number(part) for part in zones(result))
+        largest = result.statistics.largest_load[0].max()
+        speed = f"{cage(result):.4f} ± {spread(result):.0e}"
+        lines.append(f"| {load:.0f} | {speed} | {words} | {largest:.1f} | {result.statistics.energy_error:.0e} |")
     return "\n".join(lines)
 
 
 def mixed_rows(runs: dict[float, Run]) -> str:
     """Table of the combined loads."""
     lines = []
-    for load, found in runs.items():
-        s, free = found.slides[:, 0], found.statistics.shares[:, :, 0].mean(axis=1)
+    for load, result in runs.items():
+        s, free = result.slides[:, 0], result.statistics.shares[:, :, 0].mean(axis=1)
         ends = f"{np.nanpercentile(s, 2):.3f} | {np.nanpercentile(s, 98):.3f} | {np.nanstd(s):.4f}"
-        numbers = f"{ends} | {free[0]:.3f} | {free[1]:.3f} | {found.statistics.energy_error:.0e}"
-        lines.append(f"| {load:.0f} | {cage(found):.4f} ± {spread(found):.0e} | {numbers} |")
+        numbers = f"{ends} | {free[0]:.3f} | {free[1]:.3f} | {result.statistics.energy_error:.0e}"
+        lines.append(f"| {load:.0f} | {cage(result):.4f} ± {spread(result):.0e} | {numbers} |")
     return "\n".join(lines)
 
 
@@ -133,9 +133,9 @@ def few(load: float, speed: float, start: str = "quasi-static") -> Run:
     return run(changed(three, (load * FEW / 18.0, 0.0), speed, **keys))
 
 
-def rolls(found: Run) -> bool:
+def rolls(result: Run) -> bool:
     """Whether the balls keep up."""
-    return bool(found.statistics.orbit_speed > SKIDS * found.statistics.kinematic_speed)
+    return bool(result.statistics.orbit_speed > SKIDS * result.statistics.kinematic_speed)
 
 
 def balance_load(speed: float) -> float:
@@ -163,8 +163,8 @@ def onset(speed: float) -> Onset:
     assert not rolls(few(low, speed))
     while high > 1.02 * low:
         middle = (low * high) ** 0.5
-        found = few(middle, speed)
-        low, high, last = (low, middle, found) if rolls(found) else (middle, high, last)
+        result = few(middle, speed)
+        low, high, last = (low, middle, result) if rolls(result) else (middle, high, last)
     races = last.record.races[-1, :, 0]
     pulls, drag = np.abs(races[:, 8]), (last.statistics.orbit_speed / last.statistics.kinematic_speed) ** 2
     study = SlipStudy(
@@ -191,10 +191,10 @@ def critical(axial: bool, start: str, ends: tuple[float, float]) -> float:
     while high > 1.05 * low:
         middle = (low * high) ** 0.5
         if axial:
-            found = few(middle, 5000.0, start)
+            result = few(middle, 5000.0, start)
         else:
-            found = run(changed(case, (0.0, middle), start=start, **(TIME | {"end_time_s": end})))
-        low, high = (low, middle) if rolls(found) else (middle, high)
+            result = run(changed(case, (0.0, middle), start=start, **(TIME | {"end_time_s": end})))
+        low, high = (low, middle) if rolls(result) else (middle, high)
     return (low * high) ** 0.5
 
 
@@ -237,8 +237,8 @@ def rises(values: Any, slack: float = 0.0) -> bool:
 
 def of_radial(runs: dict[float, Run]) -> list[str]:
     """Section 4.1."""
-    found = {load: zones(one) for load, one in runs.items()}
-    inner, gap, outer, bare = np.array(list(found.values())).T
+    result = {load: zones(one) for load, one in runs.items()}
+    inner, gap, outer, bare = np.array(list(result.values())).T
     factors = [float(np.nanmean(one.factors[:, 0])) for one in runs.values()]
     top = int(np.argmax(outer))
     loads = ", ".join(f"{load:.0f}" for load in runs)
@@ -424,7 +424,8 @@ def main() -> None:
     from_rest = critical(True, "rest", (90.0, 150.0)), critical(False, "rest", (250.0, 420.0))
     smooth = zones(without_pocket_friction())
     counts = {
-        found[100.0].simulation.point.kind.value: found[100.0].simulation.equations for found in (axial, radial, mixed)
+        result[100.0].simulation.point.kind.value: result[100.0].simulation.equations
+        for result in (axial, radial, mixed)
     }
     words = [
         f"{kind}: static {c['static']}, quasi-static {c['quasi_static']}, "

@@ -40,16 +40,16 @@ def draw_azimuth(name: str, words: str, runs: dict[float, Run], *, gaps: bool) -
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 4.4))
         axes = figure.subplots(2, 2, sharex=True)
-        for colour, (load, found) in zip(colours, runs.items(), strict=True):
-            slides, bare = found.slides, found.surface_slides
+        for colour, (load, result) in zip(colours, runs.items(), strict=True):
+            slides, bare = result.slides, result.surface_slides
             for race in range(2):
-                place, loaded = over_azimuth(found, slides[:, race])
+                place, loaded = over_azimuth(result, slides[:, race])
                 axes[0, race].plot(place, loaded, color=colour, label=f"{load:.0f} N")
                 if gaps and race == 0:
                     gap = np.where(np.isfinite(slides[:, 0]), np.nan, bare[:, 0])
-                    axes[0, 0].plot(*over_azimuth(found, gap), ":", color=colour, linewidth=0.9)
-                factors = np.nan_to_num(found.factors[:, race])
-                axes[1, race].plot(*over_azimuth(found, factors), color=colour)
+                    axes[0, 0].plot(*over_azimuth(result, gap), ":", color=colour, linewidth=0.9)
+                factors = np.nan_to_num(result.factors[:, race])
+                axes[1, race].plot(*over_azimuth(result, factors), color=colour)
         for race, side in enumerate(("inner", "outer")):
             axes[0, race].set_title(f"{side} race")
             axes[1, race].set_xlabel("azimuth from the load line [deg]")
@@ -67,14 +67,14 @@ def draw_skid(points: Any, catalogue: Any, factor: float) -> None:
     with mpl.rc_context(RC):
         figure = Figure(figsize=(0.65 * PAGE_WIDTH, 3.2))
         ax = figure.subplots()
-        n, found, balance, hirano = points.T
-        ax.fill_between(n, found, ax.get_ylim()[0] + 1.0, color=OUTER_COLOUR, alpha=0.08, linewidth=0)
+        n, result, balance, hirano = points.T
+        ax.fill_between(n, result, ax.get_ylim()[0] + 1.0, color=OUTER_COLOUR, alpha=0.08, linewidth=0)
         ax.loglog(n, hirano, "^-", color=REFERENCE, markersize=4, label="Hirano, SF = 10")
         ax.loglog(n, catalogue, "-.", color="#3a7d44", label=f"catalogue, A = {factor:.0f} N (assumed)")
-        ax.loglog(n, found, "o-", color=OUTER_COLOUR, markersize=4, label="onset of gross skid, simulated")
+        ax.loglog(n, result, "o-", color=OUTER_COLOUR, markersize=4, label="onset of gross skid, simulated")
         ax.loglog(n, balance, "--", color=INNER_COLOUR, label=r"drag = 2 $\kappa_{max} Q_i$")
-        ax.text(n[-1], 0.35 * found[-1], "gross skid", ha="right", color=OUTER_COLOUR)
-        ax.set(xlabel="speed of the inner ring [r/min]", ylabel="axial load [N]", ylim=(0.5 * found.min(), None))
+        ax.text(n[-1], 0.35 * result[-1], "gross skid", ha="right", color=OUTER_COLOUR)
+        ax.set(xlabel="speed of the inner ring [r/min]", ylabel="axial load [N]", ylim=(0.5 * result.min(), None))
         ax.set_xticks(n, [f"{speed:.0f}" for speed in n])
         ax.xaxis.set_minor_formatter(mpl.ticker.NullFormatter())
         ax.grid(linewidth=0.3, alpha=0.5)

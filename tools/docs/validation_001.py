@@ -49,9 +49,9 @@ def drag_at(speed: float) -> float:
     return SHIPPED * (speed / 8000.0) ** 2
 
 
-def cage(found: Run) -> float:
+def cage(result: Run) -> float:
     """Mean speed of the cage [r/min]."""
-    return found.statistics.cage_speed / RPM
+    return result.statistics.cage_speed / RPM
 
 
 def on_plateau(speed: float) -> bool:
@@ -71,7 +71,7 @@ def load_series() -> dict[float, dict[float, Run]]:
 
 def knee(of_drag: dict[float, Run]) -> float:
     """Load [N] at which the cage reaches 0.9 of the speed without slip; NaN if always beyond."""
-    speeds, wanted = np.array([cage(found) for found in of_drag.values()]), 0.9 * 8000.0 * NO_SLIP
+    speeds, wanted = np.array([cage(result) for result in of_drag.values()]), 0.9 * 8000.0 * NO_SLIP
     if speeds[0] >= wanted:
         return float("nan")
     k = int(np.argmax(speeds >= wanted))
@@ -124,10 +124,10 @@ def run_up_series() -> dict[str, Run]:
     return runs | {f"{n} balls": run_up(balls=n) for n in BALLS}
 
 
-def slip_in_time(found: Run) -> tuple[Any, Any]:
+def slip_in_time(result: Run) -> tuple[Any, Any]:
     """Times [s] and slip of the cage [-], means of a hundredth of the time each."""
-    time, turned = np.concatenate(found.running.time), np.concatenate(found.running.cage_rotation)
-    data = found.simulation.data
+    time, turned = np.concatenate(result.running.time), np.concatenate(result.running.cage_rotation)
+    data = result.simulation.data
     between = 0.5 * (time[1:] + time[:-1])
     ring = np.concatenate([[0.0], np.cumsum(np.diff(time) * np.interp(between, data.times, data.schedule[:, 0]))])
     step = max(1, time.size // 100)
@@ -136,36 +136,36 @@ def slip_in_time(found: Run) -> tuple[Any, Any]:
     return 0.5 * (time[place][1:] + time[place][:-1]), slips
 
 
-def grips(found: Run) -> float:
+def grips(result: Run) -> float:
     """Time from rest until the slip of the cage first falls below `GRIP` [s]; NaN if never."""
-    time, slips = slip_in_time(found)
+    time, slips = slip_in_time(result)
     return float(time[np.argmax(slips < GRIP)]) if (slips < GRIP).any() else float("nan")
 
 
-def repeats(found: Run) -> float:
+def repeats(result: Run) -> float:
     """Share of the variance of the ring's path that is the same at every passage of a ball [-]."""
-    layout, balls = found.simulation.layout, found.simulation.bearing.balls
-    place = found.record.state[:, layout.ring][:, 1:3]
-    phase = (balls * found.record.state[:, layout.cage][:, 3]) % (2.0 * np.pi)
+    layout, balls = result.simulation.layout, result.simulation.bearing.balls
+    place = result.record.state[:, layout.ring][:, 1:3]
+    phase = (balls * result.record.state[:, layout.cage][:, 3]) % (2.0 * np.pi)
     parts = np.minimum((phase * 40 / (2.0 * np.pi)).astype(int), 39)
     means = np.array([place[parts == k].mean(axis=0) if (parts == k).any() else place.mean(axis=0) for k in range(40)])
     rest = place - means[parts]
     return 1.0 - float(rest.var(axis=0).sum() / place.var(axis=0).sum())
 
 
-def moves(found: Run) -> float:
+def moves(result: Run) -> float:
     """Range of the ring's centre along the load [um]."""
-    return float(np.ptp(found.record.state[:, 1])) * 1e6
+    return float(np.ptp(result.record.state[:, 1])) * 1e6
 
 
-def largest(found: Run, race: int) -> float:
+def largest(result: Run, race: int) -> float:
     """Largest force on any ball at a race over the last third [N]."""
-    return float(found.record.races[:, race, :, 0].max())
+    return float(result.record.races[:, race, :, 0].max())
 
 
-def mean_slide(found: Run, race: int) -> float:
+def mean_slide(result: Run, race: int) -> float:
     """Mean sliding speed where there is contact [m/s]."""
-    return float(np.nanmean(found.slides[:, race]))
+    return float(np.nanmean(result.slides[:, race]))
 
 
 def other_rows(runs: dict[str, Run], ups: dict[str, Run]) -> str:
@@ -176,19 +176,19 @@ def other_rows(runs: dict[str, Run], ups: dict[str, Run]) -> str:
         " ring moves, µm | repeats | grips, s |",
         "|---|---|---|---|---|---|---|---|---|---|",
     ]
-    for name, found in runs.items():
-        o = found.statistics
-        slip = 100.0 * (1.0 - cage(found) / (NO_SLIP * found.simulation.data.schedule[-1, 0] / RPM))
+    for name, result in runs.items():
+        o = result.statistics
+        slip = 100.0 * (1.0 - cage(result) / (NO_SLIP * result.simulation.data.schedule[-1, 0] / RPM))
         impacts = o.shares[:, :, 2].mean(axis=1)
         cells = [
-            f"{cage(found):.1f}",
+            f"{cage(result):.1f}",
             f"{slip:.2f}",
-            f"{largest(found, 0):.1f}, {largest(found, 1):.1f}",
+            f"{largest(result, 0):.1f}, {largest(result, 1):.1f}",
             f"{o.shares[0, :, 0].mean():.3f}",
             f"{impacts[0]:.4f}, {impacts[1]:.4f}",
-            f"{mean_slide(found, 0):.3f}, {mean_slide(found, 1):.3f}",
-            f"{moves(found):.2f}",
-            f"{repeats(found):.2f}",
+            f"{mean_slide(result, 0):.3f}, {mean_slide(result, 1):.3f}",
+            f"{moves(result):.2f}",
+            f"{repeats(result):.2f}",
             f"{grips(ups[name]):.3f}",
         ]
         lines.append(f"| {name} | " + " | ".join(cells) + " |")
@@ -207,14 +207,14 @@ def listed(values: Any, digits: int = 2) -> str:
 
 def of_loads(loads: dict[float, dict[float, Run]]) -> list[str]:
     """Section 3."""
-    light = [cage(found) for found in loads[SHIPPED].values()]
+    light = [cage(result) for result in loads[SHIPPED].values()]
     steps = np.diff(light)
     heavy = [w for w in LOADS if w >= PLATEAU["radial_load_N"]]
     plateaus = {drag: [cage(of_drag[w]) for w in heavy] for drag, of_drag in loads.items()}
     heights = "; ".join(f"{drag:g} N: {min(p):.1f} ... {max(p):.1f}" for drag, p in plateaus.items())
     knees = {drag: knee(of_drag) for drag, of_drag in loads.items()}
     ratios = [value / balance(drag) for drag, value in knees.items() if np.isfinite(value)]
-    falls = min(float(np.diff([cage(found) for found in of_drag.values()]).min()) for of_drag in loads.values())
+    falls = min(float(np.diff([cage(result) for result in of_drag.values()]).min()) for of_drag in loads.values())
     return [
         judged(
             "3",
@@ -356,15 +356,15 @@ def stiffnesses() -> dict[str, float]:
     from bearing.dynamics.simulation import simulation
     from cases.runs.dynamics import build_model
 
-    found = {}
+    result = {}
     for key, name in (("printed", "planar as printed"), ("planar", "planar"), ("hertz", "hertz")):
         case = start(race_stiffness=name)
         model = build_model(case, None, lambda done, total, state: None)
         laws = simulation(case.bearing, case.operation, model).data.normal
-        found[f"{key}_inner"], found[f"{key}_outer"] = float(laws[0, 0]), float(laws[1, 0])
+        result[f"{key}_inner"], result[f"{key}_outer"] = float(laws[0, 0]), float(laws[1, 0])
     for race in ("inner", "outer"):
-        found[f"ratio_{race}"] = found[f"hertz_{race}"] / found[f"planar_{race}"]
-    return found
+        result[f"ratio_{race}"] = result[f"hertz_{race}"] / result[f"planar_{race}"]
+    return result
 
 
 def main() -> None:
@@ -374,7 +374,7 @@ def main() -> None:
     draw_loads({drag: {w: cage(one) for w, one in of.items()} for drag, of in loads.items()}, balance, NO_SLIP, PLATEAU)
     draw_forces({f"{n:.0f} r/min": others[f"{n:.0f} r/min"] for n in SPEEDS})
     draw_sliding({f"{n:.0f} r/min": others[f"{n:.0f} r/min"] for n in SPEEDS})
-    draw_run_ups({name: slip_in_time(found) for name, found in ups.items()}, RAMP)
+    draw_run_ups({name: slip_in_time(result) for name, result in ups.items()}, RAMP)
     draw_orbits(others)
     every = [*(one for of in loads.values() for one in of.values()), *others.values(), *ups.values()]
     PAGE.write_text(

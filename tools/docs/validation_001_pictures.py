@@ -45,9 +45,9 @@ def draw_loads(
         save(figure, IMAGES / "validation_001_loads.png")
 
 
-def _last(found: Run) -> tuple[Any, slice]:
+def _last(result: Run) -> tuple[Any, slice]:
     """Turns of the cage before the end [-], and the rows of the last `TURNS`."""
-    turned = found.record.state[:, found.simulation.layout.cage][:, 3] / (2.0 * np.pi)
+    turned = result.record.state[:, result.simulation.layout.cage][:, 3] / (2.0 * np.pi)
     turned -= turned[-1]
     return turned, slice(int(np.searchsorted(turned, -TURNS)), None)
 
@@ -57,9 +57,9 @@ def draw_forces(runs: dict[str, Run]) -> None:
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 3.6))
         axes = figure.subplots(2, len(runs), sharex=True)
-        for column, (name, found) in zip(axes.T, runs.items(), strict=True):
-            turned, part = _last(found)
-            races = found.record.races[part, :, 0]
+        for column, (name, result) in zip(axes.T, runs.items(), strict=True):
+            turned, part = _last(result)
+            races = result.record.races[part, :, 0]
             for race, (side, colour) in enumerate((("inner race", INNER_COLOUR), ("outer race", OUTER_COLOUR))):
                 column[0].plot(turned[part], races[:, race, 0], color=colour, linewidth=0.8, label=side)
                 column[1].plot(turned[part], races[:, race, 8], color=colour, linewidth=0.8)
@@ -76,9 +76,9 @@ def draw_sliding(runs: dict[str, Run]) -> None:
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 3.6))
         axes = figure.subplots(2, len(runs), sharex=True, gridspec_kw={"height_ratios": (2, 1)})
-        for column, (name, found) in zip(axes.T, runs.items(), strict=True):
-            turned, part = _last(found)
-            slides, states = found.slides[part, :, 0], found.record.contact_state[part, :, 0]
+        for column, (name, result) in zip(axes.T, runs.items(), strict=True):
+            turned, part = _last(result)
+            slides, states = result.slides[part, :, 0], result.record.contact_state[part, :, 0]
             for race, (side, colour) in enumerate((("inner race", INNER_COLOUR), ("outer race", OUTER_COLOUR))):
                 column[0].plot(turned[part], slides[:, race], color=colour, linewidth=0.8, label=side)
                 shown = states[:, race] + 0.12 * (race - 0.5)

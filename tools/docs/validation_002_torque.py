@@ -63,8 +63,8 @@ def solved(speed: float, load: float, **materials: str):
 
 def terms(speed: float, load: float) -> dict[str, float]:
     """The five terms [N mm]."""
-    found = torque_breakdown(*solved(speed, load), CASE.lubricant, CASE.friction).models["yao"]
-    return {name: 1e3 * value for name, value in found.components.items()}
+    yao = torque_breakdown(*solved(speed, load), CASE.lubricant, CASE.friction).models["yao"]
+    return {name: 1e3 * value for name, value in yao.components.items()}
 
 
 def supplied(speed: float, load: float, supply: Supply | InletFilm, **changes: object) -> StarvedTorque:
@@ -95,15 +95,15 @@ def unstarved_minimum(speed: float, load: float) -> float:
 @cache
 def heat_balances(sweep: str) -> dict[tuple[float, float, float], SelfHeatingSolution]:
     """Heat balances of a sweep, by speed [r/min], load [N] and supply [mL/min]."""
-    found = {}
+    states = {}
     for point in read_sweep(sweep).points:
         case = case_of_document(point.document)
         key = (case.operation.inner_speed / RPM, case.operation.force[1], point.values[FLOW])
         state = self_heated(case)
         assert state is not None
         assert state.converged
-        found[tuple(round(value, 6) for value in key)] = state
-    return found
+        states[tuple(round(value, 6) for value in key)] = state
+    return states
 
 
 def celsius(state: SelfHeatingSolution) -> float:
@@ -306,8 +306,8 @@ def draw() -> None:
     with mpl.rc_context(RC):
         figure = Figure(figsize=(PAGE_WIDTH, 3.1))
         parts, totals, heat = figure.subplots(1, 3)
-        found = [at_flow(5000.0, 3000.0, flow) for flow in FINE]
-        stack = [[1e3 * getattr(t, name) for t in found] for name in PARTS]
+        torques = [at_flow(5000.0, 3000.0, flow) for flow in FINE]
+        stack = [[1e3 * getattr(t, name) for t in torques] for name in PARTS]
         words, colours = zip(*PARTS.values(), strict=True)
         parts.stackplot(FINE, stack, labels=words, colors=colours)
         parts.set_title("5000 r/min, 3000 N")

@@ -137,17 +137,17 @@ def moments() -> list[float]:
 
 def tilted() -> list[tuple[str, str, str]]:
     """Figures 9 and 12."""
-    found = []
+    result = []
     for axial, radial_load, tilt in FIGURE_12:
         both = [slip_factors(solved(20e3, axial, radial_load, sign * tilt)) for sign in (-1.0, 1.0)]
-        found.append(f"{axial:.0f} N " + " or ".join(f"{f.min():.1f}–{f.max():.1f}" for f in both))
+        result.append(f"{axial:.0f} N " + " or ".join(f"{f.min():.1f}–{f.max():.1f}" for f in both))
     level, down, up = (slip_factors(solved(20e3, 300.0, 100.0, tilt)) for tilt in (0.0, -0.3e-3, 0.3e-3))
     least, most = (solved(20e3, 0.0, 200.0, tilt).inner_load[0] for tilt in (1.3e-3, 2.8e-3))
     return [
         (
             "Fig. 12a: 300 N axial, 100 N radial, 0.3 mrad: every ball slips",
             "not at 20000 r/min",
-            "SF with the tilt one way or the other: " + "; ".join(found) + "; the speed is not printed",
+            "SF with the tilt one way or the other: " + "; ".join(result) + "; the speed is not printed",
         ),
         (
             "Fig. 12: the factors grow from 300 to 500 N axial, with tilt and moment",

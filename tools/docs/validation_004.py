@@ -56,16 +56,16 @@ def table(stem: str, column: str) -> list[float]:
     return [of_speed[speed] for speed in SPEEDS]
 
 
-def total(found, name: str) -> float:
+def total(result, name: str) -> float:
     """Torque of a model [N mm]."""
-    value = found.models[name].total
+    value = result.models[name].total
     assert value is not None
     return 1e3 * value
 
 
-def sliding(found, name: str) -> float:
+def sliding(result, name: str) -> float:
     """Sliding component of a model [N mm]."""
-    return 1e3 * found.models[name].components["sliding"]
+    return 1e3 * result.models[name].components["sliding"]
 
 
 def named(stem: str) -> str:
@@ -81,12 +81,12 @@ def tables() -> tuple[str, str, dict[str, float]]:
     for stem, loads in LOADS.items():
         columns = table(stem, "proposed_torque_N_mm"), table(stem, "skf_torque_N_mm")
         for speed, proposed, of_skf in zip(SPEEDS, *columns, strict=True):
-            found, _, _ = solved(CASES[stem], speed, loads)
-            true = sliding(found, "skf")
+            result, _, _ = solved(CASES[stem], speed, loads)
+            true = sliding(result, "skf")
             head = f"| {named(stem)} | {speed:.0f} |"
-            skf.append(f"{head} {of_skf:.4f} | {sliding(found, 'skf_as_printed'):.4f} | {true:.4f} |")
-            ours = total(found, "pure_rolling_lines")
-            others = f"{total(found, 'balanced_lines'):.2f} | {total(found, 'coulomb'):.2f}"
+            skf.append(f"{head} {of_skf:.4f} | {sliding(result, 'skf_as_printed'):.4f} | {true:.4f} |")
+            ours = total(result, "pure_rolling_lines")
+            others = f"{total(result, 'balanced_lines'):.2f} | {total(result, 'coulomb'):.2f}"
             lines.append(f"{head} {proposed} | {ours:.2f} | {others} | {ours / proposed:.3f} | {ours / true:.3f} |")
             if speed == SPEEDS[0]:
                 ratios[stem], ratios[f"{stem} true"] = ours / proposed, ours / true
@@ -111,10 +111,10 @@ def choices() -> str:
     for words, way in ways:
         cells = []
         for stem, loads in LOADS.items():
-            found, _, _ = solved(CASES[stem], 500.0, loads, **way)
-            ours, reference = total(found, "pure_rolling_lines"), table(stem, "proposed_torque_N_mm")[0]
+            result, _, _ = solved(CASES[stem], 500.0, loads, **way)
+            ours, reference = total(result, "pure_rolling_lines"), table(stem, "proposed_torque_N_mm")[0]
             if loads[0] == 0.0:
-                reference = sliding(found, "skf")
+                reference = sliding(result, "skf")
             cells.append(f"{ours:.2f} ({100.0 * (ours / reference - 1.0):+.1f} %)")
         rows.append(f"| {words} | {' | '.join(cells)} |")
     return "\n".join(rows)
@@ -134,21 +134,21 @@ def line_errors() -> str:
     return "\n".join(rows)
 
 
-def parts(found, name: str) -> dict[str, float]:
+def parts(result, name: str) -> dict[str, float]:
     """Components of a model [N mm]."""
-    return {part: 1e3 * value for part, value in found.models[name].components.items()}
+    return {part: 1e3 * value for part, value in result.models[name].components.items()}
 
 
 def figures_6_to_9() -> list[tuple[str, str, str]]:
     """Comparison of methods under 500 N axial."""
     case = CASES["6206_axial_500N"]
-    found, _, _ = solved(case, 500.0, (500.0, 0.0))
+    result, _, _ = solved(case, 500.0, (500.0, 0.0))
     fast, _, _ = solved(case, 15000.0, (500.0, 0.0))
-    lines, kakuta = parts(found, "balanced_lines"), parts(found, "kakuta")
-    houpert = parts(found, "houpert")
+    lines, kakuta = parts(result, "balanced_lines"), parts(result, "kakuta")
+    houpert = parts(result, "houpert")
     curved, conventional = lines["rotation"] + lines["orbit"], kakuta["rotation"] + kakuta["orbit"]
-    constant = [total(x, "constant_coulomb") for x in (found, fast)]
-    with_mu = [total(x, "balanced_lines") for x in (found, fast)]
+    constant = [total(x, "constant_coulomb") for x in (result, fast)]
+    with_mu = [total(x, "balanced_lines") for x in (result, fast)]
     return [
         (
             "Fig. 6: Houpert's differential sliding torque above that of the updated c-values",
