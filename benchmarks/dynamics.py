@@ -35,19 +35,26 @@ def timed(case: Case, tables: Path | None) -> str:
     return f"{time}: {steps} steps, {evaluations} evaluations of {each:.1f} us"
 
 
+def changed(case: Case, **keys: object) -> Case:
+    """The case with other keys of [dynamics]."""
+    assert case.file.dynamics is not None
+    dynamics = case.file.dynamics.model_copy(update=keys)
+    return replace(case, file=case.file.model_copy(update={"dynamics": dynamics}))
+
+
 def main() -> None:
     """All simulations."""
     tables = Path(sys.argv[1]) if len(sys.argv) > 1 else None
     axial = load_case("7008_axial")
     assert isinstance(axial, Case)
     print("7008, four constants:", timed(axial, None))
-    assert axial.dynamics is not None
-    ramp = ((0.0, 0.0), (0.01, axial.operation.inner_speed))
-    started = replace(axial.dynamics, start="rest", speed_table=ramp, end_time=0.03, sample_interval=1.5e-5)
-    print("7008 from rest:", timed(replace(axial, dynamics=started), None))
+    speed = axial.file.operation.inner_speed_rpm
+    started = changed(
+        axial, start="rest", speed_table_rpm=((0.0, 0.0), (0.01, speed)), end_time_s=0.03, output_interval_us=15.0
+    )
+    print("7008 from rest:", timed(started, None))
     if tables is not None:
-        tabled = replace(axial, dynamics=replace(axial.dynamics, friction="table"))
-        print("7008, traction tables:", timed(tabled, tables))
+        print("7008, traction tables:", timed(changed(axial, friction="table"), tables))
     planar = load_case("6304_planar")
     assert isinstance(planar, Case)
     print("6304, planar:", timed(planar, None))

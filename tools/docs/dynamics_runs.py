@@ -35,13 +35,23 @@ class Run:
     @property
     def surface_slides(self) -> Any:
         """As `slides`, and at a gap that of the nearest points of the surfaces [m/s]."""
-        from bearing.dynamics._kernels import derivative
+        from bearing.dynamics._kernels import place_bodies, schedule_at
+        from bearing.dynamics._state_kernels import ball_motion
+        from bearing.dynamics.arrays import INNER_SPEED, OUTER_SPEED
+        from bearing.dynamics.contact._race_kernels import race_motion
 
-        problem, result = self.simulation.data, []
+        data = self.simulation.data
+        c = data.constants
+        grooves = ((c.inner_centre, c.inner_groove), (c.outer_centre, c.outer_groove))
+        slides = []
         for time, state in zip(self.record.time, self.record.state, strict=True):
-            derivative(float(time), state, problem, np.zeros_like(state))
-            result.append(np.hypot(problem.motion[..., 12], problem.motion[..., 13]))
-        return np.array(result)
+            schedule_at(data.times, data.schedule, float(time), data.given)
+            rings = place_bodies(c.balls, state, data.given[INNER_SPEED], data.given[OUTER_SPEED])[:2]
+            balls = [ball_motion(state, c.balls, j) for j in range(c.balls)]
+            for ring, groove in zip(rings, grooves, strict=True):
+                motions = [race_motion(c, ring, *groove, *ball) for ball in balls]
+                slides += [np.hypot(motion.slide_x, motion.slide_y) for motion in motions]
+        return np.array(slides).reshape(len(self.record.time), 2, c.balls)
 
     @property
     def azimuths(self) -> Any:
