@@ -1,6 +1,7 @@
 """Result of one contact solve."""
 
 from dataclasses import dataclass
+from math import inf, isfinite
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,12 @@ class FilmValue:
     uncertainty: float  # [-], same units; encloses the distance to the grid-converged value
     finest: float  # finest-grid value [-]
 
+    @property
+    def relative_uncertainty(self) -> float:
+        """Error bar over the value [-]; infinite where either is none."""
+        relative = self.uncertainty / abs(self.value) if self.value else inf
+        return relative if isfinite(relative) else inf
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ConvergenceRecord:
@@ -33,6 +40,10 @@ class ConvergenceRecord:
     fft_equivalents: float
     fallbacks: tuple[str, ...]  # attempts and corrections after the first, in order
     wall_time: float  # of the solve alone [s]
+    # sum |R| and sum R over the fluid nodes, both over sum |div(rho u H)|: how far the equations
+    # are from holding, and the oil lost or gained [-]
+    equation_error: float | None = None
+    mass_imbalance: float | None = None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,12 +79,13 @@ class ContactSolution:
     record: ConvergenceRecord
     state: FilmState | None = None  # of the oil, where shear or heat were solved with the film
 
-    def _dimensional(self, value: float | None) -> float | None:
-        return None if self.film_scale is None or value is None else value * self.film_scale
+    def _dimensional(self, value: float) -> float | None:
+        """A film [m]; None without lengths, and where the solution did not converge."""
+        return value * self.film_scale if self.converged and self.film_scale is not None else None
 
     @property
     def film_central(self) -> float | None:
-        """Film thickness at the centre, extrapolated [m]."""
+        """Film thickness at the centre, extrapolated [m]; None where not converged."""
         return self._dimensional(self.film_central_dimensionless.value)
 
     @property

@@ -2,7 +2,7 @@
 
 import time
 from dataclasses import replace
-from math import nan, sqrt
+from math import isfinite, nan, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,7 @@ Array = NDArray[np.float64]
 RESOLVED = 5.0
 # a thicker film lies in a gap that is no paraboloid: reported as unresolved, too
 MAX_FILM_OVER_RADIUS = 0.02
+LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
 FILM_RATIO = 0.2  # minimum over central film, where only the latter is guessed
 LOAD_STEPS = (1.0 / 16.0, 0.25)  # shares of the load through which a fallback reaches it
 PILOT_POINTS = 65
@@ -93,7 +94,7 @@ def solve_attempts(
         solution = thin_film(
             solution, fineness, lambda lighter: _solve(lighter, options, None, attempts)[1]
         )
-    return solution, result.state
+    return with_bars_judged(solution), result.state
 
 
 def _solve(
@@ -124,6 +125,8 @@ def _solve(
         fft_equivalents=progress.deflected_nodes / result.state.levels[-1].P.size,
         fallbacks=tuple(progress.fallbacks),
         wall_time=time.perf_counter() - start,
+        equation_error=_finite(result.equations[0]),
+        mass_imbalance=_finite(result.equations[1]),
     )
     return result, _solution(conditions, options, result, record)
 
@@ -216,6 +219,10 @@ def _solution(
     contact = state.contact
     grid = state.levels[-1].grid
     Y, P, H = unfold_symmetry(state)
+    central, minimum = _film(result, 0), _film(result, 1)
+    if minimum.value > central.value:
+        excess = minimum.value - central.value
+        minimum = replace(minimum, value=central.value, uncertainty=minimum.uncertainty + excess)
     resolved, message = resolution_message(result)
     return ContactSolution(
         conditions=conditions,
@@ -224,8 +231,8 @@ def _solution(
         Y=Y,
         P=P,
         H=H,
-        film_central_dimensionless=_film(result, 0),
-        film_minimum_dimensionless=_film(result, 1),
+        film_central_dimensionless=central,
+        film_minimum_dimensionless=minimum,
         approach_dimensionless=state.approach,
         moes_load=contact.moes_load,
         moes_lubricant=contact.moes_lubricant,
@@ -268,6 +275,20 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
 
 
+def _finite(value: float) -> float | None:
+    return value if isfinite(value) else None
+
+
+def with_bars_judged(solution: ContactSolution) -> ContactSolution:
+    """The solution, unresolved where an error bar is wider than `LARGEST_BAR`."""
+    films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
+    bar = max(film.relative_uncertainty for film in films)
+    if not (solution.converged and solution.resolved) or bar <= LARGEST_BAR:
+        return solution
+    message = f"converged but unresolved: error bar {bar:.0%} of the film; try more points"
+    return replace(solution, resolved=False, message=message)
+
+
 def resolution_message(result: AttemptResult) -> tuple[bool, str]:
     """Whether the film of a solve is resolved, and the message on it."""
     resolved = (
@@ -304,6 +325,11 @@ def _film_over_radius(result: AttemptResult) -> float:
 def _message(result: AttemptResult, resolved: bool) -> str:
     if not result.films:
         return "the iteration diverged in spite of stronger damping; try more points or less load"
+    if result.settled() and not result.converged():
+        return (
+            f"not converged: film and load are at rest, but the equations miss by "
+            f"{result.equations[0]:.1e} of the flow; try more points"
+        )
     if not result.converged():
         return (
             f"not converged: film changed by {result.changes[-1]:.1e} in the last cycle, "

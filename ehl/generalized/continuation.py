@@ -21,7 +21,7 @@ from math import inf, isfinite
 import numpy as np
 
 from ..multigrid.acceleration import Acceleration
-from ..multigrid.cycle import Multigrid, start_level, update_film
+from ..multigrid.cycle import Multigrid, relative_residual, start_level, update_film
 from ..multigrid.far_field import exterior_load
 from ..multigrid.full_multigrid import (
     ATTEMPTS,
@@ -36,7 +36,7 @@ from ..multigrid.full_multigrid import (
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution, FilmValue
-from ..solver import resolution_message, solve_contact, unfold_symmetry
+from ..solver import resolution_message, solve_contact, unfold_symmetry, with_bars_judged
 from .flow import Continuation, FlowState, GeneralizedFlow
 
 # entries among the fallbacks of a record
@@ -178,6 +178,8 @@ def _finish(result: AttemptResult, cycles: int) -> None:
         result.add_cycle(residual)
         result.films = [result.film[-1]]
         flow: FlowState = level.flow_state
+        if result.settled():
+            result.equations = relative_residual(state, index)
         if result.converged() and flow.change <= FLOW_TOLERANCE:
             return
         settled = flow.heat is None or flow.heat.change < SETTLED_TEMPERATURE
@@ -197,20 +199,25 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
         film_change=tuple(result.changes),
         cycles=len(result.changes),
         fft_equivalents=plain.record.fft_equivalents + deflected,
+        equation_error=result.equations[0],
+        mass_imbalance=result.equations[1],
     )
+    central = _in_proportion(plain.film_central_dimensionless, result, 0)
+    minimum = _in_proportion(plain.film_minimum_dimensionless, result, 1)
     resolved, message = resolution_message(result)
-    return replace(
+    solution = replace(
         plain,
         P=P,
         H=H,
-        film_central_dimensionless=_in_proportion(plain.film_central_dimensionless, result, 0),
-        film_minimum_dimensionless=_in_proportion(plain.film_minimum_dimensionless, result, 1),
+        film_central_dimensionless=central,
+        film_minimum_dimensionless=minimum,
         approach_dimensionless=result.state.approach,
         resolved=resolved,
         converged=result.converged(),
         message=message,
         record=record,
     )
+    return with_bars_judged(solution)
 
 
 def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmValue:

@@ -121,6 +121,26 @@ def reynolds_operator(P, H, eps, flow_x, flow_y, lateral, hx, hy, symmetric, out
 
 
 @compiled
+def residual_sums(P, H, residual, flow_x, flow_y, lateral, hx, hy):
+    """Sums over the fluid nodes inside the box: |residual|, residual, |d_X(flow_x H) + d_Y(flow_y
+    H)|.
+    """
+    size = 0.0
+    balance = 0.0
+    divergence = 0.0
+    for j in range(P.shape[0] - 1):
+        for i in range(1, P.shape[1] - 1):
+            if P[j, i] > 0.0:
+                couette = _along(i, flow_x[j], H[j], hx)
+                if lateral and j > 0:
+                    couette += _across(j, i, flow_y, H, hy)
+                size += abs(residual[j, i])
+                balance += residual[j, i]
+                divergence += abs(couette)
+    return size, balance, divergence
+
+
+@compiled
 def _line_kinds(P, residual, eps, eps_north, eps_south, cx, cy, threshold, kind):
     """Fixed where cavitated with a residual that asks for a lower pressure still; Gauss-Seidel
     where Poiseuille flow dominates; distributive Jacobi elsewhere (Venner and Lubrecht, 2000, sec.

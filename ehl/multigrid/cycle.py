@@ -14,6 +14,7 @@ and H are injected, residuals fully weighted, corrections interpolated bilinearl
 
 from dataclasses import dataclass, field, replace
 from functools import partial
+from math import inf
 from typing import Any
 
 import numpy as np
@@ -271,6 +272,21 @@ def reynolds_residual(state: Multigrid, index: int) -> Array:
     _zero_edge(residual, level.grid)
     residual[(level.P <= 0.0) & (residual >= 0.0)] = 0.0
     return residual
+
+
+def relative_residual(state: Multigrid, index: int) -> tuple[float, float]:
+    """Sums of |f - L(P)| and of f - L(P) over the fluid nodes, both over the sum of |div(rho u H)|
+    there: how far the equations are from holding, and the oil that appears or is lost [-].
+    """
+    level = state.levels[index]
+    residual = reynolds_residual(state, index)
+    couette = (level.flow_x, level.flow_y, level.factors.couette_y is not None)
+    size, balance, divergence = _kernels.residual_sums(
+        level.P, level.H, residual, *couette, level.grid.hx, level.grid.hy
+    )
+    if not divergence > 0.0:
+        return inf, inf
+    return size / divergence, balance / divergence
 
 
 def load_error(state: Multigrid, index: int) -> float:

@@ -20,6 +20,7 @@ from .cycle import (
     load_error,
     make_multigrid,
     refresh_factors,
+    relative_residual,
     reynolds_residual,
     start_level,
     update_film,
@@ -41,6 +42,8 @@ LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
 FILM_TOLERANCE = 4e-4
 CONTRACTION = (0.4, 0.9)  # bounds of the contraction in that estimate
 FEWEST_CYCLES = 2  # on the finest level, before its film can count as converged
+# sum |R| / sum |div(rho u H)| over the fluid nodes, above which a film at rest is no solution
+RESIDUAL_TOLERANCE = 5e-3
 LOAD_TOLERANCE = 1e-4  # relative error of the load balance
 PRESSURE_LIMIT = 5.0  # of P, above which the iteration has diverged
 GROWTH_LIMIT = 10.0  # of the residual in one cycle, above which it has, too
@@ -75,6 +78,8 @@ class AttemptResult:
     residual: list[float] = field(default_factory=list)  # after each cycle
     load: list[float] = field(default_factory=list)
     changes: list[float] = field(default_factory=list)
+    # after the last cycle: how far the equations are from holding, and the oil lost or gained
+    equations: tuple[float, float] = (inf, inf)
 
     def add_cycle(self, residual: float) -> None:
         """Append film, change, load error and mean residual of a finest-level cycle [-]."""
@@ -103,7 +108,7 @@ class AttemptResult:
         q = min(max(last / before if before > 0.0 else 0.0, CONTRACTION[0]), CONTRACTION[1])
         return last * q / (1.0 - q)
 
-    def converged(self) -> bool:
+    def settled(self) -> bool:
         """Film and load within their tolerances after two cycles at least, film positive."""
         return (
             len(self.changes) >= FEWEST_CYCLES
@@ -111,6 +116,10 @@ class AttemptResult:
             and abs(self.load[-1]) < LOAD_TOLERANCE
             and self.film[-1][1] > 0.0
         )
+
+    def converged(self) -> bool:
+        """Whether film and load have come to rest where the equations hold."""
+        return self.settled() and self.equations[0] < RESIDUAL_TOLERANCE
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -374,9 +383,12 @@ def _finish(
             return
         result.add_cycle(residual)
         result.films = [*films, result.film[-1]]
-        if result.converged():
-            return
+        if result.settled():
+            result.equations = relative_residual(state, index)
+            if result.converged():
+                return
         if len(result.changes) > PLAIN_CYCLES:
             level.P, state.approach = acceleration.next(before, (level.P, state.approach))
             update_film(state, index)
         before = (level.P.copy(), state.approach)
+    result.equations = relative_residual(state, index)

@@ -238,7 +238,10 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
 def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], race: str) -> None:
     for name, marker, face in (("central", "o", COLOURS[race]), ("minimum", "v", "white")):
         value, error = (
-            [FIELDS["film"].in_unit(getattr(s, f"film_{name}{suffix}")) for s in solutions]
+            np.array(
+                [FIELDS["film"].in_unit(getattr(s, f"film_{name}{suffix}")) for s in solutions],
+                dtype=float,  # not a number where there is none
+            )
             for suffix in ("", "_uncertainty")
         )
         style: Any = {"color": COLOURS[race], "markerfacecolor": face, "markersize": 4}

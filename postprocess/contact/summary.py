@@ -55,6 +55,8 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "resolved": solution.resolved,
         "domain": list(solution.domain),
         "points": list(solution.P.shape),
+        "residual": solution.record.equation_error,
+        "mass_imbalance": solution.record.mass_imbalance,
         "cycles": solution.record.cycles,
         "fft_equivalents": solution.record.fft_equivalents,
         "fallbacks": list(solution.record.fallbacks),
@@ -74,13 +76,14 @@ def _record(results: ContactResults) -> FilmRecord:
     return FilmRecord(film=solution, traction=results.traction, rolling=moment)
 
 
-def _dimensionless_films(solution: ContactSolution) -> dict[str, float]:
-    """Extrapolated films and their uncertainties [-], units a^2/Rx."""
-    values = {}
+def _dimensionless_films(solution: ContactSolution) -> dict[str, float | None]:
+    """Extrapolated films and their uncertainties [-], units a^2/Rx; None where not converged."""
+    values: dict[str, float | None] = {}
     for name in FILMS:
         film = getattr(solution, f"{name}_dimensionless")
-        values[f"{name}_dimensionless"] = film.value
-        values[f"{name}_uncertainty_dimensionless"] = film.uncertainty
+        known = solution.converged
+        values[f"{name}_dimensionless"] = film.value if known else None
+        values[f"{name}_uncertainty_dimensionless"] = film.uncertainty if known else None
     return values
 
 
@@ -92,7 +95,12 @@ def _centre(solution: ContactSolution) -> float:
 def _finest_grid(solution: ContactSolution) -> dict[str, float | None]:
     scale = solution.film_scale
     films = {name: getattr(solution, f"{name}_dimensionless").finest for name in FILMS}
-    lengths = {name: None if scale is None else film * scale for name, film in films.items()}
+    if not solution.converged:
+        films = dict.fromkeys(FILMS)
+    lengths = {
+        name: None if scale is None or film is None else film * scale
+        for name, film in films.items()
+    }
     return {
         **{f"{name}_dimensionless": film for name, film in films.items()},
         **{f"{name}_um": from_si("film_um", film) for name, film in lengths.items()},

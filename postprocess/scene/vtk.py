@@ -5,7 +5,7 @@ Only VTK's data and file modules are used, none that could open a window.
 
 from collections.abc import Callable
 from functools import partial
-from math import degrees
+from math import degrees, nan
 from pathlib import Path
 from typing import Any
 from xml.sax.saxutils import quoteattr
@@ -155,14 +155,19 @@ def placed_patch(
         "race": contact.race.value,
         "azimuth [deg]": degrees(contact.azimuth),
         "load [N]": contact.load,
-        "central film [um]": (solution.film_central or 0.0) / MICROMETRE,
-        "minimum film [um]": (solution.film_minimum or 0.0) / MICROMETRE,
+        "central film [um]": _micrometres(solution.film_central),
+        "minimum film [um]": _micrometres(solution.film_minimum),
         "coordinates": "mm",
         "patch magnification rolling [-]": placement.rolling,
         "patch magnification transverse [-]": placement.transverse,
         "film exaggeration [-]": placement.film,
     }
     return structured_grid(points / MILLIMETRE, fields, facts)
+
+
+def _micrometres(film: float | None) -> float:
+    """A film [um]; not a number where there is none."""
+    return nan if film is None else film / MICROMETRE
 
 
 def flat_patch(solution: ContactSolution, film_exaggeration: float) -> vtkStructuredGrid:
