@@ -410,6 +410,7 @@ def test_thin_films_are_extrapolated_within_their_bars(load, lubricant_parameter
         assert ours.uncertainty < 0.8 * ours.value
 
 
+@pytest.mark.slow
 def test_a_film_that_rests_where_the_equations_do_not_hold_is_refused():
     """M 1000, L 2 on 129 points comes to rest with a residual of 6 %, other attempts with a film below zero."""
     solution = solve_contact(
@@ -490,8 +491,8 @@ def test_wide_bars_are_unresolved(monkeypatch):
 
 def test_minimum_is_never_above_the_centre():
     """Extrapolated apart, the two can cross on coarse meshes; the bar then reaches the centre."""
-    for load in (300.0, 700.0, 1500.0):
-        for ratio in (0.02, 0.1, 1.0):
+    for load in (300.0, 1500.0):
+        for ratio in (0.02, 1.0):
             s = solve_contact(replace(CIRCULAR, load_parameter=load, radius_ratio=ratio), SolverOptions(points=65))
             central, minimum = s.film_central_dimensionless, s.film_minimum_dimensionless
             assert not s.converged or minimum.value <= central.value
