@@ -2,7 +2,7 @@
 
 import time
 from dataclasses import replace
-from math import isfinite, nan, sqrt
+from math import nan, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -125,8 +125,8 @@ def _solve(
         fft_equivalents=progress.deflected_nodes / result.state.levels[-1].P.size,
         fallbacks=tuple(progress.fallbacks),
         wall_time=time.perf_counter() - start,
-        equation_error=_finite(result.equations[0]),
-        mass_imbalance=_finite(result.equations[1]),
+        equation_error=result.equations[0],
+        mass_imbalance=result.equations[1],
     )
     return result, _solution(conditions, options, result, record)
 
@@ -273,10 +273,6 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     x_in = float(grid.X[0]) / contact.half_extent_x
     x_out = float(grid.X[-1]) / contact.half_extent_x
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
-
-
-def _finite(value: float) -> float | None:
-    return value if isfinite(value) else None
 
 
 def with_bars_judged(solution: ContactSolution) -> ContactSolution:

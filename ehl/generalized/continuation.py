@@ -21,7 +21,7 @@ from math import inf, isfinite
 import numpy as np
 
 from ..multigrid.acceleration import Acceleration
-from ..multigrid.cycle import Multigrid, relative_residual, start_level, update_film
+from ..multigrid.cycle import Multigrid, start_level, update_film
 from ..multigrid.far_field import exterior_load
 from ..multigrid.full_multigrid import (
     ATTEMPTS,
@@ -178,8 +178,6 @@ def _finish(result: AttemptResult, cycles: int) -> None:
         result.add_cycle(residual)
         result.films = [result.film[-1]]
         flow: FlowState = level.flow_state
-        if result.settled():
-            result.equations = relative_residual(state, index)
         if result.converged() and flow.change <= FLOW_TOLERANCE:
             return
         settled = flow.heat is None or flow.heat.change < SETTLED_TEMPERATURE

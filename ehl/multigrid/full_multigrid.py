@@ -82,7 +82,9 @@ class AttemptResult:
     equations: tuple[float, float] = (inf, inf)
 
     def add_cycle(self, residual: float) -> None:
-        """Append film, change, load error and mean residual of a finest-level cycle [-]."""
+        """Append film, change, load error and mean residual of a finest-level cycle, and judge its
+        equations [-].
+        """
         index = len(self.state.levels) - 1
         film = film_values(self.state.levels[index].grid, self.state.levels[index].H)
         before = self.film[-1]
@@ -95,6 +97,7 @@ class AttemptResult:
         )
         self.residual.append(residual)
         self.load.append(load_error(self.state, index))
+        self.equations = relative_residual(self.state, index)
 
     def remaining_error(self) -> float:
         """Relative film error the iteration leaves, change * q/(1 - q) with q the contraction of
@@ -383,12 +386,9 @@ def _finish(
             return
         result.add_cycle(residual)
         result.films = [*films, result.film[-1]]
-        if result.settled():
-            result.equations = relative_residual(state, index)
-            if result.converged():
-                return
+        if result.converged():
+            return
         if len(result.changes) > PLAIN_CYCLES:
             level.P, state.approach = acceleration.next(before, (level.P, state.approach))
             update_film(state, index)
         before = (level.P.copy(), state.approach)
-    result.equations = relative_residual(state, index)
