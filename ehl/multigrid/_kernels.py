@@ -13,7 +13,7 @@ the grid. Arrays are stored with lines along x contiguous, shape (ny, nx). On a 
 import numpy as np
 
 from ..compiled import compiled
-from ..oil._kernels import roelands_rise
+from ..oil._elementary_kernels import exponential, logarithm
 
 LOWER = 4  # sub-diagonals of the line system
 UPPER = 3  # super-diagonals of the line system
@@ -33,23 +33,35 @@ def flow_properties(
     """eps = rho H^3/(eta lambda), ln(eta) = s [(1 + q P)^z - 1], rho = 1 + d1 P/(1 + d2 P) and
     d(rho)/dP at every node of the lines from `first` to before `stop`.
     """
-    nx = P.shape[1]
+    rise = np.empty(P.shape[1])
+    scratch = np.empty(P.shape[1])
     for j in range(first, stop):
-        for i in range(nx):
-            p = P[j, i]
-            h = max(H[j, i], 0.0)
-            cube = h * h * h / speed
-            if p <= 0.0:
-                rho[j, i] = 1.0
-                rho_slope[j, i] = dense_1
-                eps[j, i] = cube
-                continue
-            log_eta = slope * (roelands_rise(pressure * p, exponent) - 1.0)
-            denominator = 1.0 / (1.0 + dense_2 * p)
-            density = 1.0 + dense_1 * p * denominator
-            rho[j, i] = density
-            rho_slope[j, i] = dense_1 * denominator * denominator
-            eps[j, i] = density * cube * np.exp(-min(log_eta, EXPONENT_LIMIT))
+        # 1. ln of (1 + q P)^z
+        for i in range(rise.size):
+            rise[i] = 1.0 + pressure * max(P[j, i], 0.0)
+        logarithm(rise, scratch)
+        for i in range(rise.size):
+            rise[i] = min(exponent * rise[i], EXPONENT_LIMIT)
+        # 2. ln of eta_0/eta
+        exponential(rise, scratch)
+        for i in range(rise.size):
+            rise[i] = max(slope * (1.0 - rise[i]), -EXPONENT_LIMIT)
+        # 3. density and flow coefficient
+        exponential(rise, scratch)
+        _flow_of_line(P[j], H[j], rise, dense_1, dense_2, speed, eps[j], rho[j], rho_slope[j])
+
+
+@compiled
+def _flow_of_line(P, H, fluidity, dense_1, dense_2, speed, eps, rho, rho_slope):
+    """Density and flow coefficient of one line from eta_0/eta."""
+    for i in range(P.size):
+        p = max(P[i], 0.0)
+        h = max(H[i], 0.0)
+        denominator = 1.0 / (1.0 + dense_2 * p)
+        density = 1.0 + dense_1 * p * denominator
+        rho[i] = density
+        rho_slope[i] = dense_1 * denominator * denominator
+        eps[i] = density * (h * h * h / speed) * fluidity[i]
 
 
 @compiled
