@@ -6,6 +6,7 @@ from typing import Any
 
 import matplotlib
 import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from ehl.solution import Array
@@ -14,6 +15,9 @@ from .files import atomic_path
 
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200
+# of zlib, 1 to 9; of a contact's picture 1 takes 0.04 s and 0.40 MB, 3 0.04 s and 0.38 MB,
+# the default 6 0.07 s and 0.35 MB, 9 0.33 s and 0.34 MB
+PNG_COMPRESSION = 3
 INNER_COLOUR = "#0b5394"
 OUTER_COLOUR = "#c1440e"
 REFERENCE = "#666666"
@@ -83,15 +87,20 @@ def colour_stops(quantity: str, count: int) -> Array:
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Write a figure under its final name when it is complete; the suffix names the format."""
+    """Write a figure as PNG under its final name when it is complete.
+
+    The canvas draws once; `Figure.savefig` gives the same pixels, but draws twice.
+    """
+    figure.set_dpi(DPI)
     with atomic_path(path) as temporary:
-        figure.savefig(temporary, dpi=DPI)
+        options = {"compress_level": PNG_COMPRESSION}
+        FigureCanvasAgg(figure).print_png(temporary, pil_kwargs=options)
 
 
 def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:
     """Draw into an empty figure and write it."""
     with matplotlib.rc_context(RC):
-        figure = Figure()
+        figure = Figure(dpi=DPI)
         draw(figure)
         save(figure, path)
 
