@@ -1,5 +1,4 @@
-"""What a loaded contact does to its bodies: stress below it, sliding in it, and the shoulder that
-may cut it.
+"""What a loaded contact does to its bodies: stress below it and sliding in it.
 
 The ellipse, pressure and stresses are those of the dry Hertz contact. Sliding is that of the ball
 hypotheses: none in the middle, spin about the normal, and the difference of radii across the
@@ -7,37 +6,22 @@ curved contact (Heathcote).
 """
 
 from dataclasses import dataclass
-from math import acos, pi, sin, sqrt
+from math import pi
 
 import numpy as np
 
 from ehl.closed_form.hertz import HertzContact
 from ehl.closed_form.hertz_stress import hertz_maximum_shear, hertz_orthogonal_shear
 
-from ..geometry import Bearing, Race
+from ..geometry import Race
 from ..quasistatic.solution import QuasistaticSolution
 from .contact import BearingContact
 from .motion import bearing_kinematics
-from .shape import groove_radius
+from .shoulder import Truncation, truncation
 
 # points at which pressure times sliding is evaluated, around and across half the ellipse
 ANGLES = 180
 RINGS = 40
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Truncation:
-    """Ellipse and shoulder."""
-
-    # from the end of the ellipse to the edge of the groove [m]; negative where the shoulder cuts
-    # the ellipse
-    margin: float
-    # beyond the edge, shares of the uncut ellipse
-    length_share: float  # [-]
-    load_share: float  # [-]
-    # pressure of the uncut ellipse at the edge [Pa], a lower bound of that of the cut one; 0
-    # without a cut
-    edge_pressure: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,7 +35,7 @@ class ContactStress:
     orthogonal_depth: float  # its depth [m]
     sliding_speed: float  # largest sliding speed in the ellipse [m/s]
     pressure_sliding: float  # largest product of pressure and sliding speed [W/m^2]
-    truncation: Truncation | None  # None where no shoulder diameter is given
+    truncation: Truncation | None  # None where no shoulder diameter is known
 
 
 def contact_stress(solution: QuasistaticSolution, contact: BearingContact) -> ContactStress | None:
@@ -95,47 +79,3 @@ def largest_sliding(
     speed = np.hypot(-spin * y + 0.5 * rolling * y * y / radius, spin * x)
     pressure = hertz.pressure * np.sqrt(1.0 - share**2)
     return float(speed.max()), float((pressure * speed).max())
-
-
-def shoulder_angle(bearing: Bearing, race: Race) -> float | None:
-    """Angle in the groove from its bottom to the edge of the shoulder [rad]; None without a
-    shoulder diameter.
-
-    cos = (R_i - d_s/2)/r_i at the inner ring, (d_s/2 - R_o)/r_o at the outer one, R the radius of
-    the centres of curvature.
-    """
-    if race is Race.INNER:
-        shoulder = bearing.inner_shoulder_diameter
-        centre = bearing.inner_centre_radius
-        side = -1.0
-    else:
-        shoulder = bearing.outer_shoulder_diameter
-        centre = bearing.outer_centre_radius
-        side = 1.0
-    if shoulder is None:
-        return None
-    return acos(side * (0.5 * shoulder - centre) / groove_radius(bearing, race))
-
-
-def truncation(
-    bearing: Bearing, race: Race, contact_angle: float, hertz: HertzContact
-) -> Truncation | None:
-    """How much of the ellipse the shoulder cuts, both shoulders of a ring being alike.
-
-    The edge lies r sin(shoulder angle - |contact angle|) from the contact's middle, r the radius
-    of the groove. With s that distance over the semi-axis, the semi-ellipsoid has (1 - s)^2 (2 +
-    s)/4 of its load beyond.
-
-    None without a shoulder diameter; the contact angle in [rad].
-    """
-    angle = shoulder_angle(bearing, race)
-    if angle is None:
-        return None
-    edge = groove_radius(bearing, race) * sin(angle - abs(contact_angle))
-    s = min(max(edge / hertz.semi_axis_y, -1.0), 1.0)
-    return Truncation(
-        margin=edge - hertz.semi_axis_y,
-        length_share=0.5 * (1.0 - s),
-        load_share=0.25 * (1.0 - s) ** 2 * (2.0 + s),
-        edge_pressure=hertz.pressure * sqrt(1.0 - s * s),
-    )

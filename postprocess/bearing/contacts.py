@@ -6,10 +6,12 @@ from math import hypot, isfinite
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
+from bearing.contacts.shoulder import ESTIMATED_HEIGHT, Truncation, shoulder_diameter, truncation
 from bearing.contacts.stress import ContactStress, contact_stress
+from bearing.geometry import Race
 from bearing.supply.starved_films import StarvedFilm
 from bearing.torque.rolling_extent import rolling_moments
-from ehl.units import to_si
+from ehl.units import from_si, to_si
 
 from ..contact.quantities import FILM_QUANTITIES, FilmRecord, film_values, formula_films
 from ..quantities import by_key, quantities, values_of
@@ -57,6 +59,7 @@ NO_LOAD = "it carries no load"
 NO_OIL = f"{NO_LOAD}, or no oil is entrained"
 NOT_STARVED = "the supply is flooded, or no flooded film is known"
 NO_SHOULDER = f"{NO_LOAD}, or no shoulder diameter is given"
+BEYOND_EDGE = f"{NO_SHOULDER}, or the middle of the ellipse lies beyond the edge"
 CONTACT_QUANTITIES = (  # columns of contacts.csv
     *quantities("contact.", "", ("ball", "", "", "ball"), "row", words=True),
     *quantities("contact.", "", ("azimuth_deg", "", "", "ψ")),
@@ -111,10 +114,24 @@ CONTACT_QUANTITIES = (  # columns of contacts.csv
     *quantities(
         "stress.truncation.",
         NO_SHOULDER,
+        ("shoulder_distance_ratio", "distance to shoulder over semi-axis", "distance_ratio"),
         ("shoulder_margin_mm", "margin to shoulder", "margin"),
         ("truncated_length_share", "cut share of length", "length_share"),
         ("truncated_load_share", "cut share of load", "load_share"),
         ("pressure_at_shoulder_GPa", "", "edge_pressure"),
+    ),
+    *quantities(
+        "stress.truncation.",
+        BEYOND_EDGE,
+        ("truncated_pressure_GPa", "pressure of the cut ellipse", "cut_pressure"),
+        ("truncated_pressure_at_shoulder_GPa", "its pressure at the edge", "cut_edge_pressure"),
+    ),
+    *quantities(
+        "stress.truncation.",
+        NO_SHOULDER,
+        ("truncated", "cut by a shoulder"),
+        ("shoulder_estimated", "shoulder estimated", "estimated"),
+        words=True,
     ),
     *quantities("film.", NO_FILM, "converged", "resolved", words=True),
     *quantities(
@@ -202,8 +219,7 @@ def contact_messages(results: BearingResults) -> Iterator[str]:
             "contacts: Hertz, speed and formula values null where a contact carries no load or no "
             "oil is entrained"
         )
-    for race in RACES:
-        yield from _shoulder_messages(results, race)
+    yield from _shoulder_messages(results)
     yield from _ratio_messages(results)
 
 
@@ -239,23 +255,58 @@ def _ratio_messages(results: BearingResults) -> Iterator[str]:
             )
 
 
-def _shoulder_messages(results: BearingResults, race: str) -> Iterator[str]:
-    """Ellipses that a shoulder cuts, or a ring without a shoulder diameter."""
-    if getattr(results.quasistatic.bearing, f"{race}_shoulder_diameter") is None:
+def _shoulder_messages(results: BearingResults) -> Iterator[str]:
+    """Where the diameters of shoulders are from, and ellipses that they cut."""
+    estimates = []
+    for race in Race:
+        name = race.value
+        shoulder = shoulder_diameter(results.quasistatic.bearing, race)
+        if shoulder is None:
+            yield (
+                f"contacts: shoulder and truncation null at the {name} race, no "
+                f"{name}_shoulder_diameter_mm is given, and shoulders of angular contact bearings "
+                "are not estimated"
+            )
+        elif shoulder[1]:
+            estimates.append(f"{name} {from_si('diameter_mm', shoulder[0]):.4g} mm")
+    if estimates:
         yield (
-            f"contacts: shoulder and truncation null at the {race} race, no "
-            f"{race}_shoulder_diameter_mm is given"
+            f"contacts: shoulder diameters are estimated, {', '.join(estimates)} "
+            f"({ESTIMATED_HEIGHT:g} of the ball diameter above the raceway); distance to the "
+            "shoulder and cut of ellipses follow from them"
         )
-        return
-    cut: dict[str, float] = {}
+    for race in Race:
+        yield from _cut_messages(results, race)
+
+
+def _cut_messages(results: BearingResults, race: Race) -> Iterator[str]:
+    """Balls whose ellipses a shoulder cuts, the worst of them in numbers."""
+    cut = {}
     for contact in results.contacts:
-        stress = contact_stress(results.quasistatic, contact)
-        truncation = None if stress is None else stress.truncation
-        if contact.race.value == race and truncation is not None and truncation.length_share:
-            cut[str(contact.ball)] = truncation.length_share
+        if contact.race is race and contact.hertz is not None:
+            found = truncation(
+                results.quasistatic.bearing, race, contact.contact_angle, contact.hertz
+            )
+            if found is not None and found.truncated:
+                cut[str(contact.ball)] = (contact.hertz.pressure, found)
     if cut:
+        ball = min(cut, key=lambda name: cut[name][1].distance_ratio)
+        pressure, worst = cut[ball]
+        kind = "estimated shoulder" if worst.estimated else "shoulder"
         yield (
-            f"contacts: the shoulder of the {race} ring cuts the ellipse of "
-            f"{balls_text(list(cut))}, up to {max(cut.values()):.1%} of its length; the pressure "
-            "at its edge is higher than Hertz' and films there are not those of a whole ellipse"
+            f"contacts: the {kind} of the {race.value} ring cuts the ellipse of "
+            f"{balls_text(list(cut))}, at ball {ball} {worst.length_share:.1%} of its length and "
+            f"{worst.load_share:.1%} of its load; film, pressure and stresses of these contacts "
+            f"are those of the uncut ellipse. {_what_is_left(worst, pressure)}"
         )
+
+
+def _what_is_left(cut: Truncation, hertz_pressure: float) -> str:
+    """Pressure of a cut ellipse over that of the whole one, p_h [Pa], in words."""
+    if cut.cut_pressure is None or cut.cut_edge_pressure is None:
+        return "The middle of the ellipse lies beyond the edge: there the equilibrium fails"
+    largest, edge = (p / hertz_pressure for p in (cut.cut_pressure, cut.cut_edge_pressure))
+    return (
+        f"What is left carries the load at about {largest:.3g} of Hertz' pressure, {edge:.3g} at "
+        "the edge (by slices), and more where the edge is sharp: its blend decides"
+    )

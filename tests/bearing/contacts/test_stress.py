@@ -1,14 +1,12 @@
-"""Stress, sliding and truncation of contacts against closed forms and simple limits."""
+"""Stress below contacts and sliding in them against closed forms and simple limits."""
 
 from __future__ import annotations
-
-from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from bearing import Operation, Race, contact_conditions, contact_stress, solve_quasistatic
-from bearing.contacts.stress import largest_sliding, shoulder_angle, truncation
+from bearing import Operation, contact_conditions, contact_stress, solve_quasistatic
+from bearing.contacts.stress import largest_sliding
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
 
@@ -65,49 +63,3 @@ def test_sliding_of_a_deep_groove_bearing_is_that_of_curvature(bearings):
     common = 2.0 * 6.17e-3 * 12e-3 / (2.0 * 6.17e-3 + 12e-3)
     expected = 0.5 * rolling * contacts[0].hertz.semi_axis_y ** 2 / common
     assert contact_stress(solution, contacts[0]).sliding_speed == pytest.approx(expected, rel=1e-9)
-
-
-def test_shoulder_angle(bearings):
-    """Edge of the groove at 45 degrees by construction, at both rings."""
-    plain = bearings.b6208
-    inner = 2.0 * (plain.inner_centre_radius - plain.inner_groove_radius * np.sqrt(0.5))
-    outer = 2.0 * (plain.outer_centre_radius + plain.outer_groove_radius * np.sqrt(0.5))
-    bearing = replace(plain, inner_shoulder_diameter=inner, outer_shoulder_diameter=outer)
-    assert [shoulder_angle(bearing, race) for race in Race] == pytest.approx([np.pi / 4.0] * 2)
-    assert shoulder_angle(plain, Race.INNER) is None
-    assert truncation(plain, Race.INNER, 0.0, ellipse()) is None
-
-
-def test_truncation_grows_from_none_to_all(bearings):
-    """Edge in the middle of the ellipse: half of length and load beyond it, the whole pressure at it."""
-    plain = bearings.b6208
-    inner = 2.0 * (plain.inner_centre_radius - plain.inner_groove_radius * np.cos(0.5))
-    bearing, hertz = replace(plain, inner_shoulder_diameter=inner), ellipse()
-    half = truncation(bearing, Race.INNER, -0.5, hertz)
-    assert (half.length_share, half.load_share) == pytest.approx((0.5, 0.5))
-    assert half.edge_pressure == pytest.approx(hertz.pressure)
-    none = truncation(bearing, Race.INNER, 0.0, hertz)
-    assert (none.length_share, none.load_share, none.edge_pressure) == (0.0, 0.0, 0.0)
-    assert none.margin == pytest.approx(plain.inner_groove_radius * np.sin(0.5) - hertz.semi_axis_y)
-    beyond = truncation(bearing, Race.INNER, 1.2, hertz)
-    assert (beyond.length_share, beyond.load_share) == (1.0, 1.0)
-
-
-def test_load_beyond_the_edge_against_the_sum_of_pressures(bearings):
-    """(1 - s)^2 (2 + s)/4 is what the semi-ellipsoid holds beyond s."""
-    plain = bearings.b6208
-    inner = 2.0 * (plain.inner_centre_radius - plain.inner_groove_radius * np.cos(0.3))
-    hertz = ellipse()
-    angle = 0.3 - np.arcsin(0.4 * hertz.semi_axis_y / plain.inner_groove_radius)
-    cut = truncation(replace(plain, inner_shoulder_diameter=inner), Race.INNER, angle, hertz)
-    x, y = np.meshgrid(np.linspace(-1, 1, 1001), np.linspace(-1, 1, 1001), indexing="ij")
-    pressure = np.sqrt(np.maximum(0.0, 1.0 - x**2 - y**2))
-    assert cut.load_share == pytest.approx(pressure[y > 0.4].sum() / pressure.sum(), rel=5e-3)
-    assert cut.length_share == pytest.approx(0.3)
-
-
-@pytest.mark.parametrize("field", ["inner_shoulder_diameter", "outer_shoulder_diameter"])
-def test_impossible_shoulders_are_refused(bearings, field):
-    for value in (0.03, 0.09):
-        with pytest.raises(ValueError, match=field):
-            replace(bearings.b6208, **{field: value})

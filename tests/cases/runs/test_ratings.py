@@ -181,13 +181,21 @@ def test_without_film_there_is_no_kappa_of_it():
 
 
 def test_a_shoulder_that_cuts_the_ellipse_is_told():
-    """A shoulder barely above the raceway cuts the heaviest ellipses at the inner race; the outer one gives none."""
+    """A shoulder barely above the raceway cuts the heaviest ellipses at the inner race; that of the outer one, not
+    given, is estimated, and no ellipse reaches it.
+    """
     found = summary(run_case(case(CASE.replace('name = "6208"', 'name = "6208"\ninner_shoulder_diameter_mm = 48.3'))))
     loaded = [contact for contact in found["contacts"] if contact["loaded"]]
-    shares = {race: [c["truncated_length_share"] for c in loaded if c["race"] == race] for race in ("inner", "outer")}
-    assert max(shares["inner"]) > 0.0
-    assert set(shares["outer"]) == {None}
-    assert any("shoulder of the inner ring cuts the ellipse" in message for message in found["messages"])
+    rings = {race: [c for c in loaded if c["race"] == race] for race in ("inner", "outer")}
+    worst = min(rings["inner"], key=lambda contact: contact["shoulder_distance_ratio"])
+    assert worst["truncated"] and worst["truncated_length_share"] > 0.0 and worst["shoulder_distance_ratio"] < 1.0
+    assert worst["truncated_pressure_GPa"] > worst["hertz_pressure_GPa"] > worst["pressure_at_shoulder_GPa"]
+    assert not any(contact["shoulder_estimated"] for contact in rings["inner"])
+    assert all(contact["shoulder_estimated"] and not contact["truncated"] for contact in rings["outer"])
+    told = next(m for m in found["messages"] if "shoulder of the inner ring cuts the ellipse" in m)
+    assert f"at ball {worst['ball']} {worst['truncated_length_share']:.1%} of its length" in told
+    assert "those of the uncut ellipse" in told
+    assert any("shoulder diameters are estimated, outer" in message for message in found["messages"])
     assert all(contact["shear_maximum_GPa"] < 0.33 * contact["hertz_pressure_GPa"] for contact in loaded)
 
 
