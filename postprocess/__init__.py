@@ -7,11 +7,11 @@ bearing      - results of a bearing run
 compare      - two results side by side
 contact      - results of one lubricated contact
 dynamics     - results of a time simulation
-files        - JSON, CSV and netCDF files of results
+files        - JSON and CSV files of results
 main_results - what is looked at first in a summary of any kind, by keys with their units
+netcdf       - netCDF-4 files of results
 plot_style   - common to all plots: type sizes, colours, colour maps, the part of a contact shown
 quantities   - output quantities: each is declared once: key, unit, title, getter
-reader       - one loader for the folders of all commands: run, contact, batch, slip, stiffness
 report       - the HTML report of a result folder
 results      - what results of all kinds have in common
 scene        - three-dimensional views, files for ParaView, meshes for other programs

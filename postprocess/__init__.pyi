@@ -1,6 +1,6 @@
 from .bearing.results import BearingResults
 from .contact.results import ContactResults
-from .reader import open_results
+from .netcdf.reader import open_results
 from .summaries import summary
 from .writer import write_results
 

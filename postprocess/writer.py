@@ -8,7 +8,8 @@ from .bearing.write import write_bearing_netcdf, write_contacts_csv
 from .contact.plots import write_contact_plots
 from .contact.results import ContactResults
 from .contact.write import write_contact_netcdf
-from .files import CONTACTS_FILE, FIELDS_FILE, SUMMARY_FILE, attempt, write_json
+from .files import CONTACTS_FILE, SUMMARY_FILE, attempt, write_json
+from .netcdf.groups import FIELDS_FILE
 from .scene.vtk import write_collection, write_subsurface
 from .summaries import summary
 

@@ -9,7 +9,8 @@ import numpy as np
 
 from ehl.units import unit_of
 
-from ..files import Variables, write_csv, write_dataset
+from ..files import write_csv
+from ..netcdf.groups import Variables, write_dataset
 from .results import BatchResults
 from .summary import results_as_columns
 

@@ -1,17 +1,18 @@
 """Files of a bearing run: contacts as CSV, fields as netCDF."""
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from bearing.contacts.contact import BearingContact
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl.units import unit_of
 
-from ..contact.write import field_dataset
-from ..files import Variables, contact_name, root_attributes, write_csv, write_tree
+from ..contact.write import field_group
+from ..files import contact_name, write_csv
+from ..netcdf.groups import Group, Variables, root_attributes, write_groups
 from ..quantities import CAGE_SPEED
 from ..results import STIFFNESS_ORDER
 from .contacts import CONTACT_QUANTITIES
@@ -40,19 +41,20 @@ def write_bearing_netcdf(results: BearingResults, path: Path, document: dict[str
     each solved contact; `document` is the summary.
     """
     groups = {
-        "/": xr.Dataset(attrs=root_attributes(document, "bearing")),
-        "/contacts": _contact_dataset(document),
-        "/ring": _ring_dataset(results.quasistatic),
-        "/balls": _ball_dataset(results.quasistatic),
+        "/": Group(attributes=root_attributes(document, "bearing")),
+        "/contacts": _contact_group(document),
+        "/ring": _ring_group(results.quasistatic),
+        "/balls": _ball_group(results.quasistatic),
     }
     for contact, solution in zip(results.contacts, results.solutions, strict=True):
         if solution is not None:
-            dataset = field_dataset(solution).assign_attrs(_placement(contact))
-            groups[f"/contacts/{contact_name(contact.ball, contact.race.value)}"] = dataset
-    write_tree(groups, path)
+            fields = field_group(solution)
+            placed = replace(fields, attributes=fields.attributes | _placement(contact))
+            groups[f"/contacts/{contact_name(contact.ball, contact.race.value)}"] = placed
+    write_groups(groups, path)
 
 
-def _contact_dataset(document: dict[str, Any]) -> xr.Dataset:
+def _contact_group(document: dict[str, Any]) -> Group:
     """The contacts of a bearing's summary, a variable for each quantity, NaN for null."""
     variables: Variables = {}
     for quantity in CONTACT_QUANTITIES:
@@ -64,7 +66,7 @@ def _contact_dataset(document: dict[str, Any]) -> xr.Dataset:
             attrs["comment"] = f"NaN: {quantity.null}"
         column = np.array([np.nan if value is None else value for value in values])
         variables[quantity.key] = (("contact",), column, attrs)
-    return xr.Dataset(variables)
+    return Group(variables=variables)
 
 
 def _placement(contact: BearingContact) -> dict[str, Any]:
@@ -81,25 +83,32 @@ def _placement(contact: BearingContact) -> dict[str, Any]:
     }
 
 
-def _ring_dataset(state: QuasistaticSolution) -> xr.Dataset:
+def _ring_group(state: QuasistaticSolution) -> Group:
     units = {"units": "SI: N, m, rad, N m"}
     geometry = {name: getattr(state.bearing, name) for name in GEOMETRY}
-    return xr.Dataset(
-        {
-            "displacement": ("freedom", np.r_[state.displacement, state.tilt], units),
-            "force": ("freedom", np.r_[state.ring_force, state.ring_moment], units),
+    lengths = {name: float(length) for name, length in geometry.items() if length is not None}
+    names = list(STIFFNESS_ORDER)
+    return Group(
+        variables={
+            "displacement": (("freedom",), np.r_[state.displacement, state.tilt], units),
+            "force": (("freedom",), np.r_[state.ring_force, state.ring_moment], units),
             "stiffness": (("freedom", "freedom_2"), np.asarray(state.stiffness), units),
             "cage_speed": ((), state.cage_speed, CAGE_SPEED.si_attributes),
+            "freedom": (("freedom",), names, {}),
+            "freedom_2": (("freedom_2",), names, {}),
         },
-        coords={"freedom": list(STIFFNESS_ORDER), "freedom_2": list(STIFFNESS_ORDER)},
-        attrs={name: float(length) for name, length in geometry.items() if length is not None}
-        | {"geometry_units": "m"},
+        attributes=lengths | {"geometry_units": "m"},
     )
 
 
-def _ball_dataset(state: QuasistaticSolution) -> xr.Dataset:
-    data = {
-        ball.source: ("ball", np.asarray(getattr(state, ball.source), float), ball.si_attributes)
+def _ball_group(state: QuasistaticSolution) -> Group:
+    variables: Variables = {
+        ball.source: (
+            ("ball",),
+            np.asarray(getattr(state, ball.source), float),
+            ball.si_attributes,
+        )
         for ball in BALL_QUANTITY.values()
     }
-    return xr.Dataset(data, coords={"ball": np.arange(1, len(state.azimuth) + 1)})
+    variables["ball"] = (("ball",), np.arange(1, len(state.azimuth) + 1), {})
+    return Group(variables=variables)

@@ -24,9 +24,8 @@ from ehl.solution import Array
 from ehl.units import MILLIMETRE, NANOMETRE
 
 from ..plot_style import PAGE_WIDTH, REFERENCE, write_figure
-from .fields import open_contact
 from .frame import resampled
-from .view import shown_nodes
+from .stored import open_contact, shown_nodes
 
 SODIUM = 589.3e-9  # mean of the sodium D lines [m]
 NODES = 1200  # each way: more than the picture has pixels

@@ -5,7 +5,8 @@ from pathlib import Path
 import numpy as np
 
 from ..files import write_csv
-from .fields import open_contact, shown
+from .fields import shown
+from .stored import open_contact
 
 
 def write_line_cut(

@@ -4,7 +4,6 @@ from dataclasses import dataclass
 from math import cos, degrees, hypot, inf, pi, sin
 
 import numpy as np
-import xarray
 
 from ehl import ContactSolution
 from ehl.solution import Array
@@ -143,14 +142,6 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
     outlet = max(SHOWN_OUTLET * half_x, last + 0.25 * (last - first))
     side = max(SHOWN_SIDE * half_y, 1.3 * side)
     return within(X, inlet, outlet), within(Y, -side, side)
-
-
-def shown_nodes(data: xarray.Dataset) -> tuple[slice, slice]:
-    """Index ranges of the nodes shown of a contact's data set."""
-    a = float(data.attrs["semi_axis_x"])
-    kappa = float(data.attrs["semi_axis_y"]) / a
-    half_x, half_y = half_extents(float(data.attrs["frame_angle"]), kappa)
-    return shown_part(data["x"].values, data["y"].values, data["P"].values, a * half_x, a * half_y)
 
 
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:

@@ -4,21 +4,20 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-import xarray as xr
 
 from ehl import ContactSolution
 
-from ..files import Variables, root_attributes, write_tree
+from ..netcdf.groups import Group, Variables, root_attributes, write_groups
 from .results import ContactResults
 
 
 def write_contact_netcdf(results: ContactResults, path: Path, document: dict[str, Any]) -> None:
     """Write input and fields as netCDF-4, as `write_bearing_netcdf`; `document` is the summary."""
-    root = xr.Dataset(attrs=root_attributes(document, "contact"))
-    write_tree({"/": root, "/contacts/contact": field_dataset(results.solution)}, path)
+    root = Group(attributes=root_attributes(document, "contact"))
+    write_groups({"/": root, "/contacts/contact": field_group(results.solution)}, path)
 
 
-def field_dataset(solution: ContactSolution) -> xr.Dataset:
+def field_group(solution: ContactSolution) -> Group:
     """P and h over the contact plane, SI; in Moes' groups lengths in a, films in a^2/Rx."""
     length, film, scale = solution.semi_axis_x, solution.film_scale, solution.hertz_pressure
     unit, film_unit = ("a", "a^2/Rx") if length is None or film is None else ("m", "m")
@@ -39,13 +38,11 @@ def field_dataset(solution: ContactSolution) -> xr.Dataset:
         value = getattr(solution, f"{name}_dimensionless")
         fields[name] = ((), value.value * h, of_film)
         fields[f"{name}_uncertainty"] = ((), value.uncertainty * h, of_film)
-    return xr.Dataset(
-        fields,
-        coords={
-            "x": ("x", solution.X * a, {"units": unit, "long_name": "along the entrainment"}),
-            "y": ("y", solution.Y * a, {"units": unit, "long_name": "across the entrainment"}),
-        },
-        attrs={
+    fields["x"] = (("x",), solution.X * a, {"units": unit, "long_name": "along the entrainment"})
+    fields["y"] = (("y",), solution.Y * a, {"units": unit, "long_name": "across the entrainment"})
+    return Group(
+        variables=fields,
+        attributes={
             "semi_axis_x": a,
             "semi_axis_y": a * solution.semi_axis_ratio,
             "semi_axis_units": unit,

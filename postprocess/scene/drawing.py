@@ -13,9 +13,9 @@ import xarray
 from ehl.solution import Array
 from ehl.units import MILLIMETRE
 
-from ..contact.fields import film_maps
+from ..contact.stored import film_maps
+from ..netcdf.reader import open_results
 from ..plot_style import INK, common_film_range, film_range
-from ..reader import open_results
 from . import parts
 from .controls import NUMBERS, add_controls, patch_numbers, write_movie
 from .geometry import Placement

@@ -16,10 +16,11 @@ from ehl.solid.layered_fem import layered_mesh
 from ehl.solution import Array
 from ehl.units import GIGAPASCAL, MILLIMETRE
 
-from ..contact.fields import film_maps, require_contacts, shown
+from ..contact.fields import shown
 from ..contact.frame import ALL, principal_coordinates
+from ..contact.stored import film_maps, require_contacts
 from ..files import write_csv
-from ..reader import open_results
+from ..netcdf.reader import open_results
 from .geometry import Placement, contact_frame, crop_to_ball, grid_quads, place_patch
 
 TITLES = {"P": "pressure", "h": "film thickness", "T": "film temperature"}

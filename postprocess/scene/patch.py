@@ -11,7 +11,7 @@ from ehl.units import MICROMETRE, MILLIMETRE
 
 from ..contact.fields import shown
 from ..contact.frame import ALL, principal_coordinates
-from ..contact.view import shown_nodes
+from ..contact.stored import shown_nodes
 from ..plot_style import film_range
 from .geometry import Placement, contact_frame, crop_to_ball, place_patch
 from .vtk import structured_grid

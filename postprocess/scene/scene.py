@@ -7,9 +7,9 @@ from dataclasses import asdict, dataclass
 from importlib.util import find_spec
 from pathlib import Path
 
-from ..contact.fields import require_contacts
+from ..contact.stored import require_contacts
 from ..dynamics.history import open_history
-from ..reader import open_results
+from ..netcdf.reader import open_results
 from .rendering import PATIENCE, RenderingError, draw, require_display, run_module, with_suffix
 from .vtk import COLLECTION_FILE
 from .vtk_history import FRAMES, TURNS

@@ -7,7 +7,9 @@ import numpy as np
 
 from ehl.units import from_si
 
-from ..files import SPEED_COLUMN, StudyFiles, Table, Variables, write_study
+from ..files import Table
+from ..netcdf.groups import Variables
+from ..netcdf.study import SPEED_COLUMN, StudyFiles, write_study
 from .plots import write_slip_plots
 from .quantities import AXIAL_LOAD, RADIAL_LOAD, WORST_FACTOR
 from .results import SlipResults

@@ -4,7 +4,9 @@ from pathlib import Path
 
 import numpy as np
 
-from ..files import SPEED_COLUMN, StudyFiles, Table, Variables, write_study
+from ..files import Table
+from ..netcdf.groups import Variables
+from ..netcdf.study import SPEED_COLUMN, StudyFiles, write_study
 from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS
 from .plots import write_stiffness_plot
 from .results import StiffnessResults

@@ -15,12 +15,13 @@ from postprocess import open_results, summary
 from postprocess.bearing.write import write_bearing_netcdf
 from postprocess.compare.summary import compare, relative
 from postprocess.compare.table import comparison_table
-from postprocess.contact.fields import open_contact
 from postprocess.contact.interferogram import Optics, intensity, write_interferogram
 from postprocess.contact.line_cut import write_line_cut
 from postprocess.contact.results import ContactResults
+from postprocess.contact.stored import open_contact
 from postprocess.contact.write import write_contact_netcdf
-from postprocess.files import FIELDS_FILE, SUMMARY_FILE, write_json
+from postprocess.files import SUMMARY_FILE, write_json
+from postprocess.netcdf.groups import FIELDS_FILE
 
 
 def write_results(results, folder):

@@ -6,9 +6,10 @@ from pathlib import Path
 import numpy as np
 import xarray
 
-from .dynamics.history import FORMAT as HISTORY_FORMAT
-from .dynamics.history import HISTORY_FILE
-from .files import FIELDS_FILE, FORMAT, SUMMARY_FILE, open_tree
+from ..dynamics.history import FORMAT as HISTORY_FORMAT
+from ..dynamics.history import HISTORY_FILE
+from ..files import SUMMARY_FILE
+from .groups import FIELDS_FILE, FORMAT
 
 KINDS = ("bearing", "contact", "batch", "slip", "stiffness")  # that a file names
 FOREIGN = "is a netCDF file, but not one of oilfilm's results"
@@ -23,7 +24,7 @@ def open_results(directory: str | Path) -> xarray.DataTree:
     ValueError without results, or if the file is damaged, not ours, or of a newer program.
     """
     path = _data_file(Path(directory))
-    tree = open_tree(path)
+    tree = _open_tree(path)
     problem = _foreign(tree)
     if problem:
         tree.close()
@@ -45,6 +46,14 @@ def _data_file(path: Path) -> Path:
     if not path.is_file():
         raise ValueError(f"{path.parent} holds no results: {path.name} is missing")
     return path
+
+
+def _open_tree(path: Path) -> xarray.DataTree:
+    """The groups of a netCDF-4 file, read when they are used; ValueError if it is damaged."""
+    try:
+        return xarray.open_datatree(path, engine="h5netcdf")
+    except (OSError, KeyError, ValueError, TypeError, RuntimeError) as error:
+        raise ValueError(f"{path} is damaged or not a netCDF-4 file: {error}") from error
 
 
 def _of_simulation(tree: xarray.DataTree, path: Path) -> xarray.DataTree:

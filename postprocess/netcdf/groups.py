@@ -1,0 +1,89 @@
+"""netCDF-4 files of results, written as `reader` reads them, without xarray.
+
+Loading xarray and its libraries takes longer than writing the fields of a bearing.
+"""
+
+import json
+from collections.abc import Collection
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import h5netcdf
+import h5py
+import numpy as np
+
+from ..files import atomic_path
+
+# dimensions, values, attributes by name
+Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
+# of the netCDF file, raised when an older reader would misread it; 1: x along the entrainment
+FORMAT = 2
+FIELDS_FILE = "results.nc"
+FIELDS = ("P", "h", "T")  # over the plane of a contact, as float32
+COMPRESSION: dict[str, Any] = {"compression": "gzip", "compression_opts": 4, "shuffle": True}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Group:
+    """A group of a netCDF file; coordinates are the variables named as their dimension."""
+
+    variables: Variables = field(default_factory=dict)
+    attributes: dict[str, Any] = field(default_factory=dict)
+
+
+def write_dataset(
+    variables: Variables, attributes: dict[str, Any], path: Path, coordinates: Collection[str] = ()
+) -> None:
+    """Write a file of one group; coordinates are those of `Group` and of `coordinates`."""
+    named = " ".join(name for name in coordinates if name in variables)
+    known = {"oilfilm_format": FORMAT} | ({"coordinates": named} if named else {})
+    write_groups({"/": Group(variables=variables, attributes=attributes | known)}, path)
+
+
+def write_groups(groups: dict[str, Group], path: Path) -> None:
+    """Write the groups of one file by their paths, parents first."""
+    with atomic_path(path) as temporary, h5netcdf.File(temporary, "w") as file:
+        for name, group in groups.items():
+            _write_group(file if name == "/" else file.create_group(name), group)
+
+
+def _write_group(target: Any, group: Group) -> None:
+    target.attrs.update(group.attributes)
+    for name, (dimensions, values, attributes) in group.variables.items():
+        array = np.asarray(values)
+        if array.dtype.kind in "UO":
+            array = array.astype(object)
+        for dimension, size in zip(dimensions, array.shape, strict=True):
+            if dimension not in target.dimensions:
+                target.dimensions[dimension] = size
+        _write_variable(target, name, dimensions, array, attributes)
+
+
+def _write_variable(
+    target: Any, name: str, dimensions: tuple[str, ...], array: Any, attributes: dict[str, Any]
+) -> None:
+    """Fields are compressed, text has any length, truth values are bytes marked as such."""
+    kind: Any = h5py.string_dtype() if array.dtype == object else array.dtype
+    if array.dtype.kind == "b":
+        array = array.astype("i1")
+        kind = array.dtype
+        attributes = attributes | {"dtype": "bool"}
+    form = COMPRESSION if name in FIELDS else {}
+    variable = target.create_variable(name, dimensions, dtype=kind, data=array, **form)
+    variable.attrs.update(attributes)
+
+
+def root_attributes(document: dict[str, Any], kind: str) -> dict[str, Any]:
+    """Attributes of every file, from a summary: version, format, kind, input, messages."""
+    case = document["case"]
+    return {
+        "title": str(case.get("title", "")),
+        "source": str(case.get("source", "")),
+        "oilfilm": document["oilfilm"],
+        "oilfilm_format": FORMAT,
+        "kind": kind,
+        "converged": int(document["converged"]),
+        "case": json.dumps(case, ensure_ascii=False),
+        "messages": json.dumps(document["messages"], ensure_ascii=False),
+    }
