@@ -1,5 +1,6 @@
 """The bodies: elastic deflection, coatings, heat conduction, stress below the contact.
 
+bodies       - bodies of finite size: rings, by finite elements
 coating     - a coated body, and its compliance
 compliance  - half-space compliance of bilinear pressures on a graded rectangular mesh
 deformation - elastic deflection of the half-space by convolution

@@ -10,8 +10,8 @@ from .sources import FILES, LAYERS, at, layer, nodes, nothing, text, tree
 HOMES = {
     "numba": ("*_kernels.py", "ehl/compiled.py"),
     "lazy_loader": ("__init__.py",),
-    "skfem": ("ehl/finite_element/*.py", "ehl/solid/*.py"),
-    "pyamg": ("ehl/finite_element/linear_solvers.py",),
+    "skfem": ("ehl/finite_element/*.py", "ehl/solid/*.py", "ehl/solid/bodies/*.py"),
+    "pyamg": ("ehl/solid/bodies/smoothed_aggregation.py",),
     "vtk": ("postprocess/scene/*.py",),
     "vtkmodules": ("postprocess/scene/*.py",),
     "meshio": ("postprocess/scene/*.py",),

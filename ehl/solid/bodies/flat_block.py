@@ -1,0 +1,68 @@
+"""A flat block of a half-space under nodal forces: what a finite body is compared with.
+
+The block has the grid lines of the body around its load and the same nodal forces; its far faces
+move as those of a half-space, by the sum of Boussinesq's (1885) point loads. Body less block is
+then smooth, and the error of the mesh under the load cancels.
+"""
+
+import numpy as np
+
+from ...arrays import Array
+from .elasticity import elastic_body, solve_elasticity
+from .hexahedra import HexMesh, hexahedra
+
+
+def boussinesq(points: Array, young: float, poisson: float) -> Array:
+    """Displacement (x, y, depth) per force [m/N] at points (x, y, depth) [m] of a half-space under
+    a unit load at the origin along the depth, shape (3, n); Young's modulus [Pa].
+    """
+    x, y, z = points
+    distance = np.sqrt(x * x + y * y + z * z)
+    scale = (1.0 + poisson) / (2.0 * np.pi * young)
+    radial = z / distance**3 - (1.0 - 2.0 * poisson) / (distance * (distance + z))
+    axial = z * z / distance**3 + 2.0 * (1.0 - poisson) / distance
+    return np.asarray(scale * np.stack([x * radial, y * radial, axial]))
+
+
+def flat_block(along: Array, across: Array, depth: Array) -> HexMesh:
+    """Half a block from its plane of symmetry at along = 0, between lines in [m]."""
+    return hexahedra((along, across, depth), lambda parameters: parameters)
+
+
+def indentation(
+    block: HexMesh, across: Array, weights: Array, young: float, poisson: float
+) -> float:
+    """Mean depth of the surface under a unit force, per force [m/N], weighted as the force is.
+
+    `across`, `weights`: nodes that carry the force on the line along = 0 and their parts of it,
+    shapes (k,) [m], [-].
+    """
+    points = block.points
+    far = _far(block)
+    prescribed = np.zeros((points.shape[1], 3, 1))
+    for place, weight in zip(across, weights, strict=True):
+        shifted = points[:, far] - np.array([[0.0], [place], [0.0]])
+        prescribed[far, :, 0] += weight * boussinesq(shifted, young, poisson).T
+    held = np.zeros((points.shape[1], 3), dtype=np.bool_)
+    held[block.on(0, 0.0), 0] = True
+    held[far] = True
+    forces = np.zeros_like(prescribed)
+    loaded = _line_nodes(block, across)
+    forces[loaded, 2, 0] = 0.5 * weights  # half of it stands beyond the plane of symmetry
+    elastic = elastic_body(block, young, poisson)
+    solution = solve_elasticity(elastic, forces, held, prescribed)
+    return float(weights @ solution.values[loaded, 2, 0])
+
+
+def _far(block: HexMesh) -> Array:
+    """Nodes of all faces but the surface and the plane of symmetry."""
+    along, across, depth = block.parameters
+    ends = block.on(1, float(across.min())) | block.on(1, float(across.max()))
+    return np.asarray(ends | block.on(0, float(along.max())) | block.on(2, float(depth.max())))
+
+
+def _line_nodes(block: HexMesh, across: Array) -> Array:
+    """Numbers of the nodes of the surface on the plane of symmetry at given places [m]."""
+    line = np.flatnonzero(block.on(0, 0.0) & block.on(2, 0.0))
+    places = block.parameters[1, line]
+    return np.asarray(line[[int(np.abs(places - place).argmin()) for place in across]])
