@@ -1,13 +1,15 @@
 """Multigrid solution of the Reynolds and film equations.
 
-_kernels       - Reynolds operator and line relaxation, compiled
-acceleration   - nonlinear Krylov acceleration of the multigrid cycle
-cycle          - full approximation scheme for the lubricated contact: levels, relaxation, cycles
-extrapolation  - film values of a grid, and grid-converged values with error bars
-far_field      - pressure of a flooded contact far from its centre
-flow_model     - factors between the oil's flow and that of a Newtonian oil
-full_multigrid - full multigrid of one contact, Venner and Lubrecht (2000)
-thin_film      - films too thin for the mesh, extrapolated over the load
-threads        - threads that share the lines of a grid
-transfer       - transfers between a grid and the one with doubled mesh size
+_kernels            - Reynolds operator and flow coefficient, compiled
+_line_kernels       - linear systems of eight lines at once, compiled
+_relaxation_kernels - line relaxation, compiled
+acceleration        - nonlinear Krylov acceleration of the multigrid cycle
+cycle               - full approximation scheme of the contact: levels, relaxation, cycles
+extrapolation       - film values of a grid, and grid-converged values with error bars
+far_field           - pressure of a flooded contact far from its centre
+flow_model          - factors between the oil's flow and that of a Newtonian oil
+full_multigrid      - full multigrid of one contact, Venner and Lubrecht (2000)
+thin_film           - films too thin for the mesh, extrapolated over the load
+threads             - threads that share the lines of a grid
+transfer            - transfers between a grid and the one with doubled mesh size
 """

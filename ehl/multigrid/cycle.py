@@ -26,7 +26,7 @@ from ..oil.lubricant import log_viscosity_ratio, roelands_rise
 from ..oil.numbers import oil_numbers
 from ..scaling import ScaledContact
 from ..solid.deformation import DeflectionKernel, deflect, deflection_kernel
-from . import _kernels
+from . import _kernels, _relaxation_kernels
 from .far_field import FarField, edge_pressure, exterior_load
 from .flow_model import FlowFactors, FlowModel, entrainment_factors
 from .threads import Threads
@@ -241,13 +241,19 @@ def relax(state: Multigrid, index: int) -> None:
     mesh = (level.kernel.near, grid.hx, grid.hy, grid.symmetric)
     numbers = (damping.gauss_seidel, switch, level.kinds, level.scratch)
     lines = partial(
-        _kernels.relax_lines, P, level.H, level.eps, *couette, level.f, *mesh, *numbers
+        _relaxation_kernels.relax_lines, P, level.H, level.eps, *couette, level.f, *mesh, *numbers
     )
     first = 0 if grid.symmetric else 1
     for colour in (first, first + 1):
         state.threads.run(lines, range(colour, grid.ny - 1, 2), P.size)
     changes = partial(
-        _kernels.spread_changes, P, level.kinds, level.scratch, grid.hx, grid.hy, damping.jacobi
+        _relaxation_kernels.spread_changes,
+        P,
+        level.kinds,
+        level.scratch,
+        grid.hx,
+        grid.hy,
+        damping.jacobi,
     )
     state.threads.run(changes, range(first, grid.ny - 1), P.size)
     update_film(state, index)
