@@ -25,6 +25,11 @@ class Results:
         """Of the case."""
         return str(self.case.get("title", ""))
 
+    @property
+    def pictures(self) -> int:
+        """The most that are drawn apart from each other [-]."""
+        return 0
+
     def head(self, converged: bool, messages: Iterable[str]) -> dict[str, Any]:
         """First keys of a summary; the messages of the run stand before those given."""
         return {

@@ -1,12 +1,12 @@
 """Parts of a page - checks, tables, pictures, sections - and the page in Markdown."""
 
 from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from importlib import resources
 from typing import Any, TypeVar
 
 from ehl.multigrid.threads import cores
+from ehl.thread_pool import film_threads
 
 Item = TypeVar("Item")
 Result = TypeVar("Result")
@@ -94,7 +94,7 @@ def columns(names: str) -> tuple[str, ...]:
 
 def each(function: Callable[[Item], Result], items: Iterable[Item]) -> list[Result]:
     """`function` of every item, in order, on all cores: kernels release the lock."""
-    with ThreadPoolExecutor(max_workers=cores()) as pool:
+    with film_threads(cores()) as pool:
         return list(pool.map(function, items))
 
 

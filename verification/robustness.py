@@ -3,7 +3,7 @@
 import json
 import threading
 from collections.abc import Iterable
-from concurrent.futures import ThreadPoolExecutor, as_completed
+from concurrent.futures import as_completed
 from dataclasses import asdict, dataclass, fields
 from math import isfinite
 from pathlib import Path
@@ -13,6 +13,7 @@ from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.multigrid.thin_film import FALLBACK as THIN_FILM
 from ehl.multigrid.threads import cores
 from ehl.scaling import scale_contact
+from ehl.thread_pool import film_threads
 
 from .draws import Draw, draws
 from .page import ForeignFileError, Progress
@@ -137,8 +138,7 @@ def sweep(
     )
     lock = threading.Lock()
     progress(len(done), count, "random contacts")
-    pool = ThreadPoolExecutor(max_workers=cores())
-    try:
+    with film_threads(cores()) as pool:
         jobs = [pool.submit(solve_draw, draw, points) for draw in waiting]
         for job in as_completed(jobs):
             finished = job.result()
@@ -148,8 +148,6 @@ def sweep(
                     json.dumps(asdict(finished), ensure_ascii=False, allow_nan=False) + "\n"
                 )
             progress(len(done), count, "random contacts")
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
     return [done[number] for number in sorted(done) if number < count]
 
 

@@ -1,43 +1,20 @@
 """Where the points are computed: processes of this machine, or the workers of a Dask cluster."""
 
-import os
-import signal
-import threading
 from concurrent.futures import Executor, Future, ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
-from multiprocessing import active_children, connection, get_context, parent_process
+from multiprocessing import active_children, get_context
 from pathlib import Path
 from typing import Any
 
 from ..format.problems import CaseError
+from ..runs.processes import prepare_worker
 from .points import Receipt, Task
 from .store import DONE
 from .worker import compute_point
 
-THREADS = (
-    "OMP_NUM_THREADS",
-    "OPENBLAS_NUM_THREADS",
-    "MKL_NUM_THREADS",
-    "VECLIB_MAXIMUM_THREADS",
-    "NUMBA_NUM_THREADS",
-)
 AHEAD = 2  # points in the hands of each worker, so that none waits for the next one
 PATIENCE = 10.0  # for a scheduler to answer [s]
 PORT = 8786  # of a Dask scheduler, its default
-
-
-def prepare_worker() -> None:
-    """In a new process: one thread each; Ctrl-C is left to the parent; ends with the parent."""
-    os.environ.update(dict.fromkeys(THREADS, "1"))
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    parent = parent_process()
-    if parent is not None:
-        threading.Thread(target=_end_with, args=(parent.sentinel,), daemon=True).start()
-
-
-def _end_with(sentinel: Any) -> None:
-    connection.wait([sentinel])
-    os._exit(1)
 
 
 class LocalPool:

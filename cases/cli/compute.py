@@ -37,23 +37,27 @@ def run(
     quiet: Quiet = False,
 ) -> int:
     """Run a bearing case: loads, film maps, pictures, VTK."""
-    loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'")
-    directory = results_directory(case, output, as_json)
-    from postprocess import summary
-    from postprocess.bearing.table import bearing_table
+    from ..runs.drawing import drawing_processes
 
-    from ..runs.bearing import Interrupted, run_case
+    with drawing_processes(ahead=output is not None or not as_json) as drawing:
+        loaded = load_bearing(case, f"run it with 'oilfilm contact {case}'")
+        directory = results_directory(case, output, as_json)
+        from postprocess import summary
+        from postprocess.bearing.table import bearing_table
 
-    try:
-        with progress_bar(quiet=quiet) as progress:
-            results = run_case(loaded, workers, progress)
-            save(results, directory, progress)
-    except Interrupted as stop:
-        if stop.results is not None and directory is not None:
-            target = Path(f"{directory}_interrupted") if directory.exists() else directory
-            save(stop.results, target)
-            say(f"finished films in {target}")
-        raise KeyboardInterrupt from None
+        from ..runs.bearing import Interrupted, run_case
+
+        try:
+            with progress_bar(quiet=quiet) as progress:
+                results = run_case(loaded, workers, progress)
+                save(results, directory, drawing, progress)
+        except Interrupted as stop:
+            if stop.results is not None and directory is not None:
+                target = Path(f"{directory}_interrupted") if directory.exists() else directory
+                drawing.stop()
+                save(stop.results, target, drawing)
+                say(f"finished films in {target}")
+            raise KeyboardInterrupt from None
     return report(summary(results), lambda: bearing_table(results), directory, as_json, quiet)
 
 
@@ -67,23 +71,26 @@ def contact(
     quiet: Quiet = False,
 ) -> int:
     """Solve one lubricated contact from a [contact] table."""
-    from ..format.case import ContactCase, load_case
+    from ..runs.drawing import drawing_processes
 
-    loaded = load_case(case)
-    if not isinstance(loaded, ContactCase):
-        raise CaseError(f"{case}: is a bearing; run it with 'oilfilm run {case}'")
-    directory = results_directory(case, output, as_json)
-    from ehl.multigrid.threads import cores
-    from postprocess import summary
-    from postprocess.contact.table import contact_table
+    with drawing_processes(ahead=output is not None or not as_json) as drawing:
+        from ..format.case import ContactCase, load_case
 
-    from ..runs.contact import run_contact
+        loaded = load_case(case)
+        if not isinstance(loaded, ContactCase):
+            raise CaseError(f"{case}: is a bearing; run it with 'oilfilm run {case}'")
+        directory = results_directory(case, output, as_json)
+        from ehl.multigrid.threads import cores
+        from postprocess import summary
+        from postprocess.contact.table import contact_table
 
-    elements = method is Method.FINITE_ELEMENT
-    with progress_bar(quiet=quiet) as progress:
-        progress(0, 1, "film")
-        results = run_contact(loaded, finite_element=elements, workers=cores())
-        save(results, directory, progress)
+        from ..runs.contact import run_contact
+
+        elements = method is Method.FINITE_ELEMENT
+        with progress_bar(quiet=quiet) as progress:
+            progress(0, 1, "film")
+            results = run_contact(loaded, finite_element=elements, workers=cores())
+            save(results, directory, drawing, progress)
     return report(summary(results), lambda: contact_table(results), directory, as_json, quiet)
 
 

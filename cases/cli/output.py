@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from postprocess.contact.results import ContactResults
 
     from ..format.case import Case
+    from ..runs.drawing import Drawing
     from ..runs.films import Progress
 
 
@@ -46,23 +47,26 @@ def results_directory(case: str, output: Path | None, as_json: bool) -> Path | N
 def save(
     results: BearingResults | ContactResults,
     directory: Path | None,
+    drawing: Drawing,
     progress: Progress | None = None,
 ) -> None:
-    """Write the results into a directory, if there is one."""
+    """Write the results into a directory, if there is one; after an interrupt numbers alone."""
     if directory is not None and progress is not None:
         progress(0, 1, "pictures and files")
-    from postprocess import write_results
-
-    save_with(lambda folder: write_results(results, folder), directory)
+    save_with(lambda folder: drawing.write(results, folder), directory, drawing.stop)
 
 
-def save_with(write: Callable[[Path], tuple[str, ...]], directory: Path | None) -> None:
-    """Let `write` fill the directory, if there is one."""
+def save_with(
+    write: Callable[[Path], tuple[str, ...]],
+    directory: Path | None,
+    hurry: Callable[[], None] | None = None,
+) -> None:
+    """Let `write` fill the directory, if there is one, in a `hurry` after an interrupt."""
     if directory is None:
         return
     from ..runs.output_directory import save
 
-    with finish_first(f"results in {directory}"):
+    with finish_first(f"results in {directory}", hurry):
         for problem in save(write, directory):
             say(f"oilfilm: {problem}")
 

@@ -12,6 +12,8 @@
 | stiffness | stiffness over speed |
 | traction_table | building of traction tables |
 | dynamics | time simulation |
+| drawing | pictures and VTK, made by processes |
+| processes | what worker processes do first |
 | export | meshes of results for other programs |
 | output_directory | folders of results: complete or not there |
 | interrupt | messages, and work that an interrupt lets finish |

@@ -1,7 +1,7 @@
 """Films of the contacts of a bearing, equal ones solved once, in parallel."""
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import Future, ThreadPoolExecutor, as_completed
+from concurrent.futures import Future, as_completed
 from dataclasses import fields, replace
 from math import degrees, isclose
 
@@ -9,6 +9,7 @@ from bearing.contacts.contact import BearingContact
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactConditions, ContactSolution, SolverOptions, solve_contact
 from ehl.multigrid.threads import cores
+from ehl.thread_pool import film_threads
 
 from ..format.case import Case
 from ..format.rows import ball_at
@@ -91,8 +92,7 @@ def solve_contacts(
     notify: Progress,
     solve: Solve | None,
 ) -> tuple[tuple[ContactSolution | None, ...], bool]:
-    """Films of the distinct contacts, several at a time: the kernels release the interpreter's
-    lock.
+    """Films of the distinct contacts, several at a time; True with those finished before Ctrl-C.
 
     Only if they are large, and fewer than half the workers, does each get several threads.
     """
@@ -103,19 +103,17 @@ def solve_contacts(
     workers = workers or cores()
     options = shared_options(options, workers // len(groups))
     notify(0, len(groups), "films")
-    pool = ThreadPoolExecutor(max_workers=min(workers, len(groups)))
     try:
-        jobs: dict[Future[ContactSolution], list[int]] = {}
-        for members in groups:
-            first = conditions[members[0]]
-            assert first is not None  # only contacts with conditions are grouped
-            jobs[pool.submit(solve or solve_contact, first, options)] = members
-        for done, job in enumerate(as_completed(jobs), 1):
-            for index in jobs[job]:
-                solutions[index] = job.result()
-            notify(done, len(groups), "films")
+        with film_threads(min(workers, len(groups))) as pool:
+            jobs: dict[Future[ContactSolution], list[int]] = {}
+            for members in groups:
+                first = conditions[members[0]]
+                assert first is not None  # only contacts with conditions are grouped
+                jobs[pool.submit(solve or solve_contact, first, options)] = members
+            for done, job in enumerate(as_completed(jobs), 1):
+                for index in jobs[job]:
+                    solutions[index] = job.result()
+                notify(done, len(groups), "films")
     except KeyboardInterrupt:
         return tuple(solutions), True
-    finally:
-        pool.shutdown(wait=True, cancel_futures=True)
     return tuple(solutions), False

@@ -3,7 +3,7 @@
 import signal
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 
@@ -13,8 +13,11 @@ def say(text: str) -> None:
 
 
 @contextmanager
-def finish_first(what: str) -> Iterator[None]:
-    """Obey an interrupt only when the work inside is done; a second one is obeyed at once."""
+def finish_first(what: str, hurry: Callable[[], None] | None = None) -> Iterator[None]:
+    """Obey an interrupt only when the work inside is done; a second one is obeyed at once.
+
+    `hurry` is called at the first, to leave out what can be left out.
+    """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -25,6 +28,8 @@ def finish_first(what: str) -> Iterator[None]:
             raise KeyboardInterrupt
         waiting.append(number)
         say(f"oilfilm: finishing first: {what}")
+        if hurry is not None:
+            hurry()
 
     previous = {
         number: signal.signal(number, remember) for number in (signal.SIGINT, signal.SIGTERM)

@@ -1,6 +1,5 @@
 """Run the slip maps of a case, the rows shared among processes."""
 
-import signal
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
@@ -30,6 +29,7 @@ from ..format.operation import SlipTable
 from ..format.problems import CaseError
 from ..version import version
 from .films import Progress
+from .processes import prepare_worker
 
 # centrifugal force a source evidently used, over the true one [-]
 PRINTED_FORCE = {"half centrifugal force": 0.5}
@@ -134,18 +134,13 @@ def _minimum_loads(
     )
 
 
-def _ignore_interrupts() -> None:
-    """In a worker: Ctrl-C is the parent's to handle."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-
-
 @contextmanager
 def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Mapper]]:
     """A `map` for each stage, over processes if there are several, with progress."""
     pool = None
     if workers > 1:
         context = get_context("spawn")
-        pool = ProcessPoolExecutor(workers, mp_context=context, initializer=_ignore_interrupts)
+        pool = ProcessPoolExecutor(workers, mp_context=context, initializer=prepare_worker)
 
     def stage(state: str, total: int) -> Mapper:
         def mapped(function: Callable[[Any], Any], items: Iterable[Any]) -> Iterator[Any]:

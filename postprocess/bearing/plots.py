@@ -3,6 +3,7 @@
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import partial
+from itertools import islice
 from math import degrees, pi
 from pathlib import Path
 from typing import Any
@@ -113,9 +114,17 @@ def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
     return -x_in, x_out, max((SHOWN_SIDE * v.half_y for v in views), default=1.0)
 
 
-def write_bearing_plots(results: BearingResults, directory: Path) -> tuple[str, ...]:
-    """Draw load zone, torque and contacts, equal ones once; figures that failed are messages."""
-    return write_figures(directory, _figures(results))
+def write_bearing_plots(
+    results: BearingResults, directory: Path, picture: int | None = None
+) -> tuple[str, ...]:
+    """Draw load zone, torque and contacts, equal ones once; figures that failed are messages.
+
+    All pictures, or the one of that number from 0, if there is one.
+    """
+    figures = _figures(results)
+    if picture is not None:
+        figures = islice(figures, picture, picture + 1)
+    return write_figures(directory, figures)
 
 
 def _figures(results: BearingResults) -> Iterator[tuple[str, Callable[[Figure], None]]]:

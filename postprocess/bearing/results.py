@@ -43,6 +43,11 @@ class BearingResults(Results):
             and (self.heating is None or self.heating.converged)
         )
 
+    @property
+    def pictures(self) -> int:
+        """The most that are drawn [-]: four of the bearing, one of each distinct contact."""
+        return 4 + len(distinct_contacts(self))
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class DistinctContact:

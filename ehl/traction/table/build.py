@@ -8,13 +8,13 @@ nodes along load or speed are doubled.
 """
 
 from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field, replace
 from math import log
 
 import numpy as np
 
 from ...arrays import Array
+from ...thread_pool import film_threads
 from .._kernels import LOAD_POWER
 from .film import FilmSample, film_sample, relative_forces
 from .splines import left_out_error, spline_coefficients
@@ -121,7 +121,7 @@ def _solve(study: _Study, wanted: list[tuple[float, float]]) -> list[FilmSample]
     def solve(place: tuple[float, float]) -> FilmSample:
         return film_sample(study.contact, study.range, place, study.options.points)
 
-    with ThreadPoolExecutor(max_workers=max(1, study.options.workers)) as pool:
+    with film_threads(study.options.workers) as pool:
         for film in pool.map(solve, wanted):
             films.append(film)
             study.progress(before + len(films), before + len(wanted), "films")
@@ -165,7 +165,7 @@ def _table(study: _Study) -> tuple[TractionTable, Array]:
     films = _grid_films(study, axes)
     study.progress(len(study.films), len(study.films), "shear")
     every = [film for row in films for film in row]
-    with ThreadPoolExecutor(max_workers=max(1, study.options.workers)) as pool:
+    with film_threads(study.options.workers) as pool:
         blocks = list(pool.map(lambda film: _values(study, film, axes), every))
     raw = np.array(blocks).reshape(len(films), len(films[0]), *blocks[0].shape)
     # 2. splines: values over their largest, logarithms of what depends on load and speed alone

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 import re
+import signal
+import subprocess
+import sys
 from math import nan
 from pathlib import Path
 
@@ -205,6 +208,29 @@ def test_interrupted_sweep_keeps_what_is_finished(tmp_path, monkeypatch):
     assert "the same command continues" in result.stderr
     assert 1 <= len(read_finished(tmp_path / "robustness.jsonl")) <= 8
     assert not (tmp_path / "robustness.md").exists()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
+def test_an_interrupt_gives_up_the_contacts_under_way(tmp_path):
+    """A film cannot be stopped; here each takes far longer than the patience of this test."""
+    code = f"""
+import sys, time
+from cases.cli.main import main
+from verification import robustness
+def slow(draw, points):
+    print("up", flush=True)
+    time.sleep(600)
+robustness.solve_draw = slow
+sys.argv = ["oilfilm", "verify", "--robustness", "3", "--quick", "-o", {str(tmp_path)!r}]
+main()
+"""
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout.readline() == b"up\n"
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+    assert process.returncode == 3
+    assert b"the same command continues" in errors
+    assert errors.endswith(b"oilfilm: interrupted\n")
 
 
 def test_sweep_command(tmp_path):

@@ -1,0 +1,40 @@
+"""Files for ParaView and pictures of a run, in parts that several processes can make."""
+
+from pathlib import Path
+
+from ..bearing.plots import write_bearing_plots
+from ..bearing.results import BearingResults
+from ..contact.plots import write_contact_plots
+from ..contact.results import ContactResults
+from ..files import attempt
+from ..scene.vtk import write_collection, write_subsurface
+
+
+def write_extras(
+    results: BearingResults | ContactResults, folder: Path, part: int | None = None
+) -> tuple[str, ...]:
+    """Write files for ParaView, part 0, and the pictures, a part each from 1; all if None.
+
+    Returns what could not be written, and why.
+    """
+    problems: tuple[str, ...] = ()
+    if part in (None, 0):
+        problems = attempt("VTK", lambda: _write_vtk(results, folder))
+    if part != 0:
+        picture = None if part is None else part - 1
+        problems += attempt("plots", lambda: _write_plots(results, folder, picture))
+    return problems
+
+
+def _write_plots(
+    results: BearingResults | ContactResults, folder: Path, picture: int | None
+) -> tuple[str, ...]:
+    if isinstance(results, BearingResults):
+        return write_bearing_plots(results, folder, picture)
+    return write_contact_plots(results, folder) if picture in (None, 0) else ()
+
+
+def _write_vtk(results: BearingResults | ContactResults, folder: Path) -> None:
+    write_collection(results, folder)
+    if isinstance(results, BearingResults):
+        write_subsurface(results, folder)

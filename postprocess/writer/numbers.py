@@ -1,0 +1,32 @@
+"""Numbers of a run: netCDF and CSV, and last the summary, which says what could not be drawn."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+from ..bearing.results import BearingResults
+from ..bearing.write import write_bearing_netcdf, write_contacts_csv
+from ..contact.results import ContactResults
+from ..contact.write import write_contact_netcdf
+from ..files import CONTACTS_FILE, SUMMARY_FILE, write_json
+from ..netcdf.groups import FIELDS_FILE
+from ..summaries import summary
+
+
+def write_numbers(
+    results: BearingResults | ContactResults, folder: Path, extras: Callable[[], tuple[str, ...]]
+) -> tuple[str, ...]:
+    """Write the numbers; `extras` waits for pictures and VTK and returns what failed, as here.
+
+    The summary comes last: where it stands, all files are complete. OSError if they cannot be
+    written: disk full, no permission.
+    """
+    document = summary(results)
+    if isinstance(results, ContactResults):
+        write_contact_netcdf(results, folder / FIELDS_FILE, document)
+    else:
+        write_bearing_netcdf(results, folder / FIELDS_FILE, document)
+        write_contacts_csv(document, folder / CONTACTS_FILE)
+    problems = extras()
+    document["messages"] += problems
+    write_json(document, folder / SUMMARY_FILE)
+    return problems
