@@ -47,6 +47,21 @@ class ConvergenceRecord:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Certificate:
+    """Whether the discrete equations of the finest grid hold to 1e-8, and what that took [-]."""
+
+    certified: bool
+    message: str
+    # sum |R| over the fluid nodes over sum |div(rho u H)|, at the start and after each Newton step
+    residual: tuple[float, ...]
+    force_error: tuple[float, ...]  # relative error of the load balance, likewise
+    # largest relative change of central and minimum film; zero where the state was left as it was
+    film_change: float
+    deflections: int  # deflection FFTs
+    factorisations: int  # of the near field
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ContactSolution:
     """Pressure and film of one lubricated contact.
 

@@ -18,6 +18,7 @@ from scipy import sparse
 from ..arrays import Array
 from ..conditions import ContactConditions, MoesConditions
 from ..grid import Grid, unfolded
+from ..multigrid.bordered import Border, LinearSolverError, factor_bordered, solve_bordered
 from ..multigrid.extrapolation import extrapolate
 from ..multigrid.far_field import FarField, exterior_load, far_field
 from ..options import SolverOptions
@@ -25,7 +26,6 @@ from ..scaling import ScaledContact, scale_contact
 from ..solid.compliance import add_coating, compliance_matrix, graded_nodes, near_field
 from ..solution import ContactSolution, ConvergenceRecord
 from ..solver import RESOLVED, choose_domain
-from .linear_solvers import LinearSolverError, solve_bordered
 from .reynolds import (
     FilmSpace,
     coefficients,
@@ -187,8 +187,9 @@ def _step(level: Level, H: Array, progress: Progress) -> tuple[Array, float]:
         return np.where(fixed, p, by_pressure @ p + by_film @ (level.compliance @ p))
 
     right = np.where(fixed, target - level.P, -residual)
-    border = (np.where(fixed, 0.0, column), level.weights)
-    return solve_bordered(operator, near, border, (right, error), LINEAR_TOLERANCE)
+    border = Border(column=np.where(fixed, 0.0, column), row=level.weights)
+    factors = factor_bordered(near, border)
+    return solve_bordered(operator, border, factors, (right, error), LINEAR_TOLERANCE)
 
 
 def _edge_pressure(level: Level, H: Array) -> tuple[Array, float]:
