@@ -12,6 +12,7 @@ material          - solid bodies: moduli, densities, thermal properties, and the
 operation         - speeds, loads and temperatures, and the assumptions of the model
 quasistatic       - quasi-static equilibrium of rings and balls
 rating            - rating life, load ratings and defect frequencies
+rings             - rings as elastic bodies on their seats
 rows              - rows of balls on one inner ring: where they sit
 studies           - studies over load and speed: slip, stiffness, preload
 supply            - oil supply and starved films

@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from enum import Enum
 from math import isfinite, pi
 
+from .rings.elastic_ring import ElasticRings
+
 DEGREES_OF_FREEDOM = ("x", "y", "z", "tilt y", "tilt z")
 
 
@@ -43,6 +45,9 @@ class QuasistaticModel:
 
     ball_kinematics: BallKinematics = BallKinematics.HALF_AND_HALF
     curvature: Curvature = Curvature.OPERATING
+    rings: ElasticRings | None = (
+        None  # rings as elastic bodies; None: they yield at contacts alone
+    )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

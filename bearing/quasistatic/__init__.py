@@ -3,6 +3,7 @@
 ball_equilibrium  - equilibrium of every ball at a given position of the ring, Newton's method
 balls             - balls between the races: forces at given positions
 contact_stiffness - Hertz stiffness of ball and race as a smooth function of the contact angle
+elastic_balls     - balls between elastic rings
 kinematics        - rolling of a ball between two races, and the body forces of its motion
 ring              - balance of the inner ring on its balls: Newton's method
 solution          - result of the quasi-static equilibrium of a bearing

@@ -29,10 +29,10 @@ MAX_BALL_STEPS = 30
 class BallsEquilibrium(NamedTuple):
     """Equilibrium of all balls at one ring position.
 
-    u (2, Z) [m]; values (5, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on
-    it about e_t [N m]; du_dV (2, 2, Z) [-] and ring_dV (3, 2, Z) [N/m], [N]: condensed
-    derivatives; residual [-] of each ball over its forces, or over LIGHT_LOAD_RATIO times those of
-    the heaviest loaded ball, and what round-off leaves of it.
+    u (2, Z) [m]; values (6, Z): residual (x, r) and force on the inner ring (x, r) [N], couple on
+    it about e_t [N m], centrifugal force [N]; du_dV (2, 2, Z) [-] and ring_dV (4, 2, Z) [N/m],
+    [N]: condensed derivatives; residual [-] of each ball over its forces, or over LIGHT_LOAD_RATIO
+    times those of the heaviest loaded ball, and what round-off leaves of it.
     """
 
     u: Array
@@ -77,9 +77,9 @@ def solve_balls(V: Array, u_start: Array | None, problem: BallProblem) -> BallsE
 
 class _Evaluation(NamedTuple):
     u: Array
-    values: Array  # (5, Z)
+    values: Array  # (6, Z)
     size: Array  # (Z,) sum of the forces [N]
-    jacobian: Array  # (5, 4, Z), with respect to u_x, u_r, w_x, w_r
+    jacobian: Array  # (6, 4, Z), with respect to u_x, u_r, w_x, w_r
 
 
 def _evaluate(u: Array, V: Array, problem: BallProblem) -> _Evaluation:

@@ -183,9 +183,10 @@ def _transmissible_share(
 
 
 def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
-    """Residual of the ball equilibrium and what the ball does to the inner ring, shape (5, ...):
-    force on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on it about e_t [N m],
-    for the friction acts r_i away from the groove's centre, where the normal force passes.
+    """Residual of the ball equilibrium and what the ball does to the rings, shape (6, ...): force
+    on the ball (x, r) [N], force on the inner ring (x, r) [N], couple on it about e_t [N m], for
+    the friction acts r_i away from the groove's centre, where the normal force passes, and the
+    centrifugal force that the outer ring takes beyond that of the inner [N].
     """
     inner_friction, outer_friction = state.inner_friction, state.outer_friction
     from_inner_x = state.inner_load * state.inner.sin + inner_friction * state.inner.cos
@@ -199,6 +200,7 @@ def ball_balance(state: BallState, problem: BallProblem) -> Numbers:
             -from_inner_x,
             -from_inner_r,
             -inner_friction * problem.inner_groove_radius,
+            state.centrifugal_force + 0.0 * from_inner_r,
         ]
     )
 

@@ -15,10 +15,13 @@ from numpy.typing import NDArray
 
 from ..geometry import Array, Bearing
 from ..operation import Operation
-from ..rows import SINGLE, Row, per_ball, row_directions
+from ..rings.compliance import RingCompliance, ring_compliance
+from ..rings.elastic_ring import ElasticRings
+from ..rows import SINGLE, Row, per_ball, row_azimuths, row_directions
 from .ball_equilibrium import ROUND_OFF, BallsEquilibrium, solve_balls
 from .balls import BallProblem
 from .contact_stiffness import stiffness_at
+from .elastic_balls import BetweenRings, solve_between_elastic_rings
 
 # What follows, and the constants of `ball_equilibrium`, were measured on 60 random bearings at 0.3
 # to 4 GPa: each halved and doubled leaves all of them converged, the loads equal to 8e-12 of the
@@ -57,6 +60,7 @@ class Ring(NamedTuple):
     movement: Array  # (2, 5, Z) d(V)/dq [-]
     gather: Array  # (5, 3, Z) ring load from (x, r) forces [-] and couple about e_t [1/m]
     drive: Array  # (rows, 5) part of the load by friction of the balls along their orbits [N]
+    compliance: RingCompliance | None  # of elastic rings
 
     def position(self, q: Array) -> Array:
         """Distances (x, r) from outer to inner groove centres, shape (2, Z) [m], at ring position
@@ -71,7 +75,7 @@ class Ring(NamedTuple):
         """Load of the balls on the ring by rows of `balls` balls, shape (rows, 5) [N],
         moments over R_i.
         """
-        each = np.einsum("qfz,fz->qz", self.gather, equilibrium.values[2:])
+        each = np.einsum("qfz,fz->qz", self.gather, equilibrium.values[2:5])
         return each.reshape(5, -1, balls).sum(axis=2).T
 
 
@@ -81,23 +85,36 @@ class RingPoint(NamedTuple):
     """
 
     q: Array
-    balls: BallsEquilibrium
+    between: BetweenRings
     force: Array
     stiffness: Array
     residual: float
     noise: float  # residual that round-off leaves [-]
 
+    @property
+    def balls(self) -> BallsEquilibrium:
+        """Equilibrium of the balls."""
+        return self.between.balls
+
 
 class RingStart(NamedTuple):
-    """Where to begin: ring position q (5,) and ball positions u (2, Z) [m]."""
+    """Where to begin: ring position q (5,), ball positions u (2, Z), and distances of the grooves'
+    centres V (2, Z), None for those of rigid rings [m].
+    """
 
     q: Array
     u: Array
+    V: Array | None = None
 
 
-def ring_of(bearing: Bearing, operation: Operation, rows: Sequence[Row] = SINGLE) -> Ring:
-    """Assemble what `solve_ring` needs from a bearing, its operation and its rows (SI: [m], [N],
-    [rad]).
+def ring_of(
+    bearing: Bearing,
+    operation: Operation,
+    rows: Sequence[Row] = SINGLE,
+    rings: ElasticRings | None = None,
+) -> Ring:
+    """Assemble what `solve_ring` needs from a bearing, its operation, rows and elastic rings (SI:
+    [m], [N], [rad]).
     """
     radius = bearing.inner_centre_radius
     scale = np.array([1.0, 1.0, 1.0, radius, radius])
@@ -114,7 +131,10 @@ def ring_of(bearing: Bearing, operation: Operation, rows: Sequence[Row] = SINGLE
     facing = distance - 0.5 * bearing.diametral_clearance
     offset = per_ball(bearing, [row.offset for row in rows])
     place = (distance, facing, bearing.free_axial_position, offset, movement, gather)
-    return Ring(free, load, prescribed, scale, *place, np.zeros((len(rows), 5)))
+    compliance = None
+    if rings is not None:
+        compliance = ring_compliance(rings, row_azimuths(bearing, rows), bearing.balls)
+    return Ring(free, load, prescribed, scale, *place, np.zeros((len(rows), 5)), compliance)
 
 
 def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tuple[RingPoint, int]:
@@ -126,7 +146,7 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
     passed). `start`: None makes a guess from the loads.
     """
     q = _guess(ring, problem) if start is None else start.q
-    point = _point(q, None if start is None else start.u, ring, problem)
+    point = _point(q, start, ring, problem)
     best = point
     improved_at = 0
     for iteration in range(MAX_RING_STEPS):
@@ -147,21 +167,33 @@ def solve_ring(ring: Ring, problem: BallProblem, start: RingStart | None) -> tup
     return best, iteration + 1
 
 
-def _point(q: Array, u_start: Array | None, ring: Ring, problem: BallProblem) -> RingPoint:
-    balls = solve_balls(ring.position(q), u_start, problem)
-    force = np.einsum("qfz,fz->q", ring.gather, balls.values[2:])
+def _point(q: Array, start: RingStart | None, ring: Ring, problem: BallProblem) -> RingPoint:
+    between = _between_rings(ring, ring.position(q), start, problem)
+    balls = between.balls
+    force = np.einsum("qfz,fz->q", ring.gather, balls.values[2:5])
     stiffness = -np.einsum(
-        "qfz,fpz->qp", ring.gather, np.einsum("fvz,vpz->fpz", balls.ring_dV, ring.movement)
+        "qfz,fpz->qp", ring.gather, np.einsum("fvz,vpz->fpz", balls.ring_dV[:3], between.movement)
     )
     unbalance = np.abs(force + ring.load)[ring.free]
     largest = max(np.abs(ring.load).max(), np.hypot(balls.values[2], balls.values[3]).max())
-    residual = float(balls.residual.max())
-    noise = balls.noise
+    residual = max(float(balls.residual.max()), between.residual)
+    noise = max(balls.noise, between.noise)
     if largest > 0.0:
         residual = max(residual, float(unbalance.max(initial=0.0) / largest))
         rounding = ROUND_OFF * ring.distance * float(np.abs(stiffness).max())
         noise = max(noise, rounding / largest)
-    return RingPoint(q, balls, force, stiffness, residual, noise)
+    return RingPoint(q, between, force, stiffness, residual, noise)
+
+
+def _between_rings(
+    ring: Ring, rigid: Array, start: RingStart | None, problem: BallProblem
+) -> BetweenRings:
+    """Balls between rings at the distances `rigid` of the grooves' centres, before rings yield."""
+    u = None if start is None else start.u
+    if ring.compliance is None:
+        return BetweenRings(solve_balls(rigid, u, problem), rigid, ring.movement, 0.0, 0.0)
+    V = rigid if start is None or start.V is None else start.V
+    return solve_between_elastic_rings(rigid, (u, V), ring.movement, problem, ring.compliance)
 
 
 def _step(point: RingPoint, ring: Ring, problem: BallProblem) -> Array:
@@ -193,9 +225,10 @@ def _search(point: RingPoint, step: Array, ring: Ring, problem: BallProblem) -> 
     size = norm(point)
     factor = 1.0
     for _ in range(MAX_CUTS):
-        shift = np.einsum("vqz,q->vz", ring.movement, factor * step)
+        shift = np.einsum("vqz,q->vz", point.between.movement, factor * step)
+        q = point.q + factor * step
         predicted = point.balls.u + np.einsum("uvz,vz->uz", point.balls.du_dV, shift)
-        trial = _point(point.q + factor * step, predicted, ring, problem)
+        trial = _point(q, RingStart(q, predicted, point.between.V + shift), ring, problem)
         if trial.balls.residual.max() <= max(RESIDUAL_TOLERANCE, trial.noise):
             if norm(trial) < (1.0 - SUFFICIENT_DECREASE * factor) * size or along(trial) > 0.0:
                 return trial

@@ -43,6 +43,12 @@ class QuasistaticSolution:
     pivot_speed: (
         Array  # of the ball about the tangent of its orbit, by the gyroscopic couple [rad/s]
     )
+    # movement of the groove's centre at the ball, of rings that are elastic bodies, beyond Hertz'
+    # approach; zero for the others
+    inner_ring_axial: Array  # [m]
+    inner_ring_radial: Array  # [m]
+    outer_ring_axial: Array  # [m]
+    outer_ring_radial: Array  # [m]
     # of the races on the ball across the rolling direction, positive as those that hold a positive
     # gyroscopic couple
     inner_friction: Array  # [N]
@@ -95,6 +101,10 @@ BALL_ARRAYS = (
     "orbit_speed",
     "spin_speed",
     "attitude",
+    "inner_ring_axial",
+    "inner_ring_radial",
+    "outer_ring_axial",
+    "outer_ring_radial",
     "pivot_speed",
     "inner_friction",
     "outer_friction",

@@ -58,7 +58,7 @@ def solve_quasistatic(
             "the friction of ball on race, see solve_traction_equilibrium"
         )
     inputs = (bearing, operation, model, tuple(rows))
-    ring = ring_of(bearing, operation, inputs[3])
+    ring = ring_of(bearing, operation, inputs[3], model.rings)
     problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
     point, iterations = _from_guess(ring, problem, initial_guess)
     if point.residual > max(RESIDUAL_TOLERANCE, point.noise):
@@ -66,7 +66,7 @@ def solve_quasistatic(
         for factor in SPEED_STEPS:
             speeds = factor * operation.inner_speed, factor * operation.outer_speed
             slower = ball_problem(bearing, *speeds, model)
-            begin = None if start is None else RingStart(start.q, start.balls.u)
+            begin = None if start is None else RingStart(start.q, start.balls.u, start.between.V)
             start, more = solve_ring(ring, slower, begin)
             iterations += more
             if start.residual > max(RESIDUAL_TOLERANCE, start.noise):
@@ -89,7 +89,7 @@ def solve_with_prescribed_balls(
     otherwise as `solve_quasistatic`.
     """
     inputs = (bearing, operation, model, start.rows)
-    ring = ring_of(bearing, operation, start.rows)
+    ring = ring_of(bearing, operation, start.rows, model.rings)
     drive = _drive_loads(ring, start, prescribed.inner_drive)
     ring = ring._replace(load=ring.load + drive.sum(axis=0), drive=drive)
     problem = ball_problem(bearing, operation.inner_speed, operation.outer_speed, model)
@@ -229,7 +229,7 @@ def _solution(
 ) -> QuasistaticSolution:
     bearing, operation, model, rows = inputs
     balls: BallsEquilibrium = point.balls
-    state = ball_state(balls.u, ring.position(point.q) - balls.u, problem)
+    state = ball_state(balls.u, point.between.V - balls.u, problem)
     converged, message = _convergence(problem, bearing, ring, point, state, iterations)
     scale = ring.scale
     movement = point.q / ring.scale
@@ -248,6 +248,7 @@ def _solution(
         stiffness=point.stiffness * np.outer(scale, scale),
         azimuth=row_azimuths(bearing, rows),
         **_ball_arrays(state),
+        **_ring_arrays(ring, balls),
         ball_axial=balls.u[0] + per_ball(bearing, [part.outer_plane for part in rows]),
         ball_radial=bearing.outer_centre_radius + balls.u[1],
         pivot_speed=none if prescribed is None else prescribed.pivot_speed,
@@ -261,6 +262,19 @@ def _solution(
         rows=rows,
         row_load=row_load,
     )
+
+
+def _ring_arrays(ring: Ring, balls: BallsEquilibrium) -> dict[str, Array]:
+    """Movement of the grooves' centres of elastic rings at the balls [m]."""
+    inner = outer = np.zeros_like(balls.u)
+    if ring.compliance is not None:
+        inner, outer = ring.compliance.deflections(balls.values[2:4], balls.values[5])
+    return {
+        "inner_ring_axial": inner[0],
+        "inner_ring_radial": inner[1],
+        "outer_ring_axial": outer[0],
+        "outer_ring_radial": outer[1],
+    }
 
 
 def _ball_arrays(state: BallState) -> dict[str, Array]:

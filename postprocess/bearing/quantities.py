@@ -18,6 +18,12 @@ BALL_QUANTITIES = quantities(  # arrays of an equilibrium, an entry a ball
     ("centrifugal_force_N", "", "", "Fc"),
     *("gyroscopic_moment_N_mm", "orbit_speed_rad_s", "spin_speed_rad_s", "attitude_deg"),
     *("pivot_speed_rad_s", "inner_friction_N", "outer_friction_N"),
+    *(
+        "inner_ring_axial_um",
+        "inner_ring_radial_um",
+        "outer_ring_axial_um",
+        "outer_ring_radial_um",
+    ),
 )
 CONTACTS_OF_BALLS = quantities(  # not in the summary, whose contacts have them
     "",

@@ -1,10 +1,14 @@
 """Bodies of finite size: meshes of rings, their elasticity and heat conduction by finite elements.
 
-compliance            - structural compliance of a ring at its balls, without the half-space's part
-conduction            - heat conductances of a ring between its track, faces and seat
-elasticity            - linear elasticity on meshes of quadratic hexahedra
-flat_block            - a flat block under the same nodal forces, half-space around it
-hexahedra             - meshes of quadratic hexahedra and integrals of their shape functions
-ring_mesh             - mesh of a grooved ring, alone or with its shaft or housing
-smoothed_aggregation  - linear systems of elasticity and conduction: multigrid, else factors
+compliance           - structural compliance of a ring at its balls, without the half-space's part
+elasticity           - linear elasticity on meshes of quadratic hexahedra
+flat_block           - a flat block under the same nodal forces, half-space around it
+hexahedra            - meshes of quadratic hexahedra and integrals of their shape functions
+ring_mesh            - mesh of a grooved ring, alone or with its shaft or housing
+ring_profile         - section of a grooved ring, and what it sits on
+smoothed_aggregation - linear systems of elasticity and conduction: multigrid, else factors
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

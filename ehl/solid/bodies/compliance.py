@@ -15,7 +15,6 @@ diagonal for a ring alike on both sides. Loads at two angles, 0 and alpha, give 
 """
 
 from dataclasses import dataclass
-from enum import Enum
 
 import numpy as np
 
@@ -23,7 +22,8 @@ from ...arrays import Array
 from .elasticity import elastic_body, solve_elasticity
 from .flat_block import flat_block, indentation
 from .hexahedra import surface_weights, volume_weights
-from .ring_mesh import RingCells, RingMesh, RingProfile, ring_mesh, track_angle
+from .ring_mesh import RingMesh, ring_mesh
+from .ring_profile import Elasticity, RingCells, RingProfile, Seat, track_angle
 
 # half width of the patch in groove radii, that of a contact at 1.5 to 2 GPa; half and double of it
 # change the -0.50 um/kN of a 6208 inner ring on a rigid shaft to -0.54 and -0.40, beside 9.3 um
@@ -31,28 +31,6 @@ from .ring_mesh import RingCells, RingMesh, RingProfile, ring_mesh, track_angle
 PATCH = 0.25
 # half length of the flat block in patches, beside half the wall [-]
 BLOCK_PATCHES = 2.0
-
-
-class Seat(Enum):
-    """What a ring sits on."""
-
-    RIGID = "rigid"  # bonded to a rigid shaft or housing
-    # bonded to an elastic body as wide as the ring: a shaft, whose volume carries the load evenly,
-    # or a housing that is held on its outside
-    ELASTIC = "elastic"
-    # loose: the load enters over the seat as a radial pressure, proportional to the cosine from
-    # its direction, and as an even axial traction
-    FREE = "free"
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Elasticity:
-    """Elastic constants of a ring and what it sits on."""
-
-    young: float  # E of the ring [Pa]
-    poisson: float  # nu [-]
-    body_young: float = 0.0  # of shaft or housing [Pa]
-    body_poisson: float = 0.0  # [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

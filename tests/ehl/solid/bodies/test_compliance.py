@@ -13,9 +13,10 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl.closed_form.hertz import contact_stiffness
-from ehl.solid.bodies.compliance import Elasticity, Seat, _moved, _patch, ring_response
+from ehl.solid.bodies import Elasticity, RingCells, RingProfile, Seat, ring_response
+from ehl.solid.bodies.compliance import _moved, _patch
 from ehl.solid.bodies.flat_block import flat_block, indentation
-from ehl.solid.bodies.ring_mesh import RingCells, RingProfile, ring_mesh
+from ehl.solid.bodies.ring_mesh import ring_mesh
 
 STEEL = Elasticity(young=206e9, poisson=0.3, body_young=206e9, body_poisson=0.3)
 INNER_6208 = RingProfile(

@@ -1,0 +1,98 @@
+"""An elastic ring on its seat: section, elastic constants, and what carries it."""
+
+from dataclasses import dataclass
+from math import degrees, radians
+
+from ehl.solid.bodies.ring_profile import Elasticity, RingCells, RingProfile, Seat
+
+from ..geometry import Bearing, Race
+from ..material import Material
+
+# contact angle at which the axial compliance is taken: at least this, from the free angle rounded,
+# so that the clearance in operation asks for no other mesh [deg]
+LEAST_ANGLE_DEG = 20.0
+ANGLE_STEP_DEG = 5.0
+# the mesh of a solid shaft ends at this part of its radius, which softens it by the square [-]
+SHAFT_CORE = 0.15
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ElasticRing:
+    """A ring as an elastic body, alike on both sides."""
+
+    profile: RingProfile
+    elasticity: Elasticity
+    seat: Seat
+    contact_angle: float  # at which axial forces act [rad]
+    estimated_shoulder: bool = False  # its diameter is an estimate
+    cells: RingCells | None = None  # of its mesh; None: those of `ring_mesh`
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ElasticRings:
+    """The rings that are elastic bodies; None: one that yields at its contacts alone."""
+
+    inner: ElasticRing | None = None
+    outer: ElasticRing | None = None
+
+
+def elastic_ring(
+    bearing: Bearing,
+    race: Race,
+    seat: Seat,
+    shoulder: tuple[float, bool],
+    body: tuple[float, Material] | None = None,
+) -> ElasticRing:
+    """The elastic ring of a bearing; its clearance plays no part.
+
+    `shoulder`: diameter [m], and whether it is an estimate; `body`: bore of the shaft or outside
+    diameter of the housing [m] with its material, for `Seat.ELASTIC`.
+
+    Raises
+    ------
+    ValueError
+        If bore, outside diameter or width are not known, or the section is impossible.
+    """
+    inner = race is Race.INNER
+    name = "bore" if inner else "outside_diameter"
+    seat_diameter = getattr(bearing, name)
+    if seat_diameter is None or bearing.width is None:
+        missing = name if seat_diameter is None else "width"
+        raise ValueError(f"{missing} is needed for an elastic {race.value} ring")
+    ball = bearing.ball_diameter
+    track_diameter = bearing.pitch_diameter + (-ball if inner else ball)
+    if (track_diameter - seat_diameter) * (1 if inner else -1) <= 0.0:
+        raise ValueError(f"{name} leaves no wall under the groove of the {race.value} ring")
+    material = bearing.inner_ring_material if inner else bearing.outer_ring_material
+    radius, body_material = (None, None) if body is None else body
+    if radius is not None:
+        radius *= 0.5
+        if inner:
+            radius = max(radius, 0.5 * SHAFT_CORE * seat_diameter)
+    profile = RingProfile(
+        groove_radius=bearing.inner_groove_radius if inner else bearing.outer_groove_radius,
+        track_radius=0.5 * track_diameter,
+        shoulder_radius=0.5 * shoulder[0],
+        seat_radius=0.5 * seat_diameter,
+        width=bearing.width,
+        body_radius=radius,
+    )
+    return ElasticRing(
+        profile=profile,
+        elasticity=Elasticity(
+            young=material.youngs_modulus,
+            poisson=material.poisson_ratio,
+            body_young=0.0 if body_material is None else body_material.youngs_modulus,
+            body_poisson=0.0 if body_material is None else body_material.poisson_ratio,
+        ),
+        seat=seat,
+        contact_angle=_contact_angle(bearing, profile),
+        estimated_shoulder=shoulder[1],
+    )
+
+
+def _contact_angle(bearing: Bearing, profile: RingProfile) -> float:
+    """The free contact angle in whole steps, within the groove [rad]."""
+    steps = round(degrees(bearing.free_contact_angle) / ANGLE_STEP_DEG)
+    angle = max(LEAST_ANGLE_DEG, steps * ANGLE_STEP_DEG)
+    return min(radians(angle), 0.8 * profile.edge_angle)

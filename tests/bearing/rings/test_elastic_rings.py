@@ -1,0 +1,189 @@
+"""Elastic rings in the balls' equilibrium: forces in balance, stiffness as the derivative, known deflections, limits.
+
+On coarse meshes, whose accuracy plays no part here; `tests/ehl/solid/bodies` has it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from bearing import (
+    Bearing,
+    Curvature,
+    Operation,
+    QuasistaticModel,
+    Race,
+    Row,
+    load_material,
+    preload_offset,
+    solve_quasistatic,
+)
+from bearing.contacts.shoulder import shoulder_diameter
+from bearing.rings.compliance import response_of, ring_compliance
+from bearing.rings.elastic_ring import ElasticRings, elastic_ring
+from ehl.solid.bodies import RingCells, Seat
+
+STEEL = load_material("bearing steel")
+MATERIALS = dict.fromkeys(("ball_material", "inner_ring_material", "outer_ring_material"), STEEL)
+B6208 = Bearing(
+    name="6208",
+    ball_diameter=12e-3,
+    pitch_diameter=60e-3,
+    balls=9,
+    inner_groove_radius=6.17e-3,
+    outer_groove_radius=6.29e-3,
+    diametral_clearance=13e-6,
+    bore=40e-3,
+    outside_diameter=80e-3,
+    width=18e-3,
+    **MATERIALS,
+)
+B61808 = Bearing(
+    name="61808",
+    ball_diameter=3.5e-3,
+    pitch_diameter=46e-3,
+    balls=20,
+    inner_groove_radius=1.82e-3,
+    outer_groove_radius=1.85e-3,
+    diametral_clearance=5e-6,
+    bore=40e-3,
+    outside_diameter=52e-3,
+    width=7e-3,
+    **MATERIALS,
+)
+RIGID = QuasistaticModel()
+COARSE = RingCells(groove=4, largest_angle=np.pi / 9)
+
+
+def rings(bearing, inner=None, outer=None):
+    """Seats by name; None for a rigid ring."""
+    given = {Race.INNER: inner, Race.OUTER: outer}
+    made = {
+        race.value: replace(elastic_ring(bearing, race, Seat(seat), shoulder_diameter(bearing, race)), cells=COARSE)
+        for race, seat in given.items()
+        if seat is not None
+    }
+    return QuasistaticModel(rings=ElasticRings(**made))
+
+
+def operation(axial=0.0, radial=0.0, speed=1000.0, **keys):
+    return Operation(inner_speed=speed, force=(axial, radial, 0.0), **keys)
+
+
+CASES = [
+    (B6208, rings(B6208, "rigid", "rigid"), operation(0.0, 3000.0)),
+    (B6208, rings(B6208, "free", "free"), operation(800.0, 2000.0)),
+    (B61808, rings(B61808, "free"), operation(0.0, 300.0, 300.0)),
+    (B61808, rings(B61808, "free"), operation(200.0, 150.0, moment=(0.5, -0.3), tilt=(None, None))),
+]
+
+
+@pytest.mark.parametrize(("bearing", "model", "at"), CASES)
+def test_forces_balance_and_rings_yield_as_their_compliance_says(bearing, model, at):
+    found = solve_quasistatic(bearing, at, model)
+    assert found.converged
+    assert found.residual < 1e-10
+    c, s = np.cos(found.azimuth), np.sin(found.azimuth)
+    radial = found.inner_load * np.cos(found.inner_contact_angle)
+    axial = found.inner_load * np.sin(found.inner_contact_angle)
+    # friction of the gyroscopic couple acts across the normal
+    radial -= found.inner_friction * np.sin(found.inner_contact_angle)
+    axial += found.inner_friction * np.cos(found.inner_contact_angle)
+    load = [axial.sum(), (radial * c).sum(), (radial * s).sum()]
+    scale = found.inner_load.max()
+    assert_allclose(load, [axis if axis is not None else 0.0 for axis in at.force], atol=1e-8 * scale)
+    compliance = ring_compliance(model.rings, found.azimuth, bearing.balls)
+    inner, outer = compliance.deflections(-np.stack([axial, radial]), found.centrifugal_force)
+    assert_allclose(np.stack([found.inner_ring_axial, found.inner_ring_radial]), inner, atol=1e-14)
+    assert_allclose(np.stack([found.outer_ring_axial, found.outer_ring_radial]), outer, atol=1e-14)
+
+
+@pytest.mark.parametrize(("bearing", "model", "at"), CASES)
+def test_stiffness_is_the_derivative_of_the_load(bearing, model, at):
+    """By central differences of displacements, elastic rings yielding; radial, as under a radial load the hypothesis on
+    the gyroscopic couple has a kink at the contact angle of zero."""
+    found = solve_quasistatic(bearing, at, model)
+    step = 2e-9
+    for k in (1, 2):
+        forces = []
+        for sign in (1.0, -1.0):
+            place = found.displacement + sign * step * np.eye(3)[k]
+            held = replace(
+                at, force=(None,) * 3, displacement=tuple(place), moment=(None, None), tilt=tuple(found.tilt)
+            )
+            forces.append(solve_quasistatic(bearing, held, model, found).ring_force)
+        measured = (forces[0] - forces[1]) / (2.0 * step)
+        assert_allclose(measured, found.stiffness[:3, k], atol=2e-5 * np.abs(found.stiffness[:3, :3]).max())
+
+
+def test_stiffness_of_rings_at_rest_is_symmetric():
+    """Contacts of constant curvature keep their energy; a reciprocal compliance leaves the matrix symmetric."""
+    model = replace(rings(B61808, "free", "free"), curvature=Curvature.FREE)
+    found = solve_quasistatic(B61808, operation(200.0, 300.0, 0.0), model)
+    assert_allclose(found.stiffness, found.stiffness.T, atol=1e-12 * np.abs(found.stiffness).max())
+
+
+def test_equal_loads_take_the_compliance_of_equal_loads():
+    """Thrust at rest: all balls alike, e = C sum; the displacement is that of rigid rings at these loads and angles."""
+    model = rings(B6208, None, "free")
+    found = solve_quasistatic(B6208, operation(2000.0, 0.0, 0.0), model)
+    assert_allclose(found.outer_load, found.outer_load.mean(), rtol=1e-9)
+    angles = 2.0 * np.pi * np.arange(9) / 9
+    together = response_of(model.rings.outer).at(angles).sum(axis=1)
+    force = found.outer_load[0] * np.array([np.sin(found.outer_contact_angle[0]), np.cos(found.outer_contact_angle[0])])
+    assert_allclose([found.outer_ring_axial[0], found.outer_ring_radial[0]], together * force, rtol=1e-9)
+
+
+def test_a_free_thin_ring_spreads_the_load():
+    """Largest ball load falls, more balls carry, loads fall from the load line outwards; seated, they hardly change."""
+    at = operation(0.0, 400.0, 0.0)
+    rigid, seated, free = (
+        solve_quasistatic(B61808, at, model)
+        for model in (RIGID, rings(B61808, "rigid", "rigid"), rings(B61808, None, "free"))
+    )
+    half = slice(0, 11)
+    for found in (rigid, seated, free):
+        assert (np.diff(found.inner_load[half]) <= 1e-9 * found.inner_load.max()).all()
+    assert_allclose(seated.inner_load.max(), rigid.inner_load.max(), rtol=0.03)
+    assert seated.stiffness[1, 1] > rigid.stiffness[1, 1]
+    assert free.stiffness[1, 1] < 0.8 * rigid.stiffness[1, 1]
+    assert (free.inner_load > 0.0).sum() > (rigid.inner_load > 0.0).sum()
+
+
+def test_stiff_rings_are_rigid_rings():
+    """A ring whose compliance goes to zero; the deflections fall with it."""
+    rigid = solve_quasistatic(B6208, operation(0.0, 3000.0), RIGID)
+    ring = rings(B6208, "free").rings.inner
+    stiff = replace(ring, elasticity=replace(ring.elasticity, young=ring.elasticity.young * 1e5))
+    found = solve_quasistatic(B6208, operation(0.0, 3000.0), QuasistaticModel(rings=ElasticRings(inner=stiff)))
+    assert_allclose(found.inner_load, rigid.inner_load, atol=1e-4 * rigid.inner_load.max())
+    assert_allclose(found.displacement, rigid.displacement, atol=1e-9)
+
+
+def test_preload_of_thin_rings_needs_a_longer_way():
+    """The way to a thrust grows with free rings, as they are widened and turned."""
+    rigid, free = (preload_offset(B61808, 200.0, model) for model in (RIGID, rings(B61808, "free", "free")))
+    assert free > rigid + 1e-6
+
+
+def test_rows_do_not_feel_each_other():
+    model = rings(B61808, "rigid", "free")
+    azimuths = np.concatenate([B61808.azimuths, B61808.azimuths])
+    compliance = ring_compliance(model.rings, azimuths, B61808.balls)
+    assert not compliance.outer[:, :20, 20:].any()
+    pair = (Row(axial_position=-10e-3, offset=60e-6), Row(axial_position=10e-3, offset=-60e-6))
+    found = solve_quasistatic(B61808, operation(0.0, 300.0, 0.0), model, rows=pair)
+    assert found.converged
+    assert_allclose(found.row_load[0, 1], found.row_load[1, 1], rtol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("change", "field"), [({"bore": None}, "bore"), ({"width": None}, "width"), ({"bore": 49e-3}, "bore leaves no")]
+)
+def test_a_section_that_is_not_known_is_named(change, field):
+    with pytest.raises(ValueError, match=field):
+        rings(replace(B6208, **change), "rigid")
