@@ -30,8 +30,12 @@ class ContactConditions:
     # of one of the bodies; E' and all groups and scales are then those of the uncoated half
     # spaces, one of them of the coating's material
     coating: Coating | None = None
+    # of body 1, a ball, for the gap far from the contact [m]; None: body 2 counts as a plane
+    ball_radius: float | None = None
 
     def __post_init__(self) -> None:
+        if self.ball_radius is not None:
+            require_positive(self, "ball_radius")
         lengths = ("load", "radius_x", "radius_y", "reduced_modulus", "entrainment_speed")
         require_positive(self, *lengths)
         ratios = ("slide_roll_ratio", "lateral_slide_ratio")

@@ -155,6 +155,7 @@ def _conditions(
         mean_spin=motion.mean_spin,
         slide_roll_ratio=motion.slide / motion.speed,
         lateral_slide_ratio=motion.across / speed,
+        ball_radius=0.5 * solution.bearing.ball_diameter,
     ), ""
 
 

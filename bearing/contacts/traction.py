@@ -5,6 +5,7 @@ from dataclasses import dataclass
 from ehl.kinematics import ContactKinematics
 from ehl.oil.rheology import Rheology
 from ehl.solution import ContactSolution
+from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import TractionResult, integrate_traction
 
 from ..quasistatic.solution import QuasistaticSolution
@@ -30,13 +31,18 @@ def contact_traction(
     rheology: Rheology,
     motion: BallMotion | None = None,
 ) -> ContactTraction:
-    """Forces and moments of one contact, integrated over its film.
+    """Forces and moments of one contact, integrated over its film; the rolling moment is that of
+    its oil up to the meniscus.
 
     `film` is that of the contact's conditions [m], [Pa]; `motion` that of the ball [rad/s], None:
     that of the equilibrium.
     """
     kinematics = bearing_kinematics(solution, contact, motion)
     result = integrate_traction(
-        film, kinematics, rheology, temperature=solution.operation.temperature
+        film,
+        kinematics,
+        rheology,
+        temperature=solution.operation.temperature,
+        rolling_resistance=rolling_moment(film).value,
     )
     return ContactTraction(contact=contact, kinematics=kinematics, result=result)

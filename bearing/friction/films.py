@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from ehl.oil.rheology import Rheology, shear_stress
 from ehl.solution import ContactSolution
+from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import (
     Cavitation,
     dimensional_grid,
@@ -141,7 +142,7 @@ def _film_law(
     """Gradient (4,) and slope (4, 4) of a film's friction by motion and oil's share; sums of
     `integrate_traction`, without the weakest nodes, which make `left_out` [-] of the friction.
     """
-    nodes = _film_nodes(solution, contact, with_outlet(film), rheology, left_out)
+    nodes = _film_nodes(solution, contact, film, rheology, left_out)
     area, gap, eta, pressure, temperature = nodes.shear
     along, across = nodes.along, nodes.across
 
@@ -179,11 +180,12 @@ def _film_nodes(
     left_out: float,
 ) -> _FilmNodes:
     """As `_film_law` takes them."""
+    resistance = rolling_moment(film).value
+    film = with_outlet(film)
     film_x, film_y, thickness = dimensional_grid(film)
     x, y = np.broadcast_arrays(film_x[:, None], film_y[None, :])
     width = sheared_width(thickness, film.pressure, Cavitation.STRIATED)
     area = trapezoidal_weights(film_x, film_y)
-    hydrodynamic = float(np.sum(area * x * film.pressure))
     kinematics = bearing_kinematics(solution, contact)
     inlet = film_temperature(film, solution.operation.temperature)
     gap = np.maximum(thickness, TINY)
@@ -194,7 +196,7 @@ def _film_nodes(
     temperature = inlet[chosen] if isinstance(inlet, np.ndarray) else inlet
     x, y = x[chosen], y[chosen]
     zeros, ones = np.zeros_like(x), np.ones_like(x)
-    moment = -hydrodynamic * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
+    moment = resistance * np.array([0.5 * kinematics.curvature_difference, 0.0, 0.0, 1.0])
     strips = (area * width)[chosen], gap[chosen], eta[chosen], film.pressure[chosen]
     return _FilmNodes(
         shear=(*strips, temperature),

@@ -67,6 +67,7 @@ def table_contacts(
             curvature_radius=motion.curvature_radius,
             curvature_difference=motion.curvature_difference,
             solids=solids,
+            ball_radius=c.ball_radius,
         )
     return contacts_of_races
 

@@ -6,7 +6,7 @@ integrated         - friction torque from the shear of solved films, and from a 
 models             - every model of the friction torque, brought to one form
 palmgren           - Palmgren's friction torque, M = M_0 + M_1 (1957)
 pure_rolling_lines - sliding friction of a ball on a grooved race by its lines of pure rolling
-rolling_extent     - how far the boxes of the films decide the rolling part
+rolling_extent     - what the rolling part has by the layer that the oil of the films ends in
 shear_torque       - torque of the friction of all contacts under a hypothesis on the motion
 skf                - SKF's friction model (2013)
 sliding            - sliding friction torque from the internal loads

@@ -1,16 +1,16 @@
-"""How far the boxes of the films decide the rolling part of the integrated torque.
+"""How far the oil of the films reaches, and what of the rolling part hangs on it.
 
-The hydrodynamic rolling moment of a flooded contact grows with the logarithm of the distance up to
-which its oil counts (`ehl.traction.rolling_moment`). The integrated torque takes the solved boxes,
-whose sizes follow the films and not the bearing: here stands beside it what oil up to one stated
-distance from every contact would give, at the same motion.
+The hydrodynamic rolling moment of a flooded contact grows with the logarithm of the layer that its
+oil ends in (`ehl.traction.rolling_moment`). The integrated torque takes that of the oil up to the
+layer that the lubricant states: here stand its uncertainty, what the solved boxes alone would
+give, and what twice the layer adds, at the same motion.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ehl.solution import ContactSolution
-from ehl.traction.rolling_moment import RollingMoment, moment_of_doubling, rolling_moment
+from ehl.traction.rolling_moment import RollingMoment, rolling_moment
 
 from ..contacts.traction import ContactTraction
 from ..quasistatic.solution import QuasistaticSolution
@@ -18,25 +18,26 @@ from ..quasistatic.solution import QuasistaticSolution
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class RollingExtent:
-    """Rolling torque of all films by where their oil is."""
+    """Rolling torque of all films by where their oil ends."""
 
-    box: float  # of the solved boxes, as in the integrated torque [N m]
-    beyond_box: float | None  # of Kapitza's pressure from the boxes to the stated distance [N m]
-    beyond_extent: float | None  # the part of `box` that lies farther out than that [N m]
-    doubling: float  # what oil up to twice the distance would add [N m]
-    note: str = ""  # why there is only that of the boxes
-
-    @property
-    def within_extent(self) -> float | None:
-        """Of all oil up to the stated distance [N m]."""
-        if self.beyond_box is None or self.beyond_extent is None:
-            return None
-        return self.box - self.beyond_extent + self.beyond_box
+    within_extent: float  # of the oil up to its meniscus, as in the integrated torque [N m]
+    uncertainty: float  # of meshes, residuals and far fields [N m]
+    box: float  # of the solved boxes alone [N m]
+    doubling: float  # what twice the layer adds [N m]
+    layer: float  # of oil at the inlets, as wide as the gap at the meniscus [m]
+    notes: tuple[str, ...] = ()  # contacts whose oil ends elsewhere, or does not flood them
 
 
-def rolling_moments(films: Sequence[ContactSolution | None]) -> tuple[RollingMoment | None, ...]:
-    """Rolling moment of every film [N m], equal films once; None where there is none."""
-    known = {id(film): rolling_moment(film) for film in films if film is not None}
+def rolling_moments(
+    films: Sequence[ContactSolution | None], factor: float = 1.0
+) -> tuple[RollingMoment | None, ...]:
+    """Rolling moment of every film [N m], equal films once; None where there is none.
+
+    factor: on the layer of their lubricant [-].
+    """
+    known = {
+        id(film): rolling_moment(film, factor * _layer(film)) for film in films if film is not None
+    }
     return tuple(None if film is None else known[id(film)] for film in films)
 
 
@@ -45,32 +46,50 @@ def rolling_extent(
     tractions: Sequence[ContactTraction | None],
     films: Sequence[ContactSolution | None],
 ) -> RollingExtent | None:
-    """Rolling torque [N m] of the solved boxes, beyond them by Kapitza (1955), and within the
-    stated distance; None if the rings do not turn against each other.
+    """Rolling torque [N m] by where the oil ends; None if the rings do not turn against each
+    other, or without films.
 
     It is the power of the moment at the motion of the tractions over the speed of the shaft.
     `tractions`, `films`: of all contacts, None where there is none.
     """
     speed = solution.operation.shaft_speed
-    if speed == 0.0:
+    known = [(t, f) for t, f in zip(tractions, films, strict=True) if t is not None and f]
+    if speed == 0.0 or not known:
         return None
-    box = beyond = counted = doubling = 0.0
-    notes = []
-    for traction, film, moment in zip(tractions, films, rolling_moments(films), strict=True):
-        if traction is None or film is None or moment is None:
-            continue
-        k = traction.kinematics
-        ratio = (k.rolling + 0.5 * k.curvature_difference * k.sliding_x) / speed
-        box += ratio * moment.box
-        doubling += ratio * moment_of_doubling(film)
-        beyond += ratio * (moment.beyond_box or 0.0)
-        counted += ratio * (moment.beyond_extent or 0.0)
-        notes += [moment.note] if moment.note else []
-    known = not notes
+    lubricated = [film for _, film in known]
+    moments = [moment for moment in rolling_moments(lubricated) if moment is not None]
+    farther = [moment for moment in rolling_moments(lubricated, 2.0) if moment is not None]
+    ratios = [_ratio(traction) / speed for traction, _ in known]
+    pairs = list(zip(ratios, moments, strict=True))
+    within = sum(ratio * moment.value for ratio, moment in pairs)
     return RollingExtent(
-        box=box,
-        beyond_box=beyond if known else None,
-        beyond_extent=counted if known else None,
-        doubling=doubling,
-        note="" if known else notes[0],
+        within_extent=within,
+        uncertainty=sum(abs(ratio) * moment.uncertainty for ratio, moment in pairs),
+        box=sum(ratio * moment.box for ratio, moment in pairs),
+        doubling=sum(r * m.value for r, m in zip(ratios, farther, strict=True)) - within,
+        layer=moments[0].layer,
+        notes=tuple(_notes(known, moments)),
     )
+
+
+def _layer(film: ContactSolution) -> float:
+    """Of the lubricant of a film [m]."""
+    return film.conditions.lubricant.flooded_layer
+
+
+def _ratio(traction: ContactTraction) -> float:
+    """Speed that the rolling moment works at [rad/s]."""
+    k = traction.kinematics
+    return k.rolling + 0.5 * k.curvature_difference * k.sliding_x
+
+
+def _notes(
+    known: Sequence[tuple[ContactTraction, ContactSolution]], moments: Sequence[RollingMoment]
+) -> list[str]:
+    """Each note once, with the contacts it holds for."""
+    places: dict[str, list[str]] = {}
+    for (traction, _), moment in zip(known, moments, strict=True):
+        if moment.note:
+            contact = traction.contact
+            places.setdefault(moment.note, []).append(f"{contact.ball} {contact.race.value}")
+    return [f"ball {', '.join(balls)}: {note}" for note, balls in places.items()]

@@ -96,6 +96,11 @@ class LubricantTable(OilTable):
     inlet_film_um: float | None = between(
         0, 1e4, "layer at every inlet, both surfaces together; or supply_mL_min"
     )
+    flooded_layer_um: float | None = above(
+        0,
+        1e4,
+        "layer at flooded inlets, both surfaces: it ends the rolling moment; 100 if left out",
+    )
     contamination_factor: float | None = between(
         0, 1, "e_C of ISO 281, 1 clean; left out, no modified life is computed"
     )
@@ -111,6 +116,7 @@ NUMBERS = {  # field of `Lubricant`: its key
     "roelands_pressure": ROELANDS_PRESSURE_KEY,
     "roelands_z": "roelands_z",
     "density": "density_kg_m3",
+    "flooded_layer": "flooded_layer_um",
 }
 LAWS = {"viscosity_law": ViscosityLaw, "density_law": DensityLaw}
 # of an oil whose density is not given [kg/m^3]: the library's mineral oils have 854 to 874 at 40 C
@@ -130,6 +136,7 @@ RELATIONS: tuple[Relation, ...] = (
     Excludes("lubricant.kinematic_viscosity_mm2_s", "lubricant.viscosity_mPa_s"),
     Excludes("lubricant.inlet_film_um", "friction.supply_mL_min"),
     Excludes("lubricant.inlet_film_um", "contact.moes_M", "with dimensions"),
+    Excludes("lubricant.flooded_layer_um", "contact.moes_M", "with dimensions"),
     OnlyWith("lubricant.supply", SUPPLIED, default="flooded"),
 )
 
@@ -312,6 +319,7 @@ def _set_viscosity(given: dict[str, Any], keys: dict[str, Any]) -> None:
 def lubricant_keys(oil: Lubricant, *, moes: bool) -> dict[str, Any]:
     """A lubricant as keys of [lubricant], in their units."""
     numbers = {} if moes else {VISCOSITIES[0]: oil.viscosity}
+    numbers |= {} if moes else {"flooded_layer_um": oil.flooded_layer}
     numbers |= {PRESSURE_VISCOSITY: oil.pressure_viscosity, "density_kg_m3": oil.density}
     laws = {name: getattr(oil, name).value for name in LAWS}
     return {key: rounded(from_si(key, value)) for key, value in numbers.items()} | laws

@@ -6,6 +6,7 @@ from time import perf_counter
 from ehl import ContactConditions, ContactSolution
 from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.kinematics import contact_kinematics
+from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import TractionResult, integrate_traction
 from postprocess.contact.results import ContactResults
 
@@ -53,4 +54,10 @@ def _contact_traction(case: ContactCase, solution: ContactSolution) -> TractionR
     if case.rheology is None or not solution.converged:
         return None
     motion = contact_kinematics(conditions, grid_angle=solution.frame_angle)
-    return integrate_traction(solution, motion, case.rheology, temperature=case.temperature)
+    return integrate_traction(
+        solution,
+        motion,
+        case.rheology,
+        temperature=case.temperature,
+        rolling_resistance=rolling_moment(solution).value,
+    )

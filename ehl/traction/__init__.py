@@ -6,9 +6,10 @@ coefficient_kernels - coefficients by the local sliding, each law whole: Coulomb
 film_quadrature     - quadrature over a solved film, and its sliding forces for many motions
 heated              - shear of films that sliding heats
 laws                - friction of a rolling contact as a law: coefficients over the ellipse
+oil_extent          - gap of two circles, in which the oil of a contact ends
 quadrature          - rings and lines of nodes over the ellipse of Hertz
 response            - stiffness and damping of a lubricated contact
-rolling_moment      - hydrodynamic rolling moment of a contact's oil, in the box and beyond
+rolling_moment      - hydrodynamic rolling moment of a contact's oil, up to its meniscus
 shear               - shear stress on both surfaces of a solved contact, and its integrals
 table               - traction tables: films, sampling, storage, interpolation
 """

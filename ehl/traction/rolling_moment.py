@@ -1,25 +1,28 @@
-r"""Hydrodynamic rolling moment of a contact's oil, in the solver's box and out to a stated
-distance.
+r"""Hydrodynamic rolling moment of the oil that a contact has, up to its meniscus.
 
-Far from a flooded contact Kapitza's (1955) pressure is :math:`-k_x x/H^2` with H a paraboloid
+Far from a flooded contact Kapitza's (1955) pressure is :math:`-k_x x/H^2`
 (`ehl.multigrid.far_field`), so that the moment :math:`-\iint x p` of the oil between two distances
-from the centre is
+from the centre of a paraboloid gap is
 
 .. math:: \frac{24 \pi\,\eta_0 u R_x^2}{(3 + 2 R_x/R_y)\sqrt{R_x/R_y}}\,\ln\frac{r_2}{r_1},
 
-whatever the load: it grows with the logarithm of the box, and has no limit on an infinite
-paraboloid. What ends it is the shape of the bodies. Here the oil counts up to a distance from the
-contact's centre (`SHARE_OF_RADIUS` of the smaller reduced radius, an assumption): in the box the
-solved pressure, from the box's edge on Kapitza's, which the solver has set on that edge.
+whatever the load: it grows with the logarithm of the oil's extent, half of that of the layer's.
+The extent is the oil's, not the solver's box. On each ray from the centre oil counts up to the
+meniscus, where the gap is as wide as the layer that the bodies carry in
+(`Lubricant.flooded_layer`): in the box the solved pressure, beyond its edge Kapitza's, which the
+solver has set on that edge. Farther out than 0.2 of the smaller radius of a ray's section the gap
+is that of two circles (`oil_extent`); the pressure goes with its square there.
 
-With rupture where pressure and its slope vanish the far field is :math:`r^{-3} f(\theta)`,
-:math:`(q^3 f')' - 9 q^3 f = 8\lambda S\cos\theta` for the gap :math:`q(\theta) r^2/2`; the moment
-of Kapitza's positive half is below that by 1.4 % of the part outside for a sphere and 3.5 % for
-:math:`R_x/R_y = 1/45` (`tests/ehl/traction/test_rolling_moment.py`).
+What that leaves out. The film is solved without a meniscus: at one, where the pressure vanishes,
+mass conservation asks for a layer of 0.3675 of the gap under a sphere, and the moment is that of
+Kapitza's pressure up to a gap of 1.446 layers: 0.18 of the moment above per unit of logarithm more
+(`tests/ehl/traction/test_meniscus.py`), more yet in wide ellipses. Kapitza's positive half knows
+no rupture: its moment is too small by 1.4 % for a sphere and 3.5 % for :math:`R_x/R_y = 1/45`. And
+his pressure over the square of the gap of circles is, up to 0.3 of the radius, 1.2 % above that of
+Reynolds' equation in it.
 """
 
 from dataclasses import dataclass
-from math import log
 
 import numpy as np
 
@@ -28,14 +31,25 @@ from ..conditions import ContactConditions
 from ..multigrid.far_field import FarField, far_field
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
+from .oil_extent import HALVINGS, PARABOLA_SHARE, Sections, ray_curvature, sections
 from .shear import trapezoidal_weights
 
-# assumed; there the gap under a sphere is 8 (1 - sqrt(3)/2) = 1.07 of the parabola
-SHARE_OF_RADIUS = 0.5
 DIRECTIONS = 720  # rays from the centre
 RAY_NODES = 24  # of Gauss and Legendre on each, in the logarithm of the distance
 SAME_ANGLE = 1e-9  # [rad]
-SMALLEST = 1e-12  # keeps the node at the centre finite
+# Error of the lever arm of the load over the contact's half length, times (mesh/half length)^-1.5
+# [-]: 0.02 to 0.34 in the sixteen contacts of `benchmarks/uncertainty.py` on 65 to 513 points,
+# whose moments approach their limit with an order of 1.45 (median)
+MESH_ERROR = 0.4
+# Relative error of the moment over the residual [-]: below 1 in most, some 10 at most in 30
+# contacts on 129 points and six on 257 and 513, cycled on until the residual had vanished
+RESIDUAL_ERROR = 10.0
+# Relative error of the moment beyond the box [-]: solved in a box five times as long it changes by
+# at most 0.19 of it (five contacts, boxes from 3 semi-axes on)
+FAR_FIELD_ERROR = 0.2
+# Hamrock and Dowson (1977, part IV): distance of the meniscus over the half length, below which
+# the film starves, 1 + 3.06 [(R/b)^2 h/R]^0.58
+FLOODED_DISTANCE = (3.06, 0.58)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -44,70 +58,55 @@ class RollingMoment:
     x.
     """
 
-    box: float  # of the solved box, minus `TractionResult.hydrodynamic_moment` [N m]
-    # of Kapitza's pressure from the edge of the box out to the extent [N m]
-    beyond_box: float | None = None
-    beyond_extent: float | None = None  # part of `box` farther out than the extent [N m]
-    extent: float  # distance from the contact's centre up to which oil counts [m]
-    note: str = ""  # why there is only that of the box
-
-    @property
-    def within_extent(self) -> float | None:
-        """Moment of all oil up to the extent, in the box and beyond it [N m]."""
-        if self.beyond_box is None or self.beyond_extent is None:
-            return None
-        return self.box - self.beyond_extent + self.beyond_box
+    value: float  # of the oil up to its meniscus [N m]
+    # of the mesh, of the equations left unsolved and of the far field; not of the layer [N m]
+    uncertainty: float
+    box: float  # of the solved box alone [N m]
+    layer: float  # of oil at the inlet, as wide as the gap at the meniscus [m]
+    # of the meniscus ahead of the centre [m]; None where the oil ends on the edge of a fixed box
+    extent: float | None
+    note: str = ""  # why the layer does not end the oil, or does not flood the contact
 
 
-def rolling_moment(solution: ContactSolution, extent: float | None = None) -> RollingMoment:
-    """Hydrodynamic rolling moment in the box, beyond it, and within a distance from the centre.
+def rolling_moment(solution: ContactSolution, layer: float | None = None) -> RollingMoment:
+    """Hydrodynamic rolling moment of the oil up to its meniscus.
 
     Kapitza (1955); his field holds far outside the ellipse, where the oil is isoviscous and the
-    deflection small. Only the moment of the box is given, with a note, where the box was fixed
-    (its edge has no pressure: the oil ends there) or the ellipse reaches beyond the extent.
-    extent: distance up to which oil counts [m]; None: `SHARE_OF_RADIUS` of the smaller reduced
-    radius. ValueError where conditions have no dimensions.
+    deflection small. In a box that was fixed the oil ends on the edge, without pressure there.
+    layer: at the inlet, both surfaces together [m]; None: that of the lubricant. ValueError where
+    conditions have no dimensions.
     """
     conditions, a = _dimensions(solution)
-    if extent is None:
-        extent = SHARE_OF_RADIUS * min(conditions.radius_x, conditions.radius_y)
-    if not extent > 0.0:
-        raise ValueError(f"extent must be positive, got {extent!r}")
+    layer = conditions.lubricant.flooded_layer if layer is None else layer
+    if not layer > 0.0:
+        raise ValueError(f"layer must be positive, got {layer!r}")
     scale = solution.hertz_pressure * a**3
-    reach = extent / a
     moments = (
         -trapezoidal_weights(solution.X, solution.Y) * solution.X[:, None] * solution.P * scale
     )
     box = float(moments.sum())
-    note = ""
+    contact = scaled_as_solved(solution)
     if solution.options.domain is not None:
-        note = "the box is fixed by [ehl] domain, the oil ends on its edge"
-    elif reach < max(1.0, solution.semi_axis_ratio):
-        note = "the contact ellipse reaches beyond the extent of the oil"
-    if note:
-        return RollingMoment(box=box, extent=extent, note=note)
+        return RollingMoment(
+            value=box,
+            uncertainty=_solution_error(solution, contact, box),
+            box=box,
+            layer=layer,
+            extent=None,
+            note="the box is fixed by [ehl] domain, the oil ends on its edge",
+        )
+    oil = _Oil(solution, contact, conditions.ball_radius, layer)
+    beyond = scale * oil.moment_beyond_box()
+    value = box - float(np.sum(moments * oil.share_without())) + beyond
+    extent = oil.meniscus_ahead()
     return RollingMoment(
+        value=value,
+        uncertainty=_solution_error(solution, contact, value) + FAR_FIELD_ERROR * abs(beyond),
         box=box,
-        beyond_box=scale * _kapitza_moment(solution, reach),
-        beyond_extent=float(np.sum(moments * _share_outside(solution, reach))),
-        extent=extent,
+        layer=layer,
+        extent=a * extent,
+        note=_starved_note(solution, contact, extent),
     )
-
-
-def moment_of_doubling(solution: ContactSolution) -> float:
-    """What oil up to twice the distance adds to the rolling moment far from the contact [N m],
-    positive where it resists rolling: Kapitza (1955), integrated over rings, without the rotation
-    of the entrainment.
-    """
-    _, a = _dimensions(solution)
-    field = far_field(scaled_as_solved(solution))
-    angle = np.arange(DIRECTIONS) * 2.0 * np.pi / DIRECTIONS
-    x, y = np.cos(angle), np.sin(angle)
-    # the field is odd: half of all is its positive half
-    half = 0.5 * (field.pressure_x * x + field.pressure_y * y) * x
-    rings = float(np.sum(half / (0.5 * _curvature(field, x, y)) ** 2))
-    per_factor = rings * 2.0 * np.pi / DIRECTIONS
-    return per_factor * log(2.0) * solution.hertz_pressure * a**3
 
 
 def _dimensions(solution: ContactSolution) -> tuple[ContactConditions, float]:
@@ -132,51 +131,156 @@ def scaled_as_solved(solution: ContactSolution) -> ScaledContact:
     raise ValueError(f"{frame} is none of the solver's")
 
 
-def _share_outside(solution: ContactSolution, reach: float) -> Array:
-    """Share of each node's cell, its border straight, beyond `reach`; shape (nx, ny) [-]."""
-    X = solution.X[:, None]
-    Y = solution.Y[None, :]
-    distance = np.hypot(X, Y)
-    spread = np.abs(X) * np.gradient(solution.X)[:, None] + np.abs(Y) * np.gradient(solution.Y)
-    width = np.maximum(spread, SMALLEST) / np.maximum(distance, SMALLEST)
-    return np.asarray(np.clip(0.5 + (distance - reach) / width, 0.0, 1.0))
+def _solution_error(solution: ContactSolution, contact: ScaledContact, moment: float) -> float:
+    """What mesh and residual of a solution leave open of its moment [N m]."""
+    conditions, a = _dimensions(solution)
+    half_length = contact.half_extent_x
+    centre = int(np.abs(solution.X).argmin())
+    mesh = float(np.gradient(solution.X)[centre]) / half_length
+    lever = MESH_ERROR * mesh**1.5 * half_length * a
+    residual = solution.record.equation_error or 0.0
+    return lever * conditions.load + RESIDUAL_ERROR * residual * abs(moment)
 
 
-def _kapitza_moment(solution: ContactSolution, reach: float) -> float:
-    """Integral of -X P of the far field from the edge of the box to a distance [-].
-
-    The gap along a ray is H_0 + q r^2/2 and what is left of the deflection at the box's edge,
-    which falls with 1/r.
-    """
-    contact = scaled_as_solved(solution)
-    field = far_field(contact)
-    angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
-    x, y = np.cos(angle), np.sin(angle)
-    start = _edge_distance(solution, x, y)
-    span = np.log(np.maximum(reach / start, 1.0))[:, None]
-    places, weights = np.polynomial.legendre.leggauss(RAY_NODES)
-    r = start[:, None] * np.exp(0.5 * span * (places + 1.0))
-    q = _curvature(field, x, y)
-    film = _edge_film(solution, start * x, start * y)
-    approach = solution.approach_dimensionless
-    deflection = film - approach - 0.5 * q * start**2
-    gap = approach + 0.5 * q[:, None] * r**2 + (deflection * start)[:, None] / r
-    gap = np.maximum(gap, film[:, None])  # it opens outwards
-    pressure = field.strength(x[:, None] * r, y[:, None] * r) / gap**2
-    rings = np.sum(0.5 * span * weights * pressure * x[:, None] * r**3, axis=1)
-    return float(-rings.sum()) * 2.0 * np.pi / DIRECTIONS + 0.0
+def _starved_note(solution: ContactSolution, contact: ScaledContact, extent: float) -> str:
+    """That a layer does not flood the contact, by its meniscus ahead of the centre [-]."""
+    half_length = contact.half_extent_x
+    factor, power = FLOODED_DISTANCE
+    film = solution.film_central_dimensionless.value
+    needed = 1.0 + factor * (film / (contact.curvature_x * half_length**2)) ** power
+    if extent >= needed * half_length:
+        return ""
+    return (
+        f"the layer ends {extent / half_length:.1f} half lengths of the contact ahead of its "
+        f"centre, and its film is flooded from {needed:.1f} on (Hamrock and Dowson, 1977)"
+    )
 
 
-def _curvature(field: FarField, x: Array, y: Array) -> Array:
-    """Of the gap in the directions (x, y) [-]."""
-    return field.curvature_x * x**2 + field.curvature_y * y**2 + 2.0 * field.curvature_xy * x * y
+class _Oil:
+    """The oil around a contact, up to a layer [m]; lengths over a, films over a^2/Rx."""
+
+    def __init__(
+        self,
+        solution: ContactSolution,
+        contact: ScaledContact,
+        ball_radius: float | None,
+        layer: float,
+    ) -> None:
+        assert contact.film_scale is not None and contact.semi_axis_x is not None
+        self.solution = solution
+        self.contact = contact
+        self.ball_radius = ball_radius
+        self.layer = layer / contact.film_scale
+        self.height_scale = contact.semi_axis_x / contact.film_scale
+        self.field: FarField = far_field(contact)
+
+    def share_without(self) -> Array:
+        """Share of each node's moment that there is no oil for, shape (nx, ny) [-]: beyond the
+        meniscus, whose border is straight in a cell, and by the gap of circles.
+        """
+        solution, contact = self.solution, self.contact
+        X, Y = np.broadcast_arrays(solution.X[:, None], solution.Y[None, :])
+        outside = (solution.P > 0.0) & (contact.dry_pressure(X, Y) == 0.0)
+        x = X[outside]
+        y = Y[outside]
+        film = solution.H[outside]
+        r = np.hypot(x, y)
+        gap = film + self._excess(self._sections(x / r, y / r), r)
+        # over a cell, of the gap
+        rise = np.abs(contact.curvature_x * X + contact.curvature_xy * Y)
+        rise = rise * np.gradient(solution.X)[:, None]
+        across = np.abs(contact.curvature_y * Y + contact.curvature_xy * X)
+        rise = rise + across * np.gradient(solution.Y)
+        filled = np.clip(0.5 + (self.layer - gap) / rise[outside], 0.0, 1.0)
+        without = np.zeros_like(solution.P)
+        without[outside] = 1.0 - filled * (film / gap) ** 2
+        return without
+
+    def moment_beyond_box(self) -> float:
+        """Integral of -X P of the far field from the edge of the box to the meniscus [-]."""
+        angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
+        every = _Ray(self, np.cos(angle), np.sin(angle))
+        wet = every.film < self.layer  # the meniscus of the others is in the box
+        ray = _Ray(self, every.x[wet], every.y[wet])
+        span = np.log(ray.meniscus() / ray.start)[:, None]
+        places, weights = np.polynomial.legendre.leggauss(RAY_NODES)
+        r = ray.start[:, None] * np.exp(0.5 * span * (places + 1.0))
+        gap = np.maximum(ray.gap(r), ray.film[:, None])  # it opens outwards
+        x, y = ray.x[:, None], ray.y[:, None]
+        pressure = self.field.strength(x * r, y * r) / gap**2
+        rings = np.sum(0.5 * span * weights * pressure * x * r**3, axis=1)
+        return float(-rings.sum()) * 2.0 * np.pi / DIRECTIONS + 0.0
+
+    def meniscus_ahead(self) -> float:
+        """Distance of the meniscus from the centre, against the grid's x [-]."""
+        ray = _Ray(self, np.array([-1.0]), np.array([0.0]))
+        if ray.film[0] < self.layer:
+            return float(ray.meniscus()[0])
+        X = self.solution.X
+        ahead = X <= 0.0
+        r = -X[ahead][::-1]
+        middle = int(np.abs(self.solution.Y).argmin())
+        directions = self._sections(np.full_like(r, -1.0), np.zeros_like(r))
+        gap = self.solution.H[ahead, middle][::-1] + self._excess(directions, r)
+        narrow = np.flatnonzero(gap < self.layer)
+        last = int(narrow[-1]) if narrow.size else 0
+        return float(np.interp(self.layer, gap[last : last + 2], r[last : last + 2]))
+
+    def _sections(self, x: Array, y: Array) -> Sections:
+        return sections(self.contact, self.ball_radius, x, y)
+
+    def _excess(self, circles: Sections, r: Array) -> Array:
+        """Of the gap of circles over that of parabolas, where they differ; endless where the
+        smaller circle ends.
+        """
+        reach = circles.largest * r
+        excess = np.where(reach > PARABOLA_SHARE, circles.excess(r, self.height_scale), 0.0)
+        return np.asarray(np.where(reach < 1.0, excess, np.inf))
+
+
+class _Ray:
+    """Rays from the centre beyond the edge of the box, in directions (x, y), shape (n,)."""
+
+    def __init__(self, oil: _Oil, x: Array, y: Array) -> None:
+        solution = oil.solution
+        self.oil = oil
+        self.x = x
+        self.y = y
+        self.start = _edge_distance(solution, x, y)
+        self.curvature = ray_curvature(oil.contact, x, y)
+        self.circles = oil._sections(x, y)
+        self.film = _edge_film(solution, self.start * x, self.start * y)
+        rigid = solution.approach_dimensionless + 0.5 * self.curvature * self.start**2
+        self.deflection = self.film - rigid  # on the edge of the box; it falls with 1/r
+
+    def gap(self, r: Array) -> Array:
+        """At distances of shape (n, m) [-]."""
+        curvature, start = self.curvature[:, None], self.start[:, None]
+        deflection = self.deflection[:, None] * start / r
+        circles = Sections(*(part[:, None] for part in self.circles))
+        rigid = self.oil.solution.approach_dimensionless + 0.5 * curvature * r**2
+        return np.asarray(rigid + deflection + self.oil._excess(circles, r))
+
+    def meniscus(self) -> Array:
+        """Distance at which the gap is as wide as the layer, or the smaller circle ends; that of
+        the box's edge where it lies inside, shape (n,) [-].
+        """
+        low = self.start
+        high = np.maximum(self.circles.end, low)
+        for _ in range(HALVINGS):
+            middle = 0.5 * (low + high)
+            narrow = self.gap(middle[:, None])[:, 0] < self.oil.layer
+            low, high = np.where(narrow, middle, low), np.where(narrow, high, middle)
+        return low
 
 
 def _edge_distance(solution: ContactSolution, x: Array, y: Array) -> Array:
     """From the centre to the edge of the box in the directions (x, y) [-]."""
     X, Y = solution.X, solution.Y
-    along = np.where(x < 0.0, X[0] / x, X[-1] / x)
-    return np.asarray(np.minimum(along, np.where(y < 0.0, Y[0] / y, Y[-1] / y)))
+    with np.errstate(divide="ignore"):
+        along = np.where(x < 0.0, X[0] / x, X[-1] / x)
+        across = np.where(y < 0.0, Y[0] / y, Y[-1] / np.abs(y))
+    return np.asarray(np.minimum(along, across))
 
 
 def _edge_film(solution: ContactSolution, x: Array, y: Array) -> Array:

@@ -21,7 +21,7 @@ identities close the balances:
 
 The pressure of a flooded inlet falls so slowly that the rolling moment of a point contact grows
 with the logarithm of the box where it lies beyond the ellipse's width: the moment is that of the
-solved box. `rolling_moment.py` has that of the oil up to a stated distance.
+solved box where the caller does not give that of the oil up to its meniscus (`rolling_moment.py`).
 
 For the rolling part: Biboulet and Houpert (2010), hydrodynamic force and moment in pure rolling
 lubricated contacts.
@@ -152,9 +152,13 @@ def integrate_traction(
     *,
     temperature: float | None = None,
     cavitation: Cavitation = Cavitation.STRIATED,
+    rolling_resistance: float | None = None,
 ) -> TractionResult:
     """Forces [N] and moments [N m] of a solved contact on its bodies, and the power lost [W];
     arguments as in `shear_fields`.
+
+    rolling_resistance: minus the hydrodynamic moment on body 1, of all oil [N m]; None: of that
+    in the box.
     """
     solution = with_outlet(solution) if cavitation is Cavitation.STRIATED else solution
     k = kinematics
@@ -162,6 +166,8 @@ def integrate_traction(
     load = dimensional_conditions(solution).load
     parts = _integrals(solution, k, fields)
     sliding_x, sliding_y = parts["sliding_force_x"], parts["sliding_force_y"]
+    if rolling_resistance is not None:
+        parts["hydrodynamic_moment"] = -rolling_resistance
     hydrodynamic, curved = parts["hydrodynamic_moment"], parts["curvature_moment"]
     heat = parts["sliding_loss"]
     # the horizontal part of the pressure is shared by the curvatures of the bodies

@@ -96,7 +96,7 @@ TORQUE = Quantity("torque_N_mm", "torque", "total", symbol="torque")
 ROLLING_EXTENT = quantities(
     "",
     "the integrated torque is not that of films",
-    *("box_N_mm", "beyond_box_N_mm", "beyond_extent_N_mm", "within_extent_N_mm", "doubling_N_mm"),
+    *("within_extent_N_mm", "uncertainty_N_mm", "box_N_mm", "doubling_N_mm"),
 )
 
 

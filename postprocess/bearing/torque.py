@@ -8,12 +8,13 @@ from bearing.torque.breakdown import NAMES, TorqueBreakdown
 from bearing.torque.models import ModelTorque
 from bearing.torque.rolling_extent import RollingExtent, rolling_extent
 from bearing.torque.shear_torque import SolvedShear
+from ehl.units import from_si
 
 from ..quantities import values_of
 from .quantities import AS_PRINTED, POWER_BALANCE, ROLLING_EXTENT, TORQUE, TORQUE_MODELS
 from .results import BearingResults
 
-LARGE_SHARE = 0.05  # of the torque: from there on it is reported that the boxes decide
+LARGE_SHARE = 0.05  # of the torque: from there on it is reported what the layer decides
 MAIN = ("integrated", "skf", "palmgren", "coulomb")  # those of papers by models = "all"
 
 
@@ -57,7 +58,10 @@ def torque_block(results: BearingResults) -> dict[str, Any]:
         "models": {name: _model(torque, name) for name in shown_models(results)},
         "power_balance": {**values_of(shear, POWER_BALANCE), "hypothesis": hypothesis},
         "per_ball_N_mm": None if shear is None else TORQUE.in_unit(shear.torque.per_ball),
-        "rolling_extent": {part.source: part.value(extent) for part in ROLLING_EXTENT},
+        "rolling_extent": {
+            **{part.source: part.value(extent) for part in ROLLING_EXTENT},
+            "layer_um": None if extent is None else from_si("layer_um", extent.layer),
+        },
     }
 
 
@@ -135,7 +139,7 @@ def torque_rows(results: BearingResults) -> dict[str, str]:
 
 
 def rolling_messages(results: BearingResults) -> Iterator[str]:
-    """Why there is nothing beyond a box, and whether the boxes decide much of the torque."""
+    """Where the oil of the rolling part ends, and how much of the torque that decides."""
     if any(film is None or not film.converged for film in results.solutions):
         yield "contacts.rolling_moment_N_mm: null where there is no film that converged"
     extent = _extent(results)
@@ -145,21 +149,19 @@ def rolling_messages(results: BearingResults) -> Iterator[str]:
             "solved films"
         )
         return
-    if extent.within_extent is None:
-        yield f"torque_N_mm.rolling_extent: null beyond the boxes, {extent.note}"
-        return
-    assert extent.beyond_box is not None and extent.beyond_extent is not None
+    yield from (f"torque_N_mm.rolling_extent: {note}" for note in extent.notes)
     total = None if results.torque is None else results.torque.total
-    torque = extent.box if total is None else total
-    if max(abs(extent.beyond_box), abs(extent.beyond_extent)) > LARGE_SHARE * torque:
-        box, beyond, counted, within, doubling = (
+    torque = extent.within_extent if total is None else total
+    if max(extent.doubling, extent.uncertainty) > LARGE_SHARE * torque:
+        layer = from_si("layer_um", extent.layer)
+        within, uncertainty, box, doubling = (
             f"{part.value(extent):.4g}" for part in ROLLING_EXTENT
         )
         yield (
-            "torque_N_mm: the rolling part depends on the films' boxes: of its "
-            f"{box} N mm, {counted} lie farther than half the smaller reduced radius from the "
-            f"contacts, and {beyond} up to there lie beyond the boxes; oil up to that distance "
-            f"gives {within} N mm, up to twice of it {doubling} more"
+            f"torque_N_mm: the rolling part, {within} N mm with an uncertainty of {uncertainty}, "
+            f"is that of flooded contacts with a layer of {layer:g} um at their inlets "
+            f"(lubricant.flooded_layer_um); twice the layer adds {doubling}, the boxes of the "
+            f"films alone have {box}"
         )
 
 

@@ -71,13 +71,9 @@ FILM_QUANTITIES = (
         "",
         NO_TRACTION,
         ("traction_coefficient", "traction coefficient", "traction.coefficient", "", "traction"),
-        ("rolling_moment_N_mm", "rolling moment of the box", "rolling.box"),
-    ),
-    *quantities(
-        "rolling.",
-        "oil beyond the box is known for pure rolling along a principal direction alone",
-        ("rolling_moment_beyond_box_N_mm", "rolling moment beyond the box", "beyond_box"),
-        ("rolling_moment_within_extent_N_mm", "rolling moment within the extent", "within_extent"),
+        ("rolling_moment_N_mm", "rolling moment", "rolling.value"),
+        ("rolling_moment_uncertainty_N_mm", "rolling moment uncertainty", "rolling.uncertainty"),
+        ("rolling_moment_box_N_mm", "rolling moment of the box", "rolling.box"),
     ),
 )
 FURTHER_QUANTITIES = quantities(  # of the summary alone
@@ -86,7 +82,8 @@ FURTHER_QUANTITIES = quantities(  # of the summary alone
     ("traction_force_N", "traction force", "traction_force"),
     ("traction_power_W", "heat of the traction", "traction.power_loss"),
     ("spin_moment_N_mm", "spin moment", "traction.spin_moment"),
-    ("rolling_extent_mm", "extent of the oil", "rolling.extent"),
+    ("rolling_extent_mm", "meniscus ahead of the centre", "rolling.extent"),
+    ("flooded_layer_um", "layer of oil at the inlet", "rolling.layer"),
 )
 
 

@@ -126,7 +126,8 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
         yield f"traction_coefficient: null, {NO_TRACTION}"
     if record.rolling is None:
         lack = "they need lengths, and a film that converged"
-        yield f"rolling_moment_N_mm and rolling_extent_mm: null, {lack}"
+        yield f"rolling_moment_..._N_mm, rolling_extent_mm, flooded_layer_um: null, {lack}"
+    elif record.rolling.extent is None:
+        yield f"rolling_moment_N_mm: of the box; rolling_extent_mm: null, {record.rolling.note}"
     elif record.rolling.note:
-        keys = "rolling_moment_beyond_box_N_mm, rolling_moment_within_extent_N_mm"
-        yield f"{keys}: null, {record.rolling.note}"
+        yield f"rolling_moment_N_mm: {record.rolling.note}"

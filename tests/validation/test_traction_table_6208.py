@@ -21,6 +21,7 @@ from bearing.geometry import Race
 from cases import load_case
 from ehl import SolverOptions, solve_contact
 from ehl.kinematics import ContactKinematics
+from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
 from ehl.traction.table.build import TableOptions
 
@@ -40,6 +41,7 @@ def test_error_at_200_random_points(tables, race):
         load, speed = (float(np.exp(rng.uniform(*np.log(ends)))) for ends in (limits.load, limits.speed))
         conditions = contact.conditions(load, speed)
         film = solve_contact(conditions, SolverOptions(points=POINTS))
+        resistance = rolling_moment(film).value
         b, film = film.semi_axis_x * film.semi_axis_ratio, finer(film)
         for x, y, n in rng.uniform(-1.0, 1.0, (10, 3)) ** 3 * [limits.slide_x, limits.slide_y, limits.spin]:
             slide_x, slide_y, spin = x * speed, y * speed, n * speed / contact.radius_x
@@ -53,7 +55,9 @@ def test_error_at_200_random_points(tables, race):
                 curvature_width=b,
                 curvature_difference=contact.curvature_difference,
             )
-            wanted = integrate_traction(film, motion, contact.rheology, temperature=contact.temperature)
+            wanted = integrate_traction(
+                film, motion, contact.rheology, temperature=contact.temperature, rolling_resistance=resistance
+            )
             found = table.forces(load, speed, slide_x, slide_y, spin)
             off = np.hypot(found.force_x - wanted.force_x, found.force_y - wanted.force_y)
             errors.append(off / table.largest(load, speed)[0])

@@ -16,7 +16,7 @@ from ...solver import solve_contact
 from ..film_quadrature import FilmQuadrature, film_quadrature, sliding_forces
 from ..heated.film import HeatedFilm, heated_film, heated_forces
 from ..response import NormalResponse, normal_response
-from ..shear import dimensional_grid
+from ..rolling_moment import rolling_moment
 from .table import TableContact, TableRange
 
 # of the motion where the traction has risen by half, along, across and of spin: the scale there
@@ -82,7 +82,7 @@ class FilmSample:
     place: tuple[float, float]  # ln(load), ln(speed) [-]
     film: TableFilm
     scales: tuple[float, float, float]  # of slide_x/u, slide_y/u, spin R_x/u [-]
-    moment: float  # hydrodynamic, positive [N m]
+    moment: float  # hydrodynamic, of the oil up to its meniscus, positive [N m]
     response: NormalResponse  # stiffness and damping
 
     @property
@@ -104,13 +104,11 @@ def film_sample(
     speed = exp(place[1])
     film = table_film(contact, load, speed, limits.slide_x * speed, SolverOptions(points=points))
     solution = film.solution
-    x, y, _ = dimensional_grid(solution)
-    moment = np.trapezoid(np.trapezoid(solution.pressure * x[:, None], y, axis=1), x)
     return FilmSample(
         place=place,
         film=film,
         scales=_scales(contact, limits, film, speed),
-        moment=-float(moment),
+        moment=rolling_moment(solution).value,
         response=_response(contact, solution, (load, speed), points),
     )
 

@@ -23,8 +23,9 @@ from ...solid.heat import SolidThermal
 from .table import FullSolve, TableContact, TableError, TableRange, TractionTable
 
 FORMAT = "oilfilm traction table"
-# 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films
-FORMAT_VERSION = 3
+# 1 had other coordinates of the motions, 2 neither heat nor full solves beside the films, 3 the
+# rolling moment of the solver's box
+FORMAT_VERSION = 4
 ARRAYS = ("axes", "scalars", "values")
 PARTS = ("contact", "range", "error", "full_solves")
 PLAIN = ("points", "kappa_max", "films", "converged", "message")

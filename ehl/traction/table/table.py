@@ -54,10 +54,11 @@ class TableContact:
     curvature_difference: float = 0.0  # 1/R_2x - 1/R_1x of the bodies [1/m]
     # body 1, the ball, and body 2; None: the oil stays at its temperature
     solids: tuple[SolidThermal, SolidThermal] | None = None
+    ball_radius: float | None = None  # of body 1 [m]; None: body 2 counts as a plane
 
     def conditions(self, load: float, speed: float) -> ContactConditions:
         """Of the film at a load [N] and entrainment speed [m/s], without sliding."""
-        shared = ("radius_x", "radius_y", "reduced_modulus", "lubricant")
+        shared = ("radius_x", "radius_y", "reduced_modulus", "lubricant", "ball_radius")
         bodies = {name: getattr(self, name) for name in shared}
         return ContactConditions(load=load, entrainment_speed=speed, **bodies)
 

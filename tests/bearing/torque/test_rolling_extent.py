@@ -1,17 +1,21 @@
-"""Rolling torque by where the oil is: the boxes of the films, beyond them, and up to one distance."""
+"""Rolling torque by where the oil ends: up to the layer of the lubricant, twice it, the boxes of the films alone."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from bearing import Operation, contact_conditions, solve_quasistatic
 from bearing.contacts.traction import contact_traction
+from bearing.friction.films import film_law
 from bearing.torque.integrated import integrated_torque
 from bearing.torque.rolling_extent import rolling_extent, rolling_moments
 from ehl import Lubricant, SolverOptions, solve_contact
+from ehl.oil.lubricant import FLOODED_LAYER
 from ehl.oil.rheology import Rheology
+from ehl.traction.shear import integrate_traction
 
 OIL = Lubricant(viscosity=0.0261, pressure_viscosity=18e-9, density=870.0)
 
@@ -28,31 +32,63 @@ def rolling(bearings):
     return state, [film and contact_traction(state, c, film, Rheology()) for c, film in pairs], films
 
 
-def test_boxes_are_those_of_the_integrated_torque(rolling):
+def with_layer(films, layer):
+    """The same films of an oil with another layer at the inlets [m]."""
+    oil = replace(OIL, flooded_layer=layer)
+    return [film and replace(film, conditions=replace(film.conditions, lubricant=oil)) for film in films]
+
+
+def test_integrated_torque_has_the_oil_up_to_its_meniscus(rolling):
     state, tractions, films = rolling
     found = rolling_extent(state, tractions, films)
-    torque = integrated_torque(state, [traction for traction in tractions if traction is not None])
-    assert found.box == pytest.approx(torque.rolling, rel=1e-9)
-    assert found.within_extent == pytest.approx(found.box - found.beyond_extent + found.beyond_box, rel=1e-12)
-    assert found.beyond_box > 0.05 * found.box  # the heavy contacts' boxes are small
-    assert found.beyond_extent > 0.05 * found.box  # those of the light one reach past the ball
+    known = [traction for traction in tractions if traction is not None]
+    assert found.within_extent == pytest.approx(integrated_torque(state, known).rolling, rel=1e-9)
+    boxes = [
+        replace(t, result=integrate_traction(film, t.kinematics, Rheology()))
+        for t, film in zip(known, [film for film in films if film], strict=True)
+    ]
+    assert found.box == pytest.approx(integrated_torque(state, boxes).rolling, rel=1e-9)
+    assert abs(found.box - found.within_extent) > 0.03 * found.box
+    assert found.layer == FLOODED_LAYER
+    assert 0.0 < found.uncertainty < 0.3 * found.within_extent  # 65 points
+    assert found.notes == ()
 
 
-def test_oil_to_twice_the_distance_adds_what_is_told(rolling, monkeypatch):
+def test_twice_the_layer_adds_what_is_said(rolling):
     state, tractions, films = rolling
     found = rolling_extent(state, tractions, films)
-    monkeypatch.setattr("ehl.traction.rolling_moment.SHARE_OF_RADIUS", 1.0)
-    farther = rolling_extent(state, tractions, films)
-    assert farther.within_extent - found.within_extent == pytest.approx(found.doubling, rel=0.05)
+    farther = rolling_extent(state, tractions, with_layer(films, 2.0 * FLOODED_LAYER))
+    assert farther.layer == 2.0 * FLOODED_LAYER
+    assert farther.within_extent - found.within_extent == pytest.approx(found.doubling, rel=1e-9)
+    assert 0.0 < found.doubling < 0.15 * found.within_extent
 
 
-def test_a_box_that_was_fixed_has_nothing_beyond(rolling):
+def test_balls_balance_with_the_moment_of_the_torque(rolling, bearings):
+    """A film law pulls with the same rolling moment as the traction of its contact."""
+    state, tractions, films = rolling
+    contacts = [c for c in contact_conditions(state, OIL) if c.ball in (1, 4)]
+    law = film_law(state, contacts, films, Rheology())
+    for n, traction in enumerate(tractions):
+        if traction is not None:
+            k = traction.kinematics
+            motion = np.array([[k.sliding_x, k.sliding_y, k.spin, k.rolling]])
+            gradient = law.evaluate(motion, np.array([n])).gradient[0]
+            assert -gradient[3] == pytest.approx(traction.result.rolling_moment_1, rel=1e-6)
+
+
+def test_a_thin_layer_is_reported(rolling):
+    state, tractions, films = rolling
+    found = rolling_extent(state, tractions, with_layer(films, 1e-5))
+    assert any("Hamrock and Dowson" in note and note.startswith("ball ") for note in found.notes)
+
+
+def test_a_box_that_was_fixed_ends_the_oil(rolling):
     state, tractions, films = rolling
     fixed = [film and replace(film, options=SolverOptions(points=65, domain=film.domain)) for film in films]
     found = rolling_extent(state, tractions, fixed)
-    assert found.beyond_box is None and found.within_extent is None
-    assert "[ehl] domain" in found.note
-    assert found.box == rolling_extent(state, tractions, films).box
+    assert found.within_extent == found.box
+    assert found.doubling == 0.0
+    assert all("[ehl] domain" in note for note in found.notes)
 
 
 def test_equal_films_are_looked_at_once(rolling):

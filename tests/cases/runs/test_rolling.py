@@ -1,10 +1,11 @@
-"""Rolling moments in the summary of a run, and what is said of the boxes they depend on."""
+"""Rolling moments in the summary of a run: the layer that ends the oil, its uncertainty, and what is said of both."""
 
 from __future__ import annotations
 
 import pytest
 
 from cases.format.case import case_from_text
+from cases.format.problems import CaseError
 from cases.runs.bearing import run_case
 from cases.runs.contact import run_contact
 from postprocess import summary
@@ -47,22 +48,34 @@ def contact_of(text):
     return summary(run_contact(case_from_text(text, "case.toml")))
 
 
-def test_bearing_tells_how_far_its_boxes_decide():
+def test_bearing_states_its_layer_and_the_torque_takes_it():
     document = document_of(TEXT)
     torque, contacts = document["torque_N_mm"], document["contacts"]
     extent = torque["rolling_extent"]
-    assert extent["box"] == pytest.approx(torque["models"]["integrated"]["rolling"], rel=1e-9)
-    assert extent["within_extent"] == pytest.approx(extent["box"] - extent["beyond_extent"] + extent["beyond_box"])
-    assert "beyond_box" not in torque["models"]["integrated"]
+    assert document["case"]["lubricant"]["flooded_layer_um"] == 100.0 == pytest.approx(extent["layer_um"])
+    assert extent["within_extent"] == pytest.approx(torque["models"]["integrated"]["rolling"], rel=1e-9)
+    assert 0.0 < extent["uncertainty"] < 0.2 * extent["within_extent"]
     heavy = contacts[0]
-    assert heavy["rolling_moment_beyond_box_N_mm"] > 0.03 * heavy["rolling_moment_N_mm"] > 0.0
-    assert heavy["rolling_extent_mm"] == pytest.approx(0.5 * 4.8, rel=0.02)  # half of R_x at the inner race
+    assert heavy["rolling_moment_box_N_mm"] != heavy["rolling_moment_N_mm"] > 0.0
+    assert 0.0 < heavy["rolling_moment_uncertainty_N_mm"] < 0.5 * heavy["rolling_moment_N_mm"]  # 65 points
+    assert heavy["flooded_layer_um"] == pytest.approx(100.0)
+    # sqrt(2 R_x 0.1 mm), a little more with the film and less with the circles
+    assert heavy["rolling_extent_mm"] == pytest.approx((2.0 * 4.8 * 0.1) ** 0.5, rel=0.06)
     assert all(c["rolling_moment_N_mm"] is None for c in contacts if not c["loaded"])
     assert any(m.startswith("contacts.rolling_moment_N_mm: null") for m in document["messages"])
-    told = [m for m in document["messages"] if "depends on the films' boxes" in m]
-    decided = max(extent["beyond_box"], extent["beyond_extent"]) > 0.05 * torque["total"]
-    assert decided and len(told) == 1
-    assert f"{extent['within_extent']:.4g} N mm" in told[0]
+    told = [m for m in document["messages"] if "lubricant.flooded_layer_um" in m]
+    assert len(told) == 1
+    assert f"{extent['within_extent']:.4g} N mm" in told[0] and "a layer of 100 um" in told[0]
+
+
+def test_a_thicker_layer_has_more_rolling_moment_in_the_torque():
+    some, more = (
+        document_of(TEXT.replace("density", f"flooded_layer_um = {layer}\ndensity"))["torque_N_mm"]
+        for layer in (50, 100)
+    )
+    added = more["rolling_extent"]["within_extent"] - some["rolling_extent"]["within_extent"]
+    assert added == pytest.approx(some["rolling_extent"]["doubling"], rel=0.02)  # the balls find other speeds
+    assert more["total"] - some["total"] == pytest.approx(added, rel=0.1)
 
 
 def test_run_without_films_has_no_extent():
@@ -73,10 +86,18 @@ def test_run_without_films_has_no_extent():
 
 def test_single_contact_in_an_open_and_a_fixed_box():
     document = contact_of(CONTACT)
-    box, beyond = document["rolling_moment_N_mm"], document["rolling_moment_beyond_box_N_mm"]
-    assert document["rolling_extent_mm"] == pytest.approx(6.25)
-    assert box < document["rolling_moment_within_extent_N_mm"] <= box + beyond
+    assert document["flooded_layer_um"] == pytest.approx(100.0)
+    assert document["rolling_extent_mm"] == pytest.approx((2.0 * 12.5 * 0.1) ** 0.5, rel=0.02)
+    assert document["rolling_moment_N_mm"] > document["rolling_moment_uncertainty_N_mm"] > 0.0
+    thin = contact_of(CONTACT.replace("[ehl]", "flooded_layer_um = 1\n[ehl]"))
+    assert any(m.startswith("rolling_moment_N_mm: the layer ends") for m in thin["messages"])
     fixed = contact_of(CONTACT + "domain = [-4.5, 1.5, 2.5]\n")
-    assert 0.0 < fixed["rolling_moment_N_mm"] < box
-    assert fixed["rolling_moment_within_extent_N_mm"] is None
-    assert any("beyond_box_N_mm" in m and "[ehl] domain" in m for m in fixed["messages"])
+    assert fixed["rolling_moment_N_mm"] == fixed["rolling_moment_box_N_mm"] > 0.0
+    assert fixed["rolling_extent_mm"] is None
+    assert any("rolling_extent_mm: null" in m and "[ehl] domain" in m for m in fixed["messages"])
+
+
+@pytest.mark.parametrize("layer", ["0", "-3", "2e4", '"thick"'])
+def test_a_layer_out_of_range_is_named(layer):
+    with pytest.raises(CaseError, match=r"lubricant\.flooded_layer_um"):
+        case_from_text(TEXT.replace("density", f"flooded_layer_um = {layer}\ndensity"), "case.toml")

@@ -21,6 +21,7 @@ from ehl.traction.coefficient_kernels import FourConstants, RampedCoulomb, coeff
 from ehl.traction.film_quadrature import film_quadrature, sliding_forces
 from ehl.traction.laws import ContactShape, EllipseLaw
 from ehl.traction.response import normal_response
+from ehl.traction.rolling_moment import rolling_moment
 from ehl.traction.shear import integrate_traction
 from ehl.traction.table.build import TableOptions, build_table
 from ehl.traction.table.splines import spline_coefficients, spline_weights
@@ -41,7 +42,7 @@ CIRCLE = TableContact(
     curvature_difference=50.0,
 )
 LIMITS = TableRange(load=(40.0, 80.0), speed=(1.0, 2.0), slide_x=0.5, slide_y=0.3, spin=0.3)
-DIGEST = "38b067174cd46b74cdd2263438437c00df9b4c643831b29aa112d8d04e546c7a"  # of both, in files of format 3
+DIGEST = "1bf81bd06cfbc11417616ad3dd7e455e4181bcde19313e86d4b3d6cacd0e578e"  # of both, in files of format 4
 OPTIONS = TableOptions(points=65, tolerance=0.02, check_films=3, check_motions=40, rounds=1, nodes=(5, 4, 21, 9, 13))
 
 
@@ -80,7 +81,9 @@ def test_lookup_agrees_with_shear_in_a_film_solved_there(table):
             curvature_difference=50.0,
             rolling=speed / 10e-3 - 25.0 * slide_x,
         )
-        wanted = integrate_traction(solution, motion, RHEOLOGY, temperature=313.15)
+        wanted = integrate_traction(
+            solution, motion, RHEOLOGY, temperature=313.15, rolling_resistance=rolling_moment(solution).value
+        )
         found = table.forces(load, speed, slide_x, slide_y, spin)
         assert found.outside == ()
         errors.append(np.hypot(found.force_x - wanted.force_x, found.force_y - wanted.force_y) / largest[0])
@@ -202,7 +205,7 @@ def test_heat_and_full_solves_are_kept(table, tmp_path):
 
 
 def test_types_keep_their_names_in_files(table, tmp_path):
-    """Those of format 3, wherever the classes stand: files written before stay readable, and their digests equal."""
+    """Those of format 4, wherever the classes stand: files written before stay readable, and their digests equal."""
     save_table(table, tmp_path / "table.npz")
     with np.load(tmp_path / "table.npz") as file:
         document = json.loads(str(file["document"]))
@@ -220,7 +223,7 @@ def test_files_of_an_older_format_are_refused(table, tmp_path):
     document = json.loads(str(parts["document"]))
     parts["document"] = np.array(json.dumps(document | {"format_version": document["format_version"] - 1}))
     np.savez(path, **parts)
-    with pytest.raises(ValueError, match="format version 2, this program reads 3; make the table again"):
+    with pytest.raises(ValueError, match="format version 3, this program reads 4; make the table again"):
         load_table(path)
 
 
