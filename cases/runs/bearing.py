@@ -3,6 +3,7 @@
 from collections.abc import Sequence
 from dataclasses import replace
 from time import perf_counter
+from typing import Any
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
@@ -26,6 +27,8 @@ from .equilibrium import case_equilibrium
 from .films import Progress, Solve, solve_contacts, wanted_contacts
 from .heating import self_heated
 from .traction_films import traction_messages, with_workers
+
+STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
 
 
 class Interrupted(Exception):  # noqa: N818
@@ -70,10 +73,11 @@ def run_case(
     solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
     solutions, interrupted = solve_contacts(wanted, case.solver, workers, notify, solver)
     timing["contacts"] = perf_counter() - start
-    stop = ("interrupted: the films that were not finished are null",) if interrupted else ()
+    stop = (STOPPED,) if interrupted else ()
     traction = traction_messages(case.traction, state, contacts)
     messages = (*case.warnings, *case.films.messages, *traction, *messages, *stop)
-    tractions, torque = _friction(case, state, contacts, solutions, timing)
+    friction = {} if interrupted else _friction(case, state, contacts, solutions, timing)
+    timing["total"] = sum(timing.values())
     results = BearingResults(
         version=version(),
         case=case.document,
@@ -87,9 +91,7 @@ def run_case(
         timing=timing,
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
         clearance=case.clearance,
-        tractions=tractions,
-        torque=torque,
-        heating=self_heated(case) if state.converged else None,
+        **friction,
     )
     if interrupted:
         raise Interrupted(results if any(solution is not None for solution in solutions) else None)
@@ -102,8 +104,8 @@ def _friction(
     contacts: Sequence[BearingContact],
     solutions: Sequence[ContactSolution | None],
     timing: dict[str, float],
-) -> tuple[tuple[ContactTraction | None, ...], TorqueBreakdown | None]:
-    """Shear of the contacts and the friction torque, balls as balanced by the torque."""
+) -> dict[str, Any]:
+    """Shear of the contacts, balls as balanced by the torque, friction torque, self-heating."""
     start = perf_counter()
     torque = _torque(case, state, contacts, solutions)
     tractions = _tractions(case, state, contacts, solutions)
@@ -111,8 +113,8 @@ def _friction(
         known = {(t.contact.ball, t.contact.race): t for t in torque.shear.tractions}
         tractions = tuple(t and known.get((t.contact.ball, t.contact.race), t) for t in tractions)
     timing["torque"] = perf_counter() - start
-    timing["total"] = sum(timing.values())
-    return tractions, torque
+    heating = self_heated(case) if state.converged else None
+    return {"tractions": tractions, "torque": torque, "heating": heating}
 
 
 def _tractions(

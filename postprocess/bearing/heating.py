@@ -24,6 +24,8 @@ def heating_block(results: BearingResults) -> dict[str, Any]:
 def heating_messages(results: BearingResults) -> Iterator[str]:
     """What the block means for the results, or why it is null."""
     heating = results.heating
+    if results.interrupted:
+        return
     if heating is None:
         yield "self_heating: null, the case gives no friction.heat_transfer_W_K, or nothing turns"
     elif heating.balance is None or not heating.converged:

@@ -77,6 +77,8 @@ def _model(torque: TorqueBreakdown | None, name: str) -> dict[str, float | None]
 def torque_messages(results: BearingResults) -> Iterator[str]:
     """Why a torque or a traction coefficient is null."""
     torque = results.torque
+    if results.interrupted:
+        return
     if not results.tractions or any(traction is None for traction in results.tractions):
         yield "contacts.traction_coefficient: null where there is no film"
     if torque is None:

@@ -14,6 +14,7 @@ from bearing import solve_quasistatic
 from cases import load_case, run_case, run_contact
 from cases.runs.bearing import Interrupted
 from cases.runs.films import equal_contacts
+from postprocess import summary
 
 CASE = "6208_full_ceramic"
 
@@ -113,6 +114,10 @@ def test_a_stopped_run_keeps_the_finished_films(monkeypatch):
     results = stop.value.results
     assert 0 < len(solved(results)) < 12
     assert any("interrupted" in message for message in results.messages)
+    assert (results.torque, results.heating) == (None, None)
+    document = summary(dataclasses.replace(results, solutions=(None,) * len(results.contacts)))
+    reasons = [message for message in document["messages"] if message.startswith(("torque_N_mm:", "self_heating"))]
+    assert reasons == []  # the run was stopped, nothing was looked at
 
 
 def test_a_run_stopped_at_once_has_nothing_to_keep(monkeypatch):
