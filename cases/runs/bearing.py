@@ -108,10 +108,9 @@ def _friction(
     """Shear of the contacts, balls as balanced by the torque, friction torque, self-heating."""
     start = perf_counter()
     torque = _torque(case, state, contacts, solutions)
-    tractions = _tractions(case, state, contacts, solutions)
-    if torque is not None and torque.shear is not None:
-        known = {(t.contact.ball, t.contact.race): t for t in torque.shear.tractions}
-        tractions = tuple(t and known.get((t.contact.ball, t.contact.race), t) for t in tractions)
+    shear = None if torque is None else torque.shear
+    balanced = () if shear is None else shear.tractions
+    tractions = _tractions(case, state, contacts, solutions, balanced)
     timing["torque"] = perf_counter() - start
     heating = self_heated(case) if state.converged else None
     return {"tractions": tractions, "torque": torque, "heating": heating}
@@ -122,14 +121,18 @@ def _tractions(
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     solutions: Sequence[ContactSolution | None],
+    balanced: Sequence[ContactTraction],
 ) -> tuple[ContactTraction | None, ...]:
-    """Shear of every contact that has a film, at the motion of the equilibrium."""
+    """Shear of every contact that has a film: as balanced, or at the motion of the equilibrium."""
     rheology = case.rheology
     if rheology is None:
         return (None,) * len(contacts)
+    known = {(t.contact.ball, t.contact.race): t for t in balanced}
     return tuple(
-        contact_traction(state, contact, film, rheology) if film and film.converged else None
-        for contact, film in zip(contacts, solutions, strict=True)
+        known.get((c.ball, c.race)) or contact_traction(state, c, film, rheology)
+        if film and film.converged
+        else None
+        for c, film in zip(contacts, solutions, strict=True)
     )
 
 

@@ -1,10 +1,11 @@
 """Compliance of a coated contact: 1/r, and a smooth correction from finite elements."""
 
+from collections.abc import Callable
 from functools import lru_cache
 from math import ceil
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+import scipy
 
 from ..arrays import Array
 from .coating import ScaledCoating
@@ -24,12 +25,15 @@ def point_compliance(coating: ScaledCoating, r: Array) -> Array:
 
 
 @lru_cache(maxsize=16)
-def _table(ratio: float, poisson: tuple[float, float]) -> tuple[CubicSpline, float, float]:
+def _table(
+    ratio: float, poisson: tuple[float, float]
+) -> tuple[Callable[[Array], Array], float, float]:
     """c over asinh(r/t), the distance up to which it holds, and c r/t beyond."""
     r, c = correction(ratio, poisson)
     inside = r < 0.3 * r[-1]
     far = (1.0 - poisson[1] ** 2) / (1.0 - poisson[0] ** 2) / ratio - 1.0
-    return CubicSpline(np.arcsinh(r[inside]), c[inside]), float(r[inside][-1]), far
+    spline = scipy.interpolate.CubicSpline(np.arcsinh(r[inside]), c[inside])
+    return spline, float(r[inside][-1]), far
 
 
 def patch_compliance(coating: ScaledCoating, x: Array, y: Array, hx: float, hy: float) -> Array:

@@ -7,8 +7,8 @@ Elsewhere: blocks of the grid.
 from dataclasses import dataclass
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import RectBivariateSpline
 
 from ..arrays import Array
 from ..oil.rheology import Rheology, kernel_rheology, limiting_stress, shear_stress
@@ -117,8 +117,8 @@ def hertz_zone(solution: ContactSolution) -> HertzZone:
     high = p > edge_pressure
     window = tuple(_around(high.any(axis=1 - axis)) for axis in (0, 1))
     x, y = x[window[0]], y[window[1]]
-    film = RectBivariateSpline(x, y, h[window])
-    pressure = RectBivariateSpline(x, y, p[window])
+    film = scipy.interpolate.RectBivariateSpline(x, y, h[window])
+    pressure = scipy.interpolate.RectBivariateSpline(x, y, p[window])
     # 2. lines across, and the edges of each
     ends = _crossings(y, p[window].max(axis=0) - edge_pressure)
     width = (ends[1] - ends[0]) / LINES

@@ -3,7 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import RegularGridInterpolator
+import scipy
 
 from ...arrays import Array
 from ...generalized.section import film_section
@@ -91,7 +91,8 @@ def heated_film(
     zone = hertz_zone(contact)
     places = np.moveaxis(zone.fields[:2], 0, -1)
     at_nodes = [
-        RegularGridInterpolator((x, y), field)(places) for field in (temperature, fluidity)
+        scipy.interpolate.RegularGridInterpolator((x, y), field)(places)
+        for field in (temperature, fluidity)
     ]
     lines = _lines(zone, at_nodes, oil, rheology, conditions.entrainment_speed)
     area, film, eta, pressure, own_temperature = np.moveaxis(lines[..., 2:7], -1, 0)

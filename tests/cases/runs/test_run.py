@@ -39,7 +39,7 @@ class Solver:
 def unsheared(monkeypatch):
     """The stand-in's films have no fields to shear."""
     monkeypatch.setattr(
-        "cases.runs.bearing._tractions", lambda _case, _state, contacts, _films: (None,) * len(contacts)
+        "cases.runs.bearing._tractions", lambda _case, _state, contacts, _films, _balanced: (None,) * len(contacts)
     )
     monkeypatch.setattr("cases.runs.bearing._torque", lambda *_: None)
     monkeypatch.setattr("cases.runs.contact._contact_traction", lambda *_: None)
