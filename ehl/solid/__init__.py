@@ -1,11 +1,12 @@
 """The bodies: elastic deflection, coatings, heat conduction, stress below the contact.
 
-bodies       - bodies of finite size: rings, by finite elements
-coating     - a coated body, and its compliance
-compliance  - half-space compliance of bilinear pressures on a graded rectangular mesh
-deformation - elastic deflection of the half-space by convolution
-heat        - bodies as half-spaces that move past a source of heat
-layered     - compliance of a contact one body of which is coated
-layered_fem - surface compliance of a coated half space by axisymmetric finite elements
-subsurface  - stress in a half-space below a given pressure
+bodies             - bodies of finite size: rings, by finite elements
+_transform_kernels - convolution along the columns of a grid, compiled
+coating            - a coated body, and its compliance
+compliance         - half-space compliance of bilinear pressures on a graded rectangular mesh
+deformation        - elastic deflection of the half-space by convolution
+heat               - bodies as half-spaces that move past a source of heat
+layered            - compliance of a contact one body of which is coated
+layered_fem        - surface compliance of a coated half space by axisymmetric finite elements
+subsurface         - stress in a half-space below a given pressure
 """

@@ -1,6 +1,8 @@
 """Elastic deflection of the half space: Love's kernel by zero-padded FFT."""
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -8,6 +10,7 @@ from scipy import fft
 
 from ..arrays import Array
 from ..grid import Grid
+from ._transform_kernels import LANES, convolve_columns
 from .coating import ScaledCoating
 from .layered import patch_compliance
 
@@ -22,10 +25,11 @@ class DeflectionKernel:
 
     symmetric: bool
     shape: tuple[int, int]  # (ny, nx) of the pressure
-    length_x: int  # padded lengths: twice the number of cells
-    length_y: int
-    # real, as the kernel is even; of a symmetric grid: rows [even, odd frequencies], columns twice
+    length_x: int  # padded length: twice the number of cells
+    # real, as the kernel is even; shape (blocks of columns, length along y, LANES)
     spectrum: Array
+    far: Array  # of the last line's mirror image, where the spectrum leaves it out
+    tables: tuple[NDArray[np.int64], NDArray[np.int64], Array, Array]  # of the transforms along y
     # deflection at distance m hx in the same line and in the next ones, shape (NEAR_LINES,
     # NEAR_COLUMNS)
     near: Array
@@ -42,65 +46,94 @@ def deflection_kernel(
     grid: Grid, deformation: float, coating: ScaledCoating | None = None
 ) -> DeflectionKernel:
     """Kernel and its spectrum for one grid; `deformation` is c_def [-]."""
-    cells_x = grid.nx - 1
-    cells_y = (2 if grid.symmetric else 1) * (grid.ny - 1)
-    x = grid.hx * (np.arange(cells_x + 2, dtype=np.float64) - 0.5)
-    y = grid.hy * (np.arange(cells_y + 2, dtype=np.float64) - 0.5)
-    quarter = deformation * np.diff(np.diff(patch_corner(x[None, :], y[:, None]), axis=0), axis=1)
-    if coating is not None:
-        centres = (x[1:] - 0.5 * grid.hx, y[1:] - 0.5 * grid.hy)
-        quarter += deformation * patch_compliance(coating, *centres, grid.hx, grid.hy)
-    # even in x and y: the cosine transform of the quarter is the real spectrum on the doubled,
-    # periodic grid
-    spectrum = fft.dct(fft.dct(quarter, type=1, axis=1), type=1, axis=0)
+    quarter = deformation * unit_deflections(grid, coating)
+    # even in x and y: cosine transforms of the quarter are the real spectrum
+    along = fft.dct(quarter, type=1, axis=1)
+    far = np.zeros(grid.nx)
     if grid.symmetric:
-        spectrum = np.repeat(np.concatenate((spectrum[0::2], spectrum[1::2])), 2, axis=1)
+        length = transform_length(len(quarter) - 1)
+        if length < len(quarter):
+            far = along[length]
+        series = fft.dct(along[:length], type=3, n=length, axis=0) / (2 * length)
+        spectrum = np.concatenate((series[0::2], series[1::2][::-1]))
+    else:
+        length = transform_length(2 * (len(quarter) - 1))
+        padded = np.pad(along, ((0, length // 2 + 1 - len(quarter)), (0, 0)))
+        half = fft.dct(padded, type=1, axis=0) / length
+        spectrum = np.concatenate((half, half[-2:0:-1]))
     return DeflectionKernel(
         symmetric=grid.symmetric,
         shape=(grid.ny, grid.nx),
-        length_x=2 * cells_x,
-        length_y=2 * cells_y,
-        spectrum=np.ascontiguousarray(spectrum),
+        length_x=2 * (grid.nx - 1),
+        spectrum=_in_blocks(spectrum),
+        far=_in_blocks(far[None, :])[:, 0],
+        tables=_tables(length, grid.ny),
         near=quarter[:NEAR_LINES, :NEAR_COLUMNS].copy(),
     )
 
 
+def unit_deflections(grid: Grid, coating: ScaledCoating | None = None) -> Array:
+    """Deflection over c_def of nodes at distances from 0 up along y and x from a unit pressure at
+    one node, shape (distances of the whole grid along y, nx) [-].
+    """
+    cells_x = grid.nx - 1
+    cells_y = (2 if grid.symmetric else 1) * (grid.ny - 1)
+    x = grid.hx * (np.arange(cells_x + 2, dtype=np.float64) - 0.5)
+    y = grid.hy * (np.arange(cells_y + 2, dtype=np.float64) - 0.5)
+    quarter = np.diff(np.diff(patch_corner(x[None, :], y[:, None]), axis=0), axis=1)
+    if coating is not None:
+        centres = (x[1:] - 0.5 * grid.hx, y[1:] - 0.5 * grid.hy)
+        quarter += patch_compliance(coating, *centres, grid.hx, grid.hy)
+    return np.asarray(quarter)
+
+
+def transform_length(least: int) -> int:
+    """Smallest even number 2^k, 3 2^k, 9 2^k or 27 2^k that is not below `least`."""
+    return min(odd << max(1, (-(-least // odd) - 1).bit_length()) for odd in (1, 3, 9, 27))
+
+
+def _in_blocks(values: Array) -> Array:
+    """Rows of columns, shape (n, nx), as (blocks, n, LANES), zeros at the end."""
+    padded = np.pad(values, ((0, 0), (0, -values.shape[1] % LANES)))
+    return np.ascontiguousarray(padded.reshape(len(values), -1, LANES).swapaxes(0, 1))
+
+
+def _tables(length: int, rows: int) -> tuple[NDArray[np.int64], NDArray[np.int64], Array, Array]:
+    """Radices of a length, places of the frequencies, cosine and sine of 2 pi n/length and of pi
+    n/(2 length), the latter for the rows of the grid.
+    """
+    radices = []
+    rest = length
+    for radix in (4, 3, 2):
+        while rest % radix == 0:
+            radices.append(radix)
+            rest //= radix
+    frequencies = np.zeros(1, dtype=np.int64)
+    for radix in radices:
+        frequencies = np.add.outer(frequencies, len(frequencies) * np.arange(radix)).ravel()
+    turns = [
+        np.stack((np.cos(angle), np.sin(angle)), axis=1)
+        for angle in (
+            2.0 * np.pi / length * np.arange(length),
+            np.pi / 2.0 / length * np.arange(rows),
+        )
+    ]
+    return np.array(radices), np.argsort(frequencies), turns[0], turns[1]
+
+
 def deflect(kernel: DeflectionKernel, pressure: Array, threads: int = 1) -> Array:
     """Deflection sum_kl K(i-k, j-l) P_kl, shapes (ny, nx) [-], by FFT."""
-    if threads > 1:
-        with fft.set_workers(threads):
-            return deflect(kernel, pressure)
-    rows = fft.rfft(pressure, n=kernel.length_x, axis=1)
-    if kernel.symmetric:
-        lines = _convolve_even(rows, kernel.spectrum)
-    else:
-        columns = fft.fft(rows, n=kernel.length_y, axis=0, overwrite_x=True)
-        half = kernel.spectrum.shape[0]
-        columns[:half] *= kernel.spectrum
-        columns[half:] *= kernel.spectrum[half - 2 : 0 : -1]
-        lines = fft.ifft(columns, axis=0, overwrite_x=True)[: kernel.shape[0]]
-    deflection = fft.irfft(lines, n=kernel.length_x, axis=1, overwrite_x=True)
+    with fft.set_workers(threads):
+        rows = fft.rfft(pressure, n=kernel.length_x, axis=1)
+        convolve = partial(
+            convolve_columns, rows, kernel.symmetric, kernel.spectrum, kernel.far, kernel.tables
+        )
+        blocks = len(kernel.spectrum)
+        if threads == 1:
+            convolve(0, blocks)
+        else:
+            cuts = [blocks * k // threads for k in range(threads + 1)]
+            with ThreadPoolExecutor(threads) as pool:
+                list(pool.map(convolve, cuts[:-1], cuts[1:]))
+        deflection = fft.irfft(rows, n=kernel.length_x, axis=1, overwrite_x=True)
     return np.ascontiguousarray(deflection[:, : kernel.shape[1]])
-
-
-def _convolve_even(rows: NDArray[np.complex128], spectrum: Array) -> NDArray[np.complex128]:
-    """Convolution along y of data even in y, given by its rows y >= 0.
-
-    The even data extended to four times the cells have the cosine series X_k = x_0 + 2 sum x_n
-    cos(pi n k/(2m)). Its even frequencies are a cosine transform of type 1 over the m + 1 rows,
-    its odd ones one of type 3 over m rows: the zero padding is never stored nor transformed. The
-    way back uses types 1 and 2.
-    """
-    m = rows.shape[0] - 1
-    columns = rows.shape[1]
-    data = rows.view(np.float64).reshape(m + 1, 2 * columns)
-    odd = fft.dct(data[:m], type=3, axis=0)
-    data[m] *= 2.0  # the last row and its mirror image are two rows of the extension
-    even = fft.dct(data, type=1, axis=0, overwrite_x=True)
-    # real and imaginary parts side by side: each column of the spectrum stands twice
-    even *= spectrum[: m + 1]
-    odd *= spectrum[m + 1 :]
-    result = fft.dct(even, type=1, axis=0, overwrite_x=True)
-    result[:m] += fft.dct(odd, type=2, axis=0, overwrite_x=True)
-    result *= 1.0 / (4 * m)
-    return result.view(np.complex128).reshape(m + 1, columns)

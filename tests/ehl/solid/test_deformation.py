@@ -8,7 +8,7 @@ from numpy.testing import assert_allclose
 
 from ehl.closed_form.hertz import ellipse_ratio, hertz_coefficients
 from ehl.grid import Grid
-from ehl.solid.deformation import deflect, deflection_kernel, patch_corner
+from ehl.solid.deformation import deflect, deflection_kernel, patch_corner, transform_length
 
 
 def make_grid(symmetric, cells=16):
@@ -36,9 +36,10 @@ def test_patch_integral_at_the_centre_of_a_square():
     assert_allclose(patch_integral(np.array(0.0), np.array(0.0), 0.3, 0.3), 4.0 * 0.3 * np.arcsinh(1.0), rtol=1e-14)
 
 
+@pytest.mark.parametrize("cells", [7, 8, 9])  # transforms along y longer than needed, of radix 4, and of radix 3
 @pytest.mark.parametrize("symmetric", [True, False], ids=["half", "full"])
-def test_convolution_is_the_direct_sum(symmetric):
-    grid = make_grid(symmetric, cells=8)
+def test_convolution_is_the_direct_sum(symmetric, cells):
+    grid = make_grid(symmetric, cells)
     random = np.random.default_rng(9027)
     P = random.random((grid.ny, grid.nx))  # the edge included
     kernel = deflection_kernel(grid, 0.7)
@@ -50,6 +51,21 @@ def test_convolution_is_the_direct_sum(symmetric):
             influence = patch_integral(x - X[None, :], y - rows[:, None], grid.hx, grid.hy)
             direct[j, i] = 0.7 * np.sum(influence * values)
     assert_allclose(deflect(kernel, P), direct, rtol=1e-12)
+
+
+def test_threads_change_nothing():
+    """Columns are transformed on their own."""
+    grid = make_grid(True, cells=24)
+    P = np.random.default_rng(60931).random((grid.ny, grid.nx))
+    kernel = deflection_kernel(grid, 1.0)
+    assert np.array_equal(deflect(kernel, P), deflect(kernel, P, threads=3))
+
+
+def test_transform_lengths():
+    """The next even length with at most three factors of three and otherwise factors of two."""
+    lengths = sorted(3**b * 2**a for b in range(4) for a in range(1, 12))
+    for least in range(1, 2049):
+        assert transform_length(least) == next(length for length in lengths if length >= least)
 
 
 def test_deflect_leaves_its_argument_alone():
