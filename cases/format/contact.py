@@ -67,6 +67,10 @@ class EhlTable(ContactEhlTable):
     subsurface_stress: bool = described(
         "also write the stress in the races below every solved pressure, for ParaView", False
     )
+    finite_bodies: bool = described(
+        "films with the curvatures that rings, on rigid seats, and balls have beyond half-spaces",
+        False,
+    )
 
 
 class ContactTable(Table):
@@ -103,6 +107,14 @@ KINEMATICS = ("slide_roll_ratio", "lateral_slide_ratio", "spin_rad_s", "mean_spi
 COATING = ("coating_thickness_um", "substrate_material")
 GROUPS = ("contact.moes_M", "contact.moes_L", "contact.radius_ratio")
 RELATIONS: tuple[Relation, ...] = (
+    *(
+        Needs(
+            f"bearing.{name}",
+            Where("ehl.finite_bodies", nonzero=True),
+            "needed with ehl.finite_bodies = true",
+        )
+        for name in ("bore_mm", "outside_diameter_mm", "width_mm")
+    ),
     *(
         Needs(f"contact.{name}", Where(f"contact.{reason}"))
         for reason in COATING

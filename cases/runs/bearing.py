@@ -7,6 +7,7 @@ from typing import Any
 
 from bearing.contacts.contact import BearingContact
 from bearing.contacts.contacts import contact_conditions
+from bearing.contacts.finite_bodies import FiniteBodies, finite_bodies, with_finite_bodies
 from bearing.contacts.traction import ContactTraction, contact_traction
 from bearing.friction.films import Asperities
 from bearing.friction.resistance import NO_RESISTANCE
@@ -64,9 +65,9 @@ def run_case(
         case = replace(case, traction=with_workers(case.traction, workers, notify, solve))
     try:
         state = case_equilibrium(case)
+        contacts, bodies = _contacts(case, state, notify)
     except KeyboardInterrupt:
         raise Interrupted(None) from None
-    contacts = contact_conditions(state, case.lubricant)
     timing = {"quasistatic": perf_counter() - start}
     wanted, messages = wanted_contacts(case, state, contacts)
     start = perf_counter()
@@ -91,11 +92,32 @@ def run_case(
         timing=timing,
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
         clearance=case.clearance,
+        finite_bodies=bodies,
         **friction,
     )
-    if interrupted:
-        raise Interrupted(results if any(solution is not None for solution in solutions) else None)
+    return _complete(results)
+
+
+def _complete(results: BearingResults) -> BearingResults:
+    """The results, or `Interrupted` with what is there of them."""
+    if results.interrupted:
+        some = any(solution is not None for solution in results.solutions)
+        raise Interrupted(results if some else None)
     return results
+
+
+def _contacts(
+    case: Case, state: QuasistaticSolution, notify: Progress
+) -> tuple[tuple[BearingContact, ...], FiniteBodies | None]:
+    """The contacts as lubricated ones, and what finite bodies change of their films, where the
+    case asks for it.
+    """
+    contacts = contact_conditions(state, case.lubricant)
+    if not (case.file.ehl.finite_bodies and state.converged):
+        return contacts, None
+    notify(0, 1, "finite bodies")
+    bodies = finite_bodies(case.bearing, contacts)
+    return with_finite_bodies(contacts, bodies), bodies
 
 
 def _friction(

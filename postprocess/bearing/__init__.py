@@ -1,16 +1,17 @@
 """Results of a bearing run.
 
-contacts     - contacts of a bearing: their quantities, and why some are null
-heating      - the block `self_heating` of the summary
-plots        - figures of the whole bearing: film or pressure of every ball over the azimuth
-plots_torque - figures of the friction torque: all models side by side in their components
-quantities   - quantities of ring, balls, frequencies, life, clearance, torque
-ratings      - rating life and clearance in the summary and in the terminal's table
-results      - results of a bearing run, and its distinct contacts
-rows         - rows of balls and frequencies in the summary and in the terminal's table
-summary      - the summary of results: quantities in named units
-supply       - the block `supply` of the summary: films that are starved
-table        - results as tables for a terminal of 80 columns
-torque       - the block `torque_N_mm` of the summary: friction torque by every model
-write        - files of a bearing run: contacts as CSV, fields as netCDF
+contacts      - contacts of a bearing: their quantities, and why some are null
+finite_bodies - the block `finite_bodies` of the summary: changes beside half-spaces
+heating       - the block `self_heating` of the summary
+plots         - figures of the whole bearing: film or pressure of every ball over the azimuth
+plots_torque  - figures of the friction torque: all models side by side in their components
+quantities    - quantities of ring, balls, frequencies, life, clearance, torque
+ratings       - rating life and clearance in the summary and in the terminal's table
+results       - results of a bearing run, and its distinct contacts
+rows          - rows of balls and frequencies in the summary and in the terminal's table
+summary       - the summary of results: quantities in named units
+supply        - the block `supply` of the summary: films that are starved
+table         - results as tables for a terminal of 80 columns
+torque        - the block `torque_N_mm` of the summary: friction torque by every model
+write         - files of a bearing run: contacts as CSV, fields as netCDF
 """

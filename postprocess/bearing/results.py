@@ -4,6 +4,7 @@ from dataclasses import dataclass
 from math import degrees
 
 from bearing.contacts.contact import BearingContact
+from bearing.contacts.finite_bodies import FiniteBodies
 from bearing.contacts.traction import ContactTraction
 from bearing.fits.clearance import ClearanceBudget
 from bearing.heating.self_heating import SelfHeatingSolution
@@ -32,6 +33,8 @@ class BearingResults(Results):
     life: LifeRating | None = None
     clearance: ClearanceBudget | None = None  # None where the operating one is given
     heating: SelfHeatingSolution | None = None  # None where no heat transfer is given
+    # None where the case leaves all bodies half-spaces
+    finite_bodies: FiniteBodies | None = None
 
     @property
     def converged(self) -> bool:

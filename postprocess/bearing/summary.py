@@ -10,6 +10,7 @@ from ..files import plain_document
 from ..quantities import CAGE_SPEED, FREQUENCIES, rows_of, values_of
 from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS
 from .contacts import contact_messages, contact_records, contact_values
+from .finite_bodies import finite_body_block, finite_body_messages
 from .heating import heating_block, heating_messages
 from .quantities import BALL_QUANTITIES, RING
 from .ratings import clearance_block, life_block, rating_messages
@@ -41,6 +42,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "torque_N_mm": torque_block(results),
         "supply": supply_block(results),
         "self_heating": heating_block(results),
+        "finite_bodies": finite_body_block(results),
         "timing_s": dict(results.timing),
     }
     head = results.head(results.converged, _bearing_messages(results))
@@ -66,6 +68,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
         yield from solution_messages(group.label, group.solution)
     yield from row_messages(results)
     yield from contact_messages(results)
+    yield from finite_body_messages(results)
     yield from rating_messages(results)
     yield from torque_messages(results)
     yield from rolling_messages(results)

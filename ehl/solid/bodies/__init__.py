@@ -4,9 +4,12 @@ compliance           - structural compliance of a ring at its balls, without the
 elasticity           - linear elasticity on meshes of quadratic hexahedra
 flat_block           - a flat block under the same nodal forces, half-space around it
 hexahedra            - meshes of quadratic hexahedra and integrals of their shape functions
+ring_difference      - surface of a ring under a contact, less that of a half-space
 ring_mesh            - mesh of a grooved ring, alone or with its shaft or housing
 ring_profile         - section of a grooved ring, and what it sits on
 smoothed_aggregation - linear systems of elasticity and conduction: multigrid, else factors
+sphere               - surface of a ball under two opposite contacts, less that of a half-space
+surface_difference   - the difference as constant, tilt, curvatures and rest
 """
 
 import lazy_loader

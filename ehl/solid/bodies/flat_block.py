@@ -38,7 +38,7 @@ def indentation(
     shapes (k,) [m], [-].
     """
     points = block.points
-    far = _far(block)
+    far = far_faces(block)
     prescribed = np.zeros((points.shape[1], 3, 1))
     for place, weight in zip(across, weights, strict=True):
         shifted = points[:, far] - np.array([[0.0], [place], [0.0]])
@@ -54,7 +54,7 @@ def indentation(
     return float(weights @ solution.values[loaded, 2, 0])
 
 
-def _far(block: HexMesh) -> Array:
+def far_faces(block: HexMesh) -> Array:
     """Nodes of all faces but the surface and the plane of symmetry."""
     along, across, depth = block.parameters
     ends = block.on(1, float(across.min())) | block.on(1, float(across.max()))
