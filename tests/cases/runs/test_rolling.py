@@ -54,7 +54,7 @@ def test_bearing_states_its_layer_and_the_torque_takes_it():
     extent = torque["rolling_extent"]
     assert document["case"]["lubricant"]["flooded_layer_um"] == 100.0 == pytest.approx(extent["layer_um"])
     assert extent["within_extent"] == pytest.approx(torque["models"]["integrated"]["rolling"], rel=1e-9)
-    assert 0.0 < extent["uncertainty"] < 0.2 * extent["within_extent"]
+    assert 0.0 < extent["uncertainty"] < 0.4 * extent["within_extent"]  # 65 points
     heavy = contacts[0]
     assert heavy["rolling_moment_box_N_mm"] != heavy["rolling_moment_N_mm"] > 0.0
     assert 0.0 < heavy["rolling_moment_uncertainty_N_mm"] < 0.5 * heavy["rolling_moment_N_mm"]  # 65 points
