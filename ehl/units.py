@@ -54,6 +54,7 @@ UNITS = {
     "m_s2": Unit("m/s2"),
     "N_s_m": Unit("N s/m"),
     "N_um": Unit("N/um", 1.0 / MICROMETRE, "N/m"),
+    "um_kN": Unit("um/kN", MICROMETRE / KILONEWTON, "m/N"),
     "N_m_mrad": Unit("N m/mrad", 1.0 / MILLIRADIAN, "N m/rad"),
     "mL_min": Unit("mL/min", 1e-6 / 60.0, "m3/s"),
     "J": Unit("J"),

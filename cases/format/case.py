@@ -130,7 +130,8 @@ def _bearing_case(file: BearingFile) -> Case:
     seats = fits.fit(file.fit, library)
     bearing, clearance = fits.in_operation(delivered, at, seats, file.temperatures, cage)
     # 3. the films, and the friction of balls on races
-    assumptions = model(file.model, file.friction)
+    rings = fits.elastic_rings(file.rings, file.fit, delivered, library)
+    assumptions = replace(model(file.model, file.friction), rings=rings)
     bodies = (bearing.ball_material, bearing.inner_ring_material)
     films = case_films(file.ehl, shear, bodies)
     pockets = cage_friction(file.cage)
@@ -154,7 +155,7 @@ def _bearing_case(file: BearingFile) -> Case:
         friction=torque,
         heating=fits.heating(file.friction, file.temperatures, oil, fluid, delivered, seats),
         clearance=clearance,
-        rows=rows(file.rows, delivered, assumptions.curvature),
+        rows=rows(file.rows, delivered, assumptions),
     )
 
 

@@ -16,7 +16,7 @@ from .bearing import BearingTable, SurfaceTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .dynamics import RENAMED, CageTable, DynamicsTable
 from .fields import Table, between, described
-from .fits import FitTable, TemperaturesTable
+from .fits import FitTable, RingsTable, TemperaturesTable
 from .friction import FrictionTable
 from .library import MaterialTable, name_faults, with_catalogue, with_library_names
 from .lubricant import LubricantTable, OilTable
@@ -82,6 +82,7 @@ class BearingFile(CaseFile):
     ehl: EhlTable = EhlTable()
     surface: SurfaceTable | None = None
     fit: FitTable | None = None
+    rings: RingsTable | None = None
     temperatures: TemperaturesTable | None = None
     slip: SlipTable | None = None
     friction: FrictionTable = FrictionTable()

@@ -1,8 +1,12 @@
-"""[fit] and [temperatures]: seats of the rings, clearance in operation, and the heat balance."""
+"""[fit], [rings] and [temperatures]: seats of the rings, elastic rings on them, clearance in
+operation, and the heat balance.
+"""
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
+from typing import Literal
 
+from bearing.contacts.shoulder import shoulder_diameter
 from bearing.fits.clearance import (
     ClearanceBudget,
     Fit,
@@ -14,14 +18,16 @@ from bearing.geometry import Bearing, Race
 from bearing.heating.heat_balance import Cooling
 from bearing.material import Material
 from bearing.operation import Operation
+from bearing.rings.elastic_ring import ElasticRing, ElasticRings, elastic_ring
 from ehl import Lubricant
+from ehl.solid.bodies.ring_profile import Seat
 from ehl.units import to_si
 
 from .fields import LENGTH_MAXIMUM, Name, Table, between, described, length, within
 from .friction import FrictionTable
 from .lubricant import Oil, lubricant
 from .problems import CaseFault, UnfitKey
-from .rules import CaseValues, Needs, Where, bounded
+from .rules import CaseValues, Excludes, Needs, Where, bounded
 
 
 class FitTable(Table):
@@ -35,6 +41,19 @@ class FitTable(Table):
     housing_outside_diameter_mm: float | None = length("left out, the outer ring is free")
     shaft_material: Name = described("material of the shaft", "bearing steel")
     housing_material: Name = described("material of the housing", "bearing steel")
+
+
+class RingsTable(Table):
+    """Rings as elastic bodies, by finite elements; a ring whose seat is left out yields at its
+    contacts alone.
+    """
+
+    inner_seat: Literal["rigid", "elastic", "free"] | None = described(
+        "of the inner ring: a rigid shaft, the shaft of [fit], or loose under a cosine pressure"
+    )
+    outer_seat: Literal["rigid", "elastic", "free"] | None = described(
+        "likewise, in a rigid housing or that of [fit], which is held on its outside"
+    )
 
 
 class TemperaturesTable(Table):
@@ -58,6 +77,17 @@ RELATIONS = (
     Needs("bearing.bore_mm", INNER),
     Needs("bearing.outside_diameter_mm", OUTER),
     Needs("fit.housing_outside_diameter_mm", OUTER),
+    Needs("bearing.bore_mm", Where("rings.inner_seat")),
+    Needs("bearing.width_mm", Where("rings.inner_seat")),
+    Needs("bearing.outside_diameter_mm", Where("rings.outer_seat")),
+    Needs("bearing.width_mm", Where("rings.outer_seat")),
+    Needs(
+        "fit.shaft_bore_mm",
+        Where("rings.inner_seat", "elastic"),
+        'needed with rings.inner_seat = "elastic": the bore of the shaft, 0 of a solid one',
+    ),
+    Needs("fit.housing_outside_diameter_mm", Where("rings.outer_seat", "elastic")),
+    Excludes("rings", "dynamics", "one of them: in simulations rings are rigid"),
 )
 
 
@@ -87,6 +117,42 @@ def fit(table: FitTable | None, materials: Mapping[str, Material]) -> Fit | None
         outer_interference=si["outer_ring_interference"],
         **table.si("shaft_bore_mm", "housing_outside_diameter_mm"),
     )
+
+
+def elastic_rings(
+    table: RingsTable | None,
+    seats: FitTable | None,
+    given: Bearing,
+    materials: Mapping[str, Material],
+) -> ElasticRings | None:
+    """The rings that [rings] makes elastic [m]; None without. `UnfitKey` where a section is not
+    known or impossible.
+    """
+    if table is None or table.inner_seat is table.outer_seat is None:
+        return None
+    fit_si = (seats or FitTable()).si()
+    bodies = {
+        Race.INNER: (table.inner_seat, fit_si["shaft_bore"], fit_si["shaft_material"]),
+        Race.OUTER: (
+            table.outer_seat,
+            fit_si["housing_outside_diameter"],
+            fit_si["housing_material"],
+        ),
+    }
+    rings: dict[str, ElasticRing] = {}
+    for race, (seat, diameter, material) in bodies.items():
+        if seat is None:
+            continue
+        shoulder = shoulder_diameter(given, race)
+        if shoulder is None:
+            key = f"{race.value}_shoulder_diameter_mm"
+            raise UnfitKey(("bearing", key), f"needed with rings.{race.value}_seat; no estimate")
+        body = (diameter, materials[material]) if seat == "elastic" else None
+        try:
+            rings[race.value] = elastic_ring(given, race, Seat(seat), shoulder, body)
+        except ValueError as error:
+            raise UnfitKey(("rings", f"{race.value}_seat"), f"no such ring: {error}") from error
+    return ElasticRings(**rings)
 
 
 def _rises(table: TemperaturesTable) -> TemperatureRise:

@@ -6,7 +6,7 @@ from itertools import combinations
 from typing import Any, Literal
 
 from bearing.geometry import Bearing
-from bearing.operation import Curvature, QuasistaticModel
+from bearing.operation import QuasistaticModel
 from bearing.rows import Row
 from bearing.studies.preload import preloaded_row
 
@@ -99,12 +99,13 @@ def _apart(first: float, second: float) -> float:
 
 
 def rows(
-    tables: tuple[RowTable, ...] | None, delivered: Bearing, curvature: Curvature
+    tables: tuple[RowTable, ...] | None, delivered: Bearing, model: QuasistaticModel
 ) -> tuple[Row, ...] | None:
     """Rows with positions and offsets [m], preloaded as delivered; None without [[rows]]."""
     if tables is None:
         return None
-    at_rest = QuasistaticModel(curvature=curvature)  # where nothing turns, no kinematics counts
+    # where nothing turns, no kinematics counts
+    at_rest = QuasistaticModel(curvature=model.curvature, rings=model.rings)
     result = []
     for table in tables:
         si = table.si()

@@ -8,6 +8,7 @@ plots_torque  - figures of the friction torque: all models side by side in their
 quantities    - quantities of ring, balls, frequencies, life, clearance, torque
 ratings       - rating life and clearance in the summary and in the terminal's table
 results       - results of a bearing run, and its distinct contacts
+rings         - elastic rings: seat, compliance, what they yield
 rows          - rows of balls and frequencies in the summary and in the terminal's table
 summary       - the summary of results: quantities in named units
 supply        - the block `supply` of the summary: films that are starved

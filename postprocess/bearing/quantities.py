@@ -34,6 +34,15 @@ CONTACTS_OF_BALLS = quantities(  # not in the summary, whose contacts have them
     *("outer_contact_angle_deg", "ball_axial_mm", "ball_radial_mm"),
 )
 BALL_QUANTITY = by_key((*BALL_QUANTITIES, *CONTACTS_OF_BALLS))
+RING_BODY = quantities(  # a ring as an elastic body
+    "",
+    "",
+    ("radial_compliance_um_kN", "radial compliance at a ball beyond Hertz'"),
+    ("axial_compliance_um_kN", "axial compliance at a ball beyond Hertz'"),
+    ("deflection_um", "largest movement of the groove at a ball"),
+    ("ovality_um", "largest less smallest radial movement"),
+    ("residual_ratio", "relative residual of the finite elements", "response.residual"),
+)
 ROW = quantities("", "", "axial_position_mm", "offset_um")
 LIFE_RATING = quantities(
     "",

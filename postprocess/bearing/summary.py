@@ -15,6 +15,7 @@ from .heating import heating_block, heating_messages
 from .quantities import BALL_QUANTITIES, RING
 from .ratings import clearance_block, life_block, rating_messages
 from .results import BearingResults, distinct_contacts
+from .rings import ring_blocks, ring_messages
 from .rows import kinematic_block, row_blocks, row_messages
 from .supply import supply_block, supply_messages
 from .torque import rolling_messages, torque_block, torque_messages
@@ -32,6 +33,7 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
             "message": state.message,
         },
         "rows": row_blocks(state),
+        "rings": ring_blocks(state),
         "cage_speed_rpm": CAGE_SPEED.value(state),
         "balls": rows_of(_balls(state)),
         "contacts": [contact_values(record) for record in contact_records(results)],
@@ -67,6 +69,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     for group in distinct_contacts(results):
         yield from solution_messages(group.label, group.solution)
     yield from row_messages(results)
+    yield from ring_messages(state)
     yield from contact_messages(results)
     yield from finite_body_messages(results)
     yield from rating_messages(results)

@@ -16,6 +16,7 @@ from .contacts import CONTACT_QUANTITY, TERMINAL_COLUMNS, ContactRecord, contact
 from .quantities import RING
 from .ratings import rating_rows
 from .results import BearingResults
+from .rings import ring_lines
 from .rows import frequency_lines, row_lines
 from .supply import supply_rows
 from .torque import torque_rows
@@ -50,7 +51,8 @@ def _bearing_table(results: BearingResults) -> Table:
     if not state.tilt.any():
         del rows["tilt_mrad"]
     rows = {titles.get(key, key): text for key, text in rows.items()}
-    rows |= row_lines(state) | frequency_lines(results) | rating_rows(results)
+    rows |= row_lines(state) | ring_lines(state)
+    rows |= frequency_lines(results) | rating_rows(results)
     return facts_table(rows | torque_rows(results) | supply_rows(results))
 
 

@@ -27,6 +27,7 @@ QUICK += ("6208_life", "6208_full_ceramic_warm", "7008_back_to_back")  # few fil
 QUICK += ("7008C_hybrid", "6205_all_silicon_nitride", "6010_cut_ellipse")  # no films
 QUICK += ("6206_axial_500N", "6206_radial_500N", "6206_combined_1000N", "6208_oil_temperature")  # no films
 QUICK += ("6208_oil_supply", "6208_self_heating", "6208_with_heat")  # no films
+QUICK += ("61808_loose_rings",)  # no films, elastic rings
 QUICK += ("7008_axial", "7008_radial", "7008_combined", "6304_planar")  # of the dynamics: loads at the start
 EXPECTED = Path(__file__).with_name("expected.json")
 COARSE = Path(__file__).with_name("expected_coarse.json")

@@ -43,6 +43,7 @@ ORDER = (
     "ehl",
     "surface",
     "fit",
+    "rings",
     "temperatures",
     "friction",
     "cage",

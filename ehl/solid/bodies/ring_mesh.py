@@ -18,6 +18,7 @@ from .ring_profile import RingCells, RingProfile, section_points
 
 DEPTH_GROWTH = 1.3  # of cells with the depth
 ANGLE_GROWTH = 1.3  # and away from the load
+BODY_GROWTH = 1.8  # and into shaft or housing
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -74,7 +75,7 @@ def ring_mesh(
     if profile.body_radius is not None:
         thickness = abs(profile.seat_radius - profile.body_radius)
         first = profile.wall * (depth[-1] - depth[-2]) / thickness
-        beyond = _graded(1.0, first, DEPTH_GROWTH, 1.0)
+        beyond = _graded(1.0, first, BODY_GROWTH, 1.0)
         depth = np.concatenate((depth, 1.0 + beyond[1:]))
 
     def place(parameters: Array) -> Array:

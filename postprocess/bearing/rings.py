@@ -1,0 +1,99 @@
+"""Elastic rings in the summary: seat, compliance, what they yield, cost of the finite elements."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.rings.compliance import response_of
+from bearing.rings.elastic_ring import ElasticRing
+from ehl.solid.bodies import RingResponse
+from ehl.units import MICROMETRE
+
+from ..quantities import values_of
+from .quantities import RING_BODY
+
+
+@dataclass(frozen=True, slots=True)
+class RingBody:
+    """One elastic ring of an equilibrium."""
+
+    race: str
+    ring: ElasticRing
+    response: RingResponse
+    movement: tuple[np.ndarray, np.ndarray]  # axial and radial at the balls [m]
+
+    @property
+    def axial_compliance(self) -> float:
+        """At a ball, of its own force, beyond Hertz' [m/N]."""
+        return float(self.response.at(np.zeros(1))[0, 0])
+
+    @property
+    def radial_compliance(self) -> float:
+        """Likewise [m/N]."""
+        return float(self.response.at(np.zeros(1))[1, 0])
+
+    @property
+    def deflection(self) -> float:
+        """Largest movement of the groove's centre at a ball [m]."""
+        return float(np.hypot(*self.movement).max())
+
+    @property
+    def ovality(self) -> float:
+        """Largest less smallest radial movement [m]."""
+        return float(np.ptp(self.movement[1]))
+
+
+def ring_bodies(state: QuasistaticSolution) -> tuple[RingBody, ...]:
+    """The elastic rings of an equilibrium, inner ring first."""
+    rings = state.model.rings
+    pairs = () if rings is None else (("inner", rings.inner), ("outer", rings.outer))
+    return tuple(
+        RingBody(
+            race,
+            ring,
+            response_of(ring),
+            (getattr(state, f"{race}_ring_axial"), getattr(state, f"{race}_ring_radial")),
+        )
+        for race, ring in pairs
+        if ring is not None
+    )
+
+
+def ring_blocks(state: QuasistaticSolution) -> list[dict[str, Any]]:
+    """Seat, compliance, movements and finite elements of each elastic ring; none, if rigid."""
+    return [
+        {
+            "race": body.race,
+            "seat": body.ring.seat.value,
+            **values_of(body, RING_BODY),
+            "shoulder_estimated": body.ring.estimated_shoulder,
+            "unknowns": body.response.unknowns,
+            "iterations": body.response.iterations,
+            "method": body.response.method,
+        }
+        for body in ring_bodies(state)
+    ]
+
+
+def ring_messages(state: QuasistaticSolution) -> Iterator[str]:
+    """What the seats are, and what was estimated."""
+    for body in ring_bodies(state):
+        estimate = ", its shoulders estimated" if body.ring.estimated_shoulder else ""
+        yield (
+            f"{body.race} ring: an elastic body, {body.ring.seat.value} on its seat{estimate}; "
+            f"grooves move by up to {body.deflection / MICROMETRE:.3g} um at the balls, beyond "
+            "Hertz' approach; films and pressures are those of half-spaces"
+        )
+
+
+def ring_lines(state: QuasistaticSolution) -> dict[str, str]:
+    """A line of the terminal's table for each elastic ring."""
+    lines = {}
+    for block in ring_blocks(state):
+        compliance = f"{block['radial_compliance_um_kN']:.3g} µm/kN beyond Hertz"
+        moves = f"moves {block['deflection_um']:.3g} µm, ovality {block['ovality_um']:.3g} µm"
+        lines[f"{block['race']} ring"] = f"elastic, seat {block['seat']}: {compliance}, {moves}"
+    return lines
