@@ -243,9 +243,10 @@ def _substitute(w, lanes):
 
 
 @compiled
-def solve_lines(work, lines, mesh, weights, backward, lateral):
+def solve_lines(work, lanes, lines, mesh, weights, backward, lateral):
     """Changes of LANES lines from their fields: their linear systems, elimination from the first
-    node to the last, and the way back.
+    node to the last, and the way back. `lanes` is LANES, in a form that the compiler cannot see
+    through: it would write out the short loop of the way back number by number.
     """
     last = work.size // ROW - 2 * LOWER - 2
     for i in range(1, last + 1):
@@ -260,4 +261,4 @@ def solve_lines(work, lines, mesh, weights, backward, lateral):
             _add_lateral(window, lines)
         _eliminate(window)
     for i in range(last, 0, -1):
-        _substitute(work[(LOWER + i) * ROW : (LOWER + i) * ROW + WINDOW], LANES)
+        _substitute(work[(LOWER + i) * ROW : (LOWER + i) * ROW + WINDOW], lanes)

@@ -160,7 +160,7 @@ def relax_lines(
         if lateral:
             _interleave_lateral(flow_y, slope_y, H, hy, kinds, start, end, work)
         # 3. solution and changes
-        solve_lines(work, lines, mesh, weights, backward, lateral)
+        solve_lines(work, len(residual), lines, mesh, weights, backward, lateral)
         for j in range(start, end, 2):
             delta = work[LOWER * ROW + RIGHT + (j - start) // 2 :: ROW]
             _apply_line(P[j], eps[j], kinds[j], delta, weights[0], relief, spread[j])
