@@ -4,7 +4,7 @@ from ehl import ContactSolution, SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 from postprocess.text import value_with_error
 
-from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, CIRCULAR_BOX, OIL, Named, moes
+from .contacts import CIRCULAR_20_10, CIRCULAR_200_10, CIRCULAR_BOX, OIL, Named, from_groups, moes
 from .page import Check, Section, Table, columns, each, percent, text
 
 CONTACTS = (
@@ -13,6 +13,15 @@ CONTACTS = (
     Named("M 100, L 10, R_x/R_y 0.1", moes(100.0, 10.0, 0.1, oil=OIL)),
     CIRCULAR_200_10,
     Named("M 5, L 10", moes(5.0, 10.0, oil=OIL)),
+    Named("M 5, L 0", moes(5.0, 0.0, oil=OIL)),
+    Named("M 500, L 5, R_x/R_y 0.1", moes(500.0, 5.0, 0.1, oil=OIL)),
+    Named("M 2000, L 10, R_x/R_y 0.03", moes(2000.0, 10.0, 0.03, oil=OIL)),
+    Named("M 100, L 5, R_x/R_y 3", moes(100.0, 5.0, 3.0, oil=OIL)),
+    Named("M 20, L 5, R_x/R_y 0.4, entrainment at 0.6 rad", moes(20.0, 5.0, 0.4, 0.6, oil=OIL)),
+    Named(
+        "M 100, L 10, R_x/R_y 0.2, turning",
+        from_groups(moes(100.0, 10.0, 0.2, oil=OIL), rotation=0.3),
+    ),
 )
 
 
@@ -38,9 +47,8 @@ def elements(quick: bool = False) -> Section:
         "contact | box | H_c, multigrid | H_c, elements |  | H_min, multigrid | H_min, elements | "
     )
     lines = (points[1] + 1) // 2
-    caption = (
-        f"Films in units of a²/R_x; multigrid {points[0]} points, elements {lines} lines of nodes:"
-    )
+    meshes = f"multigrid {points[0]} points, elements about {lines} lines of nodes"
+    caption = f"Films in units of a²/R_x; {meshes}:"
     return Section(
         title="Finite elements",
         text=text("elements"),
@@ -50,7 +58,6 @@ def elements(quick: bool = False) -> Section:
 
 
 def _both(contact: Named, points: tuple[int, int]) -> tuple[ContactSolution, ContactSolution]:
-    grid, mesh = (SolverOptions(points=n, domain=contact.box) for n in points)
-    return solve_contact(contact.conditions, grid), solve_contact_finite_element(
-        contact.conditions, mesh
-    )
+    options = [SolverOptions(points=n, domain=contact.box) for n in points]
+    grid = solve_contact(contact.conditions, options[0])
+    return grid, solve_contact_finite_element(contact.conditions, options[1], grid)

@@ -1,9 +1,10 @@
 """Run of a single contact."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from time import perf_counter
 
-from ehl import ContactConditions, ContactSolution
+from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
 from ehl.finite_element.solver import solve_contact_finite_element
 from ehl.kinematics import contact_kinematics
 from ehl.traction.rolling_moment import rolling_moment
@@ -15,8 +16,15 @@ from ..version import version
 from .films import shared_options
 
 FINITE_ELEMENT_NOTE = (
-    "finite elements: points are those of the graded mesh, cycles are Newton steps, no FFT"
+    "finite elements: points are those of the graded mesh, cycles are Newton steps, FFTs are on "
+    "the lattice of its lines"
 )
+START_NOTE = (
+    "started from the pressure of the multigrid on {points} points; mesh, equations and "
+    "deflection are the elements' own"
+)
+NO_START_NOTE = "the multigrid gave no start: reached through lighter loads"
+START_POINTS = 257  # of the multigrid at most
 NO_TOLERANCE = "ehl.tolerance: not used by finite elements, the film is solved on ehl.points"
 
 
@@ -28,13 +36,15 @@ def run_contact(
     A large contact is shared by as many threads as there are `workers` [-].
     """
     messages = (*case.warnings, *case.films.messages)
-    solve: Callable[..., ContactSolution] = case.films.solve
-    if finite_element:
-        solve = solve_contact_finite_element
-        unused = () if case.solver.tolerance is None else (NO_TOLERANCE,)
-        messages = (*messages, FINITE_ELEMENT_NOTE, *unused)
     start = perf_counter()
-    solution = solve(case.conditions, shared_options(case.solver, workers))
+    options = shared_options(case.solver, workers)
+    if finite_element:
+        solution, notes = _by_elements(case.conditions, options)
+        unused = () if case.solver.tolerance is None else (NO_TOLERANCE,)
+        messages = (*messages, *notes, *unused)
+    else:
+        solve: Callable[..., ContactSolution] = case.films.solve
+        solution = solve(case.conditions, options)
     traction = _contact_traction(case, solution)
     return ContactResults(
         version=version(),
@@ -44,6 +54,18 @@ def run_contact(
         timing={"total": perf_counter() - start},
         traction=traction,
     )
+
+
+def _by_elements(
+    conditions: ContactConditions | MoesConditions, options: SolverOptions
+) -> tuple[ContactSolution, tuple[str, ...]]:
+    """Solution by finite elements from the multigrid's, and notes on it."""
+    points = min(options.points, START_POINTS)
+    grid = solve_contact(conditions, replace(options, points=points, tolerance=None))
+    start = grid if grid.converged else None
+    note = START_NOTE.format(points=points) if start else NO_START_NOTE
+    solution = solve_contact_finite_element(conditions, options, start)
+    return solution, (FINITE_ELEMENT_NOTE, note)
 
 
 def _contact_traction(case: ContactCase, solution: ContactSolution) -> TractionResult | None:

@@ -134,7 +134,12 @@ def test_contact_by_finite_elements(tmp_path):
     answer = oilfilm("contact", "small.toml", "--method", "finite-element", "--json", "-o", "out")
     assert answer.exit_code == 0
     document = json.loads(answer.stdout)
-    assert document["points"] == [65, 57]
+    lines_x, lines_y = document["points"]
+    assert 57 <= lines_x <= 73
+    assert 49 <= lines_y <= 65
+    assert document["residual"] < 1e-6
+    assert abs(document["mass_imbalance"]) < 1e-6
+    assert any("pressure of the multigrid" in message for message in document["messages"])
     assert document["converged"]
     assert document["film_central_dimensionless"] == pytest.approx(0.4309, rel=0.01)
     assert any("Newton" in message for message in document["messages"])

@@ -99,7 +99,7 @@ def test_groups_are_the_contacts(bearing_folder, bearing_results, tmp_path):
 @pytest.mark.parametrize("suffix", FORMATS)
 def test_a_single_contact_is_the_mesh_of_its_nodes(contact_results, tmp_path, suffix):
     """With finite elements these are graded; cells and corners are those of the solver's mesh."""
-    from ehl.finite_element.reynolds import film_space
+    from ehl.finite_element.mesh import film_space
 
     solution = contact_results.solution
     graded = np.sinh(1.5 * np.linspace(-1.0, 1.0, len(solution.X)))
@@ -109,9 +109,10 @@ def test_a_single_contact_is_the_mesh_of_its_nodes(contact_results, tmp_path, su
     export_results(tmp_path / "run", path)
     mesh = meshio.read(path)
     a = solution.semi_axis_x * 1e3
-    elements = film_space(graded * a, solution.Y * a).basis.mesh
+    nodes = np.stack(np.meshgrid(graded * a, solution.Y * a, indexing="ij"), axis=-1).reshape(-1, 2)
+    elements = nodes[film_space(graded * a, solution.Y * a).corners]
     assert_allclose(np.ptp(mesh.points[:, 2]), 0.0)
-    assert corners(mesh.points[mesh.cells[0].data][..., :2]) == corners(elements.p.T[elements.t.T])
+    assert corners(mesh.points[mesh.cells[0].data][..., :2]) == corners(elements)
     fields = values_at_nodes(mesh, path)
     assert_allclose(fields["rolling [mm]"], mesh.points[:, 0], rtol=1e-14)
     film = (solution.H * solution.film_scale).astype(np.float32).astype(np.float64)

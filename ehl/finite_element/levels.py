@@ -1,0 +1,84 @@
+"""Meshes of a contact, each twice as fine as the one before, and what is set up once on each."""
+
+import numpy as np
+
+from ..arrays import Array
+from ..grid import unfolded
+from ..multigrid.bordered import nested_dissection
+from ..multigrid.far_field import far_field
+from ..scaling import ScaledContact
+from ..solid.compliance import Lattice, compliance, near_field
+from .mesh import film_space, graded_lines, integral_weights, refined
+from .newton import Level
+from .start import Start
+
+CELLS_Y = 7 / 16  # across half the contact, per cell along it
+# lines of nodes whose compliance enters the preconditioner
+REACH = 2
+GROWTH = 0.25  # of the cells outside the contact, over the distance from it
+
+
+def lattices(
+    contact: ScaledContact, domain: tuple[float, float, float], cells: int, levels: int
+) -> list[Lattice]:
+    """Meshes from coarsest to finest, which has about `cells` along x."""
+    x_in, x_out, y_half = domain
+    coarsest = cells // 2 ** (levels - 1)
+    i = graded_lines((x_in, x_out), coarsest, cell_along)
+    j = graded_lines((0.0, y_half), max(2, round(CELLS_Y * coarsest)), cell_across)
+    meshes = []
+    for _ in range(levels):
+        x = (x_in + (x_out - x_in) * i / i[-1]) * contact.half_extent_x
+        y = y_half * j / j[-1] * contact.half_extent_y
+        if contact.symmetric:
+            meshes.append(Lattice(x, y, i, j, symmetric=True))
+        else:
+            both = j[-1] + np.concatenate((-j[:0:-1], j))
+            meshes.append(Lattice(x, unfolded(y, sign=-1.0), i, both, symmetric=False))
+        i, j = refined(i), refined(j)
+    return meshes
+
+
+def cell_along(s: Array) -> Array:
+    """Cell along x, up to a factor, at `s` half extents of the Hertz ellipse [-]: finest at inlet
+    and outlet.
+    """
+    outside = np.maximum(0.0, np.maximum(-s - 1.2, s - 1.2))
+    inside = np.where(s > 0.35, 1.0, 2.0)
+    return np.asarray(inside / 64.0 + GROWTH * outside)
+
+
+def cell_across(s: Array) -> Array:
+    """Cell across the half contact, up to a factor: finest at the side of the ellipse [-]."""
+    outside = np.maximum(0.0, s - 1.1)
+    return np.asarray(np.where(s > 0.5, 1.0, 2.0) / 40.0 + GROWTH * outside)
+
+
+def level_on(contact: ScaledContact, mesh: Lattice, is_open: bool, start: Start) -> Level:
+    """One mesh with everything that does not change in the iteration."""
+    X, Y = mesh.x, mesh.y
+    space = film_space(X, Y)
+    areas = integral_weights(space)
+    x, y = (values.ravel() for values in np.meshgrid(X, Y, indexing="ij"))
+    side = y == Y[-1] if contact.symmetric else (y == Y[0]) | (y == Y[-1])
+    gap = contact.gap(x, y)
+    operator = compliance(mesh, contact.deformation, contact.coating)
+    P, H = start(x, y)
+    level = Level(
+        contact=contact,
+        X=X,
+        Y=Y,
+        space=space,
+        compliance=operator,
+        near=near_field(mesh, REACH, contact.deformation, contact.coating),
+        elimination=nested_dissection((len(X), len(Y)), (REACH + 1, REACH + 1)),
+        gap=gap,
+        areas=areas,
+        weights=(2.0 if contact.symmetric else 1.0) * areas,
+        edge=(x == X[0]) | (x == X[-1]) | side,
+        far=far_field(contact) if is_open else None,
+        P=P,
+        H=H,
+    )
+    level.approach = float((H - gap - operator @ P)[level.origin])
+    return level

@@ -1,0 +1,222 @@
+"""Newton's method on one mesh: pressures, H0 and the load together.
+
+Cavitation is the semi-smooth equation min(P, -R/d) = 0, d the diagonal (Hintermueller, Ito and
+Kunisch, 2002).
+"""
+
+from dataclasses import dataclass, field
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy import sparse
+
+from ..arrays import Array
+from ..grid import Grid
+from ..multigrid.bordered import Border, LinearSolverError, factor_bordered, solve_bordered
+from ..multigrid.far_field import FarField, exterior_load
+from ..scaling import ScaledContact
+from ..solid.compliance import Compliance
+from .mesh import FilmSpace
+from .oil_laws import oil_laws
+from .reynolds import (
+    coefficients,
+    couette_flow,
+    film_derivative,
+    pressure_derivative,
+    reynolds_residual,
+)
+
+ADVICE = "try more points"
+STEPS = 100  # of Newton on each mesh
+# largest change of pressure at a node in a step [-]; at M 50, L 28 and M 2000, L 28 0.2 takes 17 %
+# more and 6 % fewer steps, 0.5 does not converge at M 2000, L 28
+PRESSURE_STEP = 0.3
+LARGEST_FILM_LOSS = 0.7  # of the film at a node in a step
+TOLERANCE = 1e-5  # of the last change of pressure [-]
+LINEAR_TOLERANCE = 1e-3  # of each Newton step
+# Time steps, in units of a/u_m, of the transient through which the steady film is reached where a
+# step of Newton would change the pressure by more than `PRESSURE_STEP`
+TIME_STEP = 0.1  # the first
+SMALLEST_TIME_STEP = 0.01
+GROWTH = 3.0  # of the time step after one that changed the pressure less
+NEAR = 0.03  # change of pressure [-] below which the steady equations are solved
+OTHER_DEFLECTIONS = 3  # of a step beside those of GMRES: film, given pressures, change
+STALLED = 4  # steps at rest with a film that does not follow the pressure
+
+
+@dataclass(slots=True)
+class Level:
+    """One mesh and the state on it; nodes numbered i ny + j, lengths in units of a [-]."""
+
+    contact: ScaledContact
+    X: Array
+    Y: Array
+    space: FilmSpace
+    compliance: Compliance
+    near: sparse.csr_matrix  # of the compliance, for the preconditioner
+    elimination: NDArray[np.intp]  # order of the nodes in it
+    gap: Array
+    weights: Array  # integral of P = weights @ P, both halves
+    areas: Array
+    edge: NDArray[np.bool_]
+    far: FarField | None  # edge pressure of an open box
+    P: Array
+    H: Array
+    approach: float = 0.0
+
+    @property
+    def film(self) -> Array:
+        """H0 + gap + deflection, shape (nodes,) [-]."""
+        return self.approach + self.gap + self.compliance @ self.P
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Nodes along x and y."""
+        return len(self.X), len(self.Y)
+
+    @property
+    def origin(self) -> int:
+        """Number of the node next to (0, 0)."""
+        return int(abs(self.X).argmin()) * len(self.Y) + int(abs(self.Y).argmin())
+
+
+@dataclass(slots=True)
+class Progress:
+    """What each Newton step did [-]."""
+
+    residual: list[float] = field(default_factory=list)
+    load: list[float] = field(default_factory=list)
+    change: list[float] = field(default_factory=list)
+    iterations: list[int] = field(default_factory=list)  # of GMRES
+    deflected_nodes: int = 0  # by FFT, of all meshes together
+
+
+def newton(level: Level, progress: Progress) -> tuple[bool, str]:
+    """Newton's method on one mesh, in place; whether it converged, and a message.
+
+    Film and pressure are both unknowns, so that a film may stay positive where the start is not a
+    solution of the film equation, which holds after one full step. While the change is large, the
+    steps are those of a transient (backward Euler).
+    """
+    time_step = inf
+    at_rest = 0
+    for _ in range(STEPS):
+        miss = level.film - level.H
+        try:
+            change, rise = _step(level, miss, progress, 1.0 / time_step)
+        except LinearSolverError as error:
+            return False, f"the linear system was not solved: {error}; {ADVICE} or a smaller load"
+        size = float(np.abs(change).max())
+        time_step = next_time_step(time_step, size)
+        _advance(level, change, rise, miss, progress)
+        if size < TOLERANCE and time_step == inf:
+            overlap = float(np.abs(miss).max())
+            at_rest += 1
+            if overlap < TOLERANCE * level.contact.film_guess:
+                return True, "converged"
+            if at_rest > STALLED:
+                return False, f"not converged: the bodies overlap between nodes; {ADVICE}"
+    last = f"in the last of {STEPS} Newton steps"
+    return False, f"not converged: pressure changed by {size:.1e} {last}; {ADVICE}"
+
+
+def next_time_step(time_step: float, size: float) -> float:
+    """Shorter after a change of pressure beyond `PRESSURE_STEP`, else longer, infinite from `NEAR`
+    on [-].
+    """
+    if size > PRESSURE_STEP:
+        return max(min(time_step / GROWTH, TIME_STEP), SMALLEST_TIME_STEP)
+    return inf if size < NEAR else GROWTH * time_step
+
+
+def _advance(level: Level, change: Array, rise: float, miss: Array, progress: Progress) -> None:
+    """One step; a pressure changes at most by `PRESSURE_STEP`, a film loses at most
+    `LARGEST_FILM_LOSS` of itself.
+    """
+    before = level.H
+    change = np.clip(change, -PRESSURE_STEP, PRESSURE_STEP)
+    followed = before + rise + level.compliance @ change + miss
+    level.P = level.P + change
+    level.approach += rise
+    level.H = np.maximum(followed, (1.0 - LARGEST_FILM_LOSS) * before)
+    progress.change.append(float(np.abs(level.H / before - 1.0)[level.origin]))
+
+
+def _step(level: Level, miss: Array, progress: Progress, rate: float) -> tuple[Array, float]:
+    """Newton change of pressure and of H0 [-]; `miss` is what the film of the pressure exceeds the
+    film by, `rate` the reciprocal of the time step. The stabilisation time is taken as fixed.
+    """
+    # 1. Reynolds' equation and its derivatives
+    k = coefficients(level.space, level.contact, level.P, level.H)
+    residual = reynolds_residual(level.space, k)
+    by_pressure = pressure_derivative(level.space, k)
+    by_film = film_derivative(level.space, k)
+    if rate > 0.0:
+        rho = oil_laws(level.contact)(np.maximum(level.P, 0.0))[0]
+        by_pressure = by_pressure - sparse.diags(rate * level.areas * rho[1] * level.H)
+        by_film = by_film - sparse.diags(rate * level.areas * rho[0])
+    # 2. nodes that keep or take a given pressure: edge and cavitation
+    by_deflection = by_film.diagonal() * level.compliance.own
+    scale = np.abs(by_pressure.diagonal()) + np.abs(by_deflection)
+    fixed = level.edge | (level.P + residual / scale <= 0.0)
+    target, exterior = edge_pressure(level)
+    load = level.contact.load - exterior
+    error = load - float(level.weights @ level.P)
+    progress.residual.append(float(np.abs(np.where(fixed, 0.0, residual / scale)).max()))
+    progress.load.append(abs(error) / load)
+    given = np.where(fixed, target - level.P, 0.0)
+    moved = by_pressure @ given + by_film @ (level.compliance @ given + miss)
+    # 3. the free ones answer, with H0 and the load
+    free = ~fixed
+
+    calls = 0
+
+    def operator(p: Array) -> Array:
+        nonlocal calls
+        calls += 1
+        spread = np.zeros(len(free))
+        spread[free] = p
+        return (by_pressure @ spread + by_film @ (level.compliance @ spread))[free]
+
+    near = (by_pressure[free] + by_film[free] @ level.near)[:, free]
+    border = Border(column=np.asarray(by_film.sum(axis=1)).ravel()[free], row=level.weights[free])
+    factors = factor_bordered(near, border, _elimination(level, free))
+    right = (-(residual + moved)[free], error - float(level.weights @ given))
+    given[free], rise = solve_bordered(operator, border, factors, right, LINEAR_TOLERANCE)
+    progress.iterations.append(calls)
+    progress.deflected_nodes += (calls + OTHER_DEFLECTIONS) * len(level.P)
+    return given, rise
+
+
+def _elimination(level: Level, free: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """Order of elimination of the free nodes, by their numbers among themselves."""
+    order = level.elimination
+    return (np.cumsum(free) - 1)[order[free[order]]]
+
+
+def balance(level: Level) -> tuple[float, float]:
+    """sum |R| and sum R over the nodes that are neither cavitated nor on the edge, both over the
+    sum of |integral of rho H U grad phi| there: how far the discrete equations are from holding,
+    and the oil lost or gained [-].
+    """
+    k = coefficients(level.space, level.contact, level.P, level.film)
+    fluid = ~level.edge & (level.P > 0.0)
+    residual = reynolds_residual(level.space, k)[fluid]
+    flow = float(np.abs(couette_flow(level.space, k)[fluid]).sum())
+    return float(np.abs(residual).sum()) / flow, float(residual.sum()) / flow
+
+
+def edge_pressure(level: Level) -> tuple[Array, float]:
+    """Kapitza's (1955) pressure -(k X)/H^2 on the edge of an open box, and its load [-]."""
+    H = level.H
+    target = np.zeros_like(H)
+    if level.far is None:
+        return target, 0.0
+    x, y = (values.ravel() for values in np.meshgrid(level.X, level.Y, indexing="ij"))
+    target[level.edge] = (level.far.strength(x, y) / H**2)[level.edge]
+    x_in = float(level.X[0])
+    width = float(level.X[-1]) - x_in
+    corners = Grid(x_in=x_in, hx=width, hy=float(level.Y[-1]), nx=2, ny=2, symmetric=True)
+    inlet = np.full((2, 2), H[level.origin % len(level.Y)])
+    return target, exterior_load(level.far, corners, inlet)
