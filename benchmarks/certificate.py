@@ -13,8 +13,8 @@ from math import radians
 
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 from ehl.multigrid.cycle import relative_residual, start_level, update_film
-from ehl.multigrid.extrapolation import central_film, film_values
 from ehl.multigrid.full_multigrid import ATTEMPTS
+from ehl.multigrid.history import central_film, film_values
 from ehl.multigrid.newton import certify
 from ehl.solver import solve_attempts
 

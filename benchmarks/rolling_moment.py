@@ -1,7 +1,7 @@
 """Rolling moment of contacts of the ceramic 6208 by open box, mesh and layer: `python benchmarks/rolling_moment.py`.
 
 The box is the solver's choice; it is replaced by boxes of our own, on one mesh and on finer ones. Last, the error bar
-of sixteen contacts of `benchmarks/uncertainty.py` against the value extrapolated from 513 and 1025 points.
+of sixteen contacts against the value extrapolated from 513 and 1025 points.
 """
 
 from __future__ import annotations
@@ -12,11 +12,30 @@ from unittest.mock import patch
 
 import numpy as np
 
-from ehl import ContactConditions, SolverOptions, solve_contact
-from ehl.scaling import scale_contact
+from ehl import ContactConditions, Lubricant, SolverOptions, solve_contact
 from ehl.traction.rolling_moment import rolling_moment
-from uncertainty import CONTACTS, OIL
 from verification.contacts import race_6208
+
+OIL = Lubricant(viscosity=0.05, pressure_viscosity=18e-9)
+
+CONTACTS = (  # M, L, Rx/Ry, angle of the entrainment
+    (20, 10, 1, 0),
+    (200, 10, 1, 0),
+    (1000, 10, 1, 0),
+    (12, 25, 0.055, 0),
+    (100, 8, 0.3, 0.5),
+    (2000, 20, 0.02, 0),
+    (1000, 2, 0.1, 0),
+    (300, 15, 2, 0),
+    (100, 8, 5, 0),
+    (700, 12, 0.03, 0),
+    (5, 0.5, 1, 0),
+    (50, 20, 0.5, 0.8),
+    (400, 5, 0.5, 0),
+    (620, 28, 0.022, 0),
+    (30, 3, 0.1, 0.2),
+    (150, 0, 1, 0),
+)
 
 BALL = 6e-3  # radius [m]
 HEAVY = [((-4.0 * f, 1.57 * f, 2.88), int(256 * f) + 1) for f in (1, 2, 4)]  # box in semi-axes, points
@@ -34,8 +53,7 @@ POINTS = (129, 257, 513, 1025)
 
 def in_box(conditions, box, points):
     """Solved in an open box of ours."""
-    choice = (box, scale_contact(conditions).film_guess)
-    with patch("ehl.solver._pilot", lambda contact, progress: choice):
+    with patch("ehl.solver.choose_domain", lambda contact: box):
         return solve_contact(conditions, SolverOptions(points=points))
 
 

@@ -2,16 +2,22 @@
 
 from dataclasses import dataclass
 
+TOLERANCE = 0.01  # of the film where neither points nor a tolerance are given
+GENERALIZED_POINTS = 257  # of films with shear or heat, where neither is given
+MOST_POINTS = 1025  # taken to reach a tolerance, where no other number is given
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class SolverOptions:
     """What the user may choose about a contact solve."""
 
-    points: int = 257  # nodes along x on the finest level, 2^k + 1 [-]
+    # nodes along x on the finest level, 2^k + 1, or with a tolerance the most of them; None: as
+    # many as the tolerance needs, `MOST_POINTS` at most [-]
+    points: int | None = None
     # box (x_in, x_out, y_half) in Hertz semi-axes along x and along y [-]; None: the solver's own
     domain: tuple[float, float, float] | None = None
-    # relative error bar of central and minimum film to reach with at most `points`, starting from
-    # 129 [-]; None: solve on `points`
+    # relative error bar of central and minimum film to reach [-]; None: `TOLERANCE` without
+    # points, else none, and the film is solved on the points
     tolerance: float | None = None
     max_cycles: int = 20  # multigrid cycles allowed on the finest level
     # that share the lines of one contact; films do not depend on it beyond round-off, and below
@@ -19,7 +25,7 @@ class SolverOptions:
     threads: int = 1
 
     def __post_init__(self) -> None:
-        cells = self.points - 1
+        cells = self.most_points - 1
         if cells < 32 or cells > 4096 or cells & (cells - 1):
             raise ValueError(
                 "points must be 2^k + 1 from 33 to 4097 (for example 129, 257, 513), "
@@ -38,3 +44,13 @@ class SolverOptions:
                     "domain must enclose the Hertz ellipse: x_in < -1, x_out > 1, y_half > 1, "
                     f"got {self.domain}"
                 )
+
+    @property
+    def most_points(self) -> int:
+        """Nodes along x on the finest level, or the most of them [-]."""
+        return MOST_POINTS if self.points is None else self.points
+
+    @property
+    def wanted_tolerance(self) -> float | None:
+        """Error bar over the film to reach [-]; None: solve on the points."""
+        return TOLERANCE if self.tolerance is None and self.points is None else self.tolerance

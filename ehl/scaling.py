@@ -88,6 +88,11 @@ class ScaledContact:
         across = (X * s + Y * c) / self.semi_axis_ratio
         return np.asarray(np.sqrt(np.maximum(1.0 - along**2 - across**2, 0.0)))
 
+    def principal(self, X: float, Y: float) -> tuple[float, float]:
+        """A place of the grid's frame in the principal directions [-]."""
+        c, s = cos(self.frame_angle), sin(self.frame_angle)
+        return X * c - Y * s, X * s + Y * c
+
     @property
     def symmetric(self) -> bool:
         """Whether the solution is even in Y."""

@@ -32,17 +32,17 @@ class FilmValue:
 class ConvergenceRecord:
     """History of a solve: one entry of each tuple per cycle on the finest level [-]."""
 
-    residual: tuple[float, ...]  # residual over its diagonal, maximum norm [-]
+    # sum |R| over sum |div(rho u H)|, both over the fluid nodes: how far the equations are from
+    # holding [-]; of finite elements that of the solution alone
+    residual: tuple[float, ...]
     force_error: tuple[float, ...]  # relative error of the load balance [-]
     film_change: tuple[float, ...]  # relative change of central and minimum film in the cycle [-]
     cycles: int
-    # deflection FFTs, forward + inverse = 1, by nodes relative to the finest; with pilot
+    # deflection FFTs, forward + inverse = 1, by nodes relative to the finest, of all attempts
     fft_equivalents: float
     fallbacks: tuple[str, ...]  # attempts and corrections after the first, in order
     wall_time: float  # of the solve alone [s]
-    # sum |R| and sum R over the fluid nodes, both over sum |div(rho u H)|: how far the equations
-    # are from holding, and the oil lost or gained [-]
-    equation_error: float | None = None
+    # sum of R over the same, after the last cycle: the oil lost or gained [-]; None: not known
     mass_imbalance: float | None = None
 
 

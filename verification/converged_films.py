@@ -4,7 +4,6 @@ from dataclasses import dataclass
 
 from ehl import SolverOptions
 from ehl.multigrid.cycle import cycle
-from ehl.multigrid.extrapolation import film_values
 from ehl.multigrid.full_multigrid import (
     ATTEMPTS,
     AttemptResult,
@@ -12,6 +11,7 @@ from ehl.multigrid.full_multigrid import (
     contact_multigrid,
     full_multigrid,
 )
+from ehl.multigrid.history import film_values
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain
 
@@ -35,7 +35,7 @@ class ConvergedFilms:
 def solve_in_box(conditions: Conditions, options: SolverOptions, box: Box) -> AttemptResult:
     """One full multigrid solve in a box; its edge pressure is zero if `options` name the box."""
     state = contact_multigrid(scale_contact(conditions), box, options, ATTEMPTS[0])
-    outcome = AttemptResult(state=state)
+    outcome = AttemptResult(state=state, attempt=ATTEMPTS[0])
     full_multigrid(outcome, options, Progress())
     return outcome
 
@@ -49,7 +49,7 @@ def fully_converged_films(conditions: Conditions, box: Box | None, points: int) 
     own_box = box or choose_domain(scale_contact(conditions))
     outcome = solve_in_box(conditions, options, own_box)
     level = outcome.state.levels[-1]
-    films = outcome.films[-1]
+    films = outcome.levels[-1].film[-1]
     change = 1.0
     for _ in range(MOST_CYCLES):
         cycle(outcome.state, len(outcome.state.levels) - 1)

@@ -8,6 +8,7 @@ import numpy as np
 
 from ehl import ContactConditions, ContactSolution, MoesConditions, SolverOptions, solve_contact
 from ehl.conditions import moes_groups
+from ehl.multigrid.history import CENTRAL
 from ehl.units import MICROMETRE
 
 from .contacts import (
@@ -242,4 +243,4 @@ def box_film(name: str, is_open: bool, scale: float, points: int) -> float:
     conditions = moes(m, l, ratio, oil=OIL if ratio == 1.0 else race_6208(1.0).lubricant)
     domain = (scale * box[0], scale * box[1], scale * box[2])
     options = SolverOptions(points=points, domain=None if is_open else domain)
-    return solve_in_box(conditions, options, domain).films[-1][0]
+    return solve_in_box(conditions, options, domain).levels[-1].film[-1][CENTRAL]

@@ -26,7 +26,7 @@ STEPS = 300  # of the active set, which moves by a layer of nodes at a time
 
 def rigid_limit(quick: bool = False) -> Section:
     """M to zero at L = 0: rigid surfaces, isoviscous oil."""
-    points = 129 if quick else 1025
+    points = 257 if quick else 1025
     ratios = RATIOS[:1] if quick else RATIOS
     jobs = [(m, ratio) for ratio in ratios for m in LOADS]
     solutions = each(

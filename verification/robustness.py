@@ -10,7 +10,6 @@ from pathlib import Path
 from typing import Any
 
 from ehl import ContactSolution, SolverOptions, solve_contact
-from ehl.multigrid.thin_film import FALLBACK as THIN_FILM
 from ehl.multigrid.threads import cores
 from ehl.scaling import scale_contact
 from ehl.thread_pool import film_threads
@@ -38,7 +37,7 @@ class Finished:
     points: int  # of the last solve
     converged: bool
     resolved: bool
-    # Hmin/(S hx^2) of the last solve, of the extrapolated film if there is one; None: no film
+    # Hmin/(S hx^2) of the last solve; None: no film
     fineness: float | None
     measures: tuple[str, ...]  # taken in the last solve, without repetitions
     first_measures: tuple[str, ...]  # taken in the solve with the fewest points
@@ -69,7 +68,7 @@ class Finished:
 
 def strongest(measures: Iterable[str]) -> str:
     """The last of the measures: a further attempt, before a cycle that was repeated."""
-    taken = [name for name in measures if name != THIN_FILM]
+    taken = list(measures)
     attempts = [name for name in taken if not name.startswith("cycle")]
     return attempts[-1] if attempts else DAMPED if taken else "none"
 
@@ -107,11 +106,10 @@ def solve_draw(draw: Draw, points: tuple[int, ...] = POINTS) -> Finished:
 
 
 def _fineness(solution: ContactSolution) -> float | None:
-    """Hmin/(S hx^2) [-] of the finest or the extrapolated film; None if not positive."""
+    """Hmin/(S hx^2) [-] of the finest grid; None if not positive."""
     curvature = scale_contact(solution.conditions).curvature_x
     film = solution.film_minimum_dimensionless
-    best = film.value if THIN_FILM in solution.record.fallbacks else film.finest
-    value = best / (curvature * float(solution.X[1] - solution.X[0]) ** 2)
+    value = film.finest / (curvature * float(solution.X[1] - solution.X[0]) ** 2)
     return float(value) if isfinite(value) and value > 0.0 else None
 
 

@@ -6,7 +6,7 @@ from functools import partial
 
 from .page import Check, Picture, Section, Table, columns, text
 from .plots import MapPoint, draw_robustness
-from .robustness import DAMPED, POINTS, RESOLVABLE, THIN_FILM, Finished, strongest
+from .robustness import DAMPED, POINTS, RESOLVABLE, Finished, strongest
 
 OUTCOMES = ("converged and resolved", "converged, unresolved", "failed")
 
@@ -53,10 +53,6 @@ def _outcomes(finished: Sequence[Finished], points: tuple[int, ...]) -> Table:
             group = [f for f in finished if f.outcome == outcome and f.resolvable == resolvable]
             cells = [str(sum(f.points == n for f in group)) for n in points]
             rows.append((f"{outcome}, {name}", *cells, str(len(group))))
-    thin = sum(THIN_FILM in f.measures for f in finished)
-    rows.append(
-        ("of the last four: films extrapolated over the load", *("" for _ in points), str(thin))
-    )
     head = ("outcome", *(f"at {n} points" for n in points), "in all")
     return Table("Outcomes:", head, tuple(rows))
 

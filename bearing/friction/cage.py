@@ -17,7 +17,7 @@ from .resistance import Resistance
 
 CAGE_STEPS = 20  # rounds of the push of the cage
 CAGE_TARGET = 1.0e-8  # change to stop at [-]
-# slope of the required over the applied push beyond which a secant is not taken [-]
+# slope of the required over the applied push above which a secant is not taken [-]
 MAX_SECANT_SLOPE = 0.5
 
 
@@ -71,7 +71,7 @@ def _secant_cage_force(applied: Array, required: Array, last: tuple[Array, Array
     at = int(np.abs(applied).argmax())  # pushes of all rounds are in one proportion, by the loads
     step = float(applied[at] - last[0][at])
     slope = float(required[at] - last[1][at]) / step if step != 0.0 else np.inf
-    if abs(slope) >= MAX_SECANT_SLOPE:
+    if not slope < MAX_SECANT_SLOPE:
         return required
     return required + slope / (1.0 - slope) * (required - applied)
 

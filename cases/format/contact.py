@@ -8,6 +8,7 @@ from pydantic import model_validator
 
 from bearing.material import Material, reduced_modulus
 from ehl import ContactConditions, Lubricant, MoesConditions
+from ehl.options import GENERALIZED_POINTS, TOLERANCE
 from ehl.solid.coating import Coating
 
 from .fields import (
@@ -27,11 +28,13 @@ from .fields import (
 from .problems import CaseFault, shown
 from .rules import CaseValues, Excludes, Needs, Relation, Where
 
+NEWTONIAN = "newtonian"
+
 
 class FilmModel(Enum):
     """Physics of the films."""
 
-    NEWTONIAN = "newtonian"
+    NEWTONIAN = NEWTONIAN
     SHEAR_THINNING = "shear-thinning"
     THERMAL = "thermal"
 
@@ -39,9 +42,11 @@ class FilmModel(Enum):
 class ContactEhlTable(Table):
     """Grid of a single contact."""
 
-    points: Points = described("nodes along the entrainment on the finest level, 2^k + 1", 257)
+    points: Points = described(
+        "nodes along the entrainment on the finest level, 2^k + 1; with a tolerance the most", 1025
+    )
     tolerance: float | None = between(
-        1e-5, 0.5, "relative error bar of the films; `points`, or 1025, is then the most taken"
+        1e-5, 0.5, "relative error bar of the films; 0.01 where `points` is left out"
     )
     domain: Domain | None = described(
         "[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses"
@@ -54,10 +59,12 @@ class ContactEhlTable(Table):
     @model_validator(mode="before")
     @classmethod
     def _budget(cls, table: Any) -> Any:
-        """A tolerance without points may take up to 1025 of them."""
-        if not isinstance(table, dict) or table.get("tolerance") is None:
+        """Without points a tolerance, of films with shear or heat points."""
+        if not isinstance(table, dict) or "points" in table or table.get("tolerance") is not None:
             return table
-        return {"points": 1025, **table}
+        if table.get("film_model", NEWTONIAN) != NEWTONIAN:
+            return {**table, "points": GENERALIZED_POINTS}
+        return {**table, "tolerance": TOLERANCE}
 
 
 class EhlTable(ContactEhlTable):

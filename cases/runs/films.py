@@ -81,7 +81,7 @@ def _groups(conditions: Sequence[ContactConditions | None]) -> list[list[int]]:
 
 def shared_options(options: SolverOptions, threads: int) -> SolverOptions:
     """The options with so many threads a contact, if it is large enough to gain by them."""
-    shared = threads > 1 and options.points >= LARGE_CONTACT
+    shared = threads > 1 and options.most_points >= LARGE_CONTACT
     return replace(options, threads=threads) if shared else options
 
 

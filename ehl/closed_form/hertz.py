@@ -14,7 +14,7 @@ taken there.
 """
 
 from dataclasses import dataclass
-from math import cbrt, exp, log, pi
+from math import cbrt, exp, log, pi, sqrt
 
 import scipy
 
@@ -78,6 +78,24 @@ def hertz_coefficients(radius_ratio: float) -> tuple[float, float, float]:
     g = 3.0 / (2.0 * pi * k * f**2)
     d = 3.0 / pi * float(scipy.special.elliprf(0.0, 1.0, k**2)) / f
     return f, g, d
+
+
+def hertz_deflection(x: float, y: float, ratio: float) -> float:
+    """Integral of P/r over the ellipse x^2 + (y/ratio)^2 < 1 under Hertz pressure of unit load,
+    seen from a place inside or outside it, both in units of the semi-axis along x [-].
+
+    3/4 integral from t of (1 - x^2/(1 + s) - y^2/(ratio^2 + s))/sqrt((1 + s)(ratio^2 + s) s) ds, t
+    the confocal ellipse through (x, y), 0 inside (Hertz, 1882; Carlson's integrals).
+    """
+    b2 = ratio**2
+    # x^2/(1 + t) + y^2/(b^2 + t) = 1
+    half = 0.5 * (x * x + y * y - 1.0 - b2)
+    rest = b2 * (x * x - 1.0) + y * y
+    t = half + sqrt(max(half * half + rest, 0.0)) if rest > 0.0 else 0.0
+    whole = 2.0 * float(scipy.special.elliprf(t, t + 1.0, t + b2))
+    along_x = 2.0 / 3.0 * float(scipy.special.elliprd(t, t + b2, t + 1.0))
+    along_y = 2.0 / 3.0 * float(scipy.special.elliprd(t, t + 1.0, t + b2))
+    return 0.75 * (whole - x * x * along_x - y * y * along_y)
 
 
 def contact_stiffness(radius_x: float, radius_y: float, reduced_modulus: float) -> float:

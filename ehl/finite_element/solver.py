@@ -15,12 +15,13 @@ import numpy as np
 from ..arrays import Array
 from ..conditions import ContactConditions, MoesConditions
 from ..grid import unfolded
-from ..multigrid.extrapolation import extrapolate
-from ..multigrid.thin_film import at_load
+from ..multigrid.extrapolation import second_order
+from ..multigrid.history import RESOLVED
+from ..multigrid.open_box import choose_domain
 from ..options import SolverOptions
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution, ConvergenceRecord
-from ..solver import RESOLVED, choose_domain
+from ..solver import at_load, with_bars_judged
 from .levels import lattices, level_on
 from .newton import Level, Progress, balance, newton
 from .start import Start, hertz_start, start_from_level, start_from_solution
@@ -127,14 +128,13 @@ def _refine(
 def _record(attempt: Attempt, progress: Progress, wall_time: float) -> ConvergenceRecord:
     equation_error, imbalance = balance(attempt.level)
     return ConvergenceRecord(
-        residual=tuple(progress.residual),
+        residual=(equation_error,),
         force_error=tuple(progress.load),
         film_change=tuple(progress.change),
         cycles=len(progress.residual),
         fft_equivalents=progress.deflected_nodes / len(attempt.level.P),
         fallbacks=(),
         wall_time=wall_time,
-        equation_error=equation_error,
         mass_imbalance=imbalance,
     )
 
@@ -194,15 +194,15 @@ def _solution(
     if attempt.converged and not resolved:
         ratio = f"minimum film/(mesh size)^2 is {fineness:.2f}, below {RESOLVED:g}"
         message = f"converged but unresolved: {ratio}"
-    return ContactSolution(
+    solution = ContactSolution(
         conditions=conditions,
         options=options,
         X=X,
         Y=Y,
         P=_whole_box(level, level.P)[2],
         H=H,
-        film_central_dimensionless=extrapolate(central[-2:], noise),
-        film_minimum_dimensionless=extrapolate(minimum[-2:], noise),
+        film_central_dimensionless=second_order(central[-2:], noise),
+        film_minimum_dimensionless=second_order(minimum[-2:], noise),
         approach_dimensionless=level.approach,
         moes_load=contact.moes_load,
         moes_lubricant=contact.moes_lubricant,
@@ -217,6 +217,7 @@ def _solution(
         message=message,
         record=record,
     )
+    return with_bars_judged(solution)
 
 
 def _fineness(X: Array, H: Array, minimum: float, contact: ScaledContact) -> float:

@@ -16,7 +16,7 @@ is tens of times the one at which the oil thins, a Poiseuille factor that follow
 """
 
 from dataclasses import replace
-from math import inf, isfinite
+from math import inf
 
 import numpy as np
 
@@ -25,18 +25,26 @@ from ..multigrid.cycle import Multigrid, start_level, update_film
 from ..multigrid.far_field import exterior_load
 from ..multigrid.full_multigrid import (
     ATTEMPTS,
+    DIVERGED,
     PLAIN_CYCLES,
+    Attempt,
     AttemptResult,
     contact_multigrid,
-    film_values,
     guarded_cycle,
     restore,
     snapshot,
 )
+from ..multigrid.history import CENTRAL, MINIMUM, start_history
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution, FilmValue
-from ..solver import resolution_message, solve_contact, unfold_symmetry, with_bars_judged
+from ..solver import (
+    resolution_message,
+    solve_contact,
+    unfold_symmetry,
+    with_bars_judged,
+    with_history,
+)
 from .flow import Continuation, FlowState, GeneralizedFlow
 
 # entries among the fallbacks of a record
@@ -79,13 +87,14 @@ def solve_by_continuation(
         message = f"the Newtonian film is {plain.message}"
         return with_fallbacks(replace(plain, message=message), fallbacks), None
     # 2. share of rheology and heat
-    state, share, halvings = _raise_share(_start(plain, options, flow), flow)
+    start, attempt = _start(plain, options, flow)
+    state, share, halvings = _raise_share(start, flow)
     fallbacks += halvings * (SMALLER_STEP,)
     # 3. cycles at the full share
-    result = AttemptResult(state=state)
+    result = AttemptResult(state=state, attempt=attempt)
     if share == 1.0:
         _finish(result, CYCLES_FACTOR * options.max_cycles)
-    if result.films:
+    if result.levels:
         solution = _solution(plain, result)
     else:
         where = f"from the Newtonian film at {share:.0%} of rheology and heat"
@@ -99,8 +108,12 @@ def with_fallbacks(solution: ContactSolution, fallbacks: tuple[str, ...]) -> Con
     return replace(solution, record=replace(solution.record, fallbacks=fallbacks))
 
 
-def _start(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow) -> Multigrid:
-    """Levels on the grid of a solution: its damping, pressure and approach."""
+def _start(
+    plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow
+) -> tuple[Multigrid, Attempt]:
+    """Levels on the grid of a solution: its damping, pressure and approach; the attempt that these
+    settings are of.
+    """
     scaled = [scale_contact(flow.conditions, along_entrainment=turned) for turned in (False, True)]
     contact = min(scaled, key=lambda frame: abs(frame.frame_angle - plain.frame_angle))
     contact = replace(contact, film_guess=plain.film_central_dimensionless.finest)
@@ -114,7 +127,7 @@ def _start(plain: ContactSolution, options: SolverOptions, flow: GeneralizedFlow
     if state.far_field is not None:
         state.exterior = exterior_load(state.far_field, level.grid, level.H)
         level.load = contact.load - state.exterior
-    return state
+    return state, attempt
 
 
 def _raise_share(state: Multigrid, flow: GeneralizedFlow) -> tuple[Multigrid, float, int]:
@@ -154,7 +167,7 @@ def _settles(state: Multigrid, cycles: int) -> bool:
     """Cycle at a share until the flow has settled; False if a cycle diverged."""
     level = state.levels[-1]
     for count in range(1, cycles + 1):
-        if not isfinite(guarded_cycle(state, len(state.levels) - 1)):
+        if guarded_cycle(state, len(state.levels) - 1) == DIVERGED:
             return False
         if count >= STEP_CYCLES and level.flow_state.change <= FLOW_TOLERANCE:
             break
@@ -162,28 +175,28 @@ def _settles(state: Multigrid, cycles: int) -> bool:
 
 
 def _finish(result: AttemptResult, cycles: int) -> None:
-    """Accelerated cycles at the full share to convergence; no films if one diverges."""
+    """Accelerated cycles at the full share to convergence; no history if one diverges."""
     state = result.state
     index = len(state.levels) - 1
-    level = state.levels[-1]
+    level = state.levels[index]
     residual = inf
     acceleration = Acceleration()
-    result.film.append(film_values(level.grid, level.H))
+    history = start_history(state, index)
     for _ in range(cycles):
         before = (level.P.copy(), state.approach)
-        residual = guarded_cycle(state, index, residual)
-        if not isfinite(residual):
-            result.films = []
+        equations = guarded_cycle(state, index, residual)
+        if equations == DIVERGED:
             return
-        result.add_cycle(residual)
-        result.films = [result.film[-1]]
+        history.record(state, index, equations)
+        residual = equations[0]
         flow: FlowState = level.flow_state
-        if result.converged() and flow.change <= FLOW_TOLERANCE:
-            return
+        if history.finished(None) and flow.change <= FLOW_TOLERANCE:
+            break
         settled = flow.heat is None or flow.heat.change < SETTLED_TEMPERATURE
-        if settled and len(result.changes) > PLAIN_CYCLES:
+        if settled and PLAIN_CYCLES < len(history.residual) < cycles:
             level.P, state.approach = acceleration.next(before, (level.P, state.approach))
             update_film(state, index)
+    result.levels = [history]
 
 
 def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
@@ -191,17 +204,11 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
     _, P, H = unfold_symmetry(result.state)
     deflected = result.state.deflected_nodes() / result.state.levels[-1].P.size
     record = replace(
-        plain.record,
-        residual=tuple(result.residual),
-        force_error=tuple(result.load),
-        film_change=tuple(result.changes),
-        cycles=len(result.changes),
+        with_history(plain.record, result),
         fft_equivalents=plain.record.fft_equivalents + deflected,
-        equation_error=result.equations[0],
-        mass_imbalance=result.equations[1],
     )
-    central = _in_proportion(plain.film_central_dimensionless, result, 0)
-    minimum = _in_proportion(plain.film_minimum_dimensionless, result, 1)
+    central = _in_proportion(plain.film_central_dimensionless, result, CENTRAL)
+    minimum = _in_proportion(plain.film_minimum_dimensionless, result, MINIMUM)
     resolved, message = resolution_message(result)
     solution = replace(
         plain,
@@ -211,7 +218,7 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
         film_minimum_dimensionless=minimum,
         approach_dimensionless=result.state.approach,
         resolved=resolved,
-        converged=result.converged(),
+        converged=result.converged,
         message=message,
         record=record,
     )
@@ -220,7 +227,8 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
 
 def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmValue:
     """Central (0) or minimum (1) film, extrapolated in proportion to the Newtonian one [-]."""
-    finest = result.films[-1][kind]
+    history = result.levels[-1]
+    finest = history.film[-1][kind]
     ratio = finest / plain.finest
-    uncertainty = abs(ratio) * plain.uncertainty + result.remaining_error() * abs(finest)
+    uncertainty = abs(ratio) * plain.uncertainty + history.noise(kind) * abs(finest)
     return FilmValue(value=ratio * plain.value, uncertainty=uncertainty, finest=finest)

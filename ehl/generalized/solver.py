@@ -11,7 +11,7 @@ from ..grid import unfolded
 from ..multigrid.full_multigrid import ATTEMPTS, Attempt
 from ..oil.film_state import FilmState, log_gradient_thinning, log_mean_fluidity
 from ..oil.rheology import Rheology
-from ..options import SolverOptions
+from ..options import GENERALIZED_POINTS, SolverOptions
 from ..solid.heat import SolidThermal
 from ..solution import ContactSolution
 from ..solver import solve_attempts, solve_contact
@@ -61,7 +61,8 @@ def solve_generalized(
     options: SolverOptions | None = None,
 ) -> GeneralizedSolution:
     """Pressure, film, shear stress and temperature of a steady flooded contact, Yang and Wen
-    (1990). Newtonian and of uniform temperature it is that of `solve_contact`.
+    (1990). Newtonian and of uniform temperature it is that of `solve_contact`; otherwise it is
+    solved on 257 points where the options have neither points nor a tolerance.
 
     solids: body 1 and body 2, None: uniform temperature; oil_temperature: of the oil that flows in
     [K], None: the lubricant's temperature of operation. ValueError where the lubricant has no
@@ -76,6 +77,8 @@ def solve_generalized(
         contact = solve_contact(conditions, options)
         nodes = film_section().nodes
         return GeneralizedSolution(contact=contact, rheology=rheology, nodes=nodes)
+    if options.points is None and options.tolerance is None:
+        options = replace(options, points=GENERALIZED_POINTS)
     heat = None
     if solids is not None:
         heat = FilmHeat(conditions=conditions, solids=solids, oil_temperature=oil_temperature)

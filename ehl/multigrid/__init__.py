@@ -6,13 +6,14 @@ _relaxation_kernels - line relaxation, compiled
 acceleration        - nonlinear Krylov acceleration of the multigrid cycle
 bordered            - linear systems bordered by the load: GMRES, factors of the near field
 cycle               - full approximation scheme of the contact: levels, relaxation, cycles
-extrapolation       - film values of a grid, and grid-converged values with error bars
+extrapolation       - grid-converged films with error bars from the levels of a contact
 far_field           - pressure of a flooded contact far from its centre
 flow_model          - factors between the oil's flow and that of a Newtonian oil
 full_multigrid      - full multigrid of one contact, Venner and Lubrecht (2000)
+history             - films, residual and load after each cycle on a level
 jacobian            - derivative of the discrete equations of a level
 newton              - Newton's method on the finest level: certificate and last resort
-thin_film           - films too thin for the mesh, extrapolated over the load
+open_box            - open box of a contact from its film by formula
 threads             - threads that share the lines of a grid
 transfer            - transfers between a grid and the one with doubled mesh size
 """

@@ -1,87 +1,75 @@
-"""Film values of a grid, and grid-converged values with error bars from several levels."""
+"""Grid-converged films with error bars from the levels of one contact."""
 
 from collections.abc import Sequence
-from math import log2
+from math import nan
 
-import numpy as np
-from numpy.typing import NDArray
-
-from ..grid import Grid
 from ..solution import FilmValue
+from .history import MINIMUM, LevelHistory
 
-Array = NDArray[np.float64]
+ORDER_STEP = 3.0  # 2^2 - 1: the step to the limit is the difference of two levels over this
+# Error bars, in steps of the extrapolation, chosen on 66 random contacts so that they cover 98 %
+# and judged on others, see docs/theory/contact.md: of the central and of the minimum film
+STEP_SHARES = (0.12, 0.45)
+LOBE_STEP = 1.2  # of the minimum of an oblique entrainment, which moves from lobe to lobe
+SHORT_SEQUENCE = 0.5  # where the second level below the finest is none or not resolved
+UNRESOLVED_BELOW = 1.0  # where the level below is not
+LOWEST_RATIO = 2.0  # of two steps: first order
+ALONE = 4.0  # over Hmin/(S hx^2): relative bar of a level alone
 
-ORDER = 2.0  # of the discretisation
-ORDER_RANGE = (1.0, 2.5)  # of observed orders; others are clipped to it
-# the true order may be this much below the observed one; calibrated in docs/theory/contact.md
-ORDER_DOUBT = 0.4
 
+def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = False) -> FilmValue:
+    """Central (0) or minimum (1) film by Richardson extrapolation of second order from the two
+    finest levels, and its error bar; not a number without levels.
 
-def extrapolate(values: Sequence[float], noise: float) -> FilmValue:
-    """Richardson extrapolation with the observed order, and its uncertainty.
-
-    With two levels the order is taken as 2 and the whole difference as uncertainty; one level
-    allows no estimate, and the uncertainty is the value itself.
+    The bar is a share of the last step, or what a sequence of the order that the last two steps
+    show has its limit away from that of second order, and what the cycles left.
 
     Parameters
     ----------
-    values : sequence of float
-        One value per level, coarsest first, mesh size halved from one to the next [-].
-    noise : float
-        Relative change of the value in the last cycle [-].
+    levels : sequence of LevelHistory
+        Coarsest first, mesh size halved from one to the next.
+    kind : int
+        0 central, 1 minimum film.
+    oblique : bool
+        Whether the entrainment is at an angle to the principal directions or turns.
     """
-    values = [float(value) for value in values]
-    finest = values[-1]
-    if len(values) < 2:
+    if not levels:
+        return FilmValue(value=nan, uncertainty=nan, finest=nan)
+    finest = levels[-1].film[-1][kind]
+    noise = levels[-1].noise(kind)
+    if len(levels) < 2:
+        bar = min(ALONE / max(levels[-1].fineness, 1e-9), 1.0) + noise
+        return FilmValue(value=finest, uncertainty=bar * abs(finest), finest=finest)
+    films = [level.film[-1][kind] for level in levels[-3:]]
+    noise = (4.0 * noise + levels[-2].noise(kind)) / 3.0
+    step = (films[-1] - films[-2]) / ORDER_STEP
+    share = LOBE_STEP if oblique and kind == MINIMUM else STEP_SHARES[kind]
+    if not levels[-2].resolved:
+        bar = max(share, UNRESOLVED_BELOW) * abs(step)
+    elif len(films) < 3 or not levels[-3].resolved:
+        bar = max(share, SHORT_SEQUENCE) * abs(step)
+    else:
+        bar = max(share * abs(step), _departure(step, (films[-2] - films[-3]) / ORDER_STEP))
+    value = finest + step
+    return FilmValue(value=value, uncertainty=bar + noise * abs(value), finest=finest)
+
+
+def _departure(step: float, before: float) -> float:
+    """How far from step to the limit of second order a sequence of the order seen ends: with steps
+    in the ratio r = 2^p, |step - before/4| * 4/(r - 1), p one at least.
+    """
+    ratio = max(abs(before / step), LOWEST_RATIO) if step else LOWEST_RATIO
+    return 4.0 / (ratio - 1.0) * abs(step - 0.25 * before)
+
+
+def second_order(films: Sequence[float], noise: float) -> FilmValue:
+    """A film of the last two of several meshes, each twice as fine as the one before, by
+    Richardson extrapolation of second order; the bar is the whole difference and a relative noise
+    [-].
+    """
+    finest = float(films[-1])
+    if len(films) < 2:
         return FilmValue(value=finest, uncertainty=abs(finest), finest=finest)
-    difference = finest - values[-2]
-    step = difference / (2.0**ORDER - 1.0)
-    second_order = FilmValue(
-        value=finest + step, uncertainty=abs(difference) + noise * abs(finest), finest=finest
-    )
-    if len(values) < 3:
-        return second_order
-    before = values[-2] - values[-3]
-    ratio = before / difference if difference else float("inf")
-    if ratio <= 1.0:  # differences that do not fall have no order
-        return second_order
-    order = min(max(log2(ratio), ORDER_RANGE[0]), ORDER_RANGE[1])
-    observed = difference / (2.0**order - 1.0)
-    doubtful = difference / (2.0 ** (order - ORDER_DOUBT) - 1.0)
-    uncertainty = abs(observed - step) + abs(doubtful - observed) + noise * abs(finest)
-    return FilmValue(value=finest + observed, uncertainty=float(uncertainty), finest=finest)
-
-
-def central_film(grid: Grid, H: Array) -> float:
-    """Film at the origin; cubic interpolation along x where the origin is no node [-]."""
-    line = H[0] if grid.symmetric else H[grid.ny // 2]
-    X = grid.X
-    i = int(np.argmin(np.abs(X)))
-    if abs(X[i]) < 1e-9 * grid.hx:
-        return float(line[i])
-    first = min(max(int(np.searchsorted(X, 0.0)) - 2, 0), grid.nx - 4)
-    nodes = X[first : first + 4]
-    values = line[first : first + 4]
-    weights = [
-        np.prod([-other / (node - other) for other in nodes if other != node]) for node in nodes
-    ]
-    return float(np.dot(weights, values))
-
-
-def film_values(grid: Grid, H: Array) -> tuple[float, float]:
-    """Central film, and minimum film by a parabola in each direction [-]."""
-    j, i = np.unravel_index(int(np.argmin(H)), H.shape)
-    minimum = float(H[j, i])
-    if 0 < i < grid.nx - 1:
-        minimum -= _dip(H[j, i - 1], H[j, i], H[j, i + 1])
-    if grid.symmetric and j == 0:
-        return central_film(grid, H), minimum
-    if 0 < j < grid.ny - 1:
-        minimum -= _dip(H[j - 1, i], H[j, i], H[j + 1, i])
-    return central_film(grid, H), minimum
-
-
-def _dip(before: float, middle: float, after: float) -> float:
-    """How far the parabola through three equidistant values dips below the middle one."""
-    curvature = before - 2.0 * middle + after
-    return (after - before) ** 2 / (8.0 * curvature) if curvature > 0.0 else 0.0
+    step = (finest - films[-2]) / ORDER_STEP
+    bar = ORDER_STEP * abs(step) + noise * abs(finest)
+    return FilmValue(value=finest + step, uncertainty=bar, finest=finest)

@@ -77,7 +77,15 @@ def edge_pressure(field: FarField, grid: Grid, H: Array, P: Array) -> None:
 
 
 def exterior_load(field: FarField, grid: Grid, H: Array) -> float:
-    """Integral of the far field outside the box [-].
+    """Integral of the far field outside the box of a grid, from the film on its inlet edge [-]."""
+    origin = 0 if grid.symmetric else grid.ny // 2
+    x_in = float(grid.X[0])
+    level = float(H[origin, 0]) - 0.5 * field.curvature_x * x_in**2
+    return load_outside(field, (x_in, float(grid.X[-1]), float(grid.Y[-1])), level)
+
+
+def load_outside(field: FarField, box: tuple[float, float, float], level: float) -> float:
+    """Integral of the far field outside a box (x_in, x_out, y_half) [-].
 
     In polar coordinates the gap is h + q r^2/2 with the level h seen on the inlet edge (negative
     where the Hertz approach outweighs the deflection), and with c = 2h/q each ray carries integral
@@ -88,15 +96,12 @@ def exterior_load(field: FarField, grid: Grid, H: Array) -> float:
     angle = (np.arange(DIRECTIONS) + 0.5) * 2.0 * np.pi / DIRECTIONS
     x, y = np.cos(angle), np.sin(angle)
     strength = np.maximum(-(field.pressure_x * x + field.pressure_y * y), 0.0)
-    x_in = grid.X[0]
-    x_out = grid.X[-1]
-    y_half = grid.Y[-1]
+    x_in, x_out, y_half = box
     with np.errstate(divide="ignore"):
         radius = np.minimum(np.where(x < 0.0, x_in / x, x_out / x), y_half / np.abs(y))
     # 2. gap h + q r^2/2 along each ray, c = 2h/q
     q = field.curvature_x * x * x + field.curvature_y * y * y + 2.0 * field.curvature_xy * x * y
-    origin = 0 if grid.symmetric else grid.ny // 2
-    c = 2.0 * (H[origin, 0] - 0.5 * field.curvature_x * x_in**2) / q
+    c = 2.0 * level / q
     # far inside the Hertz gap: the edge of the ray stays outside the contact
     c = np.maximum(c, -0.9 * radius**2)
     # 3. integral along each ray, and over the angle

@@ -17,17 +17,15 @@ from .cycle import (
     Damping,
     Multigrid,
     cycle,
-    load_error,
     make_multigrid,
     refresh_factors,
     relative_residual,
-    reynolds_residual,
     start_level,
     update_film,
 )
-from .extrapolation import central_film, film_values
 from .far_field import far_field
 from .flow_model import FlowModel
+from .history import FILMS, LevelHistory, central_film, start_history
 from .threads import Threads
 from .transfer import interpolate_cubic
 
@@ -37,25 +35,18 @@ Array = NDArray[np.float64]
 COARSEST_CELLS = 16
 # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 STARTING_MESH = (0.2, 0.55)
-LEVEL_CYCLES = 3  # cycles on each level of the full multigrid below the finest
-# relative error of central and minimum film left by the iteration, estimated from its contraction
-FILM_TOLERANCE = 4e-4
-CONTRACTION = (0.4, 0.9)  # bounds of the contraction in that estimate
-FEWEST_CYCLES = 2  # on the finest level, before its film can count as converged
-# sum |R| / sum |div(rho u H)| over the fluid nodes, above which a film at rest is no solution
-RESIDUAL_TOLERANCE = 5e-3
-LOAD_TOLERANCE = 1e-4  # relative error of the load balance
-PRESSURE_LIMIT = 5.0  # of P, above which the iteration has diverged
+LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
+SETTLING_CYCLES = 12  # most cycles on the other levels below the finest
+# of P, above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
+PRESSURE_LIMIT = 40.0
 GROWTH_LIMIT = 10.0  # of the residual in one cycle, above which it has, too
-PLAIN_CYCLES = 5  # on the finest level, before the cycles are accelerated
+PLAIN_CYCLES = 5  # on a level, before the cycles are accelerated
 STEP_CYCLES = 5  # under each lighter load, where the load is reached in steps
+DIVERGED = (inf, inf)  # in place of residual and mass imbalance after a cycle
+ACCEPTED_ERROR = 5e-3  # of the film, left by the cycles; above, further attempts are made
 HALVINGS = 3  # of the damping on one level before it counts as diverged
 # the origin is a node of the level with this many cells along x, and of all finer ones
 ORIGIN_CELLS = 32
-
-SMALLEST_FILM = 1e-12  # keeps a relative change finite
-
-Films = list[tuple[float, float]]  # central and minimum film of each level, coarsest first
 
 
 @dataclass(slots=True, kw_only=True)
@@ -64,65 +55,6 @@ class Progress:
 
     fallbacks: list[str] = field(default_factory=list)
     deflected_nodes: int = 0  # nodes times deflection FFTs
-
-
-@dataclass(slots=True, kw_only=True)
-class AttemptResult:
-    """Levels of one attempt and the history of the finest of them; all quantities [-]."""
-
-    state: Multigrid
-    # of each level, coarsest first; empty if the iteration diverged
-    films: Films = field(default_factory=list)
-    # on the finest level, before the first and after each cycle
-    film: Films = field(default_factory=list)
-    residual: list[float] = field(default_factory=list)  # after each cycle
-    load: list[float] = field(default_factory=list)
-    changes: list[float] = field(default_factory=list)
-    # after the last cycle: how far the equations are from holding, and the oil lost or gained
-    equations: tuple[float, float] = (inf, inf)
-
-    def add_cycle(self, residual: float) -> None:
-        """Append film, change, load error and mean residual of a finest-level cycle, and judge its
-        equations [-].
-        """
-        index = len(self.state.levels) - 1
-        film = film_values(self.state.levels[index].grid, self.state.levels[index].H)
-        before = self.film[-1]
-        self.film.append(film)
-        self.changes.append(
-            max(
-                abs(new - old) / max(abs(new), SMALLEST_FILM)
-                for new, old in zip(film, before, strict=True)
-            )
-        )
-        self.residual.append(residual)
-        self.load.append(load_error(self.state, index))
-        self.equations = relative_residual(self.state, index)
-
-    def remaining_error(self) -> float:
-        """Relative film error the iteration leaves, change * q/(1 - q) with q the contraction of
-        the last cycle [-]; after one cycle its whole change.
-        """
-        if not self.films or not self.changes:
-            return inf
-        if len(self.changes) < 2:
-            return self.changes[-1]
-        before, last = self.changes[-2:]
-        q = min(max(last / before if before > 0.0 else 0.0, CONTRACTION[0]), CONTRACTION[1])
-        return last * q / (1.0 - q)
-
-    def settled(self) -> bool:
-        """Film and load within their tolerances after two cycles at least, film positive."""
-        return (
-            len(self.changes) >= FEWEST_CYCLES
-            and self.remaining_error() < FILM_TOLERANCE
-            and abs(self.load[-1]) < LOAD_TOLERANCE
-            and self.film[-1][1] > 0.0
-        )
-
-    def converged(self) -> bool:
-        """Whether film and load have come to rest where the equations hold."""
-        return self.settled() and self.equations[0] < RESIDUAL_TOLERANCE
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -145,6 +77,35 @@ class Attempt:
         if self.along_entrainment and contact.frame_angle == turned.frame_angle:
             return False
         return not self.long_only or contact.half_extent_x > contact.half_extent_y
+
+
+@dataclass(slots=True, kw_only=True)
+class AttemptResult:
+    """Levels of one attempt and what their cycles did."""
+
+    state: Multigrid
+    attempt: Attempt
+    # of each level from the one it started on, coarsest first; empty if the iteration diverged
+    levels: list[LevelHistory] = field(default_factory=list)
+
+    @property
+    def converged(self) -> bool:
+        """Whether the films of the finest level have come to rest where the equations hold."""
+        return bool(self.levels) and self.levels[-1].converged()
+
+    @property
+    def error(self) -> float:
+        """Relative film error that the cycles left, of the worse film [-]; infinite if the
+        iteration diverged.
+        """
+        if not self.levels:
+            return inf
+        return max(self.levels[-1].noise(kind) for kind in FILMS)
+
+    @property
+    def rank(self) -> tuple[bool, float]:
+        """Smaller for the better of two attempts."""
+        return not self.converged, self.error
 
 
 WIDE_MESH_MORE_CYCLES = "mesh doubled across the entrainment, three times the cycles"
@@ -179,7 +140,8 @@ def solve_with_fallbacks(
     lighter: tuple[ScaledContact, ...] = (),
     attempts: tuple[Attempt, ...] = ATTEMPTS,
 ) -> AttemptResult:
-    """The first attempt that converges, or the one with the smallest remaining error.
+    """The first attempt that converges to `ACCEPTED_ERROR`, or the one that the cycles left with
+    the smallest error, one that converged before others.
 
     `contacts` are the same contact, on a grid along a principal direction and on one along the
     entrainment; `lighter` the first under rising loads below its own.
@@ -191,16 +153,15 @@ def solve_with_fallbacks(
             continue
         if best is not None:
             progress.fallbacks.append(attempt.name)
-        result = AttemptResult(
-            state=contact_multigrid(contact, domain, options, attempt, flow_model)
-        )
+        state = contact_multigrid(contact, domain, options, attempt, flow_model)
+        result = AttemptResult(state=state, attempt=attempt)
         limit = replace(options, max_cycles=attempt.cycles_factor * options.max_cycles)
         steps = lighter if attempt.from_lighter else ()
         full_multigrid(result, limit, progress, attempt.finer_start, steps)
         progress.deflected_nodes += result.state.deflected_nodes()
-        if best is None or result.converged() or result.remaining_error() < best.remaining_error():
+        if best is None or result.rank < best.rank:
             best = result
-        if best.converged():
+        if best.converged and best.error < ACCEPTED_ERROR:
             break
     assert best is not None
     return best
@@ -221,11 +182,15 @@ def contact_multigrid(
     if is_open:
         outlet = ceil(x_out / (x_out - x_in) * ORIGIN_CELLS - 1e-9)
         x_out = outlet * -x_in / (ORIGIN_CELLS - outlet)
-    levels = ((options.points - 1) // COARSEST_CELLS).bit_length()
+    levels = ((options.most_points - 1) // COARSEST_CELLS).bit_length()
     aspect = attempt.mesh_y * contact.half_extent_y / contact.half_extent_x
     symmetric = contact.symmetric and (flow_model is None or flow_model.symmetric)
     grids = grid_hierarchy(
-        options.points, (x_in, x_out, y_half * contact.half_extent_y), aspect, levels, symmetric
+        options.most_points,
+        (x_in, x_out, y_half * contact.half_extent_y),
+        aspect,
+        levels,
+        symmetric,
     )
     state = make_multigrid(
         contact, grids, far_field(contact) if is_open else None, attempt.damping
@@ -243,10 +208,10 @@ def full_multigrid(
     lighter: tuple[ScaledContact, ...] = (),
 ) -> None:
     """Solve level after level; the load on the first of them is reached through those of
-    `lighter`. If the iteration diverges, `result.films` is empty.
+    `lighter`. If the iteration diverges, `result.levels` is empty.
     """
     state = result.state
-    films = []
+    levels: list[LevelHistory] = []
     finest = len(state.levels) - 1
     first = _starting_level(state, finer)
     if not _start_in_steps(state, first, lighter, progress):
@@ -256,13 +221,13 @@ def full_multigrid(
         if index > first:
             below = state.levels[index - 1]
             start_level(state, index, interpolate_cubic(below.P, below.grid.symmetric))
-        # 2. a few cycles, on the finest level until it has converged
-        if index < finest:
-            if not _cycle_on(state, index, LEVEL_CYCLES, progress):
-                return
-            films.append(film_values(state.levels[index].grid, state.levels[index].H))
-        else:
-            _finish(result, films, options, progress)
+        # 2. cycles until film, load and equations are at rest
+        most = options.max_cycles if index == finest else SETTLING_CYCLES
+        history = settle(state, index, most, progress, levels[-1] if levels else None)
+        if history is None:
+            return
+        levels.append(history)
+    result.levels = levels
 
 
 def _starting_level(state: Multigrid, finer: int) -> int:
@@ -315,33 +280,61 @@ def _start_in_steps(
 
 def _cycle_on(state: Multigrid, index: int, count: int, progress: Progress) -> bool:
     """A number of cycles on a level; False if they diverged."""
-    return inf not in _guarded_cycles(state, index, count, progress)
+    return DIVERGED not in _guarded_cycles(state, index, count, progress)
+
+
+def settle(
+    state: Multigrid, index: int, most: int, progress: Progress, below: LevelHistory | None
+) -> LevelHistory | None:
+    """Cycle on a level until its film is at rest, `most` times at most and `LEVEL_CYCLES` times
+    where the mesh is too coarse for the film; None if the cycles diverged.
+    """
+    level = state.levels[index]
+    history = start_history(state, index)
+    acceleration = Acceleration()
+    before = (level.P.copy(), state.approach)
+    finest = index == len(state.levels) - 1
+    for equations in _guarded_cycles(state, index, most, progress):
+        if equations == DIVERGED:
+            return None
+        history.record(state, index, equations)
+        cycles = len(history.residual)
+        if history.finished(below) or (
+            cycles >= LEVEL_CYCLES and not finest and not history.resolved
+        ):
+            break
+        if PLAIN_CYCLES < cycles < most:
+            level.P, state.approach = acceleration.next(before, (level.P, state.approach))
+            update_film(state, index)
+        before = (level.P.copy(), state.approach)
+    return history
 
 
 def _guarded_cycles(
     state: Multigrid, index: int, count: int, progress: Progress
-) -> Iterator[float]:
-    """Run cycles on a level and yield the mean residual; one that diverges is undone and repeated
-    with half the damping. If three halvings do not help, the last residual is infinite.
+) -> Iterator[tuple[float, float]]:
+    """Run cycles on a level and yield how far the equations are from holding, see
+    `relative_residual`; one that diverges is undone and repeated with half the damping. If three
+    halvings do not help, the last is `DIVERGED`.
     """
     last = inf
     halvings = 0
     cycles = 0
     while cycles < count:
         before = snapshot(state, index)
-        residual = guarded_cycle(state, index, last)
-        if residual == inf:
+        equations = guarded_cycle(state, index, last)
+        if equations == DIVERGED:
             restore(state, index, before)
             if halvings == HALVINGS:
-                yield inf
+                yield DIVERGED
                 return
             halvings += 1
             state.damping = state.damping.halved()
             progress.fallbacks.append("cycle undone, damping halved")
             continue
-        last = residual
+        last = equations[0]
         cycles += 1
-        yield residual
+        yield equations
 
 
 Snapshot = tuple[Array, float, float, float]
@@ -360,35 +353,15 @@ def restore(state: Multigrid, index: int, before: Snapshot) -> None:
     update_film(state, index)
 
 
-def guarded_cycle(state: Multigrid, index: int, last: float = inf) -> float:
-    """One cycle on a level; its mean residual, infinite if it diverged from the last one [-]."""
+def guarded_cycle(state: Multigrid, index: int, last: float = inf) -> tuple[float, float]:
+    """One cycle on a level; how far the equations are from holding then, see `relative_residual`,
+    or `DIVERGED`, judged by the residual before it [-].
+    """
     with np.errstate(all="ignore"):  # a cycle that diverges may overflow
         refresh_factors(state, index)
         cycle(state, index)
-        residual = float(np.abs(reynolds_residual(state, index)).mean())
-    diverged = not np.isfinite(residual) or residual > GROWTH_LIMIT * last
-    return inf if diverged or not 0.0 < state.levels[index].P.max() <= PRESSURE_LIMIT else residual
-
-
-def _finish(
-    result: AttemptResult, films: Films, options: SolverOptions, progress: Progress
-) -> None:
-    """Cycle on the finest level until film and load have converged."""
-    state = result.state
-    index = len(state.levels) - 1
-    level = state.levels[-1]
-    result.film.append(film_values(level.grid, level.H))
-    acceleration = Acceleration()
-    before = (level.P.copy(), state.approach)
-    for residual in _guarded_cycles(state, index, options.max_cycles, progress):
-        if residual == inf:
-            result.films = []
-            return
-        result.add_cycle(residual)
-        result.films = [*films, result.film[-1]]
-        if result.converged():
-            return
-        if len(result.changes) > PLAIN_CYCLES:
-            level.P, state.approach = acceleration.next(before, (level.P, state.approach))
-            update_film(state, index)
-        before = (level.P.copy(), state.approach)
+        equations = relative_residual(state, index)
+    diverged = not np.isfinite(equations[0]) or equations[0] > GROWTH_LIMIT * last
+    if diverged or not 0.0 < state.levels[index].P.max() <= PRESSURE_LIMIT:
+        return DIVERGED
+    return equations

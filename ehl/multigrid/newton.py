@@ -26,8 +26,8 @@ from .bordered import (
     solve_bordered,
 )
 from .cycle import Multigrid, refresh_factors, relative_residual, update_film
-from .extrapolation import film_values
 from .far_field import exterior_load
+from .history import film_values
 from .jacobian import Linearisation, deflected, linearise, load_row, near_field, product
 
 # Beside each number what it changes, in sums over six contacts at 129 and 257 points, one of them

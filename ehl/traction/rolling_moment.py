@@ -138,7 +138,7 @@ def _solution_error(solution: ContactSolution, contact: ScaledContact, moment: f
     centre = int(np.abs(solution.X).argmin())
     mesh = float(np.gradient(solution.X)[centre]) / half_length
     lever = MESH_ERROR * mesh**1.5 * half_length * a
-    residual = solution.record.equation_error or 0.0
+    residual = solution.record.residual[-1] if solution.record.residual else 0.0
     return lever * conditions.load + RESIDUAL_ERROR * residual * abs(moment)
 
 

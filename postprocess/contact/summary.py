@@ -55,7 +55,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "resolved": solution.resolved,
         "domain": list(solution.domain),
         "points": list(solution.P.shape),
-        "residual": solution.record.equation_error,
+        "residual": solution.record.residual[-1] if solution.record.residual else None,
         "mass_imbalance": solution.record.mass_imbalance,
         "cycles": solution.record.cycles,
         "fft_equivalents": solution.record.fft_equivalents,

@@ -19,10 +19,10 @@ from bearing.library.lubricants import library_lubricant
 from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact
 from ehl.conditions import moes_groups
 from ehl.multigrid.cycle import Damping, cycle, start_level, update_film
-from ehl.multigrid.extrapolation import central_film, extrapolate
+from ehl.multigrid.extrapolation import extrapolate
 from ehl.multigrid.flow_model import FlowFactors
-from ehl.multigrid.full_multigrid import ATTEMPTS, LOAD_TOLERANCE, Progress, contact_multigrid, solve_with_fallbacks
-from ehl.multigrid.thin_film import FALLBACK
+from ehl.multigrid.full_multigrid import ATTEMPTS, Progress, contact_multigrid, solve_with_fallbacks
+from ehl.multigrid.history import FINISHED, central_film
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain, solve_attempts
 
@@ -75,7 +75,7 @@ def test_cycles_do_not_grow_with_the_grid():
 def test_convergence_record_is_what_it_says():
     record = circular(129).record
     assert record.cycles == len(record.residual) == len(record.force_error) == len(record.film_change)
-    assert abs(record.force_error[-1]) < LOAD_TOLERANCE
+    assert abs(record.force_error[-1]) < FINISHED[1]
     assert record.residual[-1] < 0.2 * record.residual[0]
     assert record.fallbacks == ()
 
@@ -84,7 +84,7 @@ def test_load_is_carried():
     """Integral of the pressure returned = 2 pi/3, to the tolerance of the load balance."""
     s = circular(129)
     hx, hy = s.X[1] - s.X[0], s.Y[1] - s.Y[0]
-    assert_allclose(s.P.sum() * hx * hy, 2.0 * np.pi / 3.0, rtol=LOAD_TOLERANCE)
+    assert_allclose(s.P.sum() * hx * hy, 2.0 * np.pi / 3.0, rtol=FINISHED[1])
 
 
 def test_pressure_is_never_negative_and_film_never_zero():
@@ -164,7 +164,7 @@ def test_box_is_open_by_default_and_covers_a_thick_film():
     box = choose_domain(scale_contact(MoesConditions(load_parameter=10.0, lubricant_parameter=25.0, lubricant=OIL)))
     assert box[0] < -10.0
     thin = choose_domain(scale_contact(replace(CIRCULAR, load_parameter=500.0)))
-    assert -5.0 < thin[0] <= -4.0
+    assert -5.0 < thin[0] < -2.5
 
 
 def test_thin_film_pressure_goes_to_hertz():
@@ -240,9 +240,17 @@ def test_tolerance_refines_until_the_bars_are_small_enough():
 
 def test_tolerance_beyond_the_budget_is_said():
     s = solve_contact(CIRCULAR, SolverOptions(points=129, domain=BOX, tolerance=1e-4))
-    assert s.converged
-    assert not s.resolved
-    assert "not reached" in s.message
+    assert s.converged and s.resolved
+    assert "not reached at 129 points" in s.message
+
+
+def test_films_are_within_one_percent_by_default():
+    """Light and heavy, wide, oblique and turning contacts: the mesh is chosen so that both bars are within 1 %."""
+    for conditions in (CIRCULAR, replace(CIRCULAR, load_parameter=300.0), replace(OBLIQUE, load_parameter=30.0)):
+        s = solve_contact(conditions)
+        assert s.message == "converged"
+        assert s.film_central_dimensionless.relative_uncertainty <= 0.01
+        assert s.film_minimum_dimensionless.relative_uncertainty <= 0.01
 
 
 @pytest.mark.parametrize("tolerance", [0.0, -1.0, 1.0, float("nan")])
@@ -278,9 +286,10 @@ def test_unresolved_is_said():
     assert "unresolved" in s.message or not s.converged
 
 
-def test_film_thicker_than_the_paraboloid_allows_is_said():
+def test_film_thicker_than_the_paraboloid_allows_is_none():
     s = solve_contact(replace(INNER_500N, load=0.1), SolverOptions(points=65))
-    assert not s.resolved
+    assert not s.resolved and not s.converged
+    assert s.film_central is None
     assert "no paraboloid" in s.message
 
 
@@ -322,9 +331,9 @@ def test_oblique_entrainment_on_two_grids():
     assert turned.frame_angle == 0.5
     assert scale_contact(OBLIQUE).frame_angle == 0.0
     outcome = solve_with_fallbacks((turned, turned), choose_domain(turned), options, Progress())
-    assert outcome.converged()
+    assert outcome.converged
     for kind, film in enumerate((straight.film_central_dimensionless, straight.film_minimum_dimensionless)):
-        other = extrapolate([values[kind] for values in outcome.films], outcome.remaining_error())
+        other = extrapolate(outcome.levels, kind, oblique=True)
         assert abs(film.value - other.value) < film.uncertainty + other.uncertainty < 0.02 * film.value
 
 
@@ -394,22 +403,6 @@ def test_flow_factor_on_the_viscosity():
     assert_allclose(thin.film_central, slow.film_central, rtol=2e-3)
 
 
-@pytest.mark.parametrize(("load", "lubricant_parameter"), [(1000.0, 10.0), (400.0, 0.0)])
-def test_thin_films_are_extrapolated_within_their_bars(load, lubricant_parameter):
-    """129 points cannot resolve these films; the values extrapolated over the load cover those of 513 points."""
-    conditions = replace(CIRCULAR, load_parameter=load, lubricant_parameter=lubricant_parameter)
-    coarse, fine = (solve_contact(conditions, SolverOptions(points=n)) for n in (129, 513))
-    assert not coarse.resolved
-    assert fine.resolved
-    assert "thin-film extrapolation" in coarse.message
-    assert coarse.record.fallbacks[-1] == FALLBACK
-    for name in ("film_central_dimensionless", "film_minimum_dimensionless"):
-        ours, truth = getattr(coarse, name), getattr(fine, name)
-        assert abs(ours.value - truth.value) < ours.uncertainty + truth.uncertainty
-        assert abs(ours.value - truth.value) < abs(ours.finest - truth.value)  # better than what the mesh gave
-        assert ours.uncertainty < 0.8 * ours.value
-
-
 @pytest.mark.slow
 def test_a_film_that_rests_where_the_equations_do_not_hold_is_refused():
     """M 1000, L 2 on 129 points comes to rest with a residual of 6 %, other attempts with a film below zero."""
@@ -466,13 +459,13 @@ def test_load_reached_in_steps_leads_to_the_same_film():
 
 def test_equations_of_a_solution_hold_and_its_oil_is_conserved():
     record = solve_contact(CIRCULAR, SolverOptions(points=129)).record
-    assert 0.0 < record.equation_error < 1e-3
-    assert abs(record.mass_imbalance) <= record.equation_error
+    assert 0.0 < record.residual[-1] < FINISHED[0]
+    assert abs(record.mass_imbalance) <= record.residual[-1]
 
 
 def test_a_film_at_rest_without_the_equations_is_not_converged(monkeypatch):
     """Whatever film and load say: above the limit of the residual there is no film value."""
-    monkeypatch.setattr("ehl.multigrid.full_multigrid.RESIDUAL_TOLERANCE", 1e-12)
+    monkeypatch.setattr("ehl.multigrid.history.CONVERGED", (1e-12, 1e-3))
     solution = solve_contact(INNER_500N, SolverOptions(points=65, max_cycles=6))
     assert not solution.converged
     assert solution.film_central is None and solution.film_minimum_uncertainty is None
@@ -483,7 +476,7 @@ def test_wide_bars_are_unresolved(monkeypatch):
     solution = solve_contact(replace(CIRCULAR, load_parameter=700.0), SolverOptions(points=129))
     bar = solution.film_minimum_dimensionless.relative_uncertainty
     monkeypatch.setattr("ehl.solver.LARGEST_BAR", 0.5 * bar)
-    monkeypatch.setattr("ehl.solver.RESOLVED", 0.1)
+    monkeypatch.setattr("ehl.multigrid.history.RESOLVED", 0.1)
     solution = solve_contact(replace(CIRCULAR, load_parameter=700.0), SolverOptions(points=129))
     assert solution.converged and not solution.resolved
     assert "error bar" in solution.message

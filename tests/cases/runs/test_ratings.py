@@ -161,7 +161,7 @@ ROUGH = "[surface]\ninner_ring_roughness_um = 0.1\nouter_ring_roughness_um = 0.1
 def test_kappa_of_the_solved_film_stands_beside_that_of_the_viscosity():
     """The smallest of all lambda ratios decides, to the power the case gives."""
     text = CASE.replace("[lubricant]", "[lubricant]\ncontamination_factor = 0.5")
-    text = text.replace('"none"', "[0.0]\npoints = 129") + ROUGH + "kappa_exponent = 1.1\n"
+    text = text.replace('"none"', "[0.0]\npoints = 257") + ROUGH + "kappa_exponent = 1.1\n"
     found = summary(run_case(case(text)))
     ratios = [contact["lambda_ratio"] for contact in found["contacts"] if contact["resolved"]]
     assert len(ratios) == 2

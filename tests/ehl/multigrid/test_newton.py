@@ -13,8 +13,8 @@ from scipy import sparse
 from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
 from ehl.multigrid.bordered import Border, factor_bordered, nested_dissection, solve_bordered
 from ehl.multigrid.cycle import load_error, relative_residual
-from ehl.multigrid.extrapolation import film_values
 from ehl.multigrid.full_multigrid import ATTEMPTS
+from ehl.multigrid.history import film_values
 from ehl.multigrid.jacobian import TAPER, deflected, linearise, load_row, near_field, product
 from ehl.multigrid.newton import TOLERANCE, certify
 from ehl.solver import solve_attempts
@@ -162,8 +162,8 @@ def test_a_state_stopped_after_one_cycle_leads_to_the_same_film(name):
 
 
 def test_last_resort_where_cycles_fail():
-    """A skewed ellipse of a thin film, on which ten cycles leave a residual above 1e-3."""
-    solution, state = solved(SKEWED, points=129, max_cycles=10)
+    """A skewed ellipse of a thin film, on which three cycles leave a residual above 1e-3."""
+    solution, state = solved(SKEWED, points=129, max_cycles=3)
     assert not solution.converged
     certificate = certify(state)
     assert certificate.certified, certificate.message
@@ -171,12 +171,12 @@ def test_last_resort_where_cycles_fail():
 
 
 def test_a_negative_film_is_no_solution_and_the_state_stays():
-    """A mesh far too coarse: the equations hold with bodies that overlap."""
+    """A mesh far too coarse: the equations hold with bodies that overlap, or nowhere."""
     _, state = solved(moes(3000.0, 10.0), points=129)
     before = state.levels[-1].P.copy()
     certificate = certify(state)
     assert not certificate.certified
-    assert "mesh too coarse" in certificate.message
+    assert "mesh too coarse" in certificate.message or "Newton steps" in certificate.message
     assert certificate.film_change == 0.0
     assert_allclose(state.levels[-1].P, before, rtol=1e-6)
 

@@ -7,7 +7,8 @@ import pytest
 from numpy.testing import assert_allclose
 
 from ehl.grid import Grid, grid_hierarchy
-from ehl.multigrid.extrapolation import central_film, extrapolate, film_values
+from ehl.multigrid.extrapolation import extrapolate, second_order
+from ehl.multigrid.history import LevelHistory, central_film, film_values
 from ehl.multigrid.transfer import full_weighting, inject, interpolate_cubic, interpolate_linear
 
 HIERARCHY = grid_hierarchy(65, (-4.0, 2.0, 3.0), 1.5, 3, True)
@@ -78,16 +79,58 @@ def test_film_values_between_the_nodes():
     assert_allclose(central_film(grid, H), centre)
 
 
-@pytest.mark.parametrize("order", [1.0, 1.5, 2.0])
-def test_extrapolation_finds_the_limit_of_a_clean_sequence(order):
-    values = [1.0 - 0.3 * 2.0 ** (-order * level) for level in range(4)]
-    film = extrapolate(values, 0.0)
+def levels(films, fineness=100.0, noise=0.0):
+    """Histories of levels with these central films, each mesh half of the one before; the finest `fineness`."""
+    count = len(films)
+    return [
+        LevelHistory(
+            film=[(value * (1.0 + x), value) for x in (4.0 * noise, 2.0 * noise, 0.0)],
+            mesh=value / fineness * 4.0 ** (count - 1 - number),
+            residual=[0.0, 0.0],
+        )
+        for number, value in enumerate(films)
+    ]
+
+
+def test_extrapolation_finds_the_limit_of_a_second_order_sequence():
+    values = [1.0 - 0.1 * 4.0**-level for level in range(4)]
+    film = extrapolate(levels(values), 0)
     assert_allclose(film.value, 1.0, rtol=1e-12)
     assert film.finest == values[-1]
-    assert film.uncertainty > 0.0
+    assert 0.0 < film.uncertainty < film.value - film.finest
 
 
-def test_extrapolation_widens_where_the_order_is_not_seen():
-    film = extrapolate([1.0, 0.9, 0.95], 0.0)
-    assert film.uncertainty > 0.0499
-    assert extrapolate([1.0], 0.0).uncertainty == 1.0
+@pytest.mark.parametrize("order", [1.2, 1.6, 3.0])
+def test_bars_cover_the_limit_of_another_order(order):
+    """The departure from second order is in the bar: the limit lies within."""
+    values = [1.0 - 0.1 * 2.0 ** (-order * level) for level in range(4)]
+    film = extrapolate(levels(values), 0)
+    assert abs(film.value - 1.0) < (1.0 + 1e-9) * film.uncertainty
+
+
+def test_bars_widen_where_the_order_is_not_seen_and_where_levels_miss():
+    turned = extrapolate(levels([1.0, 0.9, 0.95]), 0)
+    assert turned.uncertainty > abs(0.95 - 0.9) / 3.0
+    straight = [1.0 - 0.1 * 4.0**-level for level in range(3)]
+    bars = [extrapolate(levels(straight[first:]), 0).uncertainty for first in range(3)]
+    assert bars[0] < bars[1] < bars[2]
+    assert extrapolate(levels([1.0], fineness=5.0), 0).uncertainty == pytest.approx(0.8)
+    assert np.isnan(extrapolate([], 0).value)
+
+
+def test_bars_hold_what_the_cycles_left():
+    quiet, noisy = (extrapolate(levels([0.9, 0.975, 0.99], noise=x), 0) for x in (0.0, 0.01))
+    assert noisy.value == quiet.value
+    assert noisy.uncertainty > quiet.uncertainty
+
+
+def test_minimum_of_an_oblique_entrainment_has_the_wider_bar():
+    straight, oblique = (extrapolate(levels([0.8, 0.95, 0.9875]), 1, oblique=x) for x in (False, True))
+    assert oblique.uncertainty > 2.0 * straight.uncertainty
+
+
+def test_second_order_of_two_meshes():
+    film = second_order([0.9, 0.975], 0.01)
+    assert_allclose(film.value, 1.0)
+    assert_allclose(film.uncertainty, 0.075 + 0.00975)
+    assert second_order([1.0], 0.0).uncertainty == 1.0

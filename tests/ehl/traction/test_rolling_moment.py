@@ -28,8 +28,7 @@ LIGHT = tuple(((-16.0 * f, 1.6 * f, 7.0 * f), n) for f, n in ((1.0, 65), (2.0, 1
 
 def in_box(monkeypatch, conditions, box, points):
     """Solve in an open box of our choice, in Hertz semi-axes."""
-    film = scale_contact(conditions).film_guess
-    monkeypatch.setattr("ehl.solver._pilot", lambda contact, progress: (box, film))
+    monkeypatch.setattr("ehl.solver.choose_domain", lambda contact: box)
     found = ehl.solve_contact(conditions, ehl.SolverOptions(points=points))
     assert found.converged
     return found
@@ -136,7 +135,7 @@ def test_moment_of_a_heavy_contact_does_not_depend_on_its_box(monkeypatch, condi
     heavy = replace(conditions, load=1596.3, ball_radius=BALL)
     found = [rolling_moment(in_box(monkeypatch, heavy, *box)) for box in HEAVY]
     assert found[3].box > 1.3 * found[0].box
-    assert_allclose([moment.value for moment in found], found[3].value, rtol=0.02)
+    assert_allclose([moment.value for moment in found], found[3].value, rtol=0.05)  # cells across differ by the box
     assert_allclose([moment.extent for moment in found], found[3].extent, rtol=0.005)
 
 
@@ -199,8 +198,7 @@ def test_bar_covers_what_the_mesh_makes(conditions, load):
 
 def test_residual_of_a_solution_is_in_its_bar(solution):
     known, worse = (
-        rolling_moment(replace(solution, record=replace(solution.record, equation_error=error)))
-        for error in (0.0, 2e-3)
+        rolling_moment(replace(solution, record=replace(solution.record, residual=(error,)))) for error in (0.0, 2e-3)
     )
     assert_allclose(worse.uncertainty - known.uncertainty, 0.02 * known.value, rtol=1e-9)
 

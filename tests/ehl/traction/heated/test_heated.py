@@ -127,7 +127,7 @@ def test_stress_that_rises_across_the_film(stress):
 @pytest.mark.parametrize("rheology", [LIMITED, EYRING, Rheology(), CARREAU])
 def test_compiled_sums_agree_with_their_reference(rheology):
     contact = replace(CONTACT, rheology=rheology)
-    heated = table_film(contact, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=33)).quadrature
+    heated = table_film(contact, LOAD, SPEED, 2.0 * SPEED, SolverOptions(points=65)).quadrature
     few = replace(heated.lines, lines=heated.lines.lines[4::10].copy(), span=heated.lines.span[4::10].copy())
     heated = replace(heated, lines=few)
     slide_x, slide_y, spin = motions(3, 90127)

@@ -1,0 +1,162 @@
+"""What the cycles on one level did: films, equations and load after each of them, and the error of
+the film that they leave.
+"""
+
+from dataclasses import dataclass, field
+from math import inf, isfinite
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..grid import Grid
+from .cycle import Multigrid, load_error
+
+Array = NDArray[np.float64]
+
+CENTRAL = 0  # places of the central and of the minimum film
+MINIMUM = 1
+FILMS = (CENTRAL, MINIMUM)
+# Hmin/(S hx^2) below this is unresolved, S the gap's curvature along the entrainment
+RESOLVED = 5.0
+CONTRACTION = (0.4, 0.9)  # bounds of the contraction of a cycle in the estimate of what it leaves
+# sum |R| / sum |div(rho u H)| over the fluid nodes, and relative error of the load balance: at
+# which the cycles may stop, and above which a film at rest is no solution
+FINISHED = (2e-4, 1e-4)
+CONVERGED = (5e-3, 1e-3)
+LARGEST_REMAINING = 0.03  # relative film change still to come, above which nothing has converged
+# the film is at rest where the cycles leave this share of the step between the levels, and no
+# less than the first nor more than the second of the film
+SETTLED_SHARE = 0.1
+FILM_TOLERANCE = (1e-4, 2e-3)
+# relative error of a film over the residual, sum |R| / sum |div(rho u H)|: up to 10 were seen
+RESIDUAL_TO_FILM = 5.0
+SMALLEST_FILM = 1e-12  # keeps a relative change finite
+
+
+@dataclass(slots=True, kw_only=True)
+class LevelHistory:
+    """Central and minimum film before the first and after each cycle, and how well the equations
+    and the load balance hold after each; all [-].
+    """
+
+    film: list[tuple[float, float]]
+    mesh: float  # S hx^2, twice the gap's rise in a mesh along the entrainment
+    residual: list[float] = field(default_factory=list)
+    imbalance: list[float] = field(default_factory=list)  # oil lost or gained
+    load: list[float] = field(default_factory=list)
+
+    def record(self, state: Multigrid, index: int, equations: tuple[float, float]) -> None:
+        """Add what the last cycle on level `index` left; `equations` of `relative_residual`."""
+        level = state.levels[index]
+        residual, imbalance = equations
+        self.film.append(film_values(level.grid, level.H))
+        self.residual.append(residual)
+        self.imbalance.append(imbalance)
+        self.load.append(load_error(state, index))
+
+    @property
+    def changes(self) -> list[float]:
+        """Relative change of the films in each cycle, the larger of both [-]."""
+        return [max(_change(a, b, kind) for kind in FILMS) for a, b in self._pairs()]
+
+    @property
+    def fineness(self) -> float:
+        """Hmin/(S hx^2) after the last cycle [-]."""
+        return self.film[-1][MINIMUM] / self.mesh
+
+    @property
+    def resolved(self) -> bool:
+        """Whether the mesh is fine enough for the film."""
+        return self.fineness >= RESOLVED
+
+    def remaining(self, kind: int) -> float:
+        """Relative film error the cycles leave, change * q/(1 - q) with q the contraction of the
+        last cycle [-]; after one cycle its whole change.
+        """
+        changes = [_change(a, b, kind) for a, b in self._pairs()]
+        if len(changes) < 2:
+            return changes[0] if changes else inf
+        before, last = changes[-2:]
+        q = min(max(last / before if before > 0.0 else 0.0, CONTRACTION[0]), CONTRACTION[1])
+        return last * q / (1.0 - q)
+
+    def noise(self, kind: int) -> float:
+        """Relative error of a film from cycles and equations that are not exact [-]."""
+        equations = RESIDUAL_TO_FILM * self.residual[-1] if self.residual else inf
+        return max(self.remaining(kind), equations)
+
+    def finished(self, below: "LevelHistory | None") -> bool:
+        """Whether equations and load hold and the films are at rest, in proportion to their step
+        from the level below.
+        """
+        return self._holds(FINISHED) and all(
+            self.remaining(kind) < self._tolerance(below, kind) for kind in FILMS
+        )
+
+    def converged(self) -> bool:
+        """Whether films and load have come to rest where the equations hold."""
+        return self._holds(CONVERGED) and all(
+            self.remaining(kind) < LARGEST_REMAINING for kind in FILMS
+        )
+
+    def _holds(self, limits: tuple[float, float]) -> bool:
+        """Whether equations and load are within limits after two cycles at least."""
+        if len(self.residual) < 2 or not self.film[-1][MINIMUM] > 0.0:
+            return False
+        return self.residual[-1] < limits[0] and abs(self.load[-1]) < limits[1]
+
+    def _tolerance(self, below: "LevelHistory | None", kind: int) -> float:
+        """Relative film error at which the film counts as at rest [-]."""
+        if below is None:
+            return FILM_TOLERANCE[0]
+        step = _change(below.film[-1], self.film[-1], kind) / 3.0
+        return min(max(SETTLED_SHARE * step, FILM_TOLERANCE[0]), FILM_TOLERANCE[1])
+
+    def _pairs(self) -> list[tuple[tuple[float, float], tuple[float, float]]]:
+        return list(zip(self.film[:-1], self.film[1:], strict=True))
+
+
+def start_history(state: Multigrid, index: int) -> LevelHistory:
+    """Of a level before its first cycle."""
+    grid = state.levels[index].grid
+    mesh = state.contact.curvature_x * grid.hx**2
+    return LevelHistory(film=[film_values(grid, state.levels[index].H)], mesh=mesh)
+
+
+def _change(before: tuple[float, float], after: tuple[float, float], kind: int) -> float:
+    """Relative change of a film [-]."""
+    change = abs(after[kind] - before[kind]) / max(abs(after[kind]), SMALLEST_FILM)
+    return change if isfinite(change) else inf
+
+
+def central_film(grid: Grid, H: Array) -> float:
+    """Film at the origin; cubic interpolation along x where the origin is no node [-]."""
+    line = H[0] if grid.symmetric else H[grid.ny // 2]
+    X = grid.X
+    i = int(np.argmin(np.abs(X)))
+    if abs(X[i]) < 1e-9 * grid.hx:
+        return float(line[i])
+    first = min(max(int(np.searchsorted(X, 0.0)) - 2, 0), grid.nx - 4)
+    nodes = X[first : first + 4]
+    values = line[first : first + 4]
+    weights = [
+        np.prod([-other / (node - other) for other in nodes if other != node]) for node in nodes
+    ]
+    return float(np.dot(weights, values))
+
+
+def film_values(grid: Grid, H: Array) -> tuple[float, float]:
+    """Central film, and minimum film by a parabola in each direction [-]."""
+    j, i = np.unravel_index(int(np.argmin(H)), H.shape)
+    minimum = float(H[j, i])
+    if 0 < i < grid.nx - 1:
+        minimum -= _dip(H[j, i - 1], H[j, i], H[j, i + 1])
+    if 0 < j < grid.ny - 1:
+        minimum -= _dip(H[j - 1, i], H[j, i], H[j + 1, i])
+    return central_film(grid, H), float(minimum)
+
+
+def _dip(before: float, middle: float, after: float) -> float:
+    """How far the parabola through three equidistant values dips below the middle one."""
+    curvature = before - 2.0 * middle + after
+    return (after - before) ** 2 / (8.0 * curvature) if curvature > 0.0 else 0.0
