@@ -14,6 +14,7 @@ from ehl.closed_form.hertz import HertzContact, hertz_contact
 from ehl.conditions import ContactConditions
 from ehl.solid.bodies.ring_difference import ring_difference
 from ehl.solid.bodies.ring_profile import RingProfile, Seat
+from ehl.solid.bodies.ring_stress import RingStress, ring_stress
 from ehl.solid.bodies.sphere import ball_difference
 from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, groove_gap
 
@@ -33,6 +34,7 @@ class RaceDifference:
     ring: SurfaceDifference
     ball: SurfaceDifference
     groove: SurfaceDifference  # of the gap between arcs, parabolas for half-spaces
+    ring_stress: RingStress  # below the dry contact, of the half-space and of the ring
 
     @property
     def total(self) -> SurfaceDifference:
@@ -182,9 +184,12 @@ def _difference(bearing: Bearing, contact: BearingContact) -> RaceDifference:
     )
     radius = 0.5 * bearing.ball_diameter
     angle = abs(contact.contact_angle)
+    elastic = (ring.youngs_modulus, ring.poisson_ratio)
+    surface, stress = ring_difference(profile, angle, *elastic, patch)
     return RaceDifference(
         contact=contact,
-        ring=ring_difference(profile, angle, ring.youngs_modulus, ring.poisson_ratio, patch),
+        ring=surface,
+        ring_stress=ring_stress(stress, patch, ring.poisson_ratio),
         ball=ball_difference(radius, ball.youngs_modulus, ball.poisson_ratio, patch),
         groove=groove_gap(radius, profile.groove_radius, patch),
     )

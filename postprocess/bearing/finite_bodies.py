@@ -24,6 +24,16 @@ FINITE_BODY_QUANTITIES = (  # at the most heavily loaded contact of a race
         ("rolling_curvature_change_share", "change of 1/R_x", "rolling_curvature_share"),
         ("transverse_curvature_change_share", "change of 1/R_y", "transverse_curvature_share"),
         ("of_the_ring_share", "the ring's part of it", "ring_share"),
+        (
+            "von_mises_change_share",
+            "change of the largest von Mises stress in the ring",
+            "ring_stress.von_mises_share",
+        ),
+        (
+            "orthogonal_shear_change_share",
+            "change of the orthogonal shear in the ring",
+            "ring_stress.orthogonal_shear_share",
+        ),
         ("approach_change_um", "change of the approach"),
         ("shift_um", "shift along the groove"),
         ("rest_um", "rest beyond the curvatures, rms", "total.rest"),

@@ -4,6 +4,7 @@ geometry          - shapes of patches, balls, cage and rings, by lengths
 vtk               - fields and bodies of results as VTK files
 vtk_history       - motion of a simulation as steps for ParaView
 export            - films and finite elements as meshes for other programs
+ring_stress       - stress in rings below their contacts, for other programs
 subsurface        - stress below the contacts as volumes
 scene             - what a scene shows; asks for picture, page, movie, window, GIF
 drawing           - the scene of results, drawn with pyvista

@@ -7,6 +7,7 @@ hexahedra            - meshes of quadratic hexahedra and integrals of their shap
 ring_difference      - surface of a ring under a contact, less that of a half-space
 ring_mesh            - mesh of a grooved ring, alone or with its shaft or housing
 ring_profile         - section of a grooved ring, and what it sits on
+ring_stress          - stress in a ring below a contact: half-space and difference
 smoothed_aggregation - linear systems of elasticity and conduction: multigrid, else factors
 sphere               - surface of a ball under two opposite contacts, less that of a half-space
 surface_difference   - the difference as constant, tilt, curvatures and rest

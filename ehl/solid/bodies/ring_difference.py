@@ -20,8 +20,11 @@ from scipy.sparse import csr_matrix
 from ...arrays import Array
 from .elasticity import elastic_body, solve_elasticity
 from .flat_block import boussinesq, far_faces, flat_block
+from .hexahedra import HexMesh
 from .ring_mesh import RingMesh, ring_mesh
 from .ring_profile import RingCells, RingProfile, track_angle
+from .ring_stress import StressDifference, grid_stress, stress_difference
+from .smoothed_aggregation import LinearSolution
 from .surface_difference import ContactPatch, SurfaceDifference, fitted
 
 # cells in semi-axes; ACROSS 0.7 changes the curvature across of a 6208 from 2.18 to 2.01 % of
@@ -38,9 +41,9 @@ def ring_difference(
     youngs_modulus: float,
     poisson_ratio: float,
     patch: ContactPatch,
-) -> SurfaceDifference:
+) -> tuple[SurfaceDifference, StressDifference]:
     """Surface of a ring on a rigid seat less that of a half-space, over the ellipse at a contact
-    angle [rad]; E [Pa], nu [-].
+    angle [rad], and the stress in it less that of the half-space; E [Pa], nu [-].
     """
     mesh = _mesh(profile, contact_angle, patch)
     x, y, loads, _ = patch.cells()
@@ -58,14 +61,57 @@ def ring_difference(
     held[mesh.far_side | mesh.body.on(0, mesh.angle)] = True
     solution = solve_elasticity(body, forces, held)
     moved = (solution.values[nodes, :, 0] * directions).sum(axis=1)
-    flat, residual = _flat(mesh, local, nodes, weights, (youngs_modulus, poisson_ratio))
-    difference = fitted(patch, (x, y), loads, interpolation @ (moved - flat))
-    return replace(
+    elastic = (youngs_modulus, poisson_ratio)
+    block, flat = _flat(mesh, local, nodes, weights, elastic)
+    depth = flat.values[nodes, 2, 0]
+    difference = fitted(patch, (x, y), loads, interpolation @ (moved - depth))
+    difference = replace(
         difference,
         unknowns=body.unknowns,
         iterations=solution.iterations,
-        residual=max(solution.residual, residual),
+        residual=max(solution.residual, flat.residual),
     )
+    fields = (solution.values[..., 0], flat.values[..., 0])
+    return difference, _stress(mesh, block, fields, middle, elastic)
+
+
+def _stress(
+    mesh: RingMesh,
+    block: HexMesh,
+    fields: tuple[Array, Array],
+    middle: float,
+    elastic: tuple[float, float],
+) -> StressDifference:
+    """Stress of ring less block at their nodes, from displacements, shape (nodes, 3) each [m]."""
+    lines = [np.unique(row.round(12)) for row in mesh.body.parameters]
+    theta, s, t = lines
+    order = np.lexsort(mesh.body.parameters[::-1].round(12))
+    shape = (3, *(line.size for line in lines))
+    ring, flat = (
+        grid_stress(
+            (theta, s, t),
+            body.points[:, order].reshape(shape),
+            field[order].T.reshape(shape),
+            elastic,
+        )
+        for body, field in zip((mesh.body, block), fields, strict=True)
+    )
+    distance = np.unique(block.parameters[0].round(12))
+    places = (distance, s - middle, mesh.profile.wall * t)
+    return stress_difference(places, ring, flat, _frames(mesh.profile, theta, s))
+
+
+def _frames(profile: RingProfile, theta: Array, s: Array) -> Array:
+    """Unit vectors along, across and into the ring at lines of its track, shape (3, 3, n, m)."""
+    angle = np.broadcast_to(track_angle(profile, s), (theta.size, s.size))
+    turn = np.broadcast_to(theta[:, None], angle.shape)
+    side = profile.side
+    along = [np.zeros_like(turn), -np.sin(turn), np.cos(turn)]
+    rise = side * np.sin(angle)
+    fall = -side * np.cos(angle)
+    across = [np.cos(angle), rise * np.cos(turn), rise * np.sin(turn)]
+    down = [np.sin(angle), fall * np.cos(turn), fall * np.sin(turn)]
+    return np.array([along, across, down])
 
 
 def _mesh(profile: RingProfile, contact_angle: float, patch: ContactPatch) -> RingMesh:
@@ -134,8 +180,8 @@ def _flat(
     nodes: NDArray[np.int64],
     weights: Array,
     elastic: tuple[float, float],
-) -> tuple[Array, float]:
-    """Depth of the surface of the flat block at the nodes of the track [m], and the residual."""
+) -> tuple[HexMesh, LinearSolution]:
+    """The flat block and its displacements [m]; its third component is the depth."""
     corners = mesh.body.parameters[:, np.unique(mesh.body.mesh.t[:8])]
     theta, s, t = (np.unique(row.round(12)) for row in corners)
     block = flat_block(local * theta, s, mesh.profile.wall * t)
@@ -154,5 +200,4 @@ def _flat(
     held = np.zeros(forces.shape[:2], dtype=np.bool_)
     held[block.on(0, 0.0), 0] = True
     held[far] = True
-    solution = solve_elasticity(elastic_body(block, *elastic), forces, held, prescribed)
-    return solution.values[nodes, 2, 0], solution.residual
+    return block, solve_elasticity(elastic_body(block, *elastic), forces, held, prescribed)

@@ -12,6 +12,7 @@ from bearing.contacts import finite_bodies as module
 from bearing.contacts.finite_bodies import finite_bodies, ring_profile, with_finite_bodies
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
+from ehl.solid.bodies.ring_stress import StressDifference
 from ehl.solid.bodies.surface_difference import SurfaceDifference
 
 OIL = Lubricant(viscosity=0.03, pressure_viscosity=18e-9)
@@ -19,12 +20,14 @@ SIZES = {"bore": 40e-3, "outside_diameter": 80e-3, "width": 18e-3}
 RING = SurfaceDifference(
     constant=-1e-6, tilt=1e-5, curvature_x=0.3, curvature_y=0.2, rest=1e-8, unknowns=9, residual=1e-9
 )
+WIDE = np.array([-1.0, 1.0])  # lines beyond any box [m]
+NO_STRESS = StressDifference((np.array([0.0, 1.0]), WIDE, np.array([0.0, 1.0])), np.zeros((6, 2, 2, 2)))
 
 
 @pytest.fixture
 def solved(bearings, monkeypatch):
     """A 6208 under a radial load, its contacts, and a ring whose finite elements are not solved."""
-    monkeypatch.setattr(module, "ring_difference", lambda *arguments: RING)
+    monkeypatch.setattr(module, "ring_difference", lambda *arguments: (RING, NO_STRESS))
     bearing = replace(bearings.b6208, **SIZES)
     solution = solve_quasistatic(bearing, Operation(inner_speed=300.0, force=(0.0, 3000.0, 0.0)))
     return bearing, contact_conditions(solution, OIL)
@@ -62,6 +65,7 @@ def test_what_is_reported_is_hertz_and_the_formula_with_the_new_radii(solved):
     assert difference.pressure_share == pytest.approx(pressure / hertz.pressure - 1.0)
     assert 0.0 < difference.pressure_share < 0.03  # both curvatures grow
     assert abs(difference.film_share) < 0.01
+    assert difference.ring_stress.von_mises_share == 0.0
     assert difference.transverse_curvature_share == pytest.approx(total.curvature_y * hertz.radius_y)
     assert difference.shift == pytest.approx(1e-5 * hertz.radius_y)
     assert difference.approach_change == pytest.approx(-1e-6 + difference.ball.constant)

@@ -7,9 +7,11 @@ import pytest
 from scipy.special import eval_legendre
 
 from ehl.closed_form.hertz import hertz_contact
+from ehl.closed_form.hertz_stress import hertz_orthogonal_shear
 from ehl.solid.bodies import sphere
 from ehl.solid.bodies.ring_difference import ring_difference
 from ehl.solid.bodies.ring_profile import RingProfile
+from ehl.solid.bodies.ring_stress import grid_stress, ring_stress
 from ehl.solid.bodies.sphere import ball_difference, pole_difference
 from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference, fitted, groove_gap
 
@@ -76,8 +78,22 @@ def test_a_ball_of_a_6208():
 
 
 def test_a_ring_of_a_6208_whose_ellipse_touches_the_shoulder():
-    """By a prototype of finite elements: constant -0.31 um, tilt +0.150 um over b, 1/R_y +2.2 %."""
-    difference = ring_difference(RING, np.radians(34.0), E, NU, PATCH)
+    """By a prototype of finite elements: constant -0.31 um, tilt +0.150 um over b, 1/R_y +2.2 %.
+
+    The stress below it: ring and block carry the same forces, so that the difference pulls at no surface: within 5 %
+    of p_h, 3.2 % at the corner of the shoulder, by the coarse mesh. The orthogonal shear, which the load alone
+    makes, is Hertz' within 2 %.
+    """
+    difference, stress = ring_difference(RING, np.radians(34.0), E, NU, PATCH)
+    peak = 1.5 * PATCH.load / (np.pi * PATCH.semi_axis_x * PATCH.semi_axis_y)
+    box = ring_stress(stress, PATCH, NU)
+    x, y = box.ring.x / PATCH.semi_axis_x, box.ring.y / PATCH.semi_axis_y
+    inside = x[:, None] ** 2 + y[None, :] ** 2 < 0.8
+    change = (box.ring.stress - box.half_space.stress)[:, inside, 0] / peak
+    assert np.abs(change[[2, 4, 5]]).max() < 0.05
+    assert abs(box.orthogonal_shear_share) < 0.02
+    closed = hertz_orthogonal_shear(PATCH.semi_axis_x, PATCH.semi_axis_y, peak)[0]
+    assert np.abs(box.half_space.stress[5]).max() == pytest.approx(closed, rel=0.01)
     assert difference.constant == pytest.approx(-0.31e-6, abs=0.02e-6)
     assert difference.tilt * PATCH.semi_axis_y == pytest.approx(0.150e-6, abs=0.015e-6)
     radius_y = 1.0 / (1.0 / BALL - 1.0 / 6.17e-3)
@@ -153,3 +169,15 @@ def pressed(compliance, gap, load=1000.0):
             return loads
         inside = (inside & (loads > 0.0)) | (~inside & closed)
     raise AssertionError("the contact did not settle")
+
+
+def test_stress_of_a_linear_field_on_a_bent_grid():
+    """Uniaxial stress in x whatever the parameters of the grid: E in it, nothing across."""
+    p, q, t = np.linspace(0, 1, 5), np.linspace(-1, 1, 6), np.array([0.0, 0.2, 0.5, 1.0])
+    grid = np.stack(np.meshgrid(p, q, t, indexing="ij"))
+    points = np.stack([grid[0] + 0.2 * grid[1], 2.0 * grid[1], grid[2] - 0.3 * grid[0]])
+    displacement = np.stack([points[0], -NU * points[1], -NU * points[2]]) * 1e-3
+    stress = grid_stress((p, q, t), points, displacement, (E, NU))
+    expected = np.zeros((3, 3))
+    expected[0, 0] = 1e-3 * E
+    assert np.abs(stress - expected[:, :, None, None, None]).max() < 1e-9 * E

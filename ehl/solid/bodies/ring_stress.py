@@ -1,0 +1,126 @@
+r"""Stress in a grooved ring below a contact: that of a half-space and the difference of the ring.
+
+Hertz' pressure on a half-space has a closed superposition (`ehl.solid.subsurface`). What the ring
+adds is smooth and comes from finite elements that need not see the contact: stress of the ring
+less stress of the flat block with the same lines and nodal forces, each in the directions along
+the track, across it and into the body,
+
+.. math:: \sigma = \sigma_\text{half-space}(x, y, z) + (\sigma_\text{ring} - \sigma_\text{block})
+
+at equal arc lengths x, y and depths z. Gradients of the displacements are differences over the
+lines of nodes, of second order; their errors under the load are alike in both bodies.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import RegularGridInterpolator
+
+from ...arrays import Array
+from ..subsurface import SubsurfaceStress, subsurface_stress
+from .surface_difference import ContactPatch
+
+# of the box below the contact: points along, across and into the ring, its half sides in a and b,
+# and its depth in a; the largest shear of a line contact lies at 0.79 a
+POINTS = (49, 49, 31)
+HALF_SIDES = (1.5, 1.2)
+DEPTH = 3.0
+PAIRS = ((0, 0), (1, 1), (2, 2), (0, 1), (1, 2), (0, 2))  # xx, yy, zz, xy, yz, xz
+
+
+@dataclass(frozen=True, slots=True)
+class StressDifference:
+    """Stress of a ring less that of the flat block at the lines of nodes."""
+
+    # distances along the track, across it from the contact, and depths: lines of nodes [m]
+    lines: tuple[Array, Array, Array]
+    stress: Array  # xx, yy, zz, xy, yz, xz, shape (6, nx, ny, nz) [Pa]
+
+    def at(self, x: Array, y: Array, depth: Array) -> Array:
+        """Values at the points of a grid, shape (6, nx, ny, nz) [Pa], lengths in [m]; linear
+        between nodes, mirrored at x = 0.
+        """
+        grid = np.stack(np.meshgrid(np.abs(x), y, depth, indexing="ij"), axis=-1)
+        values = RegularGridInterpolator(self.lines, np.moveaxis(self.stress, 0, -1))(grid)
+        values = np.moveaxis(values, -1, 0)
+        values[[3, 5]] *= np.sign(x)[:, None, None]  # odd in x
+        return np.asarray(values)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RingStress:
+    """Stress in a box below a contact, of the half-space and of the ring."""
+
+    half_space: SubsurfaceStress
+    ring: SubsurfaceStress
+
+    @property
+    def von_mises_share(self) -> float:
+        """Change of the largest equivalent stress of von Mises over it [-]."""
+        return float(self.ring.von_mises.max() / self.half_space.von_mises.max()) - 1.0
+
+    @property
+    def orthogonal_shear_share(self) -> float:
+        """Change of the amplitude of the shear in rolling over it [-]."""
+        ring, flat = (np.abs(body.stress[5]).max() for body in (self.ring, self.half_space))
+        return float(ring / flat) - 1.0
+
+
+def ring_stress(
+    difference: StressDifference, patch: ContactPatch, poisson_ratio: float
+) -> RingStress:
+    """Stress in a box below Hertz' pressure [Pa], lengths in [m], nu of the ring [-]."""
+    a, b = patch.semi_axis_x, patch.semi_axis_y
+    x, y = (
+        half * side * np.linspace(-1.0, 1.0, n)
+        for half, side, n in zip(HALF_SIDES, (a, b), POINTS[:2], strict=True)
+    )
+    depth = DEPTH * a * np.linspace(0.0, 1.0, POINTS[2])
+    inside = 1.0 - (x[:, None] / a) ** 2 - (y[None, :] / b) ** 2
+    peak = 1.5 * patch.load / (np.pi * a * b)
+    pressure = peak * np.sqrt(np.maximum(inside, 0.0))
+    flat = subsurface_stress(pressure, x, y, depth, poisson_ratio)
+    whole = flat.stress + difference.at(x, y, depth)
+    return RingStress(half_space=flat, ring=SubsurfaceStress(x=x, y=y, depth=depth, stress=whole))
+
+
+def grid_stress(
+    parameters: tuple[Array, Array, Array],
+    points: Array,
+    displacement: Array,
+    elastic: tuple[float, float],
+) -> Array:
+    """Stress at nodes on lines of parameters, shape (3, 3, nx, ny, nz) [Pa].
+
+    Points and displacements: shape (3, nx, ny, nz) [m]; Young's modulus [Pa] and nu [-].
+    """
+    young, nu = elastic
+    by_point, by_field = (
+        np.stack(
+            [
+                np.gradient(field, line, axis=n + 1, edge_order=2)
+                for n, line in enumerate(parameters)
+            ],
+            1,
+        )
+        for field in (points, displacement)
+    )
+    # components and parameters last, for the inverses
+    jacobian, slope = (np.moveaxis(part, (0, 1), (-2, -1)) for part in (by_point, by_field))
+    gradient = slope @ np.linalg.inv(jacobian)
+    strain = 0.5 * (gradient + np.swapaxes(gradient, -1, -2))
+    shear = young / (2.0 * (1.0 + nu))
+    lame = young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu))
+    trace = np.trace(strain, axis1=-2, axis2=-1)[..., None, None]
+    return np.moveaxis(lame * trace * np.eye(3) + 2.0 * shear * strain, (-2, -1), (0, 1))
+
+
+def stress_difference(
+    lines: tuple[Array, Array, Array], ring: Array, block: Array, frames: Array
+) -> StressDifference:
+    """Difference of two stresses at nodes, shape (3, 3, nx, ny, nz) [Pa]; that of the ring is
+    turned into frames of unit vectors along, across and into the body, shape (3, 3, nx, ny).
+    """
+    turned = np.einsum("aixy,ijxyz,bjxy->abxyz", frames, ring, frames)
+    change = turned - block
+    return StressDifference(lines, np.stack([change[i, j] for i, j in PAIRS]))
