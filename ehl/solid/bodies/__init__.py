@@ -1,6 +1,7 @@
 """Bodies of finite size: meshes of rings, their elasticity and heat conduction by finite elements.
 
 compliance           - structural compliance of a ring at its balls, without the half-space's part
+conduction           - heat conductances of a ring between its track, other surfaces and seat
 elasticity           - linear elasticity on meshes of quadratic hexahedra
 flat_block           - a flat block under the same nodal forces, half-space around it
 hexahedra            - meshes of quadratic hexahedra and integrals of their shape functions
