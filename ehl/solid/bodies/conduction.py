@@ -127,7 +127,8 @@ def _integrals(
     bounds: tuple[float, float],
 ) -> Array:
     """Integrals of the shape functions along one parameter, evenly around the axis."""
-    theta, own = mesh.body.parameters[0], mesh.body.parameters[axis]
+    theta = mesh.body.parameters[0]
+    own = mesh.body.parameters[axis]
     lines = np.unique(own[nodes].round(12))
     points, weights = np.polynomial.legendre.leggauss(6)
     sums = np.zeros(lines.size)
