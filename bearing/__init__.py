@@ -14,6 +14,7 @@ quasistatic       - quasi-static equilibrium of rings and balls
 rating            - rating life, load ratings and defect frequencies
 rings             - rings as elastic bodies on their seats
 rows              - rows of balls on one inner ring: where they sit
+shoulder_diameter - diameters of the shoulders of the rings, given or estimated
 studies           - studies over load and speed: slip, stiffness, preload
 supply            - oil supply and starved films
 torque            - friction torque of a ball bearing, by several models side by side

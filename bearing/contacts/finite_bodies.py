@@ -20,8 +20,9 @@ from ehl.solid.bodies.surface_difference import ContactPatch, SurfaceDifference,
 
 from ..geometry import Bearing, Race
 from ..rings.elastic_ring import elastic_ring
+from ..shoulder_diameter import shoulder_diameter
 from .contact import BearingContact
-from .shoulder import shoulder_diameter, truncation
+from .shoulder import truncation
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

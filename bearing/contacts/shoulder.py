@@ -27,14 +27,9 @@ from scipy.optimize import brentq
 from ehl.closed_form.hertz import HertzContact
 
 from ..geometry import Bearing, Race
+from ..shoulder_diameter import shoulder_diameter
 from .shape import groove_radius
 
-# shoulders of deep groove bearings where none are given: height above the raceway over the ball
-# diameter [-]; the 35 bearings 60, 62, 63 of the catalogue with the diameters that SKF prints have
-# 0.198 (median), 0.164 to 0.208. Angular contact bearings have two unlike shoulders: no estimate
-ESTIMATED_HEIGHT = 0.2
-# free contact angle from which none is estimated [rad], as the torque models separate them
-DEEP_GROOVE = pi / 18.0
 HERTZ_LOAD = 4.0 / 3.0  # integral of 1 - t^2 over the whole ellipse [-]
 
 
@@ -64,21 +59,6 @@ class Truncation:
     def truncated(self) -> bool:
         """Whether a shoulder cuts the ellipse."""
         return self.distance_ratio < 1.0
-
-
-def shoulder_diameter(bearing: Bearing, race: Race) -> tuple[float, bool] | None:
-    """Diameter of a ring's shoulders [m] and whether it is an estimate; None where the bearing
-    gives none and is no deep groove bearing.
-    """
-    inner = race is Race.INNER
-    given = bearing.inner_shoulder_diameter if inner else bearing.outer_shoulder_diameter
-    if given is not None:
-        return given, False
-    if bearing.free_contact_angle > DEEP_GROOVE:
-        return None
-    centre = bearing.inner_centre_radius if inner else bearing.outer_centre_radius
-    depth = groove_radius(bearing, race) - ESTIMATED_HEIGHT * bearing.ball_diameter
-    return 2.0 * (centre - depth if inner else centre + depth), True
 
 
 def shoulder_angle(bearing: Bearing, race: Race) -> float | None:

@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from typing import Literal
 
-from bearing.contacts.shoulder import shoulder_diameter
 from bearing.fits.clearance import (
     ClearanceBudget,
     Fit,
@@ -19,6 +18,7 @@ from bearing.heating.heat_balance import Cooling
 from bearing.material import Material
 from bearing.operation import Operation
 from bearing.rings.elastic_ring import ElasticRing, ElasticRings, elastic_ring
+from bearing.shoulder_diameter import shoulder_diameter
 from ehl import Lubricant
 from ehl.solid.bodies.ring_profile import Seat
 from ehl.units import to_si

@@ -6,9 +6,10 @@ from math import hypot, isfinite
 from typing import Any
 
 from bearing.contacts.contact import BearingContact
-from bearing.contacts.shoulder import ESTIMATED_HEIGHT, Truncation, shoulder_diameter, truncation
+from bearing.contacts.shoulder import Truncation, truncation
 from bearing.contacts.stress import ContactStress, contact_stress
 from bearing.geometry import Race
+from bearing.shoulder_diameter import ESTIMATED_HEIGHT, shoulder_diameter
 from bearing.supply.starved_films import StarvedFilm
 from bearing.torque.rolling_extent import rolling_moments
 from ehl.units import from_si, to_si

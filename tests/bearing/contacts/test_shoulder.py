@@ -9,7 +9,8 @@ import pytest
 
 from bearing import Operation, Race, contact_conditions, contact_stress, solve_quasistatic
 from bearing.contacts.shape import groove_radius
-from bearing.contacts.shoulder import cut_approach, shoulder_angle, shoulder_diameter, truncation
+from bearing.contacts.shoulder import cut_approach, shoulder_angle, truncation
+from bearing.shoulder_diameter import shoulder_diameter
 from ehl import Lubricant
 from ehl.closed_form.hertz import hertz_contact
 

@@ -22,9 +22,9 @@ from bearing import (
     preload_offset,
     solve_quasistatic,
 )
-from bearing.contacts.shoulder import shoulder_diameter
 from bearing.rings.compliance import response_of, ring_compliance
 from bearing.rings.elastic_ring import ElasticRings, elastic_ring
+from bearing.shoulder_diameter import shoulder_diameter
 from ehl.solid.bodies import RingCells, Seat
 
 STEEL = load_material("bearing steel")
