@@ -23,6 +23,8 @@ class SolverOptions:
     # that share the lines of one contact; films do not depend on it beyond round-off, and below
     # some 257 points they do not help
     threads: int = 1
+    # after the cycles, Newton's method until the equations of the finest grid hold to 1e-8
+    certify: bool = False
 
     def __post_init__(self) -> None:
         cells = self.most_points - 1

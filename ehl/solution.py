@@ -29,6 +29,21 @@ class FilmValue:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Certificate:
+    """Whether the discrete equations of the finest grid hold to 1e-8, and what that took [-]."""
+
+    certified: bool
+    message: str
+    # sum |R| over the fluid nodes over sum |div(rho u H)|, at the start and after each Newton step
+    residual: tuple[float, ...]
+    force_error: tuple[float, ...]  # relative error of the load balance, likewise
+    # largest relative change of central and minimum film; zero where the state was left as it was
+    film_change: float
+    deflections: int  # deflection FFTs
+    factorisations: int  # of the near field
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ConvergenceRecord:
     """History of a solve: one entry of each tuple per cycle on the finest level [-]."""
 
@@ -44,21 +59,7 @@ class ConvergenceRecord:
     wall_time: float  # of the solve alone [s]
     # sum of R over the same, after the last cycle: the oil lost or gained [-]; None: not known
     mass_imbalance: float | None = None
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Certificate:
-    """Whether the discrete equations of the finest grid hold to 1e-8, and what that took [-]."""
-
-    certified: bool
-    message: str
-    # sum |R| over the fluid nodes over sum |div(rho u H)|, at the start and after each Newton step
-    residual: tuple[float, ...]
-    force_error: tuple[float, ...]  # relative error of the load balance, likewise
-    # largest relative change of central and minimum film; zero where the state was left as it was
-    film_change: float
-    deflections: int  # deflection FFTs
-    factorisations: int  # of the near field
+    certificate: Certificate | None = None  # of Newton's method; None: not asked for
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -20,6 +20,7 @@ from .multigrid.full_multigrid import (
     solve_with_fallbacks,
 )
 from .multigrid.history import CENTRAL, MINIMUM, RESOLVED
+from .multigrid.newton import certify
 from .multigrid.open_box import box_uncertainty, choose_domain
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
@@ -84,10 +85,23 @@ def solve_attempts(
         # what converged on a mesh comes first on the next
         points = 2 * points - 1
         attempts = (result.attempt, *(a for a in attempts if a is not result.attempt))
+    if options.certify and result.converged:
+        _certify(result, progress)
+        solution = _judged(conditions, solution.options, result, progress)
     if tolerance is not None:
         solution = _tolerance_judged(solution, tolerance, points)
     record = replace(solution.record, wall_time=time.perf_counter() - start)
     return replace(solution, options=options, record=record), result.state
+
+
+def _certify(result: AttemptResult, progress: Progress) -> None:
+    """Newton's method after the cycles on the finest level, with its certificate."""
+    state = result.state
+    before = state.deflected_nodes()
+    result.certificate = certify(state)
+    progress.deflected_nodes += state.deflected_nodes() - before
+    if result.certificate.certified:
+        result.levels[-1].certify(state, len(state.levels) - 1)
 
 
 def _first_points(
@@ -140,6 +154,16 @@ def _solve(
     result = solve_with_fallbacks(
         contacts, domain, options, progress, flow_model, lighter, attempts
     )
+    return _judged(conditions, options, result, progress), result
+
+
+def _judged(
+    conditions: ContactConditions | MoesConditions,
+    options: SolverOptions,
+    result: AttemptResult,
+    progress: Progress,
+) -> ContactSolution:
+    """The solution of an attempt, with the work up to it."""
     record = with_history(
         ConvergenceRecord(
             residual=(),
@@ -149,10 +173,11 @@ def _solve(
             fft_equivalents=progress.deflected_nodes / result.state.levels[-1].P.size,
             fallbacks=tuple(progress.fallbacks),
             wall_time=0.0,
+            certificate=result.certificate,
         ),
         result,
     )
-    return with_bars_judged(_solution(conditions, options, result, record)), result
+    return with_bars_judged(_solution(conditions, options, result, record))
 
 
 def with_history(record: ConvergenceRecord, result: AttemptResult) -> ConvergenceRecord:
@@ -299,4 +324,7 @@ def _message(result: AttemptResult, resolved: bool) -> str:
             f"converged but unresolved: minimum film/(mesh size)^2 is {history.fineness:.2f}, "
             f"below {RESOLVED:g}; try more points"
         )
+    certificate = result.certificate
+    if certificate is not None and not certificate.certified:
+        return f"converged, without certificate: {certificate.message}"
     return "converged"

@@ -52,6 +52,9 @@ class ContactEhlTable(Table):
         "[x_in, x_out, y_half] in Hertz semi-axes along x and y; left out, the program chooses"
     )
 
+    certify: bool = described(
+        "after the cycles, Newton's method until the equations of the grid hold to 1e-8", False
+    )
     film_model: Annotated[str, OneOf(FilmModel)] = described(
         "physics of the film: oil by [lubricant] rheology, and with heat", "newtonian"
     )

@@ -69,7 +69,9 @@ def case_films(
     """Grid [-] and physics of the films, SI; `ValueError` if they have heat and a body, ball or
     race, no thermal properties.
     """
-    options = SolverOptions(points=table.points, domain=table.domain, tolerance=table.tolerance)
+    options = SolverOptions(
+        points=table.points, domain=table.domain, tolerance=table.tolerance, certify=table.certify
+    )
     model = FilmModel(table.film_model)
     solids = None
     if model is FilmModel.THERMAL:

@@ -25,6 +25,7 @@ START_NOTE = (
 )
 NO_START_NOTE = "the multigrid gave no start: reached through lighter loads"
 START_POINTS = 257  # of the multigrid at most
+NO_CERTIFICATE = "ehl.certify: not used by finite elements, which are solved by Newton's method"
 NO_TOLERANCE = "ehl.tolerance: not used by finite elements, the film is solved on ehl.points"
 
 
@@ -41,6 +42,7 @@ def run_contact(
     if finite_element:
         solution, notes = _by_elements(case.conditions, options)
         unused = () if case.solver.tolerance is None else (NO_TOLERANCE,)
+        unused = (*unused, NO_CERTIFICATE) if case.solver.certify else unused
         messages = (*messages, *notes, *unused)
     else:
         solve: Callable[..., ContactSolution] = case.films.solve

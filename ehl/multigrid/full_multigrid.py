@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..grid import grid_hierarchy
 from ..options import SolverOptions
 from ..scaling import ScaledContact
+from ..solution import Certificate
 from .acceleration import Acceleration
 from .cycle import (
     Damping,
@@ -26,6 +27,7 @@ from .cycle import (
 from .far_field import far_field
 from .flow_model import FlowModel
 from .history import FILMS, LevelHistory, central_film, start_history
+from .newton import MOST_NODES, certify
 from .threads import Threads
 from .transfer import interpolate_cubic
 
@@ -71,6 +73,7 @@ class Attempt:
     cycles_factor: int = 1  # on the largest number of cycles
     # reach the load in steps on the level the full multigrid starts from
     from_lighter: bool = False
+    newton: bool = False  # Newton's method in place of cycles, without a flow model
 
     def applies(self, contact: ScaledContact, turned: ScaledContact) -> bool:
         """Whether the attempt differs for this contact from those before it."""
@@ -87,6 +90,7 @@ class AttemptResult:
     attempt: Attempt
     # of each level from the one it started on, coarsest first; empty if the iteration diverged
     levels: list[LevelHistory] = field(default_factory=list)
+    certificate: Certificate | None = None  # of the finest level, where one was asked for
 
     @property
     def converged(self) -> bool:
@@ -128,6 +132,7 @@ ATTEMPTS = (
         long_only=True,
         cycles_factor=3,
     ),
+    Attempt(name="Newton's method on every level", damping=Damping(), newton=True),
 )
 
 
@@ -149,15 +154,21 @@ def solve_with_fallbacks(
     best = None
     for attempt in attempts:
         contact = contacts[attempt.along_entrainment]
-        if not attempt.applies(*contacts):
+        newtonian = flow_model is None
+        if not attempt.applies(*contacts) or (attempt.newton and not newtonian):
+            continue
+        state = contact_multigrid(contact, domain, options, attempt, flow_model)
+        if attempt.newton and state.levels[-1].P.size > MOST_NODES:
             continue
         if best is not None:
             progress.fallbacks.append(attempt.name)
-        state = contact_multigrid(contact, domain, options, attempt, flow_model)
         result = AttemptResult(state=state, attempt=attempt)
         limit = replace(options, max_cycles=attempt.cycles_factor * options.max_cycles)
         steps = lighter if attempt.from_lighter else ()
-        full_multigrid(result, limit, progress, attempt.finer_start, steps)
+        if attempt.newton:
+            newton_multigrid(result)
+        else:
+            full_multigrid(result, limit, progress, attempt.finer_start, steps)
         progress.deflected_nodes += result.state.deflected_nodes()
         if best is None or result.rank < best.rank:
             best = result
@@ -228,6 +239,28 @@ def full_multigrid(
             return
         levels.append(history)
     result.levels = levels
+
+
+def newton_multigrid(result: AttemptResult) -> None:
+    """Newton's method level after level, on the first of them from a Hertz pressure; a level on
+    which it fails hands on what it started from. If it fails on the finest level, `result.levels`
+    is empty.
+    """
+    state = result.state
+    first = _starting_level(state, 0)
+    _start(state, first)
+    for index in range(first, len(state.levels)):
+        if index > first:
+            below = state.levels[index - 1]
+            start_level(state, index, interpolate_cubic(below.P, below.grid.symmetric))
+            update_film(state, index)
+        history = start_history(state, index)
+        result.certificate = certify(state, index)
+        if result.certificate.certified:
+            history.certify(state, index)
+            result.levels.append(history)
+        else:
+            result.levels = []
 
 
 def _starting_level(state: Multigrid, finer: int) -> int:

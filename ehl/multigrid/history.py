@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..grid import Grid
-from .cycle import Multigrid, load_error
+from .cycle import Multigrid, load_error, relative_residual
 
 Array = NDArray[np.float64]
 
@@ -44,6 +44,12 @@ class LevelHistory:
     residual: list[float] = field(default_factory=list)
     imbalance: list[float] = field(default_factory=list)  # oil lost or gained
     load: list[float] = field(default_factory=list)
+    certified: bool = False  # solved by Newton's method after the last cycle
+
+    def certify(self, state: Multigrid, index: int) -> None:
+        """Add the solution that Newton's method found on level `index`."""
+        self.record(state, index, relative_residual(state, index))
+        self.certified = True
 
     def record(self, state: Multigrid, index: int, equations: tuple[float, float]) -> None:
         """Add what the last cycle on level `index` left; `equations` of `relative_residual`."""
@@ -71,8 +77,10 @@ class LevelHistory:
 
     def remaining(self, kind: int) -> float:
         """Relative film error the cycles leave, change * q/(1 - q) with q the contraction of the
-        last cycle [-]; after one cycle its whole change.
+        last cycle [-]; after one cycle its whole change, nothing after Newton's method.
         """
+        if self.certified:
+            return 0.0
         changes = [_change(a, b, kind) for a, b in self._pairs()]
         if len(changes) < 2:
             return changes[0] if changes else inf
@@ -100,8 +108,9 @@ class LevelHistory:
         )
 
     def _holds(self, limits: tuple[float, float]) -> bool:
-        """Whether equations and load are within limits after two cycles at least."""
-        if len(self.residual) < 2 or not self.film[-1][MINIMUM] > 0.0:
+        """Whether equations and load are within limits, after two cycles at least."""
+        enough = self.certified or len(self.residual) >= 2
+        if not enough or not self.film[-1][MINIMUM] > 0.0:
             return False
         return self.residual[-1] < limits[0] and abs(self.load[-1]) < limits[1]
 

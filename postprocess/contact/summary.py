@@ -35,6 +35,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
     a = solution.semi_axis_x
     pressure = solution.hertz_pressure if solution.hertz_pressure > 0.0 else None
     record = _record(results)
+    certificate = solution.record.certificate
     document = {
         "load_N": None if given is None else given.load,
         "moes_M": solution.moes_load,
@@ -57,6 +58,7 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "points": list(solution.P.shape),
         "residual": solution.record.residual[-1] if solution.record.residual else None,
         "mass_imbalance": solution.record.mass_imbalance,
+        "certified": None if certificate is None else certificate.certified,
         "cycles": solution.record.cycles,
         "fft_equivalents": solution.record.fft_equivalents,
         "fallbacks": list(solution.record.fallbacks),
