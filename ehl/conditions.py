@@ -1,6 +1,8 @@
 """Operating conditions of one lubricated contact."""
 
 from dataclasses import dataclass
+from math import atan2, cos, hypot, sin
+from typing import NamedTuple
 
 from .oil.lubricant import Lubricant
 from .ranges import require_finite, require_not_negative, require_positive
@@ -55,6 +57,44 @@ class ContactConditions:
     def speed_2(self) -> float:
         """Surface speed of body 2 along the entrainment, u_2 [m/s]."""
         return self.entrainment_speed * (1.0 - 0.5 * self.slide_roll_ratio)
+
+
+class SurfaceMotion(NamedTuple):
+    """Two surface velocities as mean and difference, by the names of `ContactConditions`."""
+
+    entrainment_speed: float  # [m/s]
+    entrainment_angle: float  # from x towards y [rad]
+    slide_roll_ratio: float  # along the entrainment [-]
+    lateral_slide_ratio: float  # at right angles to it [-]
+
+
+# of the faster surface: a mean velocity below it entrains no oil that a film could be solved for
+SMALLEST_ENTRAINMENT = 1e-6
+
+
+def surface_motion(
+    velocity_1: tuple[float, float], velocity_2: tuple[float, float]
+) -> SurfaceMotion:
+    """Entrainment and sliding of two surface velocities in x and y, body 1 and body 2 [m/s].
+
+    Raises
+    ------
+    ValueError
+        If the velocities are opposite and equal: their mean entrains nothing.
+    """
+    (u_1, v_1), (u_2, v_2) = velocity_1, velocity_2
+    mean = (0.5 * (u_1 + u_2), 0.5 * (v_1 + v_2))
+    speed = hypot(*mean)
+    if not speed > SMALLEST_ENTRAINMENT * max(hypot(u_1, v_1), hypot(u_2, v_2)):
+        raise ValueError("velocities are opposite and equal: no oil is entrained")
+    angle = atan2(mean[1], mean[0])
+    slide = (u_1 - u_2, v_1 - v_2)
+    return SurfaceMotion(
+        entrainment_speed=speed,
+        entrainment_angle=angle,
+        slide_roll_ratio=(slide[0] * cos(angle) + slide[1] * sin(angle)) / speed,
+        lateral_slide_ratio=(slide[1] * cos(angle) - slide[0] * sin(angle)) / speed,
+    )
 
 
 def speed_load_material(conditions: ContactConditions) -> tuple[float, float, float]:

@@ -8,6 +8,7 @@ from pydantic import model_validator
 
 from bearing.material import Material, reduced_modulus
 from ehl import ContactConditions, Lubricant, MoesConditions
+from ehl.conditions import surface_motion
 from ehl.options import GENERALIZED_POINTS, TOLERANCE
 from ehl.solid.coating import Coating
 
@@ -20,6 +21,7 @@ from .fields import (
     OneOf,
     Points,
     Table,
+    Velocity,
     above,
     between,
     described,
@@ -99,6 +101,11 @@ class ContactTable(Table):
     entrainment_speed_m_s: float | None = above(0, 1e4, "u_m = (u1 + u2)/2")
     slide_roll_ratio: float | None = within(1e6, "(u1 - u2)/u_m; 0 if left out")
     lateral_slide_ratio: float | None = within(1e6, "(v1 - v2)/u_m, at right angles; else 0")
+    velocity_1_m_s: Velocity | None = described(
+        "[u1, v1] of the surface of body 1 along x and y; with velocity_2_m_s in place of "
+        "entrainment_speed_m_s, its angle and the slide ratios"
+    )
+    velocity_2_m_s: Velocity | None = described("[u2, v2] of the surface of body 2")
     spin_rad_s: float | None = within(1e7, "of body 1 on 2 about the normal into 2; 0 if left out")
     mean_spin_rad_s: float | None = within(
         1e7, "of both bodies together; left out, body 2 does not turn: half the spin"
@@ -110,7 +117,9 @@ class ContactTable(Table):
     temperature_C: float = between(-100, 500, "temperature of an oil of the library", 40.0)
 
 
-DIMENSIONS = ("load_N", "radius_x_mm", "radius_y_mm", "entrainment_speed_m_s")
+SPEED = "entrainment_speed_m_s"
+VELOCITIES = ("velocity_1_m_s", "velocity_2_m_s")
+DIMENSIONS = ("load_N", "radius_x_mm", "radius_y_mm", SPEED)
 MODULUS = "reduced_modulus_GPa"
 BODIES = ("material_1", "material_2")
 KINEMATICS = ("slide_roll_ratio", "lateral_slide_ratio", "spin_rad_s", "mean_spin_rad_s")
@@ -132,7 +141,7 @@ RELATIONS: tuple[Relation, ...] = (
     ),
     *(
         Excludes(f"contact.{name}", group, "dimensions, or Moes' groups, not both")
-        for name in (*DIMENSIONS, MODULUS, *BODIES, *KINEMATICS, *COATING)
+        for name in (*DIMENSIONS, MODULUS, *BODIES, *KINEMATICS, *VELOCITIES, *COATING)
         for group in GROUPS
     ),
     *(
@@ -143,6 +152,22 @@ RELATIONS: tuple[Relation, ...] = (
     *(
         Needs(f"contact.{name}", Where("contact"), "needed, or moes_M and moes_L", GROUPS)
         for name in DIMENSIONS
+        if name != SPEED
+    ),
+    Needs(
+        f"contact.{SPEED}",
+        Where("contact"),
+        "needed, or velocity_1_m_s and velocity_2_m_s, or moes_M and moes_L",
+        (*GROUPS, *(f"contact.{name}" for name in VELOCITIES)),
+    ),
+    *(
+        Needs(f"contact.{name}", Where(f"contact.{other}"))
+        for name, other in (VELOCITIES, VELOCITIES[::-1])
+    ),
+    *(
+        Excludes(f"contact.{name}", f"contact.{velocity}", "mean and slides, or two velocities")
+        for name in (SPEED, "entrainment_angle_deg", *KINEMATICS[:2])
+        for velocity in VELOCITIES
     ),
     *(Excludes(f"contact.{MODULUS}", f"contact.{body}") for body in BODIES),
     *(
@@ -158,7 +183,15 @@ RELATIONS: tuple[Relation, ...] = (
 
 
 def faults(values: CaseValues) -> Iterator[CaseFault]:
-    """A film of a thinning oil or with heat has lengths, one with heat bodies by material."""
+    """A film of a thinning oil or with heat has lengths, one with heat bodies by material; two
+    velocities entrain oil.
+    """
+    velocities = [values.get("contact", name) for name in VELOCITIES]
+    if all(velocity is not None for velocity in velocities):
+        try:
+            surface_motion(*velocities)
+        except ValueError as problem:
+            yield CaseFault(("contact", VELOCITIES[0]), str(problem), "allowed: a mean above zero")
     film_model = values.get("ehl", "film_model")
     if film_model in ("thermal", "shear-thinning") and values.given("contact", "moes_M"):
         finding = f"found {shown(film_model)} with Moes' groups"
@@ -186,6 +219,9 @@ def contact(
         assert table.material_1 and table.material_2  # checked before
         modulus = reduced_modulus(materials[table.material_1], materials[table.material_2])
     given = table.si(*DIMENSIONS, *KINEMATICS, "entrainment_angle_deg")
+    if table.velocity_1_m_s is not None and table.velocity_2_m_s is not None:
+        motion = surface_motion(table.velocity_1_m_s, table.velocity_2_m_s)
+        given |= motion._asdict()
     return ContactConditions(
         reduced_modulus=modulus,
         lubricant=oil,

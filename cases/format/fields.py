@@ -225,6 +225,7 @@ AxialRange = Annotated[Any, _range(FORCE_MAXIMUM, "<"), _list_schema(2)]
 RadialRange = Annotated[Any, _range(FORCE_MAXIMUM, "<="), _list_schema(2)]
 CriticalSpeed = Annotated[float, Field(gt=0.0, le=SPEED_MAXIMUM)]
 Force = Annotated[Any, _vector(3, FORCE_MAXIMUM), _list_schema(3)]
+Velocity = Annotated[Any, _vector(2, 1.0e4), _list_schema(2)]
 Moment = Annotated[Any, _vector(2, 1.0e10), _list_schema(2)]
 Gravity = Annotated[
     Any, checked(lambda value: numbers(value, 3, 1e6), "three numbers, [x, y, z]"), _list_schema(3)
