@@ -13,5 +13,6 @@ class SectionName(StrEnum):
     SAME = "same"
     FILMS = "films"
     FORMULAS = "formulas"
+    BEARINGS = "bearings"
     ELEMENTS = "elements"
     COST = "cost"

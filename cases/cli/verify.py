@@ -83,10 +83,12 @@ def _page(
 ) -> list[Section]:
     from verification.run import PAGE, check_page, run_sections, write_page
 
+    from ..runs.catalogue import catalogue_contacts
+
     if directory is not None:
         check_page(directory, PAGE)
     with progress_bar(quiet=quiet) as progress:
-        sections = run_sections(names, progress, _run_bearing, quick=quick)
+        sections = run_sections(names, progress, _run_bearing, catalogue_contacts, quick=quick)
     if directory is not None:
         with finish_first(f"results in {directory}"):
             write_page(sections, directory, PAGE)

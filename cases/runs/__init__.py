@@ -2,6 +2,7 @@
 
 | module | responsibility |
 |---|---|
+| catalogue | contacts of catalogue bearings under rising load |
 | films | films of contacts, equal ones solved once, in parallel |
 | traction_films | films behind a traction equilibrium |
 | equilibrium | equilibrium of the bearing, by hypothesis or by traction |
