@@ -9,7 +9,7 @@ Rolling Bearing Analysis).
 
 from dataclasses import dataclass
 from enum import Enum
-from math import acos, asin, cos, isfinite, pi, sqrt
+from math import acos, asin, cos, isfinite, pi, radians, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +17,10 @@ from numpy.typing import NDArray
 from .material import Material, reduced_modulus
 
 Array = NDArray[np.float64]
+
+# free contact angle above which a bearing counts as one of angular contact [rad]: the deep groove
+# bearings of the catalogue have up to 13.5 degrees by their clearance, nominal ones begin at 15
+ANGULAR_CONTACT = radians(14.25)
 
 
 class Race(Enum):

@@ -1,15 +1,11 @@
 """Diameters of the shoulders of a bearing's rings, given or estimated."""
 
-from math import pi
-
-from .geometry import Bearing, Race
+from .geometry import ANGULAR_CONTACT, Bearing, Race
 
 # shoulders of deep groove bearings where none are given: height above the raceway over the ball
 # diameter [-]; the 35 bearings 60, 62, 63 of the catalogue with the diameters that SKF prints have
 # 0.198 (median), 0.164 to 0.208. Angular contact bearings have two unlike shoulders: no estimate
 ESTIMATED_HEIGHT = 0.2
-# free contact angle from which none is estimated [rad], as the torque models separate them
-DEEP_GROOVE = pi / 18.0
 
 
 def shoulder_diameter(bearing: Bearing, race: Race) -> tuple[float, bool] | None:
@@ -20,7 +16,7 @@ def shoulder_diameter(bearing: Bearing, race: Race) -> tuple[float, bool] | None
     given = bearing.inner_shoulder_diameter if inner else bearing.outer_shoulder_diameter
     if given is not None:
         return given, False
-    if bearing.free_contact_angle > DEEP_GROOVE:
+    if bearing.free_contact_angle > ANGULAR_CONTACT:
         return None
     centre = bearing.inner_centre_radius if inner else bearing.outer_centre_radius
     groove = bearing.inner_groove_radius if inner else bearing.outer_groove_radius

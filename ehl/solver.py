@@ -80,7 +80,8 @@ def solve_attempts(
         solution, result = _solve(
             conditions, domain, replace(options, points=points), flow_model, attempts, progress
         )
-        if not refinable or _reached(solution, tolerance) or _outside_model(result):
+        outside = _film_over_radius(solution) > MAX_FILM_OVER_RADIUS
+        if not refinable or outside or _reached(solution, tolerance):
             break
         # what converged on a mesh comes first on the next
         points = 2 * points - 1
@@ -215,11 +216,7 @@ def _solution(
     grid = state.levels[-1].grid
     Y, P, H = unfold_symmetry(state)
     central, minimum = _film(result, CENTRAL), _film(result, MINIMUM)
-    if minimum.value > central.value:
-        excess = minimum.value - central.value
-        minimum = replace(minimum, value=central.value, uncertainty=minimum.uncertainty + excess)
     resolved, message = resolution_message(result)
-    outside = _outside_model(result)
     return ContactSolution(
         conditions=conditions,
         options=options,
@@ -239,7 +236,7 @@ def _solution(
         film_scale=contact.film_scale,
         domain=_domain(contact, grid),
         resolved=resolved,
-        converged=result.converged and not outside,
+        converged=result.converged,
         message=message,
         record=record,
     )
@@ -274,50 +271,67 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
 
 
 def with_bars_judged(solution: ContactSolution) -> ContactSolution:
-    """The solution, unresolved where an error bar is wider than `LARGEST_BAR`."""
+    """The solution as its films let it stand: the minimum not above the centre, not converged
+    where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR`.
+    """
+    solution = _minimum_below_centre(solution)
     films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
+    if not solution.converged:
+        return solution
+    share = _film_over_radius(solution)
+    if share > MAX_FILM_OVER_RADIUS:
+        message = (
+            f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; "
+            "no film is given"
+        )
+        return replace(solution, converged=False, resolved=False, message=message)
     bar = max(film.relative_uncertainty for film in films)
-    if not (solution.converged and solution.resolved) or bar <= LARGEST_BAR:
+    if not solution.resolved or bar <= LARGEST_BAR:
         return solution
     message = f"converged but unresolved: error bar {bar:.0%} of the film; try more points"
     return replace(solution, resolved=False, message=message)
 
 
+def _minimum_below_centre(solution: ContactSolution) -> ContactSolution:
+    central = solution.film_central_dimensionless
+    minimum = solution.film_minimum_dimensionless
+    if not minimum.value > central.value:
+        return solution
+    excess = minimum.value - central.value
+    return replace(
+        solution,
+        film_minimum_dimensionless=replace(
+            minimum, value=central.value, uncertainty=minimum.uncertainty + excess
+        ),
+    )
+
+
+def _film_over_radius(solution: ContactSolution) -> float:
+    """Central film of the finest grid over Rx [-]; zero where no lengths are given."""
+    if solution.film_scale is None or solution.semi_axis_x is None:
+        return 0.0
+    film = solution.film_central_dimensionless.finest
+    return film * (solution.film_scale / solution.semi_axis_x) ** 2
+
+
 def resolution_message(result: AttemptResult) -> tuple[bool, str]:
     """Whether the film of a solve is resolved, and the message on it."""
     resolved = bool(result.levels) and result.levels[-1].resolved
-    return resolved and not _outside_model(result), _message(result, resolved)
-
-
-def _outside_model(result: AttemptResult) -> bool:
-    return _film_over_radius(result) > MAX_FILM_OVER_RADIUS
-
-
-def _film_over_radius(result: AttemptResult) -> float:
-    """Central film over Rx [-]; zero where no lengths are given."""
-    contact = result.state.contact
-    if contact.film_scale is None or contact.semi_axis_x is None or not result.levels:
-        return 0.0
-    central = result.levels[-1].film[-1][CENTRAL]
-    return central * (contact.film_scale / contact.semi_axis_x) ** 2
+    return resolved, _message(result, resolved)
 
 
 def _message(result: AttemptResult, resolved: bool) -> str:
     if not result.levels:
         return "the iteration diverged in spite of stronger damping; try more points or less load"
     history = result.levels[-1]
+    if not result.converged and not history.film[-1][MINIMUM] > 0.0:
+        return "not converged: the minimum film is not positive on this mesh; try more points"
     if not result.converged:
         change = max(history.remaining(kind) for kind in (CENTRAL, MINIMUM))
         return (
             f"not converged: the equations miss by {history.residual[-1]:.1e} of the flow, the "
             f"load by {history.load[-1]:.1e}, and the cycles leave {change:.1e} of the film; try "
             "more points"
-        )
-    if _outside_model(result):
-        share = _film_over_radius(result)
-        return (
-            f"outside the model: the film is {share:.1%} of Rx, where the gap is no paraboloid; "
-            "no film is given"
         )
     if not resolved:
         return (

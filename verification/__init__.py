@@ -12,7 +12,6 @@
 | asymptotes | Moes' diagram and its asymptotes |
 | films | grid-converged films of the named contacts |
 | formulas | film formulas beside solved films |
-| bearings | films of catalogue bearings under rising load |
 | elements | finite elements beside multigrid |
 | costs | time, cycles and memory over the grid |
 | draws | random contacts |

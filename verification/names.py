@@ -13,6 +13,5 @@ class SectionName(StrEnum):
     SAME = "same"
     FILMS = "films"
     FORMULAS = "formulas"
-    BEARINGS = "bearings"
     ELEMENTS = "elements"
     COST = "cost"

@@ -1,4 +1,4 @@
-"""The sweep over random contacts: solved untuned, kept draw by draw, resumable."""
+"""The sweep over random contacts: solved untuned, checked with twice the points, resumable."""
 
 import json
 import threading
@@ -17,8 +17,8 @@ from ehl.thread_pool import film_threads
 from .draws import Draw, draws
 from .page import ForeignFileError, Progress
 
-POINTS = (257, 513, 1025)
-QUICK_POINTS = (65,)
+QUICK_OPTIONS = SolverOptions(points=65)
+CHECK_POINTS = 1025  # most of the check: contacts that need them have none
 RESOLVABLE = 10.0  # Hmin/(S hx^2) at the most points from which a contact counts as resolvable
 DAMPED = "damping halved in passing"
 
@@ -34,15 +34,18 @@ class Finished:
     moes_lubricant: float
     radius_ratio: float
     hertz_pressure: float  # [Pa]
-    points: int  # of the last solve
+    points: int  # along x
     converged: bool
     resolved: bool
-    # Hmin/(S hx^2) of the last solve; None: no film
-    fineness: float | None
-    measures: tuple[str, ...]  # taken in the last solve, without repetitions
-    first_measures: tuple[str, ...]  # taken in the solve with the fewest points
-    seconds: float  # of all its solves
+    fineness: float | None  # Hmin/(S hx^2); None: no film
+    measures: tuple[str, ...]  # taken on the last mesh, without repetitions
+    residual: float | None  # sum |R| / sum |div(rho u H)|
+    seconds: float  # of the solve
     message: str
+    # central film and error bar, minimum film and error bar [a^2/Rx]; the same with twice the
+    # points, of a contact that is converged and resolved
+    films: tuple[float, ...] | None
+    check: tuple[float, ...] | None
 
     @property
     def outcome(self) -> str:
@@ -61,8 +64,16 @@ class Finished:
         )
 
     @property
+    def errors(self) -> tuple[tuple[float, float], ...]:
+        """Distance to the check and error bar of both films, over the film [-]; none without."""
+        if self.films is None or self.check is None:
+            return ()
+        pairs = ((self.films[k], self.films[k + 1], self.check[k]) for k in (0, 2))
+        return tuple((abs(film - truth) / truth, bar / truth) for film, bar, truth in pairs)
+
+    @property
     def strongest(self) -> str:
-        """The last measure that was taken in the last solve, none if it went through plainly."""
+        """The last measure that was taken, none if the contact went through plainly."""
         return strongest(self.measures)
 
 
@@ -73,19 +84,11 @@ def strongest(measures: Iterable[str]) -> str:
     return attempts[-1] if attempts else DAMPED if taken else "none"
 
 
-def solve_draw(draw: Draw, points: tuple[int, ...] = POINTS) -> Finished:
-    """Solve with the fewest points, and with more while it is not converged and resolved."""
-    seconds = 0.0
-    first: tuple[str, ...] = ()
-    solution: ContactSolution | None = None
-    for n in points:
-        solution = solve_contact(draw.conditions, SolverOptions(points=n))
-        seconds += solution.record.wall_time
-        if n == points[0]:
-            first = tuple(dict.fromkeys(solution.record.fallbacks))
-        if solution.converged and solution.resolved:
-            break
-    assert solution is not None
+def solve_draw(draw: Draw, options: SolverOptions) -> Finished:
+    """Solve as the program does untold, and again with twice the points for a check."""
+    solution = solve_contact(draw.conditions, options)
+    record = solution.record
+    sound = solution.converged and solution.resolved
     return Finished(
         number=draw.number,
         text=draw.text,
@@ -98,11 +101,27 @@ def solve_draw(draw: Draw, points: tuple[int, ...] = POINTS) -> Finished:
         converged=bool(solution.converged),
         resolved=bool(solution.resolved),
         fineness=_fineness(solution),
-        measures=tuple(dict.fromkeys(solution.record.fallbacks)),
-        first_measures=first,
-        seconds=round(seconds, 3),
+        measures=tuple(dict.fromkeys(record.fallbacks)),
+        residual=record.residual[-1] if record.residual else None,
+        seconds=round(record.wall_time, 3),
         message=solution.message,
+        films=_films(solution) if sound else None,
+        check=_check(draw, solution) if sound else None,
     )
+
+
+def _check(draw: Draw, solution: ContactSolution) -> tuple[float, ...] | None:
+    """Films with twice the points; None where those are too many, or do not converge."""
+    points = 2 * solution.X.size - 1
+    if points > CHECK_POINTS:
+        return None
+    check = solve_contact(draw.conditions, SolverOptions(points=points))
+    return _films(check) if check.converged and check.resolved else None
+
+
+def _films(solution: ContactSolution) -> tuple[float, ...]:
+    films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
+    return tuple(float(x) for film in films for x in (film.value, film.uncertainty))
 
 
 def _fineness(solution: ContactSolution) -> float | None:
@@ -114,10 +133,10 @@ def _fineness(solution: ContactSolution) -> float | None:
 
 
 def sweep(
-    count: int, seed: int, file: Path, progress: Progress, points: tuple[int, ...] = POINTS
+    count: int, seed: int, file: Path, progress: Progress, options: SolverOptions | None = None
 ) -> list[Finished]:
     """Solve the draws that `file` does not hold yet, on all cores; each is appended to it as soon
-    as it is done.
+    as it is done. Without options they are solved as the program does untold.
 
     Raises
     ------
@@ -126,7 +145,8 @@ def sweep(
     KeyboardInterrupt
         With the finished draws in the file.
     """
-    head = {"seed": seed, "points": list(points)}
+    options = options or SolverOptions()
+    head = {"seed": seed, "points": options.points}
     done = {finished.number: finished for finished in _take_over(file, head)}
     # draws before it were begun when the sweep was stopped: the longest, taken last
     last = max(done, default=-1)
@@ -137,7 +157,7 @@ def sweep(
     lock = threading.Lock()
     progress(len(done), count, "random contacts")
     with film_threads(cores()) as pool:
-        jobs = [pool.submit(solve_draw, draw, points) for draw in waiting]
+        jobs = [pool.submit(solve_draw, draw, options) for draw in waiting]
         for job in as_completed(jobs):
             finished = job.result()
             done[finished.number] = finished
@@ -184,5 +204,23 @@ def read_finished(file: Path, head: dict[str, Any] | None = None) -> list[Finish
             f"{file}: holds the sweep with {own}, wanted is {head}; "
             f"choose another -o, or --seed {own['seed']}"
         )
-    names = ("measures", "first_measures")
-    return [Finished(**(line | {name: tuple(line[name]) for name in names})) for line in lines]
+    names = ("measures", "films", "check")
+    return [Finished(**(line | {name: _tuple(line[name]) for name in names})) for line in lines]
+
+
+def _tuple(values: list[Any] | None) -> tuple[Any, ...] | None:
+    return None if values is None else tuple(values)
+
+
+def seed_of(file: Path) -> int | None:
+    """Seed of the sweep that a file holds; None if there is no file.
+
+    Raises
+    ------
+    ForeignFileError
+        If the file is none of a sweep.
+    """
+    if not file.exists():
+        return None
+    read_finished(file)
+    return int(json.loads(file.read_text(encoding="utf-8").splitlines()[0])["seed"])

@@ -4,32 +4,37 @@ from collections import Counter
 from collections.abc import Sequence
 from functools import partial
 
-from .page import Check, Picture, Section, Table, columns, text
-from .plots import MapPoint, draw_robustness
-from .robustness import DAMPED, POINTS, RESOLVABLE, Finished, strongest
+import numpy as np
 
+from .page import Check, Picture, Section, Table, columns, percent, text
+from .plots import MapPoint, draw_robustness
+from .robustness import DAMPED, RESOLVABLE, Finished
+
+WRONG = 0.05  # relative error of a film beyond its bar that counts as silently wrong
+COVERED = 0.95  # least share of the films within their bars
 OUTCOMES = ("converged and resolved", "converged, unresolved", "failed")
 
 
-def robustness_section(
-    finished: Sequence[Finished], seed: int, points: tuple[int, ...] = POINTS
-) -> Section:
+def robustness_section(finished: Sequence[Finished], seed: int) -> Section:
     """The sweep as a section of a page."""
     resolvable = [f for f in finished if f.resolvable]
     share = sum(f.converged for f in resolvable) / max(len(resolvable), 1)
     silent = [f for f in finished if f.outcome != OUTCOMES[0] and f.message == "converged"]
-    first = points[0]
-    more = " and ".join(str(n) for n in points[1:]) or "no more"
-    tables = [_outcomes(finished, points), _measures(finished), _kinds(finished)]
+    errors = [pair for f in finished for pair in f.errors]
+    wrong = [error for error, bar in errors if error > max(bar, WRONG)]
+    covered = sum(error <= bar for error, bar in errors) / max(len(errors), 1)
+    tables = [_outcomes(finished), _bars(finished), _measures(finished), _kinds(finished)]
     if any(f.outcome != OUTCOMES[0] for f in finished):
         tables.append(_unsolved(finished))
     caption = "What each draw needed, over M and L, by R_x/R_y"
     return Section(
         title=f"{len(finished)} contacts, seed {seed}",
-        text=text("robustness").format(first=first, more=more, fineness=RESOLVABLE),
+        text=text("robustness").format(fineness=RESOLVABLE),
         checks=(
-            Check(f"converged, of {len(resolvable)} resolvable", share, least=0.99),
+            Check(f"converged, of {len(resolvable)} resolvable", share, least=0.995),
             Check("neither converged nor resolved without saying so", len(silent), most=0.0),
+            Check(f"of {len(errors)} films within their error bars", covered, least=COVERED),
+            Check(f"films wrong by {WRONG:.0%} and more than their bar", len(wrong), most=0.0),
         ),
         tables=tuple(tables),
         pictures=(
@@ -42,33 +47,44 @@ def robustness_section(
     )
 
 
-def _outcomes(finished: Sequence[Finished], points: tuple[int, ...]) -> Table:
+def _outcomes(finished: Sequence[Finished]) -> Table:
+    points = sorted({f.points for f in finished})
     rows = []
     for outcome in OUTCOMES:
-        counts = [sum(f.outcome == outcome and f.points == n for f in finished) for n in points]
-        if outcome == OUTCOMES[0]:
-            rows.append((outcome, *(str(count) for count in counts), str(sum(counts))))
-            continue
         for name, resolvable in (("resolvable", True), ("too thin to resolve", False)):
             group = [f for f in finished if f.outcome == outcome and f.resolvable == resolvable]
             cells = [str(sum(f.points == n for f in group)) for n in points]
-            rows.append((f"{outcome}, {name}", *cells, str(len(group))))
+            if group or resolvable:
+                rows.append((f"{outcome}, {name}", *cells, str(len(group))))
     head = ("outcome", *(f"at {n} points" for n in points), "in all")
     return Table("Outcomes:", head, tuple(rows))
 
 
-def _measures(finished: Sequence[Finished]) -> Table:
-    last = Counter(f.strongest for f in finished)
-    first = Counter(strongest(f.first_measures) for f in finished)
-    solved = Counter(f.strongest for f in finished if f.converged and f.resolved)
-    rows = [
-        (name, str(first.get(name, 0)), str(count), str(solved.get(name, 0)))
-        for name, count in (last | Counter(dict.fromkeys(first, 0))).most_common()
-    ]
+def _bars(finished: Sequence[Finished]) -> Table:
+    """How the films with twice the points lie in the error bars, by film and kind."""
+    rows = []
+    for kind in ("straight", "at an angle", "rotating"):
+        for place, film in enumerate(("central", "minimum")):
+            pairs = [f.errors[place] for f in finished if f.kind == kind and f.errors]
+            if not pairs:
+                continue
+            errors, bars = np.array(pairs).T
+            within = f"{np.sum(errors <= bars)} of {len(errors)}"
+            numbers = (np.median(errors), np.median(bars), np.quantile(bars, 0.9))
+            largest = f"{np.max(errors / bars):.2f}"
+            rows.append((f"{kind}, {film}", within, *(percent(x, 2) for x in numbers), largest))
     head = columns(
-        "strongest measure taken | in the first solve | in the last solve"
-        " | of these converged and resolved"
+        "entrainment, film | within the bar | error, median | bar, median | bar, 9 of 10 below"
+        " | largest error over bar"
     )
+    return Table("Error bars, judged by a solve with twice the points:", head, tuple(rows))
+
+
+def _measures(finished: Sequence[Finished]) -> Table:
+    taken = Counter(f.strongest for f in finished)
+    solved = Counter(f.strongest for f in finished if f.converged and f.resolved)
+    rows = [(name, str(count), str(solved[name])) for name, count in taken.most_common()]
+    head = columns("strongest measure taken | draws | of these converged and resolved")
     return Table("Measures:", head, tuple(rows))
 
 
@@ -85,7 +101,7 @@ def _kinds(finished: Sequence[Finished]) -> Table:
         "entrainment | draws | resolvable | of these converged | without any measure"
         " | mean time, s"
     )
-    caption = "By the entrainment; time of all solves of a draw, on a machine that was shared:"
+    caption = "By the entrainment; time of a solve, on a machine that was shared:"
     return Table(caption, head, tuple(rows))
 
 

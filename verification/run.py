@@ -10,7 +10,6 @@ from postprocess.files import atomic_path
 from postprocess.plot_style import write_figure
 
 from .asymptotes import moes_diagram
-from .bearings import Contacts, bearings
 from .costs import costs
 from .elements import elements
 from .films import named_films
@@ -34,7 +33,6 @@ MAKERS: dict[SectionName, Callable[..., Section]] = {
     SectionName.SAME: same_contact,
     SectionName.FILMS: named_films,
     SectionName.FORMULAS: formulas,
-    SectionName.BEARINGS: bearings,
     SectionName.ELEMENTS: elements,
     SectionName.COST: costs,
 }
@@ -44,23 +42,18 @@ def run_sections(
     names: Sequence[SectionName],
     progress: Progress,
     run_bearing: Callable[[], BearingResults] | None = None,
-    catalogue: Contacts | None = None,
     *,
     quick: bool = False,
 ) -> list[Section]:
     """Compute sections one after the other; each uses all cores but the one on cost.
 
-    `run_bearing` runs the bearing of the cost section, whose table of it is left out without;
-    `catalogue` gives the contacts of the section on catalogue bearings, which needs it.
+    `run_bearing` runs the bearing of the cost section, whose table of it is left out without.
     """
     sections = []
     for done, name in enumerate(names):
         progress(done, len(names), name.value)
-        given: dict[SectionName, Any] = {
-            SectionName.COST: run_bearing,
-            SectionName.BEARINGS: catalogue,
-        }
-        sections.append(MAKERS[name](quick, *([given[name]] if name in given else [])))
+        bearing = (run_bearing,) if name is SectionName.COST else ()
+        sections.append(MAKERS[name](quick, *bearing))
     progress(len(names), len(names), "pictures")
     return sections
 

@@ -1,14 +1,10 @@
 """What the models of the friction torque take beyond the loads."""
 
 from dataclasses import dataclass
-from math import pi
 
 from ..friction.resistance import Cage
 from ..supply.supply import InletFilm, Supply
 from . import skf
-
-# free contact angle from which a bearing counts as one of angular contact [rad]
-ANGULAR_CONTACT = pi / 18.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -17,10 +17,10 @@ from ..friction.resistance import (
     land_power,
     pocket_power,
 )
-from ..geometry import Bearing
+from ..geometry import ANGULAR_CONTACT, Bearing
 from ..quasistatic.solution import QuasistaticSolution
 from . import palmgren, skf, sliding
-from .inputs import ANGULAR_CONTACT, FrictionInput
+from .inputs import FrictionInput
 
 ROUND_OFF = 1.0e-8  # of one load over the other below which there is none [-]
 # of Jones (1959), as quoted in the comparison of sliding friction torques [-]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from datetime import date
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -22,7 +23,6 @@ if TYPE_CHECKING:
     from verification.page import Section
 
 DIRECTORY = Path("verify_results")
-SEED = 20261  # of the sweep shown in the docs
 
 Sections = Annotated[
     list[SectionName] | None,
@@ -35,7 +35,12 @@ Draws = Annotated[
     ),
 ]
 Seed = Annotated[
-    int | None, typer.Option(min=0, metavar="N", help=f"Of the random contacts; default {SEED}.")
+    int | None,
+    typer.Option(
+        min=0,
+        metavar="N",
+        help="Of the random contacts; default: that of a sweep begun, else today's date.",
+    ),
 ]
 
 
@@ -71,8 +76,7 @@ def verify(
         if robustness is None or directory is None:
             sections = _page(list(section or SectionName), directory, quick, quiet)
         else:
-            draws = (robustness, SEED if seed is None else seed)
-            sections = [_sweep(draws, directory, quick, quiet)]
+            sections = [_sweep((robustness, seed), directory, quick, quiet)]
     except ForeignFileError as error:
         raise CaseError(str(error)) from None
     return _report(sections, directory, as_json, quiet)
@@ -83,12 +87,10 @@ def _page(
 ) -> list[Section]:
     from verification.run import PAGE, check_page, run_sections, write_page
 
-    from ..runs.catalogue import catalogue_contacts
-
     if directory is not None:
         check_page(directory, PAGE)
     with progress_bar(quiet=quiet) as progress:
-        sections = run_sections(names, progress, _run_bearing, catalogue_contacts, quick=quick)
+        sections = run_sections(names, progress, _run_bearing, quick=quick)
     if directory is not None:
         with finish_first(f"results in {directory}"):
             write_page(sections, directory, PAGE)
@@ -103,22 +105,24 @@ def _run_bearing() -> BearingResults:
     return run_case(load_bearing(BEARING, "the cost of a bearing"))
 
 
-def _sweep(draws: tuple[int, int], directory: Path, quick: bool, quiet: bool) -> Section:
-    """Random contacts, by their number and seed."""
-    from verification.robustness import POINTS, QUICK_POINTS, sweep
+def _sweep(draws: tuple[int, int | None], directory: Path, quick: bool, quiet: bool) -> Section:
+    """Random contacts, by their number and seed; None: that of the sweep begun, or the date."""
+    from verification.robustness import QUICK_OPTIONS, seed_of, sweep
     from verification.robustness_page import robustness_section
     from verification.run import SWEEP, SWEEP_PAGE, check_page, write_page
 
     check_page(directory, SWEEP_PAGE)
-    points = QUICK_POINTS if quick else POINTS
     file = directory / SWEEP
+    count, seed = draws
+    begun = seed_of(file) if seed is None else seed
+    seed = int(date.today().strftime("%Y%m%d")) if begun is None else begun
     try:
         with progress_bar(quiet=quiet) as progress:
-            finished = sweep(*draws, file, progress, points)
+            finished = sweep(count, seed, file, progress, QUICK_OPTIONS if quick else None)
     except KeyboardInterrupt:
         say(f"finished contacts are kept in {file}; the same command continues with them")
         raise
-    section = robustness_section(finished, draws[1], points)
+    section = robustness_section(finished, seed)
     with finish_first(f"results in {directory}"):
         write_page([section], directory, SWEEP_PAGE)
     return section

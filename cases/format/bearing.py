@@ -4,10 +4,9 @@ from collections.abc import Iterator
 from math import acos, asin, cos, degrees, floor, hypot, pi, radians
 from typing import Any
 
-from bearing.geometry import Bearing, contact_angle_to_clearance
+from bearing.geometry import ANGULAR_CONTACT, Bearing, contact_angle_to_clearance
 from bearing.material import Material
 from bearing.operation import RatingInput
-from bearing.torque.inputs import ANGULAR_CONTACT
 from bearing.torque.skf import Series, skf_series
 from ehl.units import MICROMETRE, from_si, to_si
 

@@ -2,7 +2,6 @@
 
 | module | responsibility |
 |---|---|
-| catalogue | contacts of catalogue bearings under rising load |
 | films | films of contacts, equal ones solved once, in parallel |
 | traction_films | films behind a traction equilibrium |
 | equilibrium | equilibrium of the bearing, by hypothesis or by traction |

@@ -17,8 +17,8 @@ WIDE_ERROR = 0.1  # error bar over the film that leaves one digit, and is report
 
 
 def solution_messages(name: str, solution: ContactSolution) -> Iterator[str]:
-    """A film that did not converge or is not resolved, and a wide error bar where that is all."""
-    if not (solution.converged and solution.resolved):
+    """What the solver says of a film but that it converged, and a wide error bar."""
+    if solution.message != "converged":
         yield f"{name}: {solution.message}"
     film = solution.film_minimum_dimensionless
     if solution.converged and solution.resolved and film.uncertainty > WIDE_ERROR * film.value:
@@ -124,6 +124,10 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
     if not solution.hertz_pressure > 0.0:
         lack = "without piezoviscosity the scale of pressure is open"
         yield f"hertz_pressure_GPa, pressure_maximum_GPa: null, {lack}"
+    if solution.record.certificate is None:
+        yield "certified: null, no certificate was asked for, or the film did not converge"
+    if solution.state is None or solution.state.temperature is None:
+        yield "film_temperature_maximum_C: null, the film was solved without heat"
     if results.traction is None:
         yield f"traction_coefficient: null, {NO_TRACTION}"
     if record.rolling is None:

@@ -26,12 +26,11 @@ from verification.limits import approach_formula
 from verification.names import SectionName
 from verification.page import Check, ForeignFileError, Section, Table, markdown
 from verification.rigid import half_kapitza, reynolds_over_sommerfeld
-from verification.robustness import Finished, read_finished, strongest, sweep
+from verification.robustness import QUICK_OPTIONS, Finished, read_finished, strongest, sweep
 from verification.robustness_page import robustness_section
 from verification.run import MAKERS, document
 
 PAGES = Path(__file__).parents[3] / "docs" / "validation"
-POINTS = (65,)
 
 
 def call(*arguments):
@@ -168,27 +167,27 @@ def test_draws_keep_their_ranges_and_repeat():
 
 def test_sweep_is_resumed(tmp_path):
     file = tmp_path / "robustness.jsonl"
-    first = sweep(3, 5323, file, silent, POINTS)
+    first = sweep(3, 5323, file, silent, QUICK_OPTIONS)
     text = file.read_text(encoding="utf-8")
     file.write_text(text + '{"number": 3, "te', encoding="utf-8")  # killed while it wrote
     seen = []
-    more = sweep(5, 5323, file, lambda done, total, state: seen.append((done, total)), POINTS)
+    more = sweep(5, 5323, file, lambda done, total, state: seen.append((done, total)), QUICK_OPTIONS)
     assert more[:3] == first  # the times, too: not solved again
     assert [f.number for f in more] == list(range(5))
     assert seen[0] == (3, 5) and seen[-1] == (5, 5)
     assert file.read_text(encoding="utf-8").startswith(text)
     assert {f.number: f for f in read_finished(file)} == {f.number: f for f in more}
-    assert sweep(2, 5323, file, silent, POINTS) == first[:2]
+    assert sweep(2, 5323, file, silent, QUICK_OPTIONS) == first[:2]
 
 
 def test_sweep_refuses_the_file_of_another(tmp_path):
     file = tmp_path / "robustness.jsonl"
-    sweep(1, 5323, file, silent, POINTS)
+    sweep(1, 5323, file, silent, QUICK_OPTIONS)
     with pytest.raises(ForeignFileError, match="--seed 5323"):
-        sweep(1, 5324, file, silent, POINTS)
+        sweep(1, 5324, file, silent, QUICK_OPTIONS)
     file.write_text("something else\n", encoding="utf-8")
     with pytest.raises(ForeignFileError, match="no sweep"):
-        sweep(1, 5323, file, silent, POINTS)
+        sweep(1, 5323, file, silent, QUICK_OPTIONS)
 
 
 def test_interrupted_sweep_keeps_what_is_finished(tmp_path, monkeypatch):
@@ -196,11 +195,11 @@ def test_interrupted_sweep_keeps_what_is_finished(tmp_path, monkeypatch):
 
     solve, count = robustness.solve_draw, []
 
-    def interrupted(draw, points):
+    def interrupted(draw, options):
         count.append(draw)
         if len(count) == 4:
             raise KeyboardInterrupt
-        return solve(draw, points)
+        return solve(draw, options)
 
     monkeypatch.setattr(robustness, "solve_draw", interrupted)
     result = call("--robustness", "9", "--seed", "5323", "--quick", "-o", str(tmp_path))
@@ -235,8 +234,9 @@ main()
 
 def test_sweep_command(tmp_path):
     result = call("--robustness", "4", "--seed", "7741", "--quick", "-o", str(tmp_path), "--json")
-    assert result.exit_code == 0
-    assert json.loads(result.stdout)["converged"]
+    document = json.loads(result.stdout)
+    assert result.exit_code == (0 if document["converged"] else 1)
+    assert len(document["checks"]) == 4 and document["checks"][1]["passed"]  # nothing unsound goes unsaid
     assert (tmp_path / "images" / "robustness.png").stat().st_size > 10_000
     assert "4 contacts, seed 7741" in (tmp_path / "robustness.md").read_text(encoding="utf-8")
 
@@ -255,9 +255,11 @@ def finished(**changes):
         "resolved": True,
         "fineness": 40.0,
         "measures": (),
-        "first_measures": (),
+        "residual": 1e-4,
         "seconds": 1.0,
         "message": "converged",
+        "films": (0.1, 0.001, 0.05, 0.001),
+        "check": (0.1005, 0.0002, 0.0499, 0.0002),
     }
     return Finished(**(given | changes))
 
@@ -273,18 +275,28 @@ def test_outcomes_are_counted():
     ]
     assert [d.resolvable for d in draws] == [True, True, False, True, True, False]
     section = robustness_section(draws, 1)
-    share, quiet = section.checks
+    share, quiet, covered, wrong = section.checks
     assert_allclose(share.value, 2 / 4)
-    assert not share.passed and quiet.passed
+    assert not share.passed and quiet.passed and covered.passed and wrong.passed
     outcomes = {row[0]: row[1:] for row in section.tables[0].rows}
-    assert outcomes["converged and resolved"] == ("1", "1", "0", "2")
+    assert outcomes["converged and resolved, resolvable"] == ("1", "1", "0", "2")
     assert outcomes["failed, resolvable"] == ("0", "0", "2", "2")
     assert outcomes["failed, too thin to resolve"] == ("0", "0", "1", "1")
     assert len(section.tables[-1].rows) == 4
 
 
+def test_films_are_judged_by_the_check():
+    """Errors 0.5 % and 0.2 % in bars of 1 % and 2 %; then a central film wrong by 9 %, with a bar of 1 %."""
+    right, wrong = finished(), finished(check=(0.11, 0.0002, 0.0499, 0.0002))
+    assert_allclose(right.errors, [(0.0005 / 0.1005, 0.001 / 0.1005), (0.0001 / 0.0499, 0.001 / 0.0499)])
+    assert finished(check=None).errors == ()
+    *_, covered, far = robustness_section([right, wrong], 1).checks
+    assert (covered.value, far.value) == (0.75, 1)
+    assert not covered.passed and not far.passed
+
+
 def test_a_draw_that_fails_silently_fails_the_sweep():
-    _, quiet = robustness_section([finished(converged=False, message="converged")], 1).checks
+    _, quiet, *_ = robustness_section([finished(converged=False, message="converged")], 1).checks
     assert not quiet.passed
 
 
