@@ -14,6 +14,7 @@
 | formulas | film formulas beside solved films |
 | elements | finite elements beside multigrid |
 | costs | time, cycles and memory over the grid |
+| mass_balance | flow of oil through lines across a contact |
 | draws | random contacts |
 | robustness | the sweep over random contacts, kept draw by draw |
 | robustness_page | its tables and map |

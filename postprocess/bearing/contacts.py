@@ -234,6 +234,8 @@ def _absent_films(results: BearingResults) -> Iterator[str]:
             absent.setdefault((contact.race.value, reason), []).append(str(contact.ball))
     for (race, reason), balls in absent.items():
         yield f"{race} race, {balls_text(balls)}: film null, {reason}"
+    if absent:
+        yield f"contacts: residual and mass_imbalance null where {NO_FILM}"
 
 
 def _ratio_messages(results: BearingResults) -> Iterator[str]:

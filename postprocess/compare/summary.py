@@ -16,7 +16,8 @@ NOT_COMPARED = frozenset(
     "oilfilm case messages timing_s sweep file resumed key keys point".split()
 )
 OF_THE_SOLUTION = frozenset(  # how a result was computed
-    "domain points iterations residual message cycles fft_equivalents wall_s".split()
+    "domain points iterations residual mass_imbalance message cycles fft_equivalents "
+    "wall_s".split()
 )
 ROUND_OFF = 1e-9  # of the largest component of a vector: what lies below is no difference
 

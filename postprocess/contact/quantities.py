@@ -33,6 +33,12 @@ class FilmRecord:
         return film.pressure_maximum if film is not None and film.hertz_pressure > 0.0 else None
 
     @property
+    def residual(self) -> float | None:
+        """Of the film's equations after the last cycle [-]; None where no cycle was completed."""
+        history = () if self.film is None else self.film.record.residual
+        return history[-1] if history else None
+
+    @property
     def temperature_maximum(self) -> float | None:
         """Largest mean temperature over the film [K]; None where it was solved without heat."""
         film = self.film
@@ -48,6 +54,7 @@ class FilmRecord:
 
 NO_FILM = "no film was computed, or it has no length"
 NO_TRACTION = "it needs a contact with lengths, and a film that converged"
+NO_CYCLE = "no film was computed, or not a single cycle of it was completed"
 FILM_QUANTITIES = (
     *quantities(
         "film.",
@@ -61,6 +68,10 @@ FILM_QUANTITIES = (
         "",
         NO_FILM,
         ("pressure_maximum_GPa", "maximum pressure", "pressure_maximum", "", "largest pressure"),
+    ),
+    *quantities("", NO_CYCLE, ("residual", "residual of the film's equations")),
+    *quantities(
+        "film.record.", NO_CYCLE, ("mass_imbalance", "oil gained in the film, over its flow")
     ),
     *quantities(
         "",

@@ -8,7 +8,7 @@ from ehl.traction.rolling_moment import rolling_moment
 from ehl.units import MILLIMETRE, from_si
 
 from ..files import plain_document
-from .quantities import NO_TRACTION, FilmRecord, film_values, formula_films
+from .quantities import NO_CYCLE, NO_TRACTION, FilmRecord, film_values, formula_films
 from .results import ContactResults
 from .supply import contact_starved_values, contact_supply_messages
 
@@ -56,8 +56,6 @@ def contact_summary(results: ContactResults) -> dict[str, Any]:
         "resolved": solution.resolved,
         "domain": list(solution.domain),
         "points": list(solution.P.shape),
-        "residual": solution.record.residual[-1] if solution.record.residual else None,
-        "mass_imbalance": solution.record.mass_imbalance,
         "certified": None if certificate is None else certificate.certified,
         "cycles": solution.record.cycles,
         "fft_equivalents": solution.record.fft_equivalents,
@@ -128,6 +126,8 @@ def _messages(results: ContactResults, record: FilmRecord) -> Iterator[str]:
         yield "certified: null, no certificate was asked for, or the film did not converge"
     if solution.state is None or solution.state.temperature is None:
         yield "film_temperature_maximum_C: null, the film was solved without heat"
+    if record.residual is None:
+        yield f"residual, mass_imbalance: null, {NO_CYCLE}"
     if results.traction is None:
         yield f"traction_coefficient: null, {NO_TRACTION}"
     if record.rolling is None:

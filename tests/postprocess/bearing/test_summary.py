@@ -48,6 +48,8 @@ CONTACT_KEYS = {
     "traction_coefficient",
     "lambda_ratio",
     "converged",
+    "residual",
+    "mass_imbalance",
 }
 SINGLE_KEYS = {
     "load_N",
@@ -70,6 +72,8 @@ SINGLE_KEYS = {
     "resolved",
     "domain",
     "points",
+    "residual",
+    "mass_imbalance",
     "cycles",
     "fft_equivalents",
     "wall_s",
@@ -115,6 +119,18 @@ def test_unloaded_contacts_are_null_and_do_not_count(bearing_results):
     assert all(c["load_N"] == 0.0 and c["film_central_um"] is None for c in unloaded)
     assert document["converged"]
     assert any("inner race, balls 3, 4, 5, 6, 7, 8: film null, unloaded" in m for m in document["messages"])
+
+
+def test_mass_balance_of_every_contact_with_a_film(bearing_results):
+    """That of the film's last cycle; null without a film, and said so."""
+    document = summary(bearing_results)
+    for contact, film in zip(document["contacts"], bearing_results.solutions, strict=True):
+        if film is None:
+            assert contact["residual"] is None and contact["mass_imbalance"] is None
+        else:
+            assert contact["residual"] == film.record.residual[-1]
+            assert contact["mass_imbalance"] == film.record.mass_imbalance
+    assert any(m.startswith("contacts: residual and mass_imbalance null") for m in document["messages"])
 
 
 def test_null_has_a_reason(bearing_results, contact_results):
