@@ -31,12 +31,13 @@ from ..conditions import ContactConditions
 from ..multigrid.far_field import FarField, far_field
 from ..scaling import ScaledContact, scale_contact
 from ..solution import ContactSolution
-from .oil_extent import HALVINGS, PARABOLA_SHARE, Sections, ray_curvature, sections
+from .oil_extent import HALVINGS, PARABOLA_SHARE, ray_curvature, sections
 from .shear import trapezoidal_weights
 
 DIRECTIONS = 720  # rays from the centre
 RAY_NODES = 24  # of Gauss and Legendre on each, in the logarithm of the distance
 SAME_ANGLE = 1e-9  # [rad]
+SMALLEST_DISTANCE = 1e-12  # from the centre over a [-]: a direction at the centre itself
 # Error of the lever arm of the load over the contact's half length, times (mesh/half length)^-1.5
 # [-]: 0.02 to 0.34 in the sixteen contacts of `benchmarks/uncertainty.py` on 65 to 513 points,
 # whose moments approach their limit with an order of 1.45 (median)
@@ -184,8 +185,7 @@ class _Oil:
         x = X[outside]
         y = Y[outside]
         film = solution.H[outside]
-        r = np.hypot(x, y)
-        gap = film + self._excess(self._sections(x / r, y / r), r)
+        gap = film + self._excess(x, y)
         # over a cell, of the gap
         rise = np.abs(contact.curvature_x * X + contact.curvature_xy * Y)
         rise = rise * np.gradient(solution.X)[:, None]
@@ -220,22 +220,41 @@ class _Oil:
         ahead = X <= 0.0
         r = -X[ahead][::-1]
         middle = int(np.abs(self.solution.Y).argmin())
-        directions = self._sections(np.full_like(r, -1.0), np.zeros_like(r))
-        gap = self.solution.H[ahead, middle][::-1] + self._excess(directions, r)
+        gap = self.solution.H[ahead, middle][::-1] + self._excess(-r, np.zeros_like(r))
         narrow = np.flatnonzero(gap < self.layer)
         last = int(narrow[-1]) if narrow.size else 0
         return float(np.interp(self.layer, gap[last : last + 2], r[last : last + 2]))
 
-    def _sections(self, x: Array, y: Array) -> Sections:
-        return sections(self.contact, self.ball_radius, x, y)
-
-    def _excess(self, circles: Sections, r: Array) -> Array:
-        """Of the gap of circles over that of parabolas, where they differ; endless where the
-        smaller circle ends.
+    def _excess(self, x: Array, y: Array) -> Array:
+        """Of the gap of circles over that of parabolas at places outside the contact, less that
+        at the edge of the ellipse beside them, where the bodies conform; endless where the smaller
+        circle ends.
         """
+        excess, reach = self._rigid_excess(x, y)
+        edge, _ = self._rigid_excess(*self._edge_beside(x, y))
+        return np.asarray(np.where(reach < 1.0, excess - edge, np.inf))
+
+    def _rigid_excess(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Excess at places, where the circles differ from parabolas, and the distance over the
+        radius of the smaller circle [-].
+        """
+        r = np.maximum(np.hypot(x, y), SMALLEST_DISTANCE)
+        circles = sections(self.contact, self.ball_radius, x / r, y / r)
         reach = circles.largest * r
-        excess = np.where(reach > PARABOLA_SHARE, circles.excess(r, self.height_scale), 0.0)
-        return np.asarray(np.where(reach < 1.0, excess, np.inf))
+        excess = circles.excess(r, self.height_scale)
+        return np.where(reach > PARABOLA_SHARE, excess, 0.0), reach
+
+    def _edge_beside(self, x: Array, y: Array) -> tuple[Array, Array]:
+        """Place on the edge of Hertz' ellipse beside one outside it: with the same y or, past its
+        ends, the end of its axis; in principal directions.
+        """
+        contact = self.contact
+        c, s = np.cos(contact.frame_angle), np.sin(contact.frame_angle)
+        along = x * c - y * s
+        across = np.clip(x * s + y * c, -contact.semi_axis_ratio, contact.semi_axis_ratio)
+        width = np.sqrt(1.0 - (across / contact.semi_axis_ratio) ** 2)
+        along = np.clip(along, -width, width)
+        return along * c + across * s, across * c - along * s
 
 
 class _Ray:
@@ -248,7 +267,7 @@ class _Ray:
         self.y = y
         self.start = _edge_distance(solution, x, y)
         self.curvature = ray_curvature(oil.contact, x, y)
-        self.circles = oil._sections(x, y)
+        self.end = sections(oil.contact, oil.ball_radius, x, y).end
         self.film = _edge_film(solution, self.start * x, self.start * y)
         rigid = solution.approach_dimensionless + 0.5 * self.curvature * self.start**2
         self.deflection = self.film - rigid  # on the edge of the box; it falls with 1/r
@@ -257,16 +276,16 @@ class _Ray:
         """At distances of shape (n, m) [-]."""
         curvature, start = self.curvature[:, None], self.start[:, None]
         deflection = self.deflection[:, None] * start / r
-        circles = Sections(*(part[:, None] for part in self.circles))
         rigid = self.oil.solution.approach_dimensionless + 0.5 * curvature * r**2
-        return np.asarray(rigid + deflection + self.oil._excess(circles, r))
+        excess = self.oil._excess(self.x[:, None] * r, self.y[:, None] * r)
+        return np.asarray(rigid + deflection + excess)
 
     def meniscus(self) -> Array:
         """Distance at which the gap is as wide as the layer, or the smaller circle ends; that of
         the box's edge where it lies inside, shape (n,) [-].
         """
         low = self.start
-        high = np.maximum(self.circles.end, low)
+        high = np.maximum(self.end, low)
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
             narrow = self.gap(middle[:, None])[:, 0] < self.oil.layer

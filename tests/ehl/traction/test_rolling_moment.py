@@ -139,6 +139,20 @@ def test_moment_of_a_heavy_contact_does_not_depend_on_its_box(monkeypatch, condi
     assert_allclose([moment.extent for moment in found], found[3].extent, rtol=0.005)
 
 
+def test_moment_rises_with_the_load(conditions):
+    """Semi-axes of 0.15 to 0.5 of the ball's radius: where the bodies conform the gap is the film. Twice the limit of
+    Biboulet and Houpert grows with the semi-axis across, the power 1/3 of the load; the layer takes a little of it."""
+    loads = (300.0, 1200.0, 5000.0)
+    found = [
+        rolling_moment(
+            ehl.solve_contact(replace(conditions, load=load, ball_radius=BALL), ehl.SolverOptions(points=513))
+        )
+        for load in loads
+    ]
+    rise = np.diff(np.log([moment.value for moment in found])) / np.diff(np.log(loads))
+    assert_allclose(rise, 1.0 / 3.0, atol=0.1)
+
+
 def test_moment_of_a_light_contact_does_not_depend_on_its_box(monkeypatch, conditions):
     """Centrifugal force only; the smallest box ends before the meniscus, the largest 5 mm behind it."""
     light = replace(conditions, load=15.5, ball_radius=BALL)
