@@ -9,59 +9,26 @@ from __future__ import annotations
 
 import sys
 import time
-from math import radians
 
-from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions
-from ehl.multigrid.cycle import relative_residual, start_level, update_film
-from ehl.multigrid.full_multigrid import ATTEMPTS
-from ehl.multigrid.history import central_film, film_values
+from ehl import SolverOptions
+from ehl.multigrid.cycle import relative_residual
+from ehl.multigrid.full_multigrid import ATTEMPTS, start_from_hertz
+from ehl.multigrid.history import film_values
 from ehl.multigrid.newton import certify
 from ehl.solver import solve_attempts
-
-OIL = Lubricant(viscosity=0.04, pressure_viscosity=22e-9, roelands_z=0.68)
-SKEWED_OIL = Lubricant(viscosity=0.04, pressure_viscosity=20.35e-9, roelands_z=0.6256)
-
-
-def moes(load, lubricant, ratio=1.0, angle=0.0, oil=OIL):
-    """Conditions by Moes' groups; the angle in degrees."""
-    return MoesConditions(
-        load_parameter=load,
-        lubricant_parameter=lubricant,
-        radius_ratio=ratio,
-        entrainment_angle=radians(angle),
-        lubricant=oil,
-    )
-
+from verification.contacts import OIL, SKEWED, TURNING, moes
 
 CONTACTS = {
-    "M 20, L 10": moes(20.0, 10.0),
-    "M 200, L 10": moes(200.0, 10.0),
-    "M 1000, L 10": moes(1000.0, 10.0),
-    "M 50, L 0": moes(50.0, 0.0),
-    "M 50, L 0.5": moes(50.0, 0.5),
-    "M 500, L 15, Rx/Ry 0.1": moes(500.0, 15.0, 0.1),
-    "turning": ContactConditions(
-        load=50.0,
-        radius_x=0.006,
-        radius_y=0.03,
-        reduced_modulus=226e9,
-        entrainment_speed=5.0,
-        lubricant=OIL,
-        mean_spin=1500.0,
-    ),
-    "skewed 72 degrees": moes(1924.0, 1.596, 0.0473, 72.0, SKEWED_OIL),
+    "M 20, L 10": moes(20.0, 10.0, oil=OIL),
+    "M 200, L 10": moes(200.0, 10.0, oil=OIL),
+    "M 1000, L 10": moes(1000.0, 10.0, oil=OIL),
+    "M 50, L 0": moes(50.0, 0.0, oil=OIL),
+    "M 50, L 0.5": moes(50.0, 0.5, oil=OIL),
+    "M 500, L 15, Rx/Ry 0.1": moes(500.0, 15.0, 0.1, oil=OIL),
+    "turning": TURNING,
+    "skewed 72 degrees": SKEWED,
 }
 STARTS = {"solved": 20, "one cycle": 1, "Hertz": 1}  # cycles on the finest level
-
-
-def start_from_hertz(state):
-    """Hertz pressure on the finest level, and the approach of the film formula."""
-    level = state.levels[-1]
-    pressure = state.contact.dry_pressure(level.grid.X[None, :], level.grid.Y[:, None])
-    state.approach = state.exterior = 0.0
-    start_level(state, len(state.levels) - 1, pressure)
-    state.approach = state.contact.film_guess - central_film(level.grid, level.H)
-    update_film(state, len(state.levels) - 1)
 
 
 def line(name, points, start):
@@ -72,7 +39,8 @@ def line(name, points, start):
     multigrid = time.process_time() - began
     index = len(state.levels) - 1
     if start == "Hertz":
-        start_from_hertz(state)
+        state.exterior = 0.0
+        start_from_hertz(state, index)
     left = relative_residual(state, index)[0]
     began = time.process_time()
     c = certify(state)

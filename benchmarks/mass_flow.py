@@ -9,19 +9,11 @@ from __future__ import annotations
 import sys
 from dataclasses import replace
 
-from ehl import ContactConditions, Lubricant
 from ehl.multigrid.cycle import relative_residual
 from ehl.oil.rheology import Rheology, ShearLaw
+from verification.contacts import BALL_ON_DISC
 from verification.mass_balance import cycle_on, film_centre, mass_drift, reversed_nodes, solve_film
 
-CONTACT = ContactConditions(
-    load=20.0,
-    radius_x=0.0127,
-    radius_y=0.0127,
-    reduced_modulus=2.2e11,
-    entrainment_speed=1.0,
-    lubricant=Lubricant(viscosity=0.04, pressure_viscosity=2e-8),
-)
 LAWS = {
     "Newtonian": Rheology(),
     "Eyring 5 MPa": Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6),
@@ -38,7 +30,7 @@ def main(*points: int) -> None:
     for name, rheology in LAWS.items():
         for slip in (0.0, 0.5):
             for count in points or (65, 129):
-                state = solve_film(replace(CONTACT, slide_roll_ratio=slip), rheology, count)
+                state = solve_film(replace(BALL_ON_DISC, slide_roll_ratio=slip), rheology, count)
                 for more in (0, MORE):
                     cycle_on(state, more)
                     drift = mass_drift(state)

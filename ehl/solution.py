@@ -1,6 +1,6 @@
 """Result of one contact solve."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, isfinite
 
 import numpy as np
@@ -60,6 +60,7 @@ class ConvergenceRecord:
     # sum of R over the same, after the last cycle: the oil lost or gained [-]; None: not known
     mass_imbalance: float | None = None
     certificate: Certificate | None = None  # of Newton's method; None: not asked for
+    attempt: str = ""  # name of the attempt that the solution is of; empty: of finite elements
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,6 +95,31 @@ class ContactSolution:
     message: str
     record: ConvergenceRecord
     state: FilmState | None = None  # of the oil, where shear or heat were solved with the film
+
+    @property
+    def widest_bar(self) -> float:
+        """Error bar over the film, of the worse film [-]; infinite where there is none."""
+        films = (self.film_central_dimensionless, self.film_minimum_dimensionless)
+        return max(film.relative_uncertainty for film in films)
+
+    def thinned(self, points: int) -> "ContactSolution":
+        """The same on every second node, or every fourth and so on, until at most `points` are
+        left along x; edges and origin stay.
+        """
+        step = 1
+        cells = (self.X.size - 1, self.Y.size - 1)
+        while cells[0] // step >= points and all(count % (2 * step) == 0 for count in cells):
+            step *= 2
+        if step == 1:
+            return self
+        return replace(
+            self,
+            X=self.X[::step],
+            Y=self.Y[::step],
+            P=self.P[::step, ::step],
+            H=self.H[::step, ::step],
+            state=None if self.state is None else self.state.thinned(step),
+        )
 
     def _dimensional(self, value: float) -> float | None:
         """A film [m]; None without lengths, and where the solution did not converge."""

@@ -76,19 +76,19 @@ def solve_attempts(
     if tolerance is not None:
         points = _first_points(contact, domain, tolerance, points)
     while True:
-        refinable = tolerance is not None and points < options.most_points
         solution, result = _solve(
             conditions, domain, replace(options, points=points), flow_model, attempts, progress
         )
-        outside = _film_over_radius(solution) > MAX_FILM_OVER_RADIUS
-        if not refinable or outside or _reached(solution, tolerance):
+        if tolerance is None or points >= options.most_points or _reached(solution, tolerance):
+            break
+        if _film_over_radius(solution) > MAX_FILM_OVER_RADIUS:
             break
         # what converged on a mesh comes first on the next
         points = 2 * points - 1
         attempts = (result.attempt, *(a for a in attempts if a is not result.attempt))
     if options.certify and result.converged:
         _certify(result, progress)
-        solution = _judged(conditions, solution.options, result, progress)
+        solution = _assembled(conditions, solution.options, result, progress)
     if tolerance is not None:
         solution = _tolerance_judged(solution, tolerance, points)
     record = replace(solution.record, wall_time=time.perf_counter() - start)
@@ -115,12 +115,9 @@ def _first_points(
     return min(max(points, FEWEST_POINTS), most)
 
 
-def _reached(solution: ContactSolution, tolerance: float | None) -> bool:
+def _reached(solution: ContactSolution, tolerance: float) -> bool:
     """Whether both films are within their tolerance."""
-    assert tolerance is not None
-    films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
-    bar = max(film.relative_uncertainty for film in films)
-    return solution.converged and solution.resolved and bar <= tolerance
+    return solution.converged and solution.resolved and solution.widest_bar <= tolerance
 
 
 def _tolerance_judged(solution: ContactSolution, tolerance: float, points: int) -> ContactSolution:
@@ -155,10 +152,10 @@ def _solve(
     result = solve_with_fallbacks(
         contacts, domain, options, progress, flow_model, lighter, attempts
     )
-    return _judged(conditions, options, result, progress), result
+    return _assembled(conditions, options, result, progress), result
 
 
-def _judged(
+def _assembled(
     conditions: ContactConditions | MoesConditions,
     options: SolverOptions,
     result: AttemptResult,
@@ -175,10 +172,11 @@ def _judged(
             fallbacks=tuple(progress.fallbacks),
             wall_time=0.0,
             certificate=result.certificate,
+            attempt=result.attempt.name,
         ),
         result,
     )
-    return with_bars_judged(_solution(conditions, options, result, record))
+    return judged(_solution(conditions, options, result, record))
 
 
 def with_history(record: ConvergenceRecord, result: AttemptResult) -> ConvergenceRecord:
@@ -270,12 +268,11 @@ def _domain(contact: ScaledContact, grid: Grid) -> tuple[float, float, float]:
     return x_in, x_out, float(grid.Y[-1]) / contact.half_extent_y
 
 
-def with_bars_judged(solution: ContactSolution) -> ContactSolution:
+def judged(solution: ContactSolution) -> ContactSolution:
     """The solution as its films let it stand: the minimum not above the centre, not converged
     where the film is outside the model, unresolved where a bar is wider than `LARGEST_BAR`.
     """
     solution = _minimum_below_centre(solution)
-    films = (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
     if not solution.converged:
         return solution
     share = _film_over_radius(solution)
@@ -285,7 +282,7 @@ def with_bars_judged(solution: ContactSolution) -> ContactSolution:
             "no film is given"
         )
         return replace(solution, converged=False, resolved=False, message=message)
-    bar = max(film.relative_uncertainty for film in films)
+    bar = solution.widest_bar
     if not solution.resolved or bar <= LARGEST_BAR:
         return solution
     message = f"converged but unresolved: error bar {bar:.0%} of the film; try more points"

@@ -1,6 +1,6 @@
 """The contacts of the verification page, by name, and contacts in SI from Moes' groups."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import pi
 
 from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, ViscosityLaw
@@ -43,6 +43,35 @@ def moes(
         entrainment_angle=angle,
         lubricant=oil,
     )
+
+
+# a thin film in an ellipse, the entrainment oblique: cycles alone may fail on coarse grids
+SKEWED = moes(
+    1924.0,
+    1.596,
+    0.0473,
+    72.0 * DEGREE,
+    Lubricant(viscosity=0.04, pressure_viscosity=20.35e-9, roelands_z=0.6256),
+)
+# an ellipse whose entrainment turns from place to place
+TURNING = ContactConditions(
+    load=50.0,
+    radius_x=0.006,
+    radius_y=0.03,
+    reduced_modulus=226e9,
+    entrainment_speed=5.0,
+    lubricant=replace(OIL, viscosity=0.04),
+    mean_spin=1500.0,
+)
+# a ball of half an inch on a disc, steel
+BALL_ON_DISC = ContactConditions(
+    load=20.0,
+    radius_x=0.0127,
+    radius_y=0.0127,
+    reduced_modulus=2.2e11,
+    entrainment_speed=1.0,
+    lubricant=Lubricant(viscosity=0.04, pressure_viscosity=2e-8),
+)
 
 
 def from_groups(

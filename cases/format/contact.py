@@ -30,13 +30,11 @@ from .fields import (
 from .problems import CaseFault, shown
 from .rules import CaseValues, Excludes, Needs, Relation, Where
 
-NEWTONIAN = "newtonian"
-
 
 class FilmModel(Enum):
     """Physics of the films."""
 
-    NEWTONIAN = NEWTONIAN
+    NEWTONIAN = "newtonian"
     SHEAR_THINNING = "shear-thinning"
     THERMAL = "thermal"
 
@@ -67,7 +65,8 @@ class ContactEhlTable(Table):
         """Without points a tolerance, of films with shear or heat points."""
         if not isinstance(table, dict) or "points" in table or table.get("tolerance") is not None:
             return table
-        if table.get("film_model", NEWTONIAN) != NEWTONIAN:
+        newtonian = FilmModel.NEWTONIAN.value
+        if table.get("film_model", newtonian) != newtonian:
             return {**table, "points": GENERALIZED_POINTS}
         return {**table, "tolerance": TOLERANCE}
 

@@ -21,8 +21,7 @@ from math import inf
 import numpy as np
 
 from ..multigrid.acceleration import Acceleration
-from ..multigrid.cycle import Multigrid, start_level, update_film
-from ..multigrid.far_field import exterior_load
+from ..multigrid.cycle import Multigrid, start_level, update_exterior, update_film
 from ..multigrid.full_multigrid import (
     ATTEMPTS,
     DIVERGED,
@@ -38,13 +37,7 @@ from ..multigrid.history import CENTRAL, MINIMUM, start_history
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution, FilmValue
-from ..solver import (
-    resolution_message,
-    solve_contact,
-    unfold_symmetry,
-    with_bars_judged,
-    with_history,
-)
+from ..solver import judged, resolution_message, solve_contact, unfold_symmetry, with_history
 from .flow import Continuation, FlowState, GeneralizedFlow
 
 # entries among the fallbacks of a record
@@ -117,16 +110,13 @@ def _start(
     scaled = [scale_contact(flow.conditions, along_entrainment=turned) for turned in (False, True)]
     contact = min(scaled, key=lambda frame: abs(frame.frame_angle - plain.frame_angle))
     contact = replace(contact, film_guess=plain.film_central_dimensionless.finest)
-    tried = [attempt for attempt in ATTEMPTS if attempt.name in plain.record.fallbacks]
-    attempt = max(tried, key=lambda a: plain.record.fallbacks.index(a.name), default=ATTEMPTS[0])
+    attempt = next(attempt for attempt in ATTEMPTS if attempt.name == plain.record.attempt)
     state = contact_multigrid(contact, plain.domain, options, attempt, flow)
     state.approach = plain.approach_dimensionless
     level = state.levels[-1]
     pressure = np.ascontiguousarray(plain.P.T[-level.grid.ny :])
     start_level(state, len(state.levels) - 1, pressure)
-    if state.far_field is not None:
-        state.exterior = exterior_load(state.far_field, level.grid, level.H)
-        level.load = contact.load - state.exterior
+    update_exterior(state, len(state.levels) - 1)
     return state, attempt
 
 
@@ -222,7 +212,7 @@ def _solution(plain: ContactSolution, result: AttemptResult) -> ContactSolution:
         message=message,
         record=record,
     )
-    return with_bars_judged(solution)
+    return judged(solution)
 
 
 def _in_proportion(plain: FilmValue, result: AttemptResult, kind: int) -> FilmValue:

@@ -325,8 +325,8 @@ def cycle(state: Multigrid, index: int) -> None:
         # 5. sweeps after
         for _ in range(SWEEPS[1]):
             relax(state, index)
-    if state.far_field is not None and state.levels[index].s is state.levels[index].gap:
-        _update_exterior(state, index)
+    if state.levels[index].s is state.levels[index].gap:
+        update_exterior(state, index)
 
 
 def _solve_coarsest(state: Multigrid) -> None:
@@ -368,8 +368,12 @@ def _correct(state: Multigrid, index: int, start: Array, approach: float) -> Non
     fine.H += state.approach - approach
 
 
-def _update_exterior(state: Multigrid, index: int) -> None:
-    assert state.far_field is not None
+def update_exterior(state: Multigrid, index: int) -> None:
+    """Load outside an open box by the film of the level being solved, and what it leaves for the
+    box; a closed box carries the whole load.
+    """
+    if state.far_field is None:
+        return
     level = state.levels[index]
     state.exterior = exterior_load(state.far_field, level.grid, level.H)
     level.load = state.contact.load - state.exterior

@@ -248,7 +248,7 @@ def newton_multigrid(result: AttemptResult) -> None:
     """
     state = result.state
     first = _starting_level(state, 0)
-    _start(state, first)
+    start_from_hertz(state, first)
     for index in range(first, len(state.levels)):
         if index > first:
             below = state.levels[index - 1]
@@ -274,7 +274,7 @@ def _starting_level(state: Multigrid, finer: int) -> int:
     return min(first + finer, finest)
 
 
-def _start(state: Multigrid, index: int) -> None:
+def start_from_hertz(state: Multigrid, index: int) -> None:
     """Hertz pressure and the approach that gives the expected central film."""
     contact = state.contact
     grid = state.levels[index].grid
@@ -296,7 +296,7 @@ def _start_in_steps(
     for contact in (*lighter, state.contact):
         step = state if contact is state.contact else replace(state, contact=contact)
         if before is None:
-            _start(step, index)
+            start_from_hertz(step, index)
         else:
             step.approach = before.approach
             step.exterior = before.exterior

@@ -25,8 +25,7 @@ from .bordered import (
     nested_dissection,
     solve_bordered,
 )
-from .cycle import Multigrid, refresh_factors, relative_residual, update_film
-from .far_field import exterior_load
+from .cycle import Multigrid, refresh_factors, relative_residual, update_exterior, update_film
 from .history import film_values
 from .jacobian import Linearisation, deflected, linearise, load_row, near_field, product
 
@@ -224,7 +223,4 @@ def _share(lin: Linearisation, change: Array, growth: Array) -> float:
 def _settle(state: Multigrid, index: int) -> None:
     """Film, edge and exterior load that belong to the pressure of a level."""
     update_film(state, index)
-    if state.far_field is not None:
-        level = state.levels[index]
-        state.exterior = exterior_load(state.far_field, level.grid, level.H)
-        level.load = state.contact.load - state.exterior
+    update_exterior(state, index)

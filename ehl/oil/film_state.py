@@ -18,6 +18,14 @@ class FilmState:
     # profile of the temperature and by the stress of the pressure gradient [-]
     log_fluidity: Array
 
+    def thinned(self, step: int) -> "FilmState":
+        """At every `step`-th node of the grid."""
+        t = self.temperature
+        return FilmState(
+            temperature=None if t is None else t[::step, ::step],
+            log_fluidity=self.log_fluidity[::step, ::step],
+        )
+
 
 def log_mean_fluidity(
     temperature: Array, weights: Array, pressure: Array, oil: Lubricant

@@ -302,6 +302,16 @@ def test_not_converged_is_a_result():
     assert s.record.fallbacks  # everything was tried, and is on record
 
 
+def test_a_thinned_solution_keeps_edges_and_origin():
+    solution = circular(129)
+    thin = solution.thinned(50)
+    assert (thin.X.size, thin.X[0], thin.X[-1]) == (33, solution.X[0], solution.X[-1])
+    assert thin.P.shape == thin.H.shape == (thin.X.size, thin.Y.size)
+    assert_allclose(thin.Y, solution.Y[::4])
+    assert np.array_equal(thin.H, solution.H[::4, ::4])
+    assert solution.thinned(129) is solution
+
+
 def test_damping_halves_the_changes():
     damping = Damping()
     assert damping.halved().jacobi == 0.5 * damping.jacobi

@@ -18,18 +18,11 @@ from ehl.oil.lubricant import ThermalProperties, log_viscosity_ratio
 from ehl.oil.rheology import Rheology, ShearLaw, divide_stresses, shear_stress
 from ehl.scaling import scale_contact
 from ehl.solid.heat import SolidThermal
+from verification.contacts import BALL_ON_DISC
 
 HEAT = ThermalProperties(conductivity=0.14, specific_heat=2000.0, viscosity_temperature=0.04, expansion=7e-4)
 OIL = Lubricant(viscosity=0.04, pressure_viscosity=2e-8, temperature=333.0, thermal=HEAT)
-CIRCULAR = ContactConditions(
-    load=20.0,
-    radius_x=0.0127,
-    radius_y=0.0127,
-    reduced_modulus=2.2e11,
-    entrainment_speed=1.0,
-    lubricant=OIL,
-    slide_roll_ratio=0.5,
-)
+CIRCULAR = replace(BALL_ON_DISC, lubricant=OIL, slide_roll_ratio=0.5)
 STEEL = SolidThermal(conductivity=46.0, density=7850.0, specific_heat=460.0)
 EYRING = Rheology(law=ShearLaw.REE_EYRING, eyring_stress=5e6)
 COARSE = SolverOptions(points=65)
@@ -95,6 +88,17 @@ def test_continuation_to_a_newtonian_oil_stays_where_it_is():
     (there, _), plain = solve_by_continuation(flow, COARSE), solve_contact(conditions, COARSE)
     assert there.converged and there.P.shape == plain.P.shape
     assert_allclose(there.film_central, plain.film_central, rtol=AT_REST)
+
+
+def test_continuation_takes_the_settings_of_the_film_it_starts_from():
+    """Not those of the last attempt on record: another mesh across would not fit the pressure."""
+    plain = solve_contact(CIRCULAR, COARSE)
+    other = next(attempt for attempt in ATTEMPTS if attempt.mesh_y != 1.0)
+    tried = replace(plain, record=replace(plain.record, fallbacks=(other.name,)))
+    flow = GeneralizedFlow(conditions=CIRCULAR, rheology=EYRING)
+    there, again = (solve_by_continuation(flow, COARSE, film)[0] for film in (plain, tried))
+    assert there.converged
+    assert_array_equal(there.P, again.P)
 
 
 def test_divided_stresses_are_the_same_law_at_higher_stresses():

@@ -7,19 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from ehl import ContactConditions, Lubricant
 from ehl.multigrid.history import FILM_TOLERANCE
 from ehl.oil.rheology import Rheology, ShearLaw
+from verification.contacts import BALL_ON_DISC
 from verification.mass_balance import cycle_on, film_centre, mass_drift, reversed_nodes, solve_film
 
-CIRCULAR = ContactConditions(
-    load=20.0,
-    radius_x=0.0127,
-    radius_y=0.0127,
-    reduced_modulus=2.2e11,
-    entrainment_speed=1.0,
-    lubricant=Lubricant(viscosity=0.04, pressure_viscosity=2e-8),
-)
 CARREAU = Rheology(law=ShearLaw.CARREAU_YASUDA, carreau_modulus=5e5, carreau_exponent=0.46)
 
 
@@ -27,7 +19,7 @@ CARREAU = Rheology(law=ShearLaw.CARREAU_YASUDA, carreau_modulus=5e5, carreau_exp
 def test_oil_of_a_thinned_film_is_conserved_once_the_cycles_go_on(slip):
     """The drift is what the cycles stop at: per cents of the contact's flow, and none of it is the scheme's. Twelve
     cycles leave 2e-6 (rolling) of it and less (sliding); a flow that did not cancel between nodes would stay."""
-    state = solve_film(replace(CIRCULAR, slide_roll_ratio=slip), CARREAU, 65)
+    state = solve_film(replace(BALL_ON_DISC, slide_roll_ratio=slip), CARREAU, 65)
     stopped = mass_drift(state)
     film = film_centre(state)
     cycle_on(state, 12)
@@ -41,7 +33,7 @@ def test_drift_by_averaged_flows_is_of_second_order():
     """4.6 times less on half the mesh up to X = 0.5, and again 4.2 times on 257 points."""
     drifts = []
     for points in (65, 129):
-        state = solve_film(CIRCULAR, CARREAU, points)
+        state = solve_film(BALL_ON_DISC, CARREAU, points)
         cycle_on(state, 12)
         drifts.append(mass_drift(state).at(0.5))
     assert drifts[0] == pytest.approx(0.037, rel=0.1)  # seen 0.0372

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from math import radians
+from functools import partial
 
 import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 from scipy import sparse
 
-from ehl import ContactConditions, Lubricant, MoesConditions, SolverOptions, solve_contact
+from ehl import SolverOptions, solve_contact
 from ehl.multigrid.bordered import Border, factor_bordered, nested_dissection, solve_bordered
 from ehl.multigrid.cycle import load_error, relative_residual
 from ehl.multigrid.full_multigrid import ATTEMPTS
@@ -18,44 +18,24 @@ from ehl.multigrid.history import film_values
 from ehl.multigrid.jacobian import TAPER, deflected, linearise, load_row, near_field, product
 from ehl.multigrid.newton import TOLERANCE, certify
 from ehl.solver import solve_attempts
+from verification.contacts import DEGREE, OIL, SKEWED, TURNING
+from verification.contacts import moes as groups
 
 from ..oil.test_lubricant import SQUALANE
 
-OIL = Lubricant(viscosity=0.04, pressure_viscosity=22e-9, roelands_z=0.68)
+moes = partial(groups, oil=OIL)
 ROUND_OFF = 1e-11  # of sums whose terms cancel, relative to the largest
 
 
-def moes(load, lubricant, ratio=1.0, angle=0.0, oil=OIL):
-    return MoesConditions(
-        load_parameter=load,
-        lubricant_parameter=lubricant,
-        radius_ratio=ratio,
-        entrainment_angle=radians(angle),
-        lubricant=oil,
-    )
-
-
-# an ellipse whose entrainment turns from place to place
-TURNING = ContactConditions(
-    load=50.0,
-    radius_x=0.006,
-    radius_y=0.03,
-    reduced_modulus=226e9,
-    entrainment_speed=5.0,
-    lubricant=OIL,
-    mean_spin=1500.0,
-)
 CONTACTS = {
     "circular": moes(20.0, 10.0),
     "soft": moes(50.0, 0.5),
     "isoviscous": moes(50.0, 0.0),
     "wide": moes(100.0, 10.0, 0.1),
-    "oblique": moes(100.0, 5.0, 0.3, 40.0),
+    "oblique": moes(100.0, 5.0, 0.3, 40.0 * DEGREE),
     "turning": TURNING,
     "free volume": moes(20.0, 5.0, oil=SQUALANE),
 }
-# among the contacts that fail with cycles alone
-SKEWED = moes(1924.0, 1.596, 0.0473, 72.0, Lubricant(viscosity=0.04, pressure_viscosity=20.35e-9, roelands_z=0.6256))
 
 
 def solved(conditions, points=65, **options):
