@@ -17,6 +17,7 @@ GIGAPASCAL = 1e9  # [Pa]
 MILLIRADIAN = 1e-3  # [rad]
 RPM = 2.0 * pi / 60.0  # [rad/s]
 ZERO_CELSIUS = 273.15  # [K]
+HOUR = 3600.0  # [s]
 MILLION = 1e6  # revolutions of a rating life [-]
 
 
@@ -50,6 +51,7 @@ UNITS = {
     "s": Unit("s"),
     "ms": Unit("ms", 1e-3, "s"),
     "us": Unit("us", 1e-6, "s"),
+    "h": Unit("h", HOUR, "s"),
     "m_s": Unit("m/s"),
     "m_s2": Unit("m/s2"),
     "N_s_m": Unit("N s/m"),
@@ -58,6 +60,7 @@ UNITS = {
     "N_m_mrad": Unit("N m/mrad", 1.0 / MILLIRADIAN, "N m/rad"),
     "mL_min": Unit("mL/min", 1e-6 / 60.0, "m3/s"),
     "J": Unit("J"),
+    "kJ": Unit("kJ", 1e3, "J"),
     "W": Unit("W"),
     "W_K": Unit("W/K"),
     "W_m_K": Unit("W/(m K)"),

@@ -1,5 +1,6 @@
 """Rating life, load ratings and defect frequencies.
 
+duty_cycle  - life, torque and energy over several load cases
 frequencies - characteristic frequencies of a bearing from its solved motion
 life        - rating life: ISO 281, ISO/TS 16281
 load_rating - load ratings of a ball bearing from its geometry, after ISO 281 and ISO 16281

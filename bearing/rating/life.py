@@ -10,7 +10,7 @@ bearing). For any other material no life is given.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from math import degrees, hypot, radians
+from math import degrees, hypot, pi, radians
 
 import numpy as np
 
@@ -69,7 +69,23 @@ class LifeRating:
     static_rating: float | None = None  # [N]
     static_load: float | None = None  # [N]
     static_safety_factor: float | None = None  # S_0 = C_0/P_0 [-]
+    shaft_speed: float = 0.0  # of one ring against the other [rad/s]
     messages: tuple[str, ...] = ()
+
+    @property
+    def basic_life_time(self) -> float | None:
+        """L_10rh, the basic life at the speed of operation [s]."""
+        return time_of(self.basic_life, self.shaft_speed)
+
+    @property
+    def modified_life_time(self) -> float | None:
+        """L_10mrh, the modified life at the speed of operation [s]."""
+        return time_of(self.modified_life, self.shaft_speed)
+
+
+def time_of(life: float | None, speed: float) -> float | None:
+    """Time [s] of a life [revolutions] at a speed of one ring against the other [rad/s]."""
+    return 2.0 * pi * life / speed if life is not None and speed else None
 
 
 def bearing_life(
@@ -83,10 +99,12 @@ def bearing_life(
     if reason:
         return LifeRating(rating=rating, messages=(f"life: null, {reason}",))
     angle = rating.nominal_contact_angle
-    speed = abs(solution.operation.inner_speed - solution.operation.outer_speed)
+    speed = solution.operation.shaft_speed
     viscosity = lubricant.viscosity / lubricant.density
     kappa = viscosity_ratio(viscosity, speed, bearing.pitch_diameter) if speed else None
-    known, messages = _static(LifeRating(rating=rating, viscosity_ratio=kappa), solution)
+    known, messages = _static(
+        LifeRating(rating=rating, viscosity_ratio=kappa, shaft_speed=speed), solution
+    )
     why = _no_life(solution, rating, speed)
     if kappa is None or why:
         return replace(known, messages=(*messages, f"life: basic and modified rating null, {why}"))

@@ -9,7 +9,7 @@ from typing import Any
 from ..version import version
 
 # tables of a case that leave its contacts as they are
-WITHOUT_CONTACTS = ("surface", "slip", "friction", "cage", "dynamics")
+WITHOUT_CONTACTS = ("surface", "slip", "friction", "cage", "dynamics", "load_cases")
 DESCRIBING = ("title", "source", "assumed")  # keys of a case without effect on results
 BESIDE_TRACTION_TABLES = (*DESCRIBING, *WITHOUT_CONTACTS, "ehl")  # likewise, on traction tables
 

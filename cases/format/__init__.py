@@ -13,6 +13,7 @@ fits        - [fit] and [temperatures]: seats, clearance in operation, heat bala
 free_volume - constants of Tait, Doolittle and Yasutomi of an oil
 friction    - [friction] and the shear law of the oil
 library     - [materials.NAME], names and values of the libraries of bearings, materials, oils
+load_cases  - [[load_cases]]: states of a duty cycle in the place of [operation]
 lubricant   - [lubricant] and [lubricants.NAME]: the oil at the temperature of operation
 operation   - [operation], [model] and [slip]: speeds, loads, assumptions, slip maps
 problems    - faults of a case file as sentences: line, key, found, allowed, nearest name

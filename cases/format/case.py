@@ -1,6 +1,7 @@
 """A case: what a checked file describes, in SI."""
 
 import warnings
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from math import radians
 from pathlib import Path
@@ -24,8 +25,9 @@ from .document import BearingFile, ContactFile, check_document, read_text, valid
 from .dynamics import cage_friction, guiding_land
 from .film_model import NEWTONIAN, CaseFilms, FilmPhysics, case_films
 from .fits import HeatingInput
-from .friction import friction, rheology
+from .friction import SHEAR_ASSUMED, friction, rheology
 from .library import material_table, materials
+from .load_cases import load_case_files
 from .lubricant import Oil, lubricant, lubricant_keys, oil_of
 from .operation import model, operation
 from .problems import CaseError, UnfitKey, key_lines
@@ -66,6 +68,15 @@ class Case(AnyCase):
     # where fits or temperatures change it; `bearing` has the operating one
     clearance: ClearanceBudget | None = None
     rows: tuple[Row, ...] | None = None  # None: a single one
+    load_cases: tuple["LoadCaseInput", ...] = ()  # states of a duty cycle
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LoadCaseInput:
+    """One state of a duty cycle, SI."""
+
+    time_share: float  # those of all states sum to 1 [-]
+    case: Case  # the case in this state
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -107,7 +118,27 @@ def case_of_file(file: BearingFile | ContactFile, name: str, text: str = "") -> 
             raise CaseError([error.fault.text(name, key_lines(text))], [error.fault]) from error
         except ValueError as error:  # a bound of the physics that no table knows
             raise CaseError(f"{name}: {error}") from error
-    return replace(case, warnings=tuple(str(warning.message) for warning in caught))
+    notes = tuple(str(warning.message) for warning in caught)
+    case = replace(case, warnings=notes)
+    if isinstance(file, BearingFile) and isinstance(case, Case) and file.load_cases:
+        return replace(case, load_cases=tuple(_load_cases(file, name, text, notes)))
+    return case
+
+
+def _load_cases(
+    file: BearingFile, name: str, text: str, known: tuple[str, ...]
+) -> Iterator[LoadCaseInput]:
+    """The states of the duty cycle, each a case of its own, with the warnings not `known`; films
+    are not sheared there.
+    """
+    states = load_case_files(file.operation, file.load_cases)
+    for share, table in states:
+        alone = file.model_copy(update={"operation": table, "load_cases": None})
+        case = case_of_file(alone, name, text)
+        assert isinstance(case, Case)  # a bearing
+        notes = (note for note in case.warnings if not note.startswith(SHEAR_ASSUMED))
+        own = tuple(note for note in notes if note not in known)
+        yield LoadCaseInput(time_share=share, case=replace(case, warnings=own))
 
 
 def oil_of_file(file: BearingFile | ContactFile) -> Oil:

@@ -11,7 +11,7 @@ from typing import Any
 
 from pydantic import PrivateAttr, TypeAdapter, ValidationError
 
-from . import bearing, contact, dynamics, fits, friction, lubricant, operation, rows
+from . import bearing, contact, dynamics, fits, friction, load_cases, lubricant, operation, rows
 from .bearing import BearingTable, SurfaceTable
 from .contact import ContactEhlTable, ContactTable, EhlTable
 from .dynamics import RENAMED, CageTable, DynamicsTable
@@ -19,6 +19,7 @@ from .fields import Table, between, described
 from .fits import FitTable, RingsTable, TemperaturesTable
 from .friction import FrictionTable
 from .library import MaterialTable, name_faults, with_catalogue, with_library_names
+from .load_cases import LoadCaseTable
 from .lubricant import LubricantTable, OilTable
 from .operation import ModelTable, OperationTable, SlipTable
 from .problems import (
@@ -37,7 +38,6 @@ from .rows import RowTable
 from .rules import CaseValues, relation_faults
 
 LARGEST_FILE = 1_000_000  # [bytes]
-LATER_TABLE = "load_cases"
 NOT_OFFERED = "minimum dissipation"
 WHY_NOT_OFFERED = (
     "not offered, since it jumps between the two race controls and has no balance there; allowed: "
@@ -48,6 +48,7 @@ NAMED_TABLES: dict[str, type[Table]] = {
     "materials": MaterialTable,
     "lubricants": OilTable,
     "rows": RowTable,
+    "load_cases": LoadCaseTable,
 }
 SWEEP_TABLES = ("sweep", "combinations", "latin_hypercube")
 
@@ -91,6 +92,9 @@ class BearingFile(CaseFile):
     rows: tuple[RowTable, ...] | None = described(
         "rows of balls on the one inner ring", strict=False, min_length=1, max_length=8
     )
+    load_cases: tuple[LoadCaseTable, ...] | None = described(
+        "states of a duty cycle", strict=False, min_length=1, max_length=1000
+    )
     lubricants: dict[str, OilTable] = described("oils by name", {})
 
     @property
@@ -115,7 +119,7 @@ class ContactFile(CaseFile):
 
 
 # tables with relations, and functions for what these do not say
-OF_BEARINGS = (lubricant, bearing, fits, operation, rows, friction, dynamics)
+OF_BEARINGS = (lubricant, bearing, fits, operation, rows, friction, dynamics, load_cases)
 OF_CONTACTS = (lubricant, contact)
 
 
@@ -125,6 +129,15 @@ def _conflicts(values: CaseValues, tables: tuple[ModuleType, ...]) -> Iterator[C
     yield from relation_faults(relations, values)
     yield from name_faults(values)
     yield from chain.from_iterable(table.faults(values) for table in tables)
+
+
+def _load_case_conflicts(values: CaseValues, known: list[CaseFault]) -> Iterator[CaseFault]:
+    """Conflicts that only a load case in the place of [operation] brings, at its keys."""
+    before = {(fault.path, fault.finding) for fault in known}
+    for index, own in load_cases.load_case_tables(values):
+        for fault in _conflicts(load_cases.in_its_place(values, own), OF_BEARINGS):
+            if (fault.path, fault.finding) not in before:
+                yield load_cases.of_load_case(fault, index, own)
 
 
 def read_text(path: FilePath) -> str:
@@ -199,7 +212,9 @@ def check_document(
     file, wrong = _validate(model, document, renamed)
     faults += wrong
     values = CaseValues(document, frozenset(fault.path for fault in faults))
-    faults += _conflicts(values, OF_CONTACTS if contact_alone else OF_BEARINGS)
+    conflicts = list(_conflicts(values, OF_CONTACTS if contact_alone else OF_BEARINGS))
+    faults += conflicts
+    faults += _load_case_conflicts(values, conflicts)
     faults += _assumed(values)
     faults = [replace(fault, path=renamed.get(fault.path, fault.path)) for fault in faults]
     return file, _without_consequences(faults, unknown_bearing=bool(unknown))
@@ -216,9 +231,6 @@ def _without_consequences(faults: list[CaseFault], *, unknown_bearing: bool) -> 
 def _set_aside(document: dict[str, Any]) -> tuple[dict[str, Any], list[CaseFault]]:
     """Take out, with a fault, what the format knows and this version does not."""
     faults = []
-    if LATER_TABLE in document:
-        faults.append(CaseFault((LATER_TABLE,), "found", "not supported by this version"))
-        document = {key: value for key, value in document.items() if key != LATER_TABLE}
     model = document.get("model")
     if isinstance(model, dict) and model.get("ball_kinematics") == NOT_OFFERED:
         path = ("model", "ball_kinematics")

@@ -113,6 +113,7 @@ OF_ONE_NAME = (
     *("sealed", "seal_diameter_mm"),
 )
 OTHER_ANGULAR = "other single row"
+SHEAR_ASSUMED = "lubricant: the shear of the oil is assumed"
 
 
 def _only_with(where: Where, *names: str) -> Iterator[Relation]:
@@ -254,8 +255,7 @@ def rheology(oil: Oil, lubricant: Lubricant) -> Rheology:
         eyring = 2.0 * LIMITING_COEFFICIENT / lubricant.pressure_viscosity / MEGAPASCAL
         assumed.append(f"eyring_stress_MPa = {eyring:.3g} (2 Lambda/alpha, Arana et al., 2019)")
     if assumed:
-        text = f"lubricant: the shear of the oil is assumed: {', '.join(assumed)}"
-        warnings.warn(text, stacklevel=2)
+        warnings.warn(f"{SHEAR_ASSUMED}: {', '.join(assumed)}", stacklevel=2)
     constants: dict[str, Any] = {"limiting_coefficient": coefficient}
     if eyring is not None and law is ShearLaw.REE_EYRING:
         constants["eyring_stress"] = eyring * MEGAPASCAL

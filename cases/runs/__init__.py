@@ -5,6 +5,7 @@
 | films | films of contacts, equal ones solved once, in parallel |
 | traction_films | films behind a traction equilibrium |
 | equilibrium | equilibrium of the bearing, by hypothesis or by traction |
+| load_cases | states of a duty cycle |
 | heating | temperature by self-heating |
 | bearing | a bearing: equilibrium, films, torque |
 | contact | a single contact |

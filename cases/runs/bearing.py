@@ -27,6 +27,7 @@ from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, Solve, solve_contacts, wanted_contacts
 from .heating import self_heated
+from .load_cases import solve_load_cases
 from .traction_films import traction_messages, with_workers
 
 STOPPED = "interrupted: films that were not finished, friction and self-heating are null"
@@ -66,6 +67,7 @@ def run_case(
     try:
         state = case_equilibrium(case)
         contacts, bodies = _contacts(case, state, notify)
+        cycle = solve_load_cases(case, notify)
     except KeyboardInterrupt:
         raise Interrupted(None) from None
     timing = {"quasistatic": perf_counter() - start}
@@ -93,6 +95,7 @@ def run_case(
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
         clearance=case.clearance,
         finite_bodies=bodies,
+        duty_cycle=cycle,
         **friction,
     )
     return _complete(results)

@@ -1,6 +1,7 @@
 """Results of a bearing run.
 
 contacts      - contacts of a bearing: their quantities, and why some are null
+duty_cycle    - a duty cycle: blocks of the summary, lines of the terminal
 finite_bodies - the block `finite_bodies` of the summary: changes beside half-spaces
 heating       - the block `self_heating` of the summary
 plots         - figures of the whole bearing: film or pressure of every ball over the azimuth

@@ -49,6 +49,8 @@ LIFE_RATING = quantities(
     "no rating was asked for, or it does not apply",
     ("basic_reference_rating_Mrev", "rating life", "basic_life"),
     ("modified_reference_rating_Mrev", "modified rating life", "modified_life"),
+    ("basic_reference_rating_h", "rating life", "basic_life_time"),
+    ("modified_reference_rating_h", "modified rating life", "modified_life_time"),
     ("a_iso", "life factor", "life_factor", "a_ISO"),
     ("kappa", "viscosity ratio", "viscosity_ratio", "κ"),
 )
@@ -64,6 +66,47 @@ LOAD_RATING = quantities(  # only where a rating was asked for
     ("basic_static_rating_kN", "", "static_rating"),
     ("static_equivalent_load_N", "", "static_load"),
     ("static_safety_factor", "static safety", "", "S_0"),
+)
+DUTY_CYCLE = quantities(
+    "",
+    "the case gives no [[load_cases]], or one of them has no such value",
+    "mean_speed_rpm",
+    ("dynamic_equivalent_load_N", "equivalent load", "equivalent_load"),
+    ("basic_reference_rating_Mrev", "rating life", "basic_life"),
+    ("basic_reference_rating_h", "rating life", "basic_life_time"),
+    ("modified_reference_rating_Mrev", "modified rating life, Miner's sum", "modified_life"),
+    ("modified_reference_rating_h", "modified rating life, Miner's sum", "modified_life_time"),
+    ("a_iso", "mean life factor", "life_factor"),
+    ("a_iso_equivalent", "life factor at the equivalent load", "equivalent_life_factor"),
+    (
+        "modified_reference_rating_equivalent_h",
+        "modified rating life at the equivalent load",
+        "equivalent_modified_life_time",
+    ),
+    ("static_safety_factor", "smallest static safety"),
+    ("mean_torque_N_mm", "mean friction torque over the revolutions"),
+    ("mean_power_W", "mean friction power over the time"),
+    ("energy_per_hour_kJ", "friction energy of an hour"),
+)
+LOAD_CASE = quantities(
+    "",
+    "it does not apply",
+    ("share", "share of the time", "time_share"),
+    ("revolution_share", "share of the revolutions"),
+    ("damage_share", "share of the damage"),
+    ("inner_speed_rpm", "", "operation.inner_speed"),
+    ("outer_speed_rpm", "", "operation.outer_speed"),
+    ("temperature_C", "", "operation.temperature"),
+    ("load_maximum_N", "largest load", "largest_load"),
+    ("hertz_pressure_maximum_GPa", "largest Hertz pressure", "largest_pressure"),
+    ("dynamic_equivalent_load_N", "equivalent load", "life.equivalent_load"),
+    ("basic_reference_rating_h", "rating life", "life.basic_life_time"),
+    ("modified_reference_rating_h", "modified rating life", "life.modified_life_time"),
+    ("a_iso", "life factor", "life.life_factor"),
+    ("kappa", "viscosity ratio", "life.viscosity_ratio"),
+    ("static_safety_factor", "static safety", "life.static_safety_factor"),
+    ("torque_N_mm", "friction torque"),
+    ("power_W", "friction power"),
 )
 FILM_LIFE = ("kappa_film", "a_iso_film", "modified_reference_rating_film_Mrev")
 CLEARANCE = quantities(

@@ -8,6 +8,7 @@ from ehl.units import from_si, to_si
 
 from ..quantities import values_of
 from .contacts import lambda_ratio
+from .duty_cycle import hours_text
 from .quantities import CLEARANCE, FILM_LIFE, LIFE_RATING, LOAD_RATING
 from .results import BearingResults
 
@@ -118,11 +119,15 @@ def rating_rows(results: BearingResults) -> dict[str, str]:
     if life is None:
         return rows
     known = values_of(life, (*LIFE_RATING, *LOAD_RATING))
-    basic, modified, factor, kappa = (known[quantity.key] for quantity in LIFE_RATING)
-    if basic is not None:
-        rows["rating life"] = f"{basic:.4g} million revolutions"
-        if modified is not None:
-            rows["rating life"] += f", modified {modified:.4g} (a_ISO {factor:.3g})"
+    revolutions = known["basic_reference_rating_Mrev"]
+    hours = known["basic_reference_rating_h"]
+    kappa = known["kappa"]
+    if revolutions is not None and hours is not None:
+        rows["rating life"] = hours_text(hours, known["modified_reference_rating_h"])
+        rows["rating life"] += f" ({revolutions:.4g} million revolutions"
+        if known["a_iso"] is not None:
+            rows["rating life"] += f", a_ISO {known['a_iso']:.3g}"
+        rows["rating life"] += ")"
     if known["static_safety_factor"] is not None:
         rows["static safety"] = f"S_0 {known['static_safety_factor']:.3g}"
         if known["static_safety"] is not None:

@@ -9,6 +9,7 @@ from bearing.contacts.traction import ContactTraction
 from bearing.fits.clearance import ClearanceBudget
 from bearing.heating.self_heating import SelfHeatingSolution
 from bearing.quasistatic.solution import QuasistaticSolution
+from bearing.rating.duty_cycle import DutyCycle
 from bearing.rating.frequencies import Frequencies
 from bearing.rating.life import LifeRating
 from bearing.torque.breakdown import TorqueBreakdown
@@ -35,6 +36,7 @@ class BearingResults(Results):
     heating: SelfHeatingSolution | None = None  # None where no heat transfer is given
     # None where the case leaves all bodies half-spaces
     finite_bodies: FiniteBodies | None = None
+    duty_cycle: DutyCycle | None = None  # None where the case has no load cases
 
     @property
     def converged(self) -> bool:
@@ -44,6 +46,7 @@ class BearingResults(Results):
             self.quasistatic.converged
             and films
             and (self.heating is None or self.heating.converged)
+            and (self.duty_cycle is None or self.duty_cycle.converged)
         )
 
     @property

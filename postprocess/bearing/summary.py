@@ -10,6 +10,7 @@ from ..files import plain_document
 from ..quantities import CAGE_SPEED, FREQUENCIES, rows_of, values_of
 from ..results import STIFFNESS_ORDER, STIFFNESS_UNITS
 from .contacts import contact_messages, contact_records, contact_values
+from .duty_cycle import duty_cycle_block, duty_cycle_messages, load_case_blocks
 from .finite_bodies import finite_body_block, finite_body_messages
 from .heating import heating_block, heating_messages
 from .quantities import BALL_QUANTITIES, RING
@@ -39,6 +40,8 @@ def bearing_summary(results: BearingResults) -> dict[str, Any]:
         "contacts": [contact_values(record) for record in contact_records(results)],
         "clearance": clearance_block(results),
         "life": life_block(results),
+        "duty_cycle": duty_cycle_block(results),
+        "load_cases": load_case_blocks(results),
         "frequencies_Hz": values_of(results.frequencies, FREQUENCIES),
         "kinematic_frequencies_Hz": kinematic_block(results),
         "torque_N_mm": torque_block(results),
@@ -73,6 +76,7 @@ def _bearing_messages(results: BearingResults) -> Iterator[str]:
     yield from contact_messages(results)
     yield from finite_body_messages(results)
     yield from rating_messages(results)
+    yield from duty_cycle_messages(results)
     yield from torque_messages(results)
     yield from rolling_messages(results)
     yield from supply_messages(results)

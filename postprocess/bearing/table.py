@@ -13,6 +13,7 @@ from ..quantities import CAGE_SPEED, values_of
 from ..table import facts_table, number_table
 from ..text import NOTHING, number, unit_text, value_with_error
 from .contacts import CONTACT_QUANTITY, TERMINAL_COLUMNS, ContactRecord, contact_records
+from .duty_cycle import duty_cycle_rows
 from .quantities import RING
 from .ratings import rating_rows
 from .results import BearingResults
@@ -52,7 +53,7 @@ def _bearing_table(results: BearingResults) -> Table:
         del rows["tilt_mrad"]
     rows = {titles.get(key, key): text for key, text in rows.items()}
     rows |= row_lines(state) | ring_lines(state)
-    rows |= frequency_lines(results) | rating_rows(results)
+    rows |= frequency_lines(results) | rating_rows(results) | duty_cycle_rows(results)
     return facts_table(rows | torque_rows(results) | supply_rows(results))
 
 

@@ -14,7 +14,8 @@ from .svg import stacked_bars
 # blocks of a summary that have a place on the page
 PLACED = frozenset(
     "oilfilm case converged messages ring equilibrium cage_speed_rpm balls contacts clearance "
-    "life frequencies_Hz kinematic_frequencies_Hz torque_N_mm timing_s kind rows".split()
+    "life duty_cycle frequencies_Hz kinematic_frequencies_Hz torque_N_mm timing_s kind "
+    "rows".split()
 )
 # input among the results of a rating
 GIVEN = {"nominal_contact_angle_deg", "contamination_factor"}
@@ -29,6 +30,7 @@ ERROR_BARS = (
 )
 BLOCKS = {
     "life": "Rating life",
+    "duty_cycle": "Duty cycle",
     "clearance": "Clearance",
     "frequencies_Hz": "Frequencies [Hz]",
     "kinematic_frequencies_Hz": "Frequencies at the nominal contact angle [Hz]",
@@ -73,10 +75,13 @@ def cards(summary: dict[str, Any]) -> str:
         inner = sum(contact["race"] == "inner" for contact in contacts)
         entries.append(html.card("balls loaded", f"{inner} of {len(summary.get('balls') or ())}"))
     torque = (summary.get("torque_N_mm") or {}).get("total")
-    life = (summary.get("life") or {}).get("basic_reference_rating_Mrev")
+    hours = "basic_reference_rating_h"
+    life = (summary.get("life") or {}).get(hours)
+    cycle = (summary.get("duty_cycle") or {}).get(hours)
     for name, value, unit in (
         ("friction torque", torque, "N mm"),
-        ("rating life", life, "10⁶ rev"),
+        ("rating life L10h", life, "h"),
+        ("L10h of the duty cycle", cycle, "h"),
         ("cage speed", summary.get("cage_speed_rpm"), "rpm"),
         ("load", summary.get("load_N"), "N"),
     ):

@@ -23,7 +23,7 @@ from cases.format.shipped import HERE, shipped_cases, shipped_sweeps
 STEMS = tuple(shipped_cases())
 QUICK = ("209_radial_8900N", "218_axial_22250N", "ball_on_disc", "moes_20_10", "6208_full_ceramic")
 QUICK += tuple(stem for stem in STEMS if stem.startswith("hirano_"))  # no films
-QUICK += ("6208_life", "6208_full_ceramic_warm", "7008_back_to_back")  # few films or none
+QUICK += ("6208_life", "6208_duty_cycle", "6208_full_ceramic_warm", "7008_back_to_back")  # few films or none
 QUICK += ("7008C_hybrid", "6205_all_silicon_nitride", "6010_cut_ellipse")  # no films
 QUICK += ("6206_axial_500N", "6206_radial_500N", "6206_combined_1000N", "6208_oil_temperature")  # no films
 QUICK += ("6208_oil_supply", "6208_self_heating", "6208_with_heat")  # no films
@@ -50,7 +50,7 @@ def numbers(stem, points=None):
     kept = {"converged": found["converged"], "cage_speed_rpm": found["cage_speed_rpm"]}
     for direction, value in zip("xyz", found["ring"]["displacement_um"], strict=True):
         kept[f"displacement_{direction}_um"] = value
-    for block in ("life", "clearance"):
+    for block in ("life", "duty_cycle", "clearance"):
         kept |= {f"{block} {key}": value for key, value in found[block].items() if value is not None}
     for contact in found["contacts"]:
         name = f"ball {contact['ball']} {contact['race']}"

@@ -49,11 +49,12 @@ ORDER = (
     "cage",
     "dynamics",
     "rows",
+    "load_cases",
     "slip",
     "materials",
     "lubricants",
 )
-NAMED = {"rows": "[rows]", "materials": "materials.NAME", "lubricants": "lubricants.NAME"}
+NAMED = {"rows": "[rows]", "load_cases": "[load_cases]", "materials": "materials.NAME", "lubricants": "lubricants.NAME"}
 
 
 def unit(key: str) -> str:

@@ -148,11 +148,6 @@ def test_conflict(table, new, key, expected):
     assert any(m.startswith(f"case.toml:{line_of(text, key)}: ") and expected in m for m in found), found
 
 
-@pytest.mark.parametrize("table", ["load_cases"])
-def test_tables_of_later_versions_are_named(table):
-    assert messages(f"{BEARING}[{table}]\nx = 1\n") == [f"case.toml:20: {table}: found; not supported by this version"]
-
-
 def test_a_misspelt_table():
     assert "did you mean 'operation'?" in messages(BEARING.replace("[operation]", "[operations]"))[0]
 

@@ -202,3 +202,48 @@ def test_a_shoulder_that_cuts_the_ellipse_is_told():
 @pytest.mark.parametrize(("key", "value"), [("inner_shoulder_diameter_mm", 47.0), ("outer_shoulder_diameter_mm", 73.0)])
 def test_shoulders_beyond_the_groove_are_refused(key, value):
     assert key in faults(CASE.replace('name = "6208"', f'name = "6208"\n{key} = {value}'))
+
+
+CYCLE = "[[load_cases]]\nshare = 0.4\nradial_load_N = 5000.0\n[[load_cases]]\nshare = 0.6\ninner_speed_rpm = 1000.0\n"
+
+
+def test_life_in_hours(life):
+    """852 million revolutions at 6000 r/min."""
+    block = life["life"]
+    for name in ("basic", "modified"):
+        revolutions = 1e6 * block[f"{name}_reference_rating_Mrev"]
+        assert block[f"{name}_reference_rating_h"] == pytest.approx(revolutions / 6000.0 / 60.0)
+    assert life["load_cases"] == []
+    assert set(life["duty_cycle"].values()) == {None}
+    assert any(message.startswith("duty_cycle: null") for message in life["messages"])
+
+
+def test_the_cycle_is_the_sum_of_its_cases_run_alone():
+    """Each load case gives what the case gives with its keys in [operation]; so does the cycle, by hand."""
+    text = CASE.replace("[lubricant]", "[lubricant]\ncontamination_factor = 0.5")
+    found = summary(run_case(case(text + CYCLE)))
+    alone = [
+        summary(run_case(case(text.replace("3000.0\n[ehl]", "5000.0\n[ehl]")))),
+        summary(run_case(case(text.replace("rpm = 3000.0", "rpm = 1000.0")))),
+    ]
+    keys = ("basic_reference_rating_h", "modified_reference_rating_h", "a_iso", "kappa", "dynamic_equivalent_load_N")
+    for block, single in zip(found["load_cases"], alone, strict=True):
+        assert [block[key] for key in keys] == pytest.approx([single["life"][key] for key in keys])
+        assert block["torque_N_mm"] == pytest.approx(single["torque_N_mm"]["total"])
+        assert block["torque_model"] == "skf" and block["converged"]
+    turned = [0.4 * 3000.0, 0.6 * 1000.0]
+    for name in ("basic", "modified"):
+        lives = [single["life"][f"{name}_reference_rating_Mrev"] for single in alone]
+        expected = sum(turned) / sum(part / life for part, life in zip(turned, lives, strict=True))
+        assert found["duty_cycle"][f"{name}_reference_rating_Mrev"] == pytest.approx(expected)
+    power = sum(share * block["power_W"] for share, block in zip((0.4, 0.6), found["load_cases"], strict=True))
+    assert found["duty_cycle"]["energy_per_hour_kJ"] == pytest.approx(3.6 * power)
+
+
+def test_a_load_case_without_equilibrium_is_told():
+    """A load beyond all measure: the run is not converged, and says which load case."""
+    found = summary(run_case(case(CASE + CYCLE.replace("5000.0", "1e8"))))
+    assert not found["converged"]
+    assert [block["converged"] for block in found["load_cases"]] == [False, True]
+    assert any(message.startswith("load case 1: equilibrium not converged: ") for message in found["messages"])
+    assert found["duty_cycle"]["basic_reference_rating_h"] is None

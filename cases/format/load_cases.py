@@ -1,0 +1,117 @@
+"""[[load_cases]]: states of a duty cycle, each like [operation] but for the keys that it gives."""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import Any
+
+from pydantic import create_model
+from pydantic.fields import FieldInfo
+
+from .fields import Table, above, is_number
+from .lubricant import VISCOSITIES, oil_of
+from .operation import RELATIONS as OF_OPERATION
+from .operation import OperationTable
+from .problems import CaseFault, Path, dotted, shown
+from .rules import CaseValues, Excludes
+
+NAME = "load_cases"
+LEAST_SUM = 0.99  # of the shares [-]; they are then scaled to a sum of 1
+LARGEST_SUM = 1.01
+RELATIONS: tuple[Excludes, ...] = ()
+
+
+def _as_operation(table: type[Table]) -> type[Table]:
+    """A table with the keys of [operation] behind its own, left out by default."""
+    fields: dict[str, Any] = {}
+    for key, field in OperationTable.model_fields.items():
+        optional = FieldInfo.merge_field_infos(field, default=None)
+        kind: Any = field.annotation
+        fields[key] = (kind if kind is Any else kind | None, optional)
+    return create_model(table.__name__, __base__=table, __doc__=table.__doc__, **fields)
+
+
+@_as_operation
+class LoadCaseTable(Table):
+    """One state of a duty cycle, for life, torque and energy over the cycle. Keys left out are
+    those of [operation].
+    """
+
+    share: float = above(0, 1, "of the time; those of all load cases sum to 1", ...)
+
+
+EXCLUDED = [rule for rule in OF_OPERATION if isinstance(rule, Excludes)]
+
+
+def merged(operation: dict[str, Any], own: dict[str, Any]) -> dict[str, Any]:
+    """Keys of [operation] with those of a load case in their place; a key that excludes another,
+    `force_N` of a load case the `radial_load_N` of [operation], takes it away.
+    """
+    gone = set()
+    for rule in EXCLUDED:
+        pair = [path.partition(".")[2] for path in (rule.key, rule.other)]
+        for key, other in (pair, reversed(pair)):
+            if key in own and other not in own:
+                gone.add(other)
+    kept = {key: value for key, value in operation.items() if key not in gone}
+    return kept | {key: value for key, value in own.items() if key != "share"}
+
+
+def faults(values: CaseValues) -> Iterator[CaseFault]:
+    """Shares that sum to 1; a temperature of its own with an oil that follows it."""
+    tables = dict(load_case_tables(values))
+    shares = [table.get("share") for table in tables.values()]
+    numbers = [share for share in shares if is_number(share)]
+    if tables and len(numbers) == len(shares):
+        total = sum(numbers)
+        if not LEAST_SUM <= total <= LARGEST_SUM:
+            finding = f"found shares that sum to {total:.6g}"
+            yield CaseFault((NAME,), finding, "allowed: a sum of 1")
+    if not isinstance(values.get("lubricant"), dict):
+        return
+    oil = oil_of(values.document["lubricant"], values.document.get("lubricants"))
+    fixed = next((key for key in VISCOSITIES if key in oil.keys), None)
+    for index, table in tables.items():
+        if fixed and table.get("temperature_C") is not None:
+            finding = f"found {shown(table['temperature_C'])} together with lubricant.{fixed}"
+            allowed = "allowed: with an oil of the library, whose viscosity follows it"
+            yield CaseFault((NAME, index, "temperature_C"), finding, allowed)
+
+
+def load_case_tables(values: CaseValues) -> Iterator[tuple[int, dict[str, Any]]]:
+    """Number from 0 and valid keys of every load case; none if the list is faulty."""
+    tables = values.get(NAME)
+    for index, table in enumerate(tables if isinstance(tables, list | tuple) else ()):
+        if isinstance(table, dict) and (NAME, index) not in values.faulty:
+            valid = (NAME, index)
+            yield index, {k: v for k, v in table.items() if (*valid, k) not in values.faulty}
+
+
+def in_its_place(values: CaseValues, own: dict[str, Any]) -> CaseValues:
+    """The document with a load case in the place of [operation]."""
+    document = {key: value for key, value in values.document.items() if key != NAME}
+    operation = values.get("operation")
+    given = operation if isinstance(operation, dict) else {}
+    faulty = frozenset(path for path in values.faulty if path[-1] not in own)
+    return CaseValues({**document, "operation": merged(given, own)}, faulty)
+
+
+def of_load_case(fault: CaseFault, index: int, own: dict[str, Any]) -> CaseFault:
+    """A fault of the merged document, at the key of the load case, or at its table."""
+    here: Path = (NAME, index)
+    key = fault.path[-1]
+    if fault.path[0] == "operation" and key in own:
+        return replace(fault, path=(*here, key))
+    finding = f"{dotted(fault.path)}: {fault.finding}"
+    return replace(fault, path=here, finding=finding)
+
+
+def load_case_files(
+    operation: OperationTable, tables: tuple[Any, ...] | None
+) -> tuple[tuple[float, OperationTable], ...]:
+    """Share of the time [-], scaled to a sum of 1, and keys of every load case."""
+    own = [table.model_dump(exclude_none=True) for table in tables or ()]
+    base = operation.model_dump(exclude_none=True)
+    total = sum(keys["share"] for keys in own)
+    return tuple(
+        (keys["share"] / total, OperationTable.model_validate(merged(base, keys))) for keys in own
+    )

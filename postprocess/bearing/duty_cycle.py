@@ -1,0 +1,81 @@
+"""A duty cycle: the blocks `duty_cycle` and `load_cases` of the summary, lines of the terminal."""
+
+from collections.abc import Iterator
+from typing import Any
+
+from bearing.rating.duty_cycle import LoadCase
+from ehl.units import from_si
+
+from ..quantities import values_of
+from .quantities import DUTY_CYCLE, LOAD_CASE
+from .results import BearingResults
+
+NO_CYCLE = "duty_cycle: null, the case gives no [[load_cases]]"
+BESIDE = (
+    "duty_cycle: each load case has its own equilibrium, clearance and oil, its torque is that "
+    "without films; films, torque and pictures are those of [operation]"
+)
+
+
+def duty_cycle_block(results: BearingResults) -> dict[str, Any]:
+    """Equivalent load, lives, torque and energy of the cycle; None without load cases."""
+    return values_of(results.duty_cycle, DUTY_CYCLE)
+
+
+def load_case_blocks(results: BearingResults) -> list[dict[str, Any]]:
+    """Shares, load, life, torque of each load case; empty without them."""
+    cycle = results.duty_cycle
+    return [
+        {"load_case": number, **_values(case)}
+        for number, case in enumerate(() if cycle is None else cycle.cases, 1)
+    ]
+
+
+def _values(case: LoadCase) -> dict[str, Any]:
+    forces = case.operation.force
+    moments = case.operation.moment
+    loads = {
+        "force_N": [from_si("force_N", force) for force in forces],
+        "moment_N_mm": [from_si("moment_N_mm", moment) for moment in moments],
+    }
+    words = {"torque_model": case.torque_model, "converged": case.converged}
+    return values_of(case, LOAD_CASE) | loads | words
+
+
+def duty_cycle_messages(results: BearingResults) -> Iterator[str]:
+    """What the cycle means for the results, and what of it is null."""
+    cycle = results.duty_cycle
+    if cycle is None:
+        yield NO_CYCLE
+        return
+    yield BESIDE
+    yield from cycle.messages
+
+
+def duty_cycle_rows(results: BearingResults) -> dict[str, str]:
+    """Lines of the terminal's table: life and power of the cycle."""
+    cycle = results.duty_cycle
+    if cycle is None:
+        return {}
+    known = duty_cycle_block(results)
+    rows = {"duty cycle": f"{len(cycle.cases)} load cases, mean {known['mean_speed_rpm']:.4g} rpm"}
+    basic = known["basic_reference_rating_h"]
+    if basic is not None:
+        rows["duty cycle"] += f", equivalent load {known['dynamic_equivalent_load_N']:.4g} N"
+        rows["life of the cycle"] = hours_text(basic, known["modified_reference_rating_h"])
+    if known["mean_power_W"] is not None:
+        torque = known["mean_torque_N_mm"]
+        mean = "" if torque is None else f"mean torque {torque:.4g} N mm, "
+        rows["friction of the cycle"] = f"{mean}{known['mean_power_W']:.4g} W"
+    return rows
+
+
+def hours_text(basic: float, modified: float | None) -> str:
+    """Life in words, from hours."""
+    text = f"L10h {_hours(basic)}"
+    return text if modified is None else f"{text}, modified L10mh {_hours(modified)}"
+
+
+def _hours(life: float) -> str:
+    """Hours to three figures, without a power of ten."""
+    return f"{float(f'{life:.3g}'):.0f} h" if life >= 100.0 else f"{life:.3g} h"
