@@ -84,7 +84,22 @@ DIMENSIONLESS = frozenset(
     "converged equilibrium resolved".split()
 )
 LONGEST = max(suffix.count("_") for suffix in UNITS) + 1  # words of a unit
-SYMBOLS = {"um": "µm", "degC": "°C", "N/um": "N/µm"}  # in pictures
+SYMBOLS = {  # for pictures, pages and terminals, by the text of files
+    "um": "µm",
+    "us": "µs",
+    "deg": "°",
+    "degC": "°C",
+    "rpm": "r/min",
+    "1000 rpm": "1000 r/min",
+    "mm2/s": "mm²/s",
+    "m/s2": "m/s²",
+    "kg/m3": "kg/m³",
+    "g mm2": "g mm²",
+    "N/um": "N/µm",
+    "um/kN": "µm/kN",
+    "um/(m K)": "µm/(m K)",
+    "10^6 rev": "10⁶ rev",
+}
 
 
 def _split(key: str) -> tuple[list[str], Unit | None]:
@@ -129,7 +144,7 @@ def si_unit_of(path: str) -> str:
 
 
 def unit_symbol(path: str) -> str:
-    """As `unit_of`, with the signs of pictures: `µm`, `°C`."""
+    """As `unit_of`, with the signs that people read: `µm`, `°C`, `r/min`."""
     text = unit_of(path)
     return SYMBOLS.get(text, text)
 

@@ -49,6 +49,7 @@ STRETCHED = 2.0  # ellipses longer than this are drawn with stretched axes
 QUIET_PRESSURE = 0.1
 # of the central film: with a minimum nearer to it the contact is hydrodynamic, without a horseshoe
 FLAT_FILM = 0.03
+TICK_GAP = 0.05  # between ticks of a logarithmic colour bar, of its length [-]
 BEYOND_SCALE = "#e4e7eb"  # film thicker than the colour scale
 
 
@@ -78,6 +79,15 @@ def film_ticks(low: float, high: float) -> list[float]:
     step *= 5.0 if (high - low) / step > 30.0 else 2.0 if (high - low) / step > 12.0 else 1.0
     numbers = np.arange(np.ceil(low / step), np.floor(high / step) + 1.0)
     return [float(tick) for tick in numbers * step]
+
+
+def logarithmic_ticks(low: float, high: float) -> list[float]:
+    """Round values on a logarithmic scale from `low` to `high`, none too near to another."""
+    ticks: list[float] = []
+    for tick in film_ticks(low, high):
+        if not ticks or np.log(tick / ticks[-1]) > TICK_GAP * np.log(high / low):
+            ticks.append(tick)
+    return ticks
 
 
 def colour_stops(quantity: str, count: int) -> Array:

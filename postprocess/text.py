@@ -3,19 +3,8 @@
 from math import ceil, floor, inf, isfinite, log10
 from typing import Any, TypeGuard
 
-from ehl.units import unit_of
-
 NOTHING = "–"
 MOST_LISTED = 8  # balls are listed one by one up to this number
-SYMBOLS = {
-    "um": "µm",
-    "mm2/s": "mm²/s",
-    "kg/m3": "kg/m³",
-    "degC": "°C",
-    "um/(m K)": "µm/(m K)",
-    "deg": "°",
-    "10^6 rev": "10⁶ rev",
-}
 
 
 def number(value: Any, digits: str = ".4g") -> str:
@@ -53,12 +42,6 @@ def evenly_chosen(count: int, most: int) -> list[int]:
     if count <= most:
         return list(range(count))
     return [round(k * ((count - 1) / (most - 1))) for k in range(most)]
-
-
-def unit_text(key: str) -> str:
-    """Unit of a key with the signs of a page."""
-    unit = unit_of(key)
-    return SYMBOLS.get(unit, unit)
 
 
 def is_number(value: Any) -> TypeGuard[float]:

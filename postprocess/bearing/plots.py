@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from bearing.quasistatic.solution import QuasistaticSolution
 from ehl import ContactSolution
@@ -18,6 +19,7 @@ from ehl import ContactSolution
 from ..contact.plots import draw_contact, draw_map, film_text
 from ..contact.view import ContactView, contact_view
 from ..plot_style import (
+    BEYOND_SCALE,
     INK,
     INNER_COLOUR,
     OUTER_COLOUR,
@@ -27,11 +29,11 @@ from ..plot_style import (
     SHOWN_OUTLET,
     SHOWN_SIDE,
     common_film_range,
-    film_ticks,
+    logarithmic_ticks,
     write_figures,
 )
 from ..quantities import Quantity
-from ..text import evenly_chosen
+from ..text import evenly_chosen, value_with_error
 from .plots_torque import draw_torque
 from .quantities import BALL_QUANTITY
 from .results import BearingResults, distinct_contacts
@@ -45,11 +47,16 @@ WIDE_LABEL = 8  # characters of azimuths that fit above a map
 COLUMNS = 6  # maps side by side at most
 FOOTNOTES = {
     "film": "Oil moves to the right; axes stretched; Hertz ellipse dashed; numbers: central and "
-    "minimum film; film beyond the colour scale is grey;\ncontour lines at 0.8 ... 1.5 of each "
+    "minimum film; grey: film beyond the colour scale;\ncontour lines at 0.8 ... 1.5 of each "
     "contact's central film; error bars: uncertainty of the solution",
     "pressure": "Oil moves to the right; axes stretched; Hertz ellipse dashed; number: largest "
     "pressure; contour lines at 0.1, 0.3 ... 0.9 of it",
 }
+BOX_ENDS = "; hatched: outside the computed box"
+# of the largest Hertz pressure, 1/20 of the load: the contacts above it rule colours and window,
+# not the balls that carry little more than their centrifugal force [-]
+RULING_PRESSURE = 0.05 ** (1.0 / 3.0)
+MANY_TIMES = 5.0  # largest over smallest film from which on the film axis is logarithmic [-]
 COLOURS = {"inner": INNER_COLOUR, "outer": OUTER_COLOUR}  # by race
 FIELDS = {
     "film": Quantity("film_um", "film thickness"),
@@ -92,9 +99,9 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
         pairs[key] = pair
     # else no film was asked for
     with_film = [key for key, pair in pairs.items() if pair != (None, None)]
-    keys = sorted(with_film or groups, key=lambda key: (groups[key][0], key[1]))
+    keys = sorted(with_film or groups, key=lambda key: (key[1], groups[key][0]))
     distinct = {id(s): s for key in keys for s in pairs[key] if s is not None}
-    window = _common_window([contact_view(s) for s in distinct.values()])
+    window = _common_window(_ruling([contact_view(s) for s in distinct.values()]))
     views = {name: contact_view(s, window) for name, s in distinct.items()}
     return tuple(
         BallColumn(
@@ -103,8 +110,24 @@ def ball_columns(results: BearingResults) -> tuple[BallColumn, ...]:
             row=key[1] if len(results.quasistatic.rows) > 1 else None,
             window=window,
         )
-        for key in (keys[i] for i in evenly_chosen(len(keys), COLUMNS))
+        for key in _chosen(keys)
     )
+
+
+def _chosen(keys: list[tuple[Any, ...]]) -> list[tuple[Any, ...]]:
+    """At most `COLUMNS` of the columns' keys, whose second entry is the row: as many of each."""
+    rows: dict[int, list[tuple[Any, ...]]] = {}
+    for key in keys:
+        rows.setdefault(key[1], []).append(key)
+    most = max(COLUMNS // max(len(rows), 1), 1)
+    chosen = [row[i] for row in rows.values() for i in evenly_chosen(len(row), most)]
+    return chosen[:COLUMNS]
+
+
+def _ruling(views: list[ContactView]) -> list[ContactView]:
+    """The contacts under load, after which a picture of all chooses its scales."""
+    least = RULING_PRESSURE * max((view.hertz for view in views), default=0.0)
+    return [view for view in views if view.hertz >= least]
 
 
 def _common_window(views: list[ContactView]) -> tuple[float, float, float]:
@@ -162,7 +185,8 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
         for panel, column in zip(row, columns, strict=True):
             image = _small_map(panel, column.views[race], quantity, limits) or image
             panel.set(xlim=(start, end), ylim=(-half_width, half_width))
-            _few_ticks(panel, start, end)
+            _few_ticks(panel, start, end, len(columns))
+            _hatch_outside(panel, column.views[race])
         row[0].set_ylabel(f"{race} race\ntransverse $y$ [mm]")
     for panel, column in zip(panels[0], columns, strict=True):
         panel.set_title(f"ψ = {column.label}")
@@ -176,23 +200,38 @@ def draw_per_azimuth(figure: Figure, results: BearingResults, quantity: str) -> 
     bar = upper.colorbar(image, ax=panels, label=label, extend=extend, aspect=40)
     if quantity == "film":
         bar.ax.minorticks_off()
-        ticks = film_ticks(*limits)
+        ticks = logarithmic_ticks(*limits)
         bar.set_ticks(ticks, labels=[f"{tick:.3g}" for tick in ticks])
     _over_azimuth(lower.subplots(), results, quantity)
-    lower.supxlabel(FOOTNOTES[quantity], fontsize=6.5, color=REFERENCE)
+    cut = any(view is not None and view.cut for c in columns for view in c.views.values())
+    note = FOOTNOTES[quantity] + BOX_ENDS * cut
+    lower.supxlabel(note, fontsize=6.5, color=REFERENCE)
 
 
 def _limits(views: list[ContactView | None], quantity: str) -> tuple[float, float]:
     """Ends of the common colour scale over all maps."""
-    shown = [v for v in views if v is not None]
+    shown = _ruling([v for v in views if v is not None])
     if quantity == "pressure":
         return 0.0, max(v.pressure_top for v in shown)
-    return common_film_range([v.central for v in shown], [v.minimum for v in shown])
+    return common_film_range([v.central for v in shown], [v.smallest for v in shown])
 
 
-def _few_ticks(axes: Axes, start: float, end: float) -> None:
-    """Ticks along the rolling direction [mm] that fit below a narrow map."""
-    step = float(f"{0.4 * (end - start):.0e}")
+def _hatch_outside(axes: Axes, view: ContactView | None) -> None:
+    """Mark what of a panel lies outside the computed box."""
+    if view is None or not view.cut:
+        return
+    x_first, x_last, y_first, y_last = view.box
+    style: Any = {"facecolor": "white", "edgecolor": BEYOND_SCALE, "hatch": "////", "zorder": 3}
+    far = 1e3 * max(map(abs, view.window))
+    for start, end in ((-far, x_first), (x_last, far)):
+        axes.axvspan(start, end, **style)
+    for start, end in ((-far, y_first), (y_last, far)):
+        axes.axhspan(start, end, **style)
+
+
+def _few_ticks(axes: Axes, start: float, end: float, count: int) -> None:
+    """Ticks along the rolling direction [mm] that fit below one of `count` narrow maps."""
+    step = float(f"{(0.4 if count < COLUMNS else 0.55) * (end - start):.0e}")
     ticks = [k * step for k in (-2, -1, 0, 1, 2) if start <= k * step <= end]
     axes.set_xticks(ticks, [f"{tick:.3g}".replace("-", "−") for tick in ticks])
 
@@ -213,12 +252,17 @@ def _small_map(
     image = draw_map(axes, view, quantity, limits, levels)
     axes.set_facecolor(image.get_cmap()(np.inf if film else 0.0))
     axes.set(xlabel="", ylabel="")
-    text = f"{view.central:#.3g}\n{view.minimum:#.3g} µm"
-    text = text if film else f"{view.pressure_top:#.3g} GPa"
-    small: Any = {"fontsize": 6.5, "transform": axes.transAxes}
+    text = f"{_with_error(view, 'central')}\n{_with_error(view, 'minimum')}"
+    text = text if film else f"{view.pressure_top:.3g} GPa"
+    small: Any = {"fontsize": 6.5, "transform": axes.transAxes, "zorder": 4}
     axes.text(0.04, 0.03, text, color=INK, **small)
     axes.text(0.04, 0.97, view.doubt, va="top", color=OUTER_COLOUR, **small)
     return image
+
+
+def _with_error(view: ContactView, name: str) -> str:
+    """Central or minimum film of a contact with its uncertainty, without the unit [um]."""
+    return value_with_error(getattr(view, name), getattr(view, f"{name}_uncertainty"), most=3)
 
 
 def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
@@ -238,10 +282,25 @@ def _over_azimuth(axes: Axes, results: BearingResults, quantity: str) -> None:
     balls = np.unique(np.round(BALL_QUANTITY["azimuth_deg"].value(results.quasistatic) % 360.0, 6))
     axes.set_xticks(balls if len(balls) <= 12 else np.arange(0.0, 361.0, 30.0))
     axes.set(xlim=(-12.0, 372.0), ylim=(0.0, 1.12 * axes.get_ylim()[1]))
+    if quantity == "film":
+        _logarithmic_film(axes, results)
     axes.set_xlabel(BALL_QUANTITY["azimuth_deg"].label)
     axes.set_ylabel(FIELDS[quantity].label)
     axes.grid(linewidth=0.3, alpha=0.5)
     axes.legend(ncols=4, loc="lower center", bbox_to_anchor=(0.5, 1.0))
+
+
+def _logarithmic_film(axes: Axes, results: BearingResults) -> None:
+    """A logarithmic axis where films differ by many times, else the thin ones are not seen."""
+    every = [s for s in results.solutions if s is not None]
+    films = [FIELDS["film"].in_unit(h) for s in every for h in (s.film_central, s.film_minimum)]
+    known = [h for h in films if h is not None and 0.0 < h < np.inf]
+    if not known or max(known) < MANY_TIMES * min(known):
+        return
+    axes.set_yscale("log")
+    axes.set_ylim(0.5 * min(known), 2.0 * max(known))
+    axes.yaxis.set_major_formatter("{x:.3g}")
+    axes.yaxis.set_minor_formatter(NullFormatter())
 
 
 def _film_points(axes: Axes, azimuth: Any, solutions: list[ContactSolution], race: str) -> None:

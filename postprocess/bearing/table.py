@@ -8,10 +8,11 @@ from rich.table import Table
 from rich.text import Text
 
 from ehl import ContactSolution
+from ehl.units import unit_symbol
 
 from ..quantities import CAGE_SPEED, values_of
 from ..table import facts_table, number_table
-from ..text import NOTHING, number, unit_text, value_with_error
+from ..text import NOTHING, number, value_with_error
 from .contacts import CONTACT_QUANTITY, TERMINAL_COLUMNS, ContactRecord, contact_records
 from .duty_cycle import duty_cycle_rows
 from .quantities import RING
@@ -43,7 +44,7 @@ def _bearing_table(results: BearingResults) -> Table:
         "force_N": "x {:.1f}, y {:.1f}, z {:.1f} N".format(
             *(round(v, 1) + 0.0 for v in ring["force_N"])
         ),
-        "cage_speed_rpm": f"{ring['cage_speed_rpm']:.1f} rpm",
+        "cage_speed_rpm": f"{ring['cage_speed_rpm']:.1f} r/min",
         "balls loaded": f"{int((state.inner_load > 0.0).sum())} of {len(state.azimuth)}",
         "equilibrium": f"residual {state.residual:.1e} after {state.iterations} iterations",
     }
@@ -63,7 +64,7 @@ def _contacts_table(results: BearingResults) -> Table:
     most = DECIMALS - 1 if has_surface else DECIMALS
     titles = {} if has_surface else {"contact_angle_deg": "angle"}
     headers = [
-        f"{titles.get(key, CONTACT_QUANTITY[key].symbol)} {unit_text(key)}".strip()
+        f"{titles.get(key, CONTACT_QUANTITY[key].symbol)} {unit_symbol(key)}".strip()
         for key in ("ball", "azimuth_deg", "race", *keys)
     ]
     several = len({contact.row for contact in results.contacts}) > 1

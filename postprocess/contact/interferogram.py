@@ -24,7 +24,7 @@ from ehl.solution import Array
 from ehl.units import MILLIMETRE, NANOMETRE
 
 from ..plot_style import PAGE_WIDTH, REFERENCE, write_figure
-from .frame import resampled
+from .frame import refined
 from .stored import open_contact, shown_nodes
 
 SODIUM = 589.3e-9  # mean of the sodium D lines [m]
@@ -107,5 +107,4 @@ def _fine_film(data: Any) -> tuple[Array, Array, Array]:
     """Positions and film [m] of the shown part, between the nodes; fringes are finer."""
     part = shown_nodes(data)
     x, y = data["x"].values[part[0]], data["y"].values[part[1]]
-    fine_x, fine_y = np.linspace(x[0], x[-1], NODES), np.linspace(y[0], y[-1], NODES)
-    return fine_x, fine_y, resampled(x, y, data["h"].values[part], fine_x, fine_y)
+    return refined(x, y, data["h"].values[part], NODES)

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import MaxNLocator
 
 from ehl.solution import Array
 
@@ -15,13 +16,16 @@ from ..plot_style import BEYOND_SCALE, COLOUR_MAPS, PAGE_WIDTH, REFERENCE, write
 from ..plot_style import INNER_COLOUR as FILM_COLOUR
 from ..plot_style import OUTER_COLOUR as PRESSURE_COLOUR
 from ..text import value_with_error
-from .frame import resampled
+from .frame import refined
 from .results import ContactResults
 from .view import ContactView, contact_view
 
 HEIGHT = 5.9  # of the figure [in]
 LINES = 8  # contour intervals of a map
 QUANTITIES = ("film", "pressure")
+FINE = 201  # nodes of a map each way, between those of the solution
+TICKS = 6  # of a colour bar at most
+CUT = "the map ends with the computed box"
 # boxes, in shares of the figure
 LEFT = (0.085, 0.585)
 MAP_WIDTH = 0.41
@@ -61,7 +65,7 @@ def draw_contact(figure: Figure, view: ContactView, title: str) -> None:
             _in_proportion(strip)
         else:
             panel.set_aspect("equal", anchor="W")
-            proportion = float(np.ptp(view.x) / np.ptp(view.y))
+            proportion = float(np.ptp(view.shown[:2]) / np.ptp(view.shown[2:]))
             width = min(MAP_WIDTH, MAP_HEIGHT * HEIGHT / PAGE_WIDTH * proportion)
         bar = figure.add_axes((left, BAR_BOTTOM, width, 0.018))
         _colour_bar(figure, image, bar, view, quantity)
@@ -76,10 +80,11 @@ def _footnote(view: ContactView) -> str:
     where = f"at {view.oblique:.3g}° from x towards y" if view.oblique else "to the right"
     stretched = "axes stretched, so that the Hertz ellipse (dashed) is seen"
     ellipse = stretched if view.stretched else "Hertz ellipse dashed"
-    first, last = (end / view.half_x for end in (view.x[0], view.x[-1]))
-    ends = "{:.2g} ... {:.2g} of the computed {:.2g} ... {:.2g}".format(first, last, *view.whole)
-    grey = "film beyond the colour scale is grey"
-    return f"Oil moves {where}; {ellipse}; \nshown is x/a = {ends}; {grey}"
+    ends = [end / view.half_x for end in (*view.shown[:2], *view.box[:2])]
+    range_text = "{:.3g} ... {:.3g} of the computed {:.4g} ... {:.4g}".format(*ends)
+    shown = f"shown is x/a = {range_text}".replace("-", "\N{MINUS SIGN}")
+    cut = f"; {CUT}" if view.cut else ""
+    return f"Oil moves {where}; {ellipse};\n{shown}; film beyond the colour scale is grey{cut}"
 
 
 def draw_map(
@@ -97,9 +102,10 @@ def draw_map(
     film = quantity == "film"
     field = view.film if film else view.pressure
     low, high = limits or (view.film_range if film else (0.0, view.pressure_top))
+    x, y, values = refined(view.x, view.y, field, FINE)
     image = axes.imshow(
-        _on_equal_steps(view, field).T,
-        extent=_extent(view),
+        values.T,
+        extent=_extent(x, y),
         origin="lower",
         aspect="auto",
         cmap=COLOUR_MAPS[quantity],
@@ -111,35 +117,24 @@ def draw_map(
     if film:
         image.set_cmap(image.get_cmap().with_extremes(over=BEYOND_SCALE))
     lines = np.linspace(low, high, LINES + 1)[1:-1] if levels is None else levels
-    known = field[np.isfinite(field)]
+    known = values[np.isfinite(values)]
     lines = [line for line in lines if known.size and known.min() < line < known.max()]
     if lines:
         style: Any = {"colors": "white" if film else "black", "alpha": 0.6}
-        axes.contour(view.x, view.y, field.T, levels=lines, **style)
+        axes.contour(x, y, values.T, levels=lines, **style)
     axes.plot(*view.ellipse, color="black", linestyle=(0, (4, 2)), linewidth=0.8)
-    axes.set_xlim(view.x[0], view.x[-1])
-    axes.set_ylim(view.y[0], view.y[-1])
+    axes.set_xlim(view.shown[:2])
+    axes.set_ylim(view.shown[2:])
     axes.set_xlabel(f"{view.names[0]} [{view.length_unit}]")
     axes.set_ylabel(f"{view.names[1]} [{view.length_unit}]")
     return image
 
 
-def _on_equal_steps(view: ContactView, field: Array) -> Array:
-    """The field of a graded mesh at equal steps between the same ends, bilinear, same unit."""
-    x, y = (np.linspace(nodes[0], nodes[-1], len(nodes)) for nodes in (view.x, view.y))
-    steps = ((view.x, x), (view.y, y))
-    if all(np.allclose(n, e, rtol=0.0, atol=1e-6 * (n[-1] - n[0])) for n, e in steps):
-        return field
-    return resampled(view.x, view.y, field, x, y)
-
-
-def _extent(view: ContactView) -> tuple[float, float, float, float]:
-    """Edges of an image whose pixels are the nodes, equally spaced; unit of the view, [mm]."""
-    dx = 0.5 * (view.x[-1] - view.x[0]) / (len(view.x) - 1)
-    dy = 0.5 * (view.y[-1] - view.y[0]) / (len(view.y) - 1)
-    ends = (view.x[0] - dx, view.x[-1] + dx, view.y[0] - dy, view.y[-1] + dy)
-    left, right, bottom, top = map(float, ends)
-    return left, right, bottom, top
+def _extent(x: Array, y: Array) -> tuple[float, float, float, float]:
+    """Edges of an image whose pixels are nodes at equal steps; in their unit, as [mm]."""
+    dx = 0.5 * float(x[1] - x[0])
+    dy = 0.5 * float(y[1] - y[0])
+    return float(x[0]) - dx, float(x[-1]) + dx, float(y[0]) - dy, float(y[-1]) + dy
 
 
 def _in_proportion(axes: Axes) -> None:
@@ -155,31 +150,39 @@ def _colour_bar(figure: Figure, image: Any, axes: Axes, view: ContactView, quant
     extend = "max" if film else "neither"
     bar = figure.colorbar(image, cax=axes, orientation="horizontal", extend=extend)
     bar.set_label(label)
+    bar.ax.xaxis.set_major_locator(MaxNLocator(TICKS))
+    bar.ax.xaxis.set_major_formatter("{x:.3g}")
     bar.ax.xaxis.set_ticks_position("top")
     bar.ax.xaxis.set_label_position("top")
 
 
 def centre_line(axes: Axes, view: ContactView, along: bool) -> None:
     """Pressure and film along the middle of the contact, in rolling direction or across it."""
-    i, j = abs(view.x).argmin(), abs(view.y).argmin()
-    cut = (slice(None), j) if along else (i, slice(None))
-    s = view.x if along else view.y
-    axes.plot(s, view.pressure[cut], color=PRESSURE_COLOUR, label="pressure")
+    s, pressure = _on_centre_line(view, view.pressure, along)
+    axes.plot(s, pressure, color=PRESSURE_COLOUR, label="pressure")
     reach = np.cos(np.linspace(-np.pi, 0.0, 121))
     style: Any = {"color": REFERENCE, "linestyle": "--", "linewidth": 0.8}
     ends = view.reach_x if along else view.reach_y
     hertz = view.hertz * np.sqrt(1.0 - reach**2)
     axes.plot(ends * reach, hertz, label=f"Hertz, peak {view.hertz:.3g}", **style)
     axes.set_ylim(0.0, 1.08 * view.pressure_top)
-    axes.set_xlim(s[0], s[-1])
+    axes.set_xlim(view.shown[:2] if along else view.shown[2:])
     name = view.names[0 if along else 1]
     axes.set_xlabel(f"{name} [{view.length_unit}], at ${'y' if along else 'x'}$ = 0")
     axes.set_ylabel(f"pressure [{view.pressure_unit}]", color=PRESSURE_COLOUR)
     film: Any = axes.twinx()
-    _film_line(film, view, s, view.film[cut])
+    _film_line(film, view, *_on_centre_line(view, view.film, along))
     handles = [*axes.get_legend_handles_labels()[0], *film.get_legend_handles_labels()[0]]
     style = {"loc": "lower center", "bbox_to_anchor": (0.5, 0.99), "handlelength": 1.6}
     axes.legend(handles=handles, ncols=4, columnspacing=1.0, **style)
+
+
+def _on_centre_line(view: ContactView, field: Array, along: bool) -> tuple[Array, Array]:
+    """Positions and values along the middle of the contact, in the units of the view."""
+    x, y, values = refined(view.x, view.y, field, FINE)
+    if along:
+        return x, values[:, abs(y).argmin()]
+    return y, values[abs(x).argmin()]
 
 
 def _film_line(axes: Axes, view: ContactView, s: Array, film: Array) -> None:

@@ -17,7 +17,9 @@ from ..plot_style import (
     film_range,
 )
 from .fields import shown_scales
-from .frame import within
+from .frame import around
+
+ROUND_OFF = 1e-6  # of the window: a box that ends so near does not cut it [-]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,7 +43,8 @@ class ContactView:
     length_unit: str
     film_unit: str
     pressure_unit: str
-    whole: tuple[float, float]  # ends of the box along the entrainment, in units of half_x [-]
+    box: tuple[float, float, float, float]  # first and last x, first and last y, in the unit of x
+    window: tuple[float, float, float, float]  # the part to show, likewise; may leave the box
     doubt: str  # "not converged" or "not resolved"; empty for a sound solution
     oblique: float = 0.0  # angle of the entrainment to the axis x, towards y [deg]
 
@@ -51,6 +54,19 @@ class ContactView:
         if self.oblique:
             return "principal direction $x$", "principal direction $y$"
         return "rolling direction $x$", "transverse $y$"
+
+    @property
+    def shown(self) -> tuple[float, float, float, float]:
+        """Window as far as the box reaches: first and last x, first and last y, unit of `x`."""
+        x_in, x_out, y_first, y_last = self.window
+        box = self.box
+        return max(x_in, box[0]), min(x_out, box[1]), max(y_first, box[2]), min(y_last, box[3])
+
+    @property
+    def cut(self) -> bool:
+        """Whether the computed box ends within the window."""
+        size = self.window[1] - self.window[0]
+        return not np.allclose(self.shown, self.window, rtol=0.0, atol=ROUND_OFF * size)
 
     @property
     def stretched(self) -> bool:
@@ -66,7 +82,13 @@ class ContactView:
     @property
     def film_range(self) -> tuple[float, float]:
         """Film at the ends of the colour scale, in the unit of `film`: the inlet saturates."""
-        return film_range(self.central, self.minimum)
+        return film_range(self.central, self.smallest)
+
+    @property
+    def smallest(self) -> float:
+        """Smallest film, of the map or extrapolated, in the unit of `film`."""
+        least = float(np.nanmin(self.film, initial=inf))
+        return min(least, self.minimum) if least > 0.0 else self.minimum
 
 
 def contact_view(
@@ -81,16 +103,19 @@ def contact_view(
     half_x, half_y = half_extents(angle, kappa)
     a, h, p = shown_scales(solution)
     if window is None:
-        rows, columns = shown_part(solution.X, solution.Y, solution.P, half_x, half_y)
+        ends = shown_ends(solution.X, solution.Y, solution.P, half_x, half_y)
+        x_in, x_out, side = (a * end for end in ends)
     else:
-        rows = within(a * solution.X, *window[:2])
-        columns = within(a * solution.Y, -window[2], window[2])
-    X, Y = solution.X[rows], solution.Y[columns]
+        x_in, x_out, side = window
+    x = a * solution.X
+    y = a * solution.Y
+    rows = around(x, x_in, x_out)
+    columns = around(y, -side, side)
     central, minimum = solution.film_central_dimensionless, solution.film_minimum_dimensionless
     doubt = "" if solution.resolved else "not resolved"
     return ContactView(
-        x=a * X,
-        y=a * Y,
+        x=x[rows],
+        y=y[columns],
         film=h * solution.H[rows, columns],
         pressure=p * solution.P[rows, columns],
         hertz=p,
@@ -106,7 +131,8 @@ def contact_view(
         length_unit="a" if solution.semi_axis_x is None else "mm",
         film_unit="$a^2/R_x$" if solution.film_scale is None else "µm",
         pressure_unit="GPa" if solution.hertz_pressure > 0.0 else "$p_h$",
-        whole=(float(solution.X[0] / half_x), float(solution.X[-1] / half_x)),
+        box=(float(x[0]), float(x[-1]), float(y[0]), float(y[-1])),
+        window=(float(x_in), float(x_out), -float(side), float(side)),
         oblique=oblique_angle(solution),
         doubt=doubt if solution.converged else "not converged",
     )
@@ -127,7 +153,15 @@ def _ellipse(angle: float, kappa: float) -> Array:
 
 
 def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tuple[slice, slice]:
-    """Index ranges of the nodes shown, from the pressure there; lengths in one unit, as [mm]."""
+    """Index ranges of the nodes that cover what is shown; lengths in one unit, as [mm]."""
+    inlet, outlet, side = shown_ends(X, Y, P, half_x, half_y)
+    return around(X, inlet, outlet), around(Y, -side, side)
+
+
+def shown_ends(
+    X: Array, Y: Array, P: Array, half_x: float, half_y: float
+) -> tuple[float, float, float]:
+    """First and last x and half width that are shown, from the pressure; in one unit, as [mm]."""
     loud = np.greater(P, QUIET_PRESSURE * np.nanmax(P, initial=0.0))
     rows, columns = np.flatnonzero(loud.any(axis=1)), np.flatnonzero(loud.any(axis=0))
     first = 0.0
@@ -141,7 +175,7 @@ def shown_part(X: Array, Y: Array, P: Array, half_x: float, half_y: float) -> tu
     inlet = min(SHOWN_INLET * half_x, first - 0.15 * (last - first))
     outlet = max(SHOWN_OUTLET * half_x, last + 0.25 * (last - first))
     side = max(SHOWN_SIDE * half_y, 1.3 * side)
-    return within(X, inlet, outlet), within(Y, -side, side)
+    return inlet, outlet, side
 
 
 def half_extents(angle: float, kappa: float) -> tuple[float, float]:

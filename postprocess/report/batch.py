@@ -5,7 +5,8 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-from ..text import unit_text
+from ehl.units import unit_symbol
+
 from . import html
 
 MAX_ROWS = 500  # points listed; the CSV has all
@@ -30,7 +31,7 @@ def cards(summary: dict[str, Any]) -> str:
         values = [point[key] for point in points if point.get(key) is not None]
         if values:
             ends = f"{html.number(min(values), 4)} … {html.number(max(values), 4)}"
-            entries.append(html.card(name, ends, unit_text(key)))
+            entries.append(html.card(name, ends, unit_symbol(key)))
     return html.side_by_side(*entries, kind="cards")
 
 
@@ -74,7 +75,7 @@ def _points(summary: dict[str, Any]) -> str:
         and "_uncertainty_" not in name
         and any(point.get(name) is not None for point in points)
     ]
-    key_columns = [(html.name_text(key.rpartition(".")[2]), unit_text(key)) for key in keys]
+    key_columns = [(html.name_text(key.rpartition(".")[2]), unit_symbol(key)) for key in keys]
     head = [("#", ""), *key_columns, *html.key_head(names), ("state", "")]
     rows = []
     for point in points[:MAX_ROWS]:
@@ -118,7 +119,7 @@ def _bands(summary: dict[str, Any]) -> str:
         return ""
     rows = []
     for key, band in bands.items():
-        name = f"{html.name_text(key)} [{unit_text(key) or '–'}]"
+        name = f"{html.name_text(key)} [{unit_symbol(key) or '–'}]"
         rows.append(("", [name, *(html.number(band[part], 4) for part in BANDS.values())]))
     count = max(band["points"] for band in bands.values())
     head = [("", ""), *((title, "") for title in BANDS)]

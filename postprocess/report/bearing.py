@@ -6,8 +6,9 @@ from operator import itemgetter
 from pathlib import Path
 from typing import Any
 
+from ehl.units import unit_symbol
+
 from ..bearing.contacts import CONTACT_QUANTITY, REPORT_COLUMNS
-from ..text import unit_text
 from . import html
 from .svg import stacked_bars
 
@@ -174,7 +175,9 @@ def _contacts(contacts: list[dict[str, Any]]) -> str:
     keys = [
         key for key in REPORT_COLUMNS if any(contact.get(key) is not None for contact in contacts)
     ]
-    head = [(_column_title(key), unit_text(key)) for key in ("ball", "azimuth_deg", "race", *keys)]
+    head = [
+        (_column_title(key), unit_symbol(key)) for key in ("ball", "azimuth_deg", "race", *keys)
+    ]
     rows = []
     for contact in contacts:
         state = "" if contact.get("converged") in (None, True) else " !"

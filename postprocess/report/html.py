@@ -9,9 +9,9 @@ from math import isfinite
 from pathlib import Path
 from typing import Any
 
-from ehl.units import without_unit
+from ehl.units import unit_symbol, without_unit
 
-from ..text import unit_text, value_with_error
+from ..text import value_with_error
 
 NOTHING = "–"
 DIGITS = 5
@@ -84,7 +84,7 @@ def name_text(key: str) -> str:
 
 def key_head(keys: Iterable[str]) -> list[tuple[str, str]]:
     """Names and units of columns, by the keys of their values."""
-    return [(name_text(key), unit_text(key)) for key in keys]
+    return [(name_text(key), unit_symbol(key)) for key in keys]
 
 
 def table(
@@ -125,7 +125,7 @@ def facts(
     for key, value in values.items():
         is_assumed = f"{path}.{key}" in assumed
         name = name_text(key) + (' <span class="mark">*</span>' if is_assumed else "")
-        unit = unit_text(key) if value is not None else ""
+        unit = unit_symbol(key) if value is not None else ""
         content = f"{text(value)}&nbsp;{escape(unit)}" if unit else text(value)
         cells = f"<td>{name}</td><td>{content}</td>"
         if len(content) > MAX_BESIDE_KEY:  # words, such as a source

@@ -6,11 +6,11 @@ from rich.console import Group
 from rich.table import Table
 from rich.text import Text
 
-from ehl.units import from_si
+from ehl.units import from_si, unit_symbol
 
 from ..bearing.quantities import BALL_QUANTITY
 from ..table import number_table
-from ..text import evenly_chosen, number, unit_text
+from ..text import evenly_chosen, number
 from .quantities import SLIP_FACTOR
 from .results import SlipResults
 from .summary import ball_values
@@ -51,7 +51,7 @@ def _balls_table(results: SlipResults) -> Table:
         cells = [f"{ball[key]:{digits}}" for key, digits in COLUMNS.items()]
         cells += [number(ball[key], ".3f") for key in factors]
         rows.append([str(ball["ball"]), *cells, "slips" if ball["slips"] else ""])
-    headers = ["ball", *(f"{BALL_QUANTITY[key].symbol} {unit_text(key)}" for key in COLUMNS)]
+    headers = ["ball", *(f"{BALL_QUANTITY[key].symbol} {unit_symbol(key)}" for key in COLUMNS)]
     headers += [SLIP_FACTOR.symbol, *["as printed"] * printed, ""]
     return number_table(headers, rows, **STYLE)
 

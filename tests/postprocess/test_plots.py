@@ -10,9 +10,10 @@ from numpy.testing import assert_allclose
 
 from ehl import FilmValue
 from postprocess import summary
-from postprocess.bearing.plots import ball_columns, write_bearing_plots
+from postprocess.bearing.plots import _chosen, _limits, ball_columns, write_bearing_plots
 from postprocess.bearing.table import bearing_table
 from postprocess.contact import plots
+from postprocess.contact.frame import refined
 from postprocess.contact.plots import write_contact_plots
 from postprocess.contact.view import contact_view
 from postprocess.text import value_with_error
@@ -90,11 +91,52 @@ def pair_up(results):
 
 def test_view_is_cropped_to_the_contact(bearing_results):
     view = contact_view(bearing_results.solutions[0])
-    assert -2.5 <= view.x[0] / view.half_x < -2.3
-    assert 1.3 < view.x[-1] / view.half_x <= 1.5
-    assert view.whole[0] < -5.9
+    assert_allclose(np.array(view.shown[:2]) / view.half_x, [-2.5, 1.5])
+    assert view.x[0] <= view.shown[0] and view.x[-1] >= view.shown[1]  # the nodes cover what is shown
+    assert not view.cut
+    assert view.box[0] < -5.9 * view.half_x
     assert_allclose([view.half_x, view.half_y], [0.15645, 1.7819], rtol=5e-3)  # papers.md, 6208 inner race [mm]
     assert_allclose(np.abs(view.ellipse).max(axis=1), [view.half_x, view.half_y], rtol=1e-3)
+
+
+def test_colours_are_ruled_by_the_loaded_contacts(bearing_results):
+    """A ball with a fifth of the largest Hertz pressure and a thick film changes no colour."""
+    loaded = contact_view(bearing_results.solutions[0])
+    idle = replace(loaded, hertz=0.2 * loaded.hertz, central=20.0 * loaded.central, film=20.0 * loaded.film)
+    assert _limits([loaded, idle, None], "film") == _limits([loaded], "film")
+
+
+def test_rows_share_the_columns_equally():
+    keys = [(float(azimuth), row) for row in (1, 2) for azimuth in range(9)]
+    assert _chosen(keys) == [(0.0, 1), (4.0, 1), (8.0, 1), (0.0, 2), (4.0, 2), (8.0, 2)]
+
+
+def test_a_map_cut_by_its_box_says_so(bearing_results):
+    solution = bearing_results.solutions[0]
+    kept = solution.X < 1.1
+    cut = contact_view(replace(solution, X=solution.X[kept], P=solution.P[kept], H=solution.H[kept]))
+    assert cut.cut
+    assert plots.CUT in plots._footnote(cut)
+    assert plots.CUT not in plots._footnote(contact_view(solution))
+    assert cut.shown[1] == pytest.approx(cut.box[1])
+
+
+def test_coarse_meshes_are_drawn_without_kinks_and_new_extremes():
+    """A parabola on seven nodes: the slope of what is drawn is continuous, its ends are kept."""
+    x = np.linspace(-1.0, 1.0, 7)
+    field = np.add.outer(x**2, 0.0 * x)
+    fine_x, fine_y, values = refined(x, x, field, 301)
+    assert values.shape == (301, 301) and fine_y[-1] == 1.0
+    assert 0.0 <= values.min() and values.max() <= 1.0
+    slope = np.diff(values[:, 0]) / np.diff(fine_x)
+    assert np.abs(np.diff(slope)).max() < 0.1  # linear between the nodes it jumps by 0.44
+    assert_allclose(values[:, 0], fine_x**2, atol=0.04)
+
+
+def test_fields_with_gaps_are_drawn_linear():
+    x = np.arange(4.0)
+    field = np.full((4, 4), np.nan)
+    assert np.isnan(refined(x, x, field, 8)[2]).all()
 
 
 @pytest.mark.parametrize(
