@@ -51,6 +51,25 @@ def write_json(document: dict[str, Any], path: Path) -> None:
     write_text(path, json.dumps(document, indent=2, ensure_ascii=False, allow_nan=False) + "\n")
 
 
+def read_summary(directory: Path) -> dict[str, Any]:
+    """The summary of a result folder; ValueError if there is none, or it is not ours."""
+    path = directory / SUMMARY_FILE
+    try:
+        summary = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise ValueError(
+            f"{directory} holds no results: {SUMMARY_FILE}: {error.strerror or error}"
+        ) from error
+    except (ValueError, RecursionError) as error:
+        raise ValueError(f"{path} is damaged: {error}") from error
+    required = {"oilfilm", "case", "converged", "messages"}
+    if not isinstance(summary, dict) or not required <= summary.keys():
+        raise ValueError(
+            f"{path} is not a summary of oilfilm, or one of a version older than this one reads"
+        )
+    return summary
+
+
 def plain_document(document: dict[str, Any]) -> dict[str, Any]:
     """A summary in plain JSON types, with a message for each number that is not finite."""
     lost: list[str] = []

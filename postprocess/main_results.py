@@ -1,5 +1,6 @@
 """What is looked at first in a summary of any kind, by keys with their units."""
 
+from operator import itemgetter
 from typing import Any
 
 from .bearing.contacts import CONTACT_QUANTITY
@@ -27,10 +28,14 @@ THINNEST = (  # of a bearing's thinnest film
     *("film_minimum_um", "film_minimum_uncertainty_um", "film_central_um"),
     *("film_central_uncertainty_um", "lambda_ratio"),
 )
-LIFE = LIFE_RATING[0].key
+LIVES = sorted(  # hours before revolutions, modified before basic ones
+    (quantity.key for quantity in LIFE_RATING if "rating" in quantity.key),
+    key=lambda key: (not key.endswith("_h"), "modified" not in key),
+)
 # titles and symbols of what tables and pictures of a batch show, derived from whole summaries
 MAIN_QUANTITY = CONTACT_QUANTITY | by_key(
     (
+        *LIFE_RATING,
         Quantity("load_maximum_N", "largest load", symbol="Q max"),
         Quantity("hertz_pressure_maximum_GPa", "largest Hertz pressure", symbol="p_h max"),
         Quantity("film_minimum_dimensionless", "minimum film", symbol="h_min"),
@@ -52,7 +57,7 @@ BATCH_COLUMNS = (  # of the terminal's table, the last that fit
     *("inner_largest_coefficient", "outer_largest_coefficient"),
 )
 BATCH_PANELS = (  # the first ones are drawn where the sweep file names none
-    *("film_minimum_um", "film_minimum_dimensionless", "torque_N_mm"),
+    *("film_minimum_um", "film_minimum_dimensionless", "torque_N_mm", *LIVES),
     *("hertz_pressure_maximum_GPa", "hertz_pressure_GPa", "cage_speed_ratio"),
     *("slip_factor_minimum", "minimum_preload_N"),
     *("inner_largest_coefficient", "outer_largest_coefficient"),
@@ -102,8 +107,8 @@ def result_names(kind: str) -> tuple[str, ...]:
 def _bearing(summary: dict[str, Any]) -> dict[str, Any]:
     """Largest load and pressure, thinnest film, torque, cage speed, life."""
     contacts = [contact for contact in summary["contacts"] if contact["loaded"]]
-    films = [contact for contact in contacts if contact["film_minimum_um"] is not None]
-    thinnest: dict[str, Any] = min(films, key=lambda film: film["film_minimum_um"], default={})
+    thinnest = thinnest_film(contacts) or {}
+    life = summary.get("life") or {}
     load, pressure = (
         max((contact[key] for contact in contacts), default=None)
         for key in ("load_N", "hertz_pressure_GPa")
@@ -114,8 +119,19 @@ def _bearing(summary: dict[str, Any]) -> dict[str, Any]:
         **{name: thinnest.get(name) for name in THINNEST},
         "torque_N_mm": (summary.get("torque_N_mm") or {}).get("total"),
         CAGE_SPEED.key: summary.get(CAGE_SPEED.key),
-        LIFE: (summary.get("life") or {}).get(LIFE),
+        **{key: life.get(key) for key in LIVES},
     }
+
+
+def thinnest_film(contacts: list[dict[str, Any]]) -> dict[str, Any] | None:
+    """The contact of a summary with the thinnest film; None where a film did not converge.
+
+    Its film is not known, and may be the thinnest.
+    """
+    if any(contact.get("converged") is False for contact in contacts):
+        return None
+    films = [contact for contact in contacts if contact.get("film_minimum_um") is not None]
+    return min(films, key=itemgetter("film_minimum_um"), default=None)
 
 
 def _loads(summary: dict[str, Any]) -> dict[str, Any]:

@@ -15,11 +15,14 @@ from .files import atomic_path
 
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200
+FORMATS = (".png", ".pdf", ".svg")  # of pictures
 # of zlib, 1 to 9; of a contact's picture 1 takes 0.04 s and 0.40 MB, 3 0.04 s and 0.38 MB,
 # the default 6 0.07 s and 0.35 MB, 9 0.33 s and 0.34 MB
 PNG_COMPRESSION = 3
 INNER_COLOUR = "#0b5394"
 OUTER_COLOUR = "#c1440e"
+CAGE_COLOUR = "#a6761d"
+BALL_COLOUR = "#6b7785"
 REFERENCE = "#666666"
 INK = "#1b1f24"
 # perceptually uniform; zero pressure is paper white
@@ -97,12 +100,18 @@ def colour_stops(quantity: str, count: int) -> Array:
 
 
 def save(figure: Figure, path: Path) -> None:
-    """Write a figure as PNG under its final name when it is complete.
+    """Write a figure as PNG, PDF or SVG under its final name when it is complete.
 
-    The canvas draws once; `Figure.savefig` gives the same pixels, but draws twice.
+    The canvas draws a PNG once; `Figure.savefig` gives the same pixels, but draws twice.
     """
+    kind = path.suffix.lower()
+    if kind not in FORMATS:
+        raise ValueError(f"{path.name}: allowed: a file that ends in {', '.join(FORMATS)}")
     figure.set_dpi(DPI)
     with atomic_path(path) as temporary:
+        if kind != ".png":
+            figure.savefig(temporary, format=kind[1:])
+            return
         options = {"compress_level": PNG_COMPRESSION}
         FigureCanvasAgg(figure).print_png(temporary, pil_kwargs=options)
 

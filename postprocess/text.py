@@ -11,7 +11,7 @@ def number(value: Any, digits: str = ".4g") -> str:
     """Text of a number by a format; a dash for null, other values as they are."""
     if value is None or (isinstance(value, float) and not isfinite(value)):
         return NOTHING
-    return f"{value:{digits}}" if isinstance(value, float) else str(value)
+    return f"{value + 0.0:{digits}}" if isinstance(value, float) else str(value)
 
 
 def value_with_error(value: float, error: float, most: int = 5) -> str:

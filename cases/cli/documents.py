@@ -1,4 +1,4 @@
-"""Commands on results: report, compare, cut, interferogram, export."""
+"""Commands on results: report, compare, cut, interferogram, diagram, export."""
 
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -19,6 +19,9 @@ Contact = Annotated[
     str | None,
     typer.Option(metavar="NAME", help="For example ball01/inner; default: the first with a film."),
 ]
+
+
+DOCUMENTS = {"xlsx": "workbook", "pdf": "pages"}  # formats of `export` that are no meshes
 
 
 class Axis(StrEnum):
@@ -143,24 +146,82 @@ def interferogram(
 
 @app.command()
 @guarded
-def export(
-    directory: Directory,
-    mesh_format: Annotated[
-        str, typer.Option("--format", metavar="[xdmf|inp|msh|vtu]", help="Format of the mesh.")
+def diagram(
+    directory: Annotated[
+        Path, typer.Argument(metavar="DIR", help="A directory of results of 'oilfilm batch'.")
     ],
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="Default: films.FORMAT.")
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="PNG, PDF or SVG; default: diagram.png."
+        ),
+    ] = None,
+    over: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="KEY", help="A varied key; three times for axis, colours, styles of line."
+        ),
+    ] = None,
+    of: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME", help="A column of batch.csv; default: film, torque, life."),
+    ] = None,
+) -> None:
+    """Draw numbers of a batch over its keys: film, torque and life over speed, a line per load."""
+    from postprocess.batch.plots import write_diagram
+    from postprocess.batch.read import read_batch
+
+    with _as_case_errors(directory):
+        file = output or Path("diagram.png")
+        results = read_batch(directory)
+        say(f"picture in {write_diagram(results, file, tuple(over or ()), tuple(of or ()))}")
+
+
+@app.command()
+@guarded
+def export(
+    directory: Directory,
+    file_format: Annotated[
+        str,
+        typer.Option(
+            "--format", metavar="[xdmf|inp|msh|vtu|xlsx|pdf]", help="Meshes; workbook; pages."
+        ),
+    ],
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Default: films.FORMAT, or DIR.xlsx, DIR.pdf."
+        ),
     ] = None,
     quiet: Errors = False,
 ) -> None:
-    """Write films and finite elements as meshes for other programs."""
-    file = output or Path(f"films.{mesh_format}")
-    if file.suffix.lower() != f".{mesh_format}":
-        raise CaseError(f"--output {file}: allowed: a .{mesh_format} file, as --format says")
-    from ..runs.export import export_meshes
-
+    """Write films as meshes for other programs, or all numbers as a workbook or a PDF."""
+    stem = f"{directory.resolve().name}" if file_format in DOCUMENTS else "films"
+    file = output or Path(f"{stem}.{file_format}")
+    if file.suffix.lower() != f".{file_format}":
+        raise CaseError(f"--output {file}: allowed: a .{file_format} file, as --format says")
     with _as_case_errors(directory):
-        files = export_meshes(directory, file)
+        files = _write_document(directory, file, file_format) or _write_meshes(directory, file)
     if not quiet:
         for path in files:
-            say(f"{'mesh' if path.suffix == file.suffix else 'values'} in {path}")
+            kind = DOCUMENTS.get(file_format, "mesh" if path.suffix == file.suffix else "values")
+            say(f"{kind} in {path}")
+
+
+def _write_document(directory: Path, file: Path, kind: str) -> tuple[Path, ...]:
+    """Write a workbook or a PDF; nothing for another kind."""
+    if kind not in DOCUMENTS:
+        return ()
+    if kind == "xlsx":
+        from postprocess.report.spreadsheet import write_workbook
+
+        return (write_workbook(directory, file),)
+    from postprocess.report.plots_pdf import write_pdf
+
+    return (write_pdf(directory, file),)
+
+
+def _write_meshes(directory: Path, file: Path) -> tuple[Path, ...]:
+    from ..runs.export import export_meshes
+
+    return export_meshes(directory, file)

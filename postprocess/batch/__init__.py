@@ -1,6 +1,8 @@
 """Results of a batch.
 
-plots       - figures of a batch: film, pressure and torque over one or two of the varied keys
+keys        - the keys that a batch varies, as its figures tell them apart
+plots       - figures of a batch: film, torque, life over one to three of the varied keys
+read        - a finished batch, read back from its folder
 results     - results of a batch, point by point
 sensitivity - effect of uncertain input: finite differences of [sensitivity] points
 summary     - summary of a batch, and every number of its points as columns

@@ -1,6 +1,7 @@
-"""Figures of a batch: film, pressure and torque over one or two of the varied keys."""
+"""Figures of a batch: film, torque, life over one to three of the varied keys."""
 
-from dataclasses import dataclass
+from collections.abc import Iterable
+from difflib import get_close_matches
 from functools import partial
 from pathlib import Path
 from textwrap import fill
@@ -10,6 +11,7 @@ import matplotlib
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
 
 from ehl.solution import Array
 from ehl.units import unit_of, unit_symbol, without_unit
@@ -17,7 +19,8 @@ from ehl.units import unit_of, unit_symbol, without_unit
 from ..bearing.quantities import TORQUE_MODELS, TORQUE_PARTS
 from ..main_results import BATCH_PANELS, MAIN_QUANTITY
 from ..plot_style import INK, PAGE_WIDTH, REFERENCE, write_figure
-from ..text import evenly_chosen, is_number
+from ..text import evenly_chosen
+from .keys import MOST_LINES, Varied, families, varied_keys
 from .results import BatchResults
 from .summary import point_numbers
 
@@ -29,76 +32,14 @@ MARKERS = "osD^vP*X"
 MOST_PANELS = 3  # the second: of one quantity
 MOST_TOGETHER = 4  # side by side
 WORD_WIDTH = 16  # characters of a tick label
-MOST_LINES = 8  # of a family; more values are shown by colour
 MOST_INSIDE = 4  # lines of a family named inside the panel; more are beside it
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Varied:
-    """A key that varies: its label, its number at every point, and what the numbers stand for."""
-
-    label: str
-    values: tuple[float | None, ...]
-    words: tuple[str, ...] = ()
-
-    def text(self, value: float) -> str:
-        """A value in words."""
-        return self.words[int(value)] if self.words else f"{value:g}"
-
-
-def varied_keys(results: BatchResults) -> list[Varied]:
-    """Keys of at least two numbers, most of them first; keys of words as one, last."""
-    numbers: list[Varied] = []
-    wordy = []
-    for key in results.keys:
-        values = tuple(point.values.get(key) for point in results.points)
-        if len({str(value) for value in values if value is not None}) < 2:
-            continue
-        if all(value is None or is_number(value) for value in values):
-            numbers.append(Varied(label=axis_label(key), values=values))
-        else:
-            wordy.append(key)
-    numbers.sort(key=lambda key: -len({*key.values} - {None}))
-    numbers = numbers[:1] + [key for key in numbers[1:] if not _goes_along(numbers[0], key)]
-    return numbers + ([_words(results, wordy)] if wordy else [])
-
-
-def _one_family(keys: list[Varied]) -> list[Varied]:
-    """The keys after the first as one, if no more combinations than lines fit a panel."""
-    rows = list(zip(*(key.values for key in keys[1:]), strict=True))
-    incomplete = any(value is None for row in rows for value in row)
-    if len(keys) < 3 or incomplete or len(set(rows)) > MOST_LINES:
-        return keys
-    known = sorted(set(rows))
-    words = tuple(
-        " / ".join(key.text(v) for key, v in zip(keys[1:], row, strict=True)) for row in known
-    )
-    values = tuple(float(known.index(row)) for row in rows)
-    label = " / ".join(key.label for key in keys[1:])
-    return [keys[0], Varied(label=label, values=values, words=words)]
-
-
-def _goes_along(first: Varied, other: Varied) -> bool:
-    """Whether another key rises or falls strictly with the first one, as sizes of a bearing do."""
-    both = zip(first.values, other.values, strict=True)
-    pairs = sorted({(a, b) for a, b in both if a is not None and b is not None})
-    if len(pairs) < MOST_PANELS or len({a for a, _ in pairs}) < len(pairs):
-        return False
-    steps = np.diff([b for _, b in pairs])
-    return bool(np.all(steps > 0.0) or np.all(steps < 0.0))
-
-
-def _words(results: BatchResults, keys: list[str]) -> Varied:
-    """Keys of words as one, numbered in the order in which their combinations appear."""
-    texts = [" / ".join(str(point.values.get(key)) for key in keys) for point in results.points]
-    words = tuple(dict.fromkeys(texts))
-    values = tuple(float(words.index(text)) for text in texts)
-    return Varied(label=" / ".join(map(axis_label, keys)), values=values, words=words)
+MANY_TIMES = 10.0  # largest over smallest value from which on an axis is logarithmic [-]
+LOGARITHMIC = ("film_", "rating")  # in the names of what may have a logarithmic axis
 
 
 def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]:
     """Draw the figure of a batch into its folder `plots`; what could not be drawn, and why."""
-    keys = varied_keys(results)
+    keys = list(varied_keys(results).values())
     shown = quantities(results)
     if not keys or not shown:
         missing = "key with several values" if shown else "result"
@@ -112,6 +53,41 @@ def write_batch_plots(results: BatchResults, directory: Path) -> tuple[str, ...]
     )
 
 
+def write_diagram(
+    results: BatchResults, path: Path, over: tuple[str, ...] = (), numbers: tuple[str, ...] = ()
+) -> Path:
+    """Draw numbers of a batch over keys of one's choice, as `draw_batch`, into a PNG, PDF or SVG.
+
+    The keys in `over` come first: axis, colours, styles; a key is named by its last part, too.
+    ValueError for a key that does not vary, or a number that no point has.
+    """
+    keys = varied_keys(results)
+    chosen = [_one_named(name, keys, "varied key") for name in over]
+    known = quantities(results)
+    if numbers:
+        every = dict.fromkeys(name for p in results.points for name in point_numbers(p))
+        known = [_one_named(name, every, "number") for name in numbers]
+    if not keys or not known:
+        raise ValueError("there is nothing to draw: no key varies, or no point has a result")
+    order = [keys[name] for name in (*chosen, *(name for name in keys if name not in chosen))]
+    write_figure(path, partial(draw_batch, results=results, keys=order, shown=known))
+    return path
+
+
+def _one_named(name: str, known: Iterable[str], kind: str) -> str:
+    """The one of the known names that is meant; ValueError if there is none, or several."""
+    names = list(known)
+    meant = [own for own in names if own == name] or [
+        own for own in names if own.endswith(f".{name}")
+    ]
+    if len(meant) == 1:
+        return meant[0]
+    close = get_close_matches(name, names, n=1, cutoff=0.3)
+    hint = f"; did you mean {close[0]!r}?" if close else ""
+    found = "several have this name" if meant else f"there is no {kind} of this name"
+    raise ValueError(f"{name}: {found}{hint}")
+
+
 def quantities(results: BatchResults) -> list[str]:
     """Numbers that the sweep file wants drawn; else as many main results, not all zero, as fit."""
     rows = [point_numbers(point) for point in results.points]
@@ -123,11 +99,13 @@ def quantities(results: BatchResults) -> list[str]:
 def draw_batch(
     figure: Figure, results: BatchResults, keys: list[Varied], shown: list[str]
 ) -> None:
-    """A panel for each quantity over the first key; the second as a family of lines, or as colour.
+    """A panel for each quantity over the first key; the second as colours, the third as styles.
 
-    Keys as `varied_keys` orders them; units [um], [GPa], [N mm] as the names of the numbers say.
+    Too many values of the second are colours of points. Keys as `varied_keys` orders them; units
+    [um], [GPa], [N mm] as the names of the numbers say.
     """
-    keys = _one_family(keys)
+    every = keys
+    keys = families(keys)
     figure.set_size_inches(PAGE_WIDTH, 2.9)
     figure.suptitle(results.title, fontsize=8.5)
     panels: Any = figure.subplots(1, len(shown), squeeze=False)[0]
@@ -136,8 +114,8 @@ def draw_batch(
         data = _data(results, keys, name)
         if len(keys) == 1:
             _line(axes, data, data.error, color=INK, linestyle="" if keys[0].words else "-")
-        elif len(np.unique(data.second)) <= MOST_LINES:
-            _family(axes, data, keys[1], legend=axes is panels[0])
+        elif keys[1].count <= MOST_LINES:
+            _family(axes, data, keys)
         else:
             converged = data[data.converged]
             failed = data[~data.converged]
@@ -145,11 +123,27 @@ def draw_batch(
             axes.scatter(failed.x, failed.y, c=failed.second, s=18, marker="x")
         _first_key(axes, keys[0])
         axes.set_ylabel(f"{quantity_label(name)} [{quantity_unit(name)}]")
-        axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
+        _values_axis(axes, name, data)
     if mapped is not None:
         figure.colorbar(mapped, ax=panels, label=keys[1].label)
+    elif len(keys) > 1:
+        _family_legend(figure, panels[0], keys)
     bars = shown[0].startswith("film") and mapped is None
-    _note(figure, results, keys, ["error bars: uncertainty of the film"] if bars else [])
+    told = len(keys) if len(keys) < len(every) or mapped is None else 2
+    hidden = [] if len(keys) < len(every) else every[told:]
+    _note(figure, results, hidden, ["error bars: uncertainty of the film"] if bars else [])
+
+
+def _values_axis(axes: Axes, name: str, data: Any) -> None:
+    """From zero, or logarithmic where films or lives differ by many times."""
+    known = data.y[data.y > 0.0]
+    spread = known.max() / known.min() if known.size == data.size > 0 else 1.0
+    if spread > MANY_TIMES and any(word in name for word in LOGARITHMIC):
+        axes.set_yscale("log")
+        axes.set_ylim(0.7 * known.min(), 1.4 * known.max())
+        axes.yaxis.set_major_formatter("{x:g}")
+    else:
+        axes.set_ylim(0.0, 1.05 * axes.get_ylim()[1])
 
 
 def draw_together(
@@ -195,16 +189,16 @@ def draw_together(
     every = len(set(keys[1].values)) if len(keys) > 1 else 0
     left_out = len(values) < every
     note = [f"{len(values)} of {every} values of {keys[1].label}"] if left_out else []
-    _note(figure, results, keys, note)
+    _note(figure, results, keys[2:], note)
 
 
-def _note(figure: Figure, results: BatchResults, keys: list[Varied], notes: list[str]) -> None:
-    """What a figure does not show by itself, below it."""
+def _note(figure: Figure, results: BatchResults, hidden: list[Varied], notes: list[str]) -> None:
+    """What a figure does not show by itself, below it; `hidden` keys vary and are not told."""
     notes = notes + ["crosses: not converged"] * (not results.converged)
-    if 2 < len(keys) <= 5:
-        notes.append(f"further keys vary: {', '.join(key.label for key in keys[2:])}")
-    if len(keys) > 5:
-        notes.append(f"{len(keys) - 2} further keys vary")
+    if 0 < len(hidden) <= MOST_PANELS:
+        notes.append(f"further keys vary: {', '.join(key.label for key in hidden)}")
+    elif hidden:
+        notes.append(f"{len(hidden)} further keys vary")
     figure.supxlabel("; ".join(notes), fontsize=6.5, color=REFERENCE)
 
 
@@ -225,7 +219,7 @@ def quantity_label(name: str, model: str | None = None) -> str:
         if own == model:
             return part_title
         return TORQUE_MODELS[own].title + ("" if part == "total" else f", {part_title}")
-    main = MAIN_QUANTITY.get(name)
+    main = MAIN_QUANTITY.get(name.removesuffix(".total"))
     return without_unit(name.rpartition(".")[2]) if main is None else main.title
 
 
@@ -236,46 +230,75 @@ def common_model(names: list[str]) -> str | None:
     return models.pop() if of_models and len(models) == 1 else None
 
 
-def axis_label(key: str) -> str:
-    """A key in words, its unit in brackets."""
-    last = key.rpartition(".")[2]
-    return f"{without_unit(last)} [{unit_symbol(last)}]" if unit_of(last) else without_unit(last)
-
-
 def quantity_unit(name: str) -> str:
     """Unit of a quantity for a label."""
     return "a²/Rx" if name.endswith("_dimensionless") else unit_symbol(name) or "-"
 
 
 def _data(results: BatchResults, keys: list[Varied], name: str) -> Any:
-    """Points that have all of it: keys `x`, `second`, quantity `y`, its `error`, `converged`.
+    """Points that have all of it: three keys, a quantity and its error, whether it converged.
 
-    As a record array, in the units of the keys; a second key that is not there is 0.
+    As a record array, in the units of the keys; a key that is not there is 0.
     """
     head, _, unit = name.rpartition("_")
     rows: list[Any] = []
-    seconds = keys[1].values if len(keys) > 1 else [0.0] * len(results.points)
-    for point, first, second in zip(results.points, keys[0].values, seconds, strict=True):
+    nothing = [0.0] * len(results.points)
+    places = [keys[k].values if k < len(keys) else nothing for k in range(3)]
+    for point, *place in zip(results.points, *places, strict=True):
         row = point_numbers(point)
-        if row.get(name) is not None and first is not None and second is not None:
+        if row.get(name) is not None and None not in place:
             error = row.get(f"{head}_uncertainty_{unit}") or 0.0
-            rows.append((first, second, row[name], error, point.converged))
-    return np.rec.fromrecords(rows, formats=None, names="x,second,y,error,converged")
+            rows.append((*place, row[name], error, point.converged))
+    return np.rec.fromrecords(rows, formats=None, names="x,second,third,y,error,converged")
 
 
-def _family(axes: Axes, data: Any, key: Varied, *, legend: bool) -> None:
-    values = np.unique(data.second)
+def _family(axes: Axes, data: Any, keys: list[Varied]) -> None:
+    """Lines by the colour of the second key and by the style of the third."""
+    for colour, second in _colours(keys[1]):
+        for style, third in _styles(keys):
+            part = data[(data.second == second) & (data.third == third)]
+            if part.size:
+                lines = {"linestyle": ""} if keys[0].words else style
+                _line(axes, part, part.error, color=colour, **style | lines)
+
+
+def _colours(key: Varied) -> list[tuple[Any, float]]:
+    """A colour for each value of a key."""
+    values = key.known
     colours = matplotlib.colormaps["viridis"](np.linspace(0.0, 0.85, len(values)))
-    for value, shade in zip(values, colours, strict=True):
-        part = data[data.second == value]
-        _line(axes, part, part.error, color=shade, label=key.text(value))
-    if legend and len(values) > MOST_INSIDE:
-        handles, labels = axes.get_legend_handles_labels()
-        style: Any = {"title_fontsize": 7, "loc": "outside right center"}
-        figure: Any = axes.get_figure()
-        figure.legend(handles, labels, title=key.label.replace(" / ", " /\n"), **style)
-    elif legend:  # once is enough
-        axes.legend(title=key.label, title_fontsize=7, ncols=1 if key.words else 2)
+    return list(zip(colours, values, strict=True))
+
+
+def _styles(keys: list[Varied]) -> list[tuple[dict[str, Any], float]]:
+    """A style of line and marker for each value of a third key; one style without one."""
+    values = keys[2].known if len(keys) > 2 else [0.0]
+    return [
+        ({"linestyle": STYLES[k], "marker": MARKERS[k]}, value) for k, value in enumerate(values)
+    ]
+
+
+def _family_legend(figure: Any, axes: Axes, keys: list[Varied]) -> None:
+    """Colours of the second key and styles of the third, once for all panels."""
+    plain: dict[str, Any] = {"marker": "o", "markersize": 3}
+    lines = [Line2D([], [], color=c, label=keys[1].text(v), **plain) for c, v in _colours(keys[1])]
+    if len(keys) == 2 and len(lines) <= MOST_INSIDE:
+        axes.legend(
+            handles=lines, title=keys[1].label, title_fontsize=7, ncols=1 if keys[1].words else 2
+        )
+        return
+    entries = [_heading(keys[1]), *lines]
+    for style, value in _styles(keys) if len(keys) > 2 else ():
+        if value == keys[2].known[0]:
+            entries += [_heading(None), _heading(keys[2])]
+        style |= {"markersize": 3, "color": REFERENCE, "label": keys[2].text(value)}
+        entries.append(Line2D([], [], **style))
+    figure.legend(handles=entries, loc="outside right center", handlelength=2.6)
+
+
+def _heading(key: Varied | None) -> Line2D:
+    """A line of a legend that is text alone, or empty."""
+    label = "" if key is None else key.label.replace(" / ", " /\n")
+    return Line2D([], [], linestyle="", label=label)
 
 
 def _line(axes: Axes, data: Any, error: Array, **style: Any) -> None:

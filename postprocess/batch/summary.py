@@ -87,7 +87,7 @@ def scalar_numbers(summary: dict[str, Any], path: str = "") -> dict[str, float]:
         elif isinstance(value, bool | int | float):
             numbers[name] = value
         elif isinstance(value, list) and 0 < len(value) <= MOST_COMPONENTS:
-            parts = zip(_components(key, len(value)), value, strict=True)
+            parts = zip(components(key, len(value)), value, strict=True)
             numbers |= {f"{name}.{axis}": v for axis, v in parts if isinstance(v, int | float)}
     return numbers
 
@@ -97,7 +97,7 @@ def point_numbers(point: BatchPoint) -> dict[str, Any]:
     return scalar_numbers(point.summary or {}) | main_results(point.summary)
 
 
-def _components(key: str, count: int) -> tuple[str, ...]:
+def components(key: str, count: int) -> tuple[str, ...]:
     """Names of the components of a short list: of a vector, a tilt, or the ends of a range."""
     if count == MOST_COMPONENTS:
         return ("x", "y", "z")

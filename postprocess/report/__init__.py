@@ -1,8 +1,10 @@
-"""The HTML report of a result folder.
+"""Documents made of a result folder: HTML page, PDF, workbook.
 
 page     - the page: which parts it has, warnings, notes
 bearing  - parts of the page of a bearing or a single contact
 batch    - parts of the page of a batch
 html     - tables, facts, pictures and numbers as HTML
 svg      - bar charts as SVG
+plots_pdf    - the numbers and pictures of a result folder as pages of a PDF
+spreadsheet  - all numbers of a result folder as one workbook
 """

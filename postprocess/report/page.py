@@ -1,6 +1,5 @@
 """One HTML page of a result folder that needs no other file; for whatever has a summary."""
 
-import json
 from collections.abc import Iterator
 from html import escape
 from importlib import resources
@@ -8,7 +7,7 @@ from pathlib import Path
 from string import Template
 from typing import Any
 
-from ..files import SUMMARY_FILE, write_text
+from ..files import read_summary, write_text
 from . import batch, bearing, html
 
 REPORT_FILE = "report.html"
@@ -40,25 +39,6 @@ def write_report(directory: str | Path) -> Path:
             raise ValueError(f"{path} was not written by oilfilm and will not be replaced")
     write_text(path, page)
     return path
-
-
-def read_summary(directory: Path) -> dict[str, Any]:
-    """The summary of a result folder; ValueError if there is none, or it is not ours."""
-    path = directory / SUMMARY_FILE
-    try:
-        summary = json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ValueError(
-            f"{directory} holds no results: {SUMMARY_FILE}: {error.strerror or error}"
-        ) from error
-    except (ValueError, RecursionError) as error:
-        raise ValueError(f"{path} is damaged: {error}") from error
-    required = {"oilfilm", "case", "converged", "messages"}
-    if not isinstance(summary, dict) or not required <= summary.keys():
-        raise ValueError(
-            f"{path} is not a summary of oilfilm, or one of a version older than this one reads"
-        )
-    return summary
 
 
 def report_page(folder: Path) -> str:

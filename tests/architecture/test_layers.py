@@ -32,6 +32,7 @@ HOMES = {
     "rich": ("cases/cli/*.py", "postprocess/*table.py", "postprocess/*/*.py"),
     "PIL": ("postprocess/scene/*.py",),
     "trame_pyvista": ("postprocess/scene/*.py",),
+    "xlsxwriter": ("postprocess/report/*.py",),
     "distributed": ("cases/batch/pools.py",),
 }
 FUNCTION_LINES, MODULE_LINES, ARGUMENTS = 40, 400, 7

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
+import json
+from dataclasses import replace
+
 import pytest
 from matplotlib.figure import Figure
 from typer.testing import CliRunner
 
 from cases.batch.engine import run_batch
 from cases.batch.results import gathered
+from cases.batch.store import write_point
 from cases.batch.sweep import read_sweep, sweep_from_text
 from cases.cli.main import app
 from cases.format.shipped import shipped_sweeps
-from postprocess.batch.plots import draw_together, quantities, varied_keys
-from postprocess.batch.summary import results_as_columns
-from postprocess.main_results import result_names
+from postprocess.batch.keys import Varied, families, varied_keys
+from postprocess.batch.plots import draw_batch, draw_together, quantities, write_diagram
+from postprocess.batch.read import read_batch
+from postprocess.batch.results import BatchPoint, BatchResults
+from postprocess.batch.summary import batch_summary, results_as_columns
+from postprocess.files import write_json
+from postprocess.main_results import result_names, thinnest_film
 
 from .test_batch import HerePool
 
@@ -37,7 +45,7 @@ def test_the_lines_of_the_figure_are_the_numbers_asked_for(results):
     shown = quantities(results)
     assert shown == list(results.plot)
     figure = Figure()
-    draw_together(figure, results, varied_keys(results), shown)
+    draw_together(figure, results, list(varied_keys(results).values()), shown)
     assert [axes.get_title() for axes in figure.axes] == ["radial load 500 N", "radial load 1000 N"]
     true, printed = (line.get_ydata() for line in figure.axes[0].get_lines()[:2])
     assert printed == pytest.approx([1.7574, 0.9400, 0.9400], abs=1e-4)
@@ -84,11 +92,87 @@ def test_unknown_numbers_are_told(tmp_path, monkeypatch, names, expected):
     assert not (tmp_path / "wrong_results").exists()
 
 
+def made_up(keys):
+    """Points of a made-up sweep with a film that follows from the three keys, life by load alone."""
+    points = []
+    for number, (speed, load, temperature) in enumerate(keys, 1):
+        film = {"film_minimum_um": speed / (load * temperature), "film_minimum_uncertainty_um": 0.0}
+        ball = {"loaded": True, "load_N": load, "hertz_pressure_GPa": 1.0, "converged": True, **film}
+        life = {"basic_reference_rating_Mrev": 1e9 / load**3}
+        values = {
+            "operation.temperature_C": temperature,
+            "operation.radial_load_N": load,
+            "operation.inner_speed_rpm": speed,
+        }
+        point = BatchPoint(
+            number=number,
+            block="sweep",
+            values=values,
+            case={},
+            key=str(number),
+            resumed=False,
+            status="done",
+            message="",
+            summary={"contacts": [ball], "life": life, "converged": True},
+        )
+        points.append(point)
+    return BatchResults(version="1", title="made up", case="case", sweep="", keys=tuple(values), points=tuple(points))
+
+
+THREE = made_up([(n, f, t) for n in (1e3, 2e3, 4e3) for f in (100.0, 300.0, 900.0) for t in (40.0, 60.0, 80.0)])
+
+
+def test_three_keys_are_told_apart():
+    """Over the speed a line for each load and temperature, by colour and by style."""
+    keys = list(varied_keys(THREE).values())
+    assert keys[0].label == "inner speed [r/min]"
+    assert quantities(THREE) == ["film_minimum_um", "basic_reference_rating_Mrev", "hertz_pressure_maximum_GPa"]
+    figure = Figure()
+    draw_batch(figure, THREE, keys, quantities(THREE))
+    lines = [line for line in figure.axes[0].get_lines() if len(line.get_xdata()) == 3]
+    looks = {(str(line.get_color()), line.get_linestyle(), line.get_marker()) for line in lines}
+    assert len(looks) == 9
+    words = [text.get_text() for text in figure.legends[0].get_texts()]
+    assert "temperature [°C]" in words and "radial load [N]" in words and "900" in words
+    assert figure.axes[0].get_yscale() == "log"
+    assert "further keys" not in figure.get_supxlabel()
+
+
+def test_a_fourth_key_shares_the_styles_or_is_named():
+    fourth = Varied(label="clearance [µm]", values=tuple(map(float, range(27))))
+    keys = [*varied_keys(THREE).values()]
+    assert len(families([*keys, fourth])) == 4  # 27 styles are too many
+    two = replace(keys[2], values=tuple(float(v == 80.0) for v in keys[2].values))
+    assert families([keys[0], keys[1], two, replace(fourth, values=two.values)])[2].count == 2
+
+
+@pytest.mark.parametrize("over", [("temperature_C", "radial_load_N"), ()])
+def test_diagrams_of_a_finished_batch(tmp_path, over):
+    for point in THREE.points:
+        write_point(tmp_path, point.key, {".json": json.dumps({"key": point.key, "summary": point.summary}).encode()})
+    write_json(batch_summary(THREE), tmp_path / "summary.json")
+    read = read_batch(tmp_path)
+    assert [point.values for point in read.points] == [point.values for point in THREE.points]
+    for name in ("picture.png", "picture.pdf"):
+        assert write_diagram(read, tmp_path / name, over).stat().st_size > 1000
+    with pytest.raises(ValueError, match=r"did you mean 'operation\.radial_load_N'"):
+        write_diagram(read, tmp_path / "picture.png", ("radial_load",))
+    with pytest.raises(ValueError, match=r"allowed: a file that ends in \.png, \.pdf, \.svg"):
+        write_diagram(read, tmp_path / "picture.jpg")
+
+
+def test_the_thinnest_film_is_unknown_where_one_failed():
+    thick = {"loaded": True, "converged": True, "film_minimum_um": 9.0}
+    failed = {"loaded": True, "converged": False, "film_minimum_um": None}
+    assert thinnest_film([thick, failed]) is None
+    assert thinnest_film([thick, {**failed, "converged": None}]) == thick  # no film was asked for
+
+
 def test_sizes_that_grow_together_are_one_key():
     """The seven keys of the 6206, 6207 and 6208."""
     sweep = read_sweep("6206_to_6208_axial")
     assert len(sweep.keys) == 7
-    assert [key.label for key in varied_keys(sweep)] == ["ball diameter [mm]"]
+    assert [key.label for key in varied_keys(sweep).values()] == ["ball diameter [mm]"]
 
 
 def test_sweeps_of_sliding_friction_draw_sliding_friction():

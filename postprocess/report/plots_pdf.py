@@ -1,0 +1,165 @@
+"""The numbers and pictures of a result folder as pages of a PDF, for print and archive."""
+
+from collections.abc import Callable, Iterator, Sequence
+from io import BytesIO
+from itertools import chain
+from pathlib import Path
+from textwrap import wrap
+from typing import Any
+
+import matplotlib
+from matplotlib.backends.backend_pdf import PdfPages
+from matplotlib.figure import Figure
+from matplotlib.image import imread
+
+from ..files import atomic_path, read_summary
+from ..main_results import MAIN_QUANTITY, main_results
+from ..plot_style import INK, RC, REFERENCE
+from ..text import number
+from .page import is_urgent
+from .spreadsheet import Sheet, sheets
+
+PAGE = (8.27, 11.69)  # A4 [in]
+MARGIN = 0.07  # of the page's width and height [-]
+LINES = 74  # of a page of text
+WIDTH = 98  # characters of a line
+TYPE_SIZE = 7.2  # of a fixed width, so that columns stand below each other [points]
+MOST_ROWS = 2 * LINES  # of a table; the workbook and the CSV files have all
+PICTURES_A_PAGE = 2
+NAMES = ("ball", "race", "#")  # columns that name a row, and those before them
+FACTS = (26, 38, 22, 10)  # widths of block, quantity, value, unit [characters]
+
+
+def write_pdf(directory: str | Path, file: str | Path) -> Path:
+    """Write main results, input, tables, messages and pictures as a PDF, made in memory.
+
+    ValueError without readable results.
+    """
+    folder = Path(directory)
+    path = Path(file)
+    summary = read_summary(folder)
+    content = BytesIO()
+    with matplotlib.rc_context(RC), PdfPages(content) as pages:
+        pictures = sorted([*folder.glob("*.png"), *folder.glob("plots/*.png")])
+        figures = chain(
+            _pages(list(_headline(summary, folder.name)), LINES, _text_page),
+            _pages(pictures, PICTURES_A_PAGE, _picture_page),
+            _pages(list(_lines(summary, folder)), LINES, _text_page),
+        )
+        for page, figure in enumerate(figures, 1):
+            style: dict[str, Any] = {"color": REFERENCE, "ha": "right", "fontsize": 7}
+            figure.text(1.0 - MARGIN, 0.5 * MARGIN, str(page), **style)
+            pages.savefig(figure)
+    with atomic_path(path) as temporary:
+        temporary.write_bytes(content.getvalue())
+    return path
+
+
+def _pages(
+    items: Sequence[Any], count: int, draw: Callable[[Sequence[Any]], Figure]
+) -> Iterator[Figure]:
+    """Pages of at most so many lines or pictures."""
+    for start in range(0, len(items), count):
+        yield draw(items[start : start + count])
+
+
+def _headline(summary: dict[str, Any], name: str) -> Iterator[str]:
+    """What is looked at first, line by line."""
+    case = summary["case"] if isinstance(summary["case"], dict) else {}
+    yield str(case.get("title") or summary.get("title") or name)
+    state = "converged" if summary["converged"] else "NOT CONVERGED"
+    yield f"oilfilm {summary['oilfilm']}, {state}"
+    yield from wrap(f"source of the input: {case['source']}", WIDTH) if case.get("source") else ()
+    urgent = [str(text) for text in summary["messages"] if is_urgent(str(text))]
+    yield from _section("Warnings", _paragraphs(urgent))
+    yield from _section("Main results", _main_lines(summary))
+
+
+def _lines(summary: dict[str, Any], folder: Path) -> Iterator[str]:
+    """All numbers and notes, line by line."""
+    for name, sheet in sheets(folder).items():
+        is_facts = sheet[0][:2] == ["block", "quantity"]
+        if name == "Messages":
+            texts = [str(text) for text in summary["messages"] if not is_urgent(str(text))]
+            yield from _section("Notes", _paragraphs(texts))
+        else:
+            yield from _section(name, _fact_lines(sheet) if is_facts else _table_lines(sheet))
+
+
+def _section(title: str, lines: Sequence[str]) -> list[str]:
+    return ["", title.replace("_", " ").upper(), *lines] if lines else []
+
+
+def _paragraphs(texts: Sequence[str]) -> list[str]:
+    return [line for text in texts for line in wrap(text, WIDTH, subsequent_indent="  ")]
+
+
+def _main_lines(summary: dict[str, Any]) -> list[str]:
+    """The numbers that are looked at first."""
+    rows = []
+    for key, value in main_results(summary).items() if summary.get("kind") != "batch" else ():
+        quantity = MAIN_QUANTITY.get(key)
+        if quantity is not None and value is not None:
+            title, _, unit = quantity.label.partition(" [")
+            rows.append(
+                f"{title:<40} {number(value)} {unit.rstrip(']').replace('-', '')}".rstrip()
+            )
+    return rows
+
+
+def _fact_lines(sheet: Sheet) -> list[str]:
+    lines = []
+    for row in sheet[1]:
+        cells = [number(cell, ".6g") for cell in row]
+        text = "".join(f"{cell[: w - 1]:<{w}}" for cell, w in zip(cells, FACTS, strict=True))
+        long = len(cells[2]) >= FACTS[2]
+        lines += wrap(" ".join(cells), WIDTH, subsequent_indent="  ") if long else [text.rstrip()]
+    return lines
+
+
+def _table_lines(sheet: Sheet) -> list[str]:
+    """A table in blocks of as many columns as fit a line; columns that name a row in each."""
+    header, rows = sheet
+    cells = [[number(cell, ".5g") for cell in row] for row in rows[:MOST_ROWS]]
+    widths = [max(map(len, column)) + 1 for column in zip(header, *cells, strict=True)]
+    names = 1 + max((k for k, name in enumerate(header) if name in NAMES), default=0)
+    lines: list[str] = []
+    first = names
+    while first < len(header) or not lines:
+        last = first
+        room = WIDTH - sum(widths[:names])
+        while last < len(header) and (room := room - widths[last]) >= 0:
+            last += 1
+        shown = [*range(names), *range(first, max(last, first + 1))]
+        first = max(last, first + 1)
+        for row in (header, *cells):
+            texts = (f"{row[k]:>{widths[k]}}" for k in shown if k < len(row))
+            lines.append("".join(texts)[:WIDTH])
+        lines.append("")
+    left_out = len(rows) - len(cells)
+    return [*lines, f"{left_out} more rows are in the folder"] if left_out > 0 else lines
+
+
+def _text_page(lines: Sequence[str]) -> Figure:
+    figure = Figure(figsize=PAGE)
+    figure.set_layout_engine("none")
+    style: dict[str, Any] = {"family": "DejaVu Sans Mono", "fontsize": TYPE_SIZE, "va": "top"}
+    step = (1.0 - 2.0 * MARGIN) / LINES
+    for k, line in enumerate(lines):
+        weight = "bold" if line.isupper() else "normal"
+        # a dollar sign would begin a formula
+        text = line.replace("$", r"\$")
+        figure.text(MARGIN, 1.0 - MARGIN - k * step, text, color=INK, weight=weight, **style)
+    return figure
+
+
+def _picture_page(paths: Sequence[Path]) -> Figure:
+    figure = Figure(figsize=PAGE)
+    figure.set_layout_engine("none")
+    height = (1.0 - 2.0 * MARGIN) / PICTURES_A_PAGE
+    for k, path in enumerate(paths):
+        box = (MARGIN, 1.0 - MARGIN - (k + 1) * height, 1.0 - 2.0 * MARGIN, 0.96 * height)
+        axes = figure.add_axes(box)
+        axes.imshow(imread(path), interpolation="none")
+        axes.set_axis_off()
+    return figure

@@ -1,0 +1,55 @@
+"""Workbook and PDF of result folders: what is in them, read back."""
+
+from __future__ import annotations
+
+import shutil
+from zipfile import ZipFile
+
+import pytest
+from typer.testing import CliRunner
+
+from cases.cli.main import app
+from postprocess.files import read_summary
+from postprocess.report.plots_pdf import write_pdf
+from postprocess.report.spreadsheet import sheets, write_workbook
+
+
+def test_sheets_hold_every_number_with_its_unit(bearing_folder):
+    found = sheets(bearing_folder)
+    assert list(found) == ["Results", "Input", "stiffness", "rows", "balls", "contacts", "Messages"]
+    facts = {(row[0], row[1]): row[2:] for row in found["Results"][1]}
+    summary = read_summary(bearing_folder)
+    assert facts["", "cage speed"] == [summary["cage_speed_rpm"], "r/min"]
+    assert facts["ring displacement", "y"][0] == pytest.approx(summary["ring"]["displacement_um"][1])
+    header, rows = found["contacts"]
+    assert len(rows) == 18
+    assert rows[0][header.index("load [N]")] == pytest.approx(summary["contacts"][0]["load_N"])
+    assert found["Input"][1]
+
+
+def test_workbook_is_a_file_of_sheets(bearing_folder, tmp_path):
+    file = write_workbook(bearing_folder, tmp_path / "results.xlsx")
+    with ZipFile(file) as archive:
+        assert archive.testzip() is None
+        book = archive.read("xl/workbook.xml").decode()
+        assert 'name="contacts"' in book and 'name="Messages"' in book
+        assert b"<v>" in archive.read("xl/worksheets/sheet1.xml")
+
+
+def test_pdf_has_the_pictures_and_the_numbers(bearing_folder, tmp_path):
+    content = write_pdf(bearing_folder, tmp_path / "results.pdf").read_bytes()
+    pictures = len(list((bearing_folder / "plots").glob("*.png")))
+    assert content.startswith(b"%PDF") and content.count(b"/Subtype /Image") >= pictures
+    assert content.count(b"/Type /Page\n") + content.count(b"/Type /Page ") >= pictures // 2 + 2
+
+
+@pytest.mark.parametrize("kind", ["xlsx", "pdf"])
+def test_the_command_names_the_file(contact_folder, tmp_path, monkeypatch, kind):
+    shutil.copytree(contact_folder, tmp_path / "mine")
+    monkeypatch.chdir(tmp_path)
+    answer = CliRunner().invoke(app, ["export", "mine", "--format", kind])
+    assert answer.exit_code == 0, answer.output
+    assert (tmp_path / f"mine.{kind}").stat().st_size > 1000
+    answer = CliRunner().invoke(app, ["export", "mine", "--format", kind, "-o", "mine.txt"])
+    assert answer.exit_code == 2
+    assert f"allowed: a .{kind} file" in answer.output
