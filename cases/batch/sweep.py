@@ -140,8 +140,11 @@ def _title(case: str, keys: tuple[str, ...]) -> str:
 def _case_file(case: str, source: _Source) -> FilePath:
     """The case beside the sweep file if there is one, else as every command finds it."""
     try:
-        beside = source.folder / case
-        return beside if beside.is_file() else find_case(case)
+        for name in (case, f"{case}.toml"):
+            beside = source.folder / name
+            if beside.is_file():
+                return beside
+        return find_case(case)
     except (CaseError, OSError, ValueError) as error:
         raise source.error([CaseFault(("case",), str(error).partition("\n")[0])]) from None
 

@@ -20,7 +20,10 @@ app = typer.Typer(
     no_args_is_help=True,
 )
 CaseName = Annotated[
-    str, typer.Argument(metavar="CASE", help="A case file, or the name of a shipped case.")
+    str,
+    typer.Argument(
+        metavar="CASE", help="A case file, with or without .toml, or the name of a shipped case."
+    ),
 ]
 Output = Annotated[
     Path | None,

@@ -21,7 +21,10 @@ def shipped_sweeps() -> dict[str, Path]:
 
 
 def find_case(name_or_path: str | Path) -> Path:
-    """The file of a case: an existing file, or the stem of a shipped case; else `CaseError`."""
+    """The file of a case: an existing file, with or without .toml, or the stem of a shipped case.
+
+    `CaseError` without one, or if a name stands for two that differ.
+    """
     return _find(name_or_path, shipped_cases(), "case")
 
 
@@ -36,6 +39,9 @@ def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:
     try:
         if path.is_file():
             return path
+        own = path.with_name(f"{path.name}.toml") if path.name else path
+        if own.is_file():
+            return _one_of(text, own, cases.get(text), kind)
         if text in cases:
             return cases[text]
         if text.endswith(".toml") and "/" not in text and text[:-5] in cases:
@@ -49,6 +55,16 @@ def _find(name_or_path: str | Path, cases: dict[str, Path], kind: str) -> Path:
     nearest = nearest_name(path.stem, [*cases, *(local.stem for local in _local_cases(path))])
     hint = f"did you mean {nearest!r}?" if nearest else f"see 'oilfilm list {kind}s'"
     raise CaseError(f"{text}: no such file, and no shipped {kind} has this name; {hint}")
+
+
+def _one_of(name: str, own: Path, shipped: Path | None, kind: str) -> Path:
+    """The user's own file; `CaseError` if a shipped one of the same name says something else."""
+    if shipped is not None and own.read_bytes() != shipped.read_bytes():
+        raise CaseError(
+            f"{name}: {own} and the shipped {kind} {name} differ; write {own} for the file, or "
+            "give it another name"
+        )
+    return own
 
 
 def _local_cases(path: Path) -> list[Path]:
