@@ -53,6 +53,13 @@ class SolverOptions:
         return MOST_POINTS if self.points is None else self.points
 
     @property
+    def strictness(self) -> float:
+        """Factor on residual and change of film at which cycles stop, for a tolerance that asks
+        for more than the default [-].
+        """
+        return 1.0 if self.tolerance is None else min(1.0, self.tolerance / TOLERANCE)
+
+    @property
     def wanted_tolerance(self) -> float | None:
         """Error bar over the film to reach [-]; None: solve on the points."""
         return TOLERANCE if self.tolerance is None and self.points is None else self.tolerance

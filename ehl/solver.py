@@ -13,10 +13,12 @@ from .multigrid.cycle import Multigrid
 from .multigrid.extrapolation import extrapolate
 from .multigrid.flow_model import FlowModel
 from .multigrid.full_multigrid import (
+    ACCEPTED_ERROR,
     ATTEMPTS,
     Attempt,
     AttemptResult,
     Progress,
+    add_level,
     solve_with_fallbacks,
 )
 from .multigrid.history import CENTRAL, MINIMUM, RESOLVED
@@ -75,22 +77,24 @@ def solve_attempts(
     points = options.most_points
     if tolerance is not None:
         points = _first_points(contact, domain, tolerance, points)
-    while True:
-        solution, result = _solve(
-            conditions, domain, replace(options, points=points), flow_model, attempts, progress
-        )
-        if tolerance is None or points >= options.most_points or _reached(solution, tolerance):
+    stopped = ""
+    given = replace(options, points=points)
+    solution, result = _solve(conditions, domain, given, flow_model, attempts, progress)
+    while tolerance is not None and points < options.most_points:
+        if _reached(solution, tolerance) or _film_over_radius(solution) > MAX_FILM_OVER_RADIUS:
             break
-        if _film_over_radius(solution) > MAX_FILM_OVER_RADIUS:
+        given = replace(given, points=2 * points - 1)
+        finer, finer_result = _solve_finer(conditions, domain, given, result, attempts, progress)
+        if solution.converged and solution.resolved and not finer.converged:
+            stopped = "; a finer mesh did not converge"  # these films stand, with their wider bars
             break
-        # what converged on a mesh comes first on the next
         points = 2 * points - 1
-        attempts = (result.attempt, *(a for a in attempts if a is not result.attempt))
+        solution, result = finer, finer_result
     if options.certify and result.converged:
         _certify(result, progress)
         solution = _assembled(conditions, solution.options, result, progress)
     if tolerance is not None:
-        solution = _tolerance_judged(solution, tolerance, points)
+        solution = _tolerance_judged(solution, tolerance, f"{points} points{stopped}")
     record = replace(solution.record, wall_time=time.perf_counter() - start)
     return replace(solution, options=options, record=record), result.state
 
@@ -120,7 +124,7 @@ def _reached(solution: ContactSolution, tolerance: float) -> bool:
     return solution.converged and solution.resolved and solution.widest_bar <= tolerance
 
 
-def _tolerance_judged(solution: ContactSolution, tolerance: float, points: int) -> ContactSolution:
+def _tolerance_judged(solution: ContactSolution, tolerance: float, mesh: str) -> ContactSolution:
     """The solution; where it converged with wider bars than asked for the message says so."""
     if not (solution.converged and solution.resolved) or _reached(solution, tolerance):
         return solution
@@ -129,7 +133,7 @@ def _tolerance_judged(solution: ContactSolution, tolerance: float, points: int) 
         for film in (solution.film_central_dimensionless, solution.film_minimum_dimensionless)
     ]
     message = (
-        f"converged; tolerance {tolerance:g} not reached at {points} points: error bars "
+        f"{solution.message}; tolerance {tolerance:g} not reached at {mesh}: error bars "
         f"{bars[0]:.1e} central, {bars[1]:.1e} minimum film"
     )
     return replace(solution, message=message)
@@ -153,6 +157,25 @@ def _solve(
         contacts, domain, options, progress, flow_model, lighter, attempts
     )
     return _assembled(conditions, options, result, progress), result
+
+
+def _solve_finer(
+    conditions: ContactConditions | MoesConditions,
+    domain: tuple[float, float, float],
+    options: SolverOptions,
+    coarse: AttemptResult,
+    attempts: tuple[Attempt, ...],
+    progress: Progress,
+) -> tuple[ContactSolution, AttemptResult]:
+    """A contact on twice the points: from its solution, or anew where there is none or it does not
+    lead to one, by what converged before first.
+    """
+    if coarse.converged and not coarse.attempt.newton:
+        result = add_level(coarse, domain, options, progress)
+        if result.converged and result.error < ACCEPTED_ERROR:
+            return _assembled(conditions, options, result, progress), result
+    attempts = (coarse.attempt, *(a for a in attempts if a is not coarse.attempt))
+    return _solve(conditions, domain, options, coarse.state.flow_model, attempts, progress)
 
 
 def _assembled(

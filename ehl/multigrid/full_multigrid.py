@@ -230,15 +230,47 @@ def full_multigrid(
     for index in range(first, finest + 1):
         # 1. start from the level below, Venner and Lubrecht (2000), sec. 3.5
         if index > first:
-            below = state.levels[index - 1]
-            start_level(state, index, interpolate_cubic(below.P, below.grid.symmetric))
+            _start_from_below(state, index)
         # 2. cycles until film, load and equations are at rest
         most = options.max_cycles if index == finest else SETTLING_CYCLES
-        history = settle(state, index, most, progress, levels[-1] if levels else None)
+        below = levels[-1] if levels else None
+        history = settle(state, index, most, progress, below, options.strictness)
         if history is None:
             return
         levels.append(history)
     result.levels = levels
+
+
+def add_level(
+    coarse: AttemptResult,
+    domain: tuple[float, float, float],
+    options: SolverOptions,
+    progress: Progress,
+) -> AttemptResult:
+    """One more level of full multigrid above a solution, of the points of the options; the levels
+    are empty if the iteration diverges.
+    """
+    before = coarse.state
+    state = contact_multigrid(before.contact, domain, options, coarse.attempt, before.flow_model)
+    state.approach = before.approach
+    state.exterior = before.exterior
+    state.damping = before.damping
+    finest = len(state.levels) - 1
+    state.levels[finest - 1].P = before.levels[-1].P
+    _start_from_below(state, finest)
+    result = AttemptResult(state=state, attempt=coarse.attempt)
+    most = coarse.attempt.cycles_factor * options.max_cycles
+    history = settle(state, finest, most, progress, coarse.levels[-1], options.strictness)
+    if history is not None:
+        result.levels = [*coarse.levels, history]
+    progress.deflected_nodes += state.deflected_nodes()
+    return result
+
+
+def _start_from_below(state: Multigrid, index: int) -> None:
+    """Start a level from the pressure of the one below it."""
+    below = state.levels[index - 1]
+    start_level(state, index, interpolate_cubic(below.P, below.grid.symmetric))
 
 
 def newton_multigrid(result: AttemptResult) -> None:
@@ -251,8 +283,7 @@ def newton_multigrid(result: AttemptResult) -> None:
     start_from_hertz(state, first)
     for index in range(first, len(state.levels)):
         if index > first:
-            below = state.levels[index - 1]
-            start_level(state, index, interpolate_cubic(below.P, below.grid.symmetric))
+            _start_from_below(state, index)
             update_film(state, index)
         history = start_history(state, index)
         result.certificate = certify(state, index)
@@ -317,13 +348,18 @@ def _cycle_on(state: Multigrid, index: int, count: int, progress: Progress) -> b
 
 
 def settle(
-    state: Multigrid, index: int, most: int, progress: Progress, below: LevelHistory | None
+    state: Multigrid,
+    index: int,
+    most: int,
+    progress: Progress,
+    below: LevelHistory | None,
+    strictness: float = 1.0,
 ) -> LevelHistory | None:
     """Cycle on a level until its film is at rest, `most` times at most and `LEVEL_CYCLES` times
     where the mesh is too coarse for the film; None if the cycles diverged.
     """
     level = state.levels[index]
-    history = start_history(state, index)
+    history = start_history(state, index, strictness)
     acceleration = Acceleration()
     before = (level.P.copy(), state.approach)
     finest = index == len(state.levels) - 1

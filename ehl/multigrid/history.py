@@ -41,6 +41,7 @@ class LevelHistory:
 
     film: list[tuple[float, float]]
     mesh: float  # S hx^2, twice the gap's rise in a mesh along the entrainment
+    strictness: float = 1.0  # factor on what the cycles may leave, see `SolverOptions`
     residual: list[float] = field(default_factory=list)
     imbalance: list[float] = field(default_factory=list)  # oil lost or gained
     load: list[float] = field(default_factory=list)
@@ -97,7 +98,7 @@ class LevelHistory:
         """Whether equations and load hold and the films are at rest, in proportion to their step
         from the level below.
         """
-        return self._holds(FINISHED) and all(
+        return self._holds((self.strictness * FINISHED[0], FINISHED[1])) and all(
             self.remaining(kind) < self._tolerance(below, kind) for kind in FILMS
         )
 
@@ -117,19 +118,21 @@ class LevelHistory:
     def _tolerance(self, below: "LevelHistory | None", kind: int) -> float:
         """Relative film error at which the film counts as at rest [-]."""
         if below is None:
-            return FILM_TOLERANCE[0]
+            return self.strictness * FILM_TOLERANCE[0]
         step = _change(below.film[-1], self.film[-1], kind) / 3.0
-        return min(max(SETTLED_SHARE * step, FILM_TOLERANCE[0]), FILM_TOLERANCE[1])
+        least, most = (self.strictness * limit for limit in FILM_TOLERANCE)
+        return min(max(SETTLED_SHARE * step, least), most)
 
     def _pairs(self) -> list[tuple[tuple[float, float], tuple[float, float]]]:
         return list(zip(self.film[:-1], self.film[1:], strict=True))
 
 
-def start_history(state: Multigrid, index: int) -> LevelHistory:
+def start_history(state: Multigrid, index: int, strictness: float = 1.0) -> LevelHistory:
     """Of a level before its first cycle."""
     grid = state.levels[index].grid
     mesh = state.contact.curvature_x * grid.hx**2
-    return LevelHistory(film=[film_values(grid, state.levels[index].H)], mesh=mesh)
+    film = [film_values(grid, state.levels[index].H)]
+    return LevelHistory(film=film, mesh=mesh, strictness=strictness)
 
 
 def _change(before: tuple[float, float], after: tuple[float, float], kind: int) -> float:

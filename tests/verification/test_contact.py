@@ -16,7 +16,16 @@ import pytest
 from numpy.testing import assert_allclose
 
 from bearing.library.lubricants import library_lubricant
-from ehl import ContactConditions, DensityLaw, Lubricant, MoesConditions, SolverOptions, ViscosityLaw, solve_contact
+from ehl import (
+    ContactConditions,
+    DensityLaw,
+    Lubricant,
+    MoesConditions,
+    SolverOptions,
+    ViscosityLaw,
+    solve_contact,
+    solver,
+)
 from ehl.conditions import moes_groups
 from ehl.multigrid.cycle import Damping, cycle, start_level, update_film
 from ehl.multigrid.extrapolation import extrapolate
@@ -236,6 +245,37 @@ def test_tolerance_refines_until_the_bars_are_small_enough():
         for film in (solution.film_central_dimensionless, solution.film_minimum_dimensionless):
             assert film.uncertainty <= tolerance * film.value
     assert_allclose(tight.film_central_dimensionless.value, 0.430856, rtol=0.002)
+
+
+def test_a_mesh_too_coarse_for_the_tolerance_is_refined_from_its_solution(monkeypatch):
+    """Little more work than on the last mesh alone, the same films."""
+    monkeypatch.setattr(solver, "FIRST_FINENESS", 0.1)
+    refined = solve_contact(CIRCULAR, SolverOptions(points=513, domain=BOX, tolerance=0.01))
+    alone = solve_contact(CIRCULAR, SolverOptions(points=refined.X.size, domain=BOX))
+    assert refined.message == "converged"
+    assert refined.record.fft_equivalents < 1.1 * alone.record.fft_equivalents
+    for film in ("film_central_dimensionless", "film_minimum_dimensionless"):
+        assert_allclose(getattr(refined, film).value, getattr(alone, film).value, rtol=3e-4)
+
+
+def test_films_stand_where_a_finer_mesh_does_not_converge(monkeypatch):
+    def unsettled(*arguments):
+        finer, result = solver._solve(*arguments[:3], None, *arguments[4:])
+        return replace(finer, converged=False, message="not converged"), result
+
+    monkeypatch.setattr(solver, "FIRST_FINENESS", 0.4)
+    monkeypatch.setattr(solver, "_solve_finer", unsettled)
+    s = solve_contact(CIRCULAR, SolverOptions(points=513, domain=BOX, tolerance=0.01))
+    coarse = solve_contact(CIRCULAR, SolverOptions(points=s.X.size, domain=BOX))
+    assert s.converged and s.resolved and s.widest_bar == coarse.widest_bar
+    assert f"not reached at {s.X.size} points" in s.message and "finer mesh did not converge" in s.message
+
+
+def test_a_tight_tolerance_stops_the_cycles_later():
+    """What the cycles leave counts in the bars: 1e-3 of the film at the residual they stop at by default."""
+    s = solve_contact(CIRCULAR, SolverOptions(points=1025, domain=BOX, tolerance=0.001))
+    assert s.message == "converged" and s.widest_bar <= 0.001
+    assert s.X.size <= 513
 
 
 def test_tolerance_beyond_the_budget_is_said():
