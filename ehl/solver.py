@@ -35,7 +35,7 @@ MAX_FILM_OVER_RADIUS = 0.02
 LARGEST_BAR = 0.15  # relative error bar above which a film is reported as unresolved
 LOAD_STEPS = (1.0 / 16.0, 0.25)  # shares of the load through which a fallback reaches it
 # Hc/(S hx^2) of the first mesh times the tolerance, Hc of the film formula
-FIRST_FINENESS = 2.5
+FIRST_FINENESS = 6.0
 FEWEST_POINTS = 65  # of the first mesh
 
 

@@ -4,13 +4,13 @@ from collections.abc import Sequence
 from math import nan
 
 from ..solution import FilmValue
-from .history import MINIMUM, LevelHistory
+from .history import LevelHistory
 
 ORDER_STEP = 3.0  # 2^2 - 1: the step to the limit is the difference of two levels over this
-# Error bars, in steps of the extrapolation, chosen on 66 random contacts so that they cover 98 %
-# and judged on others, see docs/theory/contact.md: of the central and of the minimum film
-STEP_SHARES = (0.12, 0.45)
-LOBE_STEP = 1.2  # of the minimum of an oblique entrainment, which moves from lobe to lobe
+# Error bars, in steps of the extrapolation, chosen on 125 random contacts so that they cover 97 %
+# and judged on others, see docs/theory/contact.md: of the central and of the minimum film, with
+# the entrainment along a principal direction, and at an angle to them or turning
+STEP_SHARES = ((0.12, 0.35), (0.25, 0.7))
 SHORT_SEQUENCE = 0.5  # where the second level below the finest is none or not resolved
 UNRESOLVED_BELOW = 1.0  # where the level below is not
 LOWEST_RATIO = 2.0  # of two steps: first order
@@ -21,8 +21,9 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     """Central (0) or minimum (1) film by Richardson extrapolation of second order from the two
     finest levels, and its error bar; not a number without levels.
 
-    The bar is a share of the last step, or what a sequence of the order that the last two steps
-    show has its limit away from that of second order, and what the cycles left.
+    The bar is a share of the last step or of a quarter of the one before, which a step of second
+    order is, or what a sequence of the order that both show has its limit away from that of second
+    order, and what the cycles left.
 
     Parameters
     ----------
@@ -43,13 +44,14 @@ def extrapolate(levels: Sequence[LevelHistory], kind: int, *, oblique: bool = Fa
     films = [level.film[-1][kind] for level in levels[-3:]]
     noise = (4.0 * noise + levels[-2].noise(kind)) / 3.0
     step = (films[-1] - films[-2]) / ORDER_STEP
-    share = LOBE_STEP if oblique and kind == MINIMUM else STEP_SHARES[kind]
+    share = STEP_SHARES[oblique][kind]
     if not levels[-2].resolved:
         bar = max(share, UNRESOLVED_BELOW) * abs(step)
     elif len(films) < 3 or not levels[-3].resolved:
         bar = max(share, SHORT_SEQUENCE) * abs(step)
     else:
-        bar = max(share * abs(step), _departure(step, (films[-2] - films[-3]) / ORDER_STEP))
+        before = (films[-2] - films[-3]) / ORDER_STEP
+        bar = max(share * max(abs(step), 0.25 * abs(before)), _departure(step, before))
     value = finest + step
     return FilmValue(value=value, uncertainty=bar + noise * abs(value), finest=finest)
 

@@ -40,11 +40,15 @@ class BearingResults(Results):
 
     @property
     def converged(self) -> bool:
-        """Whether equilibrium, films and heat balance converged, as far as asked for."""
+        """Whether equilibrium, films, balance of the balls and heat balance converged, as far as
+        asked for.
+        """
         films = all(s.converged for s in self.solutions if s is not None)
+        shear = None if self.torque is None else self.torque.shear
         return (
             self.quasistatic.converged
             and films
+            and (shear is None or shear.balanced is not None)
             and (self.heating is None or self.heating.converged)
             and (self.duty_cycle is None or self.duty_cycle.converged)
         )

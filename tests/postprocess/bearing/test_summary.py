@@ -9,6 +9,9 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
+from bearing.torque.breakdown import TorqueBreakdown
+from bearing.torque.models import summed
+from bearing.torque.shear_torque import IntegratedTorque, SolvedShear
 from postprocess import summary
 
 BEARING_KEYS = {
@@ -197,6 +200,17 @@ def test_nan_never_appears(bearing_results):
     assert document["ring"]["tilt_mrad"][0] is None
     assert any(m.startswith("ring.tilt_mrad[0]: null") for m in document["messages"])
     json.dumps(document, allow_nan=False)
+
+
+def test_balls_that_found_no_balance_do_not_count_as_converged(bearing_results):
+    """The torque is then that of another motion, which nobody asked for."""
+    parts = {"rolling": 0.01, "sliding": 0.0, "spin": 0.0, "curvature": 0.0}
+    torque = IntegratedTorque(**parts, shaft_power=1.0, heat=1.1, per_ball=np.full(9, 0.01 / 9))
+    models = {"integrated": summed(parts, "no traction equilibrium found")}
+    for balanced in (torque, None):
+        shear = SolvedShear(hypothesis=torque, balanced=balanced)
+        found = TorqueBreakdown(models=models, coefficient=0.05, shear=shear)
+        assert replace(bearing_results, torque=found).converged is (balanced is not None)
 
 
 def test_failures_are_named(bearing_results):
