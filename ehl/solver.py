@@ -17,13 +17,13 @@ from .multigrid.full_multigrid import (
     ATTEMPTS,
     Attempt,
     AttemptResult,
-    Progress,
     add_level,
     solve_with_fallbacks,
 )
 from .multigrid.history import CENTRAL, MINIMUM, RESOLVED
 from .multigrid.newton import certify
 from .multigrid.open_box import box_uncertainty, choose_domain
+from .multigrid.settling import Progress
 from .options import SolverOptions
 from .scaling import ScaledContact, scale_contact
 from .solution import ContactSolution, ConvergenceRecord, FilmValue

@@ -22,18 +22,9 @@ import numpy as np
 
 from ..multigrid.acceleration import Acceleration
 from ..multigrid.cycle import Multigrid, start_level, update_exterior, update_film
-from ..multigrid.full_multigrid import (
-    ATTEMPTS,
-    DIVERGED,
-    PLAIN_CYCLES,
-    Attempt,
-    AttemptResult,
-    contact_multigrid,
-    guarded_cycle,
-    restore,
-    snapshot,
-)
+from ..multigrid.full_multigrid import ATTEMPTS, Attempt, AttemptResult, contact_multigrid
 from ..multigrid.history import CENTRAL, MINIMUM, start_history
+from ..multigrid.settling import DIVERGED, PLAIN_CYCLES, guarded_cycle, restore, snapshot
 from ..options import SolverOptions
 from ..scaling import scale_contact
 from ..solution import ContactSolution, FilmValue

@@ -14,6 +14,7 @@ history             - films, residual and load after each cycle on a level
 jacobian            - derivative of the discrete equations of a level
 newton              - Newton's method on the finest level: certificate and last resort
 open_box            - open box of a contact from its film by formula
+settling            - cycles on one level until its film is at rest
 threads             - threads that share the lines of a grid
 transfer            - transfers between a grid and the one with doubled mesh size
 """

@@ -1,8 +1,7 @@
-"""Full multigrid of one contact, Venner and Lubrecht (2000): levels for a box, guarded cycles, and
-a list of attempts with other settings where one fails.
+"""Full multigrid of one contact, Venner and Lubrecht (2000): levels for a box, and a list of
+attempts with other settings where one fails.
 """
 
-from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from math import ceil, inf, sqrt
 
@@ -13,21 +12,12 @@ from ..grid import grid_hierarchy
 from ..options import SolverOptions
 from ..scaling import ScaledContact
 from ..solution import Certificate
-from .acceleration import Acceleration
-from .cycle import (
-    Damping,
-    Multigrid,
-    cycle,
-    make_multigrid,
-    refresh_factors,
-    relative_residual,
-    start_level,
-    update_film,
-)
+from .cycle import Damping, Multigrid, make_multigrid, start_level, update_film
 from .far_field import far_field
 from .flow_model import FlowModel
 from .history import FILMS, LevelHistory, central_film, start_history
 from .newton import MOST_NODES, certify
+from .settling import DIVERGED, Progress, guarded_cycles, settle
 from .threads import Threads
 from .transfer import interpolate_cubic
 
@@ -37,26 +27,11 @@ Array = NDArray[np.float64]
 COARSEST_CELLS = 16
 # full multigrid starts where hx is below 0.2 semi-axes or 0.55 sqrt(Hc)
 STARTING_MESH = (0.2, 0.55)
-LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
 SETTLING_CYCLES = 12  # most cycles on the other levels below the finest
-# of P, above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
-PRESSURE_LIMIT = 40.0
-GROWTH_LIMIT = 10.0  # of the residual in one cycle, above which it has, too
-PLAIN_CYCLES = 5  # on a level, before the cycles are accelerated
 STEP_CYCLES = 5  # under each lighter load, where the load is reached in steps
-DIVERGED = (inf, inf)  # in place of residual and mass imbalance after a cycle
 ACCEPTED_ERROR = 5e-3  # of the film, left by the cycles; above, further attempts are made
-HALVINGS = 3  # of the damping on one level before it counts as diverged
 # the origin is a node of the level with this many cells along x, and of all finer ones
 ORIGIN_CELLS = 32
-
-
-@dataclass(slots=True, kw_only=True)
-class Progress:
-    """Work and fallbacks of a contact so far, over all attempts and the pilot solve [-]."""
-
-    fallbacks: list[str] = field(default_factory=list)
-    deflected_nodes: int = 0  # nodes times deflection FFTs
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -344,93 +319,4 @@ def _start_in_steps(
 
 def _cycle_on(state: Multigrid, index: int, count: int, progress: Progress) -> bool:
     """A number of cycles on a level; False if they diverged."""
-    return DIVERGED not in _guarded_cycles(state, index, count, progress)
-
-
-def settle(
-    state: Multigrid,
-    index: int,
-    most: int,
-    progress: Progress,
-    below: LevelHistory | None,
-    strictness: float = 1.0,
-) -> LevelHistory | None:
-    """Cycle on a level until its film is at rest, `most` times at most and `LEVEL_CYCLES` times
-    where the mesh is too coarse for the film; None if the cycles diverged.
-    """
-    level = state.levels[index]
-    history = start_history(state, index, strictness)
-    acceleration = Acceleration()
-    before = (level.P.copy(), state.approach)
-    finest = index == len(state.levels) - 1
-    for equations in _guarded_cycles(state, index, most, progress):
-        if equations == DIVERGED:
-            return None
-        history.record(state, index, equations)
-        cycles = len(history.residual)
-        if history.finished(below) or (
-            cycles >= LEVEL_CYCLES and not finest and not history.resolved
-        ):
-            break
-        if PLAIN_CYCLES < cycles < most:
-            level.P, state.approach = acceleration.next(before, (level.P, state.approach))
-            update_film(state, index)
-        before = (level.P.copy(), state.approach)
-    return history
-
-
-def _guarded_cycles(
-    state: Multigrid, index: int, count: int, progress: Progress
-) -> Iterator[tuple[float, float]]:
-    """Run cycles on a level and yield how far the equations are from holding, see
-    `relative_residual`; one that diverges is undone and repeated with half the damping. If three
-    halvings do not help, the last is `DIVERGED`.
-    """
-    last = inf
-    halvings = 0
-    cycles = 0
-    while cycles < count:
-        before = snapshot(state, index)
-        equations = guarded_cycle(state, index, last)
-        if equations == DIVERGED:
-            restore(state, index, before)
-            if halvings == HALVINGS:
-                yield DIVERGED
-                return
-            halvings += 1
-            state.damping = state.damping.halved()
-            progress.fallbacks.append("cycle undone, damping halved")
-            continue
-        last = equations[0]
-        cycles += 1
-        yield equations
-
-
-Snapshot = tuple[Array, float, float, float]
-
-
-def snapshot(state: Multigrid, index: int) -> Snapshot:
-    """Copy of what a cycle on a level changes, for `restore` [-]."""
-    level = state.levels[index]
-    return level.P.copy(), state.approach, state.exterior, level.load
-
-
-def restore(state: Multigrid, index: int, before: Snapshot) -> None:
-    """Undo the cycles on a level since a snapshot, which may be used once [-]."""
-    level = state.levels[index]
-    level.P, state.approach, state.exterior, level.load = before
-    update_film(state, index)
-
-
-def guarded_cycle(state: Multigrid, index: int, last: float = inf) -> tuple[float, float]:
-    """One cycle on a level; how far the equations are from holding then, see `relative_residual`,
-    or `DIVERGED`, judged by the residual before it [-].
-    """
-    with np.errstate(all="ignore"):  # a cycle that diverges may overflow
-        refresh_factors(state, index)
-        cycle(state, index)
-        equations = relative_residual(state, index)
-    diverged = not np.isfinite(equations[0]) or equations[0] > GROWTH_LIMIT * last
-    if diverged or not 0.0 < state.levels[index].P.max() <= PRESSURE_LIMIT:
-        return DIVERGED
-    return equations
+    return DIVERGED not in guarded_cycles(state, index, count, progress)

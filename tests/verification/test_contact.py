@@ -30,8 +30,9 @@ from ehl.conditions import moes_groups
 from ehl.multigrid.cycle import Damping, cycle, start_level, update_film
 from ehl.multigrid.extrapolation import extrapolate
 from ehl.multigrid.flow_model import FlowFactors
-from ehl.multigrid.full_multigrid import ATTEMPTS, Progress, contact_multigrid, solve_with_fallbacks
+from ehl.multigrid.full_multigrid import ATTEMPTS, contact_multigrid, solve_with_fallbacks
 from ehl.multigrid.history import FINISHED, central_film
+from ehl.multigrid.settling import Progress
 from ehl.scaling import scale_contact
 from ehl.solver import choose_domain, solve_attempts
 

@@ -1,0 +1,121 @@
+"""Cycles on one level until its film is at rest, each undone and repeated with more damping where
+it diverges.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .acceleration import Acceleration
+from .cycle import Multigrid, cycle, refresh_factors, relative_residual, update_film
+from .history import LevelHistory, start_history
+
+Array = NDArray[np.float64]
+
+LEVEL_CYCLES = 3  # cycles on levels that the mesh does not resolve
+# of P, above which the iteration has diverged: the spike of a Barus oil at L 20 passes 5
+PRESSURE_LIMIT = 40.0
+GROWTH_LIMIT = 10.0  # of the residual in one cycle, above which it has, too
+PLAIN_CYCLES = 5  # on a level, before the cycles are accelerated
+DIVERGED = (inf, inf)  # in place of residual and mass imbalance after a cycle
+HALVINGS = 3  # of the damping on one level before it counts as diverged
+
+
+@dataclass(slots=True, kw_only=True)
+class Progress:
+    """Work and fallbacks of a contact so far, over all attempts and the pilot solve [-]."""
+
+    fallbacks: list[str] = field(default_factory=list)
+    deflected_nodes: int = 0  # nodes times deflection FFTs
+
+
+def settle(
+    state: Multigrid,
+    index: int,
+    most: int,
+    progress: Progress,
+    below: LevelHistory | None,
+    strictness: float = 1.0,
+) -> LevelHistory | None:
+    """Cycle on a level until its film is at rest, `most` times at most and `LEVEL_CYCLES` times
+    where the mesh is too coarse for the film; None if the cycles diverged.
+    """
+    level = state.levels[index]
+    history = start_history(state, index, strictness)
+    acceleration = Acceleration()
+    before = (level.P.copy(), state.approach)
+    finest = index == len(state.levels) - 1
+    for equations in guarded_cycles(state, index, most, progress):
+        if equations == DIVERGED:
+            return None
+        history.record(state, index, equations)
+        cycles = len(history.residual)
+        if history.finished(below) or (
+            cycles >= LEVEL_CYCLES and not finest and not history.resolved
+        ):
+            break
+        if PLAIN_CYCLES < cycles < most:
+            level.P, state.approach = acceleration.next(before, (level.P, state.approach))
+            update_film(state, index)
+        before = (level.P.copy(), state.approach)
+    return history
+
+
+def guarded_cycles(
+    state: Multigrid, index: int, count: int, progress: Progress
+) -> Iterator[tuple[float, float]]:
+    """Run cycles on a level and yield how far the equations are from holding [-], see
+    `relative_residual`; one that diverges is undone and repeated with half the damping. If three
+    halvings do not help, the last is `DIVERGED`.
+    """
+    last = inf
+    halvings = 0
+    cycles = 0
+    while cycles < count:
+        before = snapshot(state, index)
+        equations = guarded_cycle(state, index, last)
+        if equations == DIVERGED:
+            restore(state, index, before)
+            if halvings == HALVINGS:
+                yield DIVERGED
+                return
+            halvings += 1
+            state.damping = state.damping.halved()
+            progress.fallbacks.append("cycle undone, damping halved")
+            continue
+        last = equations[0]
+        cycles += 1
+        yield equations
+
+
+Snapshot = tuple[Array, float, float, float]
+
+
+def snapshot(state: Multigrid, index: int) -> Snapshot:
+    """Copy of what a cycle on a level changes, for `restore` [-]."""
+    level = state.levels[index]
+    return level.P.copy(), state.approach, state.exterior, level.load
+
+
+def restore(state: Multigrid, index: int, before: Snapshot) -> None:
+    """Undo the cycles on a level since a snapshot, which may be used once [-]."""
+    level = state.levels[index]
+    level.P, state.approach, state.exterior, level.load = before
+    update_film(state, index)
+
+
+def guarded_cycle(state: Multigrid, index: int, last: float = inf) -> tuple[float, float]:
+    """One cycle on a level; how far the equations are from holding then, see `relative_residual`,
+    or `DIVERGED`, judged by the residual before it [-].
+    """
+    with np.errstate(all="ignore"):  # a cycle that diverges may overflow
+        refresh_factors(state, index)
+        cycle(state, index)
+        equations = relative_residual(state, index)
+    diverged = not np.isfinite(equations[0]) or equations[0] > GROWTH_LIMIT * last
+    if diverged or not 0.0 < state.levels[index].P.max() <= PRESSURE_LIMIT:
+        return DIVERGED
+    return equations
