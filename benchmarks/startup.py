@@ -7,7 +7,7 @@ import sys
 from time import perf_counter
 
 RUNS = 7
-HELP = "import sys; sys.argv = ['oilfilm', '--help']; from cases.cli.main import main; main()"
+HELP = "import sys; sys.argv = ['oilfilm', '--help']; from cases.cli.start import main; main()"
 COMMANDS = {  # code: limit [s]
     "pass": None,
     HELP: 0.15,

@@ -1,5 +1,6 @@
 """How kernels are compiled, and when what is compiled counts as out of date."""
 
+import logging
 from collections.abc import Callable
 from contextlib import suppress
 from functools import cache
@@ -7,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from numba import njit
+from numba.core import event
 
 from .kernel_sources import kernel_digest
 
@@ -19,11 +21,32 @@ def compiled(function: Callable[..., Any]) -> Any:
     has changed. But the code of kernels of other files that it calls is in there, too. Hence a
     change of any of `kernel_sources` makes all of that folder's kernels be compiled anew.
     """
+    _log_compilations()
     kernel = njit(cache=True, nogil=True, fastmath=False, error_model="numpy")(function)
     # not so where numba is told to compile nothing (NUMBA_DISABLE_JIT)
     if hasattr(kernel, "stats"):
         forget_old_kernels(Path(kernel.stats.cache_path), kernel_digest())
     return kernel
+
+
+class _Compilations(event.Listener):
+    """Logs that a kernel is compiled, of which those found on disk are none."""
+
+    def on_start(self, event: event.Event) -> None:
+        """Before it is compiled."""
+        logging.getLogger(__name__).info(
+            "compiling kernels, which is done once after an installation or an update and takes a "
+            "minute or two"
+        )
+
+    def on_end(self, event: event.Event) -> None:
+        """After it was compiled: nothing."""
+
+
+@cache
+def _log_compilations() -> None:
+    """Have compilations logged, once for all kernels."""
+    event.register("numba:compile", _Compilations())
 
 
 @cache

@@ -2,48 +2,21 @@
 
 import csv
 import json
-import os
-import tempfile
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable
 from math import isfinite
 from pathlib import Path
 from typing import Any
+
+from bearing.files import atomic_path, is_disk_failure, write_bytes
 
 Table = tuple[Iterable[str], Iterable[Iterable[Any]]]  # header and rows
 SUMMARY_FILE = "summary.json"
 CONTACTS_FILE = "contacts.csv"
 
 
-@contextmanager
-def atomic_path(path: Path) -> Iterator[Path]:
-    """A temporary name beside `path`; on success it becomes `path`, on failure nothing is left.
-
-    Missing folders are created; the name has the suffix of `path`.
-    """
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=path.suffix)
-    os.close(handle)
-    temporary = Path(name)
-    try:
-        yield temporary
-        os.chmod(temporary, 0o666 & ~umask())  # mkstemp gives 0600
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
-def umask() -> int:
-    """Permissions that new files of this user do not get."""
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
-
-
 def write_text(path: Path, text: str) -> None:
     """Write a text, which appears when it is complete."""
-    with atomic_path(path) as temporary:
-        temporary.write_text(text, encoding="utf-8")
+    write_bytes(path, text.encode("utf-8"))
 
 
 def write_json(document: dict[str, Any], path: Path) -> None:
@@ -114,11 +87,13 @@ def _csv_cell(value: Any, number: str) -> Any:
 def attempt(name: str, write: Callable[[], object]) -> tuple[str, ...]:
     """Messages of an extra that failed, or those that it returns.
 
-    Any failure in a drawing library is a lost picture, not a lost run.
+    Any failure in a drawing library is a lost picture, not a lost run. That of a disk is one.
     """
     try:
         messages = write()
     except Exception as error:
+        if is_disk_failure(error):
+            raise
         return (f"{name} not written: {type(error).__name__}: {error}",)
     return messages if isinstance(messages, tuple) else ()
 

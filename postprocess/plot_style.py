@@ -1,5 +1,6 @@
 """Common to all plots: type sizes, colours, colour maps, the part of a contact shown, saving."""
 
+import io
 from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from typing import Any
@@ -9,9 +10,8 @@ import numpy as np
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
+from bearing.files import write_bytes
 from ehl.solution import Array
-
-from .files import atomic_path
 
 PAGE_WIDTH = 7.1  # two columns, 180 mm [in]
 DPI = 200
@@ -108,12 +108,12 @@ def save(figure: Figure, path: Path) -> None:
     if kind not in FORMATS:
         raise ValueError(f"{path.name}: allowed: a file that ends in {', '.join(FORMATS)}")
     figure.set_dpi(DPI)
-    with atomic_path(path) as temporary:
-        if kind != ".png":
-            figure.savefig(temporary, format=kind[1:])
-            return
-        options = {"compress_level": PNG_COMPRESSION}
-        FigureCanvasAgg(figure).print_png(temporary, pil_kwargs=options)
+    content = io.BytesIO()
+    if kind == ".png":
+        FigureCanvasAgg(figure).print_png(content, pil_kwargs={"compress_level": PNG_COMPRESSION})
+    else:
+        figure.savefig(content, format=kind[1:])
+    write_bytes(path, content.getvalue())
 
 
 def write_figure(path: Path, draw: Callable[[Figure], object]) -> None:

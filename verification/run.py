@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from postprocess.bearing.results import BearingResults
-from postprocess.files import atomic_path
+from postprocess.files import write_text
 from postprocess.plot_style import write_figure
 
 from .asymptotes import moes_diagram
@@ -76,8 +76,7 @@ def write_page(sections: Sequence[Section], directory: Path, page: str) -> None:
     numbers = json.dumps(document(sections), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
     markdown_text = markdown(TITLES[page], text("page" if page == PAGE else "sweep"), sections)
     for name, content in ((Path(page).with_suffix(".json").name, numbers), (page, markdown_text)):
-        with atomic_path(directory / name) as temporary:
-            temporary.write_text(content, encoding="utf-8")
+        write_text(directory / name, content)
 
 
 def document(sections: Sequence[Section]) -> dict[str, Any]:

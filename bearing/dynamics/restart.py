@@ -2,12 +2,12 @@
 
 import io
 import json
-import os
 import zipfile
 from pathlib import Path
 
 import numpy as np
 
+from ..files import write_bytes
 from .simulation import Simulation
 
 FORMAT = 2
@@ -30,9 +30,7 @@ def save_restart(simulation: Simulation, path: Path, case: str = "") -> None:
     stream = io.BytesIO()
     arrays = {name: getattr(state, name) for name in ARRAYS}
     np.savez(stream, head=np.array(json.dumps(head)), **arrays)
-    partial = path.with_name(path.name + ".partial")
-    partial.write_bytes(stream.getvalue())
-    os.replace(partial, path)
+    write_bytes(path, stream.getvalue())
 
 
 def load_restart(simulation: Simulation, path: Path, case: str = "") -> None:

@@ -2,7 +2,6 @@
 
 import io
 import json
-import os
 import zipfile
 from dataclasses import asdict
 from pathlib import Path
@@ -12,6 +11,7 @@ from ehl.traction.table.storage import read_table, write_table
 from ehl.traction.table.table import TableError, TractionTable
 from ehl.traction.table.temperature import TemperatureTable
 
+from ..files import write_bytes
 from ..geometry import Race
 from .race_tables import Tables, TemperatureTables
 
@@ -46,11 +46,11 @@ def _bytes(table: TractionTable) -> bytes:
 
 
 def _write(path: Path, entries: dict[str, bytes | str] | dict[str, bytes]) -> None:
-    partial = path.with_name(path.name + ".partial")
-    with zipfile.ZipFile(partial, "w") as archive:
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w") as archive:
         for name, content in entries.items():
             archive.writestr(name, content)
-    os.replace(partial, path)
+    write_bytes(path, stream.getvalue())
 
 
 def load_tables(path: Path) -> Tables | TemperatureTables:

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from ..format.problems import CaseError
-from ..runs.processes import prepare_worker
+from ..runs.processes import end_workers, prepare_worker
 from .points import Receipt, Task
 from .store import DONE
 from .worker import compute_point
@@ -73,8 +73,7 @@ class LocalPool:
         """End the workers, at once or when they have finished."""
         self._executor.shutdown(wait=not at_once, cancel_futures=True)
         if at_once:
-            for process in set(active_children()) - self._before:
-                process.terminate()
+            end_workers(self._before)
 
 
 class ClusterPool:

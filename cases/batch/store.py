@@ -9,13 +9,11 @@ tables/KEY.zip      traction tables that several points share
 """
 
 import json
-import os
-import tempfile
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
-from postprocess.files import umask
+from bearing.files import write_bytes
 
 from ..format.problems import CaseError
 from ..runs.output_directory import check_output
@@ -45,23 +43,13 @@ def open_folder(directory: Path, *, resume: bool) -> None:
         raise CaseError(f"{directory}: holds finished points of an earlier batch; {allowed}")
     (directory / POINTS).mkdir(parents=True, exist_ok=True)
     # of a process that was killed while it wrote
-    for left in (directory / POINTS).glob(".*.part"):
+    for left in (directory / POINTS).glob(".*.part*"):
         left.unlink(missing_ok=True)
 
 
 def write_file(path: Path, data: bytes) -> None:
     """Write a file so that it is there as a whole or not at all, also after a power cut."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=".part")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.chmod(name, 0o666 & ~umask())  # mkstemp gives 0600
-        os.replace(name, path)
-    finally:
-        Path(name).unlink(missing_ok=True)
+    write_bytes(path, data, durable=True)
 
 
 def write_point(directory: Path, key: str, files: dict[str, bytes]) -> None:

@@ -4,8 +4,6 @@ before the points.
 tables/NAME.zip     both races; NAME is a hash of the inputs of all points that share them
 """
 
-import os
-import shutil
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
@@ -35,7 +33,7 @@ from ..runs.films import Progress
 from ..version import version
 from .keys import BESIDE_TRACTION_TABLES, content_key, digest, document_text
 from .points import Point, Sweep
-from .store import TABLES
+from .store import TABLES, write_file
 
 
 def needs_tables(case: Case | ContactCase, compute: str) -> bool:
@@ -168,9 +166,7 @@ def _put(sweep: Sweep, name: str, path: Path, progress: Progress) -> None:
         save_race_tables(shared_tables(sweep, name, progress), path)
         return
     tables_of_file(sweep.table)  # damaged ones are reported before anything is copied
-    partial = path.with_name(f"{path.name}.partial")
-    shutil.copyfile(sweep.table, partial)
-    os.replace(partial, path)
+    write_file(path, sweep.table.read_bytes())
 
 
 def shared_tables(sweep: Sweep, name: str, progress: Progress) -> Tables:

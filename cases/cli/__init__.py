@@ -3,9 +3,12 @@
 | module | responsibility |
 |---|---|
 | __main__ | `python -m cases.cli` |
-| main | entry point; registers the commands |
+| start | entry point: signals and streams first |
+| main | registers the commands |
 | app | the application and options shared by commands |
-| terminal | progress, messages, exit codes |
+| streams | standard streams that may be closed or full |
+| terminal | results, messages, exit codes |
+| progress | progress as a bar or as lines |
 | output | writing and printing of results, shared by commands |
 | compute | run, contact, slip, stiffness, table |
 | dynamics | dynamics |

@@ -1,5 +1,5 @@
 """`python -m cases.cli` is the command `oilfilm`."""
 
-from .main import main
+from .start import main
 
 main()

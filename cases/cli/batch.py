@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import errno
 import tempfile
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -11,11 +10,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from bearing.files import is_disk_failure
+
 from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from .app import Json, Output, Quiet, app
 from .output import report
-from .terminal import FAILED, guarded, progress_bar
+from .progress import progress_bar
+from .terminal import FAILED, guarded
 
 if TYPE_CHECKING:
     from postprocess.batch.results import BatchResults
@@ -23,8 +25,6 @@ if TYPE_CHECKING:
     from ..batch.points import Sweep
     from ..batch.pools import Pool
 
-# of the disk, of the user's share of it
-FULL = (errno.ENOSPC, getattr(errno, "EDQUOT", errno.ENOSPC))
 Workers = Annotated[
     int | None, typer.Option(min=1, metavar="N", help="Processes; default: cores.")
 ]
@@ -93,7 +93,7 @@ def _kept(directory: Path | None) -> Iterator[None]:
         yield
     except (KeyboardInterrupt, OSError) as stop:
         if directory is not None and any((directory / POINTS).glob("*.json")):
-            full = isinstance(stop, OSError) and stop.errno in FULL
+            full = is_disk_failure(stop)
             go_on = f"{'make room, then ' if full else ''}continue with --resume"
             say(f"finished points are kept in {directory}; {go_on}")
         raise

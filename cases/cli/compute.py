@@ -10,7 +10,8 @@ from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import CaseName, Json, Output, Quiet, app
 from .output import load_bearing, report, results_directory, save, save_with
-from .terminal import guarded, progress_bar
+from .progress import progress_bar
+from .terminal import guarded
 
 TableFile = Annotated[
     Path | None,
@@ -150,7 +151,8 @@ def stiffness(
     from ..runs.stiffness import run_stiffness
 
     ends = None if speeds is None else (speeds[0] * RPM, speeds[1] * RPM)
-    results = run_stiffness(loaded, case, ends, points, damping)
+    with progress_bar(quiet=quiet) as progress:
+        results = run_stiffness(loaded, case, ends, points, damping, progress)
     from postprocess.stiffness.summary import stiffness_summary
     from postprocess.stiffness.table import stiffness_table
     from postprocess.stiffness.write import write_stiffness

@@ -8,11 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from bearing.files import is_disk_failure
+
 from ..format.problems import CaseError
-from ..runs.interrupt import say
+from ..runs.interrupt import finish_first, say
 from .app import CaseName, Json, Output, Quiet, app
 from .output import load_bearing, report, results_directory, save_with
-from .terminal import guarded, progress_bar
+from .progress import progress_bar
+from .terminal import guarded
 
 if TYPE_CHECKING:
     from bearing.dynamics.simulation import Simulation
@@ -87,6 +90,8 @@ def _write(results: DynamicsResults, directory: Path) -> tuple[str, ...]:
         if results.running.rows:
             write_motion(directory)
     except (OSError, ValueError) as error:
+        if is_disk_failure(error):
+            raise
         problems = (*problems, f"motion for ParaView not written: {error}")
     return problems
 
@@ -99,6 +104,8 @@ def _animate(directory: Path, file: Path) -> None:
     try:
         animate(directory, file)
     except (RenderingError, OSError) as problem:
+        if is_disk_failure(problem):
+            raise
         say(f"oilfilm: {problem}")
 
 
@@ -114,8 +121,9 @@ def _keep(
     from ..runs.dynamics import case_key
 
     path = directory.with_name(f"{directory.name}_restart.npz")
-    save_restart(simulation, path, case_key(case))
     if directory.exists():
         directory = directory.with_name(f"{directory.name}_interrupted")
-    save_with(lambda target: write_dynamics(results, target, pictures=False), directory)
+    with finish_first(f"history so far in {directory}"):
+        save_restart(simulation, path, case_key(case))
+        save_with(lambda target: write_dynamics(results, target, pictures=False), directory)
     say(f"history so far in {directory}; go on with --restart {path}")

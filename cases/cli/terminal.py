@@ -4,21 +4,19 @@ from __future__ import annotations
 
 import functools
 import json
-import os
 import signal
-import sys
 import tempfile
 import threading
 import traceback
-from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING, ParamSpec
 
 import typer
 
 from ..format.problems import CaseError
-from ..runs.interrupt import say
+from ..runs.interrupt import interrupt, say
 from ..runs.kernel_cache import ensure_kernel_cache
+from .streams import drop_output
 
 if TYPE_CHECKING:
     from rich.console import RenderableType
@@ -37,8 +35,11 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
 
     @functools.wraps(command)
     def run(*args: P.args, **kwargs: P.kwargs) -> None:
-        ensure_kernel_cache()  # before anything imports numba
-        code = exit_code(lambda: command(*args, **kwargs))
+        def prepared() -> int | None:
+            ensure_kernel_cache()  # before anything imports numba
+            return command(*args, **kwargs)
+
+        code = exit_code(prepared)
         if code:
             raise typer.Exit(code)
 
@@ -48,7 +49,7 @@ def guarded(command: Callable[P, int | None]) -> Callable[P, None]:
 def exit_code(command: Callable[[], int | None]) -> int:
     """Run a command: 0 done, 1 not converged, 2 bad input, 3 interrupted, 4 failure [-]."""
     main = threading.current_thread() is threading.main_thread()
-    previous = signal.signal(signal.SIGTERM, _interrupt) if main else None
+    previous = signal.signal(signal.SIGTERM, interrupt) if main else None
     try:
         return command() or 0
     except CaseError as error:
@@ -58,7 +59,7 @@ def exit_code(command: Callable[[], int | None]) -> int:
         say("oilfilm: interrupted")
         return INTERRUPTED
     except BrokenPipeError:  # the reader of a pipe has seen enough
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        drop_output()
         return 0
     except typer.Exit as stop:
         return stop.exit_code
@@ -68,10 +69,6 @@ def exit_code(command: Callable[[], int | None]) -> int:
     finally:
         if main:
             signal.signal(signal.SIGTERM, previous)
-
-
-def _interrupt(_signal: int, _frame: object) -> None:
-    raise KeyboardInterrupt
 
 
 def _say_errors(messages: Iterable[str]) -> None:
@@ -104,25 +101,6 @@ def _log(error: Exception) -> str:
         return "no log, the temporary directory cannot be written"
 
 
-@contextmanager
-def progress_bar(*, quiet: bool) -> Iterator[Callable[[int, int, str], None]]:
-    """A callback that draws progress on standard error; off when that is no terminal."""
-    if quiet or not sys.stderr.isatty():
-        yield lambda done, total, state: None
-        return
-    from rich.console import Console
-    from rich.progress import BarColumn, MofNCompleteColumn, Progress, TimeElapsedColumn
-
-    columns = ("{task.description}", BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=Console(stderr=True), transient=True) as bar:
-        task = bar.add_task("", total=None)
-
-        def show(done: int, total: int, state: str) -> None:
-            bar.update(task, completed=done, total=total, description=state)
-
-        yield show
-
-
 def print_lines(text: str) -> None:
     """Plain text to standard output."""
     print(text, flush=True)  # noqa: T201
@@ -138,10 +116,3 @@ def print_table(table: RenderableType) -> None:
     from rich.console import Console
 
     Console().print(table)
-
-
-def prepare_streams() -> None:
-    """Never fail on a character that the terminal's encoding does not have."""
-    for stream in (sys.stdout, sys.stderr):
-        if hasattr(stream, "reconfigure"):
-            stream.reconfigure(errors="replace")

@@ -14,7 +14,8 @@ from ..format.problems import CaseError
 from ..runs.interrupt import finish_first, say
 from .app import Json, Output, Quiet, app
 from .output import load_bearing
-from .terminal import NOT_CONVERGED, guarded, print_json, print_table, progress_bar
+from .progress import progress_bar
+from .terminal import NOT_CONVERGED, guarded, print_json, print_table
 
 if TYPE_CHECKING:
     from rich.table import Table

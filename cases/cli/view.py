@@ -10,6 +10,7 @@ import typer
 from ..format.problems import CaseError
 from ..runs.interrupt import say
 from .app import app
+from .progress import progress_bar
 from .terminal import FAILED, guarded
 
 
@@ -57,13 +58,17 @@ def view(
         quantity=quantity.value, magnification=factors, film_exaggeration=exaggeration
     )
     try:
-        if screenshot is not None:
-            say(f"picture in {scene.screenshot(directory, screenshot, options)}")
-        if html is not None:
-            say(f"page in {scene.export_html(directory, html, options)}")
-        if movie is not None:
-            small = replace(options, size=scene.MOVIE_SIZE)
-            say(f"movie in {scene.movie(directory, movie, small)}")
+        with progress_bar(quiet=False) as progress:
+            if screenshot is not None:
+                progress(0, 1, f"drawing {screenshot}")
+                say(f"picture in {scene.screenshot(directory, screenshot, options)}")
+            if html is not None:
+                progress(0, 1, f"drawing {html}")
+                say(f"page in {scene.export_html(directory, html, options)}")
+            if movie is not None:
+                progress(0, 1, f"drawing {movie}")
+                small = replace(options, size=scene.MOVIE_SIZE)
+                say(f"movie in {scene.movie(directory, movie, small)}")
         if screenshot is None and html is None and movie is None:
             scene.show(directory, options)
     except ValueError as error:

@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from time import perf_counter
 from typing import Any
 
@@ -27,6 +28,7 @@ from ..version import version
 from .equilibrium import case_equilibrium
 from .films import Progress, Solve, solve_contacts, wanted_contacts
 from .heating import self_heated
+from .interrupt import interruptible
 from .load_cases import solve_load_cases
 from .traction_films import traction_messages, with_workers
 
@@ -76,10 +78,10 @@ def run_case(
     solver = solve if case.films.model is FilmModel.NEWTONIAN else case.films.solve
     solutions, interrupted = solve_contacts(wanted, case.solver, workers, notify, solver)
     timing["contacts"] = perf_counter() - start
-    stop = (STOPPED,) if interrupted else ()
+    numbers = (case, state, contacts, solutions, timing, notify)
+    friction = None if interrupted else _stopped_friction(*numbers)
     traction = traction_messages(case.traction, state, contacts)
-    messages = (*case.warnings, *case.films.messages, *traction, *messages, *stop)
-    friction = {} if interrupted else _friction(case, state, contacts, solutions, timing)
+    messages = (*case.warnings, *case.films.messages, *traction, *messages)
     timing["total"] = sum(timing.values())
     results = BearingResults(
         version=version(),
@@ -89,14 +91,14 @@ def run_case(
         contacts=contacts,
         solutions=solutions,
         frequencies=bearing_frequencies(state),
-        messages=messages,
-        interrupted=interrupted,
+        messages=messages if friction is not None else (*messages, STOPPED),
+        interrupted=friction is None,
         timing=timing,
         life=None if case.rating is None else bearing_life(state, case.lubricant, case.rating),
         clearance=case.clearance,
         finite_bodies=bodies,
         duty_cycle=cycle,
-        **friction,
+        **(friction or {}),
     )
     return _complete(results)
 
@@ -123,20 +125,32 @@ def _contacts(
     return with_finite_bodies(contacts, bodies), bodies
 
 
+def _stopped_friction(*arguments: Any) -> dict[str, Any] | None:
+    """What `_friction` gives; None after Ctrl-C, so that the films are kept."""
+    try:
+        return interruptible(partial(_friction, *arguments))
+    except KeyboardInterrupt:
+        return None
+
+
 def _friction(
     case: Case,
     state: QuasistaticSolution,
     contacts: Sequence[BearingContact],
     solutions: Sequence[ContactSolution | None],
     timing: dict[str, float],
+    notify: Progress,
 ) -> dict[str, Any]:
     """Shear of the contacts, balls as balanced by the torque, friction torque, self-heating."""
     start = perf_counter()
+    notify(0, 1, "friction torque")
     torque = _torque(case, state, contacts, solutions)
     shear = None if torque is None else torque.shear
     balanced = () if shear is None else shear.tractions
     tractions = _tractions(case, state, contacts, solutions, balanced)
     timing["torque"] = perf_counter() - start
+    if case.heating is not None:
+        notify(0, 1, "self-heating")
     heating = self_heated(case) if state.converged else None
     return {"tractions": tractions, "torque": torque, "heating": heating}
 

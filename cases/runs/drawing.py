@@ -8,6 +8,7 @@ from concurrent.futures import Future, ProcessPoolExecutor, wait
 from contextlib import contextmanager
 from functools import lru_cache, partial
 from multiprocessing import (
+    active_children,
     forkserver,
     get_all_start_methods,
     get_context,
@@ -22,11 +23,12 @@ import postprocess
 from ehl.multigrid.threads import cores
 from postprocess.files import attempt
 
-from .processes import prepare_worker
+from .processes import end_workers, prepare_worker
 
 # each holds all fields; the dozen pictures of a bearing, of 0.3 s each, gain little by more
 MOST_PROCESSES = 4
 LOOK = 0.1  # from one look for an interrupt to the next [s]
+TERMINATION = 0.3  # for processes to end that were told to [s]
 FORK_SERVER = "forkserver"  # loads the libraries once for all processes, where there is one
 LOADED = ["cases.runs.drawing", "postprocess.writer.extras"]
 
@@ -36,6 +38,7 @@ class Drawing:
 
     def __init__(self, pool: ProcessPoolExecutor) -> None:
         self._pool = pool
+        self._before = set(active_children())
         self._stopped = False
 
     def stop(self) -> None:
@@ -51,9 +54,20 @@ class Drawing:
                 extras = partial(self._extras, jobs, problems)
                 return postprocess.write_numbers(results, folder, extras)
             finally:
-                for job in jobs:
-                    job.cancel()
-                wait(jobs)
+                self._end(jobs)
+
+    def _end(self, jobs: Sequence[Future[tuple[str, ...]]]) -> None:
+        """Cancel what has not been begun; wait for what has, or end its processes."""
+        for job in jobs:
+            job.cancel()
+        if self._stopped:
+            self._pool.shutdown(wait=False, cancel_futures=True)
+            end_workers(self._before)
+        wait(jobs, timeout=TERMINATION if self._stopped else None)
+
+    def close(self) -> None:
+        """End the processes, waiting for none that was given up."""
+        self._pool.shutdown(wait=not self._stopped, cancel_futures=True)
 
     def _begin(self, results: Any, parcel: Path, jobs: list[Future[tuple[str, ...]]]) -> None:
         if self._stopped:
@@ -66,15 +80,13 @@ class Drawing:
     def _extras(
         self, jobs: Sequence[Future[tuple[str, ...]]], problems: tuple[str, ...]
     ) -> tuple[str, ...]:
-        """Wait for all parts, or for those under way once it was stopped."""
-        while wait(jobs, timeout=LOOK).not_done:
-            if self._stopped:
-                for job in jobs:
-                    job.cancel()
+        """Wait for all parts, or give up those under way once it was stopped."""
+        while not self._stopped and wait(jobs, timeout=LOOK).not_done:
+            pass
         for job in jobs:
-            if not job.cancelled():
+            if job.done():
                 problems += attempt("VTK and plots", job.result)
-        if any(job.cancelled() for job in jobs):
+        if not all(job.done() for job in jobs):
             problems += ("VTK and plots: some not written, interrupted",)
         return problems
 
@@ -87,8 +99,14 @@ def drawing_processes(*, ahead: bool) -> Iterator[Drawing]:
         _start_fork_server()
     context = get_context(FORK_SERVER if forked else "spawn")
     workers = min(cores(), MOST_PROCESSES)
-    with ProcessPoolExecutor(workers, mp_context=context, initializer=_prepare) as pool:
-        yield Drawing(pool)
+    drawing = Drawing(ProcessPoolExecutor(workers, mp_context=context, initializer=_prepare))
+    try:
+        yield drawing
+    except KeyboardInterrupt:
+        drawing.stop()
+        raise
+    finally:
+        drawing.close()
 
 
 def _start_fork_server() -> None:

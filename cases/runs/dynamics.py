@@ -3,7 +3,9 @@ if interrupted.
 """
 
 import json
+from copy import deepcopy
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 from time import perf_counter
 
@@ -35,7 +37,7 @@ from ..format.problems import CaseError
 from ..format.traction import coefficient_source, read_race_tables
 from ..version import version
 from .films import Progress
-from .interrupt import finish_first
+from .interrupt import finish_first, interruptible
 from .traction_table import run_table
 
 CAGE_MATERIAL = "pa66"  # where a case names none
@@ -122,7 +124,8 @@ def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> Dyn
     began = perf_counter()
     running = RunningStatistics(case.bearing.balls)
     end = run.model.options.end_time
-    first = run.state.time
+    before = run.state
+    first = before.time
     attributes = _attributes(case)
 
     def results() -> DynamicsResults:
@@ -140,19 +143,22 @@ def _stream(case: Case, run: Simulation, history: Path, notify: Progress) -> Dyn
         try:
             pieces = run.pieces()
             while True:
-                # state, history and statistics stay in step
-                with finish_first("the samples under way"):
-                    record = next(pieces, None)
-                    if record is not None:
-                        writer.add(record)
-                        running.add(record, run.start_energy)
+                before = deepcopy(run.state)
+                record = interruptible(partial(next, pieces, None))
                 if record is None:
                     break
+                # state, history and statistics stay in step
+                with finish_first("the samples under way"):
+                    before = run.state
+                    writer.add(record)
+                    running.add(record, run.start_energy)
                 share = (run.state.time - first) / (end - first)
                 left = (perf_counter() - began) * (1.0 - share) / share
                 done = round(run.state.time * MILLISECONDS)
                 notify(done, round(end * MILLISECONDS), f"simulated ms, {left:.0f} s left")
         except KeyboardInterrupt:
+            # the thread that was given up still moves the state it has
+            run = replace(run, state=before)
             raise Interrupted(results(), run) from None
     return results()
 

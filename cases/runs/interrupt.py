@@ -1,15 +1,52 @@
-"""Messages on standard error, and work that an interrupt lets finish."""
+"""Messages on standard error, work that an interrupt gives up at once, and work that it lets
+finish.
+"""
 
+import os
 import signal
+import socket
 import sys
 import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from concurrent.futures import Future, wait
+from contextlib import contextmanager, suppress
+from time import sleep
+from types import FrameType
+from typing import TypeVar
+
+T = TypeVar("T")
+
+SIGNALS = (signal.SIGINT, signal.SIGTERM)
+PATIENCE = 1.4  # from a signal to the end of a program that does not answer it [s]
+LOOK = 0.05  # from one look to the next [s]
 
 
 def say(text: str) -> None:
-    """A message to the user."""
-    print(text, file=sys.stderr)  # noqa: T201
+    """A message to the user; lost without harm where nobody takes it."""
+    with suppress(OSError, ValueError):
+        print(text, file=sys.stderr, flush=True)  # noqa: T201
+
+
+def interrupt(_number: int, _frame: FrameType | None) -> None:
+    """A handler of signals that interrupts as Ctrl-C does."""
+    raise KeyboardInterrupt
+
+
+class _Postponed:
+    """A handler of signals that remembers the first and obeys the second."""
+
+    def __init__(self, what: str, hurry: Callable[[], None] | None) -> None:
+        self.what = what
+        self.hurry = hurry
+        self.signals = 0
+
+    def __call__(self, number: int, frame: FrameType | None) -> None:
+        self.signals += 1
+        if self.signals > 1:
+            raise KeyboardInterrupt
+        say(f"oilfilm: finishing first: {self.what}")
+        if self.hurry is not None:
+            self.hurry()
 
 
 @contextmanager
@@ -21,23 +58,89 @@ def finish_first(what: str, hurry: Callable[[], None] | None = None) -> Iterator
     if threading.current_thread() is not threading.main_thread():
         yield
         return
-    waiting: list[int] = []
-
-    def remember(number: int, _frame: object) -> None:
-        if waiting:
-            raise KeyboardInterrupt
-        waiting.append(number)
-        say(f"oilfilm: finishing first: {what}")
-        if hurry is not None:
-            hurry()
-
-    previous = {
-        number: signal.signal(number, remember) for number in (signal.SIGINT, signal.SIGTERM)
-    }
+    postponed = _Postponed(what, hurry)
+    previous = {number: signal.signal(number, postponed) for number in SIGNALS}
     try:
         yield
     finally:
         for number, handler in previous.items():
             signal.signal(number, handler)
-    if waiting:
+    if postponed.signals:
         raise KeyboardInterrupt
+
+
+def interruptible(work: Callable[[], T]) -> T:
+    """The result of work that a thread does; KeyboardInterrupt at once, also while it runs
+    compiled code, and the thread goes on until the program ends.
+    """
+    if threading.current_thread() is not threading.main_thread():
+        return work()
+    future: Future[T] = Future()
+
+    def run() -> None:
+        try:
+            future.set_result(work())
+        except BaseException as error:  # raised again where the result is wanted
+            future.set_exception(error)
+
+    threading.Thread(target=run, daemon=True).start()
+    while not wait([future], timeout=LOOK).done:
+        pass
+    return future.result()
+
+
+def end_unless_obeyed(code: int) -> Callable[[], bool]:
+    """End the program, with a code, where it does not end within `PATIENCE` of a signal: it is in
+    compiled code, or waits for a process. Work that is to finish first has its time.
+
+    The answer tells whether a signal came.
+    """
+    reader, writer = socket.socketpair()
+    writer.setblocking(False)
+    signal.set_wakeup_fd(writer.fileno(), warn_on_full_buffer=False)
+    came = threading.Event()
+
+    def watch() -> None:
+        with writer:  # open as long as this thread
+            while reader.recv(1)[0] not in SIGNALS:
+                pass
+            came.set()
+            left = PATIENCE
+            while left > 0.0:
+                sleep(LOOK)
+                left -= 0.0 if _finishing() else LOOK
+            say("oilfilm: interrupted")
+            end_now(code)
+
+    threading.Thread(target=watch, daemon=True).start()
+    return came.is_set
+
+
+def _finishing() -> bool:
+    """Whether work is under way that an interrupt lets finish."""
+    handler = signal.getsignal(signal.SIGINT)
+    return isinstance(handler, _Postponed) and handler.signals < 2
+
+
+def end_now(code: int) -> None:
+    """End the program and its worker processes without waiting for work under way; what is to be
+    cleaned up at its end is.
+    """
+    processes = sys.modules.get("multiprocessing")
+    for process in [] if processes is None else processes.active_children():
+        process.kill()
+    cleaning = threading.Thread(target=_clean_up, daemon=True)
+    cleaning.start()
+    cleaning.join(10.0 * LOOK)
+    for stream in (sys.stdout, sys.stderr):
+        with suppress(OSError, ValueError):
+            stream.flush()
+    os._exit(code)
+
+
+def _clean_up() -> None:
+    """What the program would do at its end: remove temporary folders."""
+    import atexit
+
+    with suppress(BaseException):
+        atexit._run_exitfuncs()

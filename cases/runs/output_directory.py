@@ -7,7 +7,7 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-from postprocess.files import umask
+from bearing.files import umask
 
 from ..format.problems import CaseError
 

@@ -3,7 +3,9 @@
 import os
 import signal
 import threading
-from multiprocessing import connection, parent_process
+from collections.abc import Set
+from multiprocessing import active_children, connection, parent_process
+from multiprocessing.process import BaseProcess
 from typing import Any
 
 THREADS = (
@@ -27,3 +29,9 @@ def prepare_worker() -> None:
 def _end_with(sentinel: Any) -> None:
     connection.wait([sentinel])
     os._exit(1)
+
+
+def end_workers(others: Set[BaseProcess]) -> None:
+    """End the workers of this process, but those that others have started, whatever they do."""
+    for process in set(active_children()) - others:
+        process.terminate()

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import ProcessPoolExecutor
 from contextlib import contextmanager
 from dataclasses import replace
-from multiprocessing import get_context
+from multiprocessing import active_children, get_context
 from time import perf_counter
 from typing import Any
 
@@ -29,7 +29,7 @@ from ..format.operation import SlipTable
 from ..format.problems import CaseError
 from ..version import version
 from .films import Progress
-from .processes import prepare_worker
+from .processes import end_workers, prepare_worker
 
 # centrifugal force a source evidently used, over the true one [-]
 PRINTED_FORCE = {"half centrifugal force": 0.5}
@@ -51,6 +51,8 @@ def run_slip(
     speeds = _range(si["speeds"], table.points)
     loads = _range(si["axial_loads"], table.points)
     radial = _range(si["critical_radial_loads"], table.critical_points)
+    # here first: kernels that are not compiled yet are so once, not by every process
+    state = solve_quasistatic(case.bearing, case.operation, case.model)
     with _mapper(workers or cores(), progress or (lambda done, total, state: None)) as mapper:
         surface = slip_surface(study, speeds, loads, mapper("slip factors", table.points))
         timing = {"surface": perf_counter() - start}
@@ -64,7 +66,7 @@ def run_slip(
         version=version(),
         case=case.document,
         limit=table.limit,
-        state=solve_quasistatic(case.bearing, case.operation, case.model),
+        state=state,
         surface=surface,
         curves=curves,
         minimum=minimum,
@@ -138,6 +140,7 @@ def _minimum_loads(
 def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Mapper]]:
     """A `map` for each stage, over processes if there are several, with progress."""
     pool = None
+    others = set(active_children())
     if workers > 1:
         context = get_context("spawn")
         pool = ProcessPoolExecutor(workers, mp_context=context, initializer=prepare_worker)
@@ -154,6 +157,11 @@ def _mapper(workers: int, notify: Progress) -> Iterator[Callable[[str, int], Map
 
     try:
         yield stage
+    except KeyboardInterrupt:
+        if pool is not None:
+            pool.shutdown(wait=False, cancel_futures=True)
+            end_workers(others)
+        raise
     finally:
         if pool is not None:
             pool.shutdown(wait=True, cancel_futures=True)

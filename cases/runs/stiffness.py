@@ -10,10 +10,16 @@ from ..format.case import Case
 from ..format.problems import CaseError
 from ..version import version
 from .equilibrium import equilibrium_solver
+from .films import Progress
 
 
 def run_stiffness(
-    case: Case, name: str, speeds: tuple[float, float] | None, points: int, damping: float
+    case: Case,
+    name: str,
+    speeds: tuple[float, float] | None,
+    points: int,
+    damping: float,
+    progress: Progress | None = None,
 ) -> StiffnessResults:
     """Stiffness at evenly spaced speeds.
 
@@ -27,12 +33,16 @@ def run_stiffness(
         Speeds [-].
     damping : float
         For the rotor code [N s/m].
+    progress : callable, optional
+        Called with the speeds done, the speeds in all, and a word on the state.
     """
     first, last = speeds or (0.0, case.operation.inner_speed)
     if first == last:
         raise CaseError(f"{name}: the inner ring stands still; give --speeds FIRST LAST in r/min")
     start = perf_counter()
     steps = [first + (last - first) * k / (points - 1) for k in range(points)]
+    notify = progress or (lambda done, total, state: None)
+    notify(0, points, "stiffness at speeds")
     study = stiffness_over_speed(
         case.bearing,
         case.operation,

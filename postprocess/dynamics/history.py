@@ -14,6 +14,8 @@ from bearing.dynamics.layout import Layout
 from bearing.dynamics.record import Record
 from bearing.dynamics.statistics import MECHANISMS
 
+from .spill import SpillingFile
+
 HISTORY_FILE = "history.nc"
 FORMAT = 1
 RING_NAMES = ("x", "y", "z", "tilt_y", "tilt_z")
@@ -66,7 +68,8 @@ class HistoryWriter:
     def __init__(self, path: Path, balls: int, attributes: dict[str, str | float]) -> None:
         self.balls = balls
         self.rows = 0
-        self.file = h5netcdf.File(path, "w")
+        self._content = SpillingFile(path)
+        self.file = h5netcdf.File(self._content, "w")
         coordinates: dict[str, tuple[str, ...] | Any] = {
             "ball": np.arange(1, balls + 1),
             "axis": ("x", "y", "z"),
@@ -91,7 +94,7 @@ class HistoryWriter:
         self._created = False
 
     def add(self, record: Record) -> None:
-        """Append the rows of a record."""
+        """Append the rows of a record; OSError where the disk does not take them."""
         m = record.time.size
         parts = {"time": (("time",), record.time, "s"), **variables(record, self.balls)}
         if not self._created:
@@ -99,6 +102,8 @@ class HistoryWriter:
         self.file.resize_dimension("time", self.rows + m)
         for name, (_, values, _unit) in parts.items():
             self.file.variables[name][self.rows : self.rows + m] = values
+        self.file.flush()
+        self._content.check()
         self.rows += m
 
     def _create(self, parts: dict[str, tuple[tuple[str, ...], Any, str]]) -> None:
@@ -113,6 +118,7 @@ class HistoryWriter:
     def close(self) -> None:
         """End the file."""
         self.file.close()
+        self._content.close()
 
     def __enter__(self) -> Self:
         return self
@@ -124,6 +130,8 @@ class HistoryWriter:
         trace: TracebackType | None,
     ) -> None:
         self.close()
+        if kind is None:
+            self._content.check()
 
 
 def open_history(path: str | Path) -> xr.Dataset:

@@ -3,6 +3,7 @@
 Loading xarray and its libraries takes longer than writing the fields of a bearing.
 """
 
+import io
 import json
 from collections.abc import Collection
 from dataclasses import dataclass, field
@@ -13,7 +14,7 @@ import h5netcdf
 import h5py
 import numpy as np
 
-from ..files import atomic_path
+from bearing.files import write_bytes
 
 # dimensions, values, attributes by name
 Variables = dict[str, tuple[tuple[str, ...], Any, dict[str, Any]]]
@@ -43,9 +44,11 @@ def write_dataset(
 
 def write_groups(groups: dict[str, Group], path: Path) -> None:
     """Write the groups of one file by their paths, parents first."""
-    with atomic_path(path) as temporary, h5netcdf.File(temporary, "w") as file:
+    content = io.BytesIO()  # what HDF5 cannot write to a full disk may end the program
+    with h5netcdf.File(content, "w") as file:
         for name, group in groups.items():
             _write_group(file if name == "/" else file.create_group(name), group)
+    write_bytes(path, content.getvalue())
 
 
 def _write_group(target: Any, group: Group) -> None:

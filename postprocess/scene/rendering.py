@@ -1,5 +1,6 @@
 """Drawing in a process of its own: a missing OpenGL library ends that, and is an error here."""
 
+import errno
 import json
 import os
 import subprocess
@@ -7,16 +8,18 @@ import sys
 from collections.abc import Sequence
 from functools import lru_cache
 from pathlib import Path
+from shutil import disk_usage
 from typing import Any
 
 from PIL import Image
 
-from ..files import atomic_path
+from bearing.files import atomic_path
 
 WINDOW_VARIABLE = "VTK_DEFAULT_OPENGL_WINDOW"
 WINDOW_WITHOUT_DISPLAY = "vtkEGLRenderWindow"
 PACKAGES = "libegl1 libegl-mesa0 libgl1-mesa-dri"
 PATIENCE = 300.0  # for one picture, which takes seconds on an idle machine [s]
+FULL = 2**22  # below so much free space a picture may have been too large for the disk [bytes]
 # of a frame; chosen to cover all colours, not by area, so that thin arrows keep theirs
 COLOURS = 128
 
@@ -42,9 +45,14 @@ def draw(
     nothing was drawn.
     """
     with atomic_path(file) as temporary:
-        run_module(module, directory, temporary, options, patience)
-        if not temporary.stat().st_size:
-            raise RenderingError(advice(f"{file.name} was left empty"))
+        try:
+            run_module(module, directory, temporary, options, patience)
+            if not temporary.stat().st_size:
+                raise RenderingError(advice(f"{file.name} was left empty"))
+        except RenderingError:
+            if disk_usage(temporary.parent).free < FULL:
+                raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC), str(file)) from None
+            raise
     return file
 
 

@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStructur
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter, vtkXMLStructuredGridWriter
 
 from bearing.contacts.contact import BearingContact
+from bearing.files import write_bytes
 from ehl import ContactSolution
 from ehl.solution import Array
 from ehl.units import GIGAPASCAL, MICROMETRE, MILLIMETRE, ZERO_CELSIUS
@@ -25,7 +26,7 @@ from ..bearing.results import BearingResults
 from ..contact.fields import shown_scales
 from ..contact.frame import principal_coordinates
 from ..contact.results import ContactResults
-from ..files import atomic_path, contact_name, write_text
+from ..files import contact_name, write_text
 from .geometry import (
     SET_BACK,
     Placement,
@@ -289,17 +290,21 @@ def poly_data(surface: Surface, facts: Facts | None = None) -> vtkPolyData:
 
 
 def write_block(data: Any, path: Path) -> None:
-    """Write a grid (.vts) or a surface (.vtp); the file appears when it is complete."""
+    """Write a grid (.vts) or a surface (.vtp); the file appears when it is complete.
+
+    VTK writes into memory: a full disk is to be an error of the system's, with its number.
+    """
     is_grid = isinstance(data, vtkStructuredGrid)
     writer: Any = vtkXMLStructuredGridWriter() if is_grid else vtkXMLPolyDataWriter()
-    with atomic_path(path) as temporary:
-        writer.SetFileName(str(temporary))
-        writer.SetInputData(data)
-        writer.SetCompressorTypeToZLib()
-        writer.SetCompressionLevel(COMPRESSION_LEVEL)
-        writer.EncodeAppendedDataOff()  # bytes as they are: by base64 files are a third larger
-        if not writer.Write():
-            raise OSError(f"{path} could not be written")
+    writer.WriteToOutputStringOn()
+    writer.SetInputData(data)
+    writer.SetCompressorTypeToZLib()
+    writer.SetCompressionLevel(COMPRESSION_LEVEL)
+    writer.EncodeAppendedDataOff()  # bytes as they are: by base64 files are a third larger
+    if not writer.Write():
+        raise RuntimeError(f"VTK could not write {path.name}")
+    content = writer.GetOutputString()
+    write_bytes(path, content.encode() if isinstance(content, str) else content)
 
 
 def _write(data: Any, directory: Path, name: str) -> str:

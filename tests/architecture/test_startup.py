@@ -21,7 +21,7 @@ def imported(code):
 def test_help_imports_nothing_heavy():
     code = """
 import sys
-from cases.cli.main import main
+from cases.cli.start import main
 sys.argv = ["oilfilm", "--help"]
 try:
     main()

@@ -214,7 +214,7 @@ def test_an_interrupt_gives_up_the_contacts_under_way(tmp_path):
     """A film cannot be stopped; here each takes far longer than the patience of this test."""
     code = f"""
 import sys, time
-from cases.cli.main import main
+from cases.cli.start import main
 from verification import robustness
 def slow(draw, points):
     print("up", flush=True)

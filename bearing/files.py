@@ -1,0 +1,56 @@
+"""Files that are there as a whole or not at all."""
+
+import errno
+import os
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+# of a disk that is full, beyond the user's share, broken or read-only
+DISK_ERRORS = frozenset(
+    getattr(errno, name)
+    for name in ("ENOSPC", "EDQUOT", "EFBIG", "EIO", "EROFS")
+    if hasattr(errno, name)
+)
+PARTIAL = ".part"  # end of the name of a file that is not complete, before its suffix
+
+
+def is_disk_failure(error: BaseException) -> bool:
+    """Whether a disk takes nothing more, so that further work is in vain."""
+    return isinstance(error, OSError) and error.errno in DISK_ERRORS
+
+
+@contextmanager
+def atomic_path(path: Path) -> Iterator[Path]:
+    """A temporary name beside `path`; on success it becomes `path`, on failure nothing is left.
+
+    Missing folders are created; the name has the suffix of `path`.
+    """
+    path.parent.mkdir(parents=True, exist_ok=True)
+    ending = f"{PARTIAL}{path.suffix}"
+    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=ending)
+    os.close(handle)
+    temporary = Path(name)
+    try:
+        yield temporary
+        os.chmod(temporary, 0o666 & ~umask())  # mkstemp gives 0600
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def write_bytes(path: Path, data: bytes, *, durable: bool = False) -> None:
+    """Write a file, which appears when it is complete; if `durable` also after a power cut."""
+    with atomic_path(path) as temporary, temporary.open("wb") as file:
+        file.write(data)
+        file.flush()
+        if durable:
+            os.fsync(file.fileno())
+
+
+def umask() -> int:
+    """Permissions that new files of this user do not get."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -1,0 +1,135 @@
+"""Signals are obeyed also inside compiled code; closed and full streams; progress without a terminal."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from cases.cli import progress
+from cases.runs.interrupt import interruptible
+
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="signals and streams of POSIX")
+OILFILM = [sys.executable, "-m", "cases.cli"]
+LONG = "hashlib.pbkdf2_hmac('sha256', b'a', b'b', 200_000_000)"  # minutes in C, without Python's lock
+WITHIN = 10.0  # of a machine with other work to do; 2 s on an idle one [s]
+
+
+def signalled(code, number=signal.SIGTERM):
+    """Exit code, messages and time to the end [s] of Python code that says `up` and is signalled."""
+    with subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        assert process.stdout.readline() == b"up\n"
+        time.sleep(0.2)
+        start = time.monotonic()
+        process.send_signal(number)
+        _, errors = process.communicate(timeout=60)
+        return process.returncode, errors.decode(), time.monotonic() - start
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_program_in_compiled_code_ends_all_the_same(number):
+    code = "import hashlib; from cases.runs.interrupt import end_unless_obeyed; end_unless_obeyed(3)\n"
+    code += "import signal, cases.runs.interrupt as i; signal.signal(signal.SIGTERM, i.interrupt)\n"
+    code += f"print('up', flush=True); {LONG}"
+    assert signalled(code, number)[:2] == (3, "oilfilm: interrupted\n")
+
+
+def test_work_in_a_thread_is_given_up_at_once():
+    code = f"""
+import hashlib, signal
+from cases.cli.terminal import exit_code
+from cases.runs.interrupt import end_now, interruptible
+def work():
+    print("up", flush=True)
+    return {LONG}
+end_now(exit_code(lambda: interruptible(work)))
+"""
+    number, errors, delay = signalled(code)
+    assert (number, errors) == (3, "oilfilm: interrupted\n")
+    assert delay < WITHIN
+
+
+def test_what_work_in_a_thread_gives_and_raises_comes_back():
+    assert interruptible(lambda: 7) == 7
+    with pytest.raises(KeyError, match="lost"):
+        interruptible(lambda: {}["lost"])
+
+
+def test_a_signal_before_the_commands_are_loaded():
+    code = "import os, signal, sys\nimport cases.cli.start as start\nprint('up', flush=True)\n"
+    code += "sys.modules['cases.cli.main'] = None\n"  # would fail to load
+    code += "old = signal.signal\n"
+    code += "def late(*words):\n    old(*words)\n    if words[0] == signal.SIGTERM: os.kill(os.getpid(), 15)\n"
+    code += "signal.signal = late\nstart.main()"
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert (answer.returncode, answer.stderr) == (3, "oilfilm: interrupted\n")
+
+
+@pytest.mark.parametrize(
+    ("words", "redirection", "expected"),
+    [
+        ("list bearings", ">/dev/full", 4),
+        ("schema", ">/dev/full", 4),
+        ("schema", ">&-", 0),
+        ("validate missing", "2>&-", 2),
+        ("validate missing", "2>/dev/full", 2),
+        ("validate 209_radial_8900N", ">&- 2>&- <&-", 0),
+    ],
+)
+def test_closed_and_full_streams(words, redirection, expected, tmp_path):
+    if "full" in redirection and not os.path.exists("/dev/full"):
+        pytest.skip("no /dev/full")
+    command = f"{' '.join(OILFILM)} {words} {redirection}"
+    answer = subprocess.run(["sh", "-c", command], capture_output=True, text=True, check=False)
+    assert answer.returncode == expected
+    assert len(answer.stderr.splitlines()) == (expected == 4)
+    assert "Traceback" not in answer.stderr
+
+
+def test_work_goes_on_when_nobody_reads_its_messages(tmp_path):
+    """Standard error is a pipe whose reader has gone."""
+    command = f"(sleep 0.5; {' '.join(OILFILM)} run 209_radial_8900N -o out >run.txt; echo $? >code) 2>&1 | true"
+    subprocess.run(["sh", "-c", command], cwd=tmp_path, check=True)
+    deadline = time.monotonic() + 120.0
+    while not (tmp_path / "code").exists() and time.monotonic() < deadline:
+        time.sleep(0.1)
+    assert (tmp_path / "code").read_text() == "0\n"
+    assert (tmp_path / "out" / "summary.json").exists()
+
+
+def test_progress_is_told_in_lines_where_there_is_no_terminal(monkeypatch, capsys):
+    monkeypatch.setattr(progress, "FIRST_LINE", 0.05)
+    with progress.progress_bar(quiet=False) as show:
+        show(2, 18, "films")
+        time.sleep(0.3)
+    lines = capsys.readouterr().err.splitlines()
+    assert lines[0] == "oilfilm: after 0 s: films, 2 of 18"
+    assert 1 <= len(lines) <= 3  # after 0.05, 0.15, 0.35 s
+    with progress.progress_bar(quiet=True) as show:
+        show(2, 18, "films")
+        time.sleep(0.1)
+    assert capsys.readouterr().err == ""
+
+
+def test_a_compilation_is_told_once(capsys):
+    import logging
+
+    with progress.progress_bar(quiet=False):
+        for _ in range(3):
+            logging.getLogger("ehl.compiled").info("compiling kernels")
+    assert capsys.readouterr().err == "oilfilm: compiling kernels\n"
+
+
+def test_compiling_a_kernel_is_logged_and_calling_it_again_is_not(caplog):
+    from numba import njit
+
+    import ehl.multigrid._kernels  # noqa: F401
+
+    kernel = njit(lambda x: 0.5 * x)
+    with caplog.at_level("INFO", logger="ehl.compiled"):
+        assert (kernel(3.0), kernel(5.0)) == (1.5, 2.5)
+    assert [record.getMessage()[:17] for record in caplog.records] == ["compiling kernels"]

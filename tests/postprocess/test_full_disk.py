@@ -1,0 +1,106 @@
+"""A disk that takes nothing more is an error with its number, whatever library writes."""
+
+from __future__ import annotations
+
+import errno
+import os
+import subprocess
+import sys
+
+import h5netcdf
+import numpy as np
+import pytest
+
+from bearing.files import write_bytes
+from postprocess.dynamics.spill import SpillingFile
+from postprocess.files import attempt
+
+resource = pytest.importorskip("resource", reason="limits of POSIX")
+OILFILM = [sys.executable, "-m", "cases.cli"]
+
+
+@pytest.fixture
+def small_files():
+    """No file may be larger than 20 kB."""
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (20_000, limits[1]))
+    yield
+    resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+
+
+def test_a_file_is_there_as_a_whole_or_not_at_all(small_files, tmp_path):
+    write_bytes(tmp_path / "a", b"1" * 19_000)
+    for name in ("a", "b"):
+        with pytest.raises(OSError) as caught:
+            write_bytes(tmp_path / name, b"2" * 21_000)
+        assert caught.value.errno == errno.EFBIG
+    assert [path.name for path in tmp_path.iterdir()] == ["a"]
+    assert (tmp_path / "a").read_bytes() == b"1" * 19_000
+
+
+def test_hdf5_never_sees_the_error(small_files, tmp_path):
+    content = SpillingFile(tmp_path / "a.nc")
+    file = h5netcdf.File(content, "w")
+    file.dimensions = {"t": None}
+    values = file.create_variable("v", ("t",), dtype="f8", chunks=(128,))
+    rng = np.random.default_rng(51_377)
+    written = []
+
+    def write():
+        for _ in range(100):
+            written.append(rng.random(128))
+            file.resize_dimension("t", 128 * len(written))
+            values[-128:] = written[-1]
+            file.flush()
+            content.check()
+
+    with pytest.raises(OSError, match="File too large"):
+        write()
+    assert len(written) > 10
+    np.testing.assert_array_equal(values[:], np.concatenate(written))  # the rest is in memory
+    file.close()
+    content.close()
+
+
+def test_a_spilling_file_is_a_file(tmp_path):
+    content = SpillingFile(tmp_path / "a")
+    content.write(b"abcdef")
+    content.error = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    content.seek(4)
+    content.write(b"xyz")
+    content.seek(-5, os.SEEK_END)
+    assert (content.read(3), content.tell()) == (b"cdx", 5)
+    content.close()
+    assert (tmp_path / "a").read_bytes() == b"abcdef"
+
+
+def test_a_full_disk_is_no_lost_picture():
+    def fail(number):
+        raise OSError(number, os.strerror(number))
+
+    assert attempt("plots", lambda: fail(errno.ENOENT)) == (
+        "plots not written: FileNotFoundError: [Errno 2] No such file or directory",
+    )
+    with pytest.raises(OSError, match="No space"):
+        attempt("plots", lambda: fail(errno.ENOSPC))
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "run 209_radial_8900N -o out",
+        "stiffness 209_radial_8900N --speeds 0 900 --points 40 -o out",
+        "batch s.toml -o out",
+    ],
+)
+def test_commands_end_with_one_line_and_code_4(words, tmp_path):
+    (tmp_path / "s.toml").write_text('case = "209_radial_8900N"\n[sweep]\n"operation.radial_load_N" = [100.0, 200.0]\n')
+    limit = (
+        f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (6000, 6000)); sys.argv[1:] = {words.split()}"
+    )
+    code = f"{limit}; from cases.cli.start import main; main()"
+    answer = subprocess.run([sys.executable, "-c", code], cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert answer.returncode == 4
+    assert sum("failed: " in line for line in answer.stderr.splitlines()) == 1
+    assert "Traceback" not in answer.stderr and "not written" not in answer.stderr
+    assert not [path for path in tmp_path.rglob(".*") if path.name != ".oilfilm-files.json"]
